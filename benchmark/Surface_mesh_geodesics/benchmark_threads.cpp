@@ -1,0 +1,56 @@
+// One source, 1, 2, ... threads: distances of all vertices from vertex 0 by the parallel propagation, against the
+// sequential one. Prints one line of comma separated values per mesh, level of midpoint subdivision and number of
+// threads. Times are those that pass on the clock: the machine must be idle. Runs with different numbers of threads
+// alternate, and the speedup is the median of their ratios. Needs TBB (CGAL_LINKED_WITH_TBB); without it there is one
+// thread.
+
+#include "runs_in_process.h"
+#include "thread_counts.h"
+
+#include <CGAL/Surface_mesh_geodesics/Geodesic_distance_solver.h>
+
+namespace Geodesics = CGAL::Surface_mesh_geodesics;
+
+int main(int argc, char* argv[])
+{
+  Settings settings;
+  settings.subdivisions = 2;
+  if(!read_settings(argc, argv, settings, [](const std::string&, const std::string&) { return false; }))
+  {
+    return usage(argv[0], " mesh...   (--subdivide K: levels up to K, default 2)");
+  }
+  print_head(settings, "distances of all vertices from vertex 0 by several threads, clock times",
+             "mesh,subdivisions,faces,threads," + spread_columns("run_ms") + ",speedup,windows");
+  for(const std::string& file : settings.meshes)
+  {
+    for(std::size_t level = 0; level <= settings.subdivisions; ++level)
+    {
+      Benchmark_mesh mesh;
+      if(!read_mesh(file, level, mesh))
+      {
+        return EXIT_FAILURE;
+      }
+      const Benchmark_vertex source = *mesh.vertices().begin();
+      Geodesics::Geodesic_distance_solver<Benchmark_mesh> sequential(mesh);
+      Geodesics::Geodesic_distance_solver<Benchmark_mesh, Parallel> parallel(mesh);
+      std::size_t windows[2] = {0, 0}; // of the sequential and the parallel runs
+      const Scaling scaling(settings, [&](std::size_t threads) {
+        Geodesics::Propagation_statistics statistics;
+        Geodesics::Geodesic_distance_options<Benchmark_mesh> options;
+        options.statistics = &statistics;
+        if(threads == 0)
+          sequential.compute_distances(source, options);
+        else
+          parallel.compute_distances(source, options);
+        windows[threads == 0 ? 0 : 1] = statistics.windows_propagated;
+      });
+      for(const auto& entry : scaling.entries())
+      {
+        std::cout << file_name(file) << ',' << level << ',' << mesh.number_of_faces() << ',' << entry.name << ','
+                  << entry.time << ',' << cell(entry.speedup, 3) << ','
+                  << windows[entry.name == "sequential" ? 0 : 1] << std::endl;
+      }
+    }
+  }
+  return EXIT_SUCCESS;
+}

@@ -1,0 +1,302 @@
+#!/usr/bin/env python3
+"""Makes plots and tables of what run_benchmark.sh has measured.
+
+Usage: plot_benchmark.py FOLDER_WITH_CSV OUTPUT_FOLDER
+
+Reads the files that are there, of growth.csv, anisotropy.csv, sources.csv, reach.csv, rules.csv, threads.csv, matrix.csv
+and against_shortest_path_all.csv. Writes an SVG file for each of them and tables.md, with the tables of the manual.
+"""
+
+import csv
+import pathlib
+import sys
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402  (after the choice of the backend)
+from matplotlib.ticker import NullFormatter, ScalarFormatter  # noqa: E402
+
+# The same bits from the same numbers: no date, no random names.
+matplotlib.rcParams["svg.hashsalt"] = "Surface_mesh_geodesics"
+matplotlib.rcParams["svg.fonttype"] = "none"
+matplotlib.rcParams["font.size"] = 9
+matplotlib.rcParams["axes.grid"] = True
+matplotlib.rcParams["grid.linewidth"] = 0.4
+matplotlib.rcParams["axes.spines.top"] = False
+matplotlib.rcParams["axes.spines.right"] = False
+
+
+def read(path):
+    """The lines of comments and the rows of a file, as dictionaries of numbers where they are numbers."""
+    with open(path, encoding="utf-8") as file:
+        lines = file.read().splitlines()
+    comments = [line[2:] for line in lines if line.startswith("# ")]
+    rows = []
+    for row in csv.DictReader(line for line in lines if not line.startswith("#")):
+        for key, value in row.items():
+            try:
+                row[key] = float(value)
+            except (TypeError, ValueError):
+                pass
+        rows.append(row)
+    return comments, rows
+
+
+def groups(rows, key):
+    """The rows by the value of a column, in the order of appearance."""
+    result = {}
+    for row in rows:
+        result.setdefault(row[key], []).append(row)
+    return result
+
+
+def plain_axis(axis):
+    axis.set_major_formatter(ScalarFormatter())
+    axis.set_minor_formatter(NullFormatter())
+
+
+def error_bars(axes, x, rows, name, **style):
+    middle = [row[name] for row in rows]
+    low = [row[name] - row[name + "_min"] for row in rows]
+    high = [row[name + "_max"] - row[name] for row in rows]
+    axes.errorbar(x, middle, yerr=[low, high], marker="o", markersize=4, capsize=2, linewidth=1.2, **style)
+
+
+def save(figure, folder, name):
+    figure.tight_layout()
+    figure.savefig(folder / (name + ".svg"), metadata={"Date": None})
+    plt.close(figure)
+
+
+def number(value, digits=1):
+    """A number as it stands in a table."""
+    if isinstance(value, str):
+        return value
+    if value == int(value) and digits == 0:
+        return f"{int(value):,}"
+    return f"{value:,.{digits}f}"
+
+
+def table(columns, rows):
+    """A table in markdown. `columns` are pairs of a head and a function of a row."""
+    lines = ["| " + " | ".join(head for head, _ in columns) + " |", "|" + "--:|" * len(columns)]
+    for row in rows:
+        lines.append("| " + " | ".join(cell(row) for _, cell in columns) + " |")
+    return "\n".join(lines)
+
+
+def spread(name):
+    return lambda row: f"{number(row[name])} ({number(row[name + '_min'])}–{number(row[name + '_max'])})"
+
+
+# --- one function for each question: it draws into the folder and returns a title and a table ------------------------
+
+
+def growth(rows, folder):
+    figure, (time, windows, memory) = plt.subplots(1, 3, figsize=(10, 3.2))
+    for mesh, of_mesh in groups(rows, "mesh").items():
+        faces = [row["faces"] for row in of_mesh]
+        error_bars(time, faces, of_mesh, "run_ms", label=f"{mesh}: propagation")
+        error_bars(time, faces, of_mesh, "read_ms", label=f"{mesh}: reading the mesh")
+        windows.plot(faces, [row["windows_per_face"] for row in of_mesh], marker="o", markersize=4, label=mesh)
+        first = of_mesh[0]
+        root = [first["windows_per_face"] * (f / first["faces"]) ** 0.5 for f in faces]
+        windows.plot(faces, root, linestyle=":", color="gray", label="square root of the number of faces")
+        memory.plot(faces, [row["mesh_bytes_per_face"] for row in of_mesh], marker="o", markersize=4,
+                    label="mesh and results")
+        memory.plot(faces, [row["window_mb"] * 2**20 / row["faces"] for row in of_mesh], marker="s", markersize=4,
+                    label="windows")
+    for axes in (time, windows, memory):
+        axes.set_xscale("log")
+        axes.set_xlabel("faces")
+    time.set_yscale("log")
+    windows.set_yscale("log")
+    plain_axis(windows.yaxis)
+    time.set_ylabel("processor time, ms")
+    windows.set_ylabel("windows per face")
+    memory.set_ylabel("bytes per face")
+    memory.set_ylim(bottom=0)
+    for axes in (time, windows, memory):
+        axes.legend(fontsize=7)
+    save(figure, folder, "growth")
+    return "Growth", table([
+        ("mesh", lambda r: f"{r['mesh']}, level {int(r['subdivisions'])}"),
+        ("faces", lambda r: number(r["faces"], 0)),
+        ("reading the mesh, ms", spread("read_ms")),
+        ("propagation, ms", spread("run_ms")),
+        ("share of reading", lambda r: f"{100 * r['read_share']:.0f} %"),
+        ("windows", lambda r: number(r["windows"], 0)),
+        ("windows per face", lambda r: number(r["windows_per_face"])),
+        ("ns per window", lambda r: number(r["ns_per_window"])),
+        ("bytes per face", lambda r: number(r["mesh_bytes_per_face"], 0)),
+        ("windows, MB", lambda r: number(r["window_mb"])),
+    ], rows)
+
+
+def anisotropy(rows, folder):
+    figure, axes = plt.subplots(figsize=(4, 3))
+    axes.plot([row["stretch"] for row in rows], [row["ns_per_window"] for row in rows], marker="o", markersize=4)
+    axes.set_xscale("log", base=2)
+    axes.set_xticks([row["stretch"] for row in rows], [f"{row['stretch']:g}" for row in rows])
+    axes.set_ylim(bottom=0)
+    axes.set_xlabel("stretch of the torus")
+    axes.set_ylabel("ns per window")
+    save(figure, folder, "anisotropy")
+    return "Anisotropy", table([
+        ("stretch", lambda r: number(r["stretch"], 0)),
+        ("run, ms", spread("run_ms")),
+        ("windows", lambda r: number(r["windows"], 0)),
+        ("ns per window", lambda r: number(r["ns_per_window"])),
+    ], rows)
+
+
+def sources(rows, folder):
+    figure, axes = plt.subplots(figsize=(4, 3))
+    for mesh, of_mesh in groups(rows, "mesh").items():
+        error_bars(axes, [row["sources"] for row in of_mesh], of_mesh, "run_ms", label=mesh)
+    axes.set_xscale("log")
+    axes.set_ylim(bottom=0)
+    axes.set_xlabel("sources")
+    axes.set_ylabel("processor time, ms")
+    axes.legend(fontsize=7)
+    save(figure, folder, "sources")
+    return "Number of sources", table([
+        ("mesh", lambda r: r["mesh"]),
+        ("sources", lambda r: number(r["sources"], 0)),
+        ("run, ms", spread("run_ms")),
+        ("windows", lambda r: number(r["windows"], 0)),
+    ], rows)
+
+
+def reach(rows, folder):
+    figure, axes = plt.subplots(figsize=(4.5, 3.2))
+    for (faces, of_size), style in zip(groups(rows, "faces").items(), ["-", "--", ":"]):
+        for end, of_end in groups(of_size, "end").items():
+            axes.plot([row["vertices_reached"] for row in of_end], [row["run_ms"] for row in of_end], marker=".",
+                      linestyle=style, label=f"{int(faces):,} faces, {end}")
+    axes.set_xscale("log")
+    axes.set_yscale("log")
+    axes.set_xlabel("vertices reached")
+    axes.set_ylabel("processor time, ms")
+    axes.legend(fontsize=7)
+    save(figure, folder, "reach")
+    return "Computations that end early", table([
+        ("mesh", lambda r: f"{r['mesh']}, {int(r['faces']):,} faces"),
+        ("end", lambda r: r["end"]),
+        ("part of the largest distance", lambda r: f"{r['part_of_largest_distance']:g}"),
+        ("run, ms", lambda r: number(r["run_ms"], 3)),
+        ("vertices reached", lambda r: number(r["vertices_reached"], 0)),
+        ("µs per vertex", lambda r: number(r["us_per_vertex"], 2)),
+    ], rows)
+
+
+def rules(rows, folder):
+    meshes = groups(rows, "mesh")
+    figure, (windows, time) = plt.subplots(1, 2, figsize=(9, 3.2))
+    names = list(groups(rows, "rules"))
+    width = 0.8 / len(meshes)
+    for i, (mesh, of_mesh) in enumerate(meshes.items()):
+        x = [names.index(row["rules"]) + i * width for row in of_mesh]
+        windows.bar(x, [row["windows_per_face"] for row in of_mesh], width, label=mesh)
+        time.bar(x, [row["run_ms"] for row in of_mesh], width, label=mesh)
+    for axes, label in ((windows, "windows per face"), (time, "processor time, ms")):
+        axes.set_xticks([i + 0.4 - width / 2 for i in range(len(names))])
+        axes.set_xticklabels(names, rotation=20, ha="right")
+        axes.set_yscale("log")
+        axes.set_ylabel(label)
+        axes.legend(fontsize=7)
+    save(figure, folder, "rules")
+    return "Rules left out", table([
+        ("mesh", lambda r: r["mesh"]),
+        ("rules", lambda r: r["rules"]),
+        ("run, ms", spread("run_ms")),
+        ("windows propagated", lambda r: number(r["windows_propagated"], 0)),
+        ("windows per face", lambda r: number(r["windows_per_face"])),
+        ("windows alive", lambda r: number(r["windows_alive"], 0)),
+    ], rows)
+
+
+def speedups(rows, folder, name, label, title, columns):
+    figure, axes = plt.subplots(figsize=(4, 3))
+    most = 1
+    for key, of_key in groups(rows, label).items():
+        parallel = [row for row in of_key if row["threads"] != "sequential"]
+        if not parallel:
+            continue
+        most = max(most, int(max(row["threads"] for row in parallel)))
+        axes.plot([row["threads"] for row in parallel], [row["speedup"] for row in parallel], marker="o", markersize=4,
+                  label=f"{int(key):,} faces" if label == "faces" else key)
+    axes.plot([1, most], [1, most], linestyle=":", color="gray", label="as many times as threads")
+    axes.set_xticks(range(1, most + 1) if most <= 8 else [2**k for k in range(most.bit_length())])
+    axes.set_ylim(bottom=0)
+    axes.set_xlabel("threads")
+    axes.set_ylabel("speedup over the sequential run")
+    axes.legend(fontsize=7)
+    save(figure, folder, name)
+    threads = ("threads", lambda r: r["threads"] if r["threads"] == "sequential" else number(r["threads"], 0))
+    return title, table(columns + [
+        threads, ("run, ms", spread("run_ms")), ("speedup", lambda r: number(r["speedup"], 2))], rows)
+
+
+def threads_of_one_source(rows, folder):
+    return speedups(rows, folder, "threads", "faces", "Threads for one source",
+                    [("faces", lambda r: number(r["faces"], 0))])
+
+
+def matrix(rows, folder):
+    return speedups(rows, folder, "matrix", "matrix", "Threads for a matrix",
+                    [("matrix", lambda r: r["matrix"]), ("rows", lambda r: number(r["rows"], 0))])
+
+
+def against(rows, folder):
+    rows = sorted((row for row in rows if row["time_ratio"] != ""), key=lambda row: row["time_ratio"])
+    figure, axes = plt.subplots(figsize=(6, 0.16 * len(rows) + 1))
+    axes.barh([row["mesh"] for row in rows], [row["time_ratio"] for row in rows])
+    axes.set_xlabel("time of Surface_mesh_shortest_path / time of geodesic_distances()")
+    axes.tick_params(axis="y", labelsize=6)
+    save(figure, folder, "against_shortest_path")
+    return "Ratios against Surface_mesh_shortest_path", table([
+        ("mesh", lambda r: r["mesh"]),
+        ("faces", lambda r: number(r["faces"], 0)),
+        ("original, ms", spread("original_ms")),
+        ("ours, ms", spread("ours_ms")),
+        ("ratio", lambda r: number(r["time_ratio"])),
+    ], rows)
+
+
+QUESTIONS = {
+    "growth": growth,
+    "anisotropy": anisotropy,
+    "sources": sources,
+    "reach": reach,
+    "rules": rules,
+    "threads": threads_of_one_source,
+    "matrix": matrix,
+    "against_shortest_path_all": against,
+}
+
+
+def main(arguments):
+    if len(arguments) != 2:
+        print(__doc__)
+        return 2
+    source, target = pathlib.Path(arguments[0]), pathlib.Path(arguments[1])
+    target.mkdir(parents=True, exist_ok=True)
+    sections = []
+    for name, draw in QUESTIONS.items():
+        path = source / (name + ".csv")
+        if not path.exists():
+            continue
+        comments, rows = read(path)
+        if not rows:
+            continue
+        title, text = draw(rows, target)
+        sections.append(f"## {title}\n\n" + "".join(f"- {line}\n" for line in comments) + f"\n{text}\n")
+    (target / "tables.md").write_text("\n".join(sections), encoding="utf-8")
+    print(f"{len(sections)} plots and tables in {target}")
+    return 0 if sections else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,305 @@
+#!/usr/bin/env bash
+# Measures geodesic_distances(), Surface_mesh_geodesic_paths and Surface_mesh_geodesic_Voronoi_diagram against
+# CGAL::Surface_mesh_shortest_path on CGAL's data meshes and writes the numbers as CSV files and as tables in markdown. See readme.txt beside this file.
+set -euo pipefail
+
+usage()
+{
+  cat <<'END'
+usage: run_benchmark.sh [options]
+  --all              every triangle mesh of the data with at least 5000 faces, too
+  --no-standard      leave out the standard meshes (only the other tables that are asked for)
+  --paths            Surface_mesh_geodesic_paths, too: builds, queries and paths
+  --voronoi          Surface_mesh_geodesic_Voronoi_diagram, too: 1 to 1000 sites
+  --questions        the programs that measure geodesic distances alone, too: growth, anisotropy, sources, reach, rules,
+                     threads, matrix; and plots, if python3 has matplotlib
+  --repetitions N    runs of each method on the standard meshes (5)
+  --all-repetitions N  the same for --all (3)
+  --paths-repetitions N  the same for --paths (5)
+  --questions-repetitions N  the same for --questions (7)
+  --voronoi-repetitions N  the same for --voronoi (3)
+  --paths-meshes LIST  names of meshes for --paths ("bunny00 armadillo refined_elephant")
+  --kernel K         simple or epick (simple)
+  --build FOLDER     where to build and write (build/benchmark)
+  --data FILE        CGAL's data as a tar.gz (Debian: package libcgal-demo)
+  --programs FOLDER  use the programs in this folder instead of building them
+END
+}
+
+here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
+root="$(cd "$here/../.." && pwd)"
+build="$root/build/benchmark"
+data_archive=/usr/share/doc/libcgal-dev/data.tar.gz
+programs=
+repetitions=5
+all_repetitions=3
+paths_repetitions=5
+questions_repetitions=7
+paths_meshes="bunny00 armadillo refined_elephant"
+kernel=simple
+standard=yes
+all=no
+paths=no
+voronoi=no
+voronoi_repetitions=3
+questions=no
+
+while [ $# -gt 0 ]; do
+  case "$1" in
+    --all) all=yes ;;
+    --paths) paths=yes ;;
+    --voronoi) voronoi=yes ;;
+    --questions) questions=yes ;;
+    --no-standard) standard=no ;;
+    --repetitions) repetitions="$2"; shift ;;
+    --all-repetitions) all_repetitions="$2"; shift ;;
+    --paths-repetitions) paths_repetitions="$2"; shift ;;
+    --voronoi-repetitions) voronoi_repetitions="$2"; shift ;;
+    --questions-repetitions) questions_repetitions="$2"; shift ;;
+    --paths-meshes) paths_meshes="$2"; shift ;;
+    --kernel) kernel="$2"; shift ;;
+    --build) build="$2"; shift ;;
+    --data) data_archive="$2"; shift ;;
+    --programs) programs="$2"; shift ;;
+    -h | --help) usage; exit 0 ;;
+    *) usage >&2; exit 1 ;;
+  esac
+  shift
+done
+
+mkdir -p "$build"
+build="$(cd "$build" && pwd)"
+flags="not known (--programs)"
+
+if [ -z "$programs" ]; then
+  cmake -S "$root" -B "$build/programs" -DCMAKE_BUILD_TYPE=Release -DCMAKE_EXPORT_COMPILE_COMMANDS=ON \
+    -DSurface_mesh_geodesics_TESTS=OFF -DSurface_mesh_geodesics_EXAMPLES=OFF \
+    -DSurface_mesh_geodesics_BENCHMARK=ON > "$build/configure.log"
+  targets=()
+  [ "$standard$all" = nono ] || targets+=(benchmark_against_shortest_path)
+  [ "$paths" = no ] || targets+=(benchmark_paths_against_shortest_path)
+  [ "$voronoi" = no ] || targets+=(benchmark_Voronoi_diagram)
+  [ "$questions" = no ] || targets+=(benchmark_growth benchmark_anisotropy benchmark_sources benchmark_reach benchmark_rules
+                                     benchmark_threads benchmark_matrix)
+  [ "${#targets[@]}" -gt 0 ] || { usage >&2; exit 1; }
+  cmake --build "$build/programs" --target "${targets[@]}" > "$build/build.log"
+  programs="$(dirname "$(find "$build/programs" -type f -name "${targets[0]}" | head -n 1)")"
+  # What the compiler was really called with, less folders, warnings, definitions of paths and file names.
+  flags="$(grep "\"command\".*${targets[0]}" "$build/programs/compile_commands.json" | head -n 1 \
+    | tr ' ' '\n' | grep -E '^-(O|f|m|march|std|DNDEBUG|D_GLIBCXX)' | sort -u | tr '\n' ' ' | sed 's/ $//')"
+fi
+program="$programs/benchmark_against_shortest_path"
+paths_program="$programs/benchmark_paths_against_shortest_path"
+voronoi_program="$programs/benchmark_Voronoi_diagram"
+
+if [ ! -f "$build/data/meshes/bunny00.off" ]; then
+  if [ ! -f "$data_archive" ] && command -v apt-get > /dev/null; then
+    # Slim images of Debian drop all of /usr/share/doc while they install: take the file out of the package itself.
+    mkdir -p "$build/libcgal-demo"
+    (cd "$build/libcgal-demo" && apt-get download libcgal-demo && dpkg-deb --extract libcgal-demo_*.deb .) || true
+    data_archive="$build/libcgal-demo/usr/share/doc/libcgal-dev/data.tar.gz"
+  fi
+  if [ ! -f "$data_archive" ]; then
+    echo "$data_archive is missing: apt-get install libcgal-demo, or --data FILE" >&2
+    exit 1
+  fi
+  mkdir -p "$build/unpacked"
+  tar -xzf "$data_archive" -C "$build/unpacked"
+  meshes="$(dirname "$(find "$build/unpacked" -name bunny00.off | head -n 1)")"
+  mkdir -p "$build/data"
+  mv "$meshes" "$build/data/meshes"
+  rm -rf "$build/unpacked"
+fi
+meshes="$build/data/meshes"
+
+# CSV with '#' lines on top -> text and a table in markdown.
+markdown()
+{
+  awk -F, '
+    function range(middle, low, high) { return middle == "" ? "" : sprintf(middle < 1000 ? "%.1f (%.1f–%.1f)" : "%.0f (%.0f–%.0f)", middle, low, high) }
+    function times(ratio) { return ratio == "" ? "" : sprintf("%.1f", ratio) }
+    /^#/ { sub(/^# /, ""); print "- " $0; next }
+    /^mesh,/ {
+      print ""
+      print "| mesh | faces | original, ms | ours, ms | time ratio | original, added MB | ours, added MB | memory ratio | windows propagated | ns per window | largest relative difference |"
+      print "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|"
+      next
+    }
+    {
+      name = $1; sub(/\.[a-z]+$/, "", name)
+      if ($2 > 0) name = name ", subdivided " ($2 == 1 ? "once" : $2 == 2 ? "twice" : $2 " times")
+      printf "| %s | %d | %s | %s | %s | %s | %s | %s | %s | %s | %s |\n", name, $3, range($5, $6, $7), range($8, $9, $10), \
+             times($11), times($12), ($13 == "" ? "" : sprintf("%.2f", $13)), times($14), $15, times($16), ($17 == "" ? "" : sprintf("%.1e", $17))
+      if ($11 != "") { ratio[++n] = $11; memory[n] = $14 }
+      if ($1 ~ /^bunny00/) bunny[$2] = $8
+    }
+    function median(a, n,   i, j, t) {
+      for (i = 2; i <= n; ++i) for (j = i; j > 1 && a[j - 1] + 0 > a[j] + 0; --j) { t = a[j]; a[j] = a[j - 1]; a[j - 1] = t }
+      return n % 2 ? a[(n + 1) / 2] : (a[n / 2] + a[n / 2 + 1]) / 2
+    }
+    END {
+      if (n > 4) {
+        m = median(ratio, n)
+        printf "\n%d meshes: ratio of times %.1f to %.1f, median %.1f", n, ratio[1], ratio[n], m
+        m = median(memory, n)
+        printf "; ratio of added memory %.1f to %.1f, median %.1f.\n", memory[1], memory[n], m
+      }
+      if (bunny[0] > 0 && bunny[2] > 0)
+        printf "\nbunny00 subdivided twice (16 times the faces) takes %.1f times the time of bunny00.\n", bunny[2] / bunny[0]
+    }' "$1"
+}
+
+# The same for the columns of benchmark_paths_against_shortest_path, found by their names.
+markdown_of_paths()
+{
+  awk -F, '
+    /^#/ { sub(/^# /, ""); print "- " $0; next }
+    /^mesh,/ { for (i = 1; i <= NF; ++i) column[$i] = i; next }
+    { row[++n] = $0 }
+    function value(name) { return $(column[name]) }
+    function number(x, digits) { return x == "" ? "" : sprintf("%." digits "f", x) }
+    # original, ours, ratio
+    function three(name, digits) {
+      return sprintf(" %s | %s | %s |", number(value("original_" name), digits), number(value("ours_" name), digits), \
+                     number(value("ratio_" name), digits_of_ratio(value("ratio_" name))))
+    }
+    # ours, ratio
+    function two(name, digits) {
+      return sprintf(" %s | %s |", number(value("ours_" name), digits), \
+                     number(value("ratio_" name), digits_of_ratio(value("ratio_" name))))
+    }
+    function digits_of_ratio(ratio) { return ratio < 2 ? 2 : 1 }
+    function mesh(   name) {
+      name = $1; sub(/\.[a-z]+$/, "", name)
+      return sprintf("| %s%s | %d |", name, ($2 > 0 ? sprintf(", subdivided %d times", $2) : ""), value("sources"))
+    }
+    function lowest(aim, name, at_least,   ratio) {
+      ratio = value("ratio_" name)
+      if (ratio != "")
+        printf "- %s, %d source%s: %s times, wanted: %s. %s\n", aim, value("sources"), (value("sources") > 1 ? "s" : ""), \
+               number(ratio, 2), at_least, (ratio + 0 >= at_least ? "Reached." : "NOT REACHED.")
+    }
+    END {
+      print "\n| mesh | sources | build: original, ms | ours for vertices, ms | ratio | ours for faces, ms | ratio | added memory: original, MB | ours for vertices, MB | ratio | ours for faces, MB | ratio |"
+      print "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|"
+      for (r = 1; r <= n; ++r) {
+        $0 = row[r]
+        print mesh() three("build_vertices_ms", 1) two("build_faces_ms", 1) three("memory_vertices_mb", 1) two("memory_faces_mb", 1)
+      }
+      print "\n| mesh | sources | vertex query: original, µs | ours, µs | ratio | face query: original, µs | ours, µs | ratio | vertex path: original, µs | ours, µs | ratio | face path: original, µs | ours, µs | ratio | points of a path from a vertex, from a face | largest relative difference of distances, of path lengths |"
+      print "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|"
+      for (r = 1; r <= n; ++r) {
+        $0 = row[r]
+        difference = value("largest_distance_difference")
+        printf "%s%s%s%s%s %s, %s | %s |\n", mesh(), three("vertex_query_us", 3), three("face_query_us", 2), three("vertex_path_us", 1), \
+               three("face_path_us", 1), value("points_per_vertex_path"), value("points_per_face_path"), \
+               difference == "" ? "" : sprintf("%.1e, %.1e", difference, value("largest_path_length_difference"))
+      }
+      print ""
+      for (r = 1; r <= n; ++r) {
+        $0 = row[r]
+        if ($1 !~ /^bunny00/ || $2 > 0) continue
+        lowest("bunny00, build for queries at vertices", "build_vertices_ms", 35)
+        lowest("bunny00, build for queries in faces", "build_faces_ms", 15)
+        lowest("bunny00, query in a face", "face_query_us", 1)
+        lowest("bunny00, memory for queries at vertices", "memory_vertices_mb", 20)
+        lowest("bunny00, memory for queries in faces", "memory_faces_mb", 8)
+      }
+    }' "$1"
+}
+
+# The same for the columns of benchmark_Voronoi_diagram.
+markdown_of_voronoi()
+{
+  awk -F, '
+    /^#/ { sub(/^# /, ""); print "- " $0; next }
+    /^mesh,/ {
+      for (i = 1; i <= NF; ++i) column[$i] = i
+      print "\n| mesh | faces | sites | distances, ms | windows all kept, ms | removal, ms | diagram, ms | diagram / distances | windows kept | at once | ratio | all kept, MB | removal, MB | diagram, MB | arcs | vertices | naive, ms | naive / diagram |"
+      print "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|"
+      next
+    }
+    function value(name) { return $(column[name]) }
+    {
+      name = $1; sub(/\.[a-z]+$/, "", name)
+      if ($2 > 0) name = name ", subdivided " ($2 == 1 ? "once" : $2 == 2 ? "twice" : $2 " times")
+      printf "| %s", name
+      n = split("faces sites distances_ms all_kept_ms removal_ms diagram_ms diagram_over_distances windows_kept windows_at_once ratio_of_windows all_kept_mb removal_mb diagram_mb arcs vertices naive_ms naive_over_diagram", names, " ")
+      for (i = 1; i <= n; ++i) printf " | %s", value(names[i])
+      print " |"
+      if (value("sites") == 30) { ratios = ratios sprintf("- %s: %s times fewer windows at once; diagram in %s times the time of the distances.\n", name, value("ratio_of_windows"), value("diagram_over_distances")) }
+    }
+    END { printf "\nWith 30 sites:\n%s", ratios }' "$1"
+}
+
+if [ "$standard" = yes ]; then
+  csv="$build/against_shortest_path.csv"
+  "$program" --kernel "$kernel" --repetitions "$repetitions" --flags "$flags" \
+    "$meshes/bunny00.off" "$meshes/armadillo.off" "$meshes/refined_elephant.off" | tee "$csv" >&2
+  # The original would need tens of gigabytes here.
+  for k in 1 2; do
+    "$program" --kernel "$kernel" --repetitions "$repetitions" --no-header --only ours --subdivide "$k" \
+      "$meshes/bunny00.off" | tee -a "$csv" >&2
+  done
+  markdown "$csv" | tee "${csv%.csv}.md"
+fi
+
+if [ "$all" = yes ]; then
+  csv="$build/against_shortest_path_all.csv"
+  # Files that hold no triangle mesh, or no single surface, are named on the standard error and left out.
+  find "$meshes" -maxdepth 1 -type f \( -name '*.off' -o -name '*.ply' -o -name '*.stl' \) | LC_ALL=C sort > "$build/list.txt"
+  "$program" --kernel "$kernel" --repetitions "$all_repetitions" --flags "$flags" --minimum-faces 5000 --time-limit 600 \
+    --list "$build/list.txt" 2> "$build/all_meshes.log" | tee "$csv" >&2 || echo "some runs failed, see $build/all_meshes.log" >&2
+  markdown "$csv" | tee "${csv%.csv}.md"
+fi
+
+if [ "$paths" = yes ]; then
+  csv="$build/paths_against_shortest_path.csv"
+  files=()
+  for name in $paths_meshes; do
+    files+=("$meshes/$name.off")
+  done
+  # refined_elephant is the largest mesh of the data; the original does it in less than 8 GB.
+  "$paths_program" --kernel "$kernel" --repetitions "$paths_repetitions" --flags "$flags" --memory-limit 8192 \
+    "${files[@]}" | tee "$csv" >&2
+  markdown_of_paths "$csv" | tee "${csv%.csv}.md"
+fi
+
+if [ "$voronoi" = yes ]; then
+  csv="$build/voronoi.csv"
+  "$voronoi_program" --repetitions "$voronoi_repetitions" --flags "$flags" "$meshes/bunny00.off" "$meshes/armadillo.off" \
+    | tee "$csv" >&2
+  # more than a million faces
+  "$voronoi_program" --repetitions 1 --no-header --sites 30 --subdivide 2 "$meshes/bunny00.off" | tee -a "$csv" >&2
+  # the naive way, one object of Surface_mesh_shortest_path per site
+  "$voronoi_program" --repetitions 1 --no-header --sites 10 --naive 10 "$meshes/elephant.off" "$meshes/armadillo.off" \
+    | tee -a "$csv" >&2
+  markdown_of_voronoi "$csv" | tee "${csv%.csv}.md"
+fi
+# ask <question> <arguments>: runs the program of a question; its table goes to <question>.csv
+ask()
+{
+  local question="$1"
+  shift
+  "$programs/benchmark_$question" --repetitions "$questions_repetitions" --flags "$flags" "$@" \
+    | tee "$build/$question.csv" >&2
+}
+
+if [ "$questions" = yes ]; then
+  ask growth --subdivide 2 "$meshes/bunny00.off"
+  ask anisotropy
+  ask sources "$meshes/bunny00.off"
+  ask reach --subdivide 1 "$meshes/bunny00.off"
+  ask rules "$meshes/elephant.off" "$meshes/armadillo.off" "$meshes/bunny00.off"
+  # These two measure the time that passes: the machine has to be idle.
+  ask threads --subdivide 2 "$meshes/bunny00.off"
+  ask matrix --rows 64 "$meshes/bunny00.off"
+fi
+
+for python in python3 /usr/bin/python3; do
+  if "$python" -c 'import matplotlib' 2> /dev/null; then
+    "$python" "$here/plot_benchmark.py" "$build" "$build/plots"
+    exit 0
+  fi
+done
+echo "No plots: python3 has no matplotlib (Debian: apt-get install python3-matplotlib)" >&2

@@ -1,0 +1,70 @@
+# What the tests, the examples and the benchmark programs share: every .cpp file of their folder is one program.
+
+set(Surface_mesh_geodesics_WARNING_FLAGS -Wall -Wextra -Wpedantic -Wshadow -Wconversion)
+
+# Optional: only some programs use it, and they say so themselves with __has_include.
+find_package(Eigen3 QUIET NO_MODULE)
+
+# Optional: programs that ask for CGAL_LINKED_WITH_TBB run in parallel with it.
+find_package(TBB QUIET)
+if(TBB_FOUND)
+  include(CGAL_TBB_support OPTIONAL)
+endif()
+if(NOT TARGET CGAL::TBB_support)
+  message(STATUS "NOTICE: TBB was not found: nothing is computed in parallel.")
+endif()
+
+# Adds a program named like its source file and notes the file for the checks with a second compiler. The headers that the
+# programs of a folder share are in include/ beside them.
+function(surface_mesh_geodesics_add_program source)
+  get_filename_component(folder "${source}" DIRECTORY)
+  get_filename_component(name "${source}" NAME_WE)
+  add_executable(${name} "${source}")
+  target_include_directories(${name} PRIVATE "${folder}/include")
+  target_link_libraries(${name} PRIVATE CGAL::Surface_mesh_geodesics)
+  if(TARGET Eigen3::Eigen)
+    target_link_libraries(${name} PRIVATE Eigen3::Eigen)
+  endif()
+  file(STRINGS "${source}" lines_with_tbb REGEX "CGAL_LINKED_WITH_TBB")
+  if(lines_with_tbb AND TARGET CGAL::TBB_support)
+    target_link_libraries(${name} PRIVATE CGAL::TBB_support)
+  endif()
+  if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+    target_compile_options(${name} PRIVATE ${Surface_mesh_geodesics_WARNING_FLAGS})
+    if(Surface_mesh_geodesics_WARNINGS_AS_ERRORS)
+      target_compile_options(${name} PRIVATE -Werror)
+    endif()
+  endif()
+  set_property(GLOBAL APPEND PROPERTY Surface_mesh_geodesics_PROGRAM_SOURCES "${source}")
+endfunction()
+
+# Adds one CTest test per line of arguments in `name.cmd` beside the source file, or one without arguments when there is
+# no such file. Empty lines and lines that start with # do not count. The names of the tests go to `out_tests`.
+function(surface_mesh_geodesics_add_runs source working_directory out_tests)
+  get_filename_component(folder "${source}" DIRECTORY)
+  get_filename_component(name "${source}" NAME_WE)
+  set(tests)
+  if(EXISTS "${folder}/${name}.cmd")
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${folder}/${name}.cmd")
+    file(STRINGS "${folder}/${name}.cmd" lines REGEX "^[ \t]*[^# \t]")
+    foreach(line IN LISTS lines)
+      list(LENGTH tests number)
+      math(EXPR number "${number} + 1")
+      separate_arguments(arguments UNIX_COMMAND "${line}")
+      add_test(
+        NAME ${name}_${number}
+        COMMAND ${name} ${arguments}
+        WORKING_DIRECTORY "${working_directory}")
+      list(APPEND tests ${name}_${number})
+    endforeach()
+  else()
+    add_test(
+      NAME ${name}
+      COMMAND ${name}
+      WORKING_DIRECTORY "${working_directory}")
+    set(tests ${name})
+  endif()
+  set(${out_tests}
+      ${tests}
+      PARENT_SCOPE)
+endfunction()

@@ -1,0 +1,69 @@
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_geodesics/Geodesic_distance_solver.h>
+#include <CGAL/Surface_mesh_geodesics/geodesic_distance_matrix.h>
+#include <CGAL/tags.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <iostream>
+#include <iterator>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using vertex_descriptor = boost::graph_traits<Mesh>::vertex_descriptor;
+
+namespace Geodesics = CGAL::Surface_mesh_geodesics;
+
+// Rows are computed in parallel if this program is compiled with TBB (in CMake: link CGAL::TBB_support).
+using Concurrency_tag = CGAL::Parallel_if_available_tag;
+
+int main(int argc, char* argv[])
+{
+  const std::string filename = (argc > 1) ? argv[1] : "data/bumpy_sphere.off";
+  Mesh mesh;
+  if(!CGAL::IO::read_polygon_mesh(filename, mesh) || mesh.number_of_faces() == 0)
+  {
+    std::cerr << "Cannot read a mesh from " << filename << std::endl;
+    return EXIT_FAILURE;
+  }
+
+  // The solver reads the mesh once and keeps its memory from one computation to the next.
+  Geodesics::Geodesic_distance_solver<Mesh> solver(mesh);
+
+  // Twenty vertices, each as far as possible from those before.
+  std::vector<vertex_descriptor> samples{*vertices(mesh).begin()};
+  while(samples.size() < 20)
+  {
+    solver.compute_distances(samples);
+    std::vector<vertex_descriptor> reached;
+    solver.vertices_reached(std::back_inserter(reached));
+    samples.push_back(*std::max_element(reached.begin(), reached.end(), [&](vertex_descriptor v, vertex_descriptor w)
+                                        { return solver.distance(v) < solver.distance(w); }));
+  }
+
+  // All distances between them; row i has those from sample i to the samples i, i+1, ...
+  double largest = 0, smallest = std::numeric_limits<double>::infinity();
+  Geodesics::symmetric_geodesic_distance_matrix<Concurrency_tag>(
+    solver, samples, [&](std::size_t, const std::vector<double>& row)
+    {
+      for(std::size_t k = 1; k < row.size(); ++k)
+      {
+        largest = (std::max)(largest, row[k]);
+        smallest = (std::min)(smallest, row[k]);
+      }
+    });
+  std::cout << "distances of " << samples.size() << " samples: from " << smallest << " to " << largest << std::endl;
+
+  // How many vertices are near to each of the samples: a sparse matrix of all vertices within a radius.
+  Geodesics::sparse_geodesic_distance_matrix<Concurrency_tag>(
+    solver, samples, vertices(mesh), smallest / 2,
+    [&](std::size_t i, const std::vector<std::pair<std::size_t, double>>& row)
+    { std::cout << "sample " << i << ": " << row.size() << " vertices" << std::endl; });
+  return EXIT_SUCCESS;
+}

@@ -1,0 +1,60 @@
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_geodesics/geodesic_farthest_point_sampling.h>
+#include <CGAL/Surface_mesh_geodesics/geodesic_remeshing.h>
+
+#include <cstdlib>
+#include <iostream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using vertex_descriptor = boost::graph_traits<Mesh>::vertex_descriptor;
+
+namespace Geodesics = CGAL::Surface_mesh_geodesics;
+
+int main(int argc, char* argv[])
+{
+  const std::string filename = (argc > 1) ? argv[1] : "data/bumpy_sphere.off";
+  const std::size_t n = (argc > 2) ? std::stoul(argv[2]) : 100;
+  Mesh mesh;
+  if(!CGAL::IO::read_polygon_mesh(filename, mesh) || mesh.number_of_faces() == 0)
+  {
+    std::cerr << "Cannot read a mesh from " << filename << std::endl;
+    return EXIT_FAILURE;
+  }
+
+  // Each sample is the vertex that is farthest from those before. More of them make the holes between them smaller.
+  std::vector<vertex_descriptor> samples;
+  Geodesics::Geodesic_sampling_options<Mesh> options;
+  for(std::size_t k = 10; k <= n; k *= 2)
+  {
+    options.first_samples = samples; // go on
+    const double radius = Geodesics::geodesic_farthest_point_sampling(mesh, k, std::back_inserter(samples), options);
+    std::cout << samples.size() << " samples: no vertex is farther from them than " << radius << std::endl;
+  }
+
+  // Samples, moved to the centers of their cells, are the vertices of a coarse mesh.
+  Mesh coarse;
+  const Geodesics::Geodesic_dual_report report =
+      Geodesics::geodesic_remeshing(mesh, n, coarse, CGAL::parameters::number_of_iterations(10));
+  if(!report.is_manifold())
+  {
+    std::cout << "The dual of " << n << " cells is no manifold mesh: " << report.cells_that_are_not_disks.size()
+              << " cells are not disks, " << report.pairs_with_several_edges.size()
+              << " pairs of cells have several edges in common. Try more vertices." << std::endl;
+    return EXIT_SUCCESS;
+  }
+  std::cout << "from " << mesh.number_of_vertices() << " to " << coarse.number_of_vertices() << " vertices, "
+            << coarse.number_of_faces() << " faces" << std::endl;
+  if(!CGAL::IO::write_polygon_mesh("remeshed.off", coarse, CGAL::parameters::stream_precision(17)))
+  {
+    std::cerr << "Cannot write remeshed.off" << std::endl;
+    return EXIT_FAILURE;
+  }
+  return EXIT_SUCCESS;
+}

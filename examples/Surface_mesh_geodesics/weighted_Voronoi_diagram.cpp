@@ -1,0 +1,61 @@
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_Voronoi_diagram.h>
+#include <CGAL/Surface_mesh_shortest_path.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <iostream>
+#include <string>
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Traits = CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>;
+using Voronoi_diagram = CGAL::Surface_mesh_geodesic_Voronoi_diagram<Traits>;
+
+int main(int argc, char* argv[])
+{
+  const std::string filename = (argc > 1) ? argv[1] : "data/bumpy_sphere.off";
+  Mesh mesh;
+  if(!CGAL::IO::read_polygon_mesh(filename, mesh) || mesh.number_of_faces() == 0)
+  {
+    std::cerr << "Cannot read a mesh from " << filename << std::endl;
+    return EXIT_FAILURE;
+  }
+
+  // Fire stations at four vertices: how far is it from the first one to the others?
+  const Mesh::size_type n = mesh.number_of_vertices();
+  Voronoi_diagram voronoi(mesh);
+  voronoi.add_site(Mesh::Vertex_index(0));
+  const double distance = voronoi.distance_to_nearest_site(Mesh::Vertex_index(n / 2));
+
+  // The first station is quicker: its weight is subtracted from all distances from it. The second starts late, its
+  // weight is negative. The last one stands in the cell of the first one, and is so slow that nobody is nearer to it.
+  voronoi.clear();
+  voronoi.add_site(Mesh::Vertex_index(0), 0.2 * distance);
+  voronoi.add_site(Mesh::Vertex_index(n / 2), -0.2 * distance);
+  voronoi.add_site(Mesh::Vertex_index(n / 4));
+  voronoi.add_site(target(halfedge(Mesh::Vertex_index(0), mesh), mesh), -distance);
+
+  std::size_t number_of_hyperbolas = 0;
+  for(const Voronoi_diagram::Arc& arc : voronoi.arcs())
+  {
+    number_of_hyperbolas += arc.is_segment() ? 0 : 1;
+  }
+  std::cout << voronoi.arcs().size() << " arcs, " << number_of_hyperbolas << " of them pieces of hyperbolas"
+            << std::endl;
+  for(std::size_t i = 0; i < voronoi.number_of_sites(); ++i)
+  {
+    std::cout << "site " << i << ", weight " << voronoi.weight(i)
+              << (voronoi.is_empty(i) ? ": empty" : ": area " + std::to_string(voronoi.area(i))) << std::endl;
+  }
+
+  // The cut mesh has one site for each face.
+  Mesh cut;
+  auto site = cut.add_property_map<Mesh::Face_index, std::size_t>("f:site").first;
+  voronoi.cut(cut, site, 1e-3 * distance);
+  std::cout << "the cut mesh has " << cut.number_of_faces() << " faces instead of " << mesh.number_of_faces() << ", "
+            << std::count(site.begin(), site.end(), std::size_t(0)) << " of them in the cell of site 0" << std::endl;
+  return EXIT_SUCCESS;
+}

@@ -1,0 +1,245 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_GEODESIC_DISTANCE_SOLVER_H
+#define CGAL_SURFACE_MESH_GEODESICS_GEODESIC_DISTANCE_SOLVER_H
+
+#include <CGAL/license/Surface_mesh_geodesics.h>
+
+#include <CGAL/Surface_mesh_geodesics/Geodesic_default_visitor.h>
+#include <CGAL/Surface_mesh_geodesics/Geodesic_distance_options.h>
+#include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Distance_solver.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Pruning_rules.h>
+#include <CGAL/Surface_mesh_geodesics/internal/intrinsic_mesh_from_face_graph.h>
+
+#include <CGAL/Default.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/tags.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
+#include <memory>
+#include <utility>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+
+/*!
+\ingroup PkgSurfaceMeshGeodesicsClasses
+
+The class `Geodesic_distance_solver` computes exact geodesic distances on one triangle mesh again and again,
+each time from another source or other sources.
+
+It gives the distances of `geodesic_distances()` with the same tag, bit by bit. The mesh is read once, when
+the object is constructed, and all memory is kept from one computation to the next. A computation that ends early, at
+a radius or when the distances of some targets are final, takes time proportional to the windows in the area that
+it reaches, and none for the rest of the mesh.
+
+\code
+Geodesic_distance_solver<Mesh> solver(tm);
+std::cout << solver.compute_distance(v, w) << "\n";         // one to one
+
+Geodesic_distance_options<Mesh> options;
+options.maximum_distance = 0.1;
+solver.compute_distances(v, options);                       // one to all within a radius
+solver.vertices_reached(std::back_inserter(neighbours));
+\endcode
+
+An object may be used by one thread at a time; `geodesic_distance_matrix()` uses several threads. It refers to the
+mesh, which must neither be changed nor die before the object. Objects can be moved.
+
+\tparam TriangleMesh a model of `FaceListGraph`
+\tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`: whether each computation
+        uses several threads, as for `geodesic_distances()`
+\tparam VertexIndexMap a model of `ReadablePropertyMap` with the vertex descriptor of `TriangleMesh` as key type
+        and `std::size_t` as value type, which gives each vertex a unique index between `0` and
+        `num_vertices(tm) - 1`. The default is an automatically indexed internal map.
+\tparam FaceIndexMap the same for faces
+
+\sa `geodesic_distances()`
+\sa `geodesic_distance_matrix()`
+*/
+template <typename TriangleMesh, typename ConcurrencyTag = Sequential_tag, typename VertexIndexMap = Default,
+          typename FaceIndexMap = Default>
+class Geodesic_distance_solver
+{
+  using Default_np = parameters::Default_named_parameters;
+
+public:
+  /// \name Types
+  /// @{
+
+  /// the triangle mesh type.
+  using Triangle_mesh = TriangleMesh;
+
+  /// the vertex descriptor type.
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+
+  /// the options of a computation.
+  using Options = Geodesic_distance_options<TriangleMesh>;
+
+#ifndef DOXYGEN_RUNNING
+  using Vertex_index_map = typename Default::Get<
+    VertexIndexMap, decltype(CGAL::get_initialized_vertex_index_map(std::declval<const TriangleMesh&>(),
+                                                                    std::declval<const Default_np&>()))>::type;
+  using Face_index_map = typename Default::Get<
+    FaceIndexMap, decltype(CGAL::get_initialized_face_index_map(std::declval<const TriangleMesh&>(),
+                                                                std::declval<const Default_np&>()))>::type;
+#else
+  /// the vertex index map.
+  using Vertex_index_map = VertexIndexMap;
+
+  /// the face index map.
+  using Face_index_map = FaceIndexMap;
+#endif
+
+  /// @}
+
+private:
+  using Solver = internal::Distance_solver<ConcurrencyTag, internal::All_pruning_rules, double, TriangleMesh,
+                                           Vertex_index_map, Face_index_map>;
+
+public:
+  /// \name Creation
+  /// All of them read the whole mesh.
+  ///
+  /// \throws Invalid_geodesic_input for the same meshes as `geodesic_distances()`, or
+  ///         `geodesic_distances_from_edge_lengths()`
+  /// @{
+
+  /// reads a mesh with its default maps.
+  explicit Geodesic_distance_solver(const TriangleMesh& tm)
+    : Geodesic_distance_solver(tm, get_const_property_map(CGAL::vertex_point, tm))
+  {}
+
+  /// reads a mesh with the points of a map.
+  ///
+  /// \tparam VertexPointMap a model of `ReadablePropertyMap` with the vertex descriptor as key type and a 3D
+  ///         point type with the members `x()`, `y()`, `z()` as value type
+  template <typename VertexPointMap>
+  Geodesic_distance_solver(const TriangleMesh& tm, VertexPointMap vertex_point_map)
+    : Geodesic_distance_solver(tm, vertex_point_map,
+                               CGAL::get_initialized_vertex_index_map(tm, parameters::default_values()),
+                               CGAL::get_initialized_face_index_map(tm, parameters::default_values()))
+  {}
+
+  /// reads a mesh with the points and the indices of the given maps.
+  template <typename VertexPointMap>
+  Geodesic_distance_solver(const TriangleMesh& tm, VertexPointMap vertex_point_map,
+                           Vertex_index_map vertex_index_map, Face_index_map face_index_map)
+    : m_solver(new Solver(tm, vertex_index_map, face_index_map,
+                          internal::Shape_from_points<double, TriangleMesh, VertexPointMap>(tm,
+                                                                                            vertex_point_map)))
+  {}
+
+  /// returns a solver for a surface that is given by the lengths of its edges.
+  ///
+  /// \tparam EdgeLengthMap a model of `ReadablePropertyMap` with the edge descriptor as key type and a number
+  ///         type that `CGAL::to_double()` takes as value type
+  template <typename EdgeLengthMap>
+  static Geodesic_distance_solver from_edge_lengths(const TriangleMesh& tm, EdgeLengthMap edge_length_map)
+  {
+    return from_edge_lengths(tm, edge_length_map,
+                             CGAL::get_initialized_vertex_index_map(tm, parameters::default_values()),
+                             CGAL::get_initialized_face_index_map(tm, parameters::default_values()));
+  }
+
+  /// returns a solver for a surface that is given by the lengths of its edges, with the indices of the
+  /// given maps.
+  template <typename EdgeLengthMap>
+  static Geodesic_distance_solver from_edge_lengths(const TriangleMesh& tm, EdgeLengthMap edge_length_map,
+                                                    Vertex_index_map vertex_index_map,
+                                                    Face_index_map face_index_map)
+  {
+    return Geodesic_distance_solver(std::unique_ptr<Solver>(
+      new Solver(tm, vertex_index_map, face_index_map,
+                 internal::Shape_from_edge_lengths<double, TriangleMesh, EdgeLengthMap>(tm, edge_length_map))));
+  }
+
+  /// @}
+
+  /// \name Computation
+  /// What was computed before is forgotten.
+  /// @{
+
+  /// computes the distances from a source or from the nearest of several sources; these are given as for
+  /// `geodesic_distances()`. Returns `true`, or `false` if the visitor cancelled: no vertex has been reached
+  /// then.
+  ///
+  /// \tparam Sources a source or a range of sources
+  /// \tparam Visitor a model of `GeodesicPropagationVisitor`
+  ///
+  /// \throws Invalid_geodesic_input for a source, a target or a number for which `geodesic_distances()` does. No vertex
+  ///         has been reached then.
+  template <typename Sources, typename Visitor>
+  bool compute_distances(const Sources& sources, const Options& options, Visitor& visitor)
+  {
+    return m_solver->run(sources, options, visitor);
+  }
+
+  /// computes the distances without a visitor.
+  template <typename Sources>
+  void compute_distances(const Sources& sources, const Options& options = Options())
+  {
+    Geodesic_default_visitor visitor;
+    compute_distances(sources, options, visitor);
+  }
+
+  /// computes the distances up to that of a vertex, and returns that, or infinity if no source reaches it.
+  template <typename Sources>
+  double compute_distance(const Sources& sources, vertex_descriptor target)
+  {
+    Options options;
+    options.targets.push_back(target);
+    compute_distances(sources, options);
+    return distance(target);
+  }
+
+  /// @}
+
+  /// \name Results of the Last Computation
+  /// @{
+
+  /// returns the distance of a vertex of the mesh, in the unit of the mesh. It is infinity if no source reaches the
+  /// vertex or if the computation ended before its distance was final.
+  double distance(vertex_descriptor v) const { return m_solver->distance(v); }
+
+  /// returns the position in the range of sources of a source from which the distance of `v` is measured,
+  /// or `Options::no_source` if the distance is infinity.
+  std::size_t nearest_source(vertex_descriptor v) const { return m_solver->nearest_source(v); }
+
+  /// puts the vertices whose distance is not infinity, each once and in no particular order, into an output iterator;
+  /// returns its new position. Takes time proportional to their number.
+  template <typename VertexOutputIterator>
+  VertexOutputIterator vertices_reached(VertexOutputIterator output) const
+  {
+    m_solver->for_each_vertex_reached([&output](vertex_descriptor v, double) { *output++ = v; });
+    return output;
+  }
+
+  /// @}
+
+#ifndef DOXYGEN_RUNNING
+  const typename Solver::Surface& surface() const { return m_solver->surface(); }
+#endif
+
+private:
+  explicit Geodesic_distance_solver(std::unique_ptr<Solver> solver) : m_solver(std::move(solver)) {}
+
+  std::unique_ptr<Solver> m_solver; // refers to itself, so it must not move
+};
+
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_GEODESIC_DISTANCE_SOLVER_H

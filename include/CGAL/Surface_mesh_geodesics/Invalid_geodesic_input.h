@@ -1,0 +1,73 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INVALID_GEODESIC_INPUT_H
+#define CGAL_SURFACE_MESH_GEODESICS_INVALID_GEODESIC_INPUT_H
+
+#include <CGAL/license/Surface_mesh_geodesics.h>
+
+#include <cstddef>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+
+/*!
+\ingroup PkgSurfaceMeshGeodesicsClasses
+
+The class `Invalid_geodesic_input` is the exception that reports input for which geodesic distances are
+not defined. It is thrown whether assertions are enabled or not, before anything is written to a
+property map of the user.
+*/
+class Invalid_geodesic_input
+  : public std::invalid_argument
+{
+public:
+  /// what is wrong.
+  enum class Reason
+  {
+    NOT_A_TRIANGLE,      ///< a face does not have three edges
+    NON_FINITE_POINT,    ///< a coordinate of a vertex is infinite or not a number
+    NON_FINITE_LENGTH,   ///< an edge length is infinite or not a number
+    NEGATIVE_LENGTH,     ///< an edge length is negative
+    TRIANGLE_INEQUALITY, ///< an edge is longer than the two others of a face, beyond rounding
+    INVALID_LOCATION,    ///< a source location has a null face, or lies outside its face
+    INVALID_DESCRIPTOR,  ///< a vertex or a face is null, or does not belong to the mesh
+    INVALID_OFFSET,      ///< an offset is negative or not finite, or there is not one per source
+    INVALID_RADIUS,      ///< a maximum distance is negative or not a number
+    INVALID_INDEX_MAP,   ///< an index map has values out of range, or equal values
+    NON_MANIFOLD,        ///< an edge has more than two faces, or two faces of opposite orientation
+    TOO_LARGE            ///< the mesh has more than 2<sup>30</sup> - 2 faces
+  };
+
+  /// the value of `element()` where no single element is to blame.
+  static constexpr std::size_t no_element = (std::numeric_limits<std::size_t>::max)();
+
+  Invalid_geodesic_input(Reason reason, const std::string& message, std::size_t element = no_element)
+    : std::invalid_argument(message), m_reason(reason), m_element(element)
+  {}
+
+  /// returns what is wrong.
+  Reason reason() const { return m_reason; }
+
+  /// returns which element is to blame: the position of a vertex, a face or an edge in the range
+  /// `vertices(tm)`, `faces(tm)` or `edges(tm)`, or that of a source in the range of sources.
+  std::size_t element() const { return m_element; }
+
+private:
+  Reason m_reason;
+  std::size_t m_element;
+};
+
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INVALID_GEODESIC_INPUT_H

@@ -1,0 +1,1143 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_SURFACE_MESH_GEODESIC_VORONOI_DIAGRAM_H
+#define CGAL_SURFACE_MESH_GEODESICS_SURFACE_MESH_GEODESIC_VORONOI_DIAGRAM_H
+
+#include <CGAL/license/Surface_mesh_geodesics.h>
+
+#include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
+#include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
+#include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_paths.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Arc_curve.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Geodesic_solver.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Redundant_window_removal.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi_cell_measures.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi_complex.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi_cut_mesh.h>
+#include <CGAL/Surface_mesh_geodesics/internal/intrinsic_mesh_from_face_graph.h>
+
+#include <CGAL/Default.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <iterator>
+#include <limits>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+// For classes with a member vertices(), which hides those that argument-dependent lookup finds.
+template <typename Graph>
+auto vertices_of(const Graph& graph)
+{
+  return vertices(graph);
+}
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+
+/*!
+\ingroup PkgSurfaceMeshGeodesicsClasses
+
+The class `Surface_mesh_geodesic_Voronoi_diagram` represents the geodesic Voronoi diagram of points of a triangle
+mesh, the sites: each point of the surface belongs to the cell of the site that is nearest to it, where distances
+are lengths of shortest paths on the surface.
+
+The diagram is exact: the curves between cells are not approximated along the edges of the mesh, but computed
+inside its faces. An arc is a piece of such a curve in one face, a segment or a piece of a hyperbola. Arcs of
+the same two cells, one behind the other, form an edge of the diagram; edges end at vertices of the
+diagram, where three cells or more meet, or at the border of the mesh, or are closed.
+
+Distances are propagated from all sites at once, with the algorithm of this package; windows are removed as soon as
+it is known that no curve crosses their face \cgalCite{cgal:q-gvd-17}, and faces that curves do cross are cut while
+the wavefront moves on. So the memory used is that of the wavefront and of the diagram itself.
+
+<b>Weights.</b> A site may have a weight \f$ w \f$: the distance of a point from it is the geodesic distance less
+\f$ w \f$, as in `Apollonius_graph_2`. A site in the cell of another site has an empty cell.
+
+<b>Ties.</b> Of several sites with the same place and the same weight, the first one has the cell, and the others
+are empty. If two sites are equally far from a vertex at which shortest paths bend, whole regions may be equally far
+from both; such a region belongs to one of the two, as decided at that vertex. The curves around it
+are then those along which the other site's paths, too, are no longer equally short. Where the diagram is
+symmetric, arcs may run along edges and through vertices of the mesh, and more than three cells may meet.
+
+<b>When things are computed.</b> Sites are collected; the diagram is computed by `build()`, or by the first query.
+All member functions that are `const` may be called from several threads at once, also the first time.
+
+\tparam Traits a model of `SurfaceMeshShortestPathTraits`, with the requirements of `Surface_mesh_geodesic_paths`
+\tparam VIM a model of `ReadablePropertyMap` with `vertex_descriptor` as key and `unsigned int` as value type.
+        The default is `boost::property_map<Triangle_mesh, boost::vertex_index_t>::%const_type`.
+\tparam HIM a model of `ReadablePropertyMap` with `halfedge_descriptor` as key and `unsigned int` as value
+        type, not used. The default is
+        `boost::property_map<Triangle_mesh, boost::halfedge_index_t>::%const_type`.
+\tparam FIM a model of `ReadablePropertyMap` with `face_descriptor` as key and `unsigned int` as value type.
+        The default is `boost::property_map<Triangle_mesh, boost::face_index_t>::%const_type`.
+\tparam VPM a model of `ReadablePropertyMap` with `vertex_descriptor` as key and `Traits::Point_3` as value
+        type. The default is `boost::property_map<Triangle_mesh, CGAL::vertex_point_t>::%const_type`.
+
+\sa `Surface_mesh_geodesic_paths`
+*/
+template <typename Traits, typename VIM = Default, typename HIM = Default, typename FIM = Default,
+          typename VPM = Default>
+class Surface_mesh_geodesic_Voronoi_diagram
+{
+  using Paths = Surface_mesh_geodesic_paths<Traits, VIM, HIM, FIM, VPM>;
+
+public:
+  /// \name Types
+  /// @{
+
+  /// the triangle mesh type.
+  using Triangle_mesh = typename Traits::Triangle_mesh;
+
+  /// the graph traits of the triangle mesh.
+  using Graph_traits = boost::graph_traits<Triangle_mesh>;
+
+  /// the vertex descriptor type.
+  using vertex_descriptor = typename Graph_traits::vertex_descriptor;
+
+  /// the halfedge descriptor type.
+  using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
+
+  /// the face descriptor type.
+  using face_descriptor = typename Graph_traits::face_descriptor;
+
+#ifndef DOXYGEN_RUNNING
+  using Vertex_index_map = typename Paths::Vertex_index_map;
+  using Halfedge_index_map = typename Paths::Halfedge_index_map;
+  using Face_index_map = typename Paths::Face_index_map;
+  using Vertex_point_map = typename Paths::Vertex_point_map;
+#else
+  /// the vertex index map.
+  using Vertex_index_map = VIM;
+
+  /// the halfedge index map.
+  using Halfedge_index_map = HIM;
+
+  /// the face index map.
+  using Face_index_map = FIM;
+
+  /// the vertex point map.
+  using Vertex_point_map = VPM;
+#endif
+
+  /// the number type of the traits.
+  using FT = typename Traits::FT;
+
+  /// the point type of the traits.
+  using Point_3 = typename Traits::Point_3;
+
+  /// an ordered triple of barycentric coordinates.
+  using Barycentric_coordinates = typename Traits::Barycentric_coordinates;
+
+  /// a point of a face, as in `Surface_mesh_geodesic_paths`.
+  using Face_location = std::pair<face_descriptor, Barycentric_coordinates>;
+
+  /// the number of a site: 0 for the one that was added first.
+  using Site_index = std::size_t;
+
+  /// @}
+
+  /// returns the number that stands for "no site", and for "no vertex" of the diagram.
+  static constexpr std::size_t null_site() { return (std::numeric_limits<std::size_t>::max)(); }
+
+private:
+  using Complex = Surface_mesh_geodesics::internal::Voronoi_complex<double>;
+  using Removal = typename Complex::Removal;
+  using Chain = Surface_mesh_geodesics::internal::Voronoi_chain;
+  using Internal_arc = Surface_mesh_geodesics::internal::Voronoi_arc<double>;
+  using Curve = Surface_mesh_geodesics::internal::Arc_curve;
+  using Planar = Surface_mesh_geodesics::internal::Planar_point<double>;
+  using Solver
+    = Surface_mesh_geodesics::internal::Geodesic_solver<Triangle_mesh, Vertex_index_map, Face_index_map>;
+  using Measures = Surface_mesh_geodesics::internal::Voronoi_cell_measures;
+  using Vertex_id = Surface_mesh_geodesics::internal::Vertex_id;
+
+public:
+  /*!
+  A vertex of the diagram: a point with the same distance from three nearest sites or more. Like `Arc` and `Edge`
+  it is a small handle, valid until the diagram is destroyed or its sites are changed.
+  */
+  class Vertex
+  {
+  public:
+    /// returns the place of the vertex.
+    Face_location location() const { return m_diagram->location_of_node(node()); }
+
+    /// returns the point of the vertex.
+    Point_3 point() const { return m_diagram->point(location()); }
+
+    /// returns the sites whose cells meet here, in ascending order: three, or more in symmetric diagrams.
+    const std::vector<Site_index>& sites() const { return m_diagram->m_vertex_sites[m_index]; }
+
+    /// returns the distance from the sites, less their weights.
+    FT distance() const { return m_diagram->user_distance(m_diagram->m_complex.nodes()[node()].distance); }
+
+    /// returns the number of the vertex.
+    std::size_t index() const { return m_index; }
+
+  private:
+    friend class Surface_mesh_geodesic_Voronoi_diagram;
+    Vertex(const Surface_mesh_geodesic_Voronoi_diagram* d, std::size_t i) : m_diagram(d), m_index(i) {}
+
+    std::size_t node() const { return m_diagram->m_node_of_vertex[m_index]; }
+
+    const Surface_mesh_geodesic_Voronoi_diagram* m_diagram;
+    std::size_t m_index;
+  };
+
+  /*!
+  An arc of the diagram: a piece of the curve between two cells in one face, along which the same image of
+  each of the two sites is the nearest one.
+  */
+  class Arc
+  {
+  public:
+    /// returns the face of the mesh that holds the arc.
+    face_descriptor face() const { return m_diagram->m_solver.user_face(arc().face); }
+
+    /// returns the two sites: the one whose cell is on the left of the arc (as seen from outside), and the other.
+    std::pair<Site_index, Site_index> sites() const
+    {
+      return {m_diagram->m_solver.source_at(arc().left_site), m_diagram->m_solver.source_at(arc().right_site)};
+    }
+
+    /// returns the location at the parameter `t`, from 0 to 1. Points are not evenly spaced in general.
+    Face_location point(double t) const
+    {
+      return m_diagram->location_in(arc().face, Curve(arc()).point(t));
+    }
+
+    /// returns the distance of the two sites from `point(t)`, less their weights.
+    FT distance(double t) const
+    {
+      return m_diagram->user_distance(arc().left.distance_to(Curve(arc()).point(t)));
+    }
+
+    /// returns whether the arc is a segment; else it is a piece of a hyperbola.
+    bool is_segment() const { return Curve(arc()).is_segment(); }
+
+    /// returns the length, with an error of about \f$ 10^{-13} \f$ of it.
+    FT length() const { return FT(m_diagram->m_solver.unit() * Curve(arc()).length()); }
+
+    /// writes the locations of points from `point(0)` to `point(1)` to an output iterator; the segments between
+    /// them are not farther from the arc than `tolerance`.
+    template <typename OutputIterator>
+    OutputIterator sample(double tolerance, OutputIterator output) const
+    {
+      const auto face = arc().face;
+      *output++ = m_diagram->location_in(face, arc().first);
+      Curve(arc()).sample(tolerance / m_diagram->m_solver.unit(), [&](const Planar& p)
+      { *output++ = m_diagram->location_in(face, p); });
+      return output;
+    }
+
+    /// returns the number of the vertex of the diagram at the beginning, or `null_site()`.
+    std::size_t source_vertex() const { return m_diagram->vertex_at(arc().first_node); }
+
+    /// returns the number of the vertex of the diagram at the end, or `null_site()`.
+    std::size_t target_vertex() const { return m_diagram->vertex_at(arc().last_node); }
+
+    /// returns the number of the arc.
+    std::size_t index() const { return m_index; }
+
+  private:
+    friend class Surface_mesh_geodesic_Voronoi_diagram;
+    Arc(const Surface_mesh_geodesic_Voronoi_diagram* d, std::size_t i) : m_diagram(d), m_index(i) {}
+
+    const Internal_arc& arc() const { return m_diagram->m_complex.arcs()[m_diagram->m_arc_ids[m_index]]; }
+
+    const Surface_mesh_geodesic_Voronoi_diagram* m_diagram;
+    std::size_t m_index;
+  };
+
+  /*!
+  An edge of the diagram: the arcs of two cells from one vertex of the diagram to the next one or to the border of
+  the mesh, or all around.
+  */
+  class Edge
+  {
+  public:
+    /// returns the two sites: the one whose cell is on the left of the edge, and the other.
+    std::pair<Site_index, Site_index> sites() const
+    {
+      return {m_diagram->m_solver.source_at(chain().left_site),
+              m_diagram->m_solver.source_at(chain().right_site)};
+    }
+
+    /// returns the arcs from the beginning to the end, and whether each is run through from its end to its beginning.
+    const std::vector<std::pair<Arc, bool>>& arcs() const { return m_diagram->m_edge_arcs[m_index]; }
+
+    /// returns the number of the vertex of the diagram at the beginning, or `null_site()` if the edge is closed or
+    /// begins at the border of the mesh.
+    std::size_t source_vertex() const
+    {
+      return is_closed() ? null_site() : m_diagram->vertex_at(chain().first_node);
+    }
+
+    /// returns the number of the vertex of the diagram at the end, or `null_site()`.
+    std::size_t target_vertex() const
+    {
+      return is_closed() ? null_site() : m_diagram->vertex_at(chain().last_node);
+    }
+
+    /// returns whether the edge has no ends.
+    bool is_closed() const { return chain().is_closed; }
+
+    /// returns the length.
+    FT length() const
+    {
+      FT sum = 0;
+      for(const std::pair<Arc, bool>& a : arcs())
+        sum += a.first.length();
+      return sum;
+    }
+
+    /// writes the points of a polyline along the edge to an output iterator of `Point_3`; a closed edge ends with its
+    /// first point. See `Arc::sample()` for `tolerance`.
+    template <typename OutputIterator>
+    OutputIterator polyline(double tolerance, OutputIterator output) const
+    {
+      std::vector<Face_location> locations;
+      bool is_first = true;
+      for(const std::pair<Arc, bool>& a : arcs())
+      {
+        locations.clear();
+        a.first.sample(tolerance, std::back_inserter(locations));
+        if(a.second)
+          std::reverse(locations.begin(), locations.end());
+        for(std::size_t i = is_first ? 0 : 1; i < locations.size(); ++i)
+          *output++ = m_diagram->point(locations[i]);
+        is_first = false;
+      }
+      return output;
+    }
+
+    /// returns the number of the edge.
+    std::size_t index() const { return m_index; }
+
+  private:
+    friend class Surface_mesh_geodesic_Voronoi_diagram;
+    Edge(const Surface_mesh_geodesic_Voronoi_diagram* d, std::size_t i) : m_diagram(d), m_index(i) {}
+
+    const Chain& chain() const { return m_diagram->m_complex.chains()[m_diagram->m_chain_ids[m_index]]; }
+
+    const Surface_mesh_geodesic_Voronoi_diagram* m_diagram;
+    std::size_t m_index;
+  };
+
+  /// A part of the boundary of a cell: edges one behind the other, with the cell on their left.
+  struct Boundary
+  {
+    /// the edges, and whether each is run through from its end to its beginning.
+    std::vector<std::pair<Edge, bool>> edges;
+
+    /// whether the last edge ends where the first one begins; else both ends are at the border of the mesh.
+    bool is_closed;
+  };
+
+  /// \name Constructors
+  /// @{
+
+  /// creates the diagram of no sites on `tm`, which is referred to, not copied, and must not change before
+  /// `clear()`. The index maps and the point map of `tm` are used.
+  explicit Surface_mesh_geodesic_Voronoi_diagram(const Triangle_mesh& tm, const Traits& traits = Traits())
+    : Surface_mesh_geodesic_Voronoi_diagram(tm, get(boost::vertex_index, tm), get(boost::halfedge_index, tm),
+                                            get(boost::face_index, tm), get(CGAL::vertex_point, tm), traits)
+  {}
+
+  /// creates the diagram of no sites on `tm`, with the maps given.
+  Surface_mesh_geodesic_Voronoi_diagram(const Triangle_mesh& tm, Vertex_index_map vertex_index_map,
+                                        Halfedge_index_map halfedge_index_map, Face_index_map face_index_map,
+                                        Vertex_point_map vertex_point_map, const Traits& traits = Traits())
+    : m_traits(traits), m_tm(tm), m_vertex_index_map(vertex_index_map), m_face_index_map(face_index_map),
+      m_vertex_point_map(vertex_point_map), m_solver(tm, vertex_index_map, face_index_map)
+  {
+    static_cast<void>(halfedge_index_map);
+    use_points();
+  }
+
+  Surface_mesh_geodesic_Voronoi_diagram(const Surface_mesh_geodesic_Voronoi_diagram&) = delete;
+  Surface_mesh_geodesic_Voronoi_diagram& operator=(const Surface_mesh_geodesic_Voronoi_diagram&) = delete;
+
+  /// @}
+
+  /// \name Sites
+  /// Changes forget the diagram; it is computed again when it is needed.
+  /// @{
+
+  /// adds a vertex as a site; returns its number.
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the weight is not finite
+  Site_index add_site(vertex_descriptor v, const FT& weight = FT(0))
+  {
+    return insert(Site{v, Face_location(), finite(weight)});
+  }
+
+  /// adds a point of a face as a site; returns its number. Whether it is one is checked by `build()`.
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the weight is not finite
+  Site_index add_site(const Face_location& location, const FT& weight = FT(0))
+  {
+    return insert(Site{Graph_traits::null_vertex(), location, finite(weight)});
+  }
+
+  /// adds all elements of a range of `vertex_descriptor` or `Face_location`; returns the number of the first one.
+  template <typename Sites>
+  Site_index add_sites(const Sites& sites)
+  {
+    const Site_index first = m_sites.size();
+    for(const auto& s : sites)
+      add_site(s);
+    return first;
+  }
+
+  /// removes all sites, and forgets all that was computed. To be called if the mesh has changed.
+  void clear()
+  {
+    m_sites.clear();
+    m_solver.forget();
+    m_distance_solver.reset();
+    forget_diagram();
+  }
+
+  /// takes the lengths of the edges from a map instead of from points. They are used until the next call of
+  /// `use_points()`.
+  /// \tparam EdgeLengthMap a model of `ReadablePropertyMap` with the edge descriptor as key type and a number
+  ///         type as value type
+  template <typename EdgeLengthMap>
+  void use_edge_lengths(EdgeLengthMap edge_length_map)
+  {
+    m_build_mesh = [this, edge_length_map](Solver& solver)
+    {
+      solver.build_mesh(
+        Surface_mesh_geodesics::internal::Shape_from_edge_lengths<double, Triangle_mesh, EdgeLengthMap>(
+          m_tm, edge_length_map));
+    };
+    forget_mesh();
+  }
+
+  /// takes the lengths of the edges from the points of the vertices, as it is done unless they are given.
+  void use_points()
+  {
+    m_build_mesh = [this](Solver& solver)
+    {
+      solver.build_mesh(
+        Surface_mesh_geodesics::internal::Shape_from_points<double, Triangle_mesh, Vertex_point_map>(
+          m_tm, m_vertex_point_map));
+    };
+    forget_mesh();
+  }
+
+  /// returns the number of sites.
+  std::size_t number_of_sites() const { return m_sites.size(); }
+
+  /// returns the place of a site.
+  /// \pre `i < number_of_sites()`
+  Face_location site(Site_index i) const
+  {
+    CGAL_precondition_msg(i < m_sites.size(), "there is no site with this number");
+    const Site& s = m_sites[i];
+    return s.vertex == Graph_traits::null_vertex() ? s.location
+                                                   : Paths::face_location(s.vertex, m_tm, m_traits);
+  }
+
+  /// returns the weight of a site.
+  /// \pre `i < number_of_sites()`
+  FT weight(Site_index i) const
+  {
+    CGAL_precondition_msg(i < m_sites.size(), "there is no site with this number");
+    return m_sites[i].weight;
+  }
+
+  /// @}
+
+  /// \name Building
+  /// @{
+
+  /// computes the diagram, if that has not been done since sites were changed.
+  ///
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the mesh or a site is invalid; this holds for each
+  ///         function that builds
+  void build() const
+  {
+    if(m_is_built.load(std::memory_order_acquire))
+      return;
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    if(m_is_built.load(std::memory_order_relaxed))
+      return;
+    propagate(m_solver, true);
+    collect();
+    m_is_built.store(true, std::memory_order_release);
+  }
+
+  /// returns whether the diagram has been computed for the sites as they are.
+  bool is_built() const { return m_is_built.load(std::memory_order_acquire); }
+
+  /// returns what the propagation did.
+  const Surface_mesh_geodesics::Propagation_statistics& statistics() const
+  {
+    build();
+    return m_solver.statistics();
+  }
+
+  /// returns how many windows were kept for the diagram at most at a time, and how many would have been kept without
+  /// the removal of redundant windows.
+  std::pair<std::size_t, std::size_t> number_of_kept_windows() const
+  {
+    build();
+    return m_kept_windows;
+  }
+
+  /// @}
+
+  /// \name Queries
+  /// @{
+
+  /// returns the site whose cell holds a vertex, or `null_site()` if no site reaches it.
+  Site_index nearest_site(vertex_descriptor v) const
+  {
+    build();
+    if(m_sites.empty())
+      return null_site();
+    return site_at(m_complex.owner(m_solver.query(v).vertex));
+  }
+
+  /// returns the site whose cell holds a point of a face, or `null_site()`. Takes time linear in the number of arcs in
+  /// the face.
+  Site_index nearest_site(face_descriptor f, const Barycentric_coordinates& location) const
+  {
+    build();
+    if(m_sites.empty())
+      return null_site();
+    const typename Solver::Query q = m_solver.query(f, weights(location));
+    if(q.vertex != Surface_mesh_geodesics::internal::null_id)
+      return site_at(m_complex.owner(q.vertex));
+    const auto corner = m_complex.layout(q.face);
+    Planar p;
+    for(unsigned int k = 0; k < 3; ++k)
+    {
+      p.x += q.coordinates[k] * corner[k].x;
+      p.y += q.coordinates[k] * corner[k].y;
+    }
+    return site_at(m_complex.cell_at(q.face, p));
+  }
+
+  /// returns the site whose cell holds a point of a face.
+  Site_index nearest_site(const Face_location& location) const
+  {
+    return nearest_site(location.first, location.second);
+  }
+
+  /// returns the distance of a vertex from its nearest site, less the weight of that; -1 if no site reaches it.
+  FT distance_to_nearest_site(vertex_descriptor v) const
+  {
+    build();
+    if(m_sites.empty())
+      return FT(-1);
+    return user_distance(m_solver.arrival(m_solver.query(v)));
+  }
+
+  /// returns the distance of a point of a face from its nearest site, less the weight of that; -1 if no site reaches
+  /// it. The first call propagates once more and keeps all windows, as those that the diagram does not need
+  /// have been removed.
+  FT distance_to_nearest_site(face_descriptor f, const Barycentric_coordinates& location) const
+  {
+    build();
+    if(m_sites.empty())
+      return FT(-1);
+    const typename Solver::Query q = m_solver.query(f, weights(location));
+    if(!m_solver.needs_windows(q))
+      return user_distance(m_solver.arrival(q));
+    const Solver& solver = distance_solver();
+    return user_distance(solver.arrival(solver.query(f, weights(location))));
+  }
+
+  /// returns the distance of a point of a face from its nearest site.
+  FT distance_to_nearest_site(const Face_location& location) const
+  {
+    return distance_to_nearest_site(location.first, location.second);
+  }
+
+  /// @}
+
+  /// \name Elements of the Diagram
+  /// @{
+
+  /// returns the vertices of the diagram.
+  const std::vector<Vertex>& vertices() const
+  {
+    build();
+    return m_vertices;
+  }
+
+  /// returns the edges of the diagram.
+  const std::vector<Edge>& edges() const
+  {
+    build();
+    return m_edges;
+  }
+
+  /// returns the arcs of the diagram.
+  const std::vector<Arc>& arcs() const
+  {
+    build();
+    return m_arcs;
+  }
+
+  /// returns the arcs in a face. Takes time proportional to the logarithm of the number of arcs, and to the number
+  /// of those returned.
+  std::vector<Arc> arcs(face_descriptor f) const
+  {
+    build();
+    std::vector<Arc> result;
+    const std::size_t key = static_cast<std::size_t>(get(m_face_index_map, f));
+    auto it = std::lower_bound(m_arcs_by_face.begin(), m_arcs_by_face.end(),
+                               std::make_pair(key, std::size_t(0)));
+    for(; it != m_arcs_by_face.end() && it->first == key; ++it)
+      result.push_back(m_arcs[it->second]);
+    return result;
+  }
+
+  /// returns the arcs around the cell of a site.
+  std::vector<Arc> arcs(Site_index i) const
+  {
+    std::vector<Arc> result;
+    for(const Boundary& b : boundary(i))
+      for(const std::pair<Edge, bool>& e : b.edges)
+        for(const std::pair<Arc, bool>& a : e.first.arcs())
+          result.push_back(a.first);
+    return result;
+  }
+
+  /// @}
+
+  /// \name Cells
+  /// \pre `i < number_of_sites()`, for all of these functions.
+  /// @{
+
+  /// returns whether no point is nearest to the site: another one has the same place, or hides it by its weight.
+  bool is_empty(Site_index i) const
+  {
+    build();
+    check(i);
+    return !has_cell(i);
+  }
+
+  /// returns the sites whose cells have an edge with that of site `i`, in ascending order.
+  std::vector<Site_index> adjacent_sites(Site_index i) const
+  {
+    build();
+    check(i);
+    std::vector<Site_index> result;
+    for(const Boundary& b : boundary(i))
+      for(const std::pair<Edge, bool>& e : b.edges)
+      {
+        const std::pair<Site_index, Site_index> s = e.first.sites();
+        result.push_back(e.second ? s.first : s.second);
+      }
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+  }
+
+  /// returns the edges around the cell, with the cell on the left. What the border of the mesh adds to the boundary is
+  /// left out: parts that it interrupts are not closed.
+  std::vector<Boundary> boundary(Site_index i) const
+  {
+    build();
+    check(i);
+    std::vector<Boundary> result;
+    if(!has_cell(i))
+      return result;
+    for(const auto& loop : m_complex.boundary(m_solver.source_vertex(i)))
+    {
+      Boundary b;
+      b.is_closed = loop.second;
+      for(const std::pair<std::uint32_t, bool>& c : loop.first)
+        if(m_edge_of_chain[c.first] != null_site())
+          b.edges.emplace_back(m_edges[m_edge_of_chain[c.first]], c.second);
+      if(!b.edges.empty())
+        result.push_back(b);
+    }
+    return result;
+  }
+
+  /// returns the area of the cell.
+  FT area(Site_index i) const
+  {
+    check(i);
+    const double u = unit();
+    return FT(measures().area(cell_vertex(i)) * u * u);
+  }
+
+  /// returns the mean of the points of the cell, which need not be on the surface; the site if the cell is empty or
+  /// has no area.
+  Point_3 centroid(Site_index i) const
+  {
+    check(i);
+    const std::array<double, 3> c = measures().centroid(cell_vertex(i));
+    return std::isfinite(c[0]) ? Point_3(c[0], c[1], c[2]) : point(site(i));
+  }
+
+  /// returns the vertex of the mesh, among those in the cell, that is nearest in space to the centroid of the cell; the
+  /// null vertex if there is none. Takes time linear in the number of vertices of the mesh.
+  vertex_descriptor central_vertex(Site_index i) const
+  {
+    const Point_3 c = centroid(i);
+    vertex_descriptor best = Graph_traits::null_vertex();
+    double best_distance = std::numeric_limits<double>::infinity();
+    for(vertex_descriptor v : Surface_mesh_geodesics::internal::vertices_of(m_tm))
+      if(nearest_site(v) == i)
+      {
+        const Point_3 p = get(m_vertex_point_map, v);
+        const double d = std::hypot(CGAL::to_double(p.x() - c.x()), CGAL::to_double(p.y() - c.y()),
+                                    CGAL::to_double(p.z() - c.z()));
+        if(d < best_distance)
+        {
+          best = v;
+          best_distance = d;
+        }
+      }
+    return best;
+  }
+
+  /// returns the Euler characteristic of the cell with its boundary; 0 if it is empty. The boundary is taken as a
+  /// curve that does not touch itself.
+  int Euler_characteristic(Site_index i) const
+  {
+    build();
+    check(i);
+    return has_cell(i) ? m_complex.Euler_characteristic(m_solver.source_vertex(i)) : 0;
+  }
+
+  /// returns whether the cell is a topological disk.
+  bool is_disk(Site_index i) const { return Euler_characteristic(i) == 1; }
+
+  /// writes the triangles of the dual, as `std::array<Site_index, 3>`, to an output iterator: one for each vertex of
+  /// the diagram with three cells, `n - 2` for one with `n` cells, oriented like the faces of the mesh. They need not form a
+  /// manifold: cells that are not disks, or that have several edges or none in common, make others of it.
+  template <typename OutputIterator>
+  OutputIterator dual(OutputIterator output) const
+  {
+    build();
+    for(const auto& node : m_complex.nodes())
+      if(node.is_vertex())
+        *output++ = std::array<Site_index, 3>{site_at(node.sites[0]), site_at(node.sites[1]),
+                                              site_at(node.sites[2])};
+    return output;
+  }
+
+  /*!
+  adds the mesh, cut along the arcs, to a mesh: each face lies in one cell.
+
+  Faces are cut into triangles. Vertices and edges of the mesh are kept, edges divided where arcs cross them; the two
+  faces at an edge share the new vertices, so the output has a border only where the mesh has one, and the
+  Euler characteristic of the mesh. Arcs that end at a vertex of the mesh, up to rounding, end at that vertex of the
+  output, and arcs along an edge of the mesh are that edge. Sites inside faces and on edges become vertices. Pieces of
+  hyperbolas become polylines. Where several curves in a face are nearer to each other than the tolerance,
+  they are approximated more closely, so that they do not cross.
+
+  The vertices of the mesh come first in the output, in an unspecified order.
+
+  \tparam OutputMesh a model of `MutableFaceGraph` with an internal property for `CGAL::vertex_point_t`, unless a map
+          is given
+  \tparam FaceSiteMap a model of `WritablePropertyMap` with the face descriptor of `OutputMesh` as key type and
+          `Site_index` as value type; values are put for the faces that are added
+  \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+  \param output the mesh to which the faces are added
+  \param face_site_map gets the site of each face, `null_site()` for faces that no site reaches
+  \param tolerance the largest distance of the polylines from the arcs, in the unit of the mesh
+  \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+
+  \cgalNamedParamsBegin
+    \cgalParamNBegin{vertex_point_map}
+      \cgalParamDescription{a property map associating points to the vertices of `output`}
+      \cgalParamType{a class model of `WritablePropertyMap` with the vertex descriptor of `OutputMesh` as key type and
+                     a type that is constructible from three coordinates of type `double` as value type}
+      \cgalParamDefault{`boost::get(CGAL::vertex_point, output)`}
+    \cgalParamNEnd
+  \cgalNamedParamsEnd
+
+  \pre `tolerance > 0`
+
+  Takes time linear in the size of the mesh and of the diagram; in a face with many arcs or samples, the time grows with
+  the cube of the number of vertices around a piece of a cell.
+  */
+  template <typename OutputMesh, typename FaceSiteMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
+  void cut(OutputMesh& output, FaceSiteMap face_site_map, double tolerance,
+           const CGAL_NP_CLASS& np = parameters::default_values()) const
+  {
+    using Surface_mesh_geodesics::internal::Face_id;
+    using parameters::choose_parameter;
+    using parameters::get_parameter;
+    CGAL_precondition_msg(tolerance > 0, "the tolerance is not positive");
+    build();
+    auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
+                                get_property_map(CGAL::vertex_point, output));
+    using Output_point = typename boost::property_traits<decltype(vpm)>::value_type;
+    const auto output_point = [](const Point_3& p)
+    { return Output_point(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())); };
+    const auto point_in_face = [&](Face_id f, const Planar& p) { return output_point(point(location_in(f, p))); };
+    Surface_mesh_geodesics::internal::Voronoi_cut_mesh<OutputMesh, decltype(vpm)> cut_mesh(
+      m_solver.mesh(), m_complex, output, vpm);
+    cut_mesh.build(
+      tolerance / m_solver.unit(), [&](Vertex_id v) { return output_point(point_of_vertex(v)); }, point_in_face,
+      [&](const typename boost::graph_traits<OutputMesh>::face_descriptor& f, Vertex_id s)
+      { put(face_site_map, f, site_at(s)); });
+  }
+
+  /// @}
+
+  /// \name Points
+  /// @{
+
+  /// returns the point at a location.
+  Point_3 point(const Face_location& location) const
+  {
+    return Paths::point(location.first, location.second, m_tm, m_vertex_point_map, m_traits);
+  }
+
+  /// returns the mesh.
+  const Triangle_mesh& triangle_mesh() const { return m_tm; }
+
+  /// @}
+
+private:
+  struct Site
+  {
+    vertex_descriptor vertex; // the null vertex for a location
+    Face_location location;
+    FT weight;
+  };
+
+  Site_index insert(const Site& s)
+  {
+    m_sites.push_back(s);
+    m_distance_solver.reset();
+    forget_diagram();
+    return m_sites.size() - 1;
+  }
+
+  FT finite(const FT& weight) const
+  {
+    using Surface_mesh_geodesics::Invalid_geodesic_input;
+    if(!std::isfinite(CGAL::to_double(weight)))
+      throw Invalid_geodesic_input(Invalid_geodesic_input::Reason::INVALID_OFFSET,
+                                   "the weight of site " + std::to_string(m_sites.size()) + " is not finite",
+                                   m_sites.size());
+    return weight;
+  }
+
+  void forget_mesh()
+  {
+    m_solver.forget();
+    m_distance_solver.reset();
+    forget_diagram();
+  }
+
+  void forget_diagram()
+  {
+    m_is_built = false;
+    m_has_measures = false;
+    m_has_distances = false;
+    m_complex.clear();
+    m_vertices.clear();
+    m_arcs.clear();
+    m_edges.clear();
+  }
+
+  // propagates from all sites; for the diagram, or for queries at any point.
+  void propagate(Solver& solver, bool is_for_diagram) const
+  {
+    const auto go_on = [](std::size_t, double) { return true; };
+    m_largest_weight = 0;
+    for(std::size_t i = 0; i < m_sites.size(); ++i)
+    {
+      const double w = CGAL::to_double(m_sites[i].weight);
+      m_largest_weight = i == 0 ? w : (std::max)(m_largest_weight, w);
+    }
+    if(!solver.has_mesh())
+      m_build_mesh(solver);
+    solver.begin_sources();
+    for(const Site& s : m_sites)
+    {
+      const double offset = m_largest_weight - CGAL::to_double(s.weight);
+      if(s.vertex != Graph_traits::null_vertex())
+        solver.add_source(s.vertex, offset);
+      else
+        solver.add_source_location(std::make_pair(s.location.first, weights(s.location.second)), offset);
+    }
+    if(!is_for_diagram)
+    {
+      solver.run(true, go_on);
+      return;
+    }
+    Removal removal;
+    solver.run_with_keeper([&]
+    {
+      removal.reset(solver.mesh(), solver.field(), m_complex);
+      m_complex.start(solver.mesh(), solver.field(), removal);
+      return Surface_mesh_geodesics::internal::Redundant_window_remover<Removal>(removal);
+    }, go_on);
+    removal.finish();
+    m_complex.finish();
+    m_kept_windows = {removal.windows().maximum_size(), removal.number_of_kept_windows()};
+  }
+
+  // makes the elements that users see of those of the complex, without what has no length.
+  void collect() const
+  {
+    const auto& arcs = m_complex.arcs();
+    const auto& chains = m_complex.chains();
+    m_arcs.clear();
+    m_arc_ids.clear();
+    m_arcs_by_face.clear();
+    m_edges.clear();
+    m_edge_arcs.clear();
+    m_chain_ids.clear();
+    m_edge_of_chain.assign(chains.size(), null_site());
+    std::vector<std::size_t> arc_of(arcs.size(), null_site());
+    for(std::size_t a = 0; a < arcs.size(); ++a)
+      if(m_complex.has_length(arcs[a]))
+      {
+        arc_of[a] = m_arcs.size();
+        m_arcs_by_face.emplace_back(
+          static_cast<std::size_t>(get(m_face_index_map, m_solver.user_face(arcs[a].face))), m_arcs.size());
+        m_arcs.push_back(Arc(this, m_arcs.size()));
+        m_arc_ids.push_back(a);
+      }
+    std::sort(m_arcs_by_face.begin(), m_arcs_by_face.end());
+    for(std::size_t c = 0; c < chains.size(); ++c)
+    {
+      if(!chains[c].has_length)
+        continue;
+      m_edge_of_chain[c] = m_edges.size();
+      m_edges.push_back(Edge(this, m_edges.size()));
+      m_chain_ids.push_back(c);
+      m_edge_arcs.emplace_back();
+      for(const std::pair<std::uint32_t, bool>& a : chains[c].arcs)
+        if(arc_of[a.first] != null_site())
+          m_edge_arcs.back().emplace_back(m_arcs[arc_of[a.first]], a.second);
+    }
+    collect_vertices();
+  }
+
+  // Vertices with nothing but chains without length between them are one.
+  void collect_vertices() const
+  {
+    const auto& nodes = m_complex.nodes();
+    std::vector<std::size_t> parent(nodes.size());
+    for(std::size_t n = 0; n < nodes.size(); ++n)
+      parent[n] = n;
+    const auto root = [&](std::size_t n)
+    {
+      while(parent[n] != n)
+        n = parent[n] = parent[parent[n]];
+      return n;
+    };
+    for(const Chain& c : m_complex.chains())
+      if(!c.has_length && nodes[c.first_node].is_vertex() && nodes[c.last_node].is_vertex())
+        parent[root(c.last_node)] = root(c.first_node);
+    m_vertices.clear();
+    m_node_of_vertex.clear();
+    m_vertex_sites.clear();
+    m_vertex_of_node.assign(nodes.size(), null_site());
+    for(std::size_t n = 0; n < nodes.size(); ++n)
+    {
+      if(!nodes[n].is_vertex())
+        continue;
+      std::size_t& v = m_vertex_of_node[root(n)];
+      if(v == null_site())
+      {
+        v = m_vertices.size();
+        m_vertices.push_back(Vertex(this, v));
+        m_node_of_vertex.push_back(n);
+        m_vertex_sites.emplace_back();
+      }
+      for(Vertex_id s : nodes[n].sites)
+        m_vertex_sites[v].push_back(site_at(s));
+      m_vertex_of_node[n] = v;
+    }
+    for(std::vector<Site_index>& s : m_vertex_sites)
+    {
+      std::sort(s.begin(), s.end());
+      s.erase(std::unique(s.begin(), s.end()), s.end());
+    }
+  }
+
+  const Solver& distance_solver() const
+  {
+    if(!m_has_distances.load(std::memory_order_acquire))
+    {
+      const std::lock_guard<std::mutex> lock(m_mutex);
+      if(!m_has_distances.load(std::memory_order_relaxed))
+      {
+        m_distance_solver.reset(new Solver(m_tm, m_vertex_index_map, m_face_index_map));
+        propagate(*m_distance_solver, false);
+        m_has_distances.store(true, std::memory_order_release);
+      }
+    }
+    return *m_distance_solver;
+  }
+
+  const Measures& measures() const
+  {
+    build();
+    if(!m_has_measures.load(std::memory_order_acquire))
+    {
+      const std::lock_guard<std::mutex> lock(m_mutex);
+      if(!m_has_measures.load(std::memory_order_relaxed))
+      {
+        measure();
+        m_has_measures.store(true, std::memory_order_release);
+      }
+    }
+    return m_measures;
+  }
+
+  void measure() const
+  {
+    using Surface_mesh_geodesics::internal::Face_id;
+    m_measures.clear();
+    const std::size_t n = m_sites.empty() ? 0 : m_solver.mesh().number_of_faces();
+    for(Face_id f = 0; f < n; ++f)
+    {
+      std::array<std::array<double, 3>, 3> corner;
+      for(unsigned int k = 0; k < 3; ++k)
+      {
+        std::array<double, 3> b{};
+        b[k] = 1;
+        const auto l = m_solver.user_location(f, b);
+        const Point_3 p = point(Face_location(l.first, coordinates(l.second)));
+        corner[k] = {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
+      }
+      m_measures.add_face(m_complex, f, corner);
+    }
+  }
+
+  double unit() const
+  {
+    build();
+    return m_sites.empty() ? 1. : m_solver.unit();
+  }
+
+  Vertex_id cell_vertex(Site_index i) const
+  {
+    build();
+    return has_cell(i) ? m_solver.source_vertex(i) : Surface_mesh_geodesics::internal::null_id;
+  }
+
+  void check(Site_index i) const
+  {
+    CGAL_precondition_msg(i < m_sites.size(), "there is no site with this number");
+    static_cast<void>(i);
+  }
+
+  bool has_cell(Site_index i) const
+  {
+    const Vertex_id v = m_solver.source_vertex(i);
+    return m_complex.owner(v) == v && m_solver.source_at(v) == i;
+  }
+
+  Site_index site_at(Vertex_id v) const
+  {
+    return v == Surface_mesh_geodesics::internal::null_id ? null_site() : m_solver.source_at(v);
+  }
+
+  std::size_t vertex_at(std::size_t node) const { return m_vertex_of_node[node]; }
+
+  FT user_distance(double d) const { return FT(d * m_solver.unit() - m_largest_weight); }
+
+  FT user_distance(const typename Solver::Arrival& a) const
+  {
+    return a.root == Surface_mesh_geodesics::internal::null_id ? FT(-1) : user_distance(a.distance);
+  }
+
+  Face_location location_in(Surface_mesh_geodesics::internal::Face_id f, const Planar& p) const
+  {
+    const auto l = m_solver.user_location(f, m_complex.coordinates(f, p));
+    return Face_location(l.first, coordinates(l.second));
+  }
+
+  Face_location location_of_node(std::size_t node) const
+  {
+    const auto& n = m_complex.nodes()[node];
+    return location_in(n.face, n.point);
+  }
+
+  // the point of a vertex of the mesh with the sites.
+  Point_3 point_of_vertex(Vertex_id v) const
+  {
+    const vertex_descriptor user = m_solver.user_vertex(v);
+    return user != Graph_traits::null_vertex() ? Point_3(get(m_vertex_point_map, user))
+                                               : point(site(m_solver.source_at(v)));
+  }
+
+  std::array<double, 3> weights(const Barycentric_coordinates& location) const
+  {
+    auto weight = m_traits.construct_barycentric_coordinates_weight_object();
+    return {CGAL::to_double(weight(location, 0)), CGAL::to_double(weight(location, 1)),
+            CGAL::to_double(weight(location, 2))};
+  }
+
+  Barycentric_coordinates coordinates(const std::array<double, 3>& b) const
+  {
+    return m_traits.construct_barycentric_coordinates_object()(FT(b[0]), FT(b[1]), FT(b[2]));
+  }
+
+  const Traits m_traits;
+  const Triangle_mesh& m_tm;
+  Vertex_index_map m_vertex_index_map;
+  Face_index_map m_face_index_map;
+  Vertex_point_map m_vertex_point_map;
+  std::vector<Site> m_sites;
+  std::function<void(Solver&)> m_build_mesh;
+
+  // What is computed on demand, guarded by the mutex.
+  mutable std::mutex m_mutex;
+  mutable std::atomic<bool> m_is_built{false}, m_has_measures{false}, m_has_distances{false};
+  mutable Solver m_solver;
+  mutable Complex m_complex;
+  mutable double m_largest_weight = 0;
+  mutable std::pair<std::size_t, std::size_t> m_kept_windows;
+  mutable std::unique_ptr<Solver> m_distance_solver;
+  mutable Measures m_measures;
+  mutable std::vector<Vertex> m_vertices;
+  mutable std::vector<std::size_t> m_node_of_vertex, m_vertex_of_node;
+  mutable std::vector<std::vector<Site_index>> m_vertex_sites;
+  mutable std::vector<Arc> m_arcs;
+  mutable std::vector<std::size_t> m_arc_ids;                          // in the complex
+  mutable std::vector<std::pair<std::size_t, std::size_t>> m_arcs_by_face; // index of the face, arc
+  mutable std::vector<Edge> m_edges;
+  mutable std::vector<std::size_t> m_chain_ids, m_edge_of_chain;       // in the complex
+  mutable std::vector<std::vector<std::pair<Arc, bool>>> m_edge_arcs;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_SURFACE_MESH_GEODESIC_VORONOI_DIAGRAM_H

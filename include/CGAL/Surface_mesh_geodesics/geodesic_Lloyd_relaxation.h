@@ -1,0 +1,159 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_GEODESIC_LLOYD_RELAXATION_H
+#define CGAL_SURFACE_MESH_GEODESICS_GEODESIC_LLOYD_RELAXATION_H
+
+#include <CGAL/license/Surface_mesh_geodesics.h>
+
+#include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_Voronoi_diagram.h>
+
+#include <CGAL/Kernel_traits.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/Surface_mesh_shortest_path/Surface_mesh_shortest_path_traits.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+
+namespace internal {
+
+// A diagram with the maps among the named parameters, the sites of which are vertices.
+template <typename TriangleMesh, typename VertexIndexMap, typename HalfedgeIndexMap, typename FaceIndexMap,
+          typename VertexPointMap>
+class Vertex_site_diagram
+{
+public:
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  using Kernel = typename Kernel_traits<typename boost::property_traits<VertexPointMap>::value_type>::Kernel;
+  using Diagram = Surface_mesh_geodesic_Voronoi_diagram<Surface_mesh_shortest_path_traits<Kernel, TriangleMesh>,
+                                                        VertexIndexMap, HalfedgeIndexMap, FaceIndexMap,
+                                                        VertexPointMap>;
+
+  Vertex_site_diagram(const TriangleMesh& tm, VertexIndexMap vim, HalfedgeIndexMap him, FaceIndexMap fim,
+                      VertexPointMap vpm)
+    : m_tm(tm), m_vpm(vpm), m_diagram(tm, vim, him, fim, vpm)
+  {}
+
+  template <typename Sites>
+  void set_sites(const Sites& sites)
+  {
+    m_diagram.clear();
+    m_diagram.add_sites(sites);
+  }
+
+  const Diagram& diagram() const { return m_diagram; }
+
+  // moves each site to the central vertex of its cell; all cells are looked through at once. Returns whether a
+  // site has moved.
+  bool move_to_centers(std::vector<vertex_descriptor>& sites) const
+  {
+    using Point = typename boost::property_traits<VertexPointMap>::value_type;
+    std::vector<Point> center;
+    for(std::size_t i = 0; i < sites.size(); ++i)
+      center.push_back(m_diagram.centroid(i));
+    std::vector<double> smallest(sites.size(), std::numeric_limits<double>::infinity());
+    const std::vector<vertex_descriptor> before = sites;
+    for(vertex_descriptor v : vertices(m_tm))
+    {
+      const std::size_t i = m_diagram.nearest_site(v);
+      if(i == Diagram::null_site())
+        continue;
+      const double d = CGAL::to_double(CGAL::squared_distance(center[i], get(m_vpm, v)));
+      if(d < smallest[i])
+      {
+        smallest[i] = d;
+        sites[i] = v;
+      }
+    }
+    return sites != before;
+  }
+
+private:
+  const TriangleMesh& m_tm;
+  VertexPointMap m_vpm;
+  Diagram m_diagram;
+};
+
+template <typename TriangleMesh, typename NamedParameters>
+auto make_vertex_site_diagram(const TriangleMesh& tm, const NamedParameters& np)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  auto vim = CGAL::get_initialized_vertex_index_map(tm, np);
+  auto him = CGAL::get_initialized_halfedge_index_map(tm, np);
+  auto fim = CGAL::get_initialized_face_index_map(tm, np);
+  auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
+                              get_const_property_map(CGAL::vertex_point, tm));
+  return Vertex_site_diagram<TriangleMesh, decltype(vim), decltype(him), decltype(fim), decltype(vpm)>(
+    tm, vim, him, fim, vpm);
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgSurfaceMeshGeodesicsFunctions
+
+moves sites to the centers of their cells, again and again (Lloyd's method), so that the cells become round and similar
+in area.
+
+In each iteration the geodesic Voronoi diagram of the sites is computed, and each site moves to the vertex, among
+those in its cell, that is nearest in space to the centroid of the cell. Sites stay vertices; two
+iterations that visit the same set of vertices end the relaxation.
+
+Takes the time of one diagram, and a time linear in the size of the mesh, per iteration.
+
+\tparam TriangleMesh a model of `FaceListGraph`; its points are those of a kernel of `double`
+\tparam VertexRange a range of vertex descriptors of `TriangleMesh`
+\tparam OutputIterator a model of `OutputIterator` that holds vertex descriptors of `TriangleMesh`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tm the triangle mesh
+\param sites the sites to begin with
+\param number_of_iterations the largest number of iterations
+\param output gets the sites, in the order of `sites`. One whose cell is empty has not moved.
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among `vertex_point_map`,
+       `vertex_index_map` and `face_index_map`, with the meaning they have for `geodesic_distances()`
+
+\return the number of iterations that moved a site; fewer than `number_of_iterations` if all sites are where they
+        belong
+
+\throws Invalid_geodesic_input if the mesh or a site is invalid
+*/
+template <typename TriangleMesh, typename VertexRange, typename OutputIterator, typename CGAL_NP_TEMPLATE_PARAMETERS>
+std::size_t geodesic_Lloyd_relaxation(const TriangleMesh& tm, const VertexRange& sites,
+                                      std::size_t number_of_iterations, OutputIterator output,
+                                      const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  auto diagram = internal::make_vertex_site_diagram(tm, np);
+  std::vector<vertex_descriptor> moved(sites.begin(), sites.end());
+  std::size_t i = 0;
+  for(; i < number_of_iterations; ++i)
+  {
+    diagram.set_sites(moved);
+    if(!diagram.move_to_centers(moved))
+      break;
+  }
+  for(vertex_descriptor v : moved)
+    *output++ = v;
+  return i;
+}
+
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_GEODESIC_LLOYD_RELAXATION_H

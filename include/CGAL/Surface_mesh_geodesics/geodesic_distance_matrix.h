@@ -1,0 +1,231 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_GEODESIC_DISTANCE_MATRIX_H
+#define CGAL_SURFACE_MESH_GEODESICS_GEODESIC_DISTANCE_MATRIX_H
+
+#include <CGAL/license/Surface_mesh_geodesics.h>
+
+#include <CGAL/Surface_mesh_geodesics/Geodesic_distance_solver.h>
+#include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Available_tag.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Distance_matrix.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Distance_solver.h>
+#include <CGAL/Surface_mesh_geodesics/internal/intrinsic_mesh_from_face_graph.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/tags.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+
+namespace internal {
+
+// reads a mesh and calls use(surface).
+template <typename TriangleMesh, typename NamedParameters, typename Use>
+bool with_surface(const TriangleMesh& tm, const NamedParameters& np, Use use)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  auto vim = CGAL::get_initialized_vertex_index_map(tm, np);
+  auto fim = CGAL::get_initialized_face_index_map(tm, np);
+  auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
+                              get_const_property_map(CGAL::vertex_point, tm));
+  const Intrinsic_surface<double, TriangleMesh, decltype(vim), decltype(fim)> surface(
+    tm, vim, fim, Shape_from_points<double, TriangleMesh, decltype(vpm)>(tm, vpm));
+  return use(surface);
+}
+
+template <typename ConcurrencyTag, typename Surface, typename Sources, typename Targets, typename RowOutput>
+bool put_distance_matrix(const Surface& surface, const Sources& sources, const Targets& targets, RowOutput& output)
+{
+  const Distance_matrix<double> matrix(surface.mesh(), surface.source_set(sources));
+  return matrix.put_dense_rows(typename Available_tag<ConcurrencyTag>::type(),
+                               surface.checked_ids(targets, "target"), output);
+}
+
+template <typename ConcurrencyTag, typename Surface, typename Vertices, typename RowOutput>
+bool put_symmetric_distance_matrix(const Surface& surface, const Vertices& range, RowOutput& output)
+{
+  Source_set<double> set;
+  set.vertices = surface.checked_ids(range, "source");
+  const Distance_matrix<double> matrix(surface.mesh(), set);
+  return matrix.put_triangular_rows(typename Available_tag<ConcurrencyTag>::type(), output);
+}
+
+template <typename ConcurrencyTag, typename Surface, typename Sources, typename Targets, typename RowOutput>
+bool put_sparse_distance_matrix(const Surface& surface, const Sources& sources, const Targets& targets,
+                                double maximum_distance, RowOutput& output)
+{
+  const Distance_matrix<double> matrix(surface.mesh(), surface.source_set(sources));
+  return matrix.put_sparse_rows(typename Available_tag<ConcurrencyTag>::type(),
+                                surface.checked_ids(targets, "target"), maximum_distance, output);
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgSurfaceMeshGeodesicsFunctions
+
+computes the exact geodesic distances from each of several sources to each of several target vertices.
+
+The rows of the matrix are put out one by one: `row_output(i, row)` is called for each source, where `i` is the
+position of the source and `row[j]` the distance of the target with the position `j`. So the matrix need not fit in
+memory. No matter how many threads compute them, rows are put out one after the other, in the order of the sources;
+the calls may come from different threads, but never two at a time. A row is what `geodesic_distances()` computes
+from its source alone, bit by bit, whatever the tag and the number of threads are.
+
+Each row takes the time of a propagation up to the farthest target. The mesh is read once, and each thread uses its
+memory for all its rows again; there are four rows for each thread in memory at most. If there are sources in faces,
+each thread also has a copy of what was read of the mesh.
+
+\tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`: whether rows are computed in
+        parallel. The number of threads is that of \tbb, which may be limited with `tbb::task_arena` or
+        `tbb::global_control`.
+\tparam TriangleMesh a model of `FaceListGraph`
+\tparam Sources a source or a range of sources, as for `geodesic_distances()`: vertices, or locations in faces
+\tparam Targets a range of vertex descriptors of `TriangleMesh`
+\tparam RowOutput a function object that is called with a `std::size_t` and a `const std::vector<double>&`, which is
+        changed after the call. If it returns something else than `void`, that is converted to `bool`, and `false` ends
+        the computation.
+
+\param tm the triangle mesh
+\param sources the sources
+\param targets the targets; for all vertices `vertices(tm)`
+\param row_output is called for each row
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among `vertex_point_map`,
+       `vertex_index_map` and `face_index_map`, which are those of `geodesic_distances()`
+
+\return `true`, or `false` if `row_output` has ended the computation
+
+\throws Invalid_geodesic_input for a mesh, a source or a target for which `geodesic_distances()` does, before any row
+        is put out. What `row_output` throws ends the computation and is thrown on.
+*/
+template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename Sources, typename Targets,
+          typename RowOutput, typename CGAL_NP_TEMPLATE_PARAMETERS>
+bool geodesic_distance_matrix(const TriangleMesh& tm, const Sources& sources, const Targets& targets,
+                              RowOutput row_output, const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  return internal::with_surface(tm, np, [&](const auto& surface)
+  {
+    return internal::put_distance_matrix<ConcurrencyTag>(surface, sources, targets, row_output);
+  });
+}
+
+/*!
+\ingroup PkgSurfaceMeshGeodesicsFunctions
+
+computes a matrix of distances as the function above does, on the mesh that a solver has read; the last computation of
+the solver is not changed. This is the way to matrices on surfaces that are given by edge lengths.
+*/
+template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename SolverTag,
+          typename VertexIndexMap, typename FaceIndexMap, typename Sources, typename Targets, typename RowOutput>
+bool geodesic_distance_matrix(
+  const Geodesic_distance_solver<TriangleMesh, SolverTag, VertexIndexMap, FaceIndexMap>& solver,
+  const Sources& sources, const Targets& targets, RowOutput row_output)
+{
+  return internal::put_distance_matrix<ConcurrencyTag>(solver.surface(), sources, targets, row_output);
+}
+
+/*!
+\ingroup PkgSurfaceMeshGeodesicsFunctions
+
+computes the exact geodesic distances between all pairs of several vertices.
+
+It does what `geodesic_distance_matrix()` does, with the vertices as sources and targets, but computes the distance of
+each pair once: `row[k]` is the distance from the vertex with the position `i` to that with the position `i + k`, for
+`k = 0`, ..., `n - 1 - i` if there are `n` vertices. So row `i` ends as soon as the distances of all later vertices are
+final. (In floating point arithmetic the distances there and back may differ in the last digits.)
+
+\tparam Vertices a range of vertex descriptors of `TriangleMesh`
+*/
+template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename Vertices, typename RowOutput,
+          typename CGAL_NP_TEMPLATE_PARAMETERS>
+bool symmetric_geodesic_distance_matrix(const TriangleMesh& tm, const Vertices& vertices, RowOutput row_output,
+                                        const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  return internal::with_surface(tm, np, [&](const auto& surface)
+  {
+    return internal::put_symmetric_distance_matrix<ConcurrencyTag>(surface, vertices, row_output);
+  });
+}
+
+/*!
+\ingroup PkgSurfaceMeshGeodesicsFunctions
+
+computes the distances between all pairs of several vertices as the function above does, on the mesh that a solver has
+read; the last computation of the solver is not changed.
+*/
+template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename SolverTag,
+          typename VertexIndexMap, typename FaceIndexMap, typename Vertices, typename RowOutput>
+bool symmetric_geodesic_distance_matrix(
+  const Geodesic_distance_solver<TriangleMesh, SolverTag, VertexIndexMap, FaceIndexMap>& solver,
+  const Vertices& vertices, RowOutput row_output)
+{
+  return internal::put_symmetric_distance_matrix<ConcurrencyTag>(solver.surface(), vertices, row_output);
+}
+
+/*!
+\ingroup PkgSurfaceMeshGeodesicsFunctions
+
+computes the exact geodesic distances from each of several sources to those of several target vertices that are within
+a radius.
+
+It does what `geodesic_distance_matrix()` does, but a row is a `const std::vector<std::pair<std::size_t, double>>&`:
+the positions of the targets whose distance is not greater than `maximum_distance`, in ascending order, with their
+distances. A row takes time that depends on the area within the radius, not on the number of targets or on the size of
+the mesh.
+
+\param tm the triangle mesh
+\param sources the sources
+\param targets the targets; for all vertices `vertices(tm)`
+\param maximum_distance the radius, in the unit of the mesh
+\param row_output is called for each row
+\param np as for `geodesic_distance_matrix()`
+
+\throws Invalid_geodesic_input also if the radius is negative or not a number
+*/
+template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename Sources, typename Targets,
+          typename RowOutput, typename CGAL_NP_TEMPLATE_PARAMETERS>
+bool sparse_geodesic_distance_matrix(const TriangleMesh& tm, const Sources& sources, const Targets& targets,
+                                     double maximum_distance, RowOutput row_output,
+                                     const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  internal::check_maximum_distance(maximum_distance);
+  return internal::with_surface(tm, np, [&](const auto& surface)
+  {
+    return internal::put_sparse_distance_matrix<ConcurrencyTag>(surface, sources, targets, maximum_distance,
+                                                                row_output);
+  });
+}
+
+/*!
+\ingroup PkgSurfaceMeshGeodesicsFunctions
+
+computes the distances within a radius as the function above does, on the mesh that a solver has read; the last
+computation of the solver is not changed.
+*/
+template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename SolverTag,
+          typename VertexIndexMap, typename FaceIndexMap, typename Sources, typename Targets, typename RowOutput>
+bool sparse_geodesic_distance_matrix(
+  const Geodesic_distance_solver<TriangleMesh, SolverTag, VertexIndexMap, FaceIndexMap>& solver, const Sources& sources,
+  const Targets& targets, double maximum_distance, RowOutput row_output)
+{
+  internal::check_maximum_distance(maximum_distance);
+  return internal::put_sparse_distance_matrix<ConcurrencyTag>(solver.surface(), sources, targets, maximum_distance,
+                                                              row_output);
+}
+
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_GEODESIC_DISTANCE_MATRIX_H

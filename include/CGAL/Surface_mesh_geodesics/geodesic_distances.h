@@ -1,0 +1,277 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_GEODESIC_DISTANCES_H
+#define CGAL_SURFACE_MESH_GEODESICS_GEODESIC_DISTANCES_H
+
+#include <CGAL/license/Surface_mesh_geodesics.h>
+
+#include <CGAL/Surface_mesh_geodesics/Geodesic_default_visitor.h>
+#include <CGAL/Surface_mesh_geodesics/Geodesic_distance_options.h>
+#include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Distance_solver.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Pruning_rules.h>
+#include <CGAL/Surface_mesh_geodesics/internal/intrinsic_mesh_from_face_graph.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/tags.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <limits>
+#include <type_traits>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+
+namespace internal {
+
+// Writes the results of a solver to the user's maps.
+template <typename TriangleMesh, typename Solver, typename VertexDistanceMap>
+void write_distances(const TriangleMesh& tm, const Solver& solver, VertexDistanceMap distance_map)
+{
+  using Value = typename boost::property_traits<VertexDistanceMap>::value_type;
+  static_assert(std::numeric_limits<Value>::has_infinity,
+                "the value type of the distance map must be a floating point type");
+  for(const auto v : vertices(tm))
+    put(distance_map, v, static_cast<Value>(solver.distance(v)));
+}
+
+template <typename TriangleMesh, typename Solver, typename NearestSourceMap>
+void write_nearest_sources(const TriangleMesh& tm, const Solver& solver, NearestSourceMap map)
+{
+  for(const auto v : vertices(tm))
+    put(map, v, solver.nearest_source(v));
+}
+
+// Both free functions: `make_shape` tells where the lengths come from.
+template <typename ConcurrencyTag, typename Rules, typename FT, typename TriangleMesh,
+          typename VertexDistanceMap, typename Sources, typename NearestSourceMap, typename MakeShape,
+          typename NamedParameters>
+bool compute_geodesic_distances(
+  const TriangleMesh& tm, VertexDistanceMap vertex_distance_map, const Sources& sources,
+  const Geodesic_distance_options<TriangleMesh, NearestSourceMap>& options, MakeShape make_shape,
+  const NamedParameters& np)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter_reference;
+
+  auto vim = CGAL::get_initialized_vertex_index_map(tm, np);
+  auto fim = CGAL::get_initialized_face_index_map(tm, np);
+  Geodesic_default_visitor default_visitor;
+  auto& visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
+
+  check_maximum_distance(options.maximum_distance);
+  check_offsets(options.source_offsets);
+  Distance_solver<ConcurrencyTag, Rules, FT, TriangleMesh, decltype(vim), decltype(fim)> solver(tm, vim, fim,
+                                                                                                 make_shape());
+  if(!solver.run(sources, options, visitor))
+    return false;
+  write_distances(tm, solver, vertex_distance_map);
+  if constexpr(!std::is_same<NearestSourceMap, No_nearest_source_map>::value)
+    write_nearest_sources(tm, solver, options.nearest_source_map);
+  return true;
+}
+
+// `geodesic_distances()` with a choice of rules and of the number type of the computation, for tests.
+template <typename Rules, typename FT = double, typename ConcurrencyTag = Sequential_tag, typename TriangleMesh,
+          typename VertexDistanceMap, typename Sources, typename NearestSourceMap,
+          typename NamedParameters = parameters::Default_named_parameters>
+bool geodesic_distances_with_rules(
+  const TriangleMesh& tm, VertexDistanceMap vertex_distance_map, const Sources& sources,
+  const Geodesic_distance_options<TriangleMesh, NearestSourceMap>& options,
+  const NamedParameters& np = parameters::default_values())
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
+                              get_const_property_map(CGAL::vertex_point, tm));
+  return compute_geodesic_distances<ConcurrencyTag, Rules, FT>(
+    tm, vertex_distance_map, sources, options,
+    [&]() { return Shape_from_points<FT, TriangleMesh, decltype(vpm)>(tm, vpm); }, np);
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgSurfaceMeshGeodesicsFunctions
+
+computes the exact geodesic distance from a source, or from the nearest of several sources, to each
+vertex of a triangle mesh.
+
+The function writes to `vertex_distance_map`, for each vertex of `tm`, the length of a shortest path on
+the surface from a source to the vertex, in the unit of the points. The distance is exact but for
+rounding: it is computed with `double`, and the relative error is in general some \f$ 10^{-15} \f$.
+A vertex that no source reaches gets infinity, as do all vertices if the range of sources is empty.
+The distance of a source vertex is its offset, which is 0 by default.
+
+Shortest paths run over edges and through vertices; they may pass a pinched vertex. Edges without
+length, faces without area, duplicate points, borders, several components and isolated vertices are
+allowed.
+
+The algorithm is VTP \cgalCite{qin2016fast}: windows grouped by edge, pruned in a triangle, propagated
+by a wavefront sorted by vertices. It takes \cgalBigO{n^2} time and memory in the worst case for
+\f$ n \f$ vertices (thesis, section 4.4); the memory is linear plus that of the windows of the wavefront.
+
+With `Parallel_tag`, several vertices of the wavefront are visited at the same time. The distances then do not depend on
+the number of threads; they may differ from those of `Sequential_tag` in the last digits. Functions of the visitor are
+called by the calling thread, and less often.
+
+\tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`. The number of threads is that of
+        \tbb, which may be limited with `tbb::task_arena` or `tbb::global_control`.
+\tparam TriangleMesh a model of `FaceListGraph`
+\tparam VertexDistanceMap a model of `WritablePropertyMap` with the vertex descriptor of
+        `TriangleMesh` as key type and a floating point type as value type
+\tparam Sources a source or a range of sources. A source is a vertex descriptor, or a location in a
+        face: a `std::pair` of a face descriptor and three barycentric coordinates (anything with an
+        `operator[]` for 0, 1, 2, such as `std::array`) of a number type that `CGAL::to_double()`
+        takes. This is the type `Face_location` of `Surface_mesh_shortest_path`.
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tm the triangle mesh
+\param vertex_distance_map the distances
+\param sources the source or sources. Barycentric coordinates are those of
+       `source(halfedge(f,tm),tm)`, `target(halfedge(f,tm),tm)` and
+       `target(next(halfedge(f,tm),tm),tm)`, in this order, for a face `f`. Coordinates below
+       \f$ 64 \epsilon \approx 1.4 \cdot 10^{-14} \f$ are taken for zero, and their sum for one, so
+       that a location at a vertex or on an edge may be rounded and may be given in any face around.
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+       below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{a property map associating points to the vertices of `tm`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with the vertex descriptor of `TriangleMesh`
+                   as key type and a 3D point type with the members `x()`, `y()`, `z()` as value type}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_index_map}
+    \cgalParamDescription{a property map associating to each vertex of `tm` a unique index between `0`
+                          and `num_vertices(tm) - 1`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with the vertex descriptor of `TriangleMesh`
+                   as key type and `std::size_t` as value type}
+    \cgalParamDefault{an automatically indexed internal map}
+  \cgalParamNEnd
+  \cgalParamNBegin{face_index_map}
+    \cgalParamDescription{a property map associating to each face of `tm` a unique index between `0`
+                          and `num_faces(tm) - 1`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with the face descriptor of `TriangleMesh`
+                   as key type and `std::size_t` as value type}
+    \cgalParamDefault{an automatically indexed internal map}
+  \cgalParamNEnd
+  \cgalParamNBegin{visitor}
+    \cgalParamDescription{a visitor that is told of the progress and may cancel the computation}
+    \cgalParamType{a class model of `GeodesicPropagationVisitor`}
+    \cgalParamDefault{`Geodesic_default_visitor`}
+    \cgalParamExtra{The visitor is not copied if it is passed with `std::ref()`.}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return `true`, or `false` if the visitor cancelled the computation; nothing has been written then.
+
+\throws Invalid_geodesic_input if a face is not a triangle, a coordinate is not finite or the extent of the
+        points exceeds \f$ 2^{960} \f$, a location is
+        not in its face or has a null face, a descriptor is not one of `tm` as far as the index maps
+        tell, or an index map is not one. Nothing has been written then.
+*/
+template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename VertexDistanceMap,
+          typename Sources, typename CGAL_NP_TEMPLATE_PARAMETERS>
+bool geodesic_distances(const TriangleMesh& tm, VertexDistanceMap vertex_distance_map,
+                        const Sources& sources,
+                        const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  return internal::geodesic_distances_with_rules<internal::All_pruning_rules, double, ConcurrencyTag>(
+    tm, vertex_distance_map, sources, Geodesic_distance_options<TriangleMesh>(), np);
+}
+
+/*!
+\ingroup PkgSurfaceMeshGeodesicsFunctions
+
+computes geodesic distances as the function above does, with options: a radius, targets, an offset for
+each source, the nearest source of each vertex, statistics.
+
+\tparam NearestSourceMap see `Geodesic_distance_options`
+
+\throws Invalid_geodesic_input also if the radius is negative or not a number, if an offset is negative
+        or not finite, or if there is not one offset for each source
+*/
+template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename VertexDistanceMap,
+          typename Sources, typename NearestSourceMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
+bool geodesic_distances(const TriangleMesh& tm, VertexDistanceMap vertex_distance_map,
+                        const Sources& sources,
+                        const Geodesic_distance_options<TriangleMesh, NearestSourceMap>& options,
+                        const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  return internal::geodesic_distances_with_rules<internal::All_pruning_rules, double, ConcurrencyTag>(
+    tm, vertex_distance_map, sources, options, np);
+}
+
+/*!
+\ingroup PkgSurfaceMeshGeodesicsFunctions
+
+computes geodesic distances, with options, on a surface that is given by the lengths of its edges; it
+need not be embedded in space.
+
+\tparam EdgeLengthMap a model of `ReadablePropertyMap` with the edge descriptor of `TriangleMesh` as key
+        type and a number type that `CGAL::to_double()` takes as value type
+
+\param tm the triangle mesh
+\param edge_length_map the lengths: finite, not negative, and such that no edge is longer than the two
+       others of a face (beyond rounding)
+\param vertex_distance_map the distances
+\param sources the source or sources, as for `geodesic_distances()`
+\param options the options, as for `geodesic_distances()`
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among those of
+       `geodesic_distances()`, but for `vertex_point_map`, which is not used
+
+\throws Invalid_geodesic_input also if a length is negative or not finite, or if a face violates the
+        triangle inequality by more than \f$ 64 \epsilon \approx 1.4 \cdot 10^{-14} \f$ of its longest
+        edge
+*/
+template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename EdgeLengthMap,
+          typename VertexDistanceMap, typename Sources, typename NearestSourceMap,
+          typename CGAL_NP_TEMPLATE_PARAMETERS>
+bool geodesic_distances_from_edge_lengths(
+  const TriangleMesh& tm, EdgeLengthMap edge_length_map, VertexDistanceMap vertex_distance_map,
+  const Sources& sources, const Geodesic_distance_options<TriangleMesh, NearestSourceMap>& options,
+  const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  return internal::compute_geodesic_distances<ConcurrencyTag, internal::All_pruning_rules, double>(
+    tm, vertex_distance_map, sources, options,
+    [&]()
+    {
+      return internal::Shape_from_edge_lengths<double, TriangleMesh, EdgeLengthMap>(tm,
+                                                                                    edge_length_map);
+    },
+    np);
+}
+
+/*!
+\ingroup PkgSurfaceMeshGeodesicsFunctions
+
+computes geodesic distances on a surface that is given by the lengths of its edges, with the default
+options.
+*/
+template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename EdgeLengthMap,
+          typename VertexDistanceMap, typename Sources, typename CGAL_NP_TEMPLATE_PARAMETERS>
+bool geodesic_distances_from_edge_lengths(const TriangleMesh& tm, EdgeLengthMap edge_length_map,
+                                          VertexDistanceMap vertex_distance_map,
+                                          const Sources& sources,
+                                          const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  return geodesic_distances_from_edge_lengths<ConcurrencyTag>(tm, edge_length_map, vertex_distance_map, sources,
+                                                              Geodesic_distance_options<TriangleMesh>(), np);
+}
+
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_GEODESIC_DISTANCES_H

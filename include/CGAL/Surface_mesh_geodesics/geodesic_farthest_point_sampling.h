@@ -1,0 +1,216 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_GEODESIC_FARTHEST_POINT_SAMPLING_H
+#define CGAL_SURFACE_MESH_GEODESICS_GEODESIC_FARTHEST_POINT_SAMPLING_H
+
+#include <CGAL/license/Surface_mesh_geodesics.h>
+
+#include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
+#include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Distance_propagation.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Farthest_vertex_queue.h>
+#include <CGAL/Surface_mesh_geodesics/internal/intrinsic_mesh_from_face_graph.h>
+#include <CGAL/Surface_mesh_geodesics/internal/source_range.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+
+/*!
+\ingroup PkgSurfaceMeshGeodesicsClasses
+
+The class `Geodesic_sampling_options` holds the options of `geodesic_farthest_point_sampling()` for which \cgal has no
+named parameter.
+
+\tparam TriangleMesh a model of `FaceListGraph`
+*/
+template <typename TriangleMesh>
+struct Geodesic_sampling_options
+{
+  /// the type of the samples.
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+
+  /// vertices that are samples already. They are not written again, and count for the number of samples. If
+  /// there is none, the first vertex of the mesh that has a face is the first sample.
+  std::vector<vertex_descriptor> first_samples;
+
+  /// no more samples are taken as soon as no vertex is farther from its nearest sample than this, in the unit of the
+  /// mesh. Not negative; 0 by default.
+  double covering_radius = 0;
+
+  /// if not null, what the propagation did is assigned to `*statistics`.
+  Propagation_statistics* statistics = nullptr;
+};
+
+namespace internal {
+
+template <typename TriangleMesh, typename VertexIndexMap, typename FaceIndexMap>
+class Farthest_point_sampling
+{
+  using Graph_traits = boost::graph_traits<TriangleMesh>;
+  using vertex_descriptor = typename Graph_traits::vertex_descriptor;
+  using Field = Vertex_distance_field<double>;
+
+public:
+  Farthest_point_sampling(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim)
+    : m_tm(tm), m_vim(vim), m_fim(fim)
+  {}
+
+  // returns the covering radius.
+  template <typename Shape, typename OutputIterator>
+  double run(Shape shape, std::size_t n, OutputIterator output, const Geodesic_sampling_options<TriangleMesh>& options)
+  {
+    if(!(options.covering_radius >= 0))
+      throw Invalid_geodesic_input(Invalid_geodesic_input::Reason::INVALID_RADIUS,
+                                   "the covering radius is negative or not a number");
+    Intrinsic_mesh_builder<double, TriangleMesh, VertexIndexMap, FaceIndexMap>(m_tm, m_vim, m_fim)
+      .build(shape, m_mesh, m_table);
+    Distance_propagation<double> propagation(m_mesh, m_field);
+    std::size_t number = add_first_samples(propagation, options);
+    Farthest_vertex_queue<double> queue(m_field.distance, ranks(), number_of_candidates());
+    const double unit = m_mesh.unit();
+    double radius = -1;
+    while(true)
+    {
+      const Vertex_id v = queue.farthest();
+      radius = v == null_id ? 0. : unit * m_field.distance[v];
+      if(number >= n || v == null_id || radius <= options.covering_radius)
+        break;
+      *output++ = m_table.vertices[v];
+      ++number;
+      propagation.add_source(v, 0);
+      run(propagation);
+    }
+    if(options.statistics != nullptr)
+    {
+      *options.statistics = propagation.statistics();
+      options.statistics->intrinsic_mesh_bytes = m_mesh.memory() + m_table.memory() + m_field.memory();
+    }
+    return radius;
+  }
+
+private:
+  std::size_t add_first_samples(Distance_propagation<double>& propagation,
+                                const Geodesic_sampling_options<TriangleMesh>& options)
+  {
+    const Element_finder<double, TriangleMesh, VertexIndexMap, FaceIndexMap> finder(m_table, m_vim, m_fim);
+    for(std::size_t i = 0; i < options.first_samples.size(); ++i)
+      propagation.add_source(finder.vertex(options.first_samples[i], "sample", i), 0);
+    run(propagation);
+    return options.first_samples.size();
+  }
+
+  static void run(Distance_propagation<double>& propagation)
+  {
+    propagation.run([](std::size_t, double) { return true; });
+  }
+
+  // Of vertices that are equally far the first one of the mesh is taken.
+  const std::vector<Vertex_id>& ranks()
+  {
+    m_rank.resize(m_table.vertices.size());
+    Vertex_id position = 0;
+    for(vertex_descriptor v : vertices(m_tm))
+      m_rank[m_table.vertex_of_index[static_cast<std::size_t>(get(m_vim, v))]] = position++;
+    return m_rank;
+  }
+
+  // Vertices without faces have the last numbers.
+  std::size_t number_of_candidates() const
+  {
+    std::size_t n = m_table.vertices.size();
+    while(n > 0 && m_mesh.halfedge(static_cast<Vertex_id>(n - 1)) == null_id)
+      --n;
+    return n;
+  }
+
+  const TriangleMesh& m_tm;
+  VertexIndexMap m_vim;
+  FaceIndexMap m_fim;
+  Intrinsic_mesh<double> m_mesh;
+  Face_graph_correspondence<TriangleMesh> m_table;
+  Field m_field;
+  std::vector<Vertex_id> m_rank;
+};
+
+} // namespace internal
+
+/*!
+\ingroup PkgSurfaceMeshGeodesicsFunctions
+
+writes vertices that are spread over a triangle mesh: each is the vertex that is farthest from all before, by exact
+geodesic distances.
+
+A vertex that no sample reaches is farther than all others, so each component gets a sample first; vertices without
+faces
+are left out. Of vertices that are equally far the first one of the mesh is taken.
+
+Distances are propagated once. A new sample sends windows over the part of the surface that becomes its Voronoi cell
+and little more; all else stays as it is. So the time is about that of a run of `geodesic_distances()`
+for the first sample, and for each further one in proportion to its cell.
+
+\tparam TriangleMesh a model of `FaceListGraph`
+\tparam OutputIterator a model of `OutputIterator` that holds vertex descriptors of `TriangleMesh`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tm the triangle mesh
+\param n the number of samples, with those that are given as options
+\param output gets the samples, in the order in which they are found; fewer than `n` if every vertex is
+       one, or has one within the radius of the options
+\param options vertices to begin with, a radius, statistics
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among `vertex_point_map`,
+       `vertex_index_map` and `face_index_map`, with the meaning they have for `geodesic_distances()`
+
+\return the covering radius: the largest distance of a vertex from its nearest sample, in the unit of the mesh. It is
+        infinite if there is a vertex, with a face, that no sample reaches.
+
+\throws Invalid_geodesic_input if the mesh is invalid, as for `geodesic_distances()`, if a vertex in the
+        options is not one of `tm`, or if the radius is negative or not a number. Nothing has been written then.
+*/
+template <typename TriangleMesh, typename OutputIterator, typename CGAL_NP_TEMPLATE_PARAMETERS>
+double geodesic_farthest_point_sampling(const TriangleMesh& tm, std::size_t n, OutputIterator output,
+                                        const Geodesic_sampling_options<TriangleMesh>& options,
+                                        const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  auto vim = CGAL::get_initialized_vertex_index_map(tm, np);
+  auto fim = CGAL::get_initialized_face_index_map(tm, np);
+  auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
+                              get_const_property_map(CGAL::vertex_point, tm));
+  internal::Farthest_point_sampling<TriangleMesh, decltype(vim), decltype(fim)> sampling(tm, vim, fim);
+  return sampling.run(internal::Shape_from_points<double, TriangleMesh, decltype(vpm)>(tm, vpm), n, output,
+                      options);
+}
+
+/*!
+\ingroup PkgSurfaceMeshGeodesicsFunctions
+
+writes vertices that are spread over a triangle mesh, with the default options.
+*/
+template <typename TriangleMesh, typename OutputIterator, typename CGAL_NP_TEMPLATE_PARAMETERS>
+double geodesic_farthest_point_sampling(const TriangleMesh& tm, std::size_t n, OutputIterator output,
+                                        const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  return geodesic_farthest_point_sampling(tm, n, output, Geodesic_sampling_options<TriangleMesh>(), np);
+}
+
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_GEODESIC_FARTHEST_POINT_SAMPLING_H

@@ -1,0 +1,266 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_EDGE_PARTITION_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_EDGE_PARTITION_H
+
+// level: 1 (surface)
+//
+// Which source is nearest along an edge: the lower envelope of the distances by the windows of both sides and
+// by the two ends. It is found by walking from one end to the other, from each generator to the one that
+// takes over first. A generator takes over only where it is nearer beyond rounding; so where two sources
+// tie along a stretch, the one that came first keeps it, and both faces at the edge are told the same.
+
+#include <CGAL/Surface_mesh_geodesics/internal/Index_types.h>
+#include <CGAL/Surface_mesh_geodesics/internal/planar_geometry.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+// The distances weight + |(x - image_x, depth)| at the points x of an interval.
+template <typename FT>
+struct Edge_generator
+{
+  FT begin, end;
+  FT image_x, depth, weight;
+  Vertex_id site;
+
+  FT distance_at(const FT& x) const { return weight + norm<FT>(x - image_x, depth); }
+
+  // the derivative of the distance.
+  FT slope_at(const FT& x) const
+  {
+    const FT n = norm<FT>(x - image_x, depth);
+    return n > 0 ? FT((x - image_x) / n) : FT(0);
+  }
+};
+
+// A point of an edge where one cell ends and the next one begins.
+template <typename FT>
+struct Edge_breakpoint
+{
+  FT x;
+  Vertex_id before, after;
+};
+
+// The interval where a generator is nearest. Generators are numbered as they were added; the first two are the
+// ends of the edge.
+template <typename FT>
+struct Edge_interval
+{
+  FT begin, end;
+  std::size_t generator;
+};
+
+template <typename FT>
+class Edge_partition
+{
+public:
+  using Generator = Edge_generator<FT>;
+  using Breakpoint = Edge_breakpoint<FT>;
+
+  // Generators are added after a call of start(), which is told the sites and distances of the ends.
+  void start(const FT& length, Vertex_id first_site, const FT& first_distance, Vertex_id last_site,
+             const FT& last_distance)
+  {
+    m_length = length;
+    m_last_site = last_site;
+    m_generators.clear();
+    m_generators.push_back(Generator{FT(0), length, FT(0), FT(0), first_distance, first_site});
+    m_generators.push_back(Generator{FT(0), length, length, FT(0), last_distance, last_site});
+  }
+
+  void add(const Generator& g) { m_generators.push_back(g); }
+
+  void build()
+  {
+    m_breakpoints.clear();
+    m_intervals.clear();
+    m_x = 0;
+    m_current = 0;
+    std::size_t steps = 8 * m_generators.size() + 64; // rounding must not let it walk for ever
+    while(steps-- > 0 && take_over())
+    {
+    }
+    m_intervals.push_back(Edge_interval<FT>{m_x, m_length, m_current});
+    change_site(m_length, m_last_site);
+  }
+
+  // Both are in ascending order, and valid until the next call of start().
+  const std::vector<Breakpoint>& breakpoints() const { return m_breakpoints; }
+  const std::vector<Edge_interval<FT>>& intervals() const { return m_intervals; }
+
+private:
+  static bool is_nearer(const FT& a, const FT& b) { return a < b * (1 - 4 * Tolerance<FT>::distance()); }
+
+  // goes on to the next generator; false at the end of the edge.
+  bool take_over()
+  {
+    FT x = m_generators[m_current].end;
+    std::size_t next = m_current;
+    FT next_slope = 0;
+    for(std::size_t j = 0; j < m_generators.size(); ++j)
+    {
+      FT start;
+      if(j == m_current || !takes_over(m_generators[j], m_generators[m_current], start))
+        continue;
+      const FT slope = m_generators[j].slope_at(start);
+      if(start < x || (start == x && next != m_current && slope < next_slope))
+      {
+        x = start;
+        next = j;
+        next_slope = slope;
+      }
+    }
+    if(next == m_current)
+    {
+      if(!(x < m_length))
+        return false;
+      next = successor(x);
+    }
+    if(m_x < x)
+      m_intervals.push_back(Edge_interval<FT>{m_x, x, m_current});
+    change_site(x, m_generators[next].site);
+    m_x = x;
+    m_current = next;
+    return true;
+  }
+
+  // Is g nearer than c somewhere from m_x on, before c ends? Then `start` is where that begins.
+  bool takes_over(const Generator& g, const Generator& c, FT& start) const
+  {
+    const FT first = (std::max)(m_x, g.begin), last = (std::min)(c.end, g.end);
+    if(!(first < last))
+      return false;
+    // both distances grow and shrink with x at most
+    if(g.distance_at(first) > c.distance_at(first) + 2 * (last - first))
+      return false;
+    const std::array<FT, 2> root = equal_points(g, c);
+    FT from = first;
+    for(unsigned int i = 0; i < 3; ++i)
+    {
+      const FT to = i < 2 ? (std::min)((std::max)(root[i], from), last) : last;
+      if(from < to)
+      {
+        const FT middle = from + (to - from) / 2;
+        if(is_nearer(g.distance_at(middle), c.distance_at(middle)))
+        {
+          start = i > 0 ? polished(g, c, from) : from;
+          if(!(start >= first && start <= last))
+            start = from;
+          return true;
+        }
+      }
+      from = to;
+    }
+    return false;
+  }
+
+  // where the distances of two generators are the same, in ascending order; infinity for what is not there.
+  static std::array<FT, 2> equal_points(const Generator& g, const Generator& c)
+  {
+    using std::sqrt;
+    const FT infinity = std::numeric_limits<FT>::infinity();
+    std::array<FT, 2> r{infinity, infinity};
+    // With y measured from the image of c and s the weight of c less that of g: squared, the equation
+    // |(y - d, depth of g)| = |(y, depth of c)| + s is a y + b = s |(y, depth of c)|, once more squared
+    // a quadratic one.
+    const FT s = c.weight - g.weight, d = g.image_x - c.image_x;
+    const FT a = -d;
+    const FT b = ((d - s) * (d + s) + (g.depth - c.depth) * (g.depth + c.depth)) / 2;
+    const FT qa = (a - s) * (a + s), qb = a * b, qc = (b - s * c.depth) * (b + s * c.depth);
+    // qa y^2 + 2 qb y + qc = 0
+    const FT square = b * b + qa * c.depth * c.depth;
+    const FT root = square > 0 ? FT(sqrt(square) * (s < 0 ? FT(-s) : s)) : FT(0);
+    const FT q = -(qb + (qb < 0 ? FT(-root) : root));
+    if(qa != 0)
+      r[0] = c.image_x + q / qa;
+    if(q != 0)
+      r[1] = c.image_x + qc / q;
+    if(r[1] < r[0])
+      std::swap(r[0], r[1]);
+    return r;
+  }
+
+  // Newton's method; where it does not help, x is what it was. (A root of the squared equation that is none
+  // of the equation divides the edge at one place more, which does no harm.)
+  static FT polished(const Generator& g, const Generator& c, FT x)
+  {
+    using std::abs;
+    for(int i = 0; i < 2; ++i)
+    {
+      const FT slope = g.slope_at(x) - c.slope_at(x), f = g.distance_at(x) - c.distance_at(x);
+      const FT next = slope != 0 ? FT(x - f / slope) : x;
+      if(!(abs(g.distance_at(next) - c.distance_at(next)) < abs(f)))
+        return x;
+      x = next;
+    }
+    return x;
+  }
+
+  // The generator that goes on where the current one ends. Rounding may leave a gap there, through which paths
+  // bend at the end of the interval.
+  std::size_t successor(const FT& x)
+  {
+    const Generator c = m_generators[m_current];
+    std::size_t best = m_generators.size();
+    FT best_distance = c.distance_at(x);
+    best_distance = best_distance + 16 * Tolerance<FT>::distance() * best_distance;
+    for(std::size_t j = 0; j < m_generators.size(); ++j)
+      if(j != m_current && m_generators[j].begin <= x && x < m_generators[j].end
+         && m_generators[j].distance_at(x) < best_distance)
+      {
+        best = j;
+        best_distance = m_generators[j].distance_at(x);
+      }
+    if(best == m_generators.size())
+      m_generators.push_back(Generator{x, m_length, x, FT(0), c.distance_at(x), c.site});
+    return best;
+  }
+
+  // The cell of another site begins at x. A cell without width is left out.
+  void change_site(const FT& x, Vertex_id site)
+  {
+    const Vertex_id before = m_breakpoints.empty() ? m_generators[0].site : m_breakpoints.back().after;
+    if(site == before)
+      return;
+    const FT width = Tolerance<FT>::interval() * m_length;
+    if(!m_breakpoints.empty() && x - m_breakpoints.back().x <= width)
+    {
+      m_breakpoints.back().after = site;
+      if(m_breakpoints.back().before == site)
+        m_breakpoints.pop_back();
+      return;
+    }
+    m_breakpoints.push_back(Breakpoint{x, before, site});
+  }
+
+  FT m_length = 0;
+  Vertex_id m_last_site = null_id;
+  std::vector<Generator> m_generators;
+  std::vector<Breakpoint> m_breakpoints;
+  std::vector<Edge_interval<FT>> m_intervals;
+  FT m_x = 0;
+  std::size_t m_current = 0;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_EDGE_PARTITION_H

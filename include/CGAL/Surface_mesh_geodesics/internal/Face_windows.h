@@ -1,0 +1,130 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_FACE_WINDOWS_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_FACE_WINDOWS_H
+
+// level: 3 (containers)
+//
+// Windows that are kept for the face that they have entered, by the halfedge across which they came. Those of
+// a halfedge can be given back, and their memory is used again.
+
+#include <CGAL/Surface_mesh_geodesics/internal/Index_types.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+// What remains of a window when it has been propagated (in the frame of its halfedge, see Window.h).
+template <typename FT>
+struct Face_window
+{
+  FT begin, end;
+  FT image_x, image_depth;
+  Vertex_id root;
+};
+
+template <typename FT>
+class Face_windows
+{
+public:
+  void reset(std::size_t number_of_faces)
+  {
+    m_first_chunk.assign(3 * number_of_faces, null_id);
+    m_chunks.clear();
+    m_first_free = null_id;
+    m_size = m_maximum_size = 0;
+  }
+
+  void add(Halfedge_id h, const Face_window<FT>& w)
+  {
+    std::uint32_t& first = m_first_chunk[entry(h)];
+    if(first == null_id || m_chunks[first].size == Chunk::capacity)
+    {
+      const std::uint32_t c = new_chunk();
+      m_chunks[c].size = 0;
+      m_chunks[c].next = first;
+      first = c;
+    }
+    m_chunks[first].window[m_chunks[first].size++] = w;
+    if(++m_size > m_maximum_size)
+      m_maximum_size = m_size;
+  }
+
+  // gives the windows of h back.
+  void release(Halfedge_id h)
+  {
+    std::uint32_t& first = m_first_chunk[entry(h)];
+    while(first != null_id)
+    {
+      const std::uint32_t c = first;
+      first = m_chunks[c].next;
+      m_size -= m_chunks[c].size;
+      m_chunks[c].next = m_first_free;
+      m_first_free = c;
+    }
+  }
+
+  // calls visit(window) for the windows of h.
+  template <typename Visitor>
+  void for_each(Halfedge_id h, Visitor visit) const
+  {
+    for(std::uint32_t c = m_first_chunk[entry(h)]; c != null_id; c = m_chunks[c].next)
+      for(std::uint32_t i = 0; i < m_chunks[c].size; ++i)
+        visit(m_chunks[c].window[i]);
+  }
+
+  // how many windows there are, and have been at most at a time.
+  std::size_t size() const { return m_size; }
+  std::size_t maximum_size() const { return m_maximum_size; }
+
+  std::size_t memory() const
+  {
+    return m_chunks.capacity() * sizeof(Chunk) + m_first_chunk.capacity() * sizeof(std::uint32_t);
+  }
+
+private:
+  // Some windows of a halfedge, and the chunk of those before them.
+  struct Chunk
+  {
+    static constexpr std::uint32_t capacity = 6;
+    Face_window<FT> window[capacity];
+    std::uint32_t size;
+    std::uint32_t next;
+  };
+
+  static std::size_t entry(Halfedge_id h) { return 3 * std::size_t(face_of(h)) + place_in_face(h); }
+
+  std::uint32_t new_chunk()
+  {
+    if(m_first_free == null_id)
+    {
+      m_chunks.emplace_back();
+      return static_cast<std::uint32_t>(m_chunks.size() - 1);
+    }
+    const std::uint32_t c = m_first_free;
+    m_first_free = m_chunks[c].next;
+    return c;
+  }
+
+  std::vector<std::uint32_t> m_first_chunk; // by halfedge
+  std::vector<Chunk> m_chunks;
+  std::uint32_t m_first_free = null_id;
+  std::size_t m_size = 0, m_maximum_size = 0;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_FACE_WINDOWS_H

@@ -1,0 +1,63 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INDEX_TYPES_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INDEX_TYPES_H
+
+// level: 0 (numbers)
+//
+// The integers that address the elements of an intrinsic mesh. All of them have 32 bits: half the
+// memory traffic of pointers, and the same values on every platform.
+//
+// A halfedge is numbered 4 * face + k with k in {0, 1, 2}, so that its face and its place in the
+// face are a shift and a mask. The slot k == 3 is never used.
+
+#include <cstdint>
+#include <limits>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+using Vertex_id = std::uint32_t;
+using Face_id = std::uint32_t;
+using Halfedge_id = std::uint32_t;
+
+// The value that stands for "no such element" in each of the types above.
+constexpr std::uint32_t null_id = (std::numeric_limits<std::uint32_t>::max)();
+
+// The largest number of faces that the numbering of halfedges leaves room for.
+constexpr std::uint32_t maximum_number_of_faces = (std::uint32_t(1) << 30) - 1;
+
+constexpr Halfedge_id halfedge_of(Face_id f, unsigned int k) { return 4 * f + k; }
+constexpr Face_id face_of(Halfedge_id h) { return h >> 2; }
+constexpr unsigned int place_in_face(Halfedge_id h) { return h & 3u; }
+
+// The place that follows, or precedes, the place k of a triangle.
+constexpr unsigned int next_place(unsigned int k) { return k == 2 ? 0 : k + 1; }
+constexpr unsigned int previous_place(unsigned int k) { return k == 0 ? 2 : k - 1; }
+
+// The place that is n places after the place k; n is 0, 1 or 2.
+constexpr unsigned int place_after(unsigned int k, unsigned int n) { return k + n < 3 ? k + n : k + n - 3; }
+
+constexpr Halfedge_id next_halfedge(Halfedge_id h)
+{
+  return place_in_face(h) == 2 ? h - 2 : h + 1;
+}
+
+constexpr Halfedge_id previous_halfedge(Halfedge_id h)
+{
+  return place_in_face(h) == 0 ? h + 2 : h - 1;
+}
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INDEX_TYPES_H

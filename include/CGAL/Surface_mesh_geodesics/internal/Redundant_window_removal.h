@@ -1,0 +1,414 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_REDUNDANT_WINDOW_REMOVAL_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_REDUNDANT_WINDOW_REMOVAL_H
+
+// level: 4 (propagation)
+//
+// The windows that the diagram needs, kept while distances are propagated: window-VTP with redundant window
+// removal (thesis, 5.1 and 5.2).
+//
+// The distance at a point of a face is the smallest one of the windows that entered the face, and of the
+// paths from its corners. So windows are kept for the face that they enter, and a face is by itself what the
+// thesis asks of a face and its neighbours: if all windows that entered it and its three corners have the
+// same source, it is redundant, and its windows are given back (definition 5.1, for the two sides of an edge
+// one by one).
+//
+// A face is inactive (proposition 5.1) when all points of its border have distances below the distance reached
+// by the wavefront: no window that comes later can matter in it. A bound of these distances is the smallest
+// distance of the windows that enter first, which is taken at some point, plus the longest edge; another
+// one, often smaller, comes from the distances of the corners: a point of the edge AB of length l is not
+// farther than (d(A) + d(B) + l) / 2. Faces wait in a queue by a first guess, and again by the bound that is
+// known then (5.2.2).
+//
+// When the faces on both sides of an edge are inactive, its windows are trimmed to the intervals where they
+// are nearest (the trimming rule of 5.2, for all windows of an edge at once). That tells where cells begin
+// and end on the edge. Far more faces become redundant then: those that windows of another source
+// have entered, but nowhere as the nearest ones. A face that does lie in several cells is given to a consumer
+// when all of its edges have been trimmed, and its windows are removed after that.
+
+#include <CGAL/Surface_mesh_geodesics/internal/Edge_partition.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Face_windows.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Intrinsic_mesh.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Vertex_distance_field.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Window_lists.h>
+#include <CGAL/Surface_mesh_geodesics/internal/face_generators.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <queue>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+// Breakpoints of an edge: their numbers are first, first + 1, ...
+struct Breakpoint_range
+{
+  std::uint32_t first, size;
+};
+
+// The consumer has a member add_divided_face(f), during which the windows of f and the breakpoints of its edges
+// are there.
+template <typename FT_, typename Consumer_>
+class Redundant_window_removal
+{
+public:
+  using FT = FT_;
+  using Consumer = Consumer_;
+  using Mesh = Intrinsic_mesh<FT>;
+  using Field = Vertex_distance_field<FT>;
+
+  // All are referred to. If `is_early` is false, redundant windows are removed in finish() only.
+  void reset(const Mesh& mesh, const Field& field, Consumer& consumer, bool is_early = true)
+  {
+    m_consumer = &consumer;
+    m_mesh = &mesh;
+    m_field = &field;
+    m_is_early = is_early;
+    m_state.assign(mesh.number_of_faces(), UNTOUCHED);
+    m_open_edges.assign(mesh.number_of_faces(), 3);
+    m_owner.assign(mesh.number_of_vertices(), null_id);
+    m_source.assign(mesh.number_of_faces(), null_id);
+    m_windows.reset(mesh.number_of_faces());
+    m_breakpoints.clear();
+    m_range_of_edge.clear();
+    m_queue = Queue();
+    m_number_of_kept = 0;
+  }
+
+  // is called by the propagation with each list that it carries across h.
+  void keep(Halfedge_id h, const Window_list<FT>& list)
+  {
+    const Face_id f = face_of(h);
+    if(is_inactive(f)) // these windows come too late
+      return;
+    FT nearest = Field::infinity();
+    Vertex_id source = m_source[f], last_root = null_id;
+    for(std::size_t i = 0; i < list.size; ++i)
+    {
+      const Window<FT> w = list.columns.get(i);
+      nearest = (std::min)(nearest, w.minimum_distance());
+      m_windows.add(h, Face_window<FT>{w.begin, w.end, w.image_x, w.image_depth, w.root});
+      if(w.root != last_root && source != several_sources)
+      {
+        last_root = w.root;
+        const Vertex_id s = current_owner(last_root);
+        source = source == null_id || source == s ? s : several_sources;
+      }
+    }
+    m_source[f] = source;
+    m_number_of_kept += list.size;
+    if(m_state[f] == UNTOUCHED && m_is_early)
+    {
+      const FT longest = longest_edge(f);
+      m_queue.push(Entry{nearest + longest / 2, nearest + longest, f});
+    }
+    m_state[f] = ACTIVE;
+  }
+
+  // The wavefront has reached a distance: the inactive region grows (thesis, algorithm 4, step 4).
+  void advance(const FT& reached)
+  {
+    const FT below = reached * (1 - 16 * Tolerance<FT>::distance());
+    while(!m_queue.empty() && m_queue.top().key < below)
+    {
+      Entry e = m_queue.top();
+      m_queue.pop();
+      e.key = (std::min)(e.bound, bound_by_corners(e.face));
+      if(e.key < below)
+        deactivate(e.face);
+      else
+        m_queue.push(e);
+    }
+  }
+
+  // The propagation has ended: all faces are inactive.
+  void finish()
+  {
+    m_queue = Queue();
+    for(Face_id f = 0; f < m_state.size(); ++f)
+      if(!is_inactive(f))
+        deactivate(f);
+  }
+
+  // The nearest source of a vertex whose distance is final; null_id if none reaches it. It is remembered, as
+  // the way to it may be long.
+  Vertex_id owner(Vertex_id v)
+  {
+    Vertex_id last = v;
+    while(m_owner[last] == null_id)
+    {
+      const Vertex_id root = m_field->arrival[last].root;
+      if(root == null_id)
+        return null_id;
+      if(root == last)
+        m_owner[last] = last;
+      last = root;
+    }
+    const Vertex_id owner = m_owner[last];
+    for(; m_owner[v] == null_id; v = m_field->arrival[v].root)
+      m_owner[v] = owner;
+    return owner;
+  }
+
+  // The source by which a vertex has been reached so far. Nothing is remembered: a vertex sends windows before
+  // it is known that its distance is final.
+  Vertex_id current_owner(Vertex_id v) const
+  {
+    while(m_owner[v] == null_id && m_field->arrival[v].root != null_id && m_field->arrival[v].root != v)
+      v = m_field->arrival[v].root;
+    return m_owner[v] == null_id ? m_field->arrival[v].root : m_owner[v];
+  }
+
+  // where cells begin and end on the edge of h, in the order of the one of its halfedges that has the smaller
+  // number.
+  Breakpoint_range breakpoints(Halfedge_id h) const
+  {
+    const Halfedge_id o = m_mesh->opposite(h);
+    const auto it = m_range_of_edge.find(o != null_id && o < h ? o : h);
+    return it == m_range_of_edge.end() ? Breakpoint_range{0, 0} : it->second;
+  }
+
+  const Edge_breakpoint<FT>& breakpoint(std::uint32_t i) const { return m_breakpoints[i]; }
+
+  const Face_windows<FT>& windows() const { return m_windows; }
+  std::size_t number_of_kept_windows() const { return m_number_of_kept; }
+
+  std::size_t memory() const
+  {
+    return m_windows.memory() + m_state.capacity() + m_open_edges.capacity()
+         + (m_owner.capacity() + m_source.capacity()) * sizeof(Vertex_id);
+  }
+
+private:
+  static constexpr Vertex_id several_sources = null_id - 1;
+
+  // An INACTIVE face waits for its neighbours, a DONE one has no windows any more.
+  enum State : unsigned char { UNTOUCHED, ACTIVE, INACTIVE, DONE };
+
+  struct Entry
+  {
+    FT key, bound;
+    Face_id face;
+
+    bool operator>(const Entry& other) const
+    {
+      return other.key < key || (!(key < other.key) && other.face < face);
+    }
+  };
+
+  using Queue = std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>>;
+
+  FT longest_edge(Face_id f) const
+  {
+    const auto& length = m_mesh->face(f).length;
+    return (std::max)({length[0], length[1], length[2]});
+  }
+
+  FT bound_by_corners(Face_id f) const
+  {
+    const typename Mesh::Face& face = m_mesh->face(f);
+    FT bound = 0;
+    for(unsigned int k = 0; k < 3; ++k)
+      bound = (std::max)(bound, FT((m_field->distance[face.vertex[k]]
+                                    + m_field->distance[face.vertex[next_place(k)]] + face.length[k]) / 2));
+    return bound;
+  }
+
+  bool is_inactive(Face_id f) const { return m_state[f] == INACTIVE || m_state[f] == DONE; }
+
+  // procedure 3 of the thesis, for a face that has become inactive.
+  void deactivate(Face_id f)
+  {
+    m_state[f] = INACTIVE;
+    if(has_one_source(f))
+      remove_windows(f);
+    for(unsigned int k = 0; k < 3; ++k)
+    {
+      const Halfedge_id h = halfedge_of(f, k), o = m_mesh->opposite(h);
+      if(o == null_id || face_of(o) == f)
+        close_edge(h, o);
+      else if(is_inactive(face_of(o)))
+        close_edge((std::min)(h, o), (std::max)(h, o));
+    }
+  }
+
+  bool has_one_source(Face_id f)
+  {
+    const auto& corner = m_mesh->face(f).vertex;
+    const Vertex_id source = owner(corner[0]);
+    if(owner(corner[1]) != source || owner(corner[2]) != source)
+      return false;
+    if(m_source[f] != source)
+      return m_source[f] == null_id;
+    // a root may have been reached by another source after its windows had been kept
+    bool is_one = true;
+    for(unsigned int k = 0; k < 3 && is_one; ++k)
+      m_windows.for_each(halfedge_of(f, k), [&](const Face_window<FT>& w)
+      { is_one = is_one && owner(w.root) == source; });
+    return is_one;
+  }
+
+  void remove_windows(Face_id f)
+  {
+    m_state[f] = DONE;
+    for(unsigned int k = 0; k < 3; ++k)
+      m_windows.release(halfedge_of(f, k));
+  }
+
+  // No face at the edge of h, whose opposite is o or null_id, will get windows any more.
+  void close_edge(Halfedge_id h, Halfedge_id o)
+  {
+    if(o != null_id && o < h) // of a face that has this edge twice
+      return;
+    const Face_id f = face_of(h), g = o == null_id ? f : face_of(o);
+    if(m_state[f] == INACTIVE && m_state[g] == INACTIVE) // else the edge is in one cell
+      trim_edge(h, o);
+    close_side(f);
+    if(o != null_id)
+      close_side(g);
+  }
+
+  void close_side(Face_id f)
+  {
+    if(--m_open_edges[f] != 0 || m_state[f] != INACTIVE)
+      return;
+    if(is_divided(f))
+      m_consumer->add_divided_face(f);
+    remove_windows(f);
+  }
+
+  bool is_divided(Face_id f) const
+  {
+    for(unsigned int k = 0; k < 3; ++k)
+      if(breakpoints(halfedge_of(f, k)).size != 0)
+        return true;
+    return false;
+  }
+
+  // trims the windows of both sides, and finds the breakpoints of the edge.
+  void trim_edge(Halfedge_id h, Halfedge_id o)
+  {
+    const Vertex_id a = m_mesh->source(h), b = m_mesh->target(h);
+    const FT length = m_mesh->length(h);
+    const Vertex_id first = owner(a), last = owner(b);
+    if(first == null_id || !(length > 0)) // (an edge without length has no inner point)
+    {
+      if(first != last)
+        add_breakpoints(h, {Edge_breakpoint<FT>{FT(0), first, last}});
+      return;
+    }
+    m_edge.start(length, first, m_field->distance[a], last, m_field->distance[b]);
+    m_candidates.clear();
+    m_windows.for_each(h, [&](const Face_window<FT>& w)
+    {
+      m_candidates.emplace_back(h, w);
+      m_edge.add(Edge_generator<FT>{w.begin, w.end, w.image_x, w.image_depth,
+                                    m_field->distance[w.root], owner(w.root)});
+    });
+    if(o != null_id)
+      m_windows.for_each(o, [&](const Face_window<FT>& w)
+      {
+        m_candidates.emplace_back(o, w);
+        m_edge.add(Edge_generator<FT>{FT(length - w.end), FT(length - w.begin),
+                                      FT(length - w.image_x), w.image_depth,
+                                      m_field->distance[w.root], owner(w.root)});
+      });
+    if(o == null_id)
+      add_paths_to_border(h);
+    m_edge.build();
+    add_breakpoints(h, m_edge.breakpoints());
+    replace_windows(h, o, length);
+  }
+
+  void add_breakpoints(Halfedge_id h, const std::vector<Edge_breakpoint<FT>>& found)
+  {
+    if(found.empty())
+      return;
+    m_range_of_edge.emplace(h, Breakpoint_range{static_cast<std::uint32_t>(m_breakpoints.size()),
+                                                static_cast<std::uint32_t>(found.size())});
+    m_breakpoints.insert(m_breakpoints.end(), found.begin(), found.end());
+  }
+
+  // No window leaves the face at the border: the paths through the face are added as they arrive.
+  void add_paths_to_border(Halfedge_id h)
+  {
+    const auto owner_of = [&](Vertex_id v) { return owner(v); };
+    for_each_face_generator(*m_mesh, *m_field, m_windows, owner_of, face_of(h), [&](const Face_generator<FT>& g)
+    {
+      Edge_generator<FT> e;
+      if(generator_on_edge(*m_mesh, h, g, e))
+        m_edge.add(e);
+    });
+  }
+
+  // The windows that are nearest somewhere, in the order along the edge.
+  void replace_windows(Halfedge_id h, Halfedge_id o, const FT& length)
+  {
+    m_windows.release(h);
+    if(o != null_id)
+      m_windows.release(o);
+    for(const Edge_interval<FT>& i : m_edge.intervals())
+    {
+      if(i.generator < 2 || i.generator - 2 >= m_candidates.size() || !(i.begin < i.end))
+        continue;
+      const Halfedge_id side = m_candidates[i.generator - 2].first;
+      Face_window<FT> w = m_candidates[i.generator - 2].second;
+      w.begin = (std::max)(w.begin, side == h ? i.begin : FT(length - i.end));
+      w.end = (std::min)(w.end, side == h ? i.end : FT(length - i.begin));
+      m_windows.add(side, w);
+    }
+  }
+
+  const Mesh* m_mesh = nullptr;
+  const Field* m_field = nullptr;
+  Consumer* m_consumer = nullptr;
+  bool m_is_early = true;
+  std::vector<State> m_state;
+  std::vector<unsigned char> m_open_edges; // of each face: whose other side is not inactive
+  std::vector<Vertex_id> m_owner;
+  std::vector<Vertex_id> m_source; // of the windows that have entered a face, as known then, if it is one
+  Face_windows<FT> m_windows;
+  std::vector<Edge_breakpoint<FT>> m_breakpoints;
+  std::unordered_map<Halfedge_id, Breakpoint_range> m_range_of_edge;
+  Queue m_queue;
+  std::size_t m_number_of_kept = 0;
+  Edge_partition<FT> m_edge;
+  std::vector<std::pair<Halfedge_id, Face_window<FT>>> m_candidates;
+};
+
+// A keeper for Distance_propagation.
+template <typename Removal>
+class Redundant_window_remover
+{
+public:
+  using FT = typename Removal::FT;
+
+  explicit Redundant_window_remover(Removal& removal) : m_removal(&removal) {}
+
+  void keep(Halfedge_id h, const Window_list<FT>& list) { m_removal->keep(h, list); }
+  void advance(const FT& reached) { m_removal->advance(reached); }
+
+private:
+  Removal* m_removal;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_REDUNDANT_WINDOW_REMOVAL_H

@@ -1,0 +1,125 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VERTEX_STAR_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VERTEX_STAR_H
+
+// level: 3 (containers)
+//
+// The faces around a vertex, and all that a visit of the vertex reads and writes: the window lists that are
+// carried through these faces, and the distances of the vertices around. While the vertex is
+// visited nothing else is touched, so that the visit of a vertex is a function of its star.
+//
+// Each face (v, a, b) has three lists. Those that turn around v counterclockwise enter it across va, those
+// that turn clockwise enter it across bv, and all leave it across ab, or go on around v.
+
+#include <CGAL/Surface_mesh_geodesics/internal/Index_types.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Intrinsic_mesh.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Vertex_distance_field.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Window_lists.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window_pruning.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+// A vertex next to that which is visited. The visit works on a copy of its distance.
+template <typename FT>
+struct Link_vertex
+{
+  Vertex_id vertex;
+  bool is_degenerate;
+  bool may_emit; // windows start here now or then: improvements that rounding could have made are ignored
+  bool is_improved = false;
+  FT distance;
+  Vertex_arrival<FT> arrival; // if it is improved
+  Arrival_image<FT> image;
+
+  Vertex_rival<FT> rival() const { return Vertex_rival<FT>(distance, is_degenerate); }
+};
+
+template <typename FT>
+struct Star_face
+{
+  Halfedge_id halfedge;         // va
+  std::uint32_t first, second;  // a and b, in the links of the star
+  std::uint32_t next, previous; // the faces counterclockwise and clockwise, null_id beyond the border
+  Window_list<FT> counterclockwise, clockwise, outward;
+  FT outward_distance = Vertex_distance_field<FT>::infinity(); // the smallest one of the list `outward`
+};
+
+template <typename FT>
+struct Vertex_star
+{
+  Vertex_id vertex = null_id;
+  FT distance;
+  bool is_degenerate;
+  bool emits;                 // windows have to start at the vertex,
+  bool has_emitted;           // and they have before
+  bool has_stale_windows;     // there may be windows of a pseudo-source that has been improved since
+  Vertex_arrival<FT> arrival; // at the vertex
+  std::vector<Star_face<FT>> faces;
+  std::vector<Link_vertex<FT>> links;
+
+  // finds the faces and links of v; what is known of v and its links is left to the caller.
+  void surround(const Intrinsic_mesh<FT>& mesh, Vertex_id v)
+  {
+    vertex = v;
+    faces.clear();
+    links.clear();
+    mesh.for_each_umbrella(v, [&](Halfedge_id first) { add_umbrella(mesh, first); });
+  }
+
+private:
+  void add_umbrella(const Intrinsic_mesh<FT>& mesh, Halfedge_id first)
+  {
+    const std::uint32_t first_face = static_cast<std::uint32_t>(faces.size());
+    const std::uint32_t first_link = static_cast<std::uint32_t>(links.size());
+    Halfedge_id h = first;
+    do
+    {
+      const std::uint32_t f = static_cast<std::uint32_t>(faces.size());
+      const std::uint32_t a = static_cast<std::uint32_t>(links.size());
+      faces.emplace_back();
+      faces.back().halfedge = h;
+      faces.back().first = a;
+      faces.back().second = a + 1;
+      faces.back().next = f + 1;
+      faces.back().previous = f - 1;
+      add_link(mesh.target(h));
+      h = mesh.next_around_source(h);
+    } while(h != first && h != null_id);
+    if(h == null_id)
+    {
+      faces[first_face].previous = null_id;
+      faces.back().next = null_id;
+      add_link(mesh.source(previous_halfedge(faces.back().halfedge)));
+      return;
+    }
+    faces[first_face].previous = static_cast<std::uint32_t>(faces.size() - 1);
+    faces.back().next = first_face;
+    faces.back().second = first_link;
+  }
+
+  void add_link(Vertex_id v)
+  {
+    links.emplace_back();
+    links.back().vertex = v;
+  }
+};
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VERTEX_STAR_H

@@ -1,0 +1,267 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WEIGHTED_BISECTOR_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WEIGHTED_BISECTOR_H
+
+// level: 1 (surface)
+//
+// Curves of equal distance from two weighted points of a plane: branches of hyperbolas, or lines.
+//
+// Let F be one of the two points (a focus), d the vector to the other one, s the weight of F less that of
+// the other one, and u the direction from F to a point of the curve at distance r. Squaring
+// r + s = |r u - d| gives 1/r = (s + u d) / K with 2 K = d^2 - s^2: an affine function of u. This stays
+// so for the curves of a third point against F, and for lines; so "which generator is nearer", and "on which
+// side of a line", are linear inequalities in u along the curve.
+//
+// Directions are measured from that of a point p0 of the curve, by the tangent t of half the angle: u is a
+// quotient of polynomials in t of degree two, the point of the curve as well, and each inequality becomes one
+// for such a polynomial. All is written as a difference from p0, so that no digits are lost where the
+// foci are far away in comparison with the piece of the curve that matters.
+
+#include <CGAL/Surface_mesh_geodesics/internal/planar_geometry.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+template <typename FT>
+struct Planar_point
+{
+  FT x = 0, y = 0;
+};
+
+template <typename FT>
+FT distance(const Planar_point<FT>& p, const Planar_point<FT>& q)
+{
+  return norm<FT>(p.x - q.x, p.y - q.y);
+}
+
+// The distance of a point from it is `weight` plus the distance in the plane.
+template <typename FT>
+struct Weighted_point
+{
+  FT x = 0, y = 0, weight = 0;
+
+  FT distance_to(const Planar_point<FT>& p) const { return weight + norm<FT>(p.x - x, p.y - y); }
+};
+
+// The side of a line: a x + b y + c >= 0.
+template <typename FT>
+struct Half_plane
+{
+  FT a, b, c;
+
+  FT operator()(const Planar_point<FT>& p) const { return a * p.x + b * p.y + c; }
+
+  // the points on the left of the line from p to q; the value is the distance from the line.
+  static Half_plane left_of(const Planar_point<FT>& p, const Planar_point<FT>& q)
+  {
+    const FT dx = q.x - p.x, dy = q.y - p.y, n = norm(dx, dy);
+    const FT a = n > 0 ? FT(-dy / n) : FT(0), b = n > 0 ? FT(dx / n) : FT(0);
+    return Half_plane{a, b, FT(-(a * p.x + b * p.y))};
+  }
+
+  Half_plane opposite() const { return Half_plane{FT(-a), FT(-b), FT(-c)}; }
+};
+
+// c0 + 2 c1 t + c2 t^2
+template <typename FT>
+struct Quadratic
+{
+  FT c0, c1, c2;
+
+  FT operator()(const FT& t) const { return c0 + t * (2 * c1 + t * c2); }
+
+  // is it negative from 0 to t beyond doubt? (Its coefficients in Bernstein form are.)
+  bool is_negative_until(const FT& t) const
+  {
+    const FT b1 = c0 + c1 * t;
+    return c0 < 0 && b1 < 0 && b1 + t * (c1 + c2 * t) < 0;
+  }
+
+  // its positive roots, in ascending order; infinity for those that do not exist.
+  std::array<FT, 2> positive_roots() const
+  {
+    using std::sqrt;
+    const FT infinity = std::numeric_limits<FT>::infinity();
+    std::array<FT, 2> r{infinity, infinity};
+    const FT discriminant = c1 * c1 - c0 * c2;
+    if(!(discriminant >= 0))
+      return r;
+    const FT q = -(c1 + (c1 < 0 ? FT(-sqrt(discriminant)) : FT(sqrt(discriminant))));
+    if(c2 != 0 && q / c2 > 0)
+      r[0] = q / c2;
+    if(q != 0 && c0 / q > 0)
+      r[1] = c0 / q;
+    if(r[1] < r[0])
+      std::swap(r[0], r[1]);
+    return r;
+  }
+};
+
+template <typename FT_>
+class Weighted_bisector
+{
+public:
+  using FT = FT_;
+  using Point = Planar_point<FT>;
+  using Generator = Weighted_point<FT>;
+
+  // The curve of equal distance from `left` and `right` that starts at p, which is on it but for rounding,
+  // with the points nearer to `left` on its left.
+  Weighted_bisector(const Generator& left, const Generator& right, const Point& p)
+    : m_p(p)
+  {
+    const FT to_left = norm<FT>(p.x - left.x, p.y - left.y);
+    const FT to_right = norm<FT>(p.x - right.x, p.y - right.y);
+    // the nearer focus, unless the curve starts there
+    m_is_left_focus = to_left > 0 && (to_left <= to_right || !(to_right > 0));
+    m_focus = m_is_left_focus ? left : right;
+    const Generator& other = m_is_left_focus ? right : left;
+    const FT r = m_is_left_focus ? to_left : to_right;
+    const FT dx = other.x - m_focus.x, dy = other.y - m_focus.y;
+    const FT d = norm(dx, dy), s = m_focus.weight - other.weight;
+    const FT k = (d - s) * (d + s) / 2;
+    m_is_valid = r > 0 && k > 4 * Tolerance<FT>::distance() * d * d;
+    if(!m_is_valid)
+      return;
+    m_radius = r;
+    m_ux = (p.x - m_focus.x) / r;
+    m_uy = (p.y - m_focus.y) / r;
+    m_vx = -m_uy;
+    m_vy = m_ux;
+    m_a = (dx * m_ux + dy * m_uy) / k;
+    m_b = (dx * m_vx + dy * m_vy) / k;
+    set_tangent();
+    // the gradient of the difference of the distances points to the side of `left`
+    const FT nx = (to_right > 0 ? FT((p.x - right.x) / to_right) : FT(0))
+                - (to_left > 0 ? FT((p.x - left.x) / to_left) : FT(0));
+    const FT ny = (to_right > 0 ? FT((p.y - right.y) / to_right) : FT(0))
+                - (to_left > 0 ? FT((p.y - left.y) / to_left) : FT(0));
+    if(m_tx * ny - m_ty * nx < 0)
+    {
+      m_vx = -m_vx;
+      m_vy = -m_vy;
+      m_b = -m_b;
+      set_tangent();
+    }
+  }
+
+  const Point& start() const { return m_p; }
+
+  // false where the two distances do not differ in their precision, or no curve exists.
+  bool is_valid() const { return m_is_valid; }
+
+  Point point(const FT& t) const
+  {
+    const FT factor = 2 * t / denominator()(t), g = t * (1 - m_a * m_radius);
+    return Point{FT(m_p.x + factor * (m_tx - g * m_ux)), FT(m_p.y + factor * (m_ty - g * m_uy))};
+  }
+
+  // No point of the curve from 0 to t is farther from its start than this.
+  FT extent(const FT& t) const
+  {
+    using std::abs;
+    const Quadratic<FT> w = denominator();
+    const FT smallest = (std::min)({w.c0, FT(w.c0 + w.c1 * t), w(t)});
+    if(!(smallest > 0))
+      return std::numeric_limits<FT>::infinity();
+    return 2 * t * (norm(m_tx, m_ty) + t * abs(FT(1 - m_a * m_radius))) / smallest;
+  }
+
+  // the parameter of a point of the curve.
+  FT parameter(const Point& p) const
+  {
+    const FT x = p.x - m_focus.x, y = p.y - m_focus.y;
+    const FT along = x * m_ux + y * m_uy, across = x * m_vx + y * m_vy;
+    return across / (norm(along, across) + along);
+  }
+
+  // dp/dt
+  Point derivative(const FT& t) const
+  {
+    // p - p0 = n / w
+    const Quadratic<FT> w = denominator();
+    const FT g = 1 - m_a * m_radius, wt = w(t), dw = 2 * (w.c1 + t * w.c2), square = wt * wt;
+    const FT nx = 2 * t * (m_tx - t * g * m_ux), ny = 2 * t * (m_ty - t * g * m_uy);
+    const FT mx = 2 * m_tx - 4 * t * g * m_ux, my = 2 * m_ty - 4 * t * g * m_uy;
+    return Point{FT((mx * wt - nx * dw) / square), FT((my * wt - ny * dw) / square)};
+  }
+
+  // is positive where the curve exists.
+  Quadratic<FT> denominator() const
+  {
+    const FT rho = 1 / m_radius;
+    return Quadratic<FT>{rho, m_b, FT(rho - 2 * m_a)};
+  }
+
+  // where the curve ends, at infinity; behind it point() is on the other branch.
+  FT end() const { return denominator().positive_roots()[0]; }
+
+  // is positive where the curve is in the half-plane.
+  Quadratic<FT> side(const Half_plane<FT>& h) const
+  {
+    const FT h0 = h(m_p);
+    const Quadratic<FT> w = denominator();
+    const FT along_tangent = h.a * m_tx + h.b * m_ty, along_u = h.a * m_ux + h.b * m_uy;
+    return Quadratic<FT>{FT(h0 * w.c0), FT(h0 * w.c1 + along_tangent),
+                         FT(h0 * w.c2 - 2 * (1 - m_a * m_radius) * along_u)};
+  }
+
+  // is positive where a third generator is nearer than the two, except if it never is.
+  Quadratic<FT> nearer(const Generator& g) const
+  {
+    const FT dx = g.x - m_focus.x, dy = g.y - m_focus.y, d = norm(dx, dy);
+    const FT s = m_focus.weight - g.weight;
+    if(s <= -d)
+      return Quadratic<FT>{-1, 0, -1};
+    const FT k = (d - s) * (d + s) / 2;
+    const FT to_g = norm<FT>(m_p.x - g.x, m_p.y - g.y);
+    const FT gain = (m_radius - to_g) + s; // at p0
+    const FT g0 = gain * (to_g + gain / 2) / m_radius;
+    const FT du = dx * m_ux + dy * m_uy, dv = dx * m_vx + dy * m_vy;
+    return Quadratic<FT>{g0, FT(dv - k * m_b), FT(g0 - 2 * du + 2 * k * m_a)};
+  }
+
+  // the direction of the curve at its start.
+  Point tangent() const
+  {
+    const FT n = norm(m_tx, m_ty);
+    return n > 0 ? Point{FT(m_tx / n), FT(m_ty / n)} : Point();
+  }
+
+private:
+  void set_tangent()
+  {
+    m_tx = m_vx - m_b * m_radius * m_ux;
+    m_ty = m_vy - m_b * m_radius * m_uy;
+  }
+
+  Point m_p;
+  Generator m_focus;
+  bool m_is_left_focus = true, m_is_valid = false;
+  FT m_radius = 0;                // from the focus to p0
+  FT m_ux = 0, m_uy = 0;          // the direction from the focus to p0
+  FT m_vx = 0, m_vy = 0;          // across, to the side of growing parameters
+  FT m_a = 0, m_b = 0;            // d / K along u and v
+  FT m_tx = 0, m_ty = 0;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WEIGHTED_BISECTOR_H

@@ -1,0 +1,486 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTRINSIC_MESH_FROM_FACE_GRAPH_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTRINSIC_MESH_FROM_FACE_GRAPH_H
+
+// level: 1 (surface)
+//
+// The intrinsic mesh of a model of FaceListGraph, with points or with edge lengths, and the tables
+// between the elements of both. This is the only place that walks over a mesh of the user.
+//
+// Faces are numbered breadth first, and vertices in the order in which the faces meet them: the
+// wavefront then works on a part of the records that lies together in memory.
+
+#include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Intrinsic_mesh.h>
+
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+// The largest length for which distances, which are sums of lengths, stay finite.
+inline double largest_extent() { return std::ldexp(1., 960); }
+
+// The exponent of a power of two that is about as large as the extent of a mesh, and whose inverse is
+// finite.
+inline int scaling_exponent(double extent)
+{
+  int exponent = 0;
+  std::frexp(extent, &exponent);
+  return (std::max)(exponent, -960);
+}
+
+// The elements of a mesh of the user and those of its intrinsic mesh.
+template <typename TriangleMesh>
+struct Face_graph_correspondence
+{
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor;
+
+  std::vector<vertex_descriptor> vertices; // of a vertex of the intrinsic mesh
+  std::vector<face_descriptor> faces;      // of a face of the intrinsic mesh
+  std::vector<Vertex_id> vertex_of_index;  // by the index of the user's map, null_id if unused
+  // By the index of the user's map: the halfedge of the intrinsic mesh that is halfedge(f, tm).
+  std::vector<Halfedge_id> halfedge_of_face_index;
+
+  std::size_t memory() const
+  {
+    return vertices.capacity() * sizeof(vertex_descriptor) + faces.capacity() * sizeof(face_descriptor)
+         + vertex_of_index.capacity() * sizeof(Vertex_id)
+         + halfedge_of_face_index.capacity() * sizeof(Halfedge_id);
+  }
+};
+
+// Sets halfedge 0 of a face to the shortest of the edges with the given lengths, and the lengths; returns
+// which of the edges became halfedge 0.
+template <typename FT>
+unsigned int set_lengths(const std::array<FT, 3>& length, Intrinsic_face<FT>& f)
+{
+  const unsigned int shift
+    = length[0] <= length[1] ? (length[0] <= length[2] ? 0 : 2) : (length[1] <= length[2] ? 1 : 2);
+  for(unsigned int k = 0; k < 3; ++k)
+    f.length[k] = length[place_after(k, shift)];
+  return shift;
+}
+
+// The shape of a face from the points of its vertices. The points are read once, in the order in which
+// the faces will ask for them, and scaled by a power of two.
+template <typename FT, typename TriangleMesh, typename VertexPointMap>
+class Shape_from_points
+{
+  using Graph_traits = boost::graph_traits<TriangleMesh>;
+  using vertex_descriptor = typename Graph_traits::vertex_descriptor;
+  using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
+  using Vector = std::array<FT, 3>;
+
+public:
+  Shape_from_points(const TriangleMesh& tm, VertexPointMap vpm) : m_tm(tm), m_vpm(vpm) {}
+
+  // reads the points; returns the exponent of the power of two by which lengths are divided. Isolated
+  // vertices, behind the first `number_in_faces`, have no lengths.
+  int prepare(const std::vector<vertex_descriptor>& numbered_vertices, std::size_t number_in_faces)
+  {
+    m_points.reserve(numbered_vertices.size());
+    double largest = 0;
+    for(vertex_descriptor v : numbered_vertices)
+    {
+      const auto& p = get(m_vpm, v);
+      m_points.push_back({CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())});
+      for(std::size_t i = 0; i < 3; ++i)
+      {
+        const double extent = std::abs(m_points.back()[i] - m_points.front()[i]);
+        if(!(extent <= largest_extent()))
+          refuse_point();
+        if(m_points.size() <= number_in_faces)
+          largest = (std::max)(largest, extent);
+      }
+    }
+    const int exponent = scaling_exponent(largest);
+    const double factor = std::ldexp(1., -exponent);
+    for(std::array<double, 3>& p : m_points)
+      for(double& x : p)
+        x *= factor;
+    return exponent;
+  }
+
+  // sets the lengths and the layout of a face with the given vertices; returns which of its halfedges
+  // became halfedge 0.
+  unsigned int shape(const std::array<halfedge_descriptor, 3>&, std::size_t,
+                     const std::array<Vertex_id, 3>& v, Intrinsic_face<FT>& f) const
+  {
+    const std::array<Vector, 3> side = {difference(v[1], v[0]), difference(v[2], v[1]),
+                                        difference(v[0], v[2])};
+    // the same bits from both faces of an edge
+    const unsigned int shift = set_lengths<FT>(
+      {vector_length(side[0]), vector_length(side[1]), vector_length(side[2])}, f);
+    if(!(f.length[0] > 0))
+    {
+      f.apex_x = f.length[2];
+      f.apex_y = 0;
+      return shift;
+    }
+    const Vector& base = side[shift];
+    const Vector& from_apex = side[previous_place(shift)]; // to corner 0
+    f.apex_x = -dot(base, from_apex) / f.length[0];
+    f.apex_y = vector_length(cross(base, from_apex)) / f.length[0];
+    return shift;
+  }
+
+private:
+  // throws for the first vertex whose point is not finite or too far away from that of the first.
+  [[noreturn]] void refuse_point() const
+  {
+    std::size_t position = 0, culprit = 0;
+    for(vertex_descriptor v : vertices(m_tm))
+    {
+      const auto& p = get(m_vpm, v);
+      for(const double x : {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())})
+        if(!(std::abs(x) <= largest_extent()) && culprit == 0)
+          culprit = position + 1;
+      ++position;
+    }
+    const std::size_t element = culprit == 0 ? Invalid_geodesic_input::no_element : culprit - 1;
+    throw Invalid_geodesic_input(Invalid_geodesic_input::Reason::NON_FINITE_POINT,
+                                 culprit == 0 ? std::string("the extent of the points is too large")
+                                              : "vertex " + std::to_string(element)
+                                                  + " has a coordinate that is not finite, or too large",
+                                 element);
+  }
+
+  Vector difference(Vertex_id b, Vertex_id a) const
+  {
+    const std::array<double, 3>&p = m_points[a], &q = m_points[b];
+    return {FT(FT(q[0]) - FT(p[0])), FT(FT(q[1]) - FT(p[1])), FT(FT(q[2]) - FT(p[2]))};
+  }
+
+  static FT dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+  static Vector cross(const Vector& a, const Vector& b)
+  {
+    return {FT(a[1] * b[2] - a[2] * b[1]), FT(a[2] * b[0] - a[0] * b[2]),
+            FT(a[0] * b[1] - a[1] * b[0])};
+  }
+
+  static FT vector_length(const Vector& a)
+  {
+    using std::sqrt;
+    return sqrt(dot(a, a));
+  }
+
+  const TriangleMesh& m_tm;
+  VertexPointMap m_vpm;
+  std::vector<std::array<double, 3>> m_points; // of the numbered vertices, scaled
+};
+
+// The shape of a face from the lengths of its edges.
+template <typename FT, typename TriangleMesh, typename EdgeLengthMap>
+class Shape_from_edge_lengths
+{
+  using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
+  using edge_descriptor = typename boost::graph_traits<TriangleMesh>::edge_descriptor;
+
+public:
+  Shape_from_edge_lengths(const TriangleMesh& tm, EdgeLengthMap elm) : m_tm(tm), m_elm(elm) {}
+
+  template <typename Vertices>
+  int prepare(const Vertices&, std::size_t)
+  {
+    using Reason = Invalid_geodesic_input::Reason;
+    double largest = 0;
+    std::size_t n = 0;
+    for(edge_descriptor e : edges(m_tm))
+    {
+      const double l = CGAL::to_double(get(m_elm, e));
+      if(!std::isfinite(l) || l > largest_extent())
+        throw Invalid_geodesic_input(Reason::NON_FINITE_LENGTH,
+                                     "the length of edge " + std::to_string(n)
+                                       + " is not finite, or too large", n);
+      if(l < 0)
+        throw Invalid_geodesic_input(Reason::NEGATIVE_LENGTH,
+                                     "the length of edge " + std::to_string(n) + " is negative", n);
+      largest = (std::max)(largest, l);
+      ++n;
+    }
+    const int exponent = scaling_exponent(largest);
+    m_factor = std::ldexp(1., -exponent);
+    return exponent;
+  }
+
+  unsigned int shape(const std::array<halfedge_descriptor, 3>& h, std::size_t face_position,
+                     const std::array<Vertex_id, 3>&, Intrinsic_face<FT>& f) const
+  {
+    std::array<FT, 3> length;
+    for(std::size_t i = 0; i < 3; ++i)
+      length[i] = FT(m_factor * CGAL::to_double(get(m_elm, edge(h[i], m_tm))));
+    const unsigned int shift = set_lengths(length, f);
+    const FT longest = (std::max)(f.length[1], f.length[2]);
+    const FT others = f.length[0] + (std::min)(f.length[1], f.length[2]);
+    if(longest - others > Tolerance<FT>::triangle_inequality() * longest)
+      throw Invalid_geodesic_input(Invalid_geodesic_input::Reason::TRIANGLE_INEQUALITY,
+                                   "an edge of face " + std::to_string(face_position)
+                                     + " is longer than the two others together", face_position);
+    const Planar_triangle<FT> t
+      = planar_triangle_from_lengths(f.length[0], f.length[1], f.length[2]);
+    f.apex_x = t.apex_x;
+    f.apex_y = t.apex_y;
+    return shift;
+  }
+
+private:
+  const TriangleMesh& m_tm;
+  EdgeLengthMap m_elm;
+  double m_factor = 1;
+};
+
+// Positions are those in the ranges vertices(tm) and faces(tm).
+template <typename FT, typename TriangleMesh, typename VertexIndexMap, typename FaceIndexMap>
+class Intrinsic_mesh_builder
+{
+  using Graph_traits = boost::graph_traits<TriangleMesh>;
+  using vertex_descriptor = typename Graph_traits::vertex_descriptor;
+  using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
+  using face_descriptor = typename Graph_traits::face_descriptor;
+  using Correspondence = Face_graph_correspondence<TriangleMesh>;
+  using Reason = Invalid_geodesic_input::Reason;
+
+public:
+  Intrinsic_mesh_builder(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim)
+    : m_tm(tm), m_vim(vim), m_fim(fim)
+  {}
+
+  // builds the mesh and the tables; throws Invalid_geodesic_input.
+  template <typename Shape>
+  void build(Shape& shape, Intrinsic_mesh<FT>& mesh, Correspondence& table)
+  {
+    read_faces();
+    find_neighbours();
+    number_faces();
+    mesh.reset(m_faces.size());
+    const std::size_t number_in_faces = number_vertices(table, mesh);
+    const int exponent = shape.prepare(table.vertices, number_in_faces);
+    mesh.set_unit(FT(std::ldexp(1., exponent)));
+    set_faces(shape, mesh);
+    mesh.finish(table.vertices.size());
+    fill_face_tables(table);
+  }
+
+private:
+  void read_faces()
+  {
+    m_faces.reserve(num_faces(m_tm));
+    m_halfedges.reserve(num_faces(m_tm));
+    m_corners.reserve(num_faces(m_tm));
+    for(face_descriptor f : faces(m_tm))
+    {
+      const halfedge_descriptor h0 = halfedge(f, m_tm), h1 = next(h0, m_tm), h2 = next(h1, m_tm);
+      if(next(h2, m_tm) != h0 || h1 == h0 || h2 == h0)
+        throw Invalid_geodesic_input(Reason::NOT_A_TRIANGLE,
+                                     "face " + std::to_string(m_faces.size())
+                                       + " is not a triangle", m_faces.size());
+      const std::size_t index = index_of(f);
+      if(index >= num_faces(m_tm))
+        throw Invalid_geodesic_input(Reason::INVALID_INDEX_MAP,
+                                     "the index of face " + std::to_string(m_faces.size())
+                                       + " is out of range", m_faces.size());
+      if(index >= m_position_of_index.size())
+        m_position_of_index.resize(num_faces(m_tm), null_id);
+      if(m_position_of_index[index] != null_id)
+        throw Invalid_geodesic_input(Reason::INVALID_INDEX_MAP,
+                                     "the index of face " + std::to_string(m_faces.size())
+                                       + " is that of another face", m_faces.size());
+      m_position_of_index[index] = static_cast<std::uint32_t>(m_faces.size());
+      m_faces.push_back(f);
+      m_halfedges.push_back({h0, h1, h2});
+      // (Targets are nearer at hand than sources in a halfedge data structure.)
+      m_corners.push_back({vertex_index(target(h2, m_tm)), vertex_index(target(h0, m_tm)),
+                           vertex_index(target(h1, m_tm))});
+      if(m_faces.size() >= maximum_number_of_faces)
+        throw Invalid_geodesic_input(Reason::TOO_LARGE, "the mesh has too many faces");
+    }
+  }
+
+  // m_neighbours[f][j] is 4 * (position of the neighbour) + (its halfedge), or null_id.
+  void find_neighbours()
+  {
+    m_neighbours.assign(m_faces.size(), {unknown, unknown, unknown});
+    for(std::uint32_t f = 0; f < m_faces.size(); ++f)
+      for(unsigned int j = 0; j < 3; ++j)
+        if(m_neighbours[f][j] == unknown)
+        {
+          const Halfedge_id o = neighbour(m_halfedges[f][j]);
+          m_neighbours[f][j] = o;
+          if(o != null_id)
+            m_neighbours[face_of(o)][place_in_face(o)] = halfedge_of(f, j);
+        }
+  }
+
+  Halfedge_id neighbour(halfedge_descriptor h) const
+  {
+    const halfedge_descriptor o = opposite(h, m_tm);
+    if(is_border(o, m_tm))
+      return null_id;
+    const std::size_t index = index_of(face(o, m_tm));
+    const std::uint32_t g = index < m_position_of_index.size() ? m_position_of_index[index] : null_id;
+    if(g == null_id)
+      return null_id;
+    for(unsigned int j = 0; j < 3; ++j)
+      if(m_halfedges[g][j] == o)
+        return halfedge_of(g, j);
+    return null_id;
+  }
+
+  // breadth first, each component from its first face.
+  void number_faces()
+  {
+    m_order.reserve(m_faces.size());
+    m_rank.assign(m_faces.size(), null_id);
+    for(std::uint32_t first = 0; first < m_faces.size(); ++first)
+    {
+      if(m_rank[first] != null_id)
+        continue;
+      std::size_t next_in_order = m_order.size();
+      append(first);
+      for(; next_in_order < m_order.size(); ++next_in_order)
+        for(const Halfedge_id o : m_neighbours[m_order[next_in_order]])
+          if(o != null_id && m_rank[face_of(o)] == null_id)
+            append(face_of(o));
+    }
+  }
+
+  void append(std::uint32_t position)
+  {
+    m_rank[position] = static_cast<Face_id>(m_order.size());
+    m_order.push_back(position);
+  }
+
+  // in the order of the faces; the isolated vertices last. Returns how many are not isolated. The vertices of
+  // the intrinsic faces are set, for now in the order of the user.
+  std::size_t number_vertices(Correspondence& table, Intrinsic_mesh<FT>& mesh) const
+  {
+    table.vertices.clear();
+    table.vertices.reserve(num_vertices(m_tm));
+    table.vertex_of_index.assign(num_vertices(m_tm), null_id);
+    for(Face_id i = 0; i < m_order.size(); ++i)
+      for(unsigned int j = 0; j < 3; ++j)
+      {
+        Vertex_id& id = table.vertex_of_index[m_corners[m_order[i]][j]];
+        if(id == null_id)
+        {
+          id = static_cast<Vertex_id>(table.vertices.size());
+          table.vertices.push_back(source(m_halfedges[m_order[i]][j], m_tm));
+        }
+        mesh.face(i).vertex[j] = id;
+      }
+    const std::size_t number_in_faces = table.vertices.size();
+    for(vertex_descriptor v : vertices(m_tm))
+    {
+      Vertex_id& id = table.vertex_of_index[vertex_index(v)];
+      if(id == null_id)
+      {
+        id = static_cast<Vertex_id>(table.vertices.size());
+        table.vertices.push_back(v);
+      }
+      else if(table.vertices[id] != v)
+        throw Invalid_geodesic_input(Reason::INVALID_INDEX_MAP,
+                                     "two vertices have the index "
+                                       + std::to_string(vertex_index(v)));
+    }
+    return number_in_faces;
+  }
+
+  // the index of a vertex in the user's map, in its range.
+  std::uint32_t vertex_index(vertex_descriptor v) const
+  {
+    const std::size_t index = static_cast<std::size_t>(get(m_vim, v));
+    if(index >= num_vertices(m_tm))
+      throw Invalid_geodesic_input(Reason::INVALID_INDEX_MAP,
+                                   "the index " + std::to_string(index)
+                                     + " of a vertex is out of range");
+    return static_cast<std::uint32_t>(index);
+  }
+
+  // m_place[i] is the place of the user's first halfedge in face i of the intrinsic mesh.
+  template <typename Shape>
+  void set_faces(const Shape& shape, Intrinsic_mesh<FT>& mesh)
+  {
+    const Face_id n = static_cast<Face_id>(m_order.size());
+    m_place.resize(n);
+    for(Face_id i = 0; i < n; ++i)
+    {
+      const std::uint32_t f = m_order[i];
+      Intrinsic_face<FT>& face = mesh.face(i);
+      const std::array<Vertex_id, 3> v = face.vertex;
+      const unsigned int shift = shape.shape(m_halfedges[f], f, v, face);
+      for(unsigned int k = 0; k < 3; ++k)
+        face.vertex[k] = v[place_after(k, shift)];
+      m_place[i] = static_cast<unsigned char>(shift == 0 ? 0 : 3 - shift);
+    }
+    for(Face_id i = 0; i < n; ++i)
+      for(unsigned int j = 0; j < 3; ++j)
+        mesh.face(i).opposite[place_after(j, m_place[i])] = renumbered(m_neighbours[m_order[i]][j]);
+  }
+
+  // the halfedge of the intrinsic mesh, from a position and the place in the user's face.
+  Halfedge_id renumbered(Halfedge_id h) const
+  {
+    if(h == null_id)
+      return null_id;
+    const Face_id i = m_rank[face_of(h)];
+    return halfedge_of(i, place_after(place_in_face(h), m_place[i]));
+  }
+
+  void fill_face_tables(Correspondence& table) const
+  {
+    table.faces.resize(m_faces.size());
+    for(std::size_t i = 0; i < m_order.size(); ++i)
+      table.faces[i] = m_faces[m_order[i]];
+    table.halfedge_of_face_index.assign(m_position_of_index.size(), null_id);
+    for(std::size_t index = 0; index < m_position_of_index.size(); ++index)
+      if(m_position_of_index[index] != null_id)
+        table.halfedge_of_face_index[index] = renumbered(halfedge_of(m_position_of_index[index], 0));
+  }
+
+  std::size_t index_of(face_descriptor f) const { return static_cast<std::size_t>(get(m_fim, f)); }
+
+  static constexpr Halfedge_id unknown = null_id - 1;
+
+  const TriangleMesh& m_tm;
+  VertexIndexMap m_vim;
+  FaceIndexMap m_fim;
+  std::vector<face_descriptor> m_faces;
+  std::vector<std::array<halfedge_descriptor, 3>> m_halfedges;
+  std::vector<std::array<std::uint32_t, 3>> m_corners; // indices in the user's map
+  std::vector<std::uint32_t> m_position_of_index;
+  std::vector<std::array<Halfedge_id, 3>> m_neighbours;
+  std::vector<std::uint32_t> m_order; // the position of a face of the intrinsic mesh
+  std::vector<Face_id> m_rank;        // its inverse
+  std::vector<unsigned char> m_place;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTRINSIC_MESH_FROM_FACE_GRAPH_H

@@ -1,0 +1,34 @@
+#!/usr/bin/env bash
+# Builds the documentation with plain doxygen and fails on any warning. Usage: build_doc.sh [output folder]
+set -euo pipefail
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+output=${1:-$root/build/doc}
+mkdir -p "$output"
+output=$(cd "$output" && pwd)
+log=$output/doxygen_warnings.log
+rm -f "$log"
+
+cd "$root"
+{
+  cat doc/standalone/Doxyfile
+  echo "OUTPUT_DIRECTORY = \"$output\""
+  echo "WARN_LOGFILE = \"$log\""
+  if [ -d doc/Surface_mesh_geodesics/fig ]; then
+    echo "IMAGE_PATH = doc/Surface_mesh_geodesics/fig"
+  fi
+} | doxygen -
+
+# Every example has its page.
+for example in examples/Surface_mesh_geodesics/*.cpp; do
+  name=Surface_mesh_geodesics/$(basename "$example")
+  if [ -f "$example" ] && ! grep -qF "\\example $name" doc/Surface_mesh_geodesics/examples.txt; then
+    echo "doc/Surface_mesh_geodesics/examples.txt: no line for $name" >> "$log"
+  fi
+done
+
+if [ -s "$log" ]; then
+  cat "$log" >&2
+  echo "$(wc -l < "$log") lines of warnings" >&2
+  exit 1
+fi
+echo "The documentation is in $output/html/index.html"

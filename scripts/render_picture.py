@@ -1,0 +1,202 @@
+#!/usr/bin/python3
+"""Renders a coloured mesh, as distances_to_all_vertices writes it, to a PNG file without a screen.
+
+usage: render_picture.py mesh.ply picture.png [options]
+  --size WIDTHxHEIGHT   size of the picture (900x900)
+  --view X,Y,Z          direction from the mesh to the eye (0,0,1)
+  --up X,Y,Z            direction that points upwards in the picture (0,1,0)
+  --zoom F              1: the whole mesh with a margin (1)
+
+Needs Debian's python3-vtk9 and, where there is no display, xvfb.
+
+If the vertices have a property "distance", the colours are looked up by the distance of every pixel instead of being
+mixed inside of the triangles: borders of bands are then as sharp as the picture allows, on coarse meshes too. The
+colours themselves are always those of the file.
+"""
+import argparse
+import math
+import os
+import shutil
+import struct
+import sys
+
+PLY_TYPES = {"char": "b", "int8": "b", "uchar": "B", "uint8": "B", "short": "h", "int16": "h", "ushort": "H", "uint16": "H",
+             "int": "i", "int32": "i", "uint": "I", "uint32": "I", "float": "f", "float32": "f", "double": "d", "float64": "d"}
+
+
+def read_ply(name):
+    """Returns (vertices as dictionaries' columns, faces as lists of indices) of a binary little endian PLY file."""
+    with open(name, "rb") as file:
+        if file.readline().strip() != b"ply":
+            sys.exit("%s is not a PLY file" % name)
+        elements = []
+        while True:
+            words = file.readline().decode("ascii").split()
+            if not words or words[0] == "end_header":
+                break
+            if words[0] == "format" and words[1] != "binary_little_endian":
+                sys.exit("only binary little endian PLY files are read")
+            if words[0] == "element":
+                elements.append((words[1], int(words[2]), []))
+            if words[0] == "property":
+                elements[-1][2].append(words[1:])
+        data = file.read()
+    columns, faces, position = {}, [], 0
+    for element, count, properties in elements:
+        if element == "vertex":
+            row = struct.Struct("<" + "".join(PLY_TYPES[p[0]] for p in properties))
+            rows = list(row.iter_unpack(data[position:position + count * row.size]))
+            columns = {p[-1]: [r[i] for r in rows] for i, p in enumerate(properties)}
+            position += count * row.size
+        elif element == "face":
+            for _ in range(count):
+                for p in properties:
+                    if p[0] != "list":
+                        position += struct.calcsize("<" + PLY_TYPES[p[0]])
+                        continue
+                    length, = struct.unpack_from("<" + PLY_TYPES[p[1]], data, position)
+                    position += struct.calcsize("<" + PLY_TYPES[p[1]])
+                    values = struct.Struct("<%d%s" % (length, PLY_TYPES[p[2]]))
+                    faces.append(values.unpack_from(data, position))
+                    position += values.size
+        else:
+            break  # what follows is not drawn
+    return columns, faces
+
+
+def lookup_table(vtk, distances, colors, largest, size=8192):
+    """A table from distance to colour, read off the vertices. Inside of a band neighbouring samples are joined by
+    straight lines; between two bands there is a jump, half-way between the nearest vertices of both sides."""
+    samples = sorted((d, c) for d, c in zip(distances, colors) if math.isfinite(d))
+    table = vtk.vtkLookupTable()
+    table.SetNumberOfTableValues(size)
+    table.SetTableRange(0, largest)
+    table.SetNanColor(0.5, 0.5, 0.5, 1)
+    k = 0
+    for i in range(size):
+        d = largest * (i + 0.5) / size
+        while k + 1 < len(samples) and samples[k + 1][0] <= d:
+            k += 1
+        (d0, c0), (d1, c1) = samples[k], samples[min(k + 1, len(samples) - 1)]
+        t = (d - d0) / (d1 - d0) if d1 > d0 else 0
+        t = min(max(t, 0), 1)
+        if max(abs(a - b) for a, b in zip(c0, c1)) > 20:
+            t = 0 if t < 0.5 else 1
+        table.SetTableValue(i, *[((1 - t) * a + t * b) / 255 for a, b in zip(c0, c1)], 1)
+    return table
+
+
+def make_actor(vtk, columns, faces):
+    points = vtk.vtkPoints()
+    points.SetNumberOfPoints(len(columns["x"]))
+    for i, p in enumerate(zip(columns["x"], columns["y"], columns["z"])):
+        points.SetPoint(i, p)
+    cells = vtk.vtkCellArray()
+    for face in faces:
+        cells.InsertNextCell(len(face), face)
+    mesh = vtk.vtkPolyData()
+    mesh.SetPoints(points)
+    mesh.SetPolys(cells)
+
+    colors = list(zip(columns["red"], columns["green"], columns["blue"]))
+    mapper = vtk.vtkPolyDataMapper()
+    if "distance" in columns:
+        distances = columns["distance"]
+        largest = max((d for d in distances if math.isfinite(d)), default=1) or 1
+        scalars = vtk.vtkDoubleArray()
+        for d in distances:
+            scalars.InsertNextValue(d if math.isfinite(d) else math.nan)
+        mapper.SetLookupTable(lookup_table(vtk, distances, colors, largest))
+        mapper.SetScalarRange(0, largest)
+        mapper.InterpolateScalarsBeforeMappingOn()
+    else:
+        scalars = vtk.vtkUnsignedCharArray()
+        scalars.SetNumberOfComponents(3)
+        for color in colors:
+            scalars.InsertNextTuple3(*color)
+    mesh.GetPointData().SetScalars(scalars)
+
+    normals = vtk.vtkPolyDataNormals()
+    normals.SetInputData(mesh)
+    normals.SplittingOff()
+    mapper.SetInputConnection(normals.GetOutputPort())
+    actor = vtk.vtkActor()
+    actor.SetMapper(mapper)
+    surface = actor.GetProperty()
+    surface.SetAmbient(0.28)
+    surface.SetDiffuse(0.78)
+    surface.SetSpecular(0.08)
+    surface.SetSpecularPower(20)
+    return actor
+
+
+def numbers(text):
+    return tuple(float(n) for n in text.split(","))
+
+
+def render(vtk, actor, options):
+    renderer = vtk.vtkRenderer()
+    renderer.SetBackground(1, 1, 1)
+    renderer.AddActor(actor)
+    lights = vtk.vtkLightKit()
+    lights.SetKeyLightIntensity(0.88)
+    lights.SetKeyLightWarmth(0.5)
+    lights.SetFillLightWarmth(0.5)
+    lights.SetHeadLightWarmth(0.5)
+    lights.SetBackLightWarmth(0.5)
+    lights.SetKeyToFillRatio(2.5)
+    lights.AddLightsToRenderer(renderer)
+    camera = renderer.GetActiveCamera()
+    camera.SetFocalPoint(0, 0, 0)
+    camera.SetPosition(*options.view)
+    camera.SetViewUp(*options.up)
+    camera.SetViewAngle(20)
+    renderer.ResetCamera()
+    camera.Zoom(1.35 * options.zoom)
+    renderer.ResetCameraClippingRange()
+
+    window = vtk.vtkRenderWindow()
+    window.SetOffScreenRendering(1)
+    window.SetMultiSamples(0)
+    # Twice the size, averaged below: the smoothest borders without relying on the driver's antialiasing.
+    window.SetSize(2 * options.width, 2 * options.height)
+    window.AddRenderer(renderer)
+    window.Render()
+    grab = vtk.vtkWindowToImageFilter()
+    grab.SetInput(window)
+    grab.ReadFrontBufferOff()
+    half = vtk.vtkImageShrink3D()
+    half.SetInputConnection(grab.GetOutputPort())
+    half.SetShrinkFactors(2, 2, 1)
+    half.MeanOn()
+    writer = vtk.vtkPNGWriter()
+    writer.SetFileName(options.picture)
+    writer.SetCompressionLevel(9)
+    writer.SetInputConnection(half.GetOutputPort())
+    writer.Write()
+
+
+def main():
+    parser = argparse.ArgumentParser(usage=__doc__)
+    parser.add_argument("mesh")
+    parser.add_argument("picture")
+    parser.add_argument("--size", default="900x900")
+    parser.add_argument("--view", type=numbers, default=(0, 0, 1))
+    parser.add_argument("--up", type=numbers, default=(0, 1, 0))
+    parser.add_argument("--zoom", type=float, default=1)
+    options = parser.parse_args()
+    options.width, options.height = (int(n) for n in options.size.split("x"))
+
+    if "DISPLAY" not in os.environ and shutil.which("xvfb-run"):
+        os.execvp("xvfb-run", ["xvfb-run", "-a", sys.executable] + sys.argv)
+    try:
+        import vtk
+    except ImportError:
+        sys.exit("VTK for Python is missing: apt-get install python3-vtk9 xvfb (and use /usr/bin/python3)")
+
+    columns, faces = read_ply(options.mesh)
+    render(vtk, make_actor(vtk, columns, faces), options)
+
+
+if __name__ == "__main__":
+    main()

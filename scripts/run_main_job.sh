@@ -1,0 +1,41 @@
+#!/usr/bin/env bash
+# Exact distances from one vertex to all others on a scan of a rabbit with 75,000 faces, as numbers and as a coloured
+# mesh: installs what is needed, builds the example in Release mode and runs it. Everything it writes is below build/.
+# Arguments, if any, replace those of the example.
+set -euo pipefail
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+build=$root/build
+data=$build/cgal_data
+
+"$root/scripts/install_needs.sh" g++ cmake make libcgal-dev libcgal-demo
+
+cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release \
+  -DSurface_mesh_geodesics_EXAMPLES=ON -DSurface_mesh_geodesics_TESTS=OFF -DSurface_mesh_geodesics_BENCHMARK=OFF
+cmake --build "$build" --target distances_to_all_vertices --parallel "${JOBS:-$(nproc)}"
+
+if [ ! -f "$data/data/meshes/bunny00.off" ]; then
+  archive=/usr/share/doc/libcgal-dev/data.tar.gz
+  if [ ! -f "$archive" ]; then
+    # Slim images of Debian drop all of /usr/share/doc while they install: take the file out of the package itself.
+    mkdir -p "$build/libcgal-demo"
+    (cd "$build/libcgal-demo" && apt-get download libcgal-demo && dpkg-deb --extract libcgal-demo_*.deb .)
+    archive=$build/libcgal-demo$archive
+  fi
+  mkdir -p "$data"
+  tar --extract --gzip --file "$archive" --directory "$data" data/meshes/bunny00.off
+fi
+
+if [ $# -eq 0 ]; then
+  set -- "$data/data/meshes/bunny00.off"
+fi
+arguments=()
+for argument in "$@"; do
+  if [ -f "$argument" ]; then
+    argument=$(realpath "$argument") # the example runs in another folder
+  fi
+  arguments+=("$argument")
+done
+mkdir -p "$build/main_job"
+cd "$build/main_job"
+"$build/examples/Surface_mesh_geodesics/distances_to_all_vertices" "${arguments[@]}"
+echo "The results are in $build/main_job"

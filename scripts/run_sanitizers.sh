@@ -1,0 +1,57 @@
+#!/usr/bin/env bash
+# Builds the test programs with sanitizers and runs them: all of them with those for addresses and undefined behaviour,
+# those with threads with that for threads (they then use threads of their own, as TBB's cannot be checked). Prints one
+# line per program. Everything it writes is below build/.
+# Arguments, if any, are the names of the programs to run, without .cpp. The variable CXX is the compiler, JOBS the
+# number of programs at once.
+set -uo pipefail
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+tests=$root/test/Surface_mesh_geodesics
+export work=${SANITIZER_FOLDER:-$root/build/sanitizers}
+export compiler=${CXX:-g++} include=$root/include tests
+mkdir -p "$work"
+
+programs=("$@")
+if [ $# -eq 0 ]; then
+  for source in "$tests"/test_*.cpp; do
+    programs+=("$(basename "$source" .cpp)")
+  done
+fi
+
+# run_program <name> <kind> <flags>: builds and runs a program; one line says how it went
+run_program() {
+  local name=$1 kind=$2 flags=$3 start=$SECONDS log=$work/$1.$2.log
+  local program=$work/$name.$kind
+  if ! "$compiler" -std=c++17 -O1 -g $flags -fno-omit-frame-pointer -I"$include" -I"$tests/include" \
+    $([ -d /usr/include/eigen3 ] && echo -I/usr/include/eigen3) \
+    "$tests/$name.cpp" -o "$program" -lgmp -lmpfr -pthread > "$log" 2>&1; then
+    echo "FAILED  $name ($kind): does not compile, see $log"
+    return 1
+  fi
+  local built=$((SECONDS - start))
+  start=$SECONDS
+  if (cd "$tests" && ASAN_OPTIONS=detect_leaks=1:strict_string_checks=1 UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1 \
+    TSAN_OPTIONS=halt_on_error=1 "$program") >> "$log" 2>&1; then
+    echo "passed  $name ($kind): built in $built s, run in $((SECONDS - start)) s, $(tail -n 1 "$log")"
+    rm -f "$program"
+  else
+    echo "FAILED  $name ($kind): $(grep -m 1 'SUMMARY\|runtime error\|FAILED' "$log" || tail -n 1 "$log"), see $log"
+    return 1
+  fi
+}
+export -f run_program
+
+list() {
+  local name
+  for name in "${programs[@]}"; do
+    printf '%s\0address_undefined\0-fsanitize=address,undefined -fno-sanitize-recover=undefined\0' "$name"
+    case "$name" in
+      test_paths_from_threads | test_distance_matrix | test_parallel_propagation)
+        printf '%s\0thread\0-fsanitize=thread\0' "$name" ;;
+    esac
+  done
+}
+list | xargs --null --max-args=3 --max-procs="${JOBS:-1}" bash -c 'run_program "$@"' run_program
+status=$?
+[ $status -eq 0 ] && echo "All programs passed." || echo "Some programs FAILED."
+exit $status

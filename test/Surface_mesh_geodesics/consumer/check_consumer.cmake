@@ -1,0 +1,46 @@
+# Installs the package into a folder of its own, then configures, builds and runs the project beside this file with it.
+# Needs -Dbuild_folder, -Dwork_folder, -Dreadme, -Dcompiler, -DCGAL_DIR and -Dgenerator.
+cmake_minimum_required(VERSION 3.19...3.31)
+
+set(prefix "${work_folder}/prefix")
+set(consumer_build "${work_folder}/build")
+file(REMOVE_RECURSE "${work_folder}")
+
+execute_process(COMMAND "${CMAKE_COMMAND}" --install "${build_folder}" --prefix "${prefix}" COMMAND_ERROR_IS_FATAL ANY)
+execute_process(
+  COMMAND
+    "${CMAKE_COMMAND}" -G "${generator}" -S "${CMAKE_CURRENT_LIST_DIR}" -B "${consumer_build}"
+    "-DCMAKE_PREFIX_PATH=${prefix}" "-DCGAL_DIR=${CGAL_DIR}" "-DCMAKE_CXX_COMPILER=${compiler}"
+    -DCMAKE_BUILD_TYPE=Release
+  COMMAND_ERROR_IS_FATAL ANY)
+
+# A package installed elsewhere on this machine must not have answered in our place.
+load_cache("${consumer_build}" READ_WITH_PREFIX found_ Surface_mesh_geodesics_DIR)
+string(FIND "${found_Surface_mesh_geodesics_DIR}" "${prefix}/" position)
+if(NOT position EQUAL 0)
+  message(FATAL_ERROR "The package was found in ${found_Surface_mesh_geodesics_DIR}, not in ${prefix}")
+endif()
+
+execute_process(COMMAND "${CMAKE_COMMAND}" --build "${consumer_build}" --config Release COMMAND_ERROR_IS_FATAL ANY)
+find_program(
+  consumer consumer
+  PATHS "${consumer_build}" "${consumer_build}/Release"
+  NO_DEFAULT_PATH REQUIRED)
+execute_process(
+  COMMAND "${consumer}" "${CMAKE_CURRENT_LIST_DIR}/square.off"
+  OUTPUT_VARIABLE output
+  COMMAND_ERROR_IS_FATAL ANY)
+
+# The unit square, seen from one of its corners: two sides, the diagonal, half the diagonal.
+set(expected "v0 0\nv1 1\nv2 1.41421\nv3 1\nv4 0.707107\n")
+if(NOT output STREQUAL expected)
+  message(FATAL_ERROR "The consumer printed\n${output}instead of\n${expected}")
+endif()
+
+# The README shows this very program: it cannot fall behind the interface.
+file(READ "${CMAKE_CURRENT_LIST_DIR}/main.cpp" program)
+file(READ "${readme}" readme_text)
+string(FIND "${readme_text}" "```cpp\n${program}```" position)
+if(position EQUAL -1)
+  message(FATAL_ERROR "The program in ${readme} is not test/Surface_mesh_geodesics/consumer/main.cpp")
+endif()

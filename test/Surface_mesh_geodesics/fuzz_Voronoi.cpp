@@ -1,0 +1,16 @@
+// Many random small cases of diagrams, as in test_Voronoi_random. Number and first seed may be given as arguments.
+
+#include "random_Voronoi_diagram.h"
+
+#include <cstdlib>
+
+int main(int argc, char* argv[])
+{
+  const std::size_t number = argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 10000;
+  const std::uint64_t first = test_support::announce_seed(argc > 2 ? std::strtoul(argv[2], nullptr, 10) : 20270000);
+  for(std::size_t i = 0; i < number; ++i)
+  {
+    test_meshes::test_random_diagram(first + i);
+  }
+  return test_result();
+}

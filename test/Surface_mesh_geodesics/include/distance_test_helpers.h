@@ -1,0 +1,204 @@
+#ifndef SURFACE_MESH_GEODESICS_DISTANCE_TEST_HELPERS_H
+#define SURFACE_MESH_GEODESICS_DISTANCE_TEST_HELPERS_H
+
+// Short forms of calls of the distance functions: fields as vectors in the order of
+// vertices(tm), and locations on vertices, edges and faces.
+
+#include "test_meshes.h"
+#include "test_support.h"
+
+#include <CGAL/Surface_mesh_geodesics/Geodesic_distance_options.h>
+#include <CGAL/Surface_mesh_geodesics/geodesic_distances.h>
+
+#include <CGAL/boost/graph/properties.h>
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace test_meshes {
+
+namespace SMG = CGAL::Surface_mesh_geodesics;
+
+const double infinity = std::numeric_limits<double>::infinity();
+const std::size_t no_source = (std::numeric_limits<std::size_t>::max)();
+
+inline vertex_descriptor vertex(std::size_t i)
+{
+  return vertex_descriptor(static_cast<Mesh::size_type>(i));
+}
+
+inline face_descriptor face(std::size_t i)
+{
+  return face_descriptor(static_cast<Mesh::size_type>(i));
+}
+
+template <class TriangleMesh, class VertexMap>
+std::vector<double> values_at_vertices(const TriangleMesh& tm, const VertexMap& map)
+{
+  std::vector<double> values;
+  for(const auto v : vertices(tm))
+  {
+    values.push_back(get(map, v));
+  }
+  return values;
+}
+
+template <class TriangleMesh, class Sources>
+std::vector<double> distances(const TriangleMesh& tm, const Sources& sources)
+{
+  auto map = get(CGAL::dynamic_vertex_property_t<double>(), tm);
+  CHECK(SMG::geodesic_distances(tm, map, sources));
+  return values_at_vertices(tm, map);
+}
+
+template <class TriangleMesh, class Sources, class NamedParameters>
+std::vector<double> distances_with_parameters(const TriangleMesh& tm, const Sources& sources,
+                                              const NamedParameters& np)
+{
+  auto map = get(CGAL::dynamic_vertex_property_t<double>(), tm);
+  CHECK(SMG::geodesic_distances(tm, map, sources, np));
+  return values_at_vertices(tm, map);
+}
+
+template <class TriangleMesh, class Sources, class Options>
+std::vector<double> distances_with_options(const TriangleMesh& tm, const Sources& sources, const Options& options)
+{
+  auto map = get(CGAL::dynamic_vertex_property_t<double>(), tm);
+  CHECK(SMG::geodesic_distances(tm, map, sources, options));
+  return values_at_vertices(tm, map);
+}
+
+template <class TriangleMesh, class EdgeLengthMap, class Sources>
+std::vector<double> distances_from_edge_lengths(const TriangleMesh& tm, const EdgeLengthMap& lengths,
+                                                const Sources& sources)
+{
+  auto map = get(CGAL::dynamic_vertex_property_t<double>(), tm);
+  CHECK(SMG::geodesic_distances_from_edge_lengths(tm, lengths, map, sources));
+  return values_at_vertices(tm, map);
+}
+
+// the property map of the Euclidean edge lengths
+inline Mesh::Property_map<Mesh::Edge_index, double> add_edge_lengths(Mesh& tm)
+{
+  auto lengths = tm.add_property_map<Mesh::Edge_index, double>("e:test_length", 0.).first;
+  for(const auto e : edges(tm))
+  {
+    const auto h = halfedge(e, tm);
+    const auto d = tm.point(source(h, tm)) - tm.point(target(h, tm));
+    lengths[e] = std::sqrt(d.squared_length());
+  }
+  return lengths;
+}
+
+// The corners of a face in the order of the barycentric coordinates of a location.
+template <class TriangleMesh>
+std::array<typename boost::graph_traits<TriangleMesh>::vertex_descriptor, 3>
+corners_of_face(typename boost::graph_traits<TriangleMesh>::face_descriptor f, const TriangleMesh& tm)
+{
+  const auto h = halfedge(f, tm);
+  return {source(h, tm), target(h, tm), target(next(h, tm), tm)};
+}
+
+// the point source(h) + t (target(h) - source(h)), seen from the face of h
+inline Face_location location_on_halfedge(Mesh::Halfedge_index h, double t, const Mesh& tm)
+{
+  const face_descriptor f = face(h, tm);
+  const auto corners = corners_of_face(f, tm);
+  Face_location location(f, {0., 0., 0.});
+  for(std::size_t k = 0; k < 3; ++k)
+  {
+    if(corners[k] == source(h, tm))
+    {
+      location.second[k] = 1. - t;
+    }
+    else if(corners[k] == target(h, tm))
+    {
+      location.second[k] = t;
+    }
+  }
+  return location;
+}
+
+inline Face_location location_of_vertex(vertex_descriptor v, face_descriptor f, const Mesh& tm)
+{
+  const auto corners = corners_of_face(f, tm);
+  Face_location location(f, {0., 0., 0.});
+  for(std::size_t k = 0; k < 3; ++k)
+  {
+    if(corners[k] == v)
+    {
+      location.second[k] = 1.;
+    }
+  }
+  return location;
+}
+
+// the faces around a vertex
+inline std::vector<face_descriptor> faces_around(vertex_descriptor v, const Mesh& tm)
+{
+  std::vector<face_descriptor> result;
+  if(tm.is_isolated(v))
+  {
+    return result;
+  }
+  for(const auto f : CGAL::faces_around_target(halfedge(v, tm), tm))
+  {
+    if(f != boost::graph_traits<Mesh>::null_face())
+    {
+      result.push_back(f);
+    }
+  }
+  return result;
+}
+
+inline Coordinates coordinates(vertex_descriptor v, const Mesh& tm)
+{
+  const auto& p = tm.point(v);
+  return {p.x(), p.y(), p.z()};
+}
+
+inline Coordinates coordinates(const Face_location& location, const Mesh& tm)
+{
+  const auto corners = corners_of_face(location.first, tm);
+  Coordinates p{0., 0., 0.};
+  for(std::size_t k = 0; k < 3; ++k)
+  {
+    p = p + location.second[k] * coordinates(corners[k], tm);
+  }
+  return p;
+}
+
+inline Face_location random_location(const Mesh& tm, test_support::Random& random, double least_weight = 1e-3)
+{
+  std::vector<face_descriptor> all_faces(faces(tm).begin(), faces(tm).end());
+  const face_descriptor f = all_faces[random.index(all_faces.size())];
+  double a = random.uniform(least_weight, 1.);
+  double b = random.uniform(least_weight, 1.);
+  double c = random.uniform(least_weight, 1.);
+  const double sum = a + b + c;
+  a /= sum;
+  b /= sum;
+  c = 1. - a - b;
+  return {f, {a, b, c}};
+}
+
+inline vertex_descriptor random_vertex(const Mesh& tm, test_support::Random& random)
+{
+  std::vector<vertex_descriptor> all_vertices(vertices(tm).begin(), vertices(tm).end());
+  for(;;)
+  {
+    const vertex_descriptor v = all_vertices[random.index(all_vertices.size())];
+    if(!tm.is_isolated(v))
+    {
+      return v;
+    }
+  }
+}
+
+} // namespace test_meshes
+
+#endif // SURFACE_MESH_GEODESICS_DISTANCE_TEST_HELPERS_H

@@ -1,0 +1,443 @@
+#ifndef SURFACE_MESH_GEODESICS_PATH_TEST_HELPERS_H
+#define SURFACE_MESH_GEODESICS_PATH_TEST_HELPERS_H
+
+// Paths of Surface_mesh_geodesic_paths, recorded and checked: length, points, elements, end.
+
+#include "distance_test_helpers.h"
+#include "test_meshes.h"
+#include "test_support.h"
+
+#include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_paths.h>
+
+#include <CGAL/Surface_mesh/IO/OFF.h>
+#include <CGAL/boost/graph/iterator.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace test_meshes {
+
+using Paths_traits = CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>;
+using Geodesic_paths = CGAL::Surface_mesh_geodesic_paths<Paths_traits>;
+
+// A point of a mesh as the tests give it: a vertex, or a location in a face.
+template <class Paths>
+struct Place_of
+{
+  typename Paths::vertex_descriptor vertex = Paths::Graph_traits::null_vertex();
+  typename Paths::Face_location location{};
+
+  Place_of(typename Paths::vertex_descriptor v) : vertex(v) {}
+  Place_of(const typename Paths::Face_location& l) : location(l) {}
+  bool is_vertex() const { return vertex != Paths::Graph_traits::null_vertex(); }
+};
+
+using Place = Place_of<Geodesic_paths>;
+
+// what a place is called in messages
+template <class Any_place>
+std::string description(const Any_place& p)
+{
+  std::ostringstream out;
+  out.precision(17);
+  if(p.is_vertex())
+  {
+    out << "vertex " << p.vertex;
+  }
+  else
+  {
+    out << "face " << p.location.first << " (" << p.location.second[0] << " " << p.location.second[1] << " "
+        << p.location.second[2] << ")";
+  }
+  return out.str();
+}
+
+// One element of a path, as the visitor gets it.
+template <class Paths>
+struct Path_item
+{
+  enum Kind
+  {
+    VERTEX,
+    EDGE,
+    FACE
+  };
+  Kind kind = VERTEX;
+  typename Paths::vertex_descriptor vertex{};
+  typename Paths::halfedge_descriptor halfedge{};
+  double t = 0.;
+  typename Paths::face_descriptor face{};
+  typename Paths::Barycentric_coordinates coordinates{};
+};
+
+template <class Paths>
+struct Path_recorder
+{
+  std::vector<Path_item<Paths>> items;
+
+  void operator()(typename Paths::halfedge_descriptor h, const typename Paths::FT& t)
+  {
+    Path_item<Paths> item;
+    item.kind = Path_item<Paths>::EDGE;
+    item.halfedge = h;
+    item.t = CGAL::to_double(t);
+    items.push_back(item);
+  }
+
+  void operator()(typename Paths::vertex_descriptor v)
+  {
+    Path_item<Paths> item;
+    item.vertex = v;
+    items.push_back(item);
+  }
+
+  void operator()(typename Paths::face_descriptor f, const typename Paths::Barycentric_coordinates& b)
+  {
+    Path_item<Paths> item;
+    item.kind = Path_item<Paths>::FACE;
+    item.face = f;
+    item.coordinates = b;
+    items.push_back(item);
+  }
+};
+
+// What a query answers: the distance, and the number of the source, counted from the first.
+struct Answer
+{
+  double distance;
+  std::size_t source;
+};
+
+template <class Paths>
+std::size_t number_of(typename Paths::Source_point_iterator it, const Paths& paths)
+{
+  std::size_t i = 0;
+  for(auto other = paths.source_points_begin(); other != paths.source_points_end(); ++other, ++i)
+  {
+    if(other == it)
+    {
+      return i;
+    }
+  }
+  return no_source;
+}
+
+// `Paths` may be const: then the query does not build.
+template <class Paths, class Any_place>
+Answer ask(Paths& paths, const Any_place& q)
+{
+  const auto result = q.is_vertex() ? paths.shortest_distance_to_source_points(q.vertex)
+                                    : paths.shortest_distance_to_source_points(q.location.first, q.location.second);
+  return {CGAL::to_double(result.first), number_of(result.second, paths)};
+}
+
+template <class Paths, class Any_place, class Visitor>
+Answer ask_sequence(Paths& paths, const Any_place& q, Visitor& visitor)
+{
+  const auto result =
+    q.is_vertex() ? paths.shortest_path_sequence_to_source_points(q.vertex, visitor)
+                  : paths.shortest_path_sequence_to_source_points(q.location.first, q.location.second, visitor);
+  return {CGAL::to_double(result.first), number_of(result.second, paths)};
+}
+
+template <class Paths, class Any_place, class Output>
+Answer ask_points(Paths& paths, const Any_place& q, Output output)
+{
+  const auto result =
+    q.is_vertex() ? paths.shortest_path_points_to_source_points(q.vertex, output)
+                  : paths.shortest_path_points_to_source_points(q.location.first, q.location.second, output);
+  return {CGAL::to_double(result.first), number_of(result.second, paths)};
+}
+
+template <class Paths, class Any_place, class Output>
+Answer ask_polyline(Paths& paths, const Any_place& q, Output output)
+{
+  const auto result =
+    q.is_vertex() ? paths.shortest_path_polyline_to_source_points(q.vertex, output)
+                  : paths.shortest_path_polyline_to_source_points(q.location.first, q.location.second, output);
+  return {CGAL::to_double(result.first), number_of(result.second, paths)};
+}
+
+template <class Point>
+Coordinates to_coordinates(const Point& p)
+{
+  return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
+}
+
+// The faces that hold the point of an item. A location on an edge or at a vertex is on all faces there.
+template <class Paths, class TriangleMesh>
+std::vector<typename Paths::face_descriptor> faces_of_item(Path_item<Paths> item, const TriangleMesh& tm)
+{
+  using Traits = boost::graph_traits<TriangleMesh>;
+  std::vector<typename Paths::face_descriptor> result;
+  if(item.kind == Path_item<Paths>::FACE)
+  {
+    const auto h = halfedge(item.face, tm);
+    const std::array<typename Paths::halfedge_descriptor, 3> sides{h, next(h, tm), next(next(h, tm), tm)};
+    std::vector<std::size_t> positive;
+    for(std::size_t k = 0; k < 3; ++k)
+    {
+      if(CGAL::to_double(item.coordinates[k]) > 64 * std::numeric_limits<double>::epsilon())
+      {
+        positive.push_back(k);
+      }
+    }
+    if(positive.size() == 3)
+    {
+      result.push_back(item.face);
+      return result;
+    }
+    if(positive.size() == 2)
+    {
+      item.kind = Path_item<Paths>::EDGE;
+      item.halfedge = positive[0] == 0 && positive[1] == 2 ? sides[2] : sides[positive[0]];
+    }
+    else
+    {
+      item.kind = Path_item<Paths>::VERTEX;
+      item.vertex = source(sides[positive[0]], tm);
+    }
+  }
+  if(item.kind == Path_item<Paths>::EDGE)
+  {
+    result = {face(item.halfedge, tm), face(opposite(item.halfedge, tm), tm)};
+  }
+  else if(halfedge(item.vertex, tm) != Traits::null_halfedge())
+  {
+    // a vertex at which several fans of faces meet has only one of them around halfedge(v, tm)
+    for(const auto f : faces(tm))
+    {
+      for(const auto v : CGAL::vertices_around_face(halfedge(f, tm), tm))
+      {
+        if(v == item.vertex)
+        {
+          result.push_back(f);
+        }
+      }
+    }
+  }
+  result.erase(std::remove(result.begin(), result.end(), Traits::null_face()), result.end());
+  return result;
+}
+
+template <class Paths>
+Coordinates point_of_item(const Path_item<Paths>& item, const Paths& paths)
+{
+  if(item.kind == Path_item<Paths>::FACE)
+  {
+    return to_coordinates(paths.point(item.face, item.coordinates));
+  }
+  if(item.kind == Path_item<Paths>::EDGE)
+  {
+    return to_coordinates(paths.point(item.halfedge, typename Paths::FT(item.t)));
+  }
+  return to_coordinates(paths.point(item.vertex));
+}
+
+inline double polyline_length(const std::vector<Coordinates>& points)
+{
+  double sum = 0.;
+  for(std::size_t i = 1; i < points.size(); ++i)
+  {
+    sum += length(points[i] - points[i - 1]);
+  }
+  return sum;
+}
+
+// Does the mesh have faces of area zero, up to rounding? A path may cross them without any length.
+template <class TriangleMesh>
+bool has_flat_faces(const TriangleMesh& tm, double size)
+{
+  const auto point_map = get(CGAL::vertex_point, tm);
+  for(const auto f : faces(tm))
+  {
+    const auto h = halfedge(f, tm);
+    const Coordinates a = to_coordinates(get(point_map, source(h, tm)));
+    const Coordinates b = to_coordinates(get(point_map, target(h, tm)));
+    const Coordinates c = to_coordinates(get(point_map, target(next(h, tm), tm)));
+    if(length(cross(b - a, c - a)) < 1e-11 * size * size)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+// Asks for the path in all ways, checks it and returns its points. `size` is the size of the coordinates, for
+// distances that are small against it.
+// In a mesh with faces of area zero consecutive elements need not share a face: pieces without length are left out.
+template <class Paths, class Any_place, class TriangleMesh>
+std::vector<Coordinates> checked_path(Paths& paths, const Any_place& q, const TriangleMesh& tm, double size,
+                                      double tolerance = 1e-10)
+{
+  using Plain_paths = std::remove_const_t<Paths>;
+  using Item = Path_item<Plain_paths>;
+  using Graph_traits = boost::graph_traits<TriangleMesh>;
+  const Answer answer = ask(paths, q);
+  Path_recorder<Plain_paths> recorder;
+  const Answer of_sequence = ask_sequence(paths, q, recorder);
+  std::vector<typename Plain_paths::Point_3> raw_points;
+  const Answer of_points = ask_points(paths, q, std::back_inserter(raw_points));
+  CHECK_EQUAL(of_sequence.distance, answer.distance);
+  CHECK_EQUAL(of_sequence.source, answer.source);
+  CHECK_EQUAL(of_points.distance, answer.distance);
+  CHECK_EQUAL(of_points.source, answer.source);
+  const std::vector<Item>& items = recorder.items;
+  std::vector<Coordinates> points;
+  for(const auto& p : raw_points)
+  {
+    points.push_back(to_coordinates(p));
+  }
+  // the points are those of the elements, without what rounding makes equal to the point before
+  std::vector<Coordinates> points_of_items;
+  for(const Item& item : items)
+  {
+    const Coordinates p = point_of_item(item, paths);
+    if(points_of_items.empty() || p != points_of_items.back())
+    {
+      points_of_items.push_back(p);
+    }
+  }
+  CHECK(points == points_of_items);
+  const bool may_have_gaps = has_flat_faces(tm, size);
+  if constexpr(!std::is_const_v<Paths>)
+  {
+    std::vector<std::pair<typename Paths::Point_3, typename Paths::face_descriptor>> polyline;
+    const Answer of_polyline = ask_polyline(paths, q, std::back_inserter(polyline));
+    CHECK_EQUAL(of_polyline.distance, answer.distance);
+    CHECK_EQUAL(of_polyline.source, answer.source);
+    if(CHECK_EQUAL(polyline.size(), points.size()) && polyline.size() == items.size())
+    {
+      for(std::size_t i = 0; i < polyline.size(); ++i)
+      {
+        CHECK(polyline[i].first == raw_points[i]);
+        if(i == 0)
+        {
+          CHECK(polyline[i].second == Graph_traits::null_face());
+          continue;
+        }
+        for(const Item& end : {items[i - 1], items[i]})
+        {
+          const auto around = faces_of_item(end, tm);
+          CHECK(may_have_gaps || std::find(around.begin(), around.end(), polyline[i].second) != around.end());
+        }
+      }
+    }
+  }
+  if(answer.distance < 0.)
+  {
+    CHECK_EQUAL(answer.distance, -1.);
+    CHECK_EQUAL(answer.source, no_source);
+    CHECK(points.empty());
+    return points;
+  }
+  if(!CHECK(!points.empty()) || !CHECK(answer.source != no_source))
+  {
+    return points;
+  }
+
+  // every point is on the surface
+  for(std::size_t i = 0; i < items.size(); ++i)
+  {
+    if(items[i].kind == Item::EDGE)
+    {
+      CHECK(items[i].t >= 0. && items[i].t <= 1.);
+    }
+    else if(items[i].kind == Item::FACE)
+    {
+      for(std::size_t k = 0; k < 3; ++k)
+      {
+        const double b = CGAL::to_double(items[i].coordinates[k]);
+        CHECK(b > -1e-12 && b < 1. + 1e-12);
+      }
+    }
+  }
+  // only the ends may be inside faces
+  for(std::size_t i = 1; i + 1 < items.size(); ++i)
+  {
+    CHECK(items[i].kind != Item::FACE);
+  }
+  // neighbours share a face, and differ
+  for(std::size_t i = 1; i < points.size(); ++i)
+  {
+    CHECK(points[i - 1] != points[i]);
+  }
+  for(std::size_t i = 1; i < items.size(); ++i)
+  {
+    const auto before = faces_of_item(items[i - 1], tm);
+    const auto after = faces_of_item(items[i], tm);
+    CHECK(may_have_gaps ||
+          std::find_first_of(before.begin(), before.end(), after.begin(), after.end()) != before.end());
+  }
+  // the length
+  const double path_length = polyline_length(points);
+  if(std::abs(path_length - answer.distance) > 1e-14 * size)
+  {
+    CHECK_CLOSE(path_length, answer.distance, tolerance);
+  }
+  // the ends
+  if(q.is_vertex())
+  {
+    CHECK(items.front().kind == Item::VERTEX && items.front().vertex == q.vertex);
+  }
+  else
+  {
+    CHECK(items.front().kind == Item::FACE && items.front().face == q.location.first);
+    CHECK(items.front().coordinates == q.location.second);
+  }
+  auto source = paths.source_points_begin();
+  std::advance(source, static_cast<std::ptrdiff_t>(answer.source));
+  if(source->first == Graph_traits::null_face()) // an isolated vertex
+  {
+    CHECK_EQUAL(points.size(), 1u);
+    CHECK_EQUAL(answer.distance, 0.);
+  }
+  else
+  {
+    CHECK_NEAR(length(points.back() - to_coordinates(paths.point(source->first, source->second))), 0., 1e-13 * size);
+  }
+  return points;
+}
+
+inline double size_of(const Mesh& tm)
+{
+  double size = 0.;
+  for(const vertex_descriptor v : vertices(tm))
+  {
+    size = (std::max)(size, length(coordinates(v, tm)));
+  }
+  return size;
+}
+
+inline bool read_data(const std::string& name, Mesh& tm)
+{
+  std::ifstream in("data/" + name + ".off");
+  return static_cast<bool>(in) && CGAL::IO::read_OFF(in, tm);
+}
+
+inline Mesh load_data(const std::string& name)
+{
+  Mesh tm;
+  CHECK(read_data(name, tm));
+  return tm;
+}
+
+template <class Paths, class Any_place>
+typename Paths::Source_point_iterator add(Paths& paths, const Any_place& s)
+{
+  return s.is_vertex() ? paths.add_source_point(s.vertex) : paths.add_source_point(s.location.first, s.location.second);
+}
+
+} // namespace test_meshes
+
+#endif // SURFACE_MESH_GEODESICS_PATH_TEST_HELPERS_H

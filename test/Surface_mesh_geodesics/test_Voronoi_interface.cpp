@@ -1,0 +1,328 @@
+// What the class of the Voronoi diagram promises besides the diagram: lazy building, changes, clear, use from threads,
+// exceptions, other meshes, maps and kernels.
+
+#include "Voronoi_test_helpers.h"
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Polyhedron_items_with_id_3.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <limits>
+#include <thread>
+
+using namespace test_meshes;
+using CGAL::Surface_mesh_geodesics::Invalid_geodesic_input;
+
+namespace {
+
+void test_life_of_diagram()
+{
+  test_support::Scope scope("life of a diagram");
+  const Mesh tm = to_face_graph(noisy_sphere(2, .1, 3));
+  test_support::Random random(4);
+  Voronoi diagram(tm);
+  CHECK(!diagram.is_built());
+  CHECK_EQUAL(diagram.number_of_sites(), 0u);
+  CHECK(diagram.arcs().empty() && diagram.edges().empty() && diagram.vertices().empty());
+  CHECK_EQUAL(diagram.nearest_site(vertex(0)), null_site);
+  CHECK_EQUAL(diagram.distance_to_nearest_site(vertex(0)), -1.);
+  CHECK(&diagram.triangle_mesh() == &tm);
+
+  Weighted_sites sites = random_sites(tm, 5, 0., random);
+  add_sites(diagram, sites);
+  CHECK(!diagram.is_built());
+  diagram.build();
+  CHECK(diagram.is_built());
+  Voronoi_validator(tm, diagram, sites).check_all(random, 20);
+  CHECK(diagram.statistics().maximum_windows_alive > 0);
+  CHECK(diagram.number_of_kept_windows().first <= diagram.number_of_kept_windows().second);
+
+  // one site more
+  CHECK_EQUAL(diagram.add_site(vertex(7), .01), 5u);
+  sites.emplace_back(vertex(7), .01);
+  CHECK(!diagram.is_built());
+  CHECK_EQUAL(diagram.nearest_site(vertex(7)), 5u);
+  CHECK(diagram.is_built());
+  CHECK_EQUAL(diagram.weight(5), .01);
+  CHECK(length(coordinates(diagram.site(5), tm) - coordinates(vertex(7), tm)) < 1e-14);
+  Voronoi_validator(tm, diagram, sites).check_all(random, 20);
+
+  // ranges, after a new beginning
+  diagram.clear();
+  CHECK_EQUAL(diagram.number_of_sites(), 0u);
+  CHECK(!diagram.is_built());
+  CHECK_EQUAL(diagram.add_sites(std::vector<vertex_descriptor>{vertex(1), vertex(2)}), 0u);
+  CHECK_EQUAL(diagram.add_sites(std::vector<Face_location>{random_location(tm, random)}), 2u);
+  CHECK_EQUAL(diagram.number_of_sites(), 3u);
+  CHECK_EQUAL(diagram.nearest_site(diagram.site(2)), 2u);
+  diagram.clear();
+  CHECK(diagram.arcs().empty() && diagram.edges().empty() && diagram.vertices().empty());
+}
+
+void test_elements()
+{
+  test_support::Scope scope("elements");
+  const Mesh tm = to_face_graph(noisy_sphere(2, .1, 5));
+  test_support::Random random(6);
+  const Weighted_sites sites = random_sites(tm, 8, .1, random);
+  Voronoi diagram(tm);
+  add_sites(diagram, sites);
+  bool has_hyperbola = false;
+  for(const Voronoi::Arc& a : diagram.arcs())
+  {
+    has_hyperbola = has_hyperbola || !a.is_segment();
+    const double tolerance = 1e-4;
+    std::vector<Face_location> samples;
+    a.sample(tolerance, std::back_inserter(samples));
+    CHECK(samples.size() >= 2);
+    CHECK(!a.is_segment() || samples.size() == 2);
+    double sum = 0.;
+    for(std::size_t i = 1; i < samples.size(); ++i)
+    {
+      CHECK(samples[i].first == a.face());
+      sum += length(coordinates(samples[i], tm) - coordinates(samples[i - 1], tm));
+    }
+    CHECK_CLOSE(a.length(), sum, 1e-2);
+    CHECK(sum <= a.length() * (1. + 1e-12) + 1e-14); // the points are rounded
+    for(const double t : {.125, .625}) // points of the arc are near to the polyline
+    {
+      const Coordinates p = coordinates(a.point(t), tm);
+      double gap = infinity;
+      for(std::size_t i = 1; i < samples.size(); ++i)
+      {
+        const Coordinates q = coordinates(samples[i - 1], tm), r = coordinates(samples[i], tm);
+        gap = (std::min)(gap, length(cross(p - q, r - q)) / length(r - q));
+      }
+      CHECK(gap <= tolerance);
+    }
+  }
+  CHECK(has_hyperbola);
+  for(const Voronoi::Edge& e : diagram.edges())
+  {
+    std::vector<Kernel::Point_3> polyline;
+    e.polyline(1e-3, std::back_inserter(polyline));
+    CHECK(polyline.size() >= e.arcs().size() + 1);
+    CHECK_EQUAL(diagram.edges()[e.index()].index(), e.index());
+  }
+  for(std::size_t i = 0; i < sites.size(); ++i)
+  {
+    for(const Voronoi::Arc& a : diagram.arcs(i))
+    {
+      CHECK(a.sites().first == i || a.sites().second == i);
+    }
+    const vertex_descriptor c = diagram.central_vertex(i);
+    if(c != boost::graph_traits<Mesh>::null_vertex())
+    {
+      CHECK_EQUAL(diagram.nearest_site(c), i);
+    }
+  }
+}
+
+template <class Function>
+void check_throws(Invalid_geodesic_input::Reason reason, Function function)
+{
+  bool has_thrown = false;
+  try
+  {
+    function();
+  }
+  catch(const Invalid_geodesic_input& e)
+  {
+    has_thrown = true;
+    CHECK(e.reason() == reason);
+    CHECK(std::string(e.what()).size() > 10);
+  }
+  CHECK(has_thrown);
+}
+
+void test_invalid_input()
+{
+  test_support::Scope scope("invalid input");
+  using Reason = Invalid_geodesic_input::Reason;
+  const Mesh tm = to_face_graph(cube());
+  Voronoi diagram(tm);
+  for(const double w : {std::numeric_limits<double>::quiet_NaN(), infinity, -infinity})
+  {
+    check_throws(Reason::INVALID_OFFSET, [&] { diagram.add_site(vertex(0), w); });
+    check_throws(Reason::INVALID_OFFSET, [&] { diagram.add_site(location_of_vertex(vertex(0), face(0), tm), w); });
+  }
+  CHECK_EQUAL(diagram.number_of_sites(), 0u);
+
+  const std::vector<std::pair<Reason, Weighted_site>> invalid = {
+    {Reason::INVALID_DESCRIPTOR, Weighted_site(vertex(100))},
+    {Reason::INVALID_LOCATION, Weighted_site(Face_location(face(0), {2., -.5, -.5}))},
+    {Reason::INVALID_LOCATION, Weighted_site(Face_location(face(0), {infinity, 0., 0.}))},
+    {Reason::INVALID_LOCATION, Weighted_site(Face_location(boost::graph_traits<Mesh>::null_face(), {1., 0., 0.}))}};
+  for(const auto& i : invalid)
+  {
+    diagram.clear();
+    diagram.add_site(vertex(1));
+    add_sites(diagram, {i.second});
+    for(int times = 0; times < 2; ++times)
+    {
+      check_throws(i.first, [&] { diagram.build(); });
+      check_throws(i.first, [&] { diagram.nearest_site(vertex(0)); });
+      CHECK(!diagram.is_built());
+    }
+    diagram.clear();
+    diagram.add_site(vertex(1));
+    diagram.add_site(vertex(3));
+    CHECK_EQUAL(diagram.nearest_site(vertex(3)), 1u);
+    CHECK_CLOSE(diagram.area(0) + diagram.area(1), 6., 1e-12);
+  }
+}
+
+// The first query builds, measures and propagates once more, whoever asks first.
+void test_threads()
+{
+  test_support::Scope scope("threads");
+  const Mesh tm = to_face_graph(noisy_sphere(2, .1, 8));
+  test_support::Random random(9);
+  const Weighted_sites sites = random_sites(tm, 6, .05, random);
+  std::vector<Face_location> queries;
+  for(int i = 0; i < 50; ++i)
+  {
+    queries.push_back(random_location(tm, random));
+  }
+  const auto everything = [&](const Voronoi& diagram)
+  {
+    std::vector<double> result;
+    for(const Face_location& q : queries)
+    {
+      result.push_back(static_cast<double>(diagram.nearest_site(q)));
+      result.push_back(diagram.distance_to_nearest_site(q));
+    }
+    for(std::size_t i = 0; i < sites.size(); ++i)
+    {
+      result.push_back(diagram.area(i));
+      result.push_back(diagram.Euler_characteristic(i));
+      result.push_back(static_cast<double>(diagram.adjacent_sites(i).size()));
+    }
+    for(const Voronoi::Edge& e : diagram.edges())
+    {
+      result.push_back(e.length());
+    }
+    return result;
+  };
+  Voronoi expected(tm), diagram(tm);
+  add_sites(expected, sites);
+  add_sites(diagram, sites);
+  const std::vector<double> values = everything(expected);
+  std::vector<std::vector<double>> results(4);
+  std::vector<std::thread> threads;
+  for(std::vector<double>& r : results)
+  {
+    threads.emplace_back([&] { r = everything(diagram); });
+  }
+  for(std::thread& t : threads)
+  {
+    t.join();
+  }
+  for(const std::vector<double>& r : results)
+  {
+    CHECK(r == values);
+  }
+}
+
+// The same diagram with another class of meshes, another kernel, and maps of the user.
+template <class Other_kernel, class Other_mesh>
+void test_other_mesh(const std::string& name)
+{
+  test_support::Scope scope(name);
+  using Traits = CGAL::Surface_mesh_shortest_path_traits<Other_kernel, Other_mesh>;
+  using Diagram = CGAL::Surface_mesh_geodesic_Voronoi_diagram<Traits>;
+  const Indexed_mesh indexed = cube_grid(2);
+  const Mesh tm = to_face_graph(indexed);
+  Other_mesh other = to_face_graph<Other_mesh>(indexed);
+  CGAL::set_halfedgeds_items_id(other);
+  const std::vector<std::size_t> places = {0, 5, 11};
+  const std::vector<typename boost::graph_traits<Other_mesh>::vertex_descriptor> all(vertices(other).begin(),
+                                                                                      vertices(other).end());
+  Voronoi expected(tm);
+  Diagram diagram(other);
+  for(const std::size_t v : places)
+  {
+    expected.add_site(vertex(v), .125);
+    diagram.add_site(all[v], typename Traits::FT(.125));
+  }
+  double sum = 0.;
+  for(std::size_t i = 0; i < places.size(); ++i)
+  {
+    sum += CGAL::to_double(diagram.area(i));
+    CHECK_EQUAL(diagram.nearest_site(all[places[i]]), i);
+    CHECK_EQUAL(CGAL::to_double(diagram.distance_to_nearest_site(all[places[i]])), -.125);
+  }
+  CHECK_CLOSE(sum, 24., 1e-12);
+  double l = 0., m = 0.;
+  for(const auto& e : expected.edges())
+  {
+    l += e.length();
+  }
+  for(const auto& e : diagram.edges())
+  {
+    m += CGAL::to_double(e.length());
+  }
+  CHECK_CLOSE(l, m, 1e-12);
+  for(std::size_t v = 0; v < all.size(); ++v)
+  {
+    CHECK_CLOSE(CGAL::to_double(diagram.distance_to_nearest_site(all[v])),
+                expected.distance_to_nearest_site(vertex(v)), 1e-13);
+  }
+}
+
+void test_maps()
+{
+  test_support::Scope scope("maps");
+  using Vertex_map = Mesh::Property_map<vertex_descriptor, unsigned int>;
+  using Face_map = Mesh::Property_map<face_descriptor, unsigned int>;
+  using Point_map = Mesh::Property_map<vertex_descriptor, Kernel::Point_3>;
+  using Diagram
+    = CGAL::Surface_mesh_geodesic_Voronoi_diagram<Paths_traits, Vertex_map, CGAL::Default, Face_map, Point_map>;
+  Mesh tm = to_face_graph(cube());
+  Vertex_map vertex_map = tm.add_property_map<vertex_descriptor, unsigned int>("v:number", 0).first;
+  Face_map face_map = tm.add_property_map<face_descriptor, unsigned int>("f:number", 0).first;
+  Point_map points = tm.add_property_map<vertex_descriptor, Kernel::Point_3>("v:twice", {}).first;
+  unsigned int n = static_cast<unsigned int>(num_vertices(tm));
+  for(const vertex_descriptor v : vertices(tm))
+  {
+    vertex_map[v] = --n;
+    const Coordinates p = 2. * coordinates(v, tm);
+    points[v] = Kernel::Point_3(p[0], p[1], p[2]);
+  }
+  n = static_cast<unsigned int>(num_faces(tm));
+  for(const face_descriptor f : faces(tm))
+  {
+    face_map[f] = --n;
+  }
+  Diagram diagram(tm, vertex_map, get(boost::halfedge_index, tm), face_map, points);
+  diagram.add_sites(std::vector<vertex_descriptor>{vertex(0), vertex(6), vertex(3)});
+  CHECK_CLOSE(diagram.area(0) + diagram.area(1) + diagram.area(2), 24., 1e-12);
+  for(const face_descriptor f : faces(tm))
+  {
+    for(const auto& a : diagram.arcs(f))
+    {
+      CHECK(a.face() == f);
+    }
+  }
+  for(std::size_t i = 0; i < 3; ++i)
+  {
+    const auto site = diagram.site(i);
+    CHECK_EQUAL(diagram.nearest_site(site), i);
+  }
+}
+
+} // namespace
+
+int main()
+{
+  test_life_of_diagram();
+  test_elements();
+  test_invalid_input();
+  test_threads();
+  test_maps();
+  test_other_mesh<Kernel, CGAL::Polyhedron_3<Kernel, CGAL::Polyhedron_items_with_id_3>>("Polyhedron_3");
+  using Exact_kernel = CGAL::Exact_predicates_exact_constructions_kernel;
+  test_other_mesh<Exact_kernel, CGAL::Polyhedron_3<Exact_kernel, CGAL::Polyhedron_items_with_id_3>>("exact kernel");
+  return test_result();
+}

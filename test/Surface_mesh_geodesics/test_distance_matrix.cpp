@@ -1,0 +1,339 @@
+// Matrices of distances: rows are the bits of single runs, in order, whatever the number of threads is.
+
+#include "distance_test_helpers.h"
+#include "test_meshes.h"
+#include "test_support.h"
+#include "thread_team.h"
+
+#include <CGAL/Surface_mesh_geodesics/Geodesic_distance_solver.h>
+#include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
+#include <CGAL/Surface_mesh_geodesics/geodesic_distance_matrix.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Ordered_rows.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+#endif
+
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+using namespace test_meshes;
+
+namespace {
+
+using Rows = std::vector<std::vector<double>>;
+using Sparse_row = std::vector<std::pair<std::size_t, double>>;
+using Solver = SMG::Geodesic_distance_solver<Mesh>;
+using Reason = SMG::Invalid_geodesic_input::Reason;
+
+// Calls test(tag) with all tags, and in parallel with several numbers of threads.
+template <class Test>
+void with_all_tags(const Test& test)
+{
+  {
+    test_support::Scope scope("sequential");
+    test(CGAL::Sequential_tag());
+  }
+  {
+    test_support::Scope scope("parallel if available");
+    test(CGAL::Parallel_if_available_tag());
+  }
+#ifdef CGAL_LINKED_WITH_TBB
+  for(const int number_of_threads : {1, 2, 5})
+  {
+    test_support::Scope scope(std::to_string(number_of_threads) + " threads");
+    tbb::global_control control(tbb::global_control::max_allowed_parallelism,
+                                static_cast<std::size_t>(number_of_threads));
+    tbb::task_arena arena(number_of_threads);
+    arena.execute([&]() { test(CGAL::Parallel_tag()); });
+  }
+#endif
+}
+
+// Takes rows, and checks that they come in order and never two at a time.
+struct Row_collector
+{
+  template <class Row>
+  void take(std::size_t i, const Row& row)
+  {
+    CHECK(!is_busy.exchange(true));
+    CHECK_EQUAL(i, count);
+    ++count;
+    rows.emplace_back();
+    put(row, rows.back());
+    is_busy = false;
+  }
+
+  static void put(const std::vector<double>& row, std::vector<double>& to) { to = row; }
+  static void put(const Sparse_row& row, std::vector<double>& to)
+  {
+    for(const auto& entry : row)
+    {
+      to.push_back(static_cast<double>(entry.first));
+      to.push_back(entry.second);
+    }
+  }
+
+  Rows rows;
+  std::size_t count = 0;
+  std::atomic<bool> is_busy{false};
+};
+
+template <class Sources>
+Rows expected_rows(const Mesh& tm, const Sources& sources, const std::vector<vertex_descriptor>& targets)
+{
+  Rows rows;
+  for(const auto& source : sources)
+  {
+    const std::vector<double> all = distances(tm, source);
+    rows.emplace_back();
+    for(const vertex_descriptor t : targets)
+    {
+      rows.back().push_back(all[std::size_t(t)]);
+    }
+  }
+  return rows;
+}
+
+template <class Sources>
+void check_matrix(const Mesh& tm, const Sources& sources, const std::vector<vertex_descriptor>& targets)
+{
+  const Rows expected = expected_rows(tm, sources, targets);
+  const Solver solver(tm);
+  with_all_tags(
+    [&](auto tag)
+    {
+      using Tag = decltype(tag);
+      Row_collector collector;
+      CHECK(SMG::geodesic_distance_matrix<Tag>(tm, sources, targets, [&](std::size_t i, const std::vector<double>& row)
+                                               { collector.take(i, row); }));
+      CHECK(collector.rows == expected);
+      Row_collector from_solver;
+      CHECK(SMG::geodesic_distance_matrix<Tag>(solver, sources, targets, [&](std::size_t i, const auto& row)
+                                               {
+                                                 from_solver.take(i, row);
+                                                 return true;
+                                               }));
+      CHECK(from_solver.rows == expected);
+    });
+
+  for(const std::size_t number_of_threads : {1, 3})
+  {
+    const SMG::internal::Distance_matrix<double> matrix(solver.surface().mesh(), solver.surface().source_set(sources));
+    Row_collector collector;
+    auto output = [&](std::size_t i, const std::vector<double>& row) { collector.take(i, row); };
+    CHECK(matrix.put_dense_rows(Thread_team(number_of_threads), solver.surface().checked_ids(targets, "target"),
+                                output));
+    CHECK(collector.rows == expected);
+  }
+
+  for(const double radius : {0., .5, 1.5, infinity})
+  {
+    Rows expected_entries;
+    for(const std::vector<double>& row : expected)
+    {
+      expected_entries.emplace_back();
+      for(std::size_t j = 0; j < row.size(); ++j)
+      {
+        if(row[j] <= radius && row[j] < infinity)
+        {
+          expected_entries.back().push_back(static_cast<double>(j));
+          expected_entries.back().push_back(row[j]);
+        }
+      }
+    }
+    with_all_tags(
+      [&](auto tag)
+      {
+        using Tag = decltype(tag);
+        Row_collector collector;
+        CHECK(SMG::sparse_geodesic_distance_matrix<Tag>(tm, sources, targets, radius,
+                                                        [&](std::size_t i, const Sparse_row& row)
+                                                        { collector.take(i, row); }));
+        CHECK(collector.rows == expected_entries);
+        Row_collector from_solver;
+        CHECK(SMG::sparse_geodesic_distance_matrix<Tag>(solver, sources, targets, radius,
+                                                        [&](std::size_t i, const Sparse_row& row)
+                                                        { from_solver.take(i, row); }));
+        CHECK(from_solver.rows == expected_entries);
+      });
+  }
+}
+
+void check_symmetric_matrix(const Mesh& tm, const std::vector<vertex_descriptor>& range)
+{
+  Rows expected = expected_rows(tm, range, range);
+  for(std::size_t i = 0; i < expected.size(); ++i)
+  {
+    expected[i].erase(expected[i].begin(), expected[i].begin() + static_cast<std::ptrdiff_t>(i));
+  }
+  const Solver solver(tm);
+  with_all_tags(
+    [&](auto tag)
+    {
+      using Tag = decltype(tag);
+      Row_collector collector;
+      CHECK(SMG::symmetric_geodesic_distance_matrix<Tag>(tm, range, [&](std::size_t i, const auto& row)
+                                                         { collector.take(i, row); }));
+      CHECK(collector.rows == expected);
+      Row_collector from_solver;
+      CHECK(SMG::symmetric_geodesic_distance_matrix<Tag>(solver, range, [&](std::size_t i, const auto& row)
+                                                         { from_solver.take(i, row); }));
+      CHECK(from_solver.rows == expected);
+    });
+}
+
+void check_mesh(const Indexed_mesh& indexed, test_support::Random& random)
+{
+  test_support::Scope scope(indexed.name);
+  const Mesh tm = to_face_graph(indexed);
+  std::vector<vertex_descriptor> sources, targets;
+  std::vector<Face_location> locations;
+  for(std::size_t i = 0; i < 12; ++i)
+  {
+    sources.push_back(random_vertex(tm, random));
+    targets.push_back(random_vertex(tm, random));
+    locations.push_back(random_location(tm, random));
+  }
+  targets.push_back(targets[3]); // twice
+  sources.push_back(sources[5]);
+  check_matrix(tm, sources, targets);
+  check_matrix(tm, locations, targets);
+  check_matrix(tm, sources, std::vector<vertex_descriptor>(vertices(tm).begin(), vertices(tm).end()));
+  check_matrix(tm, std::vector<vertex_descriptor>(), targets);
+  check_matrix(tm, sources, std::vector<vertex_descriptor>());
+  check_symmetric_matrix(tm, sources);
+  check_symmetric_matrix(tm, {});
+}
+
+// A row output that says false, or throws, ends the computation: no row comes after that.
+void rows_may_end_early()
+{
+  test_support::Scope scope("early end");
+  const Mesh tm = to_face_graph(icosphere(3));
+  const std::vector<vertex_descriptor> all(vertices(tm).begin(), vertices(tm).end());
+  with_all_tags(
+    [&](auto tag)
+    {
+      using Tag = decltype(tag);
+      for(const std::size_t last : {std::size_t(0), std::size_t(1), std::size_t(17)})
+      {
+        std::size_t count = 0;
+        CHECK(!SMG::geodesic_distance_matrix<Tag>(tm, all, all, [&](std::size_t i, const std::vector<double>&)
+                                                  {
+                                                    ++count;
+                                                    return i < last;
+                                                  }));
+        CHECK_EQUAL(count, last + 1);
+
+        count = 0;
+        bool is_caught = false;
+        try
+        {
+          SMG::symmetric_geodesic_distance_matrix<Tag>(tm, all,
+                                                       [&](std::size_t i, const std::vector<double>&)
+                                                       {
+                                                         ++count;
+                                                         if(i == last)
+                                                         {
+                                                           throw std::out_of_range("thrown by the output");
+                                                         }
+                                                       });
+        }
+        catch(const std::out_of_range&)
+        {
+          is_caught = true;
+        }
+        CHECK(is_caught);
+        CHECK_EQUAL(count, last + 1);
+      }
+    });
+}
+
+template <class Call>
+void expect_refusal(Reason reason, std::size_t element, const Call& call)
+{
+  bool is_caught = false;
+  try
+  {
+    call([](std::size_t, const auto&) { CHECK(!"a row of an invalid matrix"); });
+  }
+  catch(const SMG::Invalid_geodesic_input& e)
+  {
+    is_caught = true;
+    CHECK(e.reason() == reason);
+    CHECK_EQUAL(e.element(), element);
+  }
+  CHECK(is_caught);
+}
+
+void bad_input_is_refused()
+{
+  test_support::Scope scope("bad input");
+  const Mesh tm = to_face_graph(icosphere(1));
+  const std::vector<vertex_descriptor> good{vertex(0), vertex(5)};
+  const std::vector<vertex_descriptor> bad{vertex(1), vertex(9999)};
+  const std::vector<vertex_descriptor> null{boost::graph_traits<Mesh>::null_vertex()};
+  const std::vector<Face_location> outside{{face(0), {.5, .5, .5}}};
+  with_all_tags(
+    [&](auto tag)
+    {
+      using Tag = decltype(tag);
+      const auto none = Reason::INVALID_DESCRIPTOR;
+      expect_refusal(none, 1, [&](auto output) { SMG::geodesic_distance_matrix<Tag>(tm, bad, good, output); });
+      expect_refusal(none, 1, [&](auto output) { SMG::geodesic_distance_matrix<Tag>(tm, good, bad, output); });
+      expect_refusal(none, 0, [&](auto output) { SMG::geodesic_distance_matrix<Tag>(tm, good, null, output); });
+      expect_refusal(none, 1, [&](auto output) { SMG::symmetric_geodesic_distance_matrix<Tag>(tm, bad, output); });
+      expect_refusal(Reason::INVALID_LOCATION, 0,
+                     [&](auto output) { SMG::geodesic_distance_matrix<Tag>(tm, outside, good, output); });
+      const std::size_t no_element = SMG::Invalid_geodesic_input::no_element;
+      for(const double radius : {-1., std::numeric_limits<double>::quiet_NaN()})
+      {
+        expect_refusal(Reason::INVALID_RADIUS, no_element, [&](auto output)
+                       { SMG::sparse_geodesic_distance_matrix<Tag>(tm, good, good, radius, output); });
+      }
+    });
+}
+
+// Points that are not those of the mesh, and a single source instead of a range.
+void parameters_are_used()
+{
+  test_support::Scope scope("parameters");
+  Mesh tm = to_face_graph(icosphere(2));
+  auto points = tm.add_property_map<vertex_descriptor, Kernel::Point_3>("v:test_point").first;
+  for(const vertex_descriptor v : vertices(tm))
+  {
+    points[v] = Kernel::Point_3(3 * tm.point(v).x(), tm.point(v).y(), tm.point(v).z());
+  }
+  const auto np = CGAL::parameters::vertex_point_map(points);
+  const std::vector<double> expected = distances_with_parameters(tm, vertex(7), np);
+  std::size_t count = 0;
+  SMG::geodesic_distance_matrix(tm, vertex(7), vertices(tm), [&](std::size_t, const std::vector<double>& row)
+                                {
+                                  ++count;
+                                  CHECK(row == expected);
+                                }, np);
+  CHECK_EQUAL(count, 1u);
+}
+
+} // namespace
+
+int main()
+{
+  const std::uint64_t seed = test_support::announce_seed(20260502);
+  test_support::Random random(seed);
+  for(const Indexed_mesh& indexed : {noisy_sphere(2, .1, seed), rough_terrain(8, 2., seed), genus_2_polycube(),
+                                     two_components_and_an_isolated_vertex()})
+  {
+    check_mesh(indexed, random);
+  }
+  rows_may_end_early();
+  bad_input_is_refused();
+  parameters_are_used();
+  return test_result();
+}

@@ -1,0 +1,269 @@
+// Geodesic_distance_solver: whatever has been computed before, the next computation gives the bits of
+// geodesic_distances(), and costs what it reaches.
+
+#include "distance_test_helpers.h"
+#include "test_meshes.h"
+#include "test_support.h"
+
+#include <CGAL/Surface_mesh_geodesics/Geodesic_default_visitor.h>
+#include <CGAL/Surface_mesh_geodesics/Geodesic_distance_solver.h>
+#include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
+
+#include <CGAL/Polyhedron_3.h>
+
+#include <algorithm>
+#include <iterator>
+#include <set>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+using namespace test_meshes;
+
+namespace {
+
+using Solver = SMG::Geodesic_distance_solver<Mesh>;
+using Options = Solver::Options;
+
+template <class Any_solver, class TriangleMesh>
+std::vector<double> results(const Any_solver& solver, const TriangleMesh& tm)
+{
+  std::vector<double> values;
+  for(const auto v : vertices(tm))
+  {
+    values.push_back(solver.distance(v));
+  }
+  return values;
+}
+
+// The vertices reached are those with a finite distance, each once.
+void check_vertices_reached(const Solver& solver, const Mesh& tm)
+{
+  std::vector<vertex_descriptor> reached;
+  solver.vertices_reached(std::back_inserter(reached));
+  const std::set<vertex_descriptor> as_set(reached.begin(), reached.end());
+  CHECK_EQUAL(as_set.size(), reached.size());
+  for(const vertex_descriptor v : vertices(tm))
+  {
+    CHECK_EQUAL(as_set.count(v) == 1, solver.distance(v) < infinity);
+    CHECK_EQUAL(solver.nearest_source(v) == Options::no_source, solver.distance(v) == infinity);
+  }
+}
+
+template <class Sources>
+void check_against_function(Solver& solver, const Mesh& tm, const Sources& sources, const Options& options)
+{
+  solver.compute_distances(sources, options);
+  CHECK(results(solver, tm) == distances_with_options(tm, sources, options));
+  auto nearest = get(CGAL::dynamic_vertex_property_t<std::size_t>(), tm);
+  auto with_map = SMG::make_geodesic_distance_options<Mesh>(nearest);
+  with_map.maximum_distance = options.maximum_distance;
+  with_map.targets = options.targets;
+  with_map.source_offsets = options.source_offsets;
+  distances_with_options(tm, sources, with_map);
+  for(const vertex_descriptor v : vertices(tm))
+  {
+    CHECK_EQUAL(solver.nearest_source(v), get(nearest, v));
+  }
+  check_vertices_reached(solver, tm);
+}
+
+struct Cancelling_visitor : SMG::Geodesic_default_visitor
+{
+  bool go_further() { return ++m_calls < 5; }
+  int m_calls = 0;
+};
+
+struct Throwing_visitor : SMG::Geodesic_default_visitor
+{
+  bool go_further()
+  {
+    if(++m_calls == 7)
+    {
+      throw std::runtime_error("thrown by the visitor");
+    }
+    return true;
+  }
+  int m_calls = 0;
+};
+
+// Computations that end in the middle, by a visitor or by bad input: nothing is known then.
+void check_broken_computations(Solver& solver, const Mesh& tm, test_support::Random& random)
+{
+  const Face_location location = random_location(tm, random);
+  Cancelling_visitor cancelling;
+  CHECK(!solver.compute_distances(location, Options(), cancelling));
+  CHECK(results(solver, tm) == std::vector<double>(num_vertices(tm), infinity));
+  check_vertices_reached(solver, tm);
+
+  bool is_caught = false;
+  Throwing_visitor throwing;
+  try
+  {
+    solver.compute_distances(location, Options(), throwing);
+  }
+  catch(const std::runtime_error&)
+  {
+    is_caught = true;
+  }
+  CHECK(is_caught);
+  CHECK(results(solver, tm) == std::vector<double>(num_vertices(tm), infinity));
+
+  const vertex_descriptor foreign(static_cast<Mesh::size_type>(num_vertices(tm) + 5));
+  is_caught = false;
+  try
+  {
+    solver.compute_distance(vertex(0), foreign);
+  }
+  catch(const SMG::Invalid_geodesic_input& e)
+  {
+    is_caught = true;
+    CHECK(e.reason() == SMG::Invalid_geodesic_input::Reason::INVALID_DESCRIPTOR);
+  }
+  CHECK(is_caught);
+  check_vertices_reached(solver, tm);
+}
+
+void check_many_computations(const Indexed_mesh& indexed, test_support::Random& random)
+{
+  test_support::Scope scope(indexed.name);
+  const Mesh tm = to_face_graph(indexed);
+  Solver solver(tm);
+  CHECK(results(solver, tm) == std::vector<double>(num_vertices(tm), infinity));
+  for(std::size_t round = 0; round < 4; ++round)
+  {
+    const vertex_descriptor v = random_vertex(tm, random);
+    check_against_function(solver, tm, v, Options());
+    const std::vector<double> full = results(solver, tm);
+    double largest = 0;
+    for(const double d : full)
+    {
+      largest = d < infinity ? (std::max)(largest, d) : largest;
+    }
+
+    Options radius;
+    radius.maximum_distance = random.uniform(0., .6) * largest;
+    check_against_function(solver, tm, v, radius);
+    check_against_function(solver, tm, random_location(tm, random), radius);
+
+    Options target;
+    target.targets = {random_vertex(tm, random)};
+    check_against_function(solver, tm, random_location(tm, random), target);
+
+    Options offsets;
+    offsets.source_offsets = {0., .1 * largest, 0.};
+    check_against_function(solver, tm,
+                           std::vector<Face_location>{random_location(tm, random), random_location(tm, random),
+                                                      random_location(tm, random)},
+                           offsets);
+    check_against_function(solver, tm, std::vector<vertex_descriptor>{v, v, random_vertex(tm, random)}, offsets);
+    check_against_function(solver, tm, std::vector<vertex_descriptor>(), Options());
+    check_broken_computations(solver, tm, random);
+
+    const vertex_descriptor w = random_vertex(tm, random);
+    CHECK_EQUAL(solver.compute_distance(v, w), full[std::size_t(w)]);
+  }
+}
+
+void work_depends_on_the_area_reached()
+{
+  test_support::Scope scope("area reached");
+  const Mesh tm = to_face_graph(icosphere(5));
+  Solver solver(tm);
+  SMG::Propagation_statistics all;
+  SMG::Propagation_statistics near;
+  Options options;
+  options.statistics = &all;
+  solver.compute_distances(vertex(0), options);
+  options.statistics = &near;
+  options.targets = {*vertices_around_target(halfedge(vertex(0), tm), tm).first};
+  solver.compute_distances(vertex(0), options);
+  CHECK(near.vertices_visited * 500 < all.vertices_visited);
+  CHECK(near.windows_propagated * 500 < all.windows_propagated);
+  std::vector<vertex_descriptor> reached;
+  solver.vertices_reached(std::back_inserter(reached));
+  CHECK(reached.size() * 100 < num_vertices(tm));
+  CHECK(reached.size() >= 2);
+}
+
+void other_maps_and_meshes(std::uint64_t seed)
+{
+  test_support::Scope scope("other maps and meshes");
+  const Indexed_mesh indexed = noisy_sphere(2, .1, seed);
+  Mesh tm = to_face_graph(indexed);
+  const auto lengths = add_edge_lengths(tm);
+  Solver from_lengths = Solver::from_edge_lengths(tm, lengths);
+  from_lengths.compute_distances(vertex(3));
+  CHECK(results(from_lengths, tm) == distances_from_edge_lengths(tm, lengths, vertex(3)));
+
+  // an object that was moved from another one
+  Solver moved(std::move(from_lengths));
+  CHECK(results(moved, tm) == distances_from_edge_lengths(tm, lengths, vertex(3)));
+  moved.compute_distances(vertex(4));
+  CHECK(results(moved, tm) == distances_from_edge_lengths(tm, lengths, vertex(4)));
+
+  // points and indices that are not those of the mesh
+  auto points = tm.add_property_map<vertex_descriptor, Kernel::Point_3>("v:test_point").first;
+  std::vector<std::size_t> index_of_vertex(num_vertices(tm)), index_of_face(num_faces(tm));
+  for(const vertex_descriptor v : vertices(tm))
+  {
+    points[v] = Kernel::Point_3(tm.point(v).x(), 2 * tm.point(v).y(), tm.point(v).z());
+    index_of_vertex[v] = num_vertices(tm) - 1 - v;
+  }
+  for(const face_descriptor f : faces(tm))
+  {
+    index_of_face[f] = num_faces(tm) - 1 - f;
+  }
+  const auto vim = CGAL::make_property_map(index_of_vertex);
+  const auto fim = CGAL::make_property_map(index_of_face);
+  SMG::Geodesic_distance_solver<Mesh, CGAL::Sequential_tag, decltype(vim), decltype(fim)> stretched(tm, points, vim,
+                                                                                                  fim);
+  stretched.compute_distances(vertex(3));
+  CHECK(results(stretched, tm)
+        == distances_with_parameters(tm, vertex(3), CGAL::parameters::vertex_point_map(points)));
+  Solver stretched_too(tm, points);
+  stretched_too.compute_distances(vertex(3));
+  CHECK(results(stretched_too, tm) == results(stretched, tm));
+
+  // a mesh without indices
+  using Polyhedron = CGAL::Polyhedron_3<Kernel>;
+  const Polyhedron polyhedron = to_face_graph<Polyhedron>(indexed);
+  SMG::Geodesic_distance_solver<Polyhedron> of_polyhedron(polyhedron);
+  of_polyhedron.compute_distances(*vertices(polyhedron).begin());
+  CHECK(results(of_polyhedron, polyhedron) == distances(tm, vertex(0)));
+
+  bool is_caught = false;
+  Mesh square;
+  square.add_vertex(Kernel::Point_3(0, 0, 0));
+  square.add_vertex(Kernel::Point_3(1, 0, 0));
+  square.add_vertex(Kernel::Point_3(1, 1, 0));
+  square.add_vertex(Kernel::Point_3(0, 1, 0));
+  square.add_face(vertex(0), vertex(1), vertex(2), vertex(3));
+  try
+  {
+    const Solver solver(square);
+  }
+  catch(const SMG::Invalid_geodesic_input& e)
+  {
+    is_caught = e.reason() == SMG::Invalid_geodesic_input::Reason::NOT_A_TRIANGLE;
+  }
+  CHECK(is_caught);
+}
+
+} // namespace
+
+int main()
+{
+  const std::uint64_t seed = test_support::announce_seed(20260501);
+  test_support::Random random(seed);
+  for(const Indexed_mesh& indexed :
+      {noisy_sphere(2, .1, seed), rough_terrain(10, 2., seed), genus_2_polycube(), spiral_corridor(),
+       random_cuts(noisy_sphere(2, .1, seed + 2), .15, seed + 3), two_components_and_an_isolated_vertex(),
+       tetrahedral_ogre(60, seed + 1)})
+  {
+    check_many_computations(indexed, random);
+  }
+  work_depends_on_the_area_reached();
+  other_maps_and_meshes(seed);
+  return test_result();
+}

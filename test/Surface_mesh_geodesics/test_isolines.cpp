@@ -1,0 +1,308 @@
+// Lines of equal distance: each point of a line has the distance asked for (by the original class, and by planar
+// geometry), lines cross each edge whose ends are on both sides of the value, and are closed unless they end at the border.
+
+#include "path_test_helpers.h"
+#include "test_meshes.h"
+#include "test_support.h"
+
+#include <CGAL/AABB_face_graph_triangle_primitive.h>
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/Polygon_mesh_processing/bbox.h>
+#include <CGAL/Surface_mesh_shortest_path.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+using namespace test_meshes;
+
+namespace {
+
+using Point = Kernel::Point_3;
+using Line = std::vector<Point>;
+using AABB_traits = CGAL::AABB_traits<Kernel, CGAL::AABB_face_graph_triangle_primitive<Mesh>>;
+using Original = CGAL::Surface_mesh_shortest_path<Paths_traits>;
+
+bool is_closed(const Line& line)
+{
+  return line.size() > 2 && line.front() == line.back();
+}
+
+double distance_between(const Point& a, const Point& b)
+{
+  return std::sqrt(CGAL::squared_distance(a, b));
+}
+
+double distance_to_segment(const Point& p, const Point& a, const Point& b)
+{
+  return std::sqrt(CGAL::squared_distance(p, Kernel::Segment_3(a, b)));
+}
+
+bool is_on_border(const Mesh& tm, const Point& p, double tolerance)
+{
+  for(const Mesh::Edge_index e : tm.edges())
+  {
+    if(tm.is_border(e)
+       && distance_to_segment(p, tm.point(tm.vertex(e, 0)), tm.point(tm.vertex(e, 1))) <= tolerance)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+// Checks the lines of some values on a mesh from one source vertex against the original class.
+void test_against_original(const Indexed_mesh& indexed, std::size_t source)
+{
+  test_support::Scope scope(indexed.name);
+  const Mesh tm = to_face_graph(indexed);
+  const double size = size_of(tm);
+  const Mesh::Vertex_index s(static_cast<Mesh::size_type>(source));
+  Geodesic_paths paths(tm);
+  paths.add_source_point(s);
+  Original original(tm);
+  original.add_source_point(s);
+  CGAL::AABB_tree<AABB_traits> tree;
+  paths.build_aabb_tree(tree);
+  const double farthest = paths.farthest_vertex().second;
+
+  for(const double part : {.07, .31, .5, .83, .97})
+  {
+    const double value = part * farthest;
+    std::vector<Line> lines;
+    paths.isolines(value, std::back_inserter(lines));
+    CHECK(!lines.empty());
+    std::vector<Point> points;
+    for(const Line& line : lines)
+    {
+      CHECK(line.size() >= 2);
+      if(!is_closed(line))
+      {
+        CHECK(is_on_border(tm, line.front(), 1e-9 * size));
+        CHECK(is_on_border(tm, line.back(), 1e-9 * size));
+      }
+      points.insert(points.end(), line.begin(), line.end());
+    }
+    const std::size_t step = points.size() / 150 + 1; // the original is slow
+    for(std::size_t i = 0; i < points.size(); i += step)
+    {
+      auto location = paths.locate(points[i], tree);
+      double sum = 0; // the original needs an exact zero for points on edges
+      for(std::size_t k = 0; k < 3; ++k)
+      {
+        location.second[k] = location.second[k] < 1e-9 ? 0. : location.second[k];
+        sum += location.second[k];
+      }
+      for(std::size_t k = 0; k < 3; ++k)
+      {
+        location.second[k] /= sum;
+      }
+      if(!is_on_border(tm, points[i], 1e-9 * size)) // where the original answers at random
+      {
+        CHECK_NEAR(original.shortest_distance_to_source_points(location.first, location.second).first, value,
+                   1e-8 * size);
+      }
+      CHECK_NEAR(paths.shortest_distance_to_source_points(location.first, location.second).first, value, 1e-8 * size);
+    }
+    // an edge whose ends are on both sides is crossed
+    for(const Mesh::Edge_index e : tm.edges())
+    {
+      const Mesh::Vertex_index a = tm.vertex(e, 0), b = tm.vertex(e, 1);
+      const double da = paths.shortest_distance_to_source_points(a).first;
+      const double db = paths.shortest_distance_to_source_points(b).first;
+      if(da < 0 || db < 0 || (da < value) == (db < value))
+      {
+        continue;
+      }
+      double nearest = std::numeric_limits<double>::infinity();
+      for(const Point& p : points)
+      {
+        nearest = (std::min)(nearest, distance_to_segment(p, tm.point(a), tm.point(b)));
+      }
+      CHECK_NEAR(nearest, 0., 1e-9 * size);
+    }
+  }
+}
+
+// In a plane without obstacles the lines are circles.
+void test_circles()
+{
+  test_support::Scope scope("circles");
+  const Mesh tm = to_face_graph(flat_patch(14, 14, .3, true, 7));
+  const double size = size_of(tm);
+  Geodesic_paths paths(tm);
+  Point center(0, 0, 0);
+  for(const Mesh::Vertex_index v : tm.vertices())
+  {
+    center = Point(center.x() + tm.point(v).x() / static_cast<double>(tm.number_of_vertices()),
+                   center.y() + tm.point(v).y() / static_cast<double>(tm.number_of_vertices()), 0);
+  }
+  const auto location = paths.locate<AABB_traits>(center);
+  paths.add_source_point(location);
+  center = paths.point(location.first, location.second);
+  double border = std::numeric_limits<double>::infinity();
+  for(const Mesh::Edge_index e : tm.edges())
+  {
+    if(tm.is_border(e))
+    {
+      border = (std::min)(border, distance_to_segment(center, tm.point(tm.vertex(e, 0)), tm.point(tm.vertex(e, 1))));
+    }
+  }
+  for(const double part : {.2, .5, .9})
+  {
+    std::vector<Line> lines;
+    paths.isolines(part * border, std::back_inserter(lines));
+    CHECK_EQUAL(lines.size(), std::size_t(1));
+    double length = 0;
+    for(const Line& line : lines)
+    {
+      CHECK(is_closed(line));
+      for(std::size_t i = 0; i < line.size(); ++i)
+      {
+        CHECK_NEAR(distance_between(line[i], center), part * border, 1e-11 * size);
+        length += i == 0 ? 0. : distance_between(line[i - 1], line[i]);
+      }
+    }
+    // the polygon is inscribed in the circle
+    const double circumference = 2 * CGAL_PI * part * border;
+    CHECK(length < circumference);
+    CHECK(length > .9 * circumference);
+  }
+  // beyond the border: arcs of circles that end there
+  std::vector<Line> lines;
+  paths.isolines(1.15 * border, std::back_inserter(lines));
+  CHECK(!lines.empty());
+  for(const Line& line : lines)
+  {
+    CHECK(!is_closed(line));
+    for(const Point& p : line)
+    {
+      CHECK_NEAR(distance_between(p, center), 1.15 * border, 1e-11 * size);
+    }
+  }
+}
+
+// Two sources: around each a line of its own, then one around both.
+void test_two_sources()
+{
+  test_support::Scope scope("two sources");
+  const Mesh tm = to_face_graph(flat_patch(20, 10, .2, true, 3));
+  Geodesic_paths paths(tm);
+  const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(tm);
+  const double w = box.xmax() - box.xmin(), y = (box.ymin() + box.ymax()) / 2;
+  const Point a(box.xmin() + .35 * w, y, 0), b(box.xmin() + .65 * w, y, 0);
+  for(const Point& p : {a, b})
+  {
+    paths.add_source_point(paths.locate<AABB_traits>(p));
+  }
+  const auto number_of_lines = [&](double value)
+  {
+    std::vector<Line> lines;
+    paths.isolines(value, std::back_inserter(lines));
+    for(const Line& line : lines)
+    {
+      CHECK(is_closed(line));
+      for(const Point& p : line)
+      {
+        CHECK_NEAR((std::min)(distance_between(p, a), distance_between(p, b)), value, 1e-10 * w);
+      }
+    }
+    return lines.size();
+  };
+  CHECK_EQUAL(number_of_lines(.1 * w), std::size_t(2));
+  CHECK_EQUAL(number_of_lines(.17 * w), std::size_t(1));
+}
+
+void test_values_without_lines()
+{
+  test_support::Scope scope("no lines");
+  const Mesh tm = to_face_graph(two_components_and_an_isolated_vertex());
+  Geodesic_paths paths(tm);
+  std::vector<Line> lines;
+  paths.isolines(1., std::back_inserter(lines)); // no source
+  CHECK(lines.empty());
+  paths.add_source_point(*tm.vertices().begin());
+  const double infinity = std::numeric_limits<double>::infinity();
+  for(const double value : {-1., 1e9, infinity, std::numeric_limits<double>::quiet_NaN()})
+  {
+    paths.isolines(value, std::back_inserter(lines));
+    CHECK(lines.empty());
+  }
+  // each distance of a vertex: the line runs through the vertex, or near to it
+  for(const Mesh::Vertex_index v : tm.vertices())
+  {
+    const double d = paths.shortest_distance_to_source_points(v).first;
+    if(d > 0)
+    {
+      lines.clear();
+      paths.isolines(d, std::back_inserter(lines));
+      for(const Line& line : lines)
+      {
+        for(const Point& p : line)
+        {
+          const auto location = paths.locate<AABB_traits>(p);
+          CHECK_NEAR(paths.shortest_distance_to_source_points(location.first, location.second).first, d,
+                     1e-9 * size_of(tm));
+        }
+      }
+    }
+  }
+}
+
+// A const object has to be built for queries at any point.
+void test_const_object()
+{
+  test_support::Scope scope("const");
+  const Mesh tm = to_face_graph(icosphere(2));
+  Geodesic_paths paths(tm);
+  paths.add_source_point(*tm.vertices().begin());
+  const Geodesic_paths& constant = paths;
+  std::vector<Line> lines;
+  const auto throws = [&]
+  {
+    try
+    {
+      constant.isolines(.5, std::back_inserter(lines));
+    }
+    catch(const std::logic_error&)
+    {
+      return true;
+    }
+    return false;
+  };
+  CHECK(throws());
+  paths.build_sequence_tree();
+  CHECK(throws());
+  paths.build_sequence_tree_for_faces();
+  CHECK(!throws());
+  CHECK_EQUAL(lines.size(), std::size_t(1));
+  CHECK(constant.nearest_source_point(*tm.vertices().begin()) == 0);
+  CHECK(constant.farthest_vertex() == paths.farthest_vertex());
+  std::vector<Line> again;
+  paths.isolines(.5, std::back_inserter(again));
+  CHECK(lines == again);
+}
+
+} // namespace
+
+int main()
+{
+  const std::uint64_t seed = test_support::announce_seed(20260512);
+  test_circles();
+  test_two_sources();
+  test_values_without_lines();
+  test_const_object();
+  test_against_original(noisy_sphere(3, .05, seed), 5);
+  test_against_original(torus(2, .7, 24, 12), 17);
+  test_against_original(rough_terrain(12, 1.5, seed), 40);
+  test_against_original(square_with_holes(2), 3);
+  test_against_original(genus_2_polycube(), 1);
+  test_against_original(saddle_patch(10), 30);
+  test_against_original(wavy_tube(12, 10), 8);
+  return test_result();
+}

@@ -1,0 +1,111 @@
+// Faces without area, edges without length, and such that are nearly so: random small meshes with
+// collapsed vertices and caps, moved by 1e-15 to 1e-9. Every one of them once gave a wrong distance.
+
+#include "distance_test_helpers.h"
+#include "test_meshes.h"
+#include "test_support.h"
+
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <vector>
+
+using namespace test_meshes;
+
+namespace {
+
+std::vector<long double> distances_in_long_double(const Mesh& tm, vertex_descriptor source)
+{
+  auto map = get(CGAL::dynamic_vertex_property_t<long double>(), tm);
+  SMG::internal::geodesic_distances_with_rules<SMG::internal::All_pruning_rules, long double>(
+    tm, map, source, SMG::Geodesic_distance_options<Mesh>());
+  std::vector<long double> result;
+  for(const vertex_descriptor v : vertices(tm))
+  {
+    result.push_back(get(map, v));
+  }
+  return result;
+}
+
+void distances_are_right(const std::string& filename)
+{
+  test_support::Scope scope(filename);
+  Mesh tm;
+  if(!CHECK(CGAL::IO::read_polygon_mesh("data/" + filename, tm)))
+  {
+    return;
+  }
+  std::vector<std::vector<double>> all;
+  for(const vertex_descriptor s : vertices(tm))
+  {
+    all.push_back(distances(tm, s));
+  }
+  for(const vertex_descriptor s : vertices(tm))
+  {
+    const std::vector<long double> more_digits = distances_in_long_double(tm, s);
+    for(const vertex_descriptor v : vertices(tm))
+    {
+      const double d = all[std::size_t(s)][std::size_t(v)];
+      // the same with other rounding, from the other end, and not shorter than through the air
+      CHECK(std::abs(d - static_cast<double>(more_digits[std::size_t(v)])) <= 1e-12 * (1 + d));
+      CHECK(std::abs(d - all[std::size_t(v)][std::size_t(s)]) <= 1e-12 * (1 + d));
+      CHECK(d >= length(coordinates(s, tm) - coordinates(v, tm)) - 1e-12);
+    }
+  }
+}
+
+// A saddle z = x y that is squeezed in x by 1e-11 and flattened: all faces are slivers, folded onto each other. Each
+// vertex has a path along the edges, but one by one all windows to some of them once were lost to rounding.
+void all_vertices_are_reached()
+{
+  test_support::Scope scope("flattened saddle");
+  Indexed_mesh mesh;
+  const std::size_t n = 15;
+  for(std::size_t c = 0; c < n; ++c)
+  {
+    for(std::size_t j = 0; j < n; ++j)
+    {
+      const double x = (static_cast<double>(c) - 7) * 1.578217088527334e-11;
+      const double z = -(7 - static_cast<double>(c)) * 3.4038340961305637e-4 * (static_cast<double>(j) - 7);
+      mesh.points.push_back({x, 0, z});
+    }
+  }
+  for(std::size_t c = 0; c + 1 < n; ++c)
+  {
+    for(std::size_t j = 0; j + 1 < n; ++j)
+    {
+      const std::size_t a = n * c + j;
+      mesh.faces.push_back({a, a + n, a + n + 1});
+      mesh.faces.push_back({a, a + n + 1, a + 1});
+    }
+  }
+  const Mesh tm = to_face_graph(mesh);
+  for(const std::size_t source : {60, 0, 112, 200})
+  {
+    const vertex_descriptor s(static_cast<Mesh::size_type>(source));
+    const std::vector<double> d = distances(tm, s);
+    for(const vertex_descriptor v : vertices(tm))
+    {
+      CHECK(d[std::size_t(v)] < std::numeric_limits<double>::infinity());
+      CHECK(d[std::size_t(v)] >= length(coordinates(s, tm) - coordinates(v, tm)) * (1 - 1e-12));
+    }
+  }
+}
+
+} // namespace
+
+int main()
+{
+  all_vertices_are_reached();
+  for(const char* name :
+      {"cap_A_9682", "cap_source_in_front", "caps_back_to_back", "caps_two_rotated", "needle_1e-12",
+       "needle_1e-12b", "needle_1e-15", "needle_B_3828", "needle_B_6574", "needle_B_6892"})
+  {
+    distances_are_right(std::string(name) + ".off");
+  }
+  return test_result();
+}

@@ -1,0 +1,619 @@
+// The members of Geodesic_distance_options, the visitor and the statistics; and sets of
+// sources that are unusual but allowed.
+
+#include "distance_test_helpers.h"
+#include "test_meshes.h"
+#include "test_support.h"
+
+#include <CGAL/Surface_mesh_geodesics/Geodesic_default_visitor.h>
+#include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <limits>
+#include <list>
+#include <set>
+#include <vector>
+
+using namespace test_meshes;
+
+namespace {
+
+const double tolerance = 1e-12;
+
+using Options = SMG::Geodesic_distance_options<Mesh>;
+
+std::vector<double> sorted_finite(const std::vector<double>& field)
+{
+  std::vector<double> result;
+  for(const double d : field)
+  {
+    if(d != infinity)
+    {
+      result.push_back(d);
+    }
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+std::vector<Indexed_mesh> meshes(std::uint64_t seed)
+{
+  return {icosphere(2),
+          rough_terrain(10, 2., seed),
+          wavy_tube(20, 24),
+          tetrahedral_ogre(60, seed + 1),
+          square_with_holes(2),
+          spiral_corridor(),
+          midpoint_subdivision(genus_2_polycube()),
+          random_cuts(noisy_sphere(2, .1, seed + 2), .15, seed + 3),
+          two_components_and_an_isolated_vertex(),
+          irregular_tetrahedron()};
+}
+
+// ---------------------------------------------------------------------------
+// radius
+// ---------------------------------------------------------------------------
+
+template <class Sources>
+void distances_up_to_the_radius_are_exact(const Mesh& tm, const Sources& sources)
+{
+  test_support::Scope scope("radius");
+  const std::vector<double> full = distances(tm, sources);
+  const std::vector<double> sorted = sorted_finite(full);
+  const double largest = sorted.back();
+  // also radii that are the distance of a vertex, which then is within
+  std::vector<double> radii{0., .1 * largest, .37 * largest, .8 * largest, 2. * largest, infinity,
+                            sorted[sorted.size() / 3], sorted[sorted.size() / 2], largest};
+  for(const double radius : radii)
+  {
+    Options options;
+    options.maximum_distance = radius;
+    const std::vector<double> result = distances_with_options(tm, sources, options);
+    for(std::size_t i = 0; i < full.size(); ++i)
+    {
+      if(full[i] <= radius)
+      {
+        CHECK_EQUAL(result[i], full[i]);
+      }
+      else
+      {
+        CHECK_EQUAL(result[i], infinity);
+      }
+    }
+    // nothing of the radius is left for the next run
+    CHECK(distances(tm, sources) == full);
+  }
+}
+
+void a_radius_saves_work()
+{
+  test_support::Scope scope("radius saves work");
+  const Mesh tm = to_face_graph(icosphere(4));
+  SMG::Propagation_statistics all;
+  SMG::Propagation_statistics few;
+  Options options;
+  options.statistics = &all;
+  distances_with_options(tm, vertex(0), options);
+  options.statistics = &few;
+  options.maximum_distance = .3;
+  distances_with_options(tm, vertex(0), options);
+  CHECK(few.vertices_visited * 10 < all.vertices_visited);
+  CHECK(few.windows_propagated * 10 < all.windows_propagated);
+}
+
+// ---------------------------------------------------------------------------
+// targets
+// ---------------------------------------------------------------------------
+
+template <class Sources>
+void targets_get_their_exact_distances(const Mesh& tm, const Sources& sources, test_support::Random& random)
+{
+  test_support::Scope scope("targets");
+  const std::vector<double> full = distances(tm, sources);
+  for(const std::size_t number : std::vector<std::size_t>{1, 1, 2, 5})
+  {
+    Options options;
+    for(std::size_t i = 0; i < number; ++i)
+    {
+      options.targets.push_back(random_vertex(tm, random));
+    }
+    if(number == 5)
+    {
+      options.targets.push_back(options.targets.front()); // twice
+    }
+    SMG::Propagation_statistics statistics;
+    options.statistics = &statistics;
+    const std::vector<double> result = distances_with_options(tm, sources, options);
+    for(const vertex_descriptor target : options.targets)
+    {
+      CHECK_EQUAL(result[std::size_t(target)], full[std::size_t(target)]);
+    }
+    // every other vertex: exact or left out
+    for(std::size_t i = 0; i < full.size(); ++i)
+    {
+      CHECK(result[i] == full[i] || result[i] == infinity);
+    }
+    CHECK(distances(tm, sources) == full);
+  }
+}
+
+void targets_and_radius_work_together(const Mesh& tm, test_support::Random& random)
+{
+  test_support::Scope scope("targets and radius");
+  const vertex_descriptor s = random_vertex(tm, random);
+  const std::vector<double> full = distances(tm, s);
+  for(std::size_t i = 0; i < 6; ++i)
+  {
+    Options options;
+    options.targets = {random_vertex(tm, random), random_vertex(tm, random)};
+    options.maximum_distance = random.uniform(0., 1.2) * sorted_finite(full).back();
+    const std::vector<double> result = distances_with_options(tm, s, options);
+    for(const vertex_descriptor target : options.targets)
+    {
+      const double d = full[std::size_t(target)];
+      CHECK_EQUAL(result[std::size_t(target)], d <= options.maximum_distance ? d : infinity);
+    }
+    for(std::size_t v = 0; v < full.size(); ++v)
+    {
+      CHECK(result[v] == infinity || (result[v] == full[v] && full[v] <= options.maximum_distance));
+    }
+  }
+}
+
+void an_unreachable_target_is_at_infinity()
+{
+  test_support::Scope scope("unreachable target");
+  const Mesh tm = to_face_graph(two_components_and_an_isolated_vertex());
+  Options options;
+  options.targets = {vertex(num_vertices(tm) - 1), vertex(num_vertices(tm) - 2), vertex(3)};
+  const std::vector<double> full = distances(tm, vertex(0));
+  CHECK(distances_with_options(tm, vertex(0), options) == full);
+}
+
+void a_near_target_saves_work()
+{
+  test_support::Scope scope("target saves work");
+  const Mesh tm = to_face_graph(icosphere(4));
+  const std::vector<double> full = distances(tm, vertex(0));
+  std::size_t near = 0;
+  for(std::size_t i = 0; i < full.size(); ++i)
+  {
+    if(full[i] > .2 && full[i] < .25)
+    {
+      near = i;
+    }
+  }
+  SMG::Propagation_statistics all;
+  SMG::Propagation_statistics few;
+  Options options;
+  options.statistics = &all;
+  distances_with_options(tm, vertex(0), options);
+  options.statistics = &few;
+  options.targets = {vertex(near)};
+  const std::vector<double> result = distances_with_options(tm, vertex(0), options);
+  CHECK_EQUAL(result[near], full[near]);
+  CHECK(few.vertices_visited * 10 < all.vertices_visited);
+}
+
+// ---------------------------------------------------------------------------
+// visitor
+// ---------------------------------------------------------------------------
+
+struct Recording_visitor : SMG::Geodesic_default_visitor
+{
+  std::size_t begins = 0;
+  std::size_t ends = 0;
+  std::size_t calls_of_progress = 0;
+  std::size_t announced_vertices = 0;
+  std::size_t last_visited = 0;
+  double last_distance = 0.;
+  bool is_monotone = true;
+  bool is_in_order = true;
+  std::size_t questions = 0;
+  std::size_t questions_until_stop = (std::numeric_limits<std::size_t>::max)();
+
+  void on_propagation_begin(std::size_t number_of_vertices)
+  {
+    ++begins;
+    announced_vertices = number_of_vertices;
+  }
+
+  void on_progress(std::size_t vertices_visited, double distance_reached)
+  {
+    is_in_order = is_in_order && begins == 1 && ends == 0;
+    is_monotone = is_monotone && vertices_visited >= last_visited && distance_reached >= last_distance;
+    last_visited = vertices_visited;
+    last_distance = distance_reached;
+    ++calls_of_progress;
+  }
+
+  bool go_further() { return ++questions <= questions_until_stop; }
+
+  void on_propagation_end() { ++ends; }
+};
+
+void the_visitor_hears_of_the_progress(const Mesh& tm, test_support::Random& random)
+{
+  test_support::Scope scope("visitor");
+  const vertex_descriptor s = random_vertex(tm, random);
+  const std::vector<double> full = distances(tm, s);
+  Recording_visitor visitor;
+  auto map = get(CGAL::dynamic_vertex_property_t<double>(), tm);
+  CHECK(SMG::geodesic_distances(tm, map, s, CGAL::parameters::visitor(std::ref(visitor))));
+  CHECK(values_at_vertices(tm, map) == full);
+  CHECK_EQUAL(visitor.begins, 1u);
+  CHECK_EQUAL(visitor.ends, 1u);
+  CHECK_EQUAL(visitor.announced_vertices, static_cast<std::size_t>(tm.number_of_vertices()));
+  CHECK(visitor.calls_of_progress > 0);
+  CHECK(visitor.questions > 0);
+  CHECK(visitor.is_monotone);
+  CHECK(visitor.is_in_order);
+}
+
+void a_cancelled_run_writes_nothing(const Mesh& tm, test_support::Random& random)
+{
+  test_support::Scope scope("cancel");
+  const vertex_descriptor s = random_vertex(tm, random);
+  const std::vector<double> full = distances(tm, s);
+  Recording_visitor probe;
+  auto map = get(CGAL::dynamic_vertex_property_t<double>(), tm);
+  CHECK(SMG::geodesic_distances(tm, map, s, CGAL::parameters::visitor(std::ref(probe))));
+
+  for(const std::size_t allowed : {std::size_t(0), std::size_t(1), probe.questions / 2, probe.questions - 1})
+  {
+    if(allowed >= probe.questions)
+    {
+      continue;
+    }
+    Recording_visitor visitor;
+    visitor.questions_until_stop = allowed;
+    auto nearest = get(CGAL::dynamic_vertex_property_t<std::size_t>(), tm);
+    for(const vertex_descriptor v : vertices(tm))
+    {
+      put(map, v, -7.);
+      put(nearest, v, std::size_t(77));
+    }
+    const bool is_complete =
+      SMG::geodesic_distances(tm, map, s, SMG::make_geodesic_distance_options<Mesh>(nearest),
+                              CGAL::parameters::visitor(std::ref(visitor)));
+    CHECK(!is_complete);
+    CHECK_EQUAL(visitor.questions, allowed + 1);
+    for(const vertex_descriptor v : vertices(tm))
+    {
+      CHECK_EQUAL(get(map, v), -7.);
+      CHECK_EQUAL(get(nearest, v), 77u);
+    }
+  }
+  CHECK(distances(tm, s) == full);
+}
+
+// ---------------------------------------------------------------------------
+// statistics
+// ---------------------------------------------------------------------------
+
+void statistics_are_consistent(const Mesh& tm, test_support::Random& random)
+{
+  test_support::Scope scope("statistics");
+  const Face_location s = random_location(tm, random);
+  SMG::Propagation_statistics statistics;
+  Options options;
+  options.statistics = &statistics;
+  const std::vector<double> result = distances_with_options(tm, s, options);
+  CHECK(result == distances(tm, s));
+  CHECK(statistics.windows_created >= statistics.windows_propagated);
+  CHECK(statistics.windows_created >= statistics.maximum_windows_alive);
+  CHECK(statistics.vertices_visited >= 1);
+  CHECK(statistics.intrinsic_mesh_bytes > 0);
+  const bool has_windows = statistics.windows_created > 0;
+  CHECK((statistics.maximum_windows_alive > 0) == has_windows);
+  CHECK((statistics.maximum_window_bytes > 0) >= has_windows);
+  SMG::Propagation_statistics again;
+  options.statistics = &again;
+  distances_with_options(tm, s, options);
+  CHECK_EQUAL(statistics.windows_created, again.windows_created);
+  CHECK_EQUAL(statistics.windows_propagated, again.windows_propagated);
+  CHECK_EQUAL(statistics.windows_removed_by_rule_1, again.windows_removed_by_rule_1);
+  CHECK_EQUAL(statistics.windows_removed_by_rules_2_and_3, again.windows_removed_by_rules_2_and_3);
+  CHECK_EQUAL(statistics.windows_removed_by_vertices, again.windows_removed_by_vertices);
+  // counts of a second run are added, maxima stay
+  distances_with_options(tm, s, options);
+  CHECK_EQUAL(again.windows_created, 2 * statistics.windows_created);
+  CHECK_EQUAL(again.vertices_visited, 2 * statistics.vertices_visited);
+  CHECK_EQUAL(again.maximum_windows_alive, statistics.maximum_windows_alive);
+  CHECK_EQUAL(again.intrinsic_mesh_bytes, statistics.intrinsic_mesh_bytes);
+}
+
+// ---------------------------------------------------------------------------
+// offsets and the nearest source
+// ---------------------------------------------------------------------------
+
+void a_beaten_source_owns_nothing(const Mesh& tm, test_support::Random& random)
+{
+  test_support::Scope scope("offsets");
+  const std::vector<vertex_descriptor> sources{random_vertex(tm, random), random_vertex(tm, random),
+                                               random_vertex(tm, random)};
+  std::vector<std::vector<double>> fields;
+  for(const vertex_descriptor s : sources)
+  {
+    fields.push_back(distances(tm, s));
+  }
+  auto nearest = get(CGAL::dynamic_vertex_property_t<std::size_t>(), tm);
+  auto options = SMG::make_geodesic_distance_options<Mesh>(nearest);
+  // The middle one starts later than the first one's wave gets there, if it ever does.
+  const double way = fields[0][std::size_t(sources[1])];
+  const double delay = way == infinity ? 0. : 1.5 * way + 1e-3;
+  options.source_offsets = {0., delay, .25};
+  const std::vector<double> result = distances_with_options(tm, sources, options);
+  std::size_t i = 0;
+  for(const vertex_descriptor v : vertices(tm))
+  {
+    const double expected =
+      (std::min)({fields[0][i], fields[1][i] + delay, fields[2][i] + .25});
+    CHECK_CLOSE(result[i], expected, tolerance);
+    if(way != infinity)
+    {
+      CHECK(get(nearest, v) != 1u);
+    }
+    if(expected == infinity)
+    {
+      CHECK_EQUAL(get(nearest, v), no_source);
+    }
+    ++i;
+  }
+  // One offset for all only adds to the distances.
+  Options constant;
+  constant.source_offsets = {2., 2., 2.};
+  const std::vector<double> shifted = distances_with_options(tm, sources, constant);
+  const std::vector<double> plain = distances(tm, sources);
+  for(std::size_t j = 0; j < plain.size(); ++j)
+  {
+    CHECK_CLOSE(shifted[j], plain[j] + 2., tolerance);
+  }
+  // zero offsets are none
+  Options zero;
+  zero.source_offsets = {0., 0., 0.};
+  CHECK(distances_with_options(tm, sources, zero) == plain);
+  // The radius counts with the offset.
+  Options bounded;
+  bounded.source_offsets = {2., 2., 2.};
+  bounded.maximum_distance = 2. + .5 * sorted_finite(plain).back();
+  const std::vector<double> inside = distances_with_options(tm, sources, bounded);
+  for(std::size_t j = 0; j < plain.size(); ++j)
+  {
+    CHECK_EQUAL(inside[j], shifted[j] <= bounded.maximum_distance ? shifted[j] : infinity);
+  }
+}
+
+void a_source_inside_a_face_may_be_beaten()
+{
+  test_support::Scope scope("offset of a source in a face");
+  const Mesh tm = to_face_graph(flat_patch(3, 3, 0., false, 1));
+  const std::vector<Face_location> sources{Face_location(face(4), {.2, .3, .5}), Face_location(face(4), {.5, .3, .2}),
+                                           Face_location(face(9), {.1, .1, .8})};
+  auto nearest = get(CGAL::dynamic_vertex_property_t<std::size_t>(), tm);
+  auto options = SMG::make_geodesic_distance_options<Mesh>(nearest);
+  options.source_offsets = {0., 5., 0.};
+  const std::vector<double> result = distances_with_options(tm, sources, options);
+  std::set<std::size_t> owners;
+  for(const vertex_descriptor v : vertices(tm))
+  {
+    owners.insert(get(nearest, v));
+    const double expected = (std::min)(length(coordinates(v, tm) - coordinates(sources[0], tm)),
+                                       length(coordinates(v, tm) - coordinates(sources[2], tm)));
+    CHECK_CLOSE(result[std::size_t(v)], expected, tolerance);
+  }
+  CHECK(owners == (std::set<std::size_t>{0, 2}));
+}
+
+// ---------------------------------------------------------------------------
+// sets of sources
+// ---------------------------------------------------------------------------
+
+void an_empty_range_leaves_all_at_infinity(const Mesh& tm)
+{
+  test_support::Scope scope("empty range");
+  for(const double d : distances(tm, std::vector<vertex_descriptor>()))
+  {
+    CHECK_EQUAL(d, infinity);
+  }
+  auto nearest = get(CGAL::dynamic_vertex_property_t<std::size_t>(), tm);
+  auto options = SMG::make_geodesic_distance_options<Mesh>(nearest);
+  options.targets.push_back(vertex(0));
+  for(const double d : distances_with_options(tm, std::vector<Face_location>(), options))
+  {
+    CHECK_EQUAL(d, infinity);
+  }
+  for(const vertex_descriptor v : vertices(tm))
+  {
+    CHECK_EQUAL(get(nearest, v), no_source);
+  }
+}
+
+void the_empty_mesh_is_no_error()
+{
+  test_support::Scope scope("empty mesh");
+  const Mesh tm;
+  CHECK(distances(tm, std::vector<vertex_descriptor>()).empty());
+}
+
+void any_range_and_any_single_source_will_do(const Mesh& tm, test_support::Random& random)
+{
+  test_support::Scope scope("kinds of ranges");
+  const vertex_descriptor s = random_vertex(tm, random);
+  const vertex_descriptor t = random_vertex(tm, random);
+  const std::vector<double> single = distances(tm, s);
+  CHECK(distances(tm, std::vector<vertex_descriptor>{s}) == single);
+  CHECK(distances(tm, std::list<vertex_descriptor>{s}) == single);
+  CHECK(distances(tm, std::array<vertex_descriptor, 1>{s}) == single);
+  const std::vector<double> both = distances(tm, std::vector<vertex_descriptor>{s, t});
+  CHECK(distances(tm, std::set<vertex_descriptor>{s, t}) == both);
+  CHECK(distances(tm, std::list<vertex_descriptor>{t, s}) == both);
+  const Face_location location = random_location(tm, random);
+  CHECK(distances(tm, std::list<Face_location>{location}) == distances(tm, location));
+  // barycentric coordinates of another type
+  const std::pair<face_descriptor, std::array<float, 3>> quarter(location.first, {.5f, .25f, .25f});
+  CHECK(distances(tm, quarter) == distances(tm, Face_location(location.first, {.5, .25, .25})));
+  // all vertices
+  for(const double d : distances(tm, vertices(tm)))
+  {
+    CHECK_EQUAL(d, 0.);
+  }
+}
+
+void duplicate_and_adjacent_sources_are_harmless(const Mesh& tm, test_support::Random& random)
+{
+  test_support::Scope scope("duplicate and adjacent sources");
+  const vertex_descriptor s = random_vertex(tm, random);
+  const std::vector<double> single = distances(tm, s);
+  CHECK(distances(tm, std::vector<vertex_descriptor>(4, s)) == single);
+
+  const auto h = halfedge(s, tm);
+  const vertex_descriptor neighbor = source(h, tm);
+  const std::vector<double> other = distances(tm, neighbor);
+  auto nearest = get(CGAL::dynamic_vertex_property_t<std::size_t>(), tm);
+  const std::vector<double> both = distances_with_options(tm, std::vector<vertex_descriptor>{s, neighbor, s},
+                                                          SMG::make_geodesic_distance_options<Mesh>(nearest));
+  for(std::size_t i = 0; i < both.size(); ++i)
+  {
+    CHECK_CLOSE(both[i], (std::min)(single[i], other[i]), tolerance);
+  }
+  CHECK(get(nearest, s) == 0u || get(nearest, s) == 2u);
+  CHECK_EQUAL(get(nearest, neighbor), 1u);
+}
+
+void several_sources_in_one_face_and_on_one_edge(const Mesh& tm, test_support::Random& random)
+{
+  test_support::Scope scope("one face, one edge");
+  const face_descriptor f = random_location(tm, random).first;
+  std::vector<Face_location> sources{{f, {.2, .3, .5}}, {f, {.6, .2, .2}}, {f, {.1, .85, .05}}};
+  auto h = halfedge(f, tm);
+  sources.push_back(location_on_halfedge(h, .25, tm));
+  sources.push_back(location_on_halfedge(h, .75, tm));
+  if(!is_border(opposite(h, tm), tm))
+  {
+    sources.push_back(location_on_halfedge(opposite(h, tm), .5, tm));
+    sources.push_back(location_on_halfedge(opposite(h, tm), .25, tm)); // the point at .75 again
+  }
+  sources.push_back(location_on_halfedge(h, 1., tm)); // a vertex
+  std::vector<double> expected(num_vertices(tm), infinity);
+  std::vector<std::vector<double>> fields;
+  for(const Face_location& s : sources)
+  {
+    fields.push_back(distances(tm, s));
+    for(std::size_t i = 0; i < expected.size(); ++i)
+    {
+      expected[i] = (std::min)(expected[i], fields.back()[i]);
+    }
+  }
+  auto nearest = get(CGAL::dynamic_vertex_property_t<std::size_t>(), tm);
+  const std::vector<double> result =
+    distances_with_options(tm, sources, SMG::make_geodesic_distance_options<Mesh>(nearest));
+  CHECK_FIELDS_CLOSE(result, expected, tolerance);
+  for(std::size_t i = 0; i < expected.size(); ++i)
+  {
+    const std::size_t id = get(nearest, vertex(i));
+    if(expected[i] != infinity && CHECK(id < sources.size()))
+    {
+      CHECK_CLOSE(fields[id][i], expected[i], tolerance);
+    }
+  }
+}
+
+// An edge point gives the same field from either face, also on the border.
+void edge_sources_are_the_same_from_both_faces(const Mesh& tm)
+{
+  test_support::Scope scope("edge sources");
+  std::size_t i = 0;
+  for(const auto e : edges(tm))
+  {
+    if(++i % 7 != 0)
+    {
+      continue;
+    }
+    const auto h = halfedge(e, tm);
+    for(const double t : {0., .125, .5, .8125, 1.})
+    {
+      std::vector<std::vector<double>> fields;
+      if(!is_border(h, tm))
+      {
+        fields.push_back(distances(tm, location_on_halfedge(h, t, tm)));
+      }
+      if(!is_border(opposite(h, tm), tm))
+      {
+        fields.push_back(distances(tm, location_on_halfedge(opposite(h, tm), 1. - t, tm)));
+      }
+      CHECK_FIELDS_CLOSE(fields.front(), fields.back(), tolerance);
+      const double length_of_edge =
+        length(coordinates(source(h, tm), tm) - coordinates(target(h, tm), tm));
+      // never farther than along the edge; on it nothing is shorter in these meshes
+      CHECK(fields.front()[std::size_t(source(h, tm))] <= t * length_of_edge * (1. + tolerance));
+      CHECK(fields.front()[std::size_t(target(h, tm))] <= (1. - t) * length_of_edge * (1. + tolerance));
+      if(t == 0.)
+      {
+        CHECK(fields.front() == distances(tm, source(h, tm)));
+      }
+      if(t == 1.)
+      {
+        CHECK(fields.front() == distances(tm, target(h, tm)));
+      }
+    }
+  }
+}
+
+void options_work_with_edge_lengths_too()
+{
+  test_support::Scope scope("options with edge lengths");
+  Mesh tm = to_face_graph(icosphere(2));
+  const auto lengths = add_edge_lengths(tm);
+  const std::vector<vertex_descriptor> sources{vertex(0), vertex(5)};
+  auto nearest = get(CGAL::dynamic_vertex_property_t<std::size_t>(), tm);
+  auto options = SMG::make_geodesic_distance_options<Mesh>(nearest);
+  options.maximum_distance = 1.;
+  options.source_offsets = {0., .2};
+  const std::vector<double> expected = distances_with_options(tm, sources, options);
+  auto map = get(CGAL::dynamic_vertex_property_t<double>(), tm);
+  CHECK(SMG::geodesic_distances_from_edge_lengths(tm, lengths, map, sources, options));
+  CHECK_FIELDS_CLOSE(values_at_vertices(tm, map), expected, tolerance);
+  Recording_visitor visitor;
+  visitor.questions_until_stop = 0;
+  CHECK(!SMG::geodesic_distances_from_edge_lengths(tm, lengths, map, sources, options,
+                                                   CGAL::parameters::visitor(std::ref(visitor))));
+}
+
+} // namespace
+
+int main()
+{
+  const std::uint64_t seed = test_support::announce_seed(20260105);
+  test_support::Random random(seed);
+  for(const Indexed_mesh& indexed : meshes(seed))
+  {
+    test_support::Scope scope(indexed.name);
+    const Mesh tm = to_face_graph(indexed);
+    distances_up_to_the_radius_are_exact(tm, random_vertex(tm, random));
+    distances_up_to_the_radius_are_exact(
+      tm, std::vector<Face_location>{random_location(tm, random), random_location(tm, random)});
+    targets_get_their_exact_distances(tm, random_vertex(tm, random), random);
+    targets_get_their_exact_distances(
+      tm, std::vector<Face_location>{random_location(tm, random), random_location(tm, random)}, random);
+    targets_and_radius_work_together(tm, random);
+    the_visitor_hears_of_the_progress(tm, random);
+    a_cancelled_run_writes_nothing(tm, random);
+    statistics_are_consistent(tm, random);
+    a_beaten_source_owns_nothing(tm, random);
+    an_empty_range_leaves_all_at_infinity(tm);
+    any_range_and_any_single_source_will_do(tm, random);
+    duplicate_and_adjacent_sources_are_harmless(tm, random);
+    several_sources_in_one_face_and_on_one_edge(tm, random);
+    edge_sources_are_the_same_from_both_faces(tm);
+  }
+  a_radius_saves_work();
+  a_near_target_saves_work();
+  an_unreachable_target_is_at_infinity();
+  a_source_inside_a_face_may_be_beaten();
+  the_empty_mesh_is_no_error();
+  options_work_with_edge_lengths_too();
+  return test_result();
+}

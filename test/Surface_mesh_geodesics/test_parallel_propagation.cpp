@@ -1,0 +1,306 @@
+// Distances by several threads from one set of sources: their bits depend neither on the number of threads
+// nor on chance, and with one star at a time they are those of the sequential propagation.
+
+#include "distance_test_helpers.h"
+#include "test_meshes.h"
+#include "test_support.h"
+#include "thread_team.h"
+
+#include <CGAL/Surface_mesh_geodesics/Geodesic_default_visitor.h>
+#include <CGAL/Surface_mesh_geodesics/Geodesic_distance_solver.h>
+#include <CGAL/Surface_mesh_geodesics/geodesic_distances.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Distance_propagation.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Parallel_distance_propagation.h>
+#include <CGAL/Surface_mesh_geodesics/internal/intrinsic_mesh_from_face_graph.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+#endif
+
+#include <algorithm>
+#include <functional>
+#include <stdexcept>
+#include <vector>
+
+using namespace test_meshes;
+
+namespace {
+
+using Options = SMG::Geodesic_distance_options<Mesh>;
+
+template <class Tag, class Sources>
+std::vector<double> tagged_distances(const Mesh& tm, const Sources& sources, const Options& options = Options())
+{
+  auto map = get(CGAL::dynamic_vertex_property_t<double>(), tm);
+  CHECK(SMG::geodesic_distances<Tag>(tm, map, sources, options));
+  return values_at_vertices(tm, map);
+}
+
+// The tag that is always there.
+void distances_with_the_best_tag_there_is(std::uint64_t seed)
+{
+  test_support::Scope scope("parallel if available");
+  const Mesh tm = to_face_graph(noisy_sphere(3, .1, seed));
+  const std::vector<double> expected = distances(tm, vertex(3));
+  CHECK_FIELDS_CLOSE(tagged_distances<CGAL::Parallel_if_available_tag>(tm, vertex(3)), expected, 1e-13);
+  SMG::Geodesic_distance_solver<Mesh, CGAL::Parallel_if_available_tag> solver(tm);
+  solver.compute_distances(vertex(3));
+  for(const vertex_descriptor v : vertices(tm))
+  {
+    CHECK_CLOSE(solver.distance(v), expected[std::size_t(v)], 1e-13);
+  }
+}
+
+namespace internal = SMG::internal;
+using Intrinsic_mesh = internal::Intrinsic_mesh<double>;
+using Field = internal::Vertex_distance_field<double>;
+using Parallel_propagation =
+  internal::Parallel_distance_propagation<double, internal::All_pruning_rules, Thread_team>;
+using Vertices = std::vector<internal::Vertex_id>;
+
+const std::vector<std::size_t> numbers_of_stars{1, 7, 64, 1000};
+const std::vector<std::size_t> numbers_of_threads{1, 2, 5};
+
+Intrinsic_mesh intrinsic_mesh(const Mesh& tm)
+{
+  const auto vim = get(boost::vertex_index, tm);
+  const auto fim = get(boost::face_index, tm);
+  const auto vpm = get(CGAL::vertex_point, tm);
+  Intrinsic_mesh mesh;
+  internal::Face_graph_correspondence<Mesh> table;
+  internal::Shape_from_points<double, Mesh, decltype(vpm)> shape(tm, vpm);
+  internal::Intrinsic_mesh_builder<double, Mesh, decltype(vim), decltype(fim)>(tm, vim, fim)
+    .build(shape, mesh, table);
+  return mesh;
+}
+
+// What a run is asked for.
+struct Task
+{
+  Vertices sources;
+  std::vector<double> offsets;
+  double maximum_distance = infinity;
+  Vertices targets;
+};
+
+// The distances that are final.
+template <class Propagation>
+std::vector<double> run(Propagation& propagation, const Field& field, const Task& task)
+{
+  propagation.restart();
+  for(std::size_t i = 0; i < task.sources.size(); ++i)
+  {
+    propagation.add_source(task.sources[i], task.offsets.empty() ? 0. : task.offsets[i]);
+  }
+  propagation.set_maximum_distance(task.maximum_distance);
+  if(!task.targets.empty())
+  {
+    propagation.set_targets(task.targets.data(), task.targets.data() + task.targets.size());
+  }
+  CHECK(propagation.run([](std::size_t, double) { return true; }));
+  const double limit = (std::min)(propagation.reached_distance(), task.maximum_distance);
+  std::vector<double> result = field.distance;
+  for(double& d : result)
+  {
+    d = d <= limit ? d : infinity;
+  }
+  return result;
+}
+
+// `close` to the expected distances, where both are final.
+void check_close(const std::vector<double>& found, const std::vector<double>& expected, const Task& task)
+{
+  for(std::size_t i = 0; i < found.size(); ++i)
+  {
+    if(task.targets.empty() || (found[i] < infinity && expected[i] < infinity))
+    {
+      CHECK_CLOSE(found[i], expected[i], 1e-13);
+    }
+  }
+  for(const internal::Vertex_id t : task.targets)
+  {
+    CHECK_CLOSE(found[t], expected[t], 1e-13);
+  }
+}
+
+void check_task(const Intrinsic_mesh& mesh, const Task& task)
+{
+  Field field;
+  internal::Distance_propagation<double> sequential(mesh, field);
+  const std::vector<double> expected = run(sequential, field, task);
+  for(const std::size_t number_of_stars : numbers_of_stars)
+  {
+    test_support::Scope scope(std::to_string(number_of_stars) + " stars");
+    std::vector<double> first;
+    SMG::Propagation_statistics first_statistics;
+    for(const std::size_t number_of_threads : numbers_of_threads)
+    {
+      Field parallel_field;
+      Parallel_propagation parallel(mesh, parallel_field, number_of_stars, Thread_team(number_of_threads));
+      const std::vector<double> found = run(parallel, parallel_field, task);
+      const SMG::Propagation_statistics statistics = parallel.statistics();
+      if(first.empty())
+      {
+        first = found;
+        first_statistics = statistics;
+      }
+      CHECK(found == first);
+      if(task.targets.empty() && task.maximum_distance == infinity) // else visits that were not needed count or not
+      {
+        CHECK_EQUAL(statistics.windows_propagated, first_statistics.windows_propagated);
+        CHECK_EQUAL(statistics.vertices_visited, first_statistics.vertices_visited);
+      }
+      CHECK(run(parallel, parallel_field, task) == first); // once more
+    }
+    check_close(first, expected, task);
+    if(number_of_stars == 1 && task.targets.empty())
+    {
+      CHECK(first == expected);
+    }
+  }
+}
+
+void check_mesh(const Indexed_mesh& indexed, test_support::Random& random)
+{
+  test_support::Scope scope(indexed.name);
+  const Mesh tm = to_face_graph(indexed);
+  const Intrinsic_mesh mesh = intrinsic_mesh(tm);
+  const auto random_id = [&]() { return static_cast<internal::Vertex_id>(random.index(mesh.number_of_vertices())); };
+  Task task;
+  task.sources = {random_id()};
+  check_task(mesh, task);
+  task.maximum_distance = random.uniform(.1, .7);
+  check_task(mesh, task);
+  task.maximum_distance = infinity;
+  task.targets = {random_id(), random_id()};
+  check_task(mesh, task);
+  task.targets.clear();
+  task.sources = {random_id(), random_id(), random_id(), random_id()};
+  task.offsets = {0., .05, .2, 1e-3};
+  check_task(mesh, task);
+  task.sources.clear();
+  task.offsets.clear();
+  check_task(mesh, task);
+}
+
+// A run that is cancelled, or left by an exception, leaves nothing behind.
+void runs_that_are_broken_off(std::uint64_t seed)
+{
+  test_support::Scope scope("broken off");
+  const Intrinsic_mesh mesh = intrinsic_mesh(to_face_graph(noisy_sphere(3, .1, seed)));
+  Task task;
+  task.sources = {5};
+  for(const std::size_t number_of_threads : numbers_of_threads)
+  {
+    Field field;
+    Parallel_propagation propagation(mesh, field, 64, Thread_team(number_of_threads));
+    const std::vector<double> expected = run(propagation, field, task);
+    for(const std::size_t last : {std::size_t(0), std::size_t(3), std::size_t(20)})
+    {
+      propagation.restart();
+      propagation.add_source(17, 0.);
+      std::size_t calls = 0;
+      double reached = 0;
+      CHECK(!propagation.run(
+        [&](std::size_t, double d)
+        {
+          CHECK(d >= reached);
+          reached = d;
+          return ++calls <= last;
+        }));
+      CHECK_EQUAL(calls, last + 1);
+      CHECK(run(propagation, field, task) == expected);
+
+      bool is_caught = false;
+      propagation.restart();
+      propagation.add_source(17, 0.);
+      try
+      {
+        propagation.run(
+          [&](std::size_t, double) -> bool
+          {
+            if(calls-- == 0)
+            {
+              throw std::range_error("thrown by the visitor");
+            }
+            return true;
+          });
+      }
+      catch(const std::range_error&)
+      {
+        is_caught = true;
+      }
+      CHECK(is_caught);
+      CHECK(run(propagation, field, task) == expected);
+    }
+  }
+}
+
+#ifdef CGAL_LINKED_WITH_TBB
+
+template <class Call>
+void with_threads(std::size_t number_of_threads, const Call& call)
+{
+  tbb::global_control control(tbb::global_control::max_allowed_parallelism, number_of_threads);
+  tbb::task_arena arena(static_cast<int>(number_of_threads));
+  arena.execute(call);
+}
+
+// The public functions, with TBB: sources in faces and nearest sources too.
+void public_functions(std::uint64_t seed, test_support::Random& random)
+{
+  test_support::Scope scope("public functions");
+  const Mesh tm = to_face_graph(rough_terrain(16, 1.5, seed));
+  const std::vector<Face_location> sources{random_location(tm, random), random_location(tm, random)};
+  const std::vector<double> expected = distances(tm, sources);
+  std::vector<double> first;
+  for(const std::size_t number_of_threads : numbers_of_threads)
+  {
+    with_threads(number_of_threads,
+                 [&]()
+                 {
+                   const std::vector<double> found = tagged_distances<CGAL::Parallel_tag>(tm, sources);
+                   first = first.empty() ? found : first;
+                   CHECK(found == first);
+                   SMG::Geodesic_distance_solver<Mesh, CGAL::Parallel_tag> solver(tm);
+                   for(std::size_t i = 0; i < 3; ++i)
+                   {
+                     CHECK(solver.compute_distance(vertex(1), vertex(30)) > 0);
+                     solver.compute_distances(sources);
+                     for(const vertex_descriptor v : vertices(tm))
+                     {
+                       CHECK_EQUAL(solver.distance(v), first[std::size_t(v)]);
+                       CHECK(solver.nearest_source(v) < 2);
+                     }
+                   }
+                 });
+  }
+  CHECK_FIELDS_CLOSE(first, expected, 1e-13);
+}
+
+#endif // CGAL_LINKED_WITH_TBB
+
+} // namespace
+
+int main()
+{
+  const std::uint64_t seed = test_support::announce_seed(20260503);
+  test_support::Random random(seed);
+  distances_with_the_best_tag_there_is(seed);
+  for(const Indexed_mesh& indexed :
+      {noisy_sphere(3, .1, seed), rough_terrain(16, 2., seed), wavy_tube(20, 24), genus_3_polycube(),
+       midpoint_subdivision(genus_2_polycube(), 2), tetrahedral_ogre(60, seed), spiral_corridor(),
+       random_cuts(noisy_sphere(2, .1, seed + 2), .15, seed + 3), two_components_and_an_isolated_vertex(),
+       irregular_tetrahedron(), needle_sphere(12, 16)})
+  {
+    check_mesh(indexed, random);
+  }
+  runs_that_are_broken_off(seed);
+#ifdef CGAL_LINKED_WITH_TBB
+  public_functions(seed, random);
+#else
+  std::cout << "TBB is not there: the public functions are not parallel" << std::endl;
+#endif
+  return test_result();
+}

@@ -1,0 +1,274 @@
+// One object through thousands of random steps: sources come and go, one by one and in ranges, the structure is built
+// or cleared, queries are made. After every query a fresh object with the same sources has to give the same answer.
+
+#include "path_test_helpers.h"
+#include "test_meshes.h"
+#include "test_support.h"
+
+#include <CGAL/Surface_mesh_geodesics/Geodesic_default_visitor.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <vector>
+
+using namespace test_meshes;
+
+namespace {
+
+const std::size_t number_of_steps = 12000;
+
+// A source as the test knows it, with the iterator that the object gave for it.
+struct Known_source
+{
+  Place place;
+  Geodesic_paths::Source_point_iterator iterator;
+};
+
+struct Impatient_visitor : CGAL::Surface_mesh_geodesics::Geodesic_default_visitor
+{
+  std::size_t steps_left;
+
+  explicit Impatient_visitor(std::size_t steps) : steps_left(steps) {}
+  bool go_further() { return steps_left == 0 ? false : (--steps_left, true); }
+};
+
+class Life
+{
+public:
+  Life(const Indexed_mesh& indexed, test_support::Random& random)
+    : m_tm(to_face_graph(indexed)), m_size(size_of(m_tm)), m_random(random), m_paths(m_tm)
+  {
+    for(const auto e : edges(m_tm))
+    {
+      m_edges.push_back(e);
+    }
+  }
+
+  void run(std::size_t steps)
+  {
+    for(std::size_t i = 0; i < steps; ++i)
+    {
+      const std::size_t action = m_random.index(40);
+      test_support::Scope scope("step " + std::to_string(i) + ", action " + std::to_string(action));
+      if(action < 8)
+      {
+        add_one();
+      }
+      else if(action < 9)
+      {
+        add_range();
+      }
+      else if(action < 15)
+      {
+        remove_one();
+      }
+      else if(action < 16)
+      {
+        m_paths.remove_all_source_points();
+        m_sources.clear();
+      }
+      else if(action < 18)
+      {
+        m_paths.build_sequence_tree();
+        CHECK(!m_paths.changed_since_last_build());
+      }
+      else if(action < 20)
+      {
+        m_paths.build_sequence_tree_for_faces();
+        CHECK(!m_paths.changed_since_last_build());
+      }
+      else if(action < 21)
+      {
+        m_paths.clear();
+        m_sources.clear();
+        CHECK(!m_paths.changed_since_last_build());
+      }
+      else if(action < 23)
+      {
+        cancel();
+      }
+      else if(action < 24)
+      {
+        fail();
+      }
+      else
+      {
+        query();
+      }
+      check_sources();
+    }
+  }
+
+  std::size_t number_of_queries() const { return m_number_of_queries; }
+
+private:
+  // a vertex, a point of an edge, a point of a face, or a place that is a source already
+  Place random_place()
+  {
+    const std::size_t kind = m_random.index(8);
+    if(kind == 0 && !m_sources.empty())
+    {
+      return m_sources[m_random.index(m_sources.size())].place;
+    }
+    if(kind < 4)
+    {
+      return Place(vertex(m_random.index(num_vertices(m_tm))));
+    }
+    if(kind < 6)
+    {
+      auto h = halfedge(m_edges[m_random.index(m_edges.size())], m_tm);
+      if(is_border(h, m_tm) || (m_random.index(2) == 0 && !is_border(opposite(h, m_tm), m_tm)))
+      {
+        h = opposite(h, m_tm);
+      }
+      return Place(location_on_halfedge(h, m_random.index(3) == 0 ? .5 : m_random.uniform(), m_tm));
+    }
+    return Place(random_location(m_tm, m_random));
+  }
+
+  void add_one()
+  {
+    const Place place = random_place();
+    m_sources.push_back({place, add(m_paths, place)});
+    CHECK(m_paths.changed_since_last_build());
+  }
+
+  void add_range()
+  {
+    std::vector<Face_location> locations;
+    for(std::size_t i = m_random.index(4); i > 0; --i)
+    {
+      locations.push_back(random_location(m_tm, m_random));
+    }
+    std::vector<Geodesic_paths::Face_location> range(locations.begin(), locations.end());
+    auto it = m_paths.add_source_points(range.begin(), range.end());
+    for(const Face_location& location : locations)
+    {
+      m_sources.push_back({Place(location), it++});
+    }
+    CHECK(it == m_paths.source_points_end());
+  }
+
+  void remove_one()
+  {
+    if(m_sources.empty())
+    {
+      return;
+    }
+    const std::size_t i = m_random.index(m_sources.size());
+    m_paths.remove_source_point(m_sources[i].iterator);
+    m_sources.erase(m_sources.begin() + static_cast<std::ptrdiff_t>(i));
+    CHECK(m_paths.changed_since_last_build());
+  }
+
+  void cancel()
+  {
+    Impatient_visitor visitor(m_random.index(3));
+    const bool had_changed = m_paths.changed_since_last_build();
+    const bool is_complete = m_random.index(2) == 0 ? m_paths.build_sequence_tree(visitor)
+                                                    : m_paths.build_sequence_tree_for_faces(visitor);
+    CHECK_EQUAL(m_paths.changed_since_last_build(), !is_complete);
+    CHECK(is_complete || had_changed || !m_sources.empty());
+  }
+
+  // a bad source is refused when the structure is built, and taken back
+  void fail()
+  {
+    const auto bad = m_paths.add_source_point(face(0), {.7, .7, .7});
+    bool is_refused = false;
+    try
+    {
+      m_paths.build_sequence_tree();
+    }
+    catch(const std::invalid_argument&)
+    {
+      is_refused = true;
+    }
+    CHECK(is_refused);
+    m_paths.remove_source_point(bad);
+  }
+
+  void query()
+  {
+    ++m_number_of_queries;
+    const Place place = random_place();
+    Geodesic_paths fresh(m_tm);
+    for(const Known_source& s : m_sources)
+    {
+      add(fresh, s.place);
+    }
+    // the structure is the same whether windows are kept or not
+    Answer answer = ask(m_paths, place);
+    const Answer expected = ask(fresh, place);
+    CHECK_EQUAL(answer.distance, expected.distance);
+    CHECK_EQUAL(answer.source, expected.source);
+    CHECK(!m_paths.changed_since_last_build());
+    if(m_random.index(2) == 0)
+    {
+      const std::vector<Coordinates> points = checked_path(m_paths, place, m_tm, m_size);
+      CHECK(points == checked_path(fresh, place, m_tm, m_size));
+    }
+  }
+
+  // the iterators are those of the sources that are left, in the order of addition
+  void check_sources()
+  {
+    CHECK_EQUAL(m_paths.number_of_source_points(), m_sources.size());
+    auto it = m_paths.source_points_begin();
+    for(const Known_source& s : m_sources)
+    {
+      if(!CHECK(it != m_paths.source_points_end()))
+      {
+        return;
+      }
+      CHECK(it == s.iterator);
+      if(!s.place.is_vertex())
+      {
+        CHECK(s.iterator->first == s.place.location.first && s.iterator->second == s.place.location.second);
+      }
+      else if(m_tm.is_isolated(s.place.vertex))
+      {
+        CHECK(s.iterator->first == boost::graph_traits<Mesh>::null_face());
+      }
+      else
+      {
+        CHECK(*s.iterator == m_paths.face_location(s.place.vertex));
+      }
+      ++it;
+    }
+    CHECK(it == m_paths.source_points_end());
+  }
+
+  const Mesh m_tm;
+  const double m_size;
+  test_support::Random& m_random;
+  Geodesic_paths m_paths;
+  std::vector<Mesh::Edge_index> m_edges;
+  std::vector<Known_source> m_sources;
+  std::size_t m_number_of_queries = 0;
+};
+
+} // namespace
+
+int main()
+{
+  const std::uint64_t seed = test_support::announce_seed(20260405);
+  test_support::Random random(seed);
+  const std::vector<Indexed_mesh> meshes{
+    irregular_tetrahedron(), cube(), noisy_sphere(1, .1, seed), rough_terrain(4, 1.5, seed),
+    saddle_fan(6), strip(3), plane_cells("square with a hole", {"###", "#.#", "###"}),
+    random_cuts(noisy_sphere(1, .1, seed), .3, seed), two_components_and_an_isolated_vertex(),
+    to_indexed_mesh(load_data("single_triangle"), "single_triangle"),
+    to_indexed_mesh(load_data("isolated_vertex"), "isolated_vertex"),
+    to_indexed_mesh(load_data("two_tri_square"), "two_tri_square")};
+  std::size_t number_of_queries = 0;
+  for(const Indexed_mesh& indexed : meshes)
+  {
+    test_support::Scope scope(indexed.name);
+    Life life(indexed, random);
+    life.run(number_of_steps / meshes.size());
+    number_of_queries += life.number_of_queries();
+  }
+  std::cout << number_of_steps << " steps, " << number_of_queries << " queries" << std::endl;
+  return test_result();
+}
