@@ -24,7 +24,7 @@ int main(int argc, char* argv[])
       return EXIT_FAILURE;
     }
     Geodesics::Geodesic_distance_solver<Benchmark_mesh> solver(mesh);
-    for(const std::size_t number : {1, 10, 100, 1000})
+    for(const std::size_t number : {1u, 10u, 100u, 1000u})
     {
       const std::vector<Benchmark_vertex> sources = random_vertices(mesh, number);
       Geodesics::Propagation_statistics statistics;

@@ -188,11 +188,11 @@ void test_Apollonius(const Mesh& tm, double size, std::size_t number, test_suppo
 void test_mesh(const Mesh& tm, double size, const std::string& name, test_support::Random& random)
 {
   test_support::Scope scope(name);
-  for(const std::size_t number : {3, 10, 30, 100})
+  for(const std::size_t number : {3u, 10u, 30u, 100u})
   {
     test_Delaunay(tm, size, number, random);
   }
-  for(const std::size_t number : {3, 10, 30})
+  for(const std::size_t number : {3u, 10u, 30u})
   {
     test_Apollonius(tm, size, number, random);
   }

@@ -84,7 +84,7 @@ void all_vertices_are_reached()
     }
   }
   const Mesh tm = to_face_graph(mesh);
-  for(const std::size_t source : {60, 0, 112, 200})
+  for(const std::size_t source : {60u, 0u, 112u, 200u})
   {
     const vertex_descriptor s(static_cast<Mesh::size_type>(source));
     const std::vector<double> d = distances(tm, s);

@@ -330,9 +330,10 @@ private:
   {
     connect(fronts[i], fronts[j]);
     const std::size_t first = (std::min)(i, j), last = (std::max)(i, j);
-    std::vector<Front> inner(fronts.begin() + first + 1, fronts.begin() + last);
-    std::vector<Front> outer(fronts.begin() + last + 1, fronts.end());
-    outer.insert(outer.end(), fronts.begin(), fronts.begin() + first);
+    const Front* const all = fronts.data();
+    std::vector<Front> inner(all + first + 1, all + last);
+    std::vector<Front> outer(all + last + 1, all + fronts.size());
+    outer.insert(outer.end(), all, all + first);
     // what the two parts meet may be different now
     for(std::vector<Front>* part : {&inner, &outer})
       for(Front& f : *part)
@@ -407,7 +408,7 @@ private:
     finish(g, v, node);
     const Front joined = front(f.left, g.right, v, node);
     fronts[i] = joined;
-    fronts.erase(fronts.begin() + next);
+    fronts.erase(fronts.begin() + static_cast<std::ptrdiff_t>(next));
     for(Front& h : fronts) // the cell between is closed: what met it there has to look again
       if(h.stop != Stop::OUTSIDE)
         h.stop = Stop::NOT_TRACED;
