@@ -16,6 +16,7 @@
 #include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
 #include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_paths.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Arc_curve.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Cell_locator.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Geodesic_solver.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Redundant_window_removal.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi_cell_measures.h>
@@ -526,8 +527,8 @@ public:
     return site_at(m_complex.owner(m_solver.query(v).vertex));
   }
 
-  /// returns the site whose cell holds a point of a face, or `null_site()`. Takes time linear in the number of arcs in
-  /// the face.
+  /// returns the site whose cell holds a point of a face, or `null_site()`; any of the nearest ones if there are
+  /// several. Takes time linear in the number of arcs in the face.
   Site_index nearest_site(face_descriptor f, const Barycentric_coordinates& location) const
   {
     build();
@@ -543,7 +544,7 @@ public:
       p.x += q.coordinates[k] * corner[k].x;
       p.y += q.coordinates[k] * corner[k].y;
     }
-    return site_at(m_complex.cell_at(q.face, p));
+    return site_at(Surface_mesh_geodesics::internal::Cell_locator<double>(m_complex, q.face, p).cell());
   }
 
   /// returns the site whose cell holds a point of a face.

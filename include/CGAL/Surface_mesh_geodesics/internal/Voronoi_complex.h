@@ -30,7 +30,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -185,6 +184,9 @@ public:
     return result;
   }
 
+  // the nearest source of a face that no arc runs through.
+  Vertex_id owner_of_undivided(Face_id f) const { return m_owner[m_mesh->face(f).vertex[0]]; }
+
   bool has_one_cell(Face_id f) const { return m_arcs_of_face.find(f) == m_arcs_of_face.end(); }
 
   Voronoi_cell_elements cell(Vertex_id site) const
@@ -200,21 +202,18 @@ public:
     const std::array<Point, 3> corner = layout(f);
     for(unsigned int k = 0; k < 3; ++k)
     {
-      const Halfedge_id h = halfedge_of(f, k), o = m_mesh->opposite(h);
+      const Halfedge_id h = halfedge_of(f, k);
       Vertex_id site = m_owner[m_mesh->source(h)];
       if(site == null_id)
         return;
       Point from = corner[k];
-      const bool is_reversed = o != null_id && o < h;
-      const auto nodes = m_edge_nodes.find(is_reversed ? o : h);
-      const std::uint32_t n = nodes == m_edge_nodes.end() ? 0 : nodes->second.size;
-      for(std::uint32_t i = 0; i < n; ++i)
+      const Nodes_on_edge nodes = nodes_on_edge(h);
+      for(std::uint32_t i = 0; i < nodes.number; ++i)
       {
-        const std::uint32_t node = nodes->second.first + (is_reversed ? n - 1 - i : i);
-        const FT x = m_nodes[node].place;
-        const Point to = point_on_edge(h, is_reversed ? FT(m_mesh->length(h) - x) : x);
+        const Node& node = m_nodes[nodes.node(i)];
+        const Point to = point_on_edge(h, nodes.is_reversed ? FT(m_mesh->length(h) - node.place) : node.place);
         visit(site, from, to);
-        site = m_nodes[node].sites[is_reversed ? 0 : 1];
+        site = node.sites[nodes.is_reversed ? 0 : 1];
         from = to;
       }
       visit(site, from, corner[next_place(k)]);
@@ -295,41 +294,6 @@ public:
     return b;
   }
 
-  // the cell in which a point of a face is, in the layout of the face. Points of the curves are in one of the
-  // two cells.
-  Vertex_id cell_at(Face_id f, const Point& p) const
-  {
-    const std::pair<std::uint32_t, std::uint32_t> range = arcs_of_face(f);
-    const auto& vertex = m_mesh->face(f).vertex;
-    const std::array<Point, 3> corner = layout(f);
-    if(range.first == range.second)
-      return m_owner[vertex[0]];
-    // On the way to a point of the border whose cell is known, the first arc that is met tells. The way should be
-    // far from the ends of arcs. Corners come first; they are no good where arcs end at them.
-    Point best = corner[0];
-    Vertex_id cell = m_owner[vertex[0]];
-    FT best_clearance = -1;
-    const auto try_way_to = [&](const Point& q, Vertex_id owner)
-    {
-      const FT clearance = clearance_of_arcs(range, p, q);
-      if(clearance > best_clearance)
-      {
-        best = q;
-        cell = owner;
-        best_clearance = clearance;
-      }
-    };
-    for(unsigned int k = 0; k < 3; ++k)
-      try_way_to(corner[k], m_owner[vertex[k]]);
-    if(!(best_clearance > Tolerance<FT>::closeness() * m_mesh->face(f).length[0]))
-      for_each_border_interval(f, [&](Vertex_id owner, const Point& from, const Point& to)
-      { try_way_to(Point{FT((from.x + to.x) / 2), FT((from.y + to.y) / 2)}, owner); });
-    FT first = distance(p, best);
-    for(std::uint32_t a = range.first; a < range.second; ++a)
-      meet_arc(m_arcs[a], p, best, cell, first);
-    return cell;
-  }
-
 private:
   std::uint32_t start_of(const std::pair<std::uint32_t, bool>& c) const
   {
@@ -339,62 +303,6 @@ private:
   std::uint32_t end_of(const std::pair<std::uint32_t, bool>& c) const
   {
     return c.second ? m_chains[c.first].first_node : m_chains[c.first].last_node;
-  }
-
-  // the smallest distance of an end of an arc from the segment pq.
-  FT clearance_of_arcs(const std::pair<std::uint32_t, std::uint32_t>& range, const Point& p,
-                       const Point& q) const
-  {
-    FT smallest = std::numeric_limits<FT>::infinity();
-    const FT dx = q.x - p.x, dy = q.y - p.y, square = dx * dx + dy * dy;
-    for(std::uint32_t a = range.first; a < range.second; ++a)
-      for(const Point* end : {&m_arcs[a].first, &m_arcs[a].last})
-      {
-        FT t = square > 0 ? FT(((end->x - p.x) * dx + (end->y - p.y) * dy) / square) : FT(0);
-        t = (std::min)((std::max)(t, FT(0)), FT(1));
-        smallest = (std::min)(smallest, distance(*end, Point{FT(p.x + t * dx), FT(p.y + t * dy)}));
-      }
-    return smallest;
-  }
-
-  // If the way from p to q meets the arc before `first`, p is in the cell on that side, unless it meets
-  // another arc before.
-  void meet_arc(const Arc& a, const Point& p, const Point& q, Vertex_id& cell, FT& first) const
-  {
-    const Half_plane<FT> way = Half_plane<FT>::left_of(p, q);
-    const auto meet = [&](const Point& x, bool is_p_on_left)
-    {
-      const FT along = (x.x - p.x) * way.b - (x.y - p.y) * way.a;
-      if(along >= 0 && along < first)
-      {
-        first = along;
-        cell = is_p_on_left ? a.left_site : a.right_site;
-      }
-    };
-    const FT from = way(a.first), to = way(a.last);
-    const Weighted_bisector<FT> curve(a.left, a.right, a.first);
-    if(!a.is_bisector || !curve.is_valid())
-    {
-      if((from < 0) == (to < 0))
-        return;
-      const FT t = from / (from - to);
-      const Point x{FT(a.first.x + t * (a.last.x - a.first.x)), FT(a.first.y + t * (a.last.y - a.first.y))};
-      meet(x, Half_plane<FT>::left_of(a.first, a.last)(p) > 0);
-      return;
-    }
-    const FT end = curve.parameter(a.last);
-    for(const FT& t : curve.side(way).positive_roots())
-      if(t <= end)
-      {
-        const Point x = curve.point(t);
-        meet(x, a.left.distance_to(towards(x, p)) < a.right.distance_to(towards(x, p)));
-      }
-  }
-
-  // a point on the way from x to p, near to x.
-  static Point towards(const Point& x, const Point& p)
-  {
-    return Point{FT(x.x + (p.x - x.x) / 1024), FT(x.y + (p.y - x.y) / 1024)};
   }
 
   // --- edges ---

@@ -1,0 +1,92 @@
+// Where surface and sites are symmetric, arcs run along edges and meet in corners, in middles of edges and of faces:
+// the nearest site of just these points, and of points very near to them, with and without weights.
+
+#include "Voronoi_test_helpers.h"
+
+#include <algorithm>
+#include <array>
+#include <iostream>
+#include <vector>
+
+using namespace test_meshes;
+
+namespace {
+
+std::size_t number_of_points = 0;
+
+// coordinates of middles, quarters and corners, and of points beside
+std::vector<std::array<double, 3>> special_coordinates()
+{
+  std::vector<std::array<double, 3>> result;
+  for(const std::array<double, 3>& b :
+      {std::array<double, 3>{1., 1., 1.}, {2., 1., 1.}, {1., 1., 0.}, {3., 1., 0.}, {1., 3., 0.}, {1., 0., 0.},
+       {5., 2., 1.}})
+  {
+    for(std::size_t k = 0; k < 3; ++k)
+    {
+      for(const double shift : {0., 1e-9, 1e-11})
+      {
+        const double sum = b[0] + b[1] + b[2] + 2. * shift;
+        result.push_back({(b[k] + 2. * shift) / sum, b[(k + 1) % 3] / sum, b[(k + 2) % 3] / sum});
+      }
+    }
+  }
+  return result;
+}
+
+void test_sites(const Mesh& tm, const Weighted_sites& sites)
+{
+  Voronoi diagram(tm);
+  add_sites(diagram, sites);
+  Distances_of_sites distances(tm, sites);
+  for(const face_descriptor f : faces(tm))
+  {
+    for(const std::array<double, 3>& b : special_coordinates())
+    {
+      const Face_location q{f, {b[0], b[1], b[2]}};
+      const std::vector<double> all = distances.all(Place(q));
+      const double nearest = *std::min_element(all.begin(), all.end());
+      const std::size_t site = diagram.nearest_site(q);
+      test_support::Scope scope(description(Place(q)));
+      CHECK(site < all.size() && all[site] - nearest <= 1e-11);
+      CHECK_NEAR(diagram.distance_to_nearest_site(q), nearest, 1e-11);
+      ++number_of_points;
+    }
+  }
+}
+
+void test_mesh(const Indexed_mesh& indexed, double weight)
+{
+  const Mesh tm = to_face_graph(indexed);
+  for(const std::size_t step : {1u, 2u, 3u, 5u})
+  {
+    for(std::size_t first = 0; first < (std::min)(step, std::size_t(2)); ++first)
+    {
+      test_support::Scope scope(indexed.name + ", each of " + std::to_string(step) + " vertices, from "
+                                + std::to_string(first) + ", weight " + std::to_string(weight));
+      Weighted_sites sites;
+      for(std::size_t v = first; v < num_vertices(tm); v += step)
+      {
+        sites.emplace_back(vertex_descriptor(static_cast<Mesh::size_type>(v)), sites.size() % 2 == 0 ? 0. : weight);
+      }
+      test_sites(tm, sites);
+    }
+  }
+}
+
+} // namespace
+
+int main()
+{
+  for(const Indexed_mesh& indexed :
+      {cube_grid(1), cube_grid(2), cube_grid(3), regular_tetrahedron(), octahedron(), icosahedron(), icosphere(1),
+       flat_patch(4, 4, 0., false, 1), genus_2_polycube(), torus(2., 1., 6, 8), square_with_holes(1)})
+  {
+    for(const double weight : {0., .25})
+    {
+      test_mesh(indexed, weight);
+    }
+  }
+  std::cout << number_of_points << " points" << std::endl;
+  return test_result();
+}
