@@ -1,7 +1,8 @@
 #!/usr/bin/python3
-"""Renders a coloured mesh, as distances_to_all_vertices writes it, to a PNG file without a screen.
+"""Renders a mesh with coloured distances, as distances_to_all_vertices writes it, or the cells and arcs of a Voronoi
+diagram, as write_geodesic_Voronoi_diagram() does, to a PNG file without a screen.
 
-usage: render_picture.py mesh.ply picture.png [options]
+usage: render_picture.py mesh.ply|diagram.vtk picture.png [options]
   --size WIDTHxHEIGHT   size of the picture (900x900)
   --view X,Y,Z          direction from the mesh to the eye (0,0,1)
   --up X,Y,Z            direction that points upwards in the picture (0,1,0)
@@ -120,6 +121,10 @@ def make_actor(vtk, columns, faces):
     normals.SetInputData(mesh)
     normals.SplittingOff()
     mapper.SetInputConnection(normals.GetOutputPort())
+    return actor_with_surface(vtk, mapper)
+
+
+def actor_with_surface(vtk, mapper):
     actor = vtk.vtkActor()
     actor.SetMapper(mapper)
     surface = actor.GetProperty()
@@ -130,14 +135,76 @@ def make_actor(vtk, columns, faces):
     return actor
 
 
+# Light colours that are told apart with any colour vision, by their lightness as well (after Okabe and Ito).
+CELL_COLORS = [(230, 159, 0), (86, 180, 233), (0, 158, 115), (240, 228, 66), (120, 150, 220), (213, 94, 0),
+               (204, 121, 167), (235, 235, 235)]
+
+
+def colors_of_sites(neighbors):
+    """Sites next to each other get different colours, as far as there are enough."""
+    color = {}
+    for site in sorted(neighbors, key=lambda s: (-len(neighbors[s]), s)):
+        taken = [color[n] for n in neighbors[site] if n in color]
+        color[site] = min(range(len(CELL_COLORS)), key=lambda c: (taken.count(c), (c - site) % len(CELL_COLORS)))
+    return {site: CELL_COLORS[c] for site, c in color.items()}
+
+
+def make_diagram_actors(vtk, name):
+    """The cells and the arcs of a diagram."""
+    reader = vtk.vtkPolyDataReader()
+    reader.SetFileName(name)
+    reader.ReadAllScalarsOn()
+    reader.Update()
+    diagram = reader.GetOutput()
+    data = diagram.GetCellData()
+    site, left, right = (data.GetArray(n) for n in ("site", "left_site", "right_site"))
+    number_of_lines = diagram.GetNumberOfLines()
+    neighbors = {int(site.GetValue(i)): set() for i in range(number_of_lines, diagram.GetNumberOfCells())}
+    for i in range(number_of_lines):
+        a, b = int(left.GetValue(i)), int(right.GetValue(i))
+        neighbors.setdefault(a, set()).add(b)
+        neighbors.setdefault(b, set()).add(a)
+    color = colors_of_sites(neighbors)
+
+    colors = vtk.vtkUnsignedCharArray()
+    colors.SetNumberOfComponents(3)
+    for i in range(number_of_lines, diagram.GetNumberOfCells()):
+        colors.InsertNextTuple3(*color[int(site.GetValue(i))])
+    cells = vtk.vtkPolyData()
+    cells.SetPoints(diagram.GetPoints())
+    cells.SetPolys(diagram.GetPolys())
+    cells.GetCellData().SetScalars(colors)
+    normals = vtk.vtkPolyDataNormals()
+    normals.SetInputData(cells)
+    normals.SplittingOff()
+    cell_mapper = vtk.vtkPolyDataMapper()
+    cell_mapper.SetInputConnection(normals.GetOutputPort())
+
+    arcs = vtk.vtkPolyData()
+    arcs.SetPoints(diagram.GetPoints())
+    arcs.SetLines(diagram.GetLines())
+    tubes = vtk.vtkTubeFilter()
+    tubes.SetInputData(arcs)
+    tubes.SetRadius(0.0015 * diagram.GetLength())
+    tubes.SetNumberOfSides(8)
+    tubes.SetCapping(1)
+    arc_mapper = vtk.vtkPolyDataMapper()
+    arc_mapper.SetInputConnection(tubes.GetOutputPort())
+    arc_mapper.ScalarVisibilityOff()
+    arc_actor = actor_with_surface(vtk, arc_mapper)
+    arc_actor.GetProperty().SetColor(0.1, 0.1, 0.1)
+    return [actor_with_surface(vtk, cell_mapper), arc_actor]
+
+
 def numbers(text):
     return tuple(float(n) for n in text.split(","))
 
 
-def render(vtk, actor, options):
+def render(vtk, actors, options):
     renderer = vtk.vtkRenderer()
     renderer.SetBackground(1, 1, 1)
-    renderer.AddActor(actor)
+    for actor in actors:
+        renderer.AddActor(actor)
     lights = vtk.vtkLightKit()
     lights.SetKeyLightIntensity(0.88)
     lights.SetKeyLightWarmth(0.5)
@@ -194,8 +261,11 @@ def main():
     except ImportError:
         sys.exit("VTK for Python is missing: apt-get install python3-vtk9 xvfb (and use /usr/bin/python3)")
 
-    columns, faces = read_ply(options.mesh)
-    render(vtk, make_actor(vtk, columns, faces), options)
+    if options.mesh.endswith(".vtk"):
+        actors = make_diagram_actors(vtk, options.mesh)
+    else:
+        actors = [make_actor(vtk, *read_ply(options.mesh))]
+    render(vtk, actors, options)
 
 
 if __name__ == "__main__":

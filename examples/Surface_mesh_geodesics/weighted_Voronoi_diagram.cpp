@@ -2,6 +2,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_Voronoi_diagram.h>
+#include <CGAL/Surface_mesh_geodesics/write_geodesic_Voronoi_diagram.h>
 #include <CGAL/Surface_mesh_shortest_path.h>
 
 #include <algorithm>
@@ -57,5 +58,10 @@ int main(int argc, char* argv[])
   voronoi.cut(cut, site, 1e-3 * distance);
   std::cout << "the cut mesh has " << cut.number_of_faces() << " faces instead of " << mesh.number_of_faces() << ", "
             << std::count(site.begin(), site.end(), std::size_t(0)) << " of them in the cell of site 0" << std::endl;
+  if(!CGAL::Surface_mesh_geodesics::write_geodesic_Voronoi_diagram("weighted_voronoi.vtk", voronoi, 1e-3 * distance))
+  {
+    std::cerr << "Cannot write weighted_voronoi.vtk" << std::endl;
+    return EXIT_FAILURE;
+  }
   return EXIT_SUCCESS;
 }
