@@ -597,6 +597,55 @@ public:
     }
   }
 
+  // Is the segment from an arc to a corner of its face in the cell of a site?
+  bool is_way_in_cell(const Face_location& from, std::size_t corner, std::size_t site) const
+  {
+    const int n = 64;
+    for(int i = 1; i <= n; ++i)
+    {
+      Face_location q = from;
+      for(std::size_t k = 0; k < 3; ++k)
+      {
+        q.second[k] += ((k == corner ? 1. : 0.) - q.second[k]) * i / n;
+      }
+      if(m_diagram.nearest_site(q) != site)
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  // calls join(site, place of an arc, place of a corner) for edges that are closed inside of a face: on the surface
+  // nothing but the cell itself joins them to the rest.
+  template <class Join>
+  void join_islands(const Join& join)
+  {
+    for(const Voronoi::Edge& e : m_diagram.edges())
+    {
+      for(const auto& a : e.arcs())
+      {
+        if(!e.is_closed())
+        {
+          break;
+        }
+        const Face_location p = a.first.point(0.);
+        for(std::size_t k = 0; k < 3; ++k)
+        {
+          Face_location corner = p;
+          corner.second = {k == 0 ? 1. : 0., k == 1 ? 1. : 0., k == 2 ? 1. : 0.};
+          for(const std::size_t site : {e.sites().first, e.sites().second})
+          {
+            if(is_way_in_cell(p, k, site))
+            {
+              join(site, m_numbers.of(p), m_numbers.of(corner));
+            }
+          }
+        }
+      }
+    }
+  }
+
   // Each cell is in one piece: its vertices, its parts of edges and its sides of arcs hang together.
   void check_connected_cells()
   {
@@ -641,6 +690,7 @@ public:
         before = p.second;
       }
     }
+    join_islands([&](std::size_t site, std::size_t p, std::size_t q) { sets.join(at(site, p), at(site, q)); });
     std::map<std::size_t, std::set<std::size_t>> pieces;
     for(const auto& e : element)
     {

@@ -399,7 +399,7 @@ private:
     Front& g = fronts[next];
     Point v{FT((f.end.x + g.end.x) / 2), FT((f.end.y + g.end.y) / 2)};
     if(f.stop == Stop::SITE && g.stop == Stop::SITE)
-      v = equidistant_point(f, v);
+      v = vertex_in_face(f, g, equidistant_point(f, v));
     else if(f.stop == Stop::SITE || g.stop == Stop::SITE)
       v = f.stop == Stop::SITE ? f.end : g.end;
     const std::size_t node = m_nodes.size();
@@ -430,8 +430,11 @@ private:
     Half_plane<FT> before_end;
     const bool has_direction = !is_leaf(g) && line_in_front_of(g, before_end);
     trace(f, has_direction ? &before_end : nullptr);
-    if(f.stop == Stop::LOST)
+    if(f.stop == Stop::LOST || !(distance(f.end, g.p) <= near()))
+    {
       ++m_number_of_joints;
+      f.stop = Stop::LOST;
+    }
     finish(f, g.p, g.node);
   }
 
@@ -444,7 +447,7 @@ private:
     if(l == none || r == none)
       return false;
     const Weighted_bisector<FT> curve(m_generators[l].image, m_generators[r].image, g.p);
-    if(!curve.is_valid())
+    if(!curve.is_valid() && !curve.is_ray())
       return false;
     const Point t = curve.tangent();
     h = Half_plane<FT>{t.x, t.y, FT(-(t.x * g.p.x + t.y * g.p.y))};
@@ -455,13 +458,7 @@ private:
   void finish(Front& f, const Point& p, std::size_t node)
   {
     if(f.pieces.empty() || f.stop == Stop::LOST)
-    {
-      Piece piece;
-      const std::size_t l = nearest_of(f.left, p), r = nearest_of(f.right, p);
-      piece.left = l == none ? Weighted_point<FT>() : m_generators[l].image;
-      piece.right = r == none ? Weighted_point<FT>() : m_generators[r].image;
-      f.pieces.push_back(piece);
-    }
+      f.pieces.push_back(straight_piece(f, f.pieces.empty() ? f.p : f.pieces.back().end, p));
     Point from = f.p;
     std::size_t from_node = f.node;
     for(std::size_t i = 0; i < f.pieces.size(); ++i)
@@ -480,6 +477,26 @@ private:
       from = to;
       from_node = to_node;
     }
+  }
+
+  // The segment pq as a piece of f. Where two cells meet along an edge, paths of one of them may come from the other
+  // face only; what is nearest along the segment stands for both then.
+  Piece straight_piece(const Front& f, const Point& p, const Point& q) const
+  {
+    const Point middle{FT((p.x + q.x) / 2), FT((p.y + q.y) / 2)};
+    const std::size_t l = nearest_of(f.left, middle), r = nearest_of(f.right, middle);
+    Piece piece;
+    if(l != none)
+      piece.left = m_generators[l].image;
+    piece.right = r != none ? m_generators[r].image : piece.left;
+    if(l == none)
+      piece.left = piece.right;
+    const FT at_left = piece.left.distance_to(middle), at_right = piece.right.distance_to(middle);
+    if(is_clearly_less(at_left, at_right))
+      piece.right = piece.left;
+    else if(is_clearly_less(at_right, at_left))
+      piece.left = piece.right;
+    return piece;
   }
 
   // follows f until it meets a third cell, leaves the face, or leaves the half-plane given.
@@ -501,6 +518,7 @@ private:
     while(f.stop == Stop::LOST && steps-- > 0)
     {
       const Point from = f.end;
+      const std::size_t left_before = m_left_here.size();
       if(!step(f, until))
       {
         if(steps_here > m_generators.size() || !find_way_ahead(f))
@@ -512,7 +530,7 @@ private:
       if(distance(from, f.end) > 16 * Tolerance<FT>::unit_roundoff() * m_size)
       {
         steps_here = 0;
-        m_left_here.clear();
+        m_left_here.erase(m_left_here.begin(), m_left_here.begin() + static_cast<std::ptrdiff_t>(left_before));
       }
       else if(++steps_here > m_generators.size() + 8) // rounding goes round in circles
         return;
@@ -567,7 +585,7 @@ private:
   {
     const Generator &gl = m_generators[l], &gr = m_generators[r];
     const Weighted_bisector<FT> curve(gl.image, gr.image, p);
-    if(!curve.is_valid())
+    if(!leads_on(curve, gl, gr))
       return false;
     Event event;
     event.t = curve.end();
@@ -600,12 +618,24 @@ private:
     FT extent = std::numeric_limits<FT>::infinity(); // see Weighted_bisector
   };
 
+  // Is there a curve with the cells on the sides where they should be? A ray has the generator that does not bend on the
+  // side that it sees; else the front comes towards the vertex where the ray begins.
+  bool leads_on(const Weighted_bisector<FT>& curve, const Generator& left, const Generator& right) const
+  {
+    if(!curve.is_ray())
+      return curve.is_valid();
+    const Point u = curve.tangent(), &p = curve.start();
+    const bool is_on_left = !curve.is_left_focus();
+    const FT shift = 64 * Tolerance<FT>::closeness() * m_size, side = is_on_left ? shift : FT(-shift);
+    return (is_on_left ? left : right).sees(Point{FT(p.x + shift * u.x - side * u.y), FT(p.y + shift * u.y + side * u.x)});
+  }
+
   // follows one piece; false if that is impossible.
   bool step(Front& f, const Half_plane<FT>* until)
   {
     const Generator left = generator(f.last_left), right = generator(f.last_right);
     const Weighted_bisector<FT> curve(left.image, right.image, f.end);
-    if(!curve.is_valid())
+    if(!leads_on(curve, left, right))
       return false;
     Event event;
     event.t = curve.end();
@@ -630,11 +660,11 @@ private:
     const std::size_t n = m_generators.size();
     const std::array<std::size_t, 4> beside{f.last_left - 1, f.last_left + 1, f.last_right - 1, f.last_right + 1};
     for(std::size_t i : beside)
-      if(i < n && i != f.last_left && i != f.last_right && has_front(m_generators[i].site))
+      if(i < n && may_take_over(f, i))
         be_taken_over(curve, left, m_generators[i], i, event);
     m_cones.find_margins(f.end, m_margins);
     for(std::size_t i = 0; i < n; ++i)
-      if(m_margins[i] >= -event.extent && i != f.last_left && i != f.last_right && has_front(m_generators[i].site))
+      if(m_margins[i] >= -event.extent && may_take_over(f, i))
         be_taken_over(curve, left, m_generators[i], i, event);
     if(event.kind == Event::NOTHING)
       return false;
@@ -651,7 +681,10 @@ private:
     else if(event.kind != Event::NEARER)
       p = polished_crossing(left.image, right.image, event.line, p);
     else if(m_generators[event.index].site != f.left && m_generators[event.index].site != f.right)
-      p = polished_vertex(left.image, right.image, m_generators[event.index].image, p);
+    {
+      const Point q = polished_vertex(left.image, right.image, m_generators[event.index].image, p);
+      p = is_in_face(q) ? q : curve.point((std::min)(event.t, at_border.t));
+    }
     else // across the curve only: images of one source may be so near that the place is not well known
       p = polished_crossing(left.image, right.image, across(left.image, right.image, p), p);
     f.pieces.push_back(Piece{left.image, right.image, p});
@@ -722,6 +755,11 @@ private:
         return;
       from = to;
     }
+  }
+
+  bool may_take_over(const Front& f, std::size_t i) const
+  {
+    return i != f.last_left && i != f.last_right && has_front(m_generators[i].site) && !has_been_left_here(i);
   }
 
   // Is g nearer somewhere ahead, where it sees the curve?
@@ -839,6 +877,33 @@ private:
       return v;
     return polished_vertex(m_generators[f.last_left].image, m_generators[f.last_right].image,
                            m_generators[f.third_generator].image, v);
+  }
+
+  // Where curves run along the border of the face or touch it, the point that three generators tie at is not well known,
+  // and may be found outside. Then one of the points where the fronts begin or end is the vertex.
+  Point vertex_in_face(const Front& f, const Front& g, const Point& v) const
+  {
+    if(is_in_face(v) || f.last_left >= m_generators.size() || f.last_right >= m_generators.size())
+      return v;
+    Point best = v;
+    FT smallest = std::numeric_limits<FT>::infinity();
+    for(const Point* p : {&f.end, &g.end, &f.p, &g.p})
+    {
+      const FT a = m_generators[f.last_left].image.distance_to(*p), b = m_generators[f.last_right].image.distance_to(*p),
+               c = m_generators[f.third_generator].image.distance_to(*p);
+      const FT difference = (std::max)({a, b, c}) - (std::min)({a, b, c});
+      if(is_in_face(*p) && difference < smallest)
+      {
+        best = *p;
+        smallest = difference;
+      }
+    }
+    return best;
+  }
+
+  bool is_in_face(const Point& p) const
+  {
+    return std::all_of(m_side.begin(), m_side.end(), [&](const Half_plane<FT>& h) { return h(p) >= -width(); });
   }
 
   // Newton's method for f(p) = g(p) = 0, as long as it helps; `size` is that of the distances.

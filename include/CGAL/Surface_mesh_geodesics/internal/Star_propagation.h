@@ -220,12 +220,25 @@ private:
     m_statistics.windows_propagated += list.size;
     m_keeper.keep(h, list);
     path = m_crossing.find_apex_path(list, c);
-    if(improve(apex, path.distance, h, path.separating_point, path.root))
+    if(!comes_from_corner(path, c, corners)
+       && improve(apex, path.distance, h, path.separating_point, path.root))
     {
       apex.image = Arrival_image<FT>{path.image_x, path.image_depth};
       corners.apex = apex.rival();
     }
     return true;
+  }
+
+  // Does the path to the apex bend at a corner that is a pseudo-source, and follow the side? The corner sends it, too,
+  // and ties are that one's: what lies behind a vertex belongs to the source that the vertex belongs to.
+  bool comes_from_corner(const typename List_crossing::Apex_path& path, const Crossing<FT>& c,
+                         const Corner_rivals<FT>& corners) const
+  {
+    const auto sends = [&](Vertex_id corner, const FT& d)
+    { return m_mesh.has(corner, Mesh::PSEUDO_SOURCE) && !is_clearly_less(path.distance, d); };
+    if(path.separating_point <= 0)
+      return sends(c.origin, corners.origin.distance + c.left_length);
+    return path.separating_point >= c.length && sends(c.target, corners.target.distance + c.right_length);
   }
 
   // A path to a vertex of length d has been found, which ends with a straight line from the vertex `root`

@@ -137,7 +137,10 @@ public:
     const FT k = (d - s) * (d + s) / 2;
     m_is_valid = r > 0 && k > 4 * Tolerance<FT>::distance() * d * d;
     if(!m_is_valid)
+    {
+      find_ray(left, right);
       return;
+    }
     m_radius = r;
     m_ux = (p.x - m_focus.x) / r;
     m_uy = (p.y - m_focus.y) / r;
@@ -165,8 +168,17 @@ public:
   // false where the two distances do not differ in their precision, or no curve exists.
   bool is_valid() const { return m_is_valid; }
 
+  // Paths from one generator bend at the other one, and the points of the ray behind it are as far from both. The other
+  // functions are then those of the ray, except `derivative()`, and the parameter is the length.
+  bool is_ray() const { return m_is_ray; }
+
+  // Is it `left` by whose distances the curve is described? At a ray it is the one where paths bend.
+  bool is_left_focus() const { return m_is_left_focus; }
+
   Point point(const FT& t) const
   {
+    if(m_is_ray)
+      return Point{FT(m_p.x + t * m_tx), FT(m_p.y + t * m_ty)};
     const FT factor = 2 * t / denominator()(t), g = t * (1 - m_a * m_radius);
     return Point{FT(m_p.x + factor * (m_tx - g * m_ux)), FT(m_p.y + factor * (m_ty - g * m_uy))};
   }
@@ -175,6 +187,8 @@ public:
   FT extent(const FT& t) const
   {
     using std::abs;
+    if(m_is_ray)
+      return t;
     const Quadratic<FT> w = denominator();
     const FT smallest = (std::min)({w.c0, FT(w.c0 + w.c1 * t), w(t)});
     if(!(smallest > 0))
@@ -185,6 +199,8 @@ public:
   // the parameter of a point of the curve.
   FT parameter(const Point& p) const
   {
+    if(m_is_ray)
+      return (p.x - m_p.x) * m_tx + (p.y - m_p.y) * m_ty;
     const FT x = p.x - m_focus.x, y = p.y - m_focus.y;
     const FT along = x * m_ux + y * m_uy, across = x * m_vx + y * m_vy;
     return across / (norm(along, across) + along);
@@ -204,6 +220,8 @@ public:
   // is positive where the curve exists.
   Quadratic<FT> denominator() const
   {
+    if(m_is_ray)
+      return Quadratic<FT>{1, 0, 0};
     const FT rho = 1 / m_radius;
     return Quadratic<FT>{rho, m_b, FT(rho - 2 * m_a)};
   }
@@ -215,6 +233,8 @@ public:
   Quadratic<FT> side(const Half_plane<FT>& h) const
   {
     const FT h0 = h(m_p);
+    if(m_is_ray)
+      return Quadratic<FT>{h0, FT((h.a * m_tx + h.b * m_ty) / 2), 0};
     const Quadratic<FT> w = denominator();
     const FT along_tangent = h.a * m_tx + h.b * m_ty, along_u = h.a * m_ux + h.b * m_uy;
     return Quadratic<FT>{FT(h0 * w.c0), FT(h0 * w.c1 + along_tangent),
@@ -224,6 +244,8 @@ public:
   // is positive where a third generator is nearer than the two, except if it never is.
   Quadratic<FT> nearer(const Generator& g) const
   {
+    if(m_is_ray)
+      return nearer_on_ray(g);
     const FT dx = g.x - m_focus.x, dy = g.y - m_focus.y, d = norm(dx, dy);
     const FT s = m_focus.weight - g.weight;
     if(s <= -d)
@@ -244,6 +266,33 @@ public:
   }
 
 private:
+  // the ray behind the generator with the larger weight, if that is on the way from the other one.
+  void find_ray(const Generator& left, const Generator& right)
+  {
+    m_is_left_focus = right.weight < left.weight;
+    m_focus = m_is_left_focus ? left : right;
+    const Generator& other = m_is_left_focus ? right : left;
+    const FT dx = m_focus.x - other.x, dy = m_focus.y - other.y, d = norm(dx, dy);
+    m_radius = norm<FT>(m_p.x - m_focus.x, m_p.y - m_focus.y);
+    const FT detour = other.weight + d - m_focus.weight, size = m_focus.weight + m_radius;
+    const FT rounding = 16 * Tolerance<FT>::distance() * size;
+    if(!(d > Tolerance<FT>::closeness() * size) || !(detour <= rounding && -detour <= rounding))
+      return;
+    m_tx = dx / d;
+    m_ty = dy / d;
+    const FT along = (m_p.x - m_focus.x) * m_tx + (m_p.y - m_focus.y) * m_ty;
+    m_is_ray = m_radius <= rounding || along >= m_radius / 2;
+  }
+
+  // see nearer(): |p - g| < S + t, squared.
+  Quadratic<FT> nearer_on_ray(const Generator& g) const
+  {
+    const FT dx = m_p.x - g.x, dy = m_p.y - g.y, d = norm(dx, dy), s = m_focus.weight + m_radius - g.weight;
+    if(s <= -d)
+      return Quadratic<FT>{-1, 0, 0};
+    return Quadratic<FT>{FT((s - d) * (s + d)), FT(s - (dx * m_tx + dy * m_ty)), 0};
+  }
+
   void set_tangent()
   {
     m_tx = m_vx - m_b * m_radius * m_ux;
@@ -252,7 +301,7 @@ private:
 
   Point m_p;
   Generator m_focus;
-  bool m_is_left_focus = true, m_is_valid = false;
+  bool m_is_left_focus = true, m_is_valid = false, m_is_ray = false;
   FT m_radius = 0;                // from the focus to p0
   FT m_ux = 0, m_uy = 0;          // the direction from the focus to p0
   FT m_vx = 0, m_vy = 0;          // across, to the side of growing parameters
