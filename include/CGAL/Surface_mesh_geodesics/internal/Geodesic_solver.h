@@ -55,13 +55,16 @@ public:
   // What is known: nothing, the distances of the vertices, or the windows as well.
   enum class State { EMPTY, VERTICES, WINDOWS };
 
-  // A point asked for: a vertex, or a point of a face of the refined mesh.
+  // A point asked for: a vertex, or a point of a face of the refined mesh. What has been asked for as a location
+  // inside a face is not on the edges of the first mesh, even if rounding has moved it there in the refined one.
   struct Query
   {
     Vertex_id vertex = null_id;
     Face_id face = null_id;
     Coordinates coordinates{};
     bool is_location = false; // it has been asked for as such
+    bool is_in_face = false;  // as one that is not a vertex of the first mesh
+    bool is_on_edge = false;  // but on an edge of it
   };
 
   Geodesic_solver(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim)
@@ -207,6 +210,8 @@ public:
         q.vertex = corner_vertex(face_of(h), k);
     if(q.vertex != null_id)
       return q;
+    q.is_in_face = true;
+    q.is_on_edge = c[0] == 0 || c[1] == 0 || c[2] == 0;
     q.face = m_insertion.part_with(face_of(h), c);
     q.coordinates = c;
     for(unsigned int k = 0; k < 3; ++k) // at another source
@@ -320,13 +325,13 @@ private:
   Path_item<double> place(const Query& q) const
   {
     Path_item<double> item;
-    item.vertex = q.vertex;
-    if(q.vertex != null_id)
-      return item;
-    item.local_halfedge = halfedge_of(q.face, 0);
-    for(unsigned int k = 0; k < 3; ++k)
-      if(q.coordinates[previous_place(k)] == 0)
-        item.local_halfedge = halfedge_of(q.face, k);
+    item.face = q.face;
+    if(!q.is_in_face)
+      item.vertex = q.vertex;
+    else if(q.is_on_edge && q.vertex == null_id)
+      for(unsigned int k = 0; k < 3; ++k)
+        if(q.coordinates[previous_place(k)] == 0)
+          item.local_halfedge = halfedge_of(q.face, k);
     return item;
   }
 
