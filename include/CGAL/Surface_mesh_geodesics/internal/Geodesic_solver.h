@@ -196,6 +196,23 @@ public:
     return q;
   }
 
+  // The same checks before the mesh has been read, as far as indices tell.
+  void check_query(vertex_descriptor v) const
+  {
+    if(v == Graph_traits::null_vertex() || !(static_cast<std::size_t>(get(m_vim, v)) < num_vertices(m_tm)))
+      refuse_vertex("query", 0);
+  }
+
+  template <typename BarycentricCoordinates>
+  void check_query(face_descriptor f, const BarycentricCoordinates& b) const
+  {
+    if(f == Graph_traits::null_face())
+      refuse_null_face("query", 0);
+    if(!(static_cast<std::size_t>(get(m_fim, f)) < num_faces(m_tm)))
+      refuse_face("query", 0);
+    intrinsic_coordinates<double>(halfedge_of(0, 0), b, "query", 0);
+  }
+
   // A location with coordinates that are nearly those of a vertex becomes that vertex.
   template <typename BarycentricCoordinates>
   Query query(face_descriptor f, const BarycentricCoordinates& b) const
