@@ -1,4 +1,4 @@
-// Paths on many small random meshes of the worst kind. Arguments: the number of meshes, and the seed.
+// test_paths_on_hostile_meshes.cpp with many more meshes. Arguments: the number of meshes, and the seed.
 
 #include "hostile_meshes.h"
 

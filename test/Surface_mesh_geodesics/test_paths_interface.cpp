@@ -574,7 +574,8 @@ void bad_queries_without_sources_are_refused()
       CHECK(throws_reason(Reason::INVALID_DESCRIPTOR,
                           [&] { paths.shortest_path_sequence_to_source_points(bad, recorder); }));
     }
-    const auto refuses_location = [&](Reason reason, face_descriptor f, const Geodesic_paths::Barycentric_coordinates& b)
+    const auto refuses_location
+      = [&](Reason reason, face_descriptor f, const Geodesic_paths::Barycentric_coordinates& b)
     {
       return throws_reason(reason, [&] { static_cast<void>(paths.shortest_distance_to_source_points(f, b)); })
           && throws_reason(reason, [&] { static_cast<void>(constant.nearest_source_point(f, b)); })

@@ -534,8 +534,10 @@ public:
   ///
   /// The length of the path is the distance that is returned, up to \f$ 10^{-10} \f$ of it, or up to the
   /// rounding of the largest extent of the mesh (64 units) if that is more; it is checked while the path is traced.
-  /// Where faces or distances between points are lost in the rounding of coordinates, no such path may be found:
-  /// queries of paths then throw `std::runtime_error` before they report anything. The distance is right all the same.
+  /// Two points that follow each other are in a common face. Where rounding leads the straight line astray, on faces
+  /// whose height or whose sides are lost in the rounding of coordinates, the path is looked for among all paths
+  /// through the faces nearby, which takes longer. If that search finds none of the right length, or has to be given
+  /// up, queries of paths throw `std::runtime_error` before they report anything. No such mesh is known.
   /// @{
 
   /// reports the vertices, edges and faces of the shortest path from `v` to a model of

@@ -265,14 +265,14 @@ public:
          * m_mesh.unit();
   }
 
-  // the path from a point, which is reached, to its source. Throws std::runtime_error if there is none of
-  // the length of the distance, as far as rounding lets one see.
+  // the path from a point, which is reached, to its source. Throws std::runtime_error if none of the length of the
+  // distance has been found.
   Path_steps<double> path(const Query& q, const Arrival& a) const
   {
     Path_steps<double> steps;
     const Path_tracer<double> tracer(m_mesh, m_field);
     const bool is_found = q.vertex != null_id ? tracer.trace_from_vertex(q.vertex, steps)
-                                              : tracer.trace_from_location(q.face, a, steps);
+                                              : tracer.trace_from_location(q.face, q.coordinates, a, steps);
     if(!is_found)
       throw std::runtime_error("Surface_mesh_geodesic_paths: rounding hides the shortest path; the mesh is too "
                                "degenerate");
