@@ -543,6 +543,75 @@ void bad_input_is_refused()
   }
 }
 
+// without sources nothing is built, and descriptors are checked all the same.
+void bad_queries_without_sources_are_refused()
+{
+  test_support::Scope scope("queries without sources");
+  const Mesh tm = to_face_graph(noisy_sphere(1, .1, 3));
+  const vertex_descriptor no_vertex = boost::graph_traits<Mesh>::null_vertex();
+  const face_descriptor no_face = boost::graph_traits<Mesh>::null_face();
+  const face_descriptor foreign(static_cast<Mesh::size_type>(num_faces(tm)));
+  Geodesic_paths paths(tm);
+  const Geodesic_paths& constant = paths;
+  Path_recorder<Geodesic_paths> recorder;
+  for(const bool had_sources : {false, true})
+  {
+    if(had_sources)
+    {
+      paths.add_source_point(vertex(0));
+      paths.build_sequence_tree();
+      paths.remove_all_source_points();
+      paths.build_sequence_tree_for_faces();
+    }
+    for(const vertex_descriptor bad : {no_vertex, vertex(num_vertices(tm))})
+    {
+      CHECK(throws_reason(Reason::INVALID_DESCRIPTOR,
+                          [&] { static_cast<void>(paths.shortest_distance_to_source_points(bad)); }));
+      CHECK(throws_reason(Reason::INVALID_DESCRIPTOR,
+                          [&] { static_cast<void>(constant.shortest_distance_to_source_points(bad)); }));
+      CHECK(throws_reason(Reason::INVALID_DESCRIPTOR,
+                          [&] { static_cast<void>(constant.nearest_source_point(bad)); }));
+      CHECK(throws_reason(Reason::INVALID_DESCRIPTOR,
+                          [&] { paths.shortest_path_sequence_to_source_points(bad, recorder); }));
+    }
+    const auto refuses_location
+      = [&](Reason reason, face_descriptor f, const Geodesic_paths::Barycentric_coordinates& b)
+    {
+      return throws_reason(reason, [&] { static_cast<void>(paths.shortest_distance_to_source_points(f, b)); })
+          && throws_reason(reason, [&] { static_cast<void>(constant.nearest_source_point(f, b)); })
+          && throws_reason(reason, [&] { paths.shortest_path_sequence_to_source_points(f, b, recorder); });
+    };
+    CHECK(refuses_location(Reason::INVALID_LOCATION, no_face, {.2, .3, .5}));
+    CHECK(refuses_location(Reason::INVALID_DESCRIPTOR, foreign, {.2, .3, .5}));
+    CHECK(refuses_location(Reason::INVALID_LOCATION, face(0), {.2, .3, .6}));
+    CHECK_EQUAL(paths.shortest_distance_to_source_points(vertex(1)).first, -1.);
+    CHECK_EQUAL(paths.shortest_distance_to_source_points(face(0), {.2, .3, .5}).first, -1.);
+  }
+  CHECK(recorder.items.empty());
+}
+
+// --- vertices without faces ---
+
+void vertices_without_faces_have_a_null_location()
+{
+  test_support::Scope scope("vertices without faces");
+  Mesh tm = to_face_graph(fan("fan", 5, .1, -.2));
+  const vertex_descriptor isolated = tm.add_vertex(Kernel::Point_3(3., 0., 0.));
+  CHECK(Geodesic_paths::face_location(vertex(0), tm).first != boost::graph_traits<Mesh>::null_face());
+  // the edges of the faces are left, with a border on both sides
+  for(const auto h : tm.halfedges())
+  {
+    tm.set_face(h, boost::graph_traits<Mesh>::null_face());
+  }
+  for(const vertex_descriptor v : {vertex(0), vertex(1), isolated})
+  {
+    CHECK(Geodesic_paths::face_location(v, tm).first == boost::graph_traits<Mesh>::null_face());
+    Geodesic_paths paths(tm);
+    CHECK(paths.face_location(v).first == boost::graph_traits<Mesh>::null_face());
+    CHECK(paths.add_source_point(v)->first == boost::graph_traits<Mesh>::null_face());
+  }
+}
+
 // --- the mesh changes ---
 
 void clear_takes_the_mesh_as_it_is()
@@ -810,6 +879,8 @@ int main()
   states_and_iterators();
   const_queries_do_not_build();
   bad_input_is_refused();
+  bad_queries_without_sources_are_refused();
+  vertices_without_faces_have_a_null_location();
   clear_takes_the_mesh_as_it_is();
   edge_lengths_replace_points();
   building_can_be_cancelled();

@@ -287,7 +287,7 @@ public:
   /// adds a vertex; returns the iterator to it.
   Source_point_iterator add_source_point(vertex_descriptor v)
   {
-    return insert_source(Source_point{has_face(v) ? face_location(v) : null_location(), v});
+    return insert_source(Source_point{is_in_range(v) ? face_location(v) : null_location(), v});
   }
 
   /// adds a point of a face.
@@ -534,8 +534,10 @@ public:
   ///
   /// The length of the path is the distance that is returned, up to \f$ 10^{-10} \f$ of it, or up to the
   /// rounding of the largest extent of the mesh (64 units) if that is more; it is checked while the path is traced.
-  /// Where faces or distances between points are lost in the rounding of coordinates, no such path may be found:
-  /// queries of paths then throw `std::runtime_error` before they report anything. The distance is right all the same.
+  /// Two points that follow each other are in a common face. Where rounding leads the straight line astray, on faces
+  /// whose height or whose sides are lost in the rounding of coordinates, the path is looked for among all paths
+  /// through the faces nearby, which takes longer. If that search finds none of the right length, or has to be given
+  /// up, queries of paths throw `std::runtime_error` before they report anything. No such mesh is known.
   /// @{
 
   /// reports the vertices, edges and faces of the shortest path from `v` to a model of
@@ -758,17 +760,17 @@ public:
   /// \name Surface Face Location Constructions
   /// @{
 
-  /// returns the location of a vertex, in a face around it.
+  /// returns the location of a vertex, in a face around it; a location with a null face if it has none.
+  /// \pre `v` is a vertex of the mesh.
   Face_location face_location(vertex_descriptor v) const { return face_location(v, m_tm, m_traits); }
 
   /// does the same without an object.
   static Face_location face_location(vertex_descriptor v, const Triangle_mesh& tm,
                                      const Traits& traits = Traits())
   {
-    halfedge_descriptor h = halfedge(v, tm);
-    while(is_border(h, tm))
-      h = opposite(next(h, tm), tm);
-    return corner_location(next(h, tm), FT(0), tm, traits);
+    const halfedge_descriptor h = halfedge_with_face(v, tm);
+    return h == Graph_traits::null_halfedge() ? null_location(traits)
+                                              : corner_location(next(h, tm), FT(0), tm, traits);
   }
 
   /// returns the location at `t` of a halfedge, in the face of the halfedge, or in that of its opposite if it
@@ -1024,23 +1026,25 @@ private:
     return Source_point_iterator(m_sources.insert(m_sources.end(), source));
   }
 
-  // is v, as far as its index tells, a vertex of the mesh that is not isolated?
-  bool has_face(vertex_descriptor v) const
+  // is v, as far as its index tells, a vertex of the mesh?
+  bool is_in_range(vertex_descriptor v) const
   {
-    if(v == Graph_traits::null_vertex()
-       || !(static_cast<std::size_t>(get(m_vertex_index_map, v)) < num_vertices(m_tm)))
-      return false;
-    const halfedge_descriptor first = halfedge(v, m_tm);
-    if(first == Graph_traits::null_halfedge())
-      return false;
-    halfedge_descriptor h = first; // edges may have no face on either side
-    while(is_border(h, m_tm))
+    return v != Graph_traits::null_vertex()
+        && static_cast<std::size_t>(get(m_vertex_index_map, v)) < num_vertices(m_tm);
+  }
+
+  // a halfedge with a face and the target v, or the null halfedge: edges may have no face on either side.
+  static halfedge_descriptor halfedge_with_face(vertex_descriptor v, const Triangle_mesh& tm)
+  {
+    const halfedge_descriptor first = halfedge(v, tm);
+    halfedge_descriptor h = first;
+    while(h != Graph_traits::null_halfedge() && is_border(h, tm))
     {
-      h = opposite(next(h, m_tm), m_tm);
+      h = opposite(next(h, tm), tm);
       if(h == first)
-        return false;
+        h = Graph_traits::null_halfedge();
     }
-    return true;
+    return h;
   }
 
   Face_location null_location() const { return null_location(m_traits); }
@@ -1147,14 +1151,20 @@ private:
   Query query(vertex_descriptor v) const
   {
     check_built();
-    return is_built() ? m_solver.query(v) : Query();
+    if(is_built())
+      return m_solver.query(v);
+    m_solver.check_query(v);
+    return Query();
   }
 
   Query query(face_descriptor f, const Barycentric_coordinates& location) const
   {
     check_built();
     if(!is_built())
+    {
+      m_solver.check_query(f, weights(location));
       return Query();
+    }
     const Query q = m_solver.query(f, weights(location));
     if(m_solver.needs_windows(q))
       check_windows();
@@ -1165,7 +1175,7 @@ private:
   Query built_query(face_descriptor f, const Barycentric_coordinates& location)
   {
     if(!m_has_changed && !is_built())
-      return Query();
+      return query(f, location);
     if(!is_at_vertex(weights(location)))
       build_sequence_tree_for_faces();
     else

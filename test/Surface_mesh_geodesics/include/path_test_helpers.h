@@ -254,28 +254,8 @@ inline double polyline_length(const std::vector<Coordinates>& points)
   return sum;
 }
 
-// Does the mesh have faces of area zero, up to rounding? A path may cross them without any length.
-template <class TriangleMesh>
-bool has_flat_faces(const TriangleMesh& tm, double size)
-{
-  const auto point_map = get(CGAL::vertex_point, tm);
-  for(const auto f : faces(tm))
-  {
-    const auto h = halfedge(f, tm);
-    const Coordinates a = to_coordinates(get(point_map, source(h, tm)));
-    const Coordinates b = to_coordinates(get(point_map, target(h, tm)));
-    const Coordinates c = to_coordinates(get(point_map, target(next(h, tm), tm)));
-    if(length(cross(b - a, c - a)) < 1e-11 * size * size)
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
 // Asks for the path in all ways, checks it and returns its points. `size` is the size of the coordinates, for
 // distances that are small against it.
-// In a mesh with faces of area zero consecutive elements need not share a face: pieces without length are left out.
 template <class Paths, class Any_place, class TriangleMesh>
 std::vector<Coordinates> checked_path(Paths& paths, const Any_place& q, const TriangleMesh& tm, double size,
                                       double tolerance = 1e-10)
@@ -309,7 +289,6 @@ std::vector<Coordinates> checked_path(Paths& paths, const Any_place& q, const Tr
     }
   }
   CHECK(points == points_of_items);
-  const bool may_have_gaps = has_flat_faces(tm, size);
   if constexpr(!std::is_const_v<Paths>)
   {
     std::vector<std::pair<typename Paths::Point_3, typename Paths::face_descriptor>> polyline;
@@ -329,7 +308,7 @@ std::vector<Coordinates> checked_path(Paths& paths, const Any_place& q, const Tr
         for(const Item& end : {items[i - 1], items[i]})
         {
           const auto around = faces_of_item(end, tm);
-          CHECK(may_have_gaps || std::find(around.begin(), around.end(), polyline[i].second) != around.end());
+          CHECK(std::find(around.begin(), around.end(), polyline[i].second) != around.end());
         }
       }
     }
@@ -376,8 +355,7 @@ std::vector<Coordinates> checked_path(Paths& paths, const Any_place& q, const Tr
   {
     const auto before = faces_of_item(items[i - 1], tm);
     const auto after = faces_of_item(items[i], tm);
-    CHECK(may_have_gaps ||
-          std::find_first_of(before.begin(), before.end(), after.begin(), after.end()) != before.end());
+    CHECK(std::find_first_of(before.begin(), before.end(), after.begin(), after.end()) != before.end());
   }
   // the length
   const double path_length = polyline_length(points);

@@ -55,13 +55,16 @@ public:
   // What is known: nothing, the distances of the vertices, or the windows as well.
   enum class State { EMPTY, VERTICES, WINDOWS };
 
-  // A point asked for: a vertex, or a point of a face of the refined mesh.
+  // A point asked for: a vertex, or a point of a face of the refined mesh. What has been asked for as a location
+  // inside a face is not on the edges of the first mesh, even if rounding has moved it there in the refined one.
   struct Query
   {
     Vertex_id vertex = null_id;
     Face_id face = null_id;
     Coordinates coordinates{};
     bool is_location = false; // it has been asked for as such
+    bool is_in_face = false;  // as one that is not a vertex of the first mesh
+    bool is_on_edge = false;  // but on an edge of it
   };
 
   Geodesic_solver(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim)
@@ -193,6 +196,23 @@ public:
     return q;
   }
 
+  // The same checks before the mesh has been read, as far as indices tell.
+  void check_query(vertex_descriptor v) const
+  {
+    if(v == Graph_traits::null_vertex() || !(static_cast<std::size_t>(get(m_vim, v)) < num_vertices(m_tm)))
+      refuse_vertex("query", 0);
+  }
+
+  template <typename BarycentricCoordinates>
+  void check_query(face_descriptor f, const BarycentricCoordinates& b) const
+  {
+    if(f == Graph_traits::null_face())
+      refuse_null_face("query", 0);
+    if(!(static_cast<std::size_t>(get(m_fim, f)) < num_faces(m_tm)))
+      refuse_face("query", 0);
+    intrinsic_coordinates<double>(halfedge_of(0, 0), b, "query", 0);
+  }
+
   // A location with coordinates that are nearly those of a vertex becomes that vertex.
   template <typename BarycentricCoordinates>
   Query query(face_descriptor f, const BarycentricCoordinates& b) const
@@ -207,6 +227,8 @@ public:
         q.vertex = corner_vertex(face_of(h), k);
     if(q.vertex != null_id)
       return q;
+    q.is_in_face = true;
+    q.is_on_edge = c[0] == 0 || c[1] == 0 || c[2] == 0;
     q.face = m_insertion.part_with(face_of(h), c);
     q.coordinates = c;
     for(unsigned int k = 0; k < 3; ++k) // at another source
@@ -243,14 +265,14 @@ public:
          * m_mesh.unit();
   }
 
-  // the path from a point, which is reached, to its source. Throws std::runtime_error if there is none of
-  // the length of the distance, as far as rounding lets one see.
+  // the path from a point, which is reached, to its source. Throws std::runtime_error if none of the length of the
+  // distance has been found.
   Path_steps<double> path(const Query& q, const Arrival& a) const
   {
     Path_steps<double> steps;
     const Path_tracer<double> tracer(m_mesh, m_field);
     const bool is_found = q.vertex != null_id ? tracer.trace_from_vertex(q.vertex, steps)
-                                              : tracer.trace_from_location(q.face, a, steps);
+                                              : tracer.trace_from_location(q.face, q.coordinates, a, steps);
     if(!is_found)
       throw std::runtime_error("Surface_mesh_geodesic_paths: rounding hides the shortest path; the mesh is too "
                                "degenerate");
@@ -320,13 +342,13 @@ private:
   Path_item<double> place(const Query& q) const
   {
     Path_item<double> item;
-    item.vertex = q.vertex;
-    if(q.vertex != null_id)
-      return item;
-    item.local_halfedge = halfedge_of(q.face, 0);
-    for(unsigned int k = 0; k < 3; ++k)
-      if(q.coordinates[previous_place(k)] == 0)
-        item.local_halfedge = halfedge_of(q.face, k);
+    item.face = q.face;
+    if(!q.is_in_face)
+      item.vertex = q.vertex;
+    else if(q.is_on_edge && q.vertex == null_id)
+      for(unsigned int k = 0; k < 3; ++k)
+        if(q.coordinates[previous_place(k)] == 0)
+          item.local_halfedge = halfedge_of(q.face, k);
     return item;
   }
 

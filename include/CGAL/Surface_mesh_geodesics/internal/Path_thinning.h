@@ -27,7 +27,7 @@ namespace internal {
 
 // A vertex; or, if that is null_id, the point at t (from 0 to 1) of a halfedge of the first mesh, which lies on
 // `local_halfedge` of the refined mesh. The path comes to the point in `face` of the refined mesh, which is null_id
-// for the first point.
+// for the first point. Only the first point may be neither a vertex nor on an edge: then it is inside `face`.
 template <typename FT>
 struct Path_item
 {
@@ -49,8 +49,7 @@ public:
     : m_mesh(mesh), m_insertion(insertion), m_tell(tell)
   {}
 
-  // begins with a point that need not be told: a vertex, or a point of local_halfedge, or of its face if it
-  // is on no edge of the first mesh.
+  // begins with a point that need not be told: a vertex, or a point of local_halfedge, or one inside a face.
   void begin_behind(const Item& first)
   {
     m_last = first;
@@ -92,6 +91,8 @@ private:
     const Face_id f = m_insertion.whole(part);
     if(item.vertex == null_id)
     {
+      if(item.local_halfedge == null_id)
+        return m_insertion.whole(item.face) == f;
       const Halfedge_id o = m_mesh.opposite(item.local_halfedge);
       return m_insertion.whole(face_of(item.local_halfedge)) == f
           || (o != null_id && m_insertion.whole(face_of(o)) == f);

@@ -52,6 +52,22 @@ struct Path_step
 template <typename FT>
 using Path_steps = std::vector<Path_step<FT>>;
 
+// the point at the length x from the source of h, to which the path comes in the face of h.
+template <typename FT>
+Path_step<FT> step_on_edge(const Intrinsic_mesh<FT>& mesh, Halfedge_id h, const FT& x)
+{
+  Path_step<FT> step;
+  if(x > 0 && x < mesh.length(h))
+  {
+    step.halfedge = h;
+    step.x = x;
+  }
+  else
+    step.vertex = x > 0 ? mesh.target(h) : mesh.source(h);
+  step.face = face_of(h);
+  return step;
+}
+
 // Where a piece begins: at the point (x, y) in the frame of a halfedge, in the face of it. The piece runs
 // through the point `crossing` of the halfedge to the image of `root` at (image_x, -image_depth); `distance`
 // is that of the point.
@@ -64,17 +80,6 @@ struct Piece_start
   FT distance;
 };
 
-// The tolerances of these names, or more. The first two are relative to the longest length that the line meets,
-// which is taken to be at least smallest_scale. A path that runs through a vertex instead of passing it may become
-// longer by `detour`, relative to its length. Where several sources are at the same distance, it has to go on to
-// the one that is reported, unless may_change_source.
-template <typename FT>
-struct Line_tolerance
-{
-  FT sideways, lengthwise, smallest_scale, detour;
-  bool may_change_source;
-};
-
 template <typename FT>
 class Straight_piece
 {
@@ -82,9 +87,10 @@ public:
   using Mesh = Intrinsic_mesh<FT>;
   using Field = Vertex_distance_field<FT>;
 
-  // Points are appended to `steps`.
-  Straight_piece(const Mesh& mesh, const Field& field, const Line_tolerance<FT>& tolerance, Path_steps<FT>& steps)
-    : m_mesh(mesh), m_field(field), m_tolerance(tolerance), m_steps(steps)
+  // Points are appended to `steps`. Tolerances are relative to the longest length that the line meets, which is
+  // taken to be at least smallest_scale.
+  Straight_piece(const Mesh& mesh, const Field& field, const FT& smallest_scale, Path_steps<FT>& steps)
+    : m_mesh(mesh), m_field(field), m_smallest_scale(smallest_scale), m_steps(steps)
   {}
 
   // follows a piece to the vertex where it ends, which is returned; null_id if it goes astray.
@@ -92,7 +98,7 @@ public:
   {
     m_start = start;
     m_length = 0;
-    m_scale = m_tolerance.smallest_scale;
+    m_scale = m_smallest_scale;
     State s = first_state();
     if(m_end != null_id)
       return has_right_length() ? m_end : null_id;
@@ -244,23 +250,23 @@ private:
   }
 
   // May the line run through a vertex that it passes very near, without becoming longer? The vertex is at the
-  // distance `gap`.
+  // distance `gap`. Where several sources are at the same distance, the path has to go on to the one that is reported.
   bool may_run_through(Vertex_id v, const FT& gap) const
   {
     return m_field.distance[v] < m_start.distance && gap + m_field.distance[v] <= rest() + slack()
-        && (m_tolerance.may_change_source || m_field.source_of(v) == m_field.source_of(m_start.root));
+        && m_field.source_of(v) == m_field.source_of(m_start.root);
   }
 
   // what remains of the way
   FT rest() const { return m_start.distance - m_length - m_gap; }
 
   // the distance at which the line cannot be told from a vertex
-  FT sideways() const { return m_tolerance.sideways * m_scale; }
+  FT sideways() const { return Tolerance<FT>::sideways() * m_scale; }
 
   void meet(const FT& length) { m_scale = (std::max)(m_scale, length); }
 
   // what rounding may make of lengths and distances
-  FT slack() const { return m_tolerance.lengthwise * m_scale + m_tolerance.detour * m_start.distance; }
+  FT slack() const { return Tolerance<FT>::lengthwise() * m_scale; }
 
   bool has_right_length() const
   {
@@ -271,15 +277,7 @@ private:
 
   void add_crossing(Halfedge_id h, const FT& x)
   {
-    Path_step<FT> step;
-    if(x > 0 && x < m_mesh.length(h))
-    {
-      step.halfedge = h;
-      step.x = x;
-    }
-    else
-      step.vertex = x > 0 ? m_mesh.target(h) : m_mesh.source(h);
-    step.face = face_of(h);
+    Path_step<FT> step = step_on_edge(m_mesh, h, x);
     add(step);
   }
 
@@ -303,7 +301,7 @@ private:
 
   const Mesh& m_mesh;
   const Field& m_field;
-  Line_tolerance<FT> m_tolerance;
+  FT m_smallest_scale;
   Path_steps<FT>& m_steps;
   Piece_start<FT> m_start{};
   FT m_scale = 0;  // of the lengths that have been rounded

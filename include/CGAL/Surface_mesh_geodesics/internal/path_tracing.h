@@ -17,13 +17,16 @@
 // path arrives at each vertex (Vertex_distance_field.h, with images).
 //
 // The length of the path is checked against the distance, piece by piece. If rounding has led the line
-// astray, it is followed once more, and runs through vertices from which it was just told apart before.
+// astray, it is followed once more, and runs through vertices from which it was just told apart before. If that
+// fails as well, the path is looked for by its length alone (Path_search.h).
 
 #include <CGAL/Surface_mesh_geodesics/internal/Intrinsic_mesh.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Path_search.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Straight_piece.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/distance_at_location.h>
 
+#include <array>
 #include <cstddef>
 
 namespace CGAL {
@@ -47,11 +50,27 @@ public:
     Path_step<FT> first;
     first.vertex = v;
     path.push_back(first);
-    return trace_onwards(v, path);
+    if(trace_onwards(v, path))
+      return true;
+    path.resize(1);
+    return search(m_field.distance[v], [&](Path_search<FT>& s, const FT& tolerance)
+    { return s.from_vertex(v, tolerance, path); });
   }
 
-  // appends the path from a point of face f, which does not belong to it itself.
-  bool trace_from_location(Face_id f, const Location_arrival<FT>& arrival, Steps& path) const
+  // appends the path from the point of face f with the coordinates b, which does not belong to it itself.
+  bool trace_from_location(Face_id f, const std::array<FT, 3>& b, const Location_arrival<FT>& arrival,
+                           Steps& path) const
+  {
+    if(trace_along(f, arrival, path))
+      return true;
+    path.clear();
+    return search(arrival.distance, [&](Path_search<FT>& s, const FT& tolerance)
+    { return s.from_location(f, b, arrival.root, arrival.distance, tolerance, path); });
+  }
+
+private:
+  // the path from a point of face f as it arrives there.
+  bool trace_along(Face_id f, const Location_arrival<FT>& arrival, Steps& path) const
   {
     Vertex_id v = arrival.root;
     if(arrival.halfedge == null_id)
@@ -69,7 +88,19 @@ public:
     return v != null_id && trace_onwards(v, path);
   }
 
-private:
+  // looks for a path of the length `distance`, first for one that is as near to it as rounding lets hope: relative to
+  // the distance, then to the lengths of the mesh, of which the longest is about 1.
+  template <typename Search>
+  bool search(const FT& distance, Search search_with) const
+  {
+    const FT relative = Tolerance<FT>::path() * distance, absolute = Tolerance<FT>::lengthwise();
+    Path_search<FT> s(m_mesh, m_field);
+    for(const FT& tolerance : {FT(relative / 64), relative, FT(relative + absolute), FT(64 * relative + 8 * absolute)})
+      if(search_with(s, tolerance))
+        return true;
+    return false;
+  }
+
   // appends the path from v, which itself has been appended. The distances along the chain of vertices
   // decrease; each vertex may come once where they are all the same.
   bool trace_onwards(Vertex_id v, Steps& path) const
@@ -94,28 +125,17 @@ private:
 
   // appends a piece; returns the vertex where it ends, or null_id if no way of following the line gives the
   // right length. The first attempt takes only lengths for rounded that it meets itself; but the distance
-  // and the image may come from farther away, so the next one takes all lengths of the mesh. The last one
-  // lets a path run through vertices that it passes at 1e-5 of its length, if it becomes no longer than by 6e-11
-  // of its length.
+  // and the image may come from farther away, so the next one takes all lengths of the mesh.
   Vertex_id trace_piece(const Piece_start<FT>& start, Steps& path) const
   {
     const std::size_t size = path.size();
-    Line_tolerance<FT> tolerance{Tolerance<FT>::sideways(), Tolerance<FT>::lengthwise(), FT(0), FT(0), false};
-    for(int attempt = 0; attempt < 6; ++attempt)
+    for(const int smallest_scale : {0, 1})
     {
-      Straight_piece<FT> piece(m_mesh, m_field, tolerance, path);
+      Straight_piece<FT> piece(m_mesh, m_field, FT(smallest_scale), path);
       const Vertex_id end = piece.trace(start);
       if(end != null_id)
         return end;
       path.resize(size);
-      if(attempt > 0)
-      {
-        tolerance.lengthwise = 8 * Tolerance<FT>::lengthwise();
-        tolerance.sideways = 64 * tolerance.sideways;
-        tolerance.may_change_source = true; // two sources in one place
-        tolerance.detour = (std::max)(Tolerance<FT>::path(), FT(4 * tolerance.detour));
-      }
-      tolerance.smallest_scale = 1;
     }
     return null_id;
   }

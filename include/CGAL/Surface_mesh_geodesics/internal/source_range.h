@@ -83,6 +83,30 @@ void for_each_source(const Sources& sources, Visitor visit)
   }
 }
 
+// What is thrown for descriptors; `what` and `position` name the culprit.
+[[noreturn]] inline void refuse_descriptor(Invalid_geodesic_input::Reason reason, const char* what,
+                                           std::size_t position, const char* fault)
+{
+  throw Invalid_geodesic_input(reason, std::string(what) + " " + std::to_string(position) + fault, position);
+}
+
+[[noreturn]] inline void refuse_vertex(const char* what, std::size_t position)
+{
+  refuse_descriptor(Invalid_geodesic_input::Reason::INVALID_DESCRIPTOR, what, position,
+                    " is not a vertex of the mesh");
+}
+
+[[noreturn]] inline void refuse_face(const char* what, std::size_t position)
+{
+  refuse_descriptor(Invalid_geodesic_input::Reason::INVALID_DESCRIPTOR, what, position,
+                    " is not in a face of the mesh");
+}
+
+[[noreturn]] inline void refuse_null_face(const char* what, std::size_t position)
+{
+  refuse_descriptor(Invalid_geodesic_input::Reason::INVALID_LOCATION, what, position, " has a null face");
+}
+
 // Finds the elements of an intrinsic mesh that the user's descriptors mean.
 template <typename FT, typename TriangleMesh, typename VertexIndexMap, typename FaceIndexMap>
 class Element_finder
@@ -90,7 +114,6 @@ class Element_finder
   using Graph_traits = boost::graph_traits<TriangleMesh>;
   using vertex_descriptor = typename Graph_traits::vertex_descriptor;
   using face_descriptor = typename Graph_traits::face_descriptor;
-  using Reason = Invalid_geodesic_input::Reason;
 
 public:
   Element_finder(const Face_graph_correspondence<TriangleMesh>& table, VertexIndexMap vim,
@@ -111,18 +134,14 @@ public:
           return id;
       }
     }
-    throw Invalid_geodesic_input(Reason::INVALID_DESCRIPTOR,
-                                 std::string(what) + " " + std::to_string(position)
-                                   + " is not a vertex of the mesh", position);
+    refuse_vertex(what, position);
   }
 
   // the halfedge of the intrinsic mesh that is halfedge(f, tm).
   Halfedge_id halfedge(face_descriptor f, const char* what, std::size_t position) const
   {
     if(f == Graph_traits::null_face())
-      throw Invalid_geodesic_input(Reason::INVALID_LOCATION,
-                                   std::string(what) + " " + std::to_string(position)
-                                     + " has a null face", position);
+      refuse_null_face(what, position);
     const std::size_t index = static_cast<std::size_t>(get(m_fim, f));
     if(index < m_table.halfedge_of_face_index.size())
     {
@@ -130,9 +149,7 @@ public:
       if(h != null_id && m_table.faces[face_of(h)] == f)
         return h;
     }
-    throw Invalid_geodesic_input(Reason::INVALID_DESCRIPTOR,
-                                 std::string(what) + " " + std::to_string(position)
-                                   + " is not in a face of the mesh", position);
+    refuse_face(what, position);
   }
 
 private:
@@ -151,9 +168,7 @@ std::array<FT, 3> intrinsic_coordinates(Halfedge_id h, const Coordinates& b, con
   for(unsigned int j = 0; j < 3; ++j)
     r[(place_in_face(h) + j) % 3] = FT(CGAL::to_double(b[j]));
   if(!Source_insertion<FT>::is_valid(r))
-    throw Invalid_geodesic_input(Invalid_geodesic_input::Reason::INVALID_LOCATION,
-                                 std::string(what) + " " + std::to_string(position)
-                                   + " is not in its face", position);
+    refuse_descriptor(Invalid_geodesic_input::Reason::INVALID_LOCATION, what, position, " is not in its face");
   return r;
 }
 

@@ -135,7 +135,9 @@ public:
     w.image_depth = L::maximum(rest_height * m_inverse, zero);
     w.key = turned(w.key, RIGHT_TURN);
     w.history = w.history + 2 * one_step;
-    return L::less(begin, end);
+    // Of an edge that is much shorter than AB the line of CB may pass the image on the wrong side where t, which is
+    // rounded to the length of AB, still leaves a part of AB: then the window does not see CB.
+    return L::less(begin, end) & L::less_equal(zero, rest_height);
   }
 
 private:
