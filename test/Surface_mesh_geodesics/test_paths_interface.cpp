@@ -1,6 +1,7 @@
-// Every member of Surface_mesh_shortest_path, called on both classes by the same code with the same result; then what
-// only the new class has: states, exceptions, cancelling, edge lengths, const queries, further members.
+// Every member of Surface_mesh_shortest_path, named for both classes by the same code at compile time, and called with the
+// same result; then what only the new class has: states, exceptions, cancelling, edge lengths, const queries, further members.
 
+#include "interface_of_shortest_path.h"
 #include "path_test_helpers.h"
 #include "test_meshes.h"
 #include "test_support.h"
@@ -39,6 +40,13 @@ using AABB_traits = CGAL::AABB_traits<Kernel, Primitive>;
 using Tree = CGAL::AABB_tree<AABB_traits>;
 using Invalid_input = CGAL::Surface_mesh_geodesics::Invalid_geodesic_input;
 using Reason = Invalid_input::Reason;
+
+// the same by name, at compile time
+using interface_of_shortest_path::has_interface_of_shortest_path;
+static_assert(
+  has_interface_of_shortest_path<Shortest_path, Paths_traits, AABB_traits, Path_recorder<Shortest_path>>(), "");
+static_assert(
+  has_interface_of_shortest_path<Geodesic_paths, Paths_traits, AABB_traits, Path_recorder<Geodesic_paths>>(), "");
 
 // --- both classes ---
 
@@ -92,26 +100,6 @@ Log call_every_member(const Mesh& tm, std::uint64_t seed)
   test_support::Random random(seed);
   const Paths_traits traits{};
 
-  // types
-  static_assert(std::is_same<typename Paths::Triangle_mesh, Mesh>::value, "");
-  static_assert(std::is_same<typename Paths::Graph_traits, boost::graph_traits<Mesh>>::value, "");
-  static_assert(std::is_same<typename Paths::vertex_descriptor, vertex_descriptor>::value, "");
-  static_assert(std::is_same<typename Paths::halfedge_descriptor, Mesh::Halfedge_index>::value, "");
-  static_assert(std::is_same<typename Paths::face_descriptor, face_descriptor>::value, "");
-  static_assert(std::is_same<typename Paths::FT, double>::value, "");
-  static_assert(std::is_same<typename Paths::Point_3, Kernel::Point_3>::value, "");
-  static_assert(std::is_same<typename Paths::Face_location,
-                             std::pair<face_descriptor, typename Paths::Barycentric_coordinates>>::value,
-                "");
-  static_assert(
-    std::is_same<typename Paths::Barycentric_coordinate, typename Paths::Barycentric_coordinates>::value, "");
-  static_assert(std::is_same<typename Paths::Shortest_path_result,
-                             std::pair<double, typename Paths::Source_point_iterator>>::value,
-                "");
-  static_assert(
-    std::is_same<typename Paths::Source_point_iterator::iterator_category, std::bidirectional_iterator_tag>::value, "");
-  static_assert(std::is_same<typename Paths::Source_point_iterator::value_type, typename Paths::Face_location>::value,
-                "");
   typename Paths::Vertex_index_map vertex_index_map = get(boost::vertex_index, tm);
   typename Paths::Halfedge_index_map halfedge_index_map = get(boost::halfedge_index, tm);
   typename Paths::Face_index_map face_index_map = get(boost::face_index, tm);
