@@ -781,11 +781,14 @@ public:
   /// \name Lines of Equal Distance
   /// @{
 
-  /// writes the lines of all points at the distance `value` from the source points as polylines; a closed one ends with
-  /// its first point. The points on edges are found with
-  /// an error of \f$ 10^{-12} \f$ of the length of the edge, and joined by segments in the faces. Two crossings of
-  /// an edge that are nearer to each other than \f$ 10^{-4} \f$ of its length may be left out, and so may be a
-  /// closed line that meets no edge, around a point that is farther than all edges of its face.
+  /// writes the lines of all points at the distance `value` from the source points as polylines, without a point twice in
+  /// a row; a closed one ends with its first point, any other one begins and ends at the border. The points on edges are
+  /// found with an error of \f$ 10^{-12} \f$ of the length of the edge, or of the rounding of the distance if that is more,
+  /// and joined by segments in the faces. A vertex at the distance `value` is a point of the lines that separate nearer
+  /// points from farther ones there; if all around it is nearer, it is a point by itself, and not written. Two crossings of
+  /// an edge that are nearer to each other than \f$ 10^{-4} \f$ of its length may be left out, and so may be a closed line
+  /// that meets no edge, around a point that is farther than all edges of its face. There is no line where no source
+  /// point reaches, and none for a value that is negative, infinite or not a number.
   /// Takes time linear in the number of faces, and face queries around each point.
   ///
   /// \tparam OutputIterator a model of `OutputIterator` that takes `std::vector<Point_3>`
@@ -818,11 +821,17 @@ public:
     m_structure.solver().trace_isolines(CGAL::to_double(value), 1e-12, [&](const Points& points, bool is_closed)
     {
       std::vector<Point_3> line;
+      const auto append = [&](const Point_3& p)
+      {
+        if(line.empty() || p != line.back())
+          line.push_back(p);
+      };
       for(const auto& p : points)
-        line.push_back(point(p.first, Locations::coordinates(p.second, m_structure.traits())));
+        append(point(p.first, Locations::coordinates(p.second, m_structure.traits())));
       if(is_closed)
-        line.push_back(line.front());
-      *output++ = line;
+        append(Point_3(line.front()));
+      if(line.size() > 1)
+        *output++ = line;
     });
     return output;
   }
