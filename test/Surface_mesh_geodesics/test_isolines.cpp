@@ -1,5 +1,6 @@
 // Lines of equal distance: each point of a line has the distance asked for (by the original class, and by planar
-// geometry), lines cross each edge whose ends are on both sides of the value, and are closed unless they end at the border.
+// geometry), lines cross each edge whose ends are on both sides of the value, and are closed unless they end at the
+// border.
 
 #include "path_test_helpers.h"
 #include "test_meshes.h"
@@ -254,8 +255,8 @@ void test_values_without_lines()
   }
 }
 
-// What holds for the lines of any mesh: no point twice in a row, ends at the border only, and each edge whose ends are on
-// both sides of the value is crossed.
+// What holds for the lines of any mesh: no point twice in a row, ends at the border only, and each edge whose ends are
+// on both sides of the value is crossed.
 void check_lines(const Mesh& tm, const Geodesic_paths& paths, double value, const std::vector<Line>& lines)
 {
   const double tolerance = 1e-9 * size_of(tm);
@@ -337,8 +338,8 @@ void test_values_of_vertices(const Indexed_mesh& indexed)
   }
 }
 
-// A square of two triangles: from a corner the line through the two neighbors is a border-to-border line of three points;
-// the corner at the other end is alone.
+// A square of two triangles: from a corner the line through the two neighbors is a border-to-border line of three
+// points; the corner at the other end is alone.
 void test_square()
 {
   test_support::Scope scope("square");

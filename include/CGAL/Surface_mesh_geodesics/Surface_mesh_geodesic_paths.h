@@ -253,8 +253,8 @@ public:
   /// @}
 
   /// \name Addition and Removal of Source Points
-  /// Nothing is computed, or checked, before the next query, or call of `build_sequence_tree()`. Each source point takes
-  /// constant time. Iterators to other source points stay valid.
+  /// Nothing is computed, or checked, before the next query, or call of `build_sequence_tree()`. Each source point
+  /// takes constant time. Iterators to other source points stay valid.
   /// @{
 
   /// adds a vertex.
@@ -334,8 +334,8 @@ public:
     return m_structure.build(false, visitor);
   }
 
-  /// computes what queries at any point need, if that has not been done since source points were changed. Takes the time
-  /// of a propagation, and some 40 bytes for each window.
+  /// computes what queries at any point need, if that has not been done since source points were changed. Takes the
+  /// time of a propagation, and some 40 bytes for each window.
   ///
   /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the mesh or a source point is invalid
   /// \throws std::bad_alloc if there is not enough memory
@@ -354,18 +354,16 @@ public:
     return m_structure.build(true, visitor);
   }
 
-  /// takes the lengths of the edges from a map instead of from points: distances and sequences then need no
-  /// points, and the points of paths are those of the point map at the same places. (The point map that the
-  /// constructor takes is not read before a point is asked for, so that any map will do.) All that was computed
-  /// is forgotten, source points are not; the lengths are read at once, and used until `clear()`. Takes time linear in the
-  /// size of the mesh.
+  /// takes the lengths of the edges from a map instead of from points: distances and sequences then need no points, and
+  /// the points of paths are those of the point map at the same places. (The point map that the constructor takes is
+  /// not read before a point is asked for, so that any map will do.) All that was computed is forgotten, source points
+  /// are not; the lengths are read at once, and used until `clear()`. Takes time linear in the size of the mesh.
   ///
   /// \tparam EdgeLengthMap a model of `ReadablePropertyMap` with the edge descriptor as key type and a number
   ///         type as value type
   /// \param edge_length_map gives the length of each edge
-  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if a length is negative or not finite, or an edge
-  ///         is longer than the two others of a face, or a face is not a triangle; lengths are then taken from the points
-  ///         again
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if a length is negative or not finite, or an edge is longer
+  ///         than the two others of a face, or a face is not a triangle; lengths are then taken from the points again
   template <typename EdgeLengthMap>
   void use_edge_lengths(EdgeLengthMap edge_length_map)
   {
@@ -394,8 +392,8 @@ public:
   /// returns whether source points have been added or removed since the last build.
   bool changed_since_last_build() const { return m_structure.sources().has_changed(); }
 
-  /// returns what the last propagation did, that of a build which a visitor cancelled included. The reference is valid as
-  /// long as the object, the numbers until the next build.
+  /// returns what the last propagation did, that of a build which a visitor cancelled included. The reference is valid
+  /// as long as the object, the numbers until the next build.
   const Surface_mesh_geodesics::Propagation_statistics& statistics() const { return m_structure.solver().statistics(); }
 
   /// @}
@@ -494,14 +492,14 @@ public:
     return m_structure.nearest_source(m_structure.query(f, location));
   }
 
-  /// writes the distances of all vertices to a map, -1 where no source point reaches. Takes time linear in the number of
-  /// vertices.
+  /// writes the distances of all vertices to a map, -1 where no source point reaches. Takes time linear in the number
+  /// of vertices.
   ///
-  /// \tparam VertexDistanceMap a model of `WritablePropertyMap` with `vertex_descriptor` as key type and a number type as
-  ///         value type, to which `double` is converted
+  /// \tparam VertexDistanceMap a model of `WritablePropertyMap` with `vertex_descriptor` as key type and a number type
+  ///         as value type, to which `double` is converted
   /// \param vertex_distance_map gets the distances
-  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the mesh or a source point is invalid; nothing is written
-  ///         then
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the mesh or a source point is invalid; nothing is
+  ///         written then
   template <typename VertexDistanceMap>
   void shortest_distances_to_source_points(VertexDistanceMap vertex_distance_map)
   {
@@ -513,8 +511,8 @@ public:
   ///
   /// \tparam VertexDistanceMap a model of `WritablePropertyMap`, as above
   /// \param vertex_distance_map gets the distances
-  /// \throws std::logic_error if `build_sequence_tree()` has not been called since source points were changed; nothing is
-  ///         written then
+  /// \throws std::logic_error if `build_sequence_tree()` has not been called since source points were changed; nothing
+  ///         is written then
   template <typename VertexDistanceMap>
   void shortest_distances_to_source_points(VertexDistanceMap vertex_distance_map) const
   {
@@ -559,8 +557,8 @@ public:
   /// @}
 
   /// \name Shortest Path Sequence Queries
-  /// A path is reported from the query point to the source point. Nothing is reported if there is none. Tracing it takes
-  /// time linear in the number of edges that it crosses, beyond the time of a distance query.
+  /// A path is reported from the query point to the source point. Nothing is reported if there is none. Tracing it
+  /// takes time linear in the number of edges that it crosses, beyond the time of a distance query.
   ///
   /// The length of the path is the distance that is returned, up to \f$ 10^{-10} \f$ of it, or up to the
   /// rounding of the largest extent of the mesh (64 units) if that is more; it is checked while the path is traced.
@@ -635,8 +633,8 @@ public:
   /// @}
 
   /// \name Shortest Path Point Queries
-  /// The points are those of the elements that a visitor is told, in the same order, without a point that rounding makes
-  /// equal to the one before. The time is that of the sequence. Nothing is written if there is no path.
+  /// The points are those of the elements that a visitor is told, in the same order, without a point that rounding
+  /// makes equal to the one before. The time is that of the sequence. Nothing is written if there is no path.
   /// @{
 
   /// writes the points of the shortest path from a vertex.
@@ -707,8 +705,8 @@ public:
     return shortest_path_sequence_to_source_points(f, location, writer);
   }
 
-  /// writes the shortest path from a vertex as points with faces: each with the face of the segment that leads to it, the
-  /// null face for the first point.
+  /// writes the shortest path from a vertex as points with faces: each with the face of the segment that leads to it,
+  /// the null face for the first point.
   ///
   /// \tparam OutputIterator a model of `OutputIterator` that takes `std::pair<Point_3, face_descriptor>`
   /// \param v a vertex of the mesh
@@ -781,14 +779,14 @@ public:
   /// \name Lines of Equal Distance
   /// @{
 
-  /// writes the lines of all points at the distance `value` from the source points as polylines, without a point twice in
-  /// a row; a closed one ends with its first point, any other one begins and ends at the border. The points on edges are
-  /// found with an error of \f$ 10^{-12} \f$ of the length of the edge, or of the rounding of the distance if that is more,
-  /// and joined by segments in the faces. A vertex at the distance `value` is a point of the lines that separate nearer
-  /// points from farther ones there; if all around it is nearer, it is a point by itself, and not written. Two crossings of
-  /// an edge that are nearer to each other than \f$ 10^{-4} \f$ of its length may be left out, and so may be a closed line
-  /// that meets no edge, around a point that is farther than all edges of its face. There is no line where no source
-  /// point reaches, and none for a value that is negative, infinite or not a number.
+  /// writes the lines of all points at the distance `value` from the source points as polylines, without a point twice
+  /// in a row; a closed one ends with its first point, any other one begins and ends at the border. The points on edges
+  /// are found with an error of \f$ 10^{-12} \f$ of the length of the edge, or of the rounding of the distance if that
+  /// is more, and joined by segments in the faces. A vertex at the distance `value` is a point of the lines that
+  /// separate nearer points from farther ones there; if all around it is nearer, it is a point by itself, and not
+  /// written. Two crossings of an edge that are nearer to each other than \f$ 10^{-4} \f$ of its length may be left
+  /// out, and so may be a closed line that meets no edge, around a point that is farther than all edges of its face.
+  /// There is no line where no source point reaches, and none for a value that is negative, infinite or not a number.
   /// Takes time linear in the number of faces, and face queries around each point.
   ///
   /// \tparam OutputIterator a model of `OutputIterator` that takes `std::vector<Point_3>`
