@@ -19,6 +19,7 @@
 // minus what was resident before, with the mesh, the places of the queries and the array of the answers.
 
 #include "benchmark_support.h"
+#include "random_places.h"
 
 #include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_paths.h>
 
@@ -37,8 +38,6 @@
 #include <iostream>
 #include <iterator>
 #include <limits>
-#include <random>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -71,14 +70,7 @@ struct Path_settings
     const std::size_t number = std::strtoul(value.c_str(), nullptr, 10);
     if(option == "--sources")
     {
-      numbers_of_sources.clear();
-      std::istringstream list(value);
-      for(std::string item; std::getline(list, item, ',');)
-      {
-        numbers_of_sources.push_back(std::strtoul(item.c_str(), nullptr, 10));
-      }
-      return !numbers_of_sources.empty() &&
-             std::count(numbers_of_sources.begin(), numbers_of_sources.end(), std::size_t(0)) == 0;
+      return read_numbers(value, numbers_of_sources);
     }
     if(option == "--queries" && number > 0)
     {
@@ -103,35 +95,6 @@ struct Path_settings
 // ---------------------------------------------------------------------------------------------------------------------
 // The measuring process
 // ---------------------------------------------------------------------------------------------------------------------
-
-// The same places in every process: of the distributions of the standard library each implementation has its own.
-class Random_places
-{
-public:
-  explicit Random_places(std::size_t seed) : m_generator(seed) {}
-
-  template <class T>
-  const T& element(const std::vector<T>& range)
-  {
-    return range[m_generator() % range.size()];
-  }
-
-  // Not nearer to the border of a face than a thirtieth of its heights.
-  std::array<double, 3> inner_weights()
-  {
-    std::array<double, 3> weights = {0.1 + uniform(), 0.1 + uniform(), 0.1 + uniform()};
-    const double sum = weights[0] + weights[1] + weights[2];
-    weights[0] /= sum;
-    weights[1] /= sum;
-    weights[2] = 1. - weights[0] - weights[1];
-    return weights;
-  }
-
-private:
-  double uniform() { return std::ldexp(static_cast<double>(m_generator() >> 11), -53); }
-
-  std::mt19937_64 m_generator;
-};
 
 template <class Point>
 double polyline_length(const std::vector<Point>& points)
@@ -162,21 +125,13 @@ struct Places
     Random_places source_places(settings.seed), query_places(settings.seed + 1);
     for(std::size_t i = 0; i < number_of_sources; ++i)
     {
-      sources.push_back(inner_location(source_places, all_faces));
+      sources.push_back(source_places.inner_location<Face_location>(all_faces));
     }
     for(std::size_t i = 0; i < settings.queries; ++i)
     {
       at_vertices.push_back(query_places.element(all_vertices));
-      in_faces.push_back(inner_location(query_places, all_faces));
+      in_faces.push_back(query_places.inner_location<Face_location>(all_faces));
     }
-  }
-
-private:
-  static Face_location inner_location(Random_places& places, const std::vector<face_descriptor>& all_faces)
-  {
-    const face_descriptor f = places.element(all_faces);
-    const std::array<double, 3> w = places.inner_weights();
-    return Face_location(f, {w[0], w[1], w[2]});
   }
 };
 

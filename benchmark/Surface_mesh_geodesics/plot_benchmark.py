@@ -3,8 +3,8 @@
 
 Usage: plot_benchmark.py FOLDER_WITH_CSV OUTPUT_FOLDER
 
-Reads the files that are there, of growth.csv, anisotropy.csv, sources.csv, reach.csv, rules.csv, threads.csv, matrix.csv
-and against_shortest_path_all.csv. Writes an SVG file for each of them and tables.md, with the tables of the manual.
+Reads the files that are there, of growth.csv, anisotropy.csv, sources.csv, reach.csv, rules.csv, face_queries.csv,
+threads.csv, matrix.csv and against_shortest_path_all.csv. Writes an SVG file for each of them and tables.md, with the tables of the manual.
 """
 
 import csv
@@ -239,6 +239,31 @@ def speedups(rows, folder, name, label, title, columns):
         threads, ("run, ms", spread("run_ms")), ("speedup", lambda r: number(r["speedup"], 2))], rows)
 
 
+def face_queries(rows, folder):
+    all_sources = groups(rows, "sources")
+    figure, all_axes = plt.subplots(1, len(all_sources), figsize=(3.2 * len(all_sources), 3), sharey=True, squeeze=False)
+    numbers = [1, 10, 100, 1000, 100000]
+    for axes, (sources, of_sources) in zip(all_axes[0], all_sources.items()):
+        for row in of_sources:
+            axes.plot(numbers, [row[f"total_{n}_ms"] for n in numbers], marker=".", label=row["alternative"])
+        axes.set_xscale("log")
+        axes.set_yscale("log")
+        axes.set_xlabel(f"queries in faces, {int(sources)} source" + ("s" if sources > 1 else ""))
+    all_axes[0][0].set_ylabel("processor time with building, ms")
+    all_axes[0][0].legend(fontsize=7)
+    save(figure, folder, "face_queries")
+    return "Queries in faces", table([
+        ("sources", lambda r: number(r["sources"], 0)),
+        ("windows are kept", lambda r: "never" if r["alternative"] == "backward" else r["alternative"]),
+        ("build, ms", lambda r: number(r["build_ms"], 0)),
+        ("first query, ms", lambda r: number(r["first_query_ms"], 3)),
+        ("next queries, µs", lambda r: number(r["query_us"], 1)),
+        ("memory built, MB", lambda r: number(r["memory_built_mb"])),
+        ("memory at the end, MB", lambda r: number(r["memory_end_mb"])),
+        ("keeping pays from", lambda r: number(r["break_even_queries"], 0)),
+    ], rows)
+
+
 def threads_of_one_source(rows, folder):
     return speedups(rows, folder, "threads", "faces", "Threads for one source",
                     [("faces", lambda r: number(r["faces"], 0))])
@@ -271,6 +296,7 @@ QUESTIONS = {
     "sources": sources,
     "reach": reach,
     "rules": rules,
+    "face_queries": face_queries,
     "threads": threads_of_one_source,
     "matrix": matrix,
     "against_shortest_path_all": against,

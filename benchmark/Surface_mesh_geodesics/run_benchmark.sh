@@ -11,7 +11,7 @@ usage: run_benchmark.sh [options]
   --no-standard      leave out the standard meshes (only the other tables that are asked for)
   --paths            Surface_mesh_geodesic_paths, too: builds, queries and paths
   --voronoi          Surface_mesh_geodesic_Voronoi_diagram, too: 1 to 1000 sites
-  --questions        the programs that measure geodesic distances alone, too: growth, anisotropy, sources, reach, rules,
+  --questions        the programs for one question each, too: growth, anisotropy, sources, reach, rules, face queries,
                      threads, matrix; and plots, if python3 has matplotlib
   --repetitions N    runs of each method on the standard meshes (5)
   --all-repetitions N  the same for --all (3)
@@ -80,7 +80,7 @@ if [ -z "$programs" ]; then
   [ "$paths" = no ] || targets+=(benchmark_paths_against_shortest_path)
   [ "$voronoi" = no ] || targets+=(benchmark_Voronoi_diagram)
   [ "$questions" = no ] || targets+=(benchmark_growth benchmark_anisotropy benchmark_sources benchmark_reach benchmark_rules
-                                     benchmark_threads benchmark_matrix)
+                                     benchmark_face_queries benchmark_threads benchmark_matrix)
   [ "${#targets[@]}" -gt 0 ] || { usage >&2; exit 1; }
   cmake --build "$build/programs" --target "${targets[@]}" > "$build/build.log"
   programs="$(dirname "$(find "$build/programs" -type f -name "${targets[0]}" | head -n 1)")"
@@ -291,6 +291,7 @@ if [ "$questions" = yes ]; then
   ask sources "$meshes/bunny00.off"
   ask reach --subdivide 1 "$meshes/bunny00.off"
   ask rules "$meshes/elephant.off" "$meshes/armadillo.off" "$meshes/bunny00.off"
+  ask face_queries "$meshes/bunny00.off"
   # These two measure the time that passes: the machine has to be idle.
   ask threads --subdivide 2 "$meshes/bunny00.off"
   ask matrix --rows 64 "$meshes/bunny00.off"

@@ -114,10 +114,13 @@ int main(int argc, char* argv[])
       std::cout << paths.point(query.first, query.second) << " is reached by no source" << std::endl;
       continue;
     }
-    nearest_sources.push_back(paths.nearest_source_point(query.first, query.second));
-    polylines.push_back(polyline);
-    std::cout << "source " << nearest_sources.back() << ", distance " << distance << ", " << polyline.size()
-              << " points" << std::endl;
+    const std::size_t number = paths.nearest_source_point(query.first, query.second);
+    std::cout << "source " << number << ", distance " << distance << ", " << polyline.size() << " points" << std::endl;
+    if(polyline.size() > 1) // the path from a source to itself is a point, and no line
+    {
+      nearest_sources.push_back(number);
+      polylines.push_back(polyline);
+    }
   }
 
   if(!write_paths(polylines, nearest_sources))

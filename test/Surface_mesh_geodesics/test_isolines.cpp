@@ -1,5 +1,6 @@
 // Lines of equal distance: each point of a line has the distance asked for (by the original class, and by planar
-// geometry), lines cross each edge whose ends are on both sides of the value, and are closed unless they end at the border.
+// geometry), lines cross each edge whose ends are on both sides of the value, and are closed unless they end at the
+// border.
 
 #include "path_test_helpers.h"
 #include "test_meshes.h"
@@ -254,6 +255,193 @@ void test_values_without_lines()
   }
 }
 
+// What holds for the lines of any mesh: no point twice in a row, ends at the border only, and each edge whose ends are
+// on both sides of the value is crossed.
+void check_lines(const Mesh& tm, const Geodesic_paths& paths, double value, const std::vector<Line>& lines)
+{
+  const double tolerance = 1e-9 * size_of(tm);
+  for(const Line& line : lines)
+  {
+    CHECK(line.size() >= 2);
+    CHECK(is_closed(line) || (is_on_border(tm, line.front(), tolerance) && is_on_border(tm, line.back(), tolerance)));
+    for(std::size_t i = 1; i < line.size(); ++i)
+    {
+      CHECK(line[i] != line[i - 1]);
+    }
+  }
+  for(const Mesh::Edge_index e : tm.edges())
+  {
+    const Mesh::Vertex_index a = tm.vertex(e, 0), b = tm.vertex(e, 1);
+    const double da = paths.shortest_distance_to_source_points(a).first;
+    const double db = paths.shortest_distance_to_source_points(b).first;
+    // a vertex at the distance that is farther than all around it has no line
+    const double margin = 1e-9 * (1. + value);
+    if(da < 0 || db < 0 || (std::min)(da, db) > value - margin || (std::max)(da, db) < value + margin)
+    {
+      continue;
+    }
+    double nearest = std::numeric_limits<double>::infinity();
+    for(const Line& line : lines)
+    {
+      for(const Point& p : line)
+      {
+        nearest = (std::min)(nearest, distance_to_segment(p, tm.point(a), tm.point(b)));
+      }
+    }
+    CHECK_NEAR(nearest, 0., tolerance);
+  }
+}
+
+std::size_t times_on_lines(const Point& p, const std::vector<Line>& lines, double tolerance)
+{
+  std::size_t n = 0;
+  for(const Line& line : lines)
+  {
+    for(std::size_t i = is_closed(line) ? 1 : 0; i < line.size(); ++i)
+    {
+      n += distance_between(line[i], p) <= tolerance ? 1 : 0;
+    }
+  }
+  return n;
+}
+
+// The distance of a vertex: lines run through it, once for each sector of nearer points around it, or it is alone.
+void test_values_of_vertices(const Indexed_mesh& indexed)
+{
+  test_support::Scope scope(indexed.name);
+  const Mesh tm = to_face_graph(indexed);
+  Geodesic_paths paths(tm);
+  paths.add_source_point(*tm.vertices().begin());
+  paths.add_source_point(*(--tm.faces().end()), {.2, .3, .5});
+  paths.build_sequence_tree_for_faces();
+  for(const Mesh::Vertex_index v : tm.vertices())
+  {
+    const double value = paths.shortest_distance_to_source_points(v).first;
+    if(value <= 0)
+    {
+      continue;
+    }
+    test_support::Scope vertex_scope("vertex " + std::to_string(std::size_t(v)));
+    std::vector<Line> lines;
+    paths.isolines(value, std::back_inserter(lines));
+    check_lines(tm, paths, value, lines);
+    // what is nearer around the vertex, on its edges
+    std::size_t nearer = 0, farther = 0;
+    for(const Mesh::Halfedge_index h : halfedges_around_target(v, tm))
+    {
+      const auto location = paths.face_location(h, 1. - 1. / 1024.);
+      ++(paths.shortest_distance_to_source_points(location.first, location.second).first < value ? nearer : farther);
+    }
+    const std::size_t times = times_on_lines(tm.point(v), lines, 0.);
+    CHECK_EQUAL(times > 0, nearer > 0 && farther > 0);
+    CHECK(times <= (std::min)(nearer, farther));
+  }
+}
+
+// A square of two triangles: from a corner the line through the two neighbors is a border-to-border line of three
+// points; the corner at the other end is alone.
+void test_square()
+{
+  test_support::Scope scope("square");
+  const Mesh tm = load_data("two_tri_square");
+  Geodesic_paths paths(tm);
+  paths.add_source_point(vertex(0));
+  std::vector<Line> lines;
+  paths.isolines(1., std::back_inserter(lines));
+  CHECK_EQUAL(lines.size(), 1u);
+  for(const Line& line : lines)
+  {
+    CHECK_EQUAL(line.size(), 3u);
+    CHECK((line.front() == tm.point(vertex(1)) && line.back() == tm.point(vertex(3))) ||
+          (line.front() == tm.point(vertex(3)) && line.back() == tm.point(vertex(1))));
+    CHECK_NEAR(distance_between(line[1], Point(std::sqrt(.5), std::sqrt(.5), 0.)), 0., 1e-11);
+  }
+  lines.clear();
+  paths.isolines(paths.shortest_distance_to_source_points(vertex(2)).first, std::back_inserter(lines));
+  CHECK(lines.empty());
+}
+
+// Two discs that touch each other in a vertex, and the border in others.
+void test_touching_discs()
+{
+  test_support::Scope scope("touching discs");
+  const Mesh tm = load_data("grid5");
+  Geodesic_paths paths(tm);
+  for(const double x : {.25, .75})
+  {
+    paths.add_source_point(paths.locate<AABB_traits>(Point(x, .5, 0.)));
+  }
+  std::vector<Line> lines;
+  paths.isolines(.25, std::back_inserter(lines));
+  check_lines(tm, paths, .25, lines);
+  CHECK_EQUAL(lines.size(), 2u);
+  for(const Line& line : lines)
+  {
+    CHECK(is_closed(line));
+  }
+  CHECK_EQUAL(times_on_lines(Point(.5, .5, 0.), lines, 0.), 2u);
+  for(const Point& p : {Point(0., .5, 0.), Point(1., .5, 0.), Point(.25, .25, 0.), Point(.75, .75, 0.)})
+  {
+    CHECK_EQUAL(times_on_lines(p, lines, 0.), 1u);
+  }
+}
+
+// Far from the source the rounding of distances is more than the resolution on an edge.
+void test_far_from_source()
+{
+  test_support::Scope scope("far from the source");
+  const std::size_t n = 30000;
+  const Mesh tm = to_face_graph(strip(n));
+  Geodesic_paths paths(tm);
+  paths.add_source_point(vertex(0));
+  test_support::Random random(3);
+  std::size_t number_of_lines = 0, number_of_ends = 0;
+  // the errors of all faces on the way add up, and here they are the same in each square
+  const double rounding = 2. * static_cast<double>(n) * std::numeric_limits<double>::epsilon();
+  for(std::size_t i = 0; i < 200; ++i)
+  {
+    const double value = random.uniform(.9, .99) * static_cast<double>(n);
+    std::vector<Line> lines;
+    paths.isolines(value, std::back_inserter(lines));
+    number_of_lines += lines.size();
+    for(const Line& line : lines)
+    {
+      for(const Point& p : {line.front(), line.back()})
+      {
+        number_of_ends += std::abs(p.y() - .5) > .499999 ? 1 : 0; // the strip has the width 1
+      }
+      for(const Point& p : line)
+      {
+        CHECK_CLOSE(distance_between(p, tm.point(vertex(0))), value, rounding);
+      }
+    }
+  }
+  CHECK_EQUAL(number_of_lines, 200u);
+  CHECK_EQUAL(number_of_ends, 400u);
+}
+
+// Edges without length and faces without area.
+void test_degenerate_faces()
+{
+  for(const char* name : {"needle_dup_position", "cap_zero_area", "sliver_1e-12", "needle_1e-12", "pinched_vertex",
+                          "isolated_vertex", "two_components"})
+  {
+    test_support::Scope scope(name);
+    const Mesh tm = load_data(name);
+    Geodesic_paths paths(tm);
+    paths.add_source_point(vertex(0));
+    const double farthest = paths.farthest_vertex().second;
+    test_support::Random random(5);
+    for(std::size_t i = 0; i < 60; ++i)
+    {
+      const double value = random.uniform(0., 1.) * farthest;
+      std::vector<Line> lines;
+      paths.isolines(value, std::back_inserter(lines));
+      check_lines(tm, paths, value, lines);
+    }
+  }
+}
+
 // A const object has to be built for queries at any point.
 void test_const_object()
 {
@@ -297,6 +485,16 @@ int main()
   test_two_sources();
   test_values_without_lines();
   test_const_object();
+  test_square();
+  test_touching_discs();
+  test_far_from_source();
+  test_degenerate_faces();
+  for(const Indexed_mesh& indexed :
+      {noisy_sphere(2, .1, seed), cube_grid(2), rough_terrain(6, 1.5, seed), saddle_patch(6), square_with_holes(1),
+       genus_2_polycube(), flat_patch(7, 7, 0., false, 1), icosphere(2), two_components_and_an_isolated_vertex()})
+  {
+    test_values_of_vertices(indexed);
+  }
   test_against_original(noisy_sphere(3, .05, seed), 5);
   test_against_original(torus(2, .7, 24, 12), 17);
   test_against_original(rough_terrain(12, 1.5, seed), 40);

@@ -1,6 +1,7 @@
-// Every member of Surface_mesh_shortest_path, called on both classes by the same code with the same result; then what
-// only the new class has: states, exceptions, cancelling, edge lengths, const queries, further members.
+// Every member of Surface_mesh_shortest_path, named for both classes by the same code at compile time, and called with
+// the same result; then what only the new class has: states, exceptions, cancelling, edge lengths, const queries, further members.
 
+#include "interface_of_shortest_path.h"
 #include "path_test_helpers.h"
 #include "test_meshes.h"
 #include "test_support.h"
@@ -18,11 +19,16 @@
 #include <CGAL/AABB_traits.h>
 #endif
 
+#include <boost/iterator/transform_iterator.hpp>
+
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <limits>
+#include <sstream>
 #include <stdexcept>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 using namespace test_meshes;
@@ -39,6 +45,13 @@ using AABB_traits = CGAL::AABB_traits<Kernel, Primitive>;
 using Tree = CGAL::AABB_tree<AABB_traits>;
 using Invalid_input = CGAL::Surface_mesh_geodesics::Invalid_geodesic_input;
 using Reason = Invalid_input::Reason;
+
+// the same by name, at compile time
+using interface_of_shortest_path::has_interface_of_shortest_path;
+static_assert(
+  has_interface_of_shortest_path<Shortest_path, Paths_traits, AABB_traits, Path_recorder<Shortest_path>>(), "");
+static_assert(
+  has_interface_of_shortest_path<Geodesic_paths, Paths_traits, AABB_traits, Path_recorder<Geodesic_paths>>(), "");
 
 // --- both classes ---
 
@@ -92,26 +105,6 @@ Log call_every_member(const Mesh& tm, std::uint64_t seed)
   test_support::Random random(seed);
   const Paths_traits traits{};
 
-  // types
-  static_assert(std::is_same<typename Paths::Triangle_mesh, Mesh>::value, "");
-  static_assert(std::is_same<typename Paths::Graph_traits, boost::graph_traits<Mesh>>::value, "");
-  static_assert(std::is_same<typename Paths::vertex_descriptor, vertex_descriptor>::value, "");
-  static_assert(std::is_same<typename Paths::halfedge_descriptor, Mesh::Halfedge_index>::value, "");
-  static_assert(std::is_same<typename Paths::face_descriptor, face_descriptor>::value, "");
-  static_assert(std::is_same<typename Paths::FT, double>::value, "");
-  static_assert(std::is_same<typename Paths::Point_3, Kernel::Point_3>::value, "");
-  static_assert(std::is_same<typename Paths::Face_location,
-                             std::pair<face_descriptor, typename Paths::Barycentric_coordinates>>::value,
-                "");
-  static_assert(
-    std::is_same<typename Paths::Barycentric_coordinate, typename Paths::Barycentric_coordinates>::value, "");
-  static_assert(std::is_same<typename Paths::Shortest_path_result,
-                             std::pair<double, typename Paths::Source_point_iterator>>::value,
-                "");
-  static_assert(
-    std::is_same<typename Paths::Source_point_iterator::iterator_category, std::bidirectional_iterator_tag>::value, "");
-  static_assert(std::is_same<typename Paths::Source_point_iterator::value_type, typename Paths::Face_location>::value,
-                "");
   typename Paths::Vertex_index_map vertex_index_map = get(boost::vertex_index, tm);
   typename Paths::Halfedge_index_map halfedge_index_map = get(boost::halfedge_index, tm);
   typename Paths::Face_index_map face_index_map = get(boost::face_index, tm);
@@ -417,60 +410,193 @@ bool throws_reason(Reason reason, Function function)
   return false;
 }
 
+// What the queries of an object write, in words that compare.
+struct Answers
+{
+  std::vector<double> numbers;
+  std::vector<std::vector<Kernel::Point_3>> lines;
+  std::vector<std::pair<Kernel::Point_3, face_descriptor>> polyline;
+  std::vector<Kernel::Point_3> points;
+  Path_recorder<Geodesic_paths> visitor;
+
+  bool empty() const { return lines.empty() && polyline.empty() && points.empty() && visitor.items.empty(); }
+};
+
+// A query member: what it needs, and a call. `Paths` may be const.
+template <class Paths>
+struct Query_member
+{
+  bool needs_faces;
+  std::function<void(Paths&, Answers&)> call;
+};
+
+const Geodesic_paths::Barycentric_coordinates inside{.2, .3, .5}, corner{0., 1., 0.};
+
+template <class Paths>
+std::vector<Query_member<Paths>> all_query_members(const Mesh& tm)
+{
+  const auto add = [](const Geodesic_paths::Shortest_path_result& r, Answers& a) { a.numbers.push_back(r.first); };
+  auto distances = get(CGAL::dynamic_vertex_property_t<double>(), tm);
+  return {
+    {false, [=](Paths& p, Answers& a) { add(p.shortest_distance_to_source_points(vertex(3)), a); }},
+    {false, [=](Paths& p, Answers& a) { add(p.shortest_distance_to_source_points(face(3), corner), a); }},
+    {true, [=](Paths& p, Answers& a) { add(p.shortest_distance_to_source_points(face(3), inside), a); }},
+    {false, [=](Paths& p, Answers& a) { a.numbers.push_back(double(p.nearest_source_point(vertex(3)))); }},
+    {false, [=](Paths& p, Answers& a) { a.numbers.push_back(double(p.nearest_source_point(face(3), corner))); }},
+    {true, [=](Paths& p, Answers& a) { a.numbers.push_back(double(p.nearest_source_point(face(3), inside))); }},
+    {false,
+     [=](Paths& p, Answers& a)
+     {
+       p.shortest_distances_to_source_points(distances);
+       a.numbers.push_back(get(distances, vertex(7)));
+     }},
+    {false, [=](Paths& p, Answers& a) { a.numbers.push_back(p.farthest_vertex().second); }},
+    {false, [=](Paths& p, Answers& a) { add(p.shortest_path_sequence_to_source_points(vertex(3), a.visitor), a); }},
+    {true,
+     [=](Paths& p, Answers& a) { add(p.shortest_path_sequence_to_source_points(face(3), inside, a.visitor), a); }},
+    {false,
+     [=](Paths& p, Answers& a)
+     { add(p.shortest_path_points_to_source_points(vertex(3), std::back_inserter(a.points)), a); }},
+    {true,
+     [=](Paths& p, Answers& a)
+     { add(p.shortest_path_points_to_source_points(face(3), inside, std::back_inserter(a.points)), a); }},
+    {false,
+     [=](Paths& p, Answers& a)
+     { add(p.shortest_path_polyline_to_source_points(vertex(3), std::back_inserter(a.polyline)), a); }},
+    {true,
+     [=](Paths& p, Answers& a)
+     { add(p.shortest_path_polyline_to_source_points(face(3), inside, std::back_inserter(a.polyline)), a); }},
+    {true, [=](Paths& p, Answers& a) { p.isolines(.5, std::back_inserter(a.lines)); }}};
+}
+
+// Each query member of a const object throws, and writes nothing, until what it needs has been built, and then gives
+// the answers of an object that is not const, of which each builds what it needs.
 void const_queries_do_not_build()
 {
   test_support::Scope scope("const queries");
   const Mesh tm = to_face_graph(noisy_sphere(1, .1, 3));
+  const auto of_const = all_query_members<const Geodesic_paths>(tm);
+  const auto of_other = all_query_members<Geodesic_paths>(tm);
   Geodesic_paths paths(tm);
   const Geodesic_paths& constant = paths;
-  const Geodesic_paths::Barycentric_coordinates inside{.2, .3, .5};
-  Path_recorder<Geodesic_paths> visitor;
-  std::vector<Kernel::Point_3> points;
-  auto at_vertex = [&]
-  { static_cast<void>(constant.shortest_distance_to_source_points(vertex(3))); };
-  auto in_face = [&]
-  { static_cast<void>(constant.shortest_distance_to_source_points(face(3), inside)); };
-  auto sequence_at_vertex = [&]
-  { constant.shortest_path_sequence_to_source_points(vertex(3), visitor); };
-  auto sequence_in_face = [&]
-  { constant.shortest_path_sequence_to_source_points(face(3), inside, visitor); };
-  auto points_at_vertex = [&]
-  { constant.shortest_path_points_to_source_points(vertex(3), std::back_inserter(points)); };
-  auto points_in_face = [&]
-  { constant.shortest_path_points_to_source_points(face(3), inside, std::back_inserter(points)); };
-  auto corner = [&]
-  { static_cast<void>(constant.shortest_distance_to_source_points(face(3), {0., 1., 0.})); };
-
-  for(std::size_t round = 0; round < 2; ++round)
+  const auto check = [&](bool is_built, bool has_faces)
+  {
+    for(std::size_t i = 0; i < of_const.size(); ++i)
+    {
+      test_support::Scope member_scope("query member " + std::to_string(i));
+      Answers answers, expected;
+      const bool may_ask = is_built && (has_faces || !of_const[i].needs_faces);
+      CHECK_EQUAL(throws<std::logic_error>([&] { of_const[i].call(constant, answers); }), !may_ask);
+      CHECK(may_ask || (answers.empty() && answers.numbers.empty()));
+      CHECK(constant.changed_since_last_build() == !is_built);
+      if(!may_ask)
+      {
+        continue;
+      }
+      Geodesic_paths fresh(tm);
+      for(auto it = paths.source_points_begin(); it != paths.source_points_end(); ++it)
+      {
+        fresh.add_source_point(*it);
+      }
+      of_other[i].call(fresh, expected);
+      CHECK(!fresh.changed_since_last_build());
+      CHECK(answers.numbers == expected.numbers && answers.points == expected.points);
+      CHECK(answers.polyline == expected.polyline && answers.lines == expected.lines);
+      CHECK_EQUAL(answers.visitor.items.size(), expected.visitor.items.size());
+    }
+  };
+  check(true, true); // without sources nothing has to be built
+  for(std::size_t round = 0; round < 3; ++round)
   {
     paths.add_source_point(vertex(round));
-    CHECK(throws<std::logic_error>(at_vertex) && throws<std::logic_error>(in_face));
-    CHECK(throws<std::logic_error>(sequence_at_vertex) && throws<std::logic_error>(sequence_in_face));
-    CHECK(throws<std::logic_error>(points_at_vertex) && throws<std::logic_error>(points_in_face));
-    CHECK(throws<std::logic_error>(corner));
-    CHECK(visitor.items.empty() && points.empty());
+    check(false, false);
     paths.build_sequence_tree();
-    CHECK(!throws<std::exception>(at_vertex) && throws<std::logic_error>(in_face));
-    CHECK(!throws<std::exception>(sequence_at_vertex) && throws<std::logic_error>(sequence_in_face));
-    CHECK(!throws<std::exception>(points_at_vertex) && throws<std::logic_error>(points_in_face));
-    CHECK(!throws<std::exception>(corner));
+    check(true, false);
     paths.build_sequence_tree_for_faces();
-    CHECK(!throws<std::exception>(at_vertex) && !throws<std::exception>(in_face));
-    CHECK(!throws<std::exception>(sequence_at_vertex) && !throws<std::exception>(sequence_in_face));
-    CHECK(!throws<std::exception>(points_at_vertex) && !throws<std::exception>(points_in_face));
-    visitor.items.clear();
-    points.clear();
+    check(true, true);
   }
+  paths.remove_source_point(paths.source_points_begin());
+  check(false, false);
+  paths.remove_all_source_points();
+  check(false, false);
+  paths.build_sequence_tree();
+  check(true, false);
+  paths.build_sequence_tree_for_faces();
+  check(true, true);
+
+  // what is no query never needs to be built
+  paths.add_source_point(vertex(1));
+  CHECK_EQUAL(constant.number_of_source_points(), 1u);
+  CHECK(constant.source_points_begin() != constant.source_points_end());
+  CHECK(constant.point(vertex(1)) == tm.point(vertex(1)));
+  CHECK(constant.locate<AABB_traits>(tm.point(vertex(1))).first != boost::graph_traits<Mesh>::null_face());
+  paths.build_sequence_tree_for_faces();
   for(const vertex_descriptor v : vertices(tm))
   {
-    CHECK_EQUAL(constant.shortest_distance_to_source_points(v).first,
-                paths.shortest_distance_to_source_points(v).first);
     checked_path(constant, Place(v), tm, 1.);
   }
   for(const face_descriptor f : faces(tm))
   {
     checked_path(constant, Place(Face_location(f, inside)), tm, 1.);
   }
+}
+
+// Vertices and edges without faces have no location; border halfedges have one.
+void locations_without_faces()
+{
+  test_support::Scope scope("locations without faces");
+  const face_descriptor none = boost::graph_traits<Mesh>::null_face();
+  Mesh tm = to_face_graph(two_components_and_an_isolated_vertex());
+  for(const vertex_descriptor v : vertices(tm))
+  {
+    CHECK_EQUAL(Geodesic_paths::face_location(v, tm).first == none, tm.is_isolated(v));
+  }
+  const vertex_descriptor a = tm.add_vertex(Kernel::Point_3(0., 0., 9.));
+  const vertex_descriptor b = tm.add_vertex(Kernel::Point_3(1., 0., 9.));
+  const auto h = halfedge(CGAL::add_edge(tm), tm); // an edge alone
+  set_target(h, b, tm);
+  set_target(opposite(h, tm), a, tm);
+  set_next(h, opposite(h, tm), tm);
+  set_next(opposite(h, tm), h, tm);
+  set_halfedge(b, h, tm);
+  set_halfedge(a, opposite(h, tm), tm);
+  set_face(h, none, tm);
+  set_face(opposite(h, tm), none, tm);
+  CHECK(Geodesic_paths::face_location(a, tm).first == none && Geodesic_paths::face_location(b, tm).first == none);
+  CHECK(Geodesic_paths::face_location(h, .5, tm).first == none);
+  for(const auto border : halfedges(tm))
+  {
+    if(is_border(border, tm) && !is_border(opposite(border, tm), tm))
+    {
+      const auto l = Geodesic_paths::face_location(border, .25, tm);
+      CHECK(l.first == face(opposite(border, tm), tm));
+      CHECK_NEAR(length(to_coordinates(Geodesic_paths::point(l.first, l.second, tm)) -
+                        to_coordinates(Geodesic_paths::point(border, .25, tm))), 0., 1e-13);
+    }
+  }
+}
+
+// A range that can be read once, and iterators through builds.
+void source_points_of_input_iterators()
+{
+  test_support::Scope scope("input iterators");
+  const Mesh tm = to_face_graph(noisy_sphere(1, .1, 3));
+  Geodesic_paths paths(tm);
+  std::istringstream numbers("3 5 8");
+  using Number = std::istream_iterator<std::size_t>;
+  const auto to_vertex = [](std::size_t i) { return vertex(i); };
+  const auto first = paths.add_source_points(boost::make_transform_iterator(Number(numbers), to_vertex),
+                                             boost::make_transform_iterator(Number(), to_vertex));
+  CHECK(first == paths.source_points_begin());
+  CHECK_EQUAL(paths.number_of_source_points(), 3u);
+  const auto second = std::next(first), third = std::next(second);
+  paths.build_sequence_tree();
+  paths.remove_source_point(second);
+  paths.build_sequence_tree_for_faces();
+  CHECK(std::next(first) == third && std::next(third) == paths.source_points_end());
+  CHECK(paths.shortest_distance_to_source_points(vertex(8)).second == third);
+  CHECK(Geodesic_paths::Source_point_iterator() == Geodesic_paths::Source_point_iterator());
+  CHECK_EQUAL(std::distance(paths.source_points_begin(), paths.source_points_end()), 2);
 }
 
 void bad_input_is_refused()
@@ -769,6 +895,8 @@ void building_can_be_cancelled()
   CHECK(paths.build_sequence_tree_for_faces(visitor));
   CHECK_EQUAL(visitor.begins, 0u);
   CHECK(paths.statistics().vertices_visited > 0);
+  paths.clear();
+  CHECK_EQUAL(paths.statistics().vertices_visited, 0u);
 }
 
 // a visitor that throws leaves the object valid as well
@@ -878,6 +1006,8 @@ int main()
   both_classes_agree(seed);
   states_and_iterators();
   const_queries_do_not_build();
+  locations_without_faces();
+  source_points_of_input_iterators();
   bad_input_is_refused();
   bad_queries_without_sources_are_refused();
   vertices_without_faces_have_a_null_location();

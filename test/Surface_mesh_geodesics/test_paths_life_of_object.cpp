@@ -1,5 +1,6 @@
 // One object through thousands of random steps: sources come and go, one by one and in ranges, the structure is built
-// or cleared, queries are made. After every query a fresh object with the same sources has to give the same answer.
+// or cleared, edge lengths replace points, queries of all kinds are made. After every query a fresh object with the
+// same sources has to give the same answer, and so has the same object when it is asked as a const one.
 
 #include "path_test_helpers.h"
 #include "test_meshes.h"
@@ -8,7 +9,9 @@
 #include <CGAL/Surface_mesh_geodesics/Geodesic_default_visitor.h>
 
 #include <algorithm>
+#include <iterator>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 using namespace test_meshes;
@@ -36,7 +39,9 @@ class Life
 {
 public:
   Life(const Indexed_mesh& indexed, test_support::Random& random)
-    : m_tm(to_face_graph(indexed)), m_size(size_of(m_tm)), m_random(random), m_paths(m_tm)
+    : m_tm(to_face_graph(indexed)), m_size(size_of(m_tm)), m_random(random),
+      m_lengths_of_points(add_edge_lengths(m_tm)),
+      m_lengths(m_tm.add_property_map<Mesh::Edge_index, double>("e:used_length", 0.).first), m_paths(m_tm)
   {
     for(const auto e : edges(m_tm))
     {
@@ -81,6 +86,7 @@ public:
       {
         m_paths.clear();
         m_sources.clear();
+        m_factor = 0.;
         CHECK(!m_paths.changed_since_last_build());
       }
       else if(action < 23)
@@ -90,6 +96,18 @@ public:
       else if(action < 24)
       {
         fail();
+      }
+      else if(action < 25)
+      {
+        change_lengths();
+      }
+      else if(action < 28)
+      {
+        query_all_vertices();
+      }
+      else if(action < 29)
+      {
+        query_isolines();
       }
       else
       {
@@ -188,26 +206,148 @@ private:
     m_paths.remove_source_point(bad);
   }
 
+  // Lengths from a map, those of the points times a factor; a map that is none is refused, and the points count again.
+  void change_lengths()
+  {
+    if(m_edges.empty())
+    {
+      return;
+    }
+    const bool is_bad = m_random.index(4) == 0;
+    m_factor = is_bad ? 0. : m_random.uniform(.5, 3.);
+    use_lengths(m_paths, is_bad ? 1. : m_factor, is_bad);
+    CHECK(m_sources.empty() || m_paths.changed_since_last_build());
+    for(const Mesh::Edge_index e : m_edges) // they have been read
+    {
+      m_lengths[e] = -1.;
+    }
+  }
+
+  void use_lengths(Geodesic_paths& paths, double factor, bool is_bad)
+  {
+    for(const Mesh::Edge_index e : m_edges)
+    {
+      m_lengths[e] = factor * m_lengths_of_points[e];
+    }
+    m_lengths[m_edges[m_random.index(m_edges.size())]] *= is_bad ? -1. : 1.;
+    bool is_refused = false;
+    try
+    {
+      paths.use_edge_lengths(m_lengths);
+    }
+    catch(const std::invalid_argument&)
+    {
+      is_refused = true;
+    }
+    CHECK_EQUAL(is_refused, is_bad);
+  }
+
+  // an object with the same sources and the same lengths
+  void make_alike(Geodesic_paths& fresh)
+  {
+    if(m_factor > 0.)
+    {
+      use_lengths(fresh, m_factor, false);
+    }
+    for(const Known_source& s : m_sources)
+    {
+      add(fresh, s.place);
+    }
+  }
+
   void query()
   {
     ++m_number_of_queries;
     const Place place = random_place();
     Geodesic_paths fresh(m_tm);
-    for(const Known_source& s : m_sources)
-    {
-      add(fresh, s.place);
-    }
+    make_alike(fresh);
     // the structure is the same whether windows are kept or not
     Answer answer = ask(m_paths, place);
     const Answer expected = ask(fresh, place);
     CHECK_EQUAL(answer.distance, expected.distance);
     CHECK_EQUAL(answer.source, expected.source);
+    CHECK_EQUAL(nearest(m_paths, place), expected.source);
+    CHECK_EQUAL(nearest(std::as_const(m_paths), place), expected.source);
     CHECK(!m_paths.changed_since_last_build());
+    CHECK_EQUAL(m_paths.statistics().vertices_visited > 0, !m_sources.empty());
     if(m_random.index(2) == 0)
     {
-      const std::vector<Coordinates> points = checked_path(m_paths, place, m_tm, m_size);
-      CHECK(points == checked_path(fresh, place, m_tm, m_size));
+      const Polyline polyline = polyline_of(m_paths, place);
+      CHECK(polyline == polyline_of(fresh, place));
+      CHECK(polyline == polyline_of(std::as_const(m_paths), place));
+      if(m_factor == 0.)
+      {
+        const std::vector<Coordinates> points = checked_path(m_paths, place, m_tm, m_size);
+        CHECK(points == checked_path(fresh, place, m_tm, m_size));
+      }
+      else
+      {
+        double length = 0.;
+        for(std::size_t i = 1; i < polyline.size(); ++i)
+        {
+          length += m_factor * std::sqrt(CGAL::squared_distance(polyline[i - 1].first, polyline[i].first));
+        }
+        CHECK_NEAR(length, (std::max)(answer.distance, 0.), 1e-10 * m_size * m_factor);
+      }
     }
+  }
+
+  void query_all_vertices()
+  {
+    ++m_number_of_queries;
+    Geodesic_paths fresh(m_tm);
+    make_alike(fresh);
+    const auto farthest = m_paths.farthest_vertex();
+    CHECK(farthest == fresh.farthest_vertex() && farthest == std::as_const(m_paths).farthest_vertex());
+    auto distances = get(CGAL::dynamic_vertex_property_t<double>(), m_tm);
+    auto expected = get(CGAL::dynamic_vertex_property_t<double>(), m_tm);
+    m_paths.shortest_distances_to_source_points(distances);
+    fresh.shortest_distances_to_source_points(expected);
+    double largest = -1.;
+    for(const vertex_descriptor v : vertices(m_tm))
+    {
+      CHECK_EQUAL(get(distances, v), get(expected, v));
+      largest = (std::max)(largest, get(distances, v));
+    }
+    CHECK_EQUAL(farthest.second, largest);
+    CHECK_EQUAL(farthest.first == boost::graph_traits<Mesh>::null_vertex(), m_sources.empty());
+    std::as_const(m_paths).shortest_distances_to_source_points(expected);
+    for(const vertex_descriptor v : vertices(m_tm))
+    {
+      CHECK_EQUAL(get(distances, v), get(expected, v));
+    }
+  }
+
+  void query_isolines()
+  {
+    ++m_number_of_queries;
+    Geodesic_paths fresh(m_tm);
+    make_alike(fresh);
+    const double value = m_random.uniform(.2, .9) * m_paths.farthest_vertex().second;
+    std::vector<std::vector<Kernel::Point_3>> lines, expected, of_const;
+    m_paths.isolines(value, std::back_inserter(lines));
+    fresh.isolines(value, std::back_inserter(expected));
+    std::as_const(m_paths).isolines(value, std::back_inserter(of_const));
+    CHECK(lines == expected && lines == of_const);
+    CHECK(value > 0. || lines.empty());
+  }
+
+  using Polyline = std::vector<std::pair<Kernel::Point_3, face_descriptor>>;
+
+  // `Paths` may be const
+  template <class Paths>
+  static Polyline polyline_of(Paths& paths, const Place& place)
+  {
+    Polyline result;
+    ask_polyline(paths, place, std::back_inserter(result));
+    return result;
+  }
+
+  template <class Paths>
+  static std::size_t nearest(Paths& paths, const Place& place)
+  {
+    return place.is_vertex() ? paths.nearest_source_point(place.vertex)
+                             : paths.nearest_source_point(place.location.first, place.location.second);
   }
 
   // the iterators are those of the sources that are left, in the order of addition
@@ -239,9 +379,14 @@ private:
     CHECK(it == m_paths.source_points_end());
   }
 
-  const Mesh m_tm;
+  using Lengths = Mesh::Property_map<Mesh::Edge_index, double>;
+
+  Mesh m_tm;
   const double m_size;
   test_support::Random& m_random;
+  const Lengths m_lengths_of_points;
+  Lengths m_lengths;
+  double m_factor = 0.; // the points count if it is zero
   Geodesic_paths m_paths;
   std::vector<Mesh::Edge_index> m_edges;
   std::vector<Known_source> m_sources;

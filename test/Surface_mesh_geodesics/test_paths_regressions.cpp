@@ -6,10 +6,12 @@
 #include "test_support.h"
 
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
+#include <CGAL/Surface_mesh_geodesics/geodesic_distances.h>
 
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -850,6 +852,53 @@ void broken_files_are_refused()
   }
 }
 
+// Every file of the folder, so that none is forgotten: from each vertex and from points of faces the distances are those
+// of geodesic_distances(), and each path has the length of its distance.
+void every_file(test_support::Random& random)
+{
+  std::size_t number_of_meshes = 0;
+  for(const auto& entry : std::filesystem::directory_iterator("data"))
+  {
+    const std::string name = entry.path().stem().string();
+    Mesh tm;
+    if(entry.path().extension() != ".off" || name == "edge_three_faces" || name == "index_out_of_range")
+    {
+      continue;
+    }
+    test_support::Scope scope(name);
+    if(!CHECK(read_data(name, tm)))
+    {
+      continue;
+    }
+    ++number_of_meshes;
+    const double size = size_of(tm);
+    auto expected = get(CGAL::dynamic_vertex_property_t<double>(), tm);
+    for(std::size_t i = 0; i < num_vertices(tm) + 5; ++i)
+    {
+      const Place place = i < num_vertices(tm) ? Place(vertex(i)) : Place(random_location(tm, random));
+      test_support::Scope source_scope("source " + description(place));
+      Geodesic_paths paths(tm);
+      add(paths, place);
+      if(place.is_vertex())
+      {
+        CGAL::Surface_mesh_geodesics::geodesic_distances(tm, expected, place.vertex);
+      }
+      else
+      {
+        CGAL::Surface_mesh_geodesics::geodesic_distances(tm, expected, place.location);
+      }
+      for(const vertex_descriptor v : vertices(tm))
+      {
+        const double distance = ask(paths, Place(v)).distance;
+        CHECK_EQUAL(distance < 0. ? infinity : distance, get(expected, v));
+        checked_path(paths, Place(v), tm, size);
+      }
+      checked_path(paths, place, tm, size);
+    }
+  }
+  CHECK(number_of_meshes >= 37);
+}
+
 } // namespace
 
 int main()
@@ -869,5 +918,6 @@ int main()
   broken_files_are_refused();
   plane_meshes(random);
   sources_near_to_vertices(random);
+  every_file(random);
   return test_result();
 }

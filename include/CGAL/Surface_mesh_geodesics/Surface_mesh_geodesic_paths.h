@@ -15,9 +15,9 @@
 #include <CGAL/Surface_mesh_geodesics/Geodesic_default_visitor.h>
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
-#include <CGAL/Surface_mesh_geodesics/internal/Geodesic_solver.h>
-#include <CGAL/Surface_mesh_geodesics/internal/cgal_compatibility.h>
-#include <CGAL/Surface_mesh_geodesics/internal/intrinsic_mesh_from_face_graph.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Lazy_path_structure.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Surface_locations.h>
+#include <CGAL/Surface_mesh_geodesics/internal/path_visitors.h>
 
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Default.h>
@@ -28,14 +28,9 @@
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
-#include <iterator>
 #include <limits>
-#include <list>
-#include <stdexcept>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -47,9 +42,9 @@ namespace CGAL {
 The class `Surface_mesh_geodesic_paths` computes exact geodesic distances and shortest paths from one or
 more source points, which may be any points of a triangle mesh, to any of its points.
 
-It replaces `Surface_mesh_shortest_path`: all types, member functions and static member functions of that
-class are here, with the same meaning. A program changes the include and the name of the class, and nothing
-else.
+It replaces `Surface_mesh_shortest_path`: all types, constructors, member functions and static member functions that
+are documented there (in the versions 5.5 to 6.2 of \cgal, which are alike) are here, with the same meaning. A program
+changes the include and the name of the class, and nothing else.
 
 \code
 typedef CGAL::Surface_mesh_shortest_path_traits<Kernel, Triangle_mesh> Traits;
@@ -60,42 +55,61 @@ paths.add_source_point(source);
 std::cout << paths.shortest_distance_to_source_points(target).first << "\n";
 \endcode
 
-<b>Differences from `Surface_mesh_shortest_path`</b>
+Lengths and distances have the unit of the coordinates of the points, or of the edge lengths.
 
-- Source points on edges are where they have been put, for each parameter `t`; several sources in faces,
-  queries on border edges, edges without length, isolated vertices and two sources at vertices give the right
+<b>Differences from `Surface_mesh_shortest_path`</b>, all that are meant:
+
+- <em>Answers.</em> Source points on edges are where they have been put, for each parameter `t`; several sources in
+  faces, queries on border edges, edges without length, isolated vertices and two sources at vertices give the right
   distances.
-- Barycentric coordinates, of source points and of queries, that are not greater than
-  \f$ 64 \epsilon \approx 1.4 \cdot 10^{-14} \f$ are taken for zero, and their sum for one. So a location that
-  `locate()` has computed for a point at a vertex is that vertex, in whichever face it has been found. A location
-  is outside its face if a coordinate is less than \f$ -\delta \f$ or greater than \f$ 1 + \delta \f$, or if the
-  sum of its coordinates differs from one by more than \f$ \delta = \sqrt\epsilon / 16 \approx 9.3 \cdot 10^{-10} \f$.
-- `locate()` returns a point of the longest side for a face whose height is lost in rounding, instead of coordinates
-  that are not numbers.
-- All is computed in `double`, whatever the number type of the traits is: coordinates are rounded with
-  `CGAL::to_double()`, and results are numbers of type `double`, converted to `FT`. The points of a path are
-  constructed with the traits.
-- Input that makes no sense (a face that is not a triangle, a coordinate that is not finite, a location
-  outside its face, a descriptor that is not in the mesh) throws
-  `Surface_mesh_geodesics::Invalid_geodesic_input`, from `build_sequence_tree()` or from the query.
-- A path has at least one point and no point twice in a row. A source point on an edge or at a vertex, given
-  as a location, is reported to the visitor as the edge or the vertex.
-- An isolated vertex may be a source, and is then the only point that it reaches. The iterator to it
-  dereferences to a location with a null face.
-- Two source points at the same place: the first one is reported.
-- Queries of a `const` object exist, see below. Objects cannot be copied, and the members for debugging, which are
-  not documented there, do not exist.
+- <em>Ties.</em> Where several paths are equally short, one of them is reported, and the source point it comes from;
+  the original may report another one of the same length. Of several source points at one place the first one is
+  reported.
+- <em>Snapping.</em> Barycentric coordinates, of source points and of queries, that are not greater than \f$ 64
+  \epsilon \approx 1.4 \cdot 10^{-14} \f$ are taken for zero, and their sum for one. So a location that `locate()` has
+  computed for a point at a vertex, or nearer to it than this tolerance, is that vertex, in whichever face it has been
+  found.
+- <em>Invalid input</em> throws `Surface_mesh_geodesics::Invalid_geodesic_input`, also if assertions are switched off,
+  from `build_sequence_tree()` or from the query. The original asserts, or does not notice: a face that is not a
+  triangle; a coordinate of a point that is not finite; a descriptor that is null or not in the mesh; a location
+  outside its face, with a coordinate less than \f$ -\delta \f$ or greater than \f$ 1 + \delta \f$ or coordinates
+  whose sum differs from one by more than \f$ \delta = \sqrt\epsilon / 16 \approx 9.3 \cdot 10^{-10} \f$. Small
+  negative coordinates, and the second of two source points at vertices, for which the original asserts, are valid.
+- <em>Paths.</em> A path has at least one point and no point twice in a row. A source point on an edge or at a vertex,
+  given as a location, is reported to the visitor as the edge or the vertex. A path that rounding hides throws
+  `std::runtime_error`, see there.
+- <em>Isolated vertices.</em> An isolated vertex may be a source, and is then the only point that it reaches. The
+  iterator to it dereferences to a location with a null face, which `face_location()` returns as well for a vertex or
+  an edge without faces. `face_location()` takes border halfedges.
+- <em>Numbers.</em> All is computed in `double`, whatever the number type of the traits is: coordinates are rounded
+  with `CGAL::to_double()`, and results are numbers of type `double`, converted to `FT`. The points of a path are
+  constructed with the traits. `locate()` returns a point of the longest side for a face whose height is lost in
+  rounding, instead of coordinates that are not numbers.
+- <em>Iterators to source points</em> stay valid when the structure is built again, unless their point has been
+  removed. Their types `pointer` and `reference` are those of constants, as the operators return them, and there is a
+  `difference_type`. `add_source_points()` takes input iterators, and returns `source_points_end()` for an empty
+  range.
+- <em>Objects that are `const`</em> can be asked, by several threads at once, see below.
+- <em>More members:</em> `build_sequence_tree_for_faces()`, visitors of the progress that may cancel,
+  `use_edge_lengths()`, `statistics()`, `nearest_source_point()`, `shortest_distances_to_source_points()`,
+  `farthest_vertex()`, `shortest_path_polyline_to_source_points()`, `isolines()`, and the static overload of
+  `build_aabb_tree()` for a mesh and a tree, which the original documents and does not have.
+- <em>Fewer members:</em> objects cannot be copied (copies of the original share memory that each of them frees). What
+  the original has for debugging and hides from its documentation does not exist: `m_debugOutput`, and, with
+  assertions, `peak_node_count()`, `current_node_count()`, `peak_queue_size()`, `peak_memory_usage()`,
+  `current_memory_usage()`.
 
-<b>What is computed when.</b> `build_sequence_tree()` computes what queries at vertices need, distances
-and paths, and keeps no windows. The first query at a point that is not a vertex computes what such queries
-need: the windows of each edge are kept then, in some 40 bytes each. Call `build_sequence_tree_for_faces()` if
-such queries will come. Both take the time of one propagation; see the chapter on performance.
+<b>What is computed when.</b> `build_sequence_tree()` computes what queries at vertices need, distances and paths, and
+keeps no windows. The first query at a point that is not a vertex computes what such queries need: the windows of each
+edge are kept then, in some 40 bytes each. Call `build_sequence_tree_for_faces()` if such queries will come. Both take
+the time of one propagation, which grows with the number of windows; see the chapter on performance. A build, and so a
+query that builds, throws what `build_sequence_tree()` throws.
 
-<b>Thread safety.</b> Member functions of a `const` object may be called from several threads at once. A
-query of a `const` object does not compute anything first: it throws `std::logic_error` if
-`build_sequence_tree()`, or `build_sequence_tree_for_faces()` for a point that is not a vertex, has not been
-called since sources were changed. Queries of an object that is not `const` may build, and are safe under the same
-condition only.
+<b>Thread safety.</b> Member functions of a `const` object, and static ones, may be called from several threads at
+once. A query of a `const` object does not compute anything first: it throws `std::logic_error` if
+`build_sequence_tree()`, or `build_sequence_tree_for_faces()` for a point that is not a vertex, has not been called
+since sources were changed. Queries of an object that is not `const` may build, and are safe under the same condition
+only. All other member functions that are not `const` must not run at the same time as any other one.
 
 \tparam Traits a model of `SurfaceMeshShortestPathTraits` whose points have the members `x()`, `y()` and `z()`,
         which `CGAL::to_double()` takes, a default constructor, and `operator!=`
@@ -166,111 +180,69 @@ public:
   /// an ordered triple of barycentric coordinates.
   using Barycentric_coordinates = typename Traits::Barycentric_coordinates;
 
+#ifndef CGAL_NO_DEPRECATED_CODE
   /// \deprecated use `Barycentric_coordinates`
   using Barycentric_coordinate = Barycentric_coordinates;
+#endif
 
   /// a point of a face: the coordinates are those of `source(halfedge(f,tm),tm)`,
   /// `target(halfedge(f,tm),tm)` and `target(next(halfedge(f,tm),tm),tm)` for the face `f`, in this order.
   using Face_location = std::pair<face_descriptor, Barycentric_coordinates>;
 
 private:
-  // A source point; `vertex` is the null vertex unless it was given as a vertex.
-  struct Source_point
-  {
-    Face_location location;
-    vertex_descriptor vertex;
-  };
-
-  using Source_point_list = std::list<Source_point>;
+  using Structure
+    = Surface_mesh_geodesics::internal::Lazy_path_structure<Traits, Vertex_index_map, Face_index_map, Vertex_point_map>;
+  using Locations = Surface_mesh_geodesics::internal::Surface_locations<Traits, Vertex_point_map>;
+  using Query = typename Structure::Query;
   using Ray_3 = typename Traits::Ray_3;
-  using Triangle_3 = typename Traits::Triangle_3;
-  using Solver
-    = Surface_mesh_geodesics::internal::Geodesic_solver<Triangle_mesh, Vertex_index_map, Face_index_map>;
 
 public:
-  /// a model of `BidirectionalIterator` to access the source points; dereferencing gives a
-  /// `const Face_location&`. An iterator is valid until the point is removed and the structure rebuilt
-  /// after that, or until `clear()`.
+#ifndef DOXYGEN_RUNNING
+  using Source_point_iterator = typename Structure::Source_point_iterator;
+#else
+  /// a model of `BidirectionalIterator` to access the source points, with `Face_location` as value type;
+  /// dereferencing gives a `const Face_location&`. An iterator is valid until `clear()`, and until its point is removed
+  /// and the structure built after that.
   class Source_point_iterator
-  {
-  public:
-    using iterator_category = std::bidirectional_iterator_tag;
-    using value_type = Face_location;
-    using difference_type = std::ptrdiff_t;
-    using pointer = const Face_location*;
-    using reference = const Face_location&;
-
-    /// default constructor.
-    Source_point_iterator() = default;
-
-    reference operator*() const { return m_iterator->location; }
-    pointer operator->() const { return &m_iterator->location; }
-
-    Source_point_iterator& operator++()
-    {
-      ++m_iterator;
-      return *this;
-    }
-
-    Source_point_iterator operator++(int)
-    {
-      const Source_point_iterator before(*this);
-      ++m_iterator;
-      return before;
-    }
-
-    Source_point_iterator& operator--()
-    {
-      --m_iterator;
-      return *this;
-    }
-
-    Source_point_iterator operator--(int)
-    {
-      const Source_point_iterator before(*this);
-      --m_iterator;
-      return before;
-    }
-
-    bool operator==(const Source_point_iterator& other) const { return m_iterator == other.m_iterator; }
-    bool operator!=(const Source_point_iterator& other) const { return m_iterator != other.m_iterator; }
-
-  private:
-    friend class Surface_mesh_geodesic_paths;
-
-    using Underlying = typename Source_point_list::const_iterator;
-    explicit Source_point_iterator(Underlying iterator) : m_iterator(iterator) {}
-
-    Underlying m_iterator;
-  };
+  {};
+#endif
 
   /// the result of a query: the distance and the source point that it is measured from; -1 and
   /// `source_points_end()` if no source point reaches the query point.
   using Shortest_path_result = std::pair<FT, Source_point_iterator>;
 
   /// the number that stands for "no source point" where source points are numbered.
-  static constexpr std::size_t no_source = (std::numeric_limits<std::size_t>::max)();
+  static constexpr std::size_t no_source = Structure::no_source;
 
   /// @}
 
   /// \name Constructors
+  /// They take constant time.
   /// @{
 
-  /// creates an object for `tm`, which is referred to, not copied, and must not change before `clear()`. The
-  /// index maps and the point map of `tm` are used.
+  /// creates an object for a mesh, with the index maps and the point map of the mesh.
+  ///
+  /// \param tm the mesh, which is referred to, not copied, and must not change before `clear()`
+  /// \param traits an instance of the traits class, which is copied
+  /// \pre The faces of `tm` are triangles. (The first build throws otherwise.)
   Surface_mesh_geodesic_paths(const Triangle_mesh& tm, const Traits& traits = Traits())
     : Surface_mesh_geodesic_paths(tm, get(boost::vertex_index, tm), get(boost::halfedge_index, tm),
                                   get(boost::face_index, tm), get(CGAL::vertex_point, tm), traits)
   {}
 
-  /// creates an object for `tm` with the maps given: indices from 0 to `num_vertices(tm) - 1`,
-  /// `num_halfedges(tm) - 1` and `num_faces(tm) - 1`, and points.
+  /// creates an object for a mesh with maps.
+  ///
+  /// \param tm the mesh, which is referred to, not copied, and must not change before `clear()`
+  /// \param vertex_index_map gives each vertex an index from 0 to `num_vertices(tm) - 1`
+  /// \param halfedge_index_map is not used
+  /// \param face_index_map gives each face an index from 0 to `num_faces(tm) - 1`
+  /// \param vertex_point_map gives the point of each vertex
+  /// \param traits an instance of the traits class, which is copied
+  /// \pre The faces of `tm` are triangles. (The first build throws otherwise.)
   Surface_mesh_geodesic_paths(const Triangle_mesh& tm, Vertex_index_map vertex_index_map,
                               Halfedge_index_map halfedge_index_map, Face_index_map face_index_map,
                               Vertex_point_map vertex_point_map, const Traits& traits = Traits())
-    : m_traits(traits), m_tm(tm), m_vertex_index_map(vertex_index_map),
-      m_face_index_map(face_index_map), m_vertex_point_map(vertex_point_map),
-      m_solver(tm, vertex_index_map, face_index_map)
+    : m_structure(tm, vertex_index_map, face_index_map, vertex_point_map, traits)
   {
     static_cast<void>(halfedge_index_map);
   }
@@ -281,29 +253,38 @@ public:
   /// @}
 
   /// \name Addition and Removal of Source Points
-  /// Nothing is computed before the next query, or call of `build_sequence_tree()`.
+  /// Nothing is computed, or checked, before the next query, or call of `build_sequence_tree()`. Each source point
+  /// takes constant time. Iterators to other source points stay valid.
   /// @{
 
-  /// adds a vertex; returns the iterator to it.
-  Source_point_iterator add_source_point(vertex_descriptor v)
-  {
-    return insert_source(Source_point{is_in_range(v) ? face_location(v) : null_location(), v});
-  }
+  /// adds a vertex.
+  ///
+  /// \param v a vertex of the mesh
+  /// \return the iterator to the source point
+  Source_point_iterator add_source_point(vertex_descriptor v) { return m_structure.add_source(v); }
 
   /// adds a point of a face.
+  ///
+  /// \param f a face of the mesh
+  /// \param location the coordinates of the point in `f`
+  /// \return the iterator to the source point
   Source_point_iterator add_source_point(face_descriptor f, const Barycentric_coordinates& location)
   {
     return add_source_point(Face_location(f, location));
   }
 
   /// adds a point of a face.
-  Source_point_iterator add_source_point(const Face_location& location)
-  {
-    return insert_source(Source_point{location, Graph_traits::null_vertex()});
-  }
+  ///
+  /// \param location a face of the mesh and coordinates in it
+  /// \return the iterator to the source point
+  Source_point_iterator add_source_point(const Face_location& location) { return m_structure.add_source(location); }
 
-  /// adds all points of a range of `vertex_descriptor` or `Face_location`; returns the iterator to the first
-  /// one, `source_points_end()` if the range is empty.
+  /// adds all points of a range.
+  ///
+  /// \tparam InputIterator a model of `InputIterator` with value type `vertex_descriptor` or `Face_location`
+  /// \param begin the first point
+  /// \param end past the last point
+  /// \return the iterator to the first source point that was added, `source_points_end()` if the range is empty
   template <typename InputIterator>
   Source_point_iterator add_source_points(InputIterator begin, InputIterator end)
   {
@@ -317,173 +298,208 @@ public:
     return first;
   }
 
-  /// removes a source point.
-  /// \pre `it` is an iterator to a source point that has not been removed.
-  void remove_source_point(Source_point_iterator it)
-  {
-    m_removed.splice(m_removed.begin(), m_sources, it.m_iterator);
-    m_has_changed = true;
-  }
+  /// removes a source point. Its iterator may be dereferenced until the structure is built again.
+  ///
+  /// \param it the iterator to the source point
+  /// \pre `it` is an iterator to a source point of this object that has not been removed.
+  void remove_source_point(Source_point_iterator it) { m_structure.sources().remove(it); }
 
-  /// removes all source points.
-  void remove_all_source_points()
-  {
-    if(m_sources.empty())
-      return;
-    m_removed.splice(m_removed.begin(), m_sources);
-    m_has_changed = true;
-  }
+  /// removes all source points. Their iterators may be dereferenced until the structure is built again.
+  void remove_all_source_points() { m_structure.sources().remove_all(); }
 
   /// @}
 
   /// \name Building
+  /// If building ends early, by an exception or because a visitor cancels, the source points and the iterators to them
+  /// are as before, and `changed_since_last_build()` returns `true`. The iterators to source points that have been
+  /// removed become invalid when building has succeeded.
   /// @{
 
-  /// computes what queries at vertices need, if source points have changed.
+  /// computes what queries at vertices need, if source points have changed. Takes the time of a propagation.
   ///
-  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the mesh or a source point is invalid; the
-  /// source points are then as they were before, and still to be built.
-  void build_sequence_tree()
-  {
-    Surface_mesh_geodesics::Geodesic_default_visitor visitor;
-    build(false, visitor);
-  }
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the mesh or a source point is invalid
+  /// \throws std::bad_alloc if there is not enough memory
+  void build_sequence_tree() { build(false); }
 
-  /// computes what queries at vertices need, and tells a model of `GeodesicPropagationVisitor` of the
-  /// progress. Returns `false` if the visitor cancelled; the source points are then still to be built.
+  /// does the same, and tells a visitor of the progress.
+  ///
+  /// \tparam Visitor a model of `GeodesicPropagationVisitor`
+  /// \param visitor is told if there is anything to be computed
+  /// \return `false` if the visitor cancelled
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the mesh or a source point is invalid; what the visitor
+  ///         throws is passed on
   template <typename Visitor>
   bool build_sequence_tree(Visitor& visitor)
   {
-    return build(false, visitor);
+    return m_structure.build(false, visitor);
   }
 
-  /// computes what queries at any point need, if that has not been done since source points were changed.
-  void build_sequence_tree_for_faces()
-  {
-    Surface_mesh_geodesics::Geodesic_default_visitor visitor;
-    build(true, visitor);
-  }
+  /// computes what queries at any point need, if that has not been done since source points were changed. Takes the
+  /// time of a propagation, and some 40 bytes for each window.
+  ///
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the mesh or a source point is invalid
+  /// \throws std::bad_alloc if there is not enough memory
+  void build_sequence_tree_for_faces() { build(true); }
 
-  /// computes what queries at any point need, and tells a visitor of the progress. Returns `false` if the
-  /// visitor cancelled.
+  /// does the same, and tells a visitor of the progress.
+  ///
+  /// \tparam Visitor a model of `GeodesicPropagationVisitor`
+  /// \param visitor is told if there is anything to be computed
+  /// \return `false` if the visitor cancelled
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the mesh or a source point is invalid; what the visitor
+  ///         throws is passed on
   template <typename Visitor>
   bool build_sequence_tree_for_faces(Visitor& visitor)
   {
-    return build(true, visitor);
+    return m_structure.build(true, visitor);
   }
 
-  /// takes the lengths of the edges from a map instead of from points: distances and sequences then need no
-  /// points, and the points of paths are those of the point map at the same places. (The point map that the
-  /// constructor takes is not read before a point is asked for, so that any map will do.) All that was computed
-  /// is forgotten; the lengths are used until `clear()`.
+  /// takes the lengths of the edges from a map instead of from points: distances and sequences then need no points, and
+  /// the points of paths are those of the point map at the same places. (The point map that the constructor takes is
+  /// not read before a point is asked for, so that any map will do.) All that was computed is forgotten, source points
+  /// are not; the lengths are read at once, and used until `clear()`. Takes time linear in the size of the mesh.
   ///
   /// \tparam EdgeLengthMap a model of `ReadablePropertyMap` with the edge descriptor as key type and a number
   ///         type as value type
-  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if a length is negative or not finite, or an edge
-  ///         is longer than the two others of a face; lengths are then taken from the points again
+  /// \param edge_length_map gives the length of each edge
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if a length is negative or not finite, or an edge is longer
+  ///         than the two others of a face, or a face is not a triangle; lengths are then taken from the points again
   template <typename EdgeLengthMap>
   void use_edge_lengths(EdgeLengthMap edge_length_map)
   {
-    m_has_changed = m_has_changed || !m_sources.empty();
-    m_solver.build_mesh(
-      Surface_mesh_geodesics::internal::Shape_from_edge_lengths<double, Triangle_mesh, EdgeLengthMap>(
-        m_tm, edge_length_map));
+    m_structure.use_edge_lengths(edge_length_map);
   }
 
   /// removes all source points and all that was computed; the object is as it was after construction. To be
-  /// called if the mesh has changed.
-  void clear()
-  {
-    m_sources.clear();
-    m_removed.clear();
-    m_source_by_number.clear();
-    m_solver.forget();
-    m_has_changed = false;
-  }
+  /// called if the mesh has changed. All iterators to source points become invalid.
+  void clear() { m_structure.clear(); }
 
   /// @}
 
   /// \name Accessors
+  /// They take constant time.
   /// @{
 
   /// returns an iterator to the first source point; they come in the order in which they were added.
-  Source_point_iterator source_points_begin() const { return Source_point_iterator(m_sources.begin()); }
+  Source_point_iterator source_points_begin() const { return m_structure.sources().begin(); }
 
-  /// returns the iterator past the last source point.
-  Source_point_iterator source_points_end() const { return Source_point_iterator(m_sources.end()); }
+  /// returns the iterator past the last source point. It stays valid as long as the object.
+  Source_point_iterator source_points_end() const { return m_structure.sources().end(); }
 
-  /// returns the number of source points.
-  std::size_t number_of_source_points() const { return m_sources.size(); }
+  /// returns the number of source points, without those that have been removed.
+  std::size_t number_of_source_points() const { return m_structure.sources().size(); }
 
   /// returns whether source points have been added or removed since the last build.
-  bool changed_since_last_build() const { return m_has_changed; }
+  bool changed_since_last_build() const { return m_structure.sources().has_changed(); }
 
-  /// returns what the last propagation did.
-  const Surface_mesh_geodesics::Propagation_statistics& statistics() const
-  {
-    return m_solver.statistics();
-  }
+  /// returns what the last propagation did, that of a build which a visitor cancelled included. The reference is valid
+  /// as long as the object, the numbers until the next build.
+  const Surface_mesh_geodesics::Propagation_statistics& statistics() const { return m_structure.solver().statistics(); }
 
   /// @}
 
   /// \name Shortest Distance Queries
   /// The distance is the length of the shortest path: nobody who wants the length needs to ask for the path.
   /// Queries at a vertex take constant time. Queries at other points take time linear in the number of windows
-  /// on the three edges of the face, some tens.
+  /// on the three edges of the face, some tens. The time of a build is added to that of the first query.
+  ///
+  /// The iterators that are returned are valid as those of `add_source_point()`.
   /// @{
 
   /// returns the distance from a vertex to the nearest source point, and that source point.
+  ///
+  /// \param v a vertex of the mesh
+  /// \return the distance and the iterator to the source point, or -1 and `source_points_end()`
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if `v`, the mesh or a source point is invalid
   Shortest_path_result shortest_distance_to_source_points(vertex_descriptor v)
   {
-    build_sequence_tree();
-    return result(query(v));
+    return m_structure.result(built_query(v));
   }
 
   /// does the same without building.
+  ///
+  /// \param v a vertex of the mesh
+  /// \return the distance and the iterator to the source point, or -1 and `source_points_end()`
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if `v` is invalid
+  /// \throws std::logic_error if `build_sequence_tree()` has not been called since source points were changed
   Shortest_path_result shortest_distance_to_source_points(vertex_descriptor v) const
   {
-    return result(query(v));
+    return m_structure.result(m_structure.query(v));
   }
 
   /// returns the distance from a point of a face to the nearest source point, and that source point.
-  Shortest_path_result shortest_distance_to_source_points(face_descriptor f,
-                                                          const Barycentric_coordinates& location)
+  ///
+  /// \param f a face of the mesh
+  /// \param location the coordinates of the point in `f`
+  /// \return the distance and the iterator to the source point, or -1 and `source_points_end()`
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the place, the mesh or a source point is invalid
+  Shortest_path_result shortest_distance_to_source_points(face_descriptor f, const Barycentric_coordinates& location)
   {
-    return result(built_query(f, location));
+    return m_structure.result(built_query(f, location));
   }
 
   /// does the same without building.
+  ///
+  /// \param f a face of the mesh
+  /// \param location the coordinates of the point in `f`
+  /// \return the distance and the iterator to the source point, or -1 and `source_points_end()`
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the place is invalid
+  /// \throws std::logic_error if `build_sequence_tree_for_faces()` has not been called since source points were changed
   Shortest_path_result shortest_distance_to_source_points(face_descriptor f,
                                                           const Barycentric_coordinates& location) const
   {
-    return result(query(f, location));
+    return m_structure.result(m_structure.query(f, location));
   }
 
-  /// returns the number of the source point that is nearest to `v`, counted from `source_points_begin()`, or
-  /// `no_source`.
-  std::size_t nearest_source_point(vertex_descriptor v)
-  {
-    build_sequence_tree();
-    return nearest(query(v));
-  }
+  /// returns the number of the source point that is nearest to a vertex, counted from `source_points_begin()`.
+  ///
+  /// \param v a vertex of the mesh
+  /// \return the number, or `no_source` if no source point reaches `v`
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if `v`, the mesh or a source point is invalid
+  std::size_t nearest_source_point(vertex_descriptor v) { return m_structure.nearest_source(built_query(v)); }
 
   /// does the same without building.
-  std::size_t nearest_source_point(vertex_descriptor v) const { return nearest(query(v)); }
+  ///
+  /// \param v a vertex of the mesh
+  /// \return the number, or `no_source` if no source point reaches `v`
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if `v` is invalid
+  /// \throws std::logic_error if `build_sequence_tree()` has not been called since source points were changed
+  std::size_t nearest_source_point(vertex_descriptor v) const
+  {
+    return m_structure.nearest_source(m_structure.query(v));
+  }
 
-  /// returns the number of the source point that is nearest to a point of a face.
+  /// returns the number of the source point that is nearest to a point of a face, counted from `source_points_begin()`.
+  ///
+  /// \param f a face of the mesh
+  /// \param location the coordinates of the point in `f`
+  /// \return the number, or `no_source` if no source point reaches the point
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the place, the mesh or a source point is invalid
   std::size_t nearest_source_point(face_descriptor f, const Barycentric_coordinates& location)
   {
-    return nearest(built_query(f, location));
+    return m_structure.nearest_source(built_query(f, location));
   }
 
   /// does the same without building.
+  ///
+  /// \param f a face of the mesh
+  /// \param location the coordinates of the point in `f`
+  /// \return the number, or `no_source` if no source point reaches the point
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the place is invalid
+  /// \throws std::logic_error if `build_sequence_tree_for_faces()` has not been called since source points were changed
   std::size_t nearest_source_point(face_descriptor f, const Barycentric_coordinates& location) const
   {
-    return nearest(query(f, location));
+    return m_structure.nearest_source(m_structure.query(f, location));
   }
 
-  /// writes the distances of all vertices to a map, -1 where no source point reaches.
-  /// \tparam VertexDistanceMap a model of `WritablePropertyMap` with `vertex_descriptor` as key type
+  /// writes the distances of all vertices to a map, -1 where no source point reaches. Takes time linear in the number
+  /// of vertices.
+  ///
+  /// \tparam VertexDistanceMap a model of `WritablePropertyMap` with `vertex_descriptor` as key type and a number type
+  ///         as value type, to which `double` is converted
+  /// \param vertex_distance_map gets the distances
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the mesh or a source point is invalid; nothing is
+  ///         written then
   template <typename VertexDistanceMap>
   void shortest_distances_to_source_points(VertexDistanceMap vertex_distance_map)
   {
@@ -492,20 +508,29 @@ public:
   }
 
   /// does the same without building.
+  ///
+  /// \tparam VertexDistanceMap a model of `WritablePropertyMap`, as above
+  /// \param vertex_distance_map gets the distances
+  /// \throws std::logic_error if `build_sequence_tree()` has not been called since source points were changed; nothing
+  ///         is written then
   template <typename VertexDistanceMap>
   void shortest_distances_to_source_points(VertexDistanceMap vertex_distance_map) const
   {
     using Value = typename boost::property_traits<VertexDistanceMap>::value_type;
-    check_built();
-    for(vertex_descriptor v : vertices(m_tm))
+    m_structure.check_built();
+    for(vertex_descriptor v : vertices(m_structure.mesh()))
     {
-      const double d = is_built() ? m_solver.distance(v) : -1.;
+      const double d = m_structure.distance(v);
       put(vertex_distance_map, v, d < std::numeric_limits<double>::infinity() ? Value(d) : Value(-1));
     }
   }
 
   /// returns the vertex that is farthest from the source points among those that they reach, and its
-  /// distance; the null vertex and -1 if there is none. Takes time linear in the number of vertices.
+  /// distance. Takes time linear in the number of vertices.
+  ///
+  /// \return the vertex, the first one in the order of `vertices(tm)` if several are equally far, and its distance; the
+  ///         null vertex and -1 if no vertex is reached
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the mesh or a source point is invalid
   std::pair<vertex_descriptor, FT> farthest_vertex()
   {
     build_sequence_tree();
@@ -513,24 +538,27 @@ public:
   }
 
   /// does the same without building.
+  ///
+  /// \return the vertex and its distance, as above
+  /// \throws std::logic_error if `build_sequence_tree()` has not been called since source points were changed
   std::pair<vertex_descriptor, FT> farthest_vertex() const
   {
-    check_built();
+    m_structure.check_built();
     std::pair<vertex_descriptor, double> farthest(Graph_traits::null_vertex(), -1.);
-    if(is_built())
-      for(vertex_descriptor v : vertices(m_tm))
-      {
-        const double d = m_solver.distance(v);
-        if(d > farthest.second && d < std::numeric_limits<double>::infinity())
-          farthest = {v, d};
-      }
+    for(vertex_descriptor v : vertices(m_structure.mesh()))
+    {
+      const double d = m_structure.distance(v);
+      if(d > farthest.second && d < std::numeric_limits<double>::infinity())
+        farthest = {v, d};
+    }
     return {farthest.first, FT(farthest.second)};
   }
 
   /// @}
 
   /// \name Shortest Path Sequence Queries
-  /// A path is reported from the query point to the source point. Nothing is reported if there is none.
+  /// A path is reported from the query point to the source point. Nothing is reported if there is none. Tracing it
+  /// takes time linear in the number of edges that it crosses, beyond the time of a distance query.
   ///
   /// The length of the path is the distance that is returned, up to \f$ 10^{-10} \f$ of it, or up to the
   /// rounding of the largest extent of the mesh (64 units) if that is more; it is checked while the path is traced.
@@ -540,119 +568,212 @@ public:
   /// up, queries of paths throw `std::runtime_error` before they report anything. No such mesh is known.
   /// @{
 
-  /// reports the vertices, edges and faces of the shortest path from `v` to a model of
-  /// `SurfaceMeshShortestPathVisitor`.
+  /// reports the vertices, edges and faces of the shortest path from a vertex.
+  ///
+  /// \tparam Visitor a model of `SurfaceMeshShortestPathVisitor`
+  /// \param v a vertex of the mesh
+  /// \param visitor is called for `v` first, for the source point last
+  /// \return the distance and the iterator to the source point, or -1 and `source_points_end()`
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if `v`, the mesh or a source point is invalid
+  /// \throws std::runtime_error if rounding hides the path
   template <typename Visitor>
   Shortest_path_result shortest_path_sequence_to_source_points(vertex_descriptor v, Visitor& visitor)
   {
-    build_sequence_tree();
-    return sequence(query(v), visitor);
+    return m_structure.sequence(built_query(v), visitor);
   }
 
   /// does the same without building.
+  ///
+  /// \tparam Visitor a model of `SurfaceMeshShortestPathVisitor`
+  /// \param v a vertex of the mesh
+  /// \param visitor is called for `v` first, for the source point last
+  /// \return the distance and the iterator to the source point, or -1 and `source_points_end()`
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if `v` is invalid
+  /// \throws std::logic_error if `build_sequence_tree()` has not been called since source points were changed
+  /// \throws std::runtime_error if rounding hides the path
   template <typename Visitor>
-  Shortest_path_result shortest_path_sequence_to_source_points(vertex_descriptor v,
-                                                               Visitor& visitor) const
+  Shortest_path_result shortest_path_sequence_to_source_points(vertex_descriptor v, Visitor& visitor) const
   {
-    return sequence(query(v), visitor);
+    return m_structure.sequence(m_structure.query(v), visitor);
   }
 
-  /// reports the shortest path from a point of a face; the first call is `visitor(f, location)`.
+  /// reports the vertices, edges and faces of the shortest path from a point of a face.
+  ///
+  /// \tparam Visitor a model of `SurfaceMeshShortestPathVisitor`
+  /// \param f a face of the mesh
+  /// \param location the coordinates of the point in `f`
+  /// \param visitor is called as `visitor(f, location)` first, for the source point last
+  /// \return the distance and the iterator to the source point, or -1 and `source_points_end()`
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the place, the mesh or a source point is invalid
+  /// \throws std::runtime_error if rounding hides the path
   template <typename Visitor>
   Shortest_path_result shortest_path_sequence_to_source_points(face_descriptor f,
                                                                const Barycentric_coordinates& location,
                                                                Visitor& visitor)
   {
-    return sequence(built_query(f, location), f, location, visitor);
+    return m_structure.sequence(built_query(f, location), f, location, visitor);
   }
 
   /// does the same without building.
+  ///
+  /// \tparam Visitor a model of `SurfaceMeshShortestPathVisitor`
+  /// \param f a face of the mesh
+  /// \param location the coordinates of the point in `f`
+  /// \param visitor is called as `visitor(f, location)` first, for the source point last
+  /// \return the distance and the iterator to the source point, or -1 and `source_points_end()`
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the place is invalid
+  /// \throws std::logic_error if `build_sequence_tree_for_faces()` has not been called since source points were changed
+  /// \throws std::runtime_error if rounding hides the path
   template <typename Visitor>
   Shortest_path_result shortest_path_sequence_to_source_points(face_descriptor f,
                                                                const Barycentric_coordinates& location,
                                                                Visitor& visitor) const
   {
-    return sequence(query(f, location), f, location, visitor);
+    return m_structure.sequence(m_structure.query(f, location), f, location, visitor);
   }
 
   /// @}
 
   /// \name Shortest Path Point Queries
+  /// The points are those of the elements that a visitor is told, in the same order, without a point that rounding
+  /// makes equal to the one before. The time is that of the sequence. Nothing is written if there is no path.
   /// @{
 
-  /// writes the points of the shortest path from `v` to an output iterator that takes `Point_3`.
+  /// writes the points of the shortest path from a vertex.
+  ///
+  /// \tparam OutputIterator a model of `OutputIterator` that takes `Point_3`
+  /// \param v a vertex of the mesh
+  /// \param output gets the points
+  /// \return the distance and the iterator to the source point, or -1 and `source_points_end()`
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if `v`, the mesh or a source point is invalid
+  /// \throws std::runtime_error if rounding hides the path
   template <typename OutputIterator>
   Shortest_path_result shortest_path_points_to_source_points(vertex_descriptor v, OutputIterator output)
   {
-    Point_visitor<OutputIterator> visitor{*this, output};
-    return shortest_path_sequence_to_source_points(v, visitor);
+    Point_writer<OutputIterator> writer(*this, output);
+    return shortest_path_sequence_to_source_points(v, writer);
   }
 
   /// does the same without building.
+  ///
+  /// \tparam OutputIterator a model of `OutputIterator` that takes `Point_3`
+  /// \param v a vertex of the mesh
+  /// \param output gets the points
+  /// \return the distance and the iterator to the source point, or -1 and `source_points_end()`
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if `v` is invalid
+  /// \throws std::logic_error if `build_sequence_tree()` has not been called since source points were changed
+  /// \throws std::runtime_error if rounding hides the path
   template <typename OutputIterator>
-  Shortest_path_result shortest_path_points_to_source_points(vertex_descriptor v,
-                                                             OutputIterator output) const
+  Shortest_path_result shortest_path_points_to_source_points(vertex_descriptor v, OutputIterator output) const
   {
-    Point_visitor<OutputIterator> visitor{*this, output};
-    return shortest_path_sequence_to_source_points(v, visitor);
+    Point_writer<OutputIterator> writer(*this, output);
+    return shortest_path_sequence_to_source_points(v, writer);
   }
 
   /// writes the points of the shortest path from a point of a face.
+  ///
+  /// \tparam OutputIterator a model of `OutputIterator` that takes `Point_3`
+  /// \param f a face of the mesh
+  /// \param location the coordinates of the point in `f`
+  /// \param output gets the points
+  /// \return the distance and the iterator to the source point, or -1 and `source_points_end()`
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the place, the mesh or a source point is invalid
+  /// \throws std::runtime_error if rounding hides the path
   template <typename OutputIterator>
   Shortest_path_result shortest_path_points_to_source_points(face_descriptor f,
                                                              const Barycentric_coordinates& location,
                                                              OutputIterator output)
   {
-    Point_visitor<OutputIterator> visitor{*this, output};
-    return shortest_path_sequence_to_source_points(f, location, visitor);
+    Point_writer<OutputIterator> writer(*this, output);
+    return shortest_path_sequence_to_source_points(f, location, writer);
   }
 
   /// does the same without building.
+  ///
+  /// \tparam OutputIterator a model of `OutputIterator` that takes `Point_3`
+  /// \param f a face of the mesh
+  /// \param location the coordinates of the point in `f`
+  /// \param output gets the points
+  /// \return the distance and the iterator to the source point, or -1 and `source_points_end()`
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the place is invalid
+  /// \throws std::logic_error if `build_sequence_tree_for_faces()` has not been called since source points were changed
+  /// \throws std::runtime_error if rounding hides the path
   template <typename OutputIterator>
   Shortest_path_result shortest_path_points_to_source_points(face_descriptor f,
                                                              const Barycentric_coordinates& location,
                                                              OutputIterator output) const
   {
-    Point_visitor<OutputIterator> visitor{*this, output};
-    return shortest_path_sequence_to_source_points(f, location, visitor);
+    Point_writer<OutputIterator> writer(*this, output);
+    return shortest_path_sequence_to_source_points(f, location, writer);
   }
 
-  /// writes the shortest path from `v` as `std::pair<Point_3, face_descriptor>`: the points, each with the
-  /// face of the segment that leads to it (the null face for the first point).
+  /// writes the shortest path from a vertex as points with faces: each with the face of the segment that leads to it,
+  /// the null face for the first point.
+  ///
+  /// \tparam OutputIterator a model of `OutputIterator` that takes `std::pair<Point_3, face_descriptor>`
+  /// \param v a vertex of the mesh
+  /// \param output gets the points
+  /// \return the distance and the iterator to the source point, or -1 and `source_points_end()`
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if `v`, the mesh or a source point is invalid
+  /// \throws std::runtime_error if rounding hides the path
   template <typename OutputIterator>
   Shortest_path_result shortest_path_polyline_to_source_points(vertex_descriptor v, OutputIterator output)
   {
-    build_sequence_tree();
-    return std::as_const(*this).shortest_path_polyline_to_source_points(v, output);
+    Polyline_writer<OutputIterator> writer(*this, output);
+    return shortest_path_sequence_to_source_points(v, writer);
   }
 
   /// does the same without building.
+  ///
+  /// \tparam OutputIterator a model of `OutputIterator` that takes `std::pair<Point_3, face_descriptor>`
+  /// \param v a vertex of the mesh
+  /// \param output gets the points
+  /// \return the distance and the iterator to the source point, or -1 and `source_points_end()`
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if `v` is invalid
+  /// \throws std::logic_error if `build_sequence_tree()` has not been called since source points were changed
+  /// \throws std::runtime_error if rounding hides the path
   template <typename OutputIterator>
-  Shortest_path_result shortest_path_polyline_to_source_points(vertex_descriptor v,
-                                                               OutputIterator output) const
+  Shortest_path_result shortest_path_polyline_to_source_points(vertex_descriptor v, OutputIterator output) const
   {
-    Polyline_visitor<OutputIterator> visitor{*this, output};
-    return sequence(query(v), visitor);
+    Polyline_writer<OutputIterator> writer(*this, output);
+    return shortest_path_sequence_to_source_points(v, writer);
   }
 
   /// writes the shortest path from a point of a face in the same way.
+  ///
+  /// \tparam OutputIterator a model of `OutputIterator` that takes `std::pair<Point_3, face_descriptor>`
+  /// \param f a face of the mesh
+  /// \param location the coordinates of the point in `f`
+  /// \param output gets the points
+  /// \return the distance and the iterator to the source point, or -1 and `source_points_end()`
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the place, the mesh or a source point is invalid
+  /// \throws std::runtime_error if rounding hides the path
   template <typename OutputIterator>
   Shortest_path_result shortest_path_polyline_to_source_points(face_descriptor f,
                                                                const Barycentric_coordinates& location,
                                                                OutputIterator output)
   {
-    Polyline_visitor<OutputIterator> visitor{*this, output};
-    return sequence(built_query(f, location), f, location, visitor);
+    Polyline_writer<OutputIterator> writer(*this, output);
+    return shortest_path_sequence_to_source_points(f, location, writer);
   }
 
   /// does the same without building.
+  ///
+  /// \tparam OutputIterator a model of `OutputIterator` that takes `std::pair<Point_3, face_descriptor>`
+  /// \param f a face of the mesh
+  /// \param location the coordinates of the point in `f`
+  /// \param output gets the points
+  /// \return the distance and the iterator to the source point, or -1 and `source_points_end()`
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the place is invalid
+  /// \throws std::logic_error if `build_sequence_tree_for_faces()` has not been called since source points were changed
+  /// \throws std::runtime_error if rounding hides the path
   template <typename OutputIterator>
   Shortest_path_result shortest_path_polyline_to_source_points(face_descriptor f,
                                                                const Barycentric_coordinates& location,
                                                                OutputIterator output) const
   {
-    Polyline_visitor<OutputIterator> visitor{*this, output};
-    return sequence(query(f, location), f, location, visitor);
+    Polyline_writer<OutputIterator> writer(*this, output);
+    return shortest_path_sequence_to_source_points(f, location, writer);
   }
 
   /// @}
@@ -660,12 +781,21 @@ public:
   /// \name Lines of Equal Distance
   /// @{
 
-  /// writes the lines of all points at the distance `value` from the source points as polylines, one
-  /// `std::vector<Point_3>` for each; a closed one ends with its first point. The points on edges are found with
-  /// an error of \f$ 10^{-12} \f$ of the length of the edge, and joined by segments in the faces. Two crossings of
-  /// an edge that are nearer to each other than \f$ 10^{-4} \f$ of its length may be left out, and so may be a
-  /// closed line that meets no edge, around a point that is farther than all edges of its face.
+  /// writes the lines of all points at the distance `value` from the source points as polylines, without a point twice
+  /// in a row; a closed one ends with its first point, any other one begins and ends at the border. The points on edges
+  /// are found with an error of \f$ 10^{-12} \f$ of the length of the edge, or of the rounding of the distance if that
+  /// is more, and joined by segments in the faces. A vertex at the distance `value` is a point of the lines that
+  /// separate nearer points from farther ones there; if all around it is nearer, it is a point by itself, and not
+  /// written. Two crossings of an edge that are nearer to each other than \f$ 10^{-4} \f$ of its length may be left
+  /// out, and so may be a closed line that meets no edge, around a point that is farther than all edges of its face.
+  /// There is no line where no source point reaches, and none for a value that is negative, infinite or not a number.
   /// Takes time linear in the number of faces, and face queries around each point.
+  ///
+  /// \tparam OutputIterator a model of `OutputIterator` that takes `std::vector<Point_3>`
+  /// \param value the distance
+  /// \param output gets a polyline for each line
+  /// \return the output iterator past the last polyline
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the mesh or a source point is invalid
   template <typename OutputIterator>
   OutputIterator isolines(const FT& value, OutputIterator output)
   {
@@ -674,22 +804,34 @@ public:
   }
 
   /// does the same without building.
+  ///
+  /// \tparam OutputIterator a model of `OutputIterator` that takes `std::vector<Point_3>`
+  /// \param value the distance
+  /// \param output gets a polyline for each line
+  /// \return the output iterator past the last polyline
+  /// \throws std::logic_error if `build_sequence_tree_for_faces()` has not been called since source points were changed
   template <typename OutputIterator>
   OutputIterator isolines(const FT& value, OutputIterator output) const
   {
-    check_built();
-    if(!is_built())
+    m_structure.check_built();
+    if(!m_structure.is_built())
       return output;
-    check_windows();
-    using Locations = std::vector<std::pair<face_descriptor, std::array<double, 3>>>;
-    m_solver.trace_isolines(CGAL::to_double(value), 1e-12, [&](const Locations& locations, bool is_closed)
+    m_structure.check_windows();
+    using Points = std::vector<std::pair<face_descriptor, std::array<double, 3>>>;
+    m_structure.solver().trace_isolines(CGAL::to_double(value), 1e-12, [&](const Points& points, bool is_closed)
     {
       std::vector<Point_3> line;
-      for(const auto& l : locations)
-        line.push_back(point(l.first, coordinates(l.second)));
+      const auto append = [&](const Point_3& p)
+      {
+        if(line.empty() || p != line.back())
+          line.push_back(p);
+      };
+      for(const auto& p : points)
+        append(point(p.first, Locations::coordinates(p.second, m_structure.traits())));
       if(is_closed)
-        line.push_back(line.front());
-      *output++ = line;
+        append(Point_3(line.front()));
+      if(line.size() > 1)
+        *output++ = line;
     });
     return output;
   }
@@ -697,116 +839,170 @@ public:
   /// @}
 
   /// \name Surface Point Constructions
+  /// They take constant time.
   /// @{
 
   /// returns the point with the given coordinates in a face.
+  ///
+  /// \param f a face of the mesh
+  /// \param location the coordinates of the point in `f`
+  /// \pre `f` is a triangle of the mesh.
   Point_3 point(face_descriptor f, const Barycentric_coordinates& location) const
   {
-    return point(f, location, m_tm, m_vertex_point_map, m_traits);
+    return point(f, location, m_structure.mesh(), m_structure.vertex_point_map(), m_structure.traits());
   }
 
-  /// does the same without an object.
-  static Point_3 point(face_descriptor f, const Barycentric_coordinates& location,
-                       const Triangle_mesh& tm, const Traits& traits = Traits())
+  /// does the same without an object, with the point map of the mesh.
+  ///
+  /// \param f a face of the mesh
+  /// \param location the coordinates of the point in `f`
+  /// \param tm the mesh
+  /// \param traits an instance of the traits class
+  /// \pre `f` is a triangle of the mesh.
+  static Point_3 point(face_descriptor f, const Barycentric_coordinates& location, const Triangle_mesh& tm,
+                       const Traits& traits = Traits())
   {
     return point(f, location, tm, get(CGAL::vertex_point, tm), traits);
   }
 
   /// does the same without an object, with a point map.
-  static Point_3 point(face_descriptor f, const Barycentric_coordinates& location,
-                       const Triangle_mesh& tm, Vertex_point_map vertex_point_map,
-                       const Traits& traits = Traits())
+  ///
+  /// \param f a face of the mesh
+  /// \param location the coordinates of the point in `f`
+  /// \param tm the mesh
+  /// \param vertex_point_map gives the point of each vertex
+  /// \param traits an instance of the traits class
+  /// \pre `f` is a triangle of the mesh.
+  static Point_3 point(face_descriptor f, const Barycentric_coordinates& location, const Triangle_mesh& tm,
+                       Vertex_point_map vertex_point_map, const Traits& traits = Traits())
   {
-    const Triangle_3 t = triangle(f, tm, vertex_point_map, traits);
-    auto weight = traits.construct_barycentric_coordinates_weight_object();
-    auto vertex = traits.construct_vertex_3_object();
-    return traits.construct_barycenter_3_object()(vertex(t, 0), weight(location, 0), vertex(t, 1),
-                                                  weight(location, 1), vertex(t, 2),
-                                                  weight(location, 2));
+    return Locations::point(f, location, tm, vertex_point_map, traits);
   }
 
-  /// returns the point at `t` of a halfedge, 0 for its source and 1 for its target.
+  /// returns a point of a halfedge.
+  ///
+  /// \param he a halfedge of the mesh
+  /// \param t where the point is: 0 for the source of `he`, 1 for its target
   Point_3 point(halfedge_descriptor he, const FT t) const
   {
-    return point(he, t, m_tm, m_vertex_point_map, m_traits);
+    return point(he, t, m_structure.mesh(), m_structure.vertex_point_map(), m_structure.traits());
   }
 
-  /// does the same without an object.
-  static Point_3 point(halfedge_descriptor he, const FT t, const Triangle_mesh& tm,
-                       const Traits& traits = Traits())
+  /// does the same without an object, with the point map of the mesh.
+  ///
+  /// \param he a halfedge of the mesh
+  /// \param t where the point is: 0 for the source of `he`, 1 for its target
+  /// \param tm the mesh
+  /// \param traits an instance of the traits class
+  static Point_3 point(halfedge_descriptor he, const FT t, const Triangle_mesh& tm, const Traits& traits = Traits())
   {
     return point(he, t, tm, get(CGAL::vertex_point, tm), traits);
   }
 
   /// does the same without an object, with a point map.
-  static Point_3 point(halfedge_descriptor he, const FT t, const Triangle_mesh& tm,
-                       Vertex_point_map vertex_point_map, const Traits& traits = Traits())
+  ///
+  /// \param he a halfedge of the mesh
+  /// \param t where the point is: 0 for the source of `he`, 1 for its target
+  /// \param tm the mesh
+  /// \param vertex_point_map gives the point of each vertex
+  /// \param traits an instance of the traits class
+  static Point_3 point(halfedge_descriptor he, const FT t, const Triangle_mesh& tm, Vertex_point_map vertex_point_map,
+                       const Traits& traits = Traits())
   {
-    return traits.construct_barycenter_3_object()(get(vertex_point_map, target(he, tm)), t,
-                                                  get(vertex_point_map, source(he, tm)));
+    return Locations::point(he, t, tm, vertex_point_map, traits);
   }
 
-  /// returns the point of a vertex.
-  decltype(auto) point(vertex_descriptor v) const { return get(m_vertex_point_map, v); }
+  /// returns the point of a vertex, with the type that `get()` has for the point map.
+  ///
+  /// \param v a vertex of the mesh
+  decltype(auto) point(vertex_descriptor v) const { return get(m_structure.vertex_point_map(), v); }
 
-  /// does the same without an object.
-  static decltype(auto) point(vertex_descriptor v, const Triangle_mesh& tm)
-  {
-    return get(CGAL::vertex_point, tm, v);
-  }
+  /// does the same without an object, with the point map of the mesh.
+  ///
+  /// \param v a vertex of the mesh
+  /// \param tm the mesh
+  static decltype(auto) point(vertex_descriptor v, const Triangle_mesh& tm) { return get(CGAL::vertex_point, tm, v); }
 
   /// @}
 
   /// \name Surface Face Location Constructions
+  /// They take time linear in the number of faces around the vertex, constant time for a point of a halfedge.
   /// @{
 
-  /// returns the location of a vertex, in a face around it; a location with a null face if it has none.
-  /// \pre `v` is a vertex of the mesh.
-  Face_location face_location(vertex_descriptor v) const { return face_location(v, m_tm, m_traits); }
-
-  /// does the same without an object.
-  static Face_location face_location(vertex_descriptor v, const Triangle_mesh& tm,
-                                     const Traits& traits = Traits())
+  /// returns the location of a vertex, in a face around it.
+  ///
+  /// \param v a vertex of the mesh
+  /// \return the location; its face is the null face if there is no face around `v`
+  Face_location face_location(vertex_descriptor v) const
   {
-    const halfedge_descriptor h = halfedge_with_face(v, tm);
-    return h == Graph_traits::null_halfedge() ? null_location(traits)
-                                              : corner_location(next(h, tm), FT(0), tm, traits);
+    return face_location(v, m_structure.mesh(), m_structure.traits());
   }
 
-  /// returns the location at `t` of a halfedge, in the face of the halfedge, or in that of its opposite if it
+  /// does the same without an object.
+  ///
+  /// \param v a vertex of the mesh
+  /// \param tm the mesh
+  /// \param traits an instance of the traits class
+  /// \return the location; its face is the null face if there is no face around `v`
+  static Face_location face_location(vertex_descriptor v, const Triangle_mesh& tm, const Traits& traits = Traits())
+  {
+    return Locations::location(v, tm, traits);
+  }
+
+  /// returns the location of a point of a halfedge, in the face of the halfedge, or in that of its opposite if it
   /// is a border halfedge.
+  ///
+  /// \param he a halfedge of the mesh
+  /// \param t where the point is: 0 for the source of `he`, 1 for its target
+  /// \return the location; its face is the null face if there is no face on either side
   Face_location face_location(halfedge_descriptor he, const FT t) const
   {
-    return face_location(he, t, m_tm, m_traits);
+    return face_location(he, t, m_structure.mesh(), m_structure.traits());
   }
 
   /// does the same without an object.
+  ///
+  /// \param he a halfedge of the mesh
+  /// \param t where the point is: 0 for the source of `he`, 1 for its target
+  /// \param tm the mesh
+  /// \param traits an instance of the traits class
+  /// \return the location; its face is the null face if there is no face on either side
   static Face_location face_location(halfedge_descriptor he, const FT t, const Triangle_mesh& tm,
                                      const Traits& traits = Traits())
   {
-    if(is_border(he, tm))
-      return corner_location(opposite(he, tm), FT(FT(1) - t), tm, traits);
-    return corner_location(he, t, tm, traits);
+    return Locations::location(he, t, tm, traits);
   }
 
   /// @}
 
   /// \name Nearest Face Location Queries
-  /// Functions without a tree as parameter build one at each call.
+  /// Functions without a tree as parameter build one at each call, in \cgalBigO{n \log n} time for \f$ n \f$ faces; a
+  /// query of a tree takes \cgalBigO{\log n} time in practice. A tree does not depend on source points, and is valid as
+  /// long as the mesh does not change.
   /// @{
 
   /// returns the location on the mesh that is nearest to a point.
-  /// \tparam AABBTraits a model of `AABBTraits` that defines a \cgal `AABB_tree`
+  ///
+  /// \tparam AABBTraits a model of `AABBTraits` that defines a \cgal `AABB_tree` of the faces
+  /// \param p a point
+  /// \pre The mesh has a face.
   template <typename AABBTraits>
   Face_location locate(const Point_3& p) const
   {
-    return locate<AABBTraits>(p, m_tm, m_vertex_point_map, m_traits);
+    return locate<AABBTraits>(p, m_structure.mesh(), m_structure.vertex_point_map(), m_structure.traits());
   }
 
   /// does the same without an object.
+  ///
+  /// \tparam AABBTraits a model of `AABBTraits` that defines a \cgal `AABB_tree` of the faces
+  /// \param p a point
+  /// \param tm the mesh
+  /// \param vertex_point_map gives the point of each vertex
+  /// \param traits an instance of the traits class
+  /// \pre The mesh has a face.
   template <typename AABBTraits>
-  static Face_location locate(const Point_3& p, const Triangle_mesh& tm,
-                              Vertex_point_map vertex_point_map, const Traits& traits = Traits())
+  static Face_location locate(const Point_3& p, const Triangle_mesh& tm, Vertex_point_map vertex_point_map,
+                              const Traits& traits = Traits())
   {
     AABB_tree<AABBTraits> tree;
     build_aabb_tree(tm, tree, vertex_point_map);
@@ -814,90 +1010,116 @@ public:
   }
 
   /// returns the location on the mesh that is nearest to a point, with a tree of the faces.
+  ///
+  /// \tparam AABBTraits a model of `AABBTraits` that defines a \cgal `AABB_tree` of the faces
+  /// \param p a point
+  /// \param tree a tree that `build_aabb_tree()` has built
+  /// \pre The mesh has a face.
   template <typename AABBTraits>
   Face_location locate(const Point_3& p, const AABB_tree<AABBTraits>& tree) const
   {
-    return locate(p, tree, m_tm, m_vertex_point_map, m_traits);
+    return locate(p, tree, m_structure.mesh(), m_structure.vertex_point_map(), m_structure.traits());
   }
 
   /// does the same without an object.
+  ///
+  /// \tparam AABBTraits a model of `AABBTraits` that defines a \cgal `AABB_tree` of the faces
+  /// \param p a point
+  /// \param tree a tree that `build_aabb_tree()` has built
+  /// \param tm the mesh
+  /// \param vertex_point_map gives the point of each vertex
+  /// \param traits an instance of the traits class
+  /// \pre The mesh has a face.
   template <typename AABBTraits>
-  static Face_location locate(const Point_3& p, const AABB_tree<AABBTraits>& tree,
-                              const Triangle_mesh& tm, Vertex_point_map vertex_point_map,
-                              const Traits& traits = Traits())
+  static Face_location locate(const Point_3& p, const AABB_tree<AABBTraits>& tree, const Triangle_mesh& tm,
+                              Vertex_point_map vertex_point_map, const Traits& traits = Traits())
   {
-    const auto nearest = tree.closest_point_and_primitive(p);
-    return location_of(nearest.second, nearest.first, tm, vertex_point_map, traits);
+    return Locations::locate(p, tree, tm, vertex_point_map, traits);
   }
 
-  /// returns the location where a ray meets the mesh first; its face is the null face if there is none.
+  /// returns the location where a ray meets the mesh first. Faces in whose plane the ray lies do not count.
+  ///
+  /// \tparam AABBTraits a model of `AABBTraits` that defines a \cgal `AABB_tree` of the faces
+  /// \param ray a ray
+  /// \return the location; its face is the null face if the ray does not meet the mesh
   template <typename AABBTraits>
   Face_location locate(const Ray_3& ray) const
   {
-    return locate<AABBTraits>(ray, m_tm, m_vertex_point_map, m_traits);
+    return locate<AABBTraits>(ray, m_structure.mesh(), m_structure.vertex_point_map(), m_structure.traits());
   }
 
   /// does the same without an object.
+  ///
+  /// \tparam AABBTraits a model of `AABBTraits` that defines a \cgal `AABB_tree` of the faces
+  /// \param ray a ray
+  /// \param tm the mesh
+  /// \param vertex_point_map gives the point of each vertex
+  /// \param traits an instance of the traits class
+  /// \return the location; its face is the null face if the ray does not meet the mesh
   template <typename AABBTraits>
-  static Face_location locate(const Ray_3& ray, const Triangle_mesh& tm,
-                              Vertex_point_map vertex_point_map, const Traits& traits = Traits())
+  static Face_location locate(const Ray_3& ray, const Triangle_mesh& tm, Vertex_point_map vertex_point_map,
+                              const Traits& traits = Traits())
   {
     AABB_tree<AABBTraits> tree;
     build_aabb_tree(tm, tree, vertex_point_map);
     return locate(ray, tree, tm, vertex_point_map, traits);
   }
 
-  /// returns the location where a ray meets the mesh first, with a tree of the faces.
+  /// returns the location where a ray meets the mesh first, with a tree of the faces. Faces in whose plane the ray lies
+  /// do not count.
+  ///
+  /// \tparam AABBTraits a model of `AABBTraits` that defines a \cgal `AABB_tree` of the faces
+  /// \param ray a ray
+  /// \param tree a tree that `build_aabb_tree()` has built
+  /// \return the location; its face is the null face if the ray does not meet the mesh
   template <typename AABBTraits>
   Face_location locate(const Ray_3& ray, const AABB_tree<AABBTraits>& tree) const
   {
-    return locate(ray, tree, m_tm, m_vertex_point_map, m_traits);
+    return locate(ray, tree, m_structure.mesh(), m_structure.vertex_point_map(), m_structure.traits());
   }
 
   /// does the same without an object.
+  ///
+  /// \tparam AABBTraits a model of `AABBTraits` that defines a \cgal `AABB_tree` of the faces
+  /// \param ray a ray
+  /// \param tree a tree that `build_aabb_tree()` has built
+  /// \param tm the mesh
+  /// \param vertex_point_map gives the point of each vertex
+  /// \param traits an instance of the traits class
+  /// \return the location; its face is the null face if the ray does not meet the mesh
   template <typename AABBTraits>
-  static Face_location locate(const Ray_3& ray, const AABB_tree<AABBTraits>& tree,
-                              const Triangle_mesh& tm, Vertex_point_map vertex_point_map,
-                              const Traits& traits = Traits())
+  static Face_location locate(const Ray_3& ray, const AABB_tree<AABBTraits>& tree, const Triangle_mesh& tm,
+                              Vertex_point_map vertex_point_map, const Traits& traits = Traits())
   {
-    using Intersection =
-      typename AABB_tree<AABBTraits>::template Intersection_and_primitive_id<Ray_3>::Type;
-    std::vector<Intersection> intersections;
-    tree.all_intersections(ray, std::back_inserter(intersections));
-
-    auto squared_distance = traits.compute_squared_distance_3_object();
-    const Point_3* nearest = nullptr;
-    face_descriptor nearest_face = Graph_traits::null_face();
-    for(const Intersection& i : intersections)
-    {
-      const Point_3* p = Surface_mesh_geodesics::internal::held_value<Point_3>(i.first);
-      if(p != nullptr
-         && (nearest == nullptr
-             || squared_distance(*p, ray.source()) < squared_distance(*nearest, ray.source())))
-      {
-        nearest = p;
-        nearest_face = i.second;
-      }
-    }
-    return nearest == nullptr ? null_location(traits)
-                              : location_of(nearest_face, *nearest, tm, vertex_point_map, traits);
+    return Locations::locate(ray, tree, tm, vertex_point_map, traits);
   }
 
   /// builds a tree of the faces for `locate()`.
+  ///
+  /// \tparam AABBTraits a model of `AABBTraits` that defines a \cgal `AABB_tree` of the faces
+  /// \param tree is built anew
   template <typename AABBTraits>
   void build_aabb_tree(AABB_tree<AABBTraits>& tree) const
   {
-    build_aabb_tree(m_tm, tree, m_vertex_point_map);
+    build_aabb_tree(m_structure.mesh(), tree, m_structure.vertex_point_map());
   }
 
   /// builds a tree of the faces with the points of another map.
+  ///
+  /// \tparam AABBTraits a model of `AABBTraits` that defines a \cgal `AABB_tree` of the faces
+  /// \param tree is built anew
+  /// \param vertex_point_map gives the point of each vertex
   template <typename AABBTraits>
   void build_aabb_tree(AABB_tree<AABBTraits>& tree, Vertex_point_map vertex_point_map) const
   {
-    build_aabb_tree(m_tm, tree, vertex_point_map);
+    build_aabb_tree(m_structure.mesh(), tree, vertex_point_map);
   }
 
-  /// does the same without an object.
+  /// does the same without an object, with the point map of the mesh.
+  ///
+  /// \tparam AABBTraits a model of `AABBTraits` that defines a \cgal `AABB_tree` of the faces
+  /// \param tm the mesh
+  /// \param tree is built anew
   template <typename AABBTraits>
   static void build_aabb_tree(const Triangle_mesh& tm, AABB_tree<AABBTraits>& tree)
   {
@@ -905,383 +1127,42 @@ public:
   }
 
   /// does the same without an object, with a point map.
+  ///
+  /// \tparam AABBTraits a model of `AABBTraits` that defines a \cgal `AABB_tree` of the faces
+  /// \param tm the mesh
+  /// \param tree is built anew
+  /// \param vertex_point_map gives the point of each vertex
   template <typename AABBTraits>
-  static void build_aabb_tree(const Triangle_mesh& tm, AABB_tree<AABBTraits>& tree,
-                              Vertex_point_map vertex_point_map)
+  static void build_aabb_tree(const Triangle_mesh& tm, AABB_tree<AABBTraits>& tree, Vertex_point_map vertex_point_map)
   {
-    const auto range = faces(tm);
-    tree.rebuild(range.begin(), range.end(), tm, vertex_point_map);
-    tree.build();
+    Locations::build_tree(tm, tree, vertex_point_map);
   }
 
   /// @}
 
 private:
-  using Query = typename Solver::Query;
-  using Arrival = typename Solver::Arrival;
-  using State = typename Solver::State;
-
-  // A visitor of a path that writes its points, without those that rounding makes equal to the one before.
   template <typename OutputIterator>
-  struct Point_visitor
-  {
-    const Surface_mesh_geodesic_paths& paths;
-    OutputIterator output;
-    bool is_first = true;
-    Point_3 last = Point_3();
-
-    void operator()(halfedge_descriptor he, FT t) { write(paths.point(he, t)); }
-    void operator()(vertex_descriptor v) { write(paths.point(v)); }
-    void operator()(face_descriptor f, const Barycentric_coordinates& location)
-    {
-      write(paths.point(f, location));
-    }
-
-    void write(const Point_3& p)
-    {
-      if(is_first || p != last)
-        *output++ = p;
-      is_first = false;
-      last = p;
-    }
-  };
-
-  // A visitor of a path that writes its points with the faces of its segments, which enter() tells.
-  template <typename OutputIterator>
-  struct Polyline_visitor
-  {
-    const Surface_mesh_geodesic_paths& paths;
-    OutputIterator output;
-    face_descriptor face = Graph_traits::null_face();
-    bool is_first = true;
-    Point_3 last = Point_3();
-
-    void enter(face_descriptor f) { face = f; }
-    void operator()(halfedge_descriptor he, FT t) { write(paths.point(he, t)); }
-    void operator()(vertex_descriptor v) { write(paths.point(v)); }
-    void operator()(face_descriptor f, const Barycentric_coordinates& location)
-    {
-      write(paths.point(f, location));
-    }
-
-    void write(const Point_3& p)
-    {
-      if(is_first || p != last)
-        *output++ = std::make_pair(p, face);
-      is_first = false;
-      last = p;
-    }
-  };
-
-  template <typename Visitor>
-  struct Is_polyline_visitor : std::false_type
-  {};
+  using Point_writer = Surface_mesh_geodesics::internal::Path_point_writer<Surface_mesh_geodesic_paths, OutputIterator>;
 
   template <typename OutputIterator>
-  struct Is_polyline_visitor<Polyline_visitor<OutputIterator>> : std::true_type
-  {};
+  using Polyline_writer
+    = Surface_mesh_geodesics::internal::Path_polyline_writer<Surface_mesh_geodesic_paths, OutputIterator>;
 
-  // From what the solver tells of a path to the calls of a SurfaceMeshShortestPathVisitor.
-  template <typename Visitor>
-  struct Sequence_sink
+  void build(bool wants_windows)
   {
-    const Surface_mesh_geodesic_paths& paths;
-    Visitor& visitor;
-
-    void vertex(vertex_descriptor v) { visitor(v); }
-    void edge(halfedge_descriptor he, double t) { visitor(he, FT(t)); }
-
-    static constexpr bool wants_faces = Is_polyline_visitor<Visitor>::value;
-
-    void face(face_descriptor f)
-    {
-      static_cast<void>(f);
-      if constexpr(wants_faces)
-        visitor.enter(f);
-    }
-
-    // a source point that is not a vertex
-    void source(std::size_t number)
-    {
-      const Face_location& location = paths.m_source_by_number[number]->location;
-      auto weight = paths.m_traits.construct_barycentric_coordinates_weight_object();
-      std::array<double, 3> b;
-      for(std::size_t k = 0; k < 3; ++k)
-        b[k] = CGAL::to_double(weight(location.second, k));
-      Surface_mesh_geodesics::internal::Source_insertion<double>::snap(b);
-      halfedge_descriptor h = halfedge(location.first, paths.m_tm);
-      for(std::size_t k = 0; k < 3; ++k, h = next(h, paths.m_tm))
-        if(b[(k + 2) % 3] == 0)
-        {
-          visitor(h, FT(b[(k + 1) % 3]));
-          return;
-        }
-      visitor(location.first, location.second);
-    }
-  };
-
-  Source_point_iterator insert_source(const Source_point& source)
-  {
-    m_has_changed = true;
-    return Source_point_iterator(m_sources.insert(m_sources.end(), source));
+    Surface_mesh_geodesics::Geodesic_default_visitor visitor;
+    m_structure.build(wants_windows, visitor);
   }
 
-  // is v, as far as its index tells, a vertex of the mesh?
-  bool is_in_range(vertex_descriptor v) const
+  // `place` is a vertex, or a face and coordinates.
+  template <typename... Place>
+  Query built_query(const Place&... place)
   {
-    return v != Graph_traits::null_vertex()
-        && static_cast<std::size_t>(get(m_vertex_index_map, v)) < num_vertices(m_tm);
+    Surface_mesh_geodesics::Geodesic_default_visitor visitor;
+    return m_structure.built_query(visitor, place...);
   }
 
-  // a halfedge with a face and the target v, or the null halfedge: edges may have no face on either side.
-  static halfedge_descriptor halfedge_with_face(vertex_descriptor v, const Triangle_mesh& tm)
-  {
-    const halfedge_descriptor first = halfedge(v, tm);
-    halfedge_descriptor h = first;
-    while(h != Graph_traits::null_halfedge() && is_border(h, tm))
-    {
-      h = opposite(next(h, tm), tm);
-      if(h == first)
-        h = Graph_traits::null_halfedge();
-    }
-    return h;
-  }
-
-  Face_location null_location() const { return null_location(m_traits); }
-
-  static Face_location null_location(const Traits& traits)
-  {
-    return Face_location(Graph_traits::null_face(), traits.construct_barycentric_coordinates_object()(
-                                                      FT(0), FT(0), FT(0)));
-  }
-
-  // the location at t of a halfedge with a face.
-  static Face_location corner_location(halfedge_descriptor he, const FT& t, const Triangle_mesh& tm,
-                                       const Traits& traits)
-  {
-    const face_descriptor f = face(he, tm);
-    std::size_t k = 0;
-    for(halfedge_descriptor h = halfedge(f, tm); h != he; h = next(h, tm))
-      ++k;
-    std::array<FT, 3> c = {FT(0), FT(0), FT(0)};
-    c[k] = FT(1) - t;
-    c[(k + 1) % 3] = t;
-    return Face_location(f, traits.construct_barycentric_coordinates_object()(c[0], c[1], c[2]));
-  }
-
-  static Triangle_3 triangle(face_descriptor f, const Triangle_mesh& tm, Vertex_point_map vertex_point_map,
-                             const Traits& traits)
-  {
-    const halfedge_descriptor h = halfedge(f, tm);
-    return traits.construct_triangle_3_object()(get(vertex_point_map, source(h, tm)),
-                                                get(vertex_point_map, target(h, tm)),
-                                                get(vertex_point_map, target(next(h, tm), tm)));
-  }
-
-  static Face_location location_of(face_descriptor f, const Point_3& p, const Triangle_mesh& tm,
-                                   Vertex_point_map vertex_point_map, const Traits& traits)
-  {
-    const Face_location location(f, traits.construct_barycentric_coordinates_in_triangle_3_object()(
-                                      triangle(f, tm, vertex_point_map, traits), p));
-    auto weight = traits.construct_barycentric_coordinates_weight_object();
-    if(Surface_mesh_geodesics::internal::Source_insertion<double>::is_valid(
-         {CGAL::to_double(weight(location.second, 0)), CGAL::to_double(weight(location.second, 1)),
-          CGAL::to_double(weight(location.second, 2))}))
-      return location;
-
-    // The face has nearly no height, and its coordinates are lost in rounding: the point is on the longest side.
-    halfedge_descriptor longest = halfedge(f, tm), h = longest;
-    double squared_length = -1., t = 0.;
-    for(int k = 0; k < 3; ++k, h = next(h, tm))
-    {
-      const Point_3 a = get(vertex_point_map, source(h, tm)), b = get(vertex_point_map, target(h, tm));
-      const double x = CGAL::to_double(b.x()) - CGAL::to_double(a.x());
-      const double y = CGAL::to_double(b.y()) - CGAL::to_double(a.y());
-      const double z = CGAL::to_double(b.z()) - CGAL::to_double(a.z());
-      const double l = x * x + y * y + z * z;
-      if(l > squared_length)
-      {
-        longest = h;
-        squared_length = l;
-        t = (x * (CGAL::to_double(p.x()) - CGAL::to_double(a.x())) + y * (CGAL::to_double(p.y()) - CGAL::to_double(a.y()))
-             + z * (CGAL::to_double(p.z()) - CGAL::to_double(a.z())));
-      }
-    }
-    t = squared_length > 0 ? (std::min)((std::max)(t / squared_length, 0.), 1.) : 0.;
-    return corner_location(longest, FT(t), tm, traits);
-  }
-
-  bool is_built() const { return m_solver.state() != State::EMPTY; }
-
-  // builds if source points have changed, or if windows are wanted that have not been kept.
-  template <typename Visitor>
-  bool build(bool wants_windows, Visitor& visitor)
-  {
-    const bool lacks_windows = wants_windows && is_built() && m_solver.state() != State::WINDOWS;
-    if(!m_has_changed && !lacks_windows)
-      return true;
-    m_has_changed = true; // until all is done: something may throw, or cancel
-    if(!m_solver.has_mesh())
-      m_solver.build_mesh(
-        Surface_mesh_geodesics::internal::Shape_from_points<double, Triangle_mesh, Vertex_point_map>(
-          m_tm, m_vertex_point_map));
-    m_solver.begin_sources();
-    for(const Source_point& s : m_sources)
-      if(s.vertex != Graph_traits::null_vertex())
-        m_solver.add_source(s.vertex);
-      else
-        m_solver.add_source_location(std::make_pair(s.location.first, weights(s.location.second)));
-    visitor.on_propagation_begin(num_vertices(m_tm));
-    const bool is_complete = m_solver.run(wants_windows, [&](std::size_t visits, double reached)
-    {
-      visitor.on_progress(visits, reached);
-      return visitor.go_further();
-    });
-    visitor.on_propagation_end();
-    if(!is_complete)
-      return false;
-    m_source_by_number.clear();
-    for(auto it = m_sources.cbegin(); it != m_sources.cend(); ++it)
-      m_source_by_number.push_back(it);
-    m_removed.clear();
-    m_has_changed = false;
-    return true;
-  }
-
-  Query query(vertex_descriptor v) const
-  {
-    check_built();
-    if(is_built())
-      return m_solver.query(v);
-    m_solver.check_query(v);
-    return Query();
-  }
-
-  Query query(face_descriptor f, const Barycentric_coordinates& location) const
-  {
-    check_built();
-    if(!is_built())
-    {
-      m_solver.check_query(f, weights(location));
-      return Query();
-    }
-    const Query q = m_solver.query(f, weights(location));
-    if(m_solver.needs_windows(q))
-      check_windows();
-    return q;
-  }
-
-  // builds what the query needs.
-  Query built_query(face_descriptor f, const Barycentric_coordinates& location)
-  {
-    if(!m_has_changed && !is_built())
-      return query(f, location);
-    if(!is_at_vertex(weights(location)))
-      build_sequence_tree_for_faces();
-    else
-      build_sequence_tree();
-    if(!is_built())
-      return Query();
-    Query q = m_solver.query(f, weights(location));
-    if(m_solver.needs_windows(q) && m_solver.state() != State::WINDOWS)
-      build_sequence_tree_for_faces();
-    return q;
-  }
-
-  std::array<double, 3> weights(const Barycentric_coordinates& location) const
-  {
-    auto weight = m_traits.construct_barycentric_coordinates_weight_object();
-    return {CGAL::to_double(weight(location, 0)), CGAL::to_double(weight(location, 1)),
-            CGAL::to_double(weight(location, 2))};
-  }
-
-  Barycentric_coordinates coordinates(const std::array<double, 3>& b) const
-  {
-    return m_traits.construct_barycentric_coordinates_object()(FT(b[0]), FT(b[1]), FT(b[2]));
-  }
-
-  static bool is_at_vertex(std::array<double, 3> b)
-  {
-    Surface_mesh_geodesics::internal::Source_insertion<double>::snap(b);
-    return b[0] == 1 || b[1] == 1 || b[2] == 1;
-  }
-
-  void check_windows() const
-  {
-    if(m_solver.state() != State::WINDOWS)
-      throw std::logic_error("Surface_mesh_geodesic_paths: build_sequence_tree_for_faces() has not been "
-                             "called since source points were changed");
-  }
-
-  void check_built() const
-  {
-    if(m_has_changed)
-      throw std::logic_error("Surface_mesh_geodesic_paths: build_sequence_tree() has not been called "
-                             "since source points were changed");
-  }
-
-  std::size_t nearest(const Query& q) const
-  {
-    if(!is_built())
-      return no_source;
-    const Arrival a = m_solver.arrival(q);
-    return a.root == Surface_mesh_geodesics::internal::null_id ? no_source : m_solver.source_number(a);
-  }
-
-  Shortest_path_result result(const Query& q) const
-  {
-    if(!is_built())
-      return Shortest_path_result(FT(-1), source_points_end());
-    return result(m_solver.arrival(q));
-  }
-
-  Shortest_path_result result(const Arrival& a) const
-  {
-    if(a.root == Surface_mesh_geodesics::internal::null_id)
-      return Shortest_path_result(FT(-1), source_points_end());
-    return Shortest_path_result(FT(a.distance * m_solver.unit()),
-                                Source_point_iterator(m_source_by_number[m_solver.source_number(a)]));
-  }
-
-  template <typename Visitor>
-  Shortest_path_result sequence(const Query& q, Visitor& visitor) const
-  {
-    if(!is_built())
-      return Shortest_path_result(FT(-1), source_points_end());
-    const Arrival a = m_solver.arrival(q);
-    Sequence_sink<Visitor> sink{*this, visitor};
-    if(a.root != Surface_mesh_geodesics::internal::null_id)
-      m_solver.tell(q, a, m_solver.path(q, a), sink);
-    return result(a);
-  }
-
-  template <typename Visitor>
-  Shortest_path_result sequence(const Query& q, face_descriptor f, const Barycentric_coordinates& location,
-                                Visitor& visitor) const
-  {
-    if(!is_built())
-      return Shortest_path_result(FT(-1), source_points_end());
-    const Arrival a = m_solver.arrival(q);
-    Sequence_sink<Visitor> sink{*this, visitor};
-    if(a.root != Surface_mesh_geodesics::internal::null_id)
-    {
-      const auto path = m_solver.path(q, a);
-      visitor(f, location);
-      m_solver.tell(q, a, path, sink);
-    }
-    return result(a);
-  }
-
-  const Traits m_traits;
-  const Triangle_mesh& m_tm;
-  Vertex_index_map m_vertex_index_map;
-  Face_index_map m_face_index_map;
-  Vertex_point_map m_vertex_point_map;
-  Source_point_list m_sources;
-  Source_point_list m_removed; // since the last build
-  bool m_has_changed = false;
-  std::vector<typename Source_point_list::const_iterator> m_source_by_number; // as they were built
-  Solver m_solver;
+  Structure m_structure;
 };
 
 } // namespace CGAL

@@ -104,6 +104,7 @@ public:
   {
     clear();
     m_has_mesh = false;
+    m_statistics = Propagation_statistics();
   }
 
   // Sources are added after begin_sources(), in the order in which they are numbered.

@@ -12,14 +12,17 @@
 
 // level: 5 (readers)
 //
-// The line of all points at one distance. Along an edge the distance is known at every point, and it
-// changes by at most the length that one walks (it is 1-Lipschitz). So a part of an edge between two
-// points with known distances either cannot hold a point of the line, or is halved: a crossing that
-// separates nearer points from farther ones is found down to the resolution, whatever the number of
-// windows. Pairs of crossings are looked for down to a coarser width only, since an edge that the line
-// touches would be halved without end. Inside a face the points are joined by segments; where a face has more than
-// two, the distance in their middle tells which belong together. A closed line inside one face, around a point farther
-// than all its edges, is not found.
+// The line of all points at one distance, which separates what is nearer from what is not. Along an edge the distance
+// is known at every point, and it changes by at most the length that one walks (it is 1-Lipschitz). So a part of an
+// edge between two points with known distances either cannot hold a point of the line, or is halved: a crossing that
+// separates nearer points from farther ones is found down to the resolution, whatever the number of windows. Pairs of
+// crossings are looked for down to a coarser width only, since an edge that the line touches would be halved without
+// end. Inside a face the points are joined by segments; where a face has more than two, the distance in their middle
+// tells which belong together. A closed line inside one face, around a point farther than all its edges, is not found.
+//
+// Whether an edge is crossed is decided by comparing the distances of its ends with the value, never by a bound: so
+// each face has an even number of crossings, and lines end at the border only, whatever rounding does. A vertex exactly
+// at the value is not nearer: all crossings of its edges with nearer neighbours are the vertex itself.
 
 #include <CGAL/Surface_mesh_geodesics/internal/Edge_window_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Intrinsic_mesh.h>
@@ -67,6 +70,8 @@ public:
     m_points.clear();
     m_neighbours.clear();
     m_first_point.clear();
+    if(!(value < Field::infinity()))
+      return;
     for(Face_id f = 0; f < m_mesh.number_of_faces(); ++f)
       if(may_hold(f, value))
         connect_in_face(f, value);
@@ -82,13 +87,32 @@ private:
     std::uint32_t size;
   };
 
-  // By the Lipschitz bound from a corner.
+  // May a part of an edge of this length hold a point of the line, between points with these distances?
+  static bool may_hold(const FT& length, const FT& d, const FT& e, const FT& value)
+  {
+    if((d < value) != (e < value))
+      return true;
+    const FT nearest = (d + e - length) / 2, farthest = (d + e + length) / 2; // by the Lipschitz bound
+    return nearest < value && value <= farthest;
+  }
+
+  // Both faces of an edge give the same answer.
   bool may_hold(Face_id f, const FT& value) const
   {
-    const Intrinsic_face<FT>& face = m_mesh.face(f);
-    const FT longest = (std::max)((std::max)(face.length[0], face.length[1]), face.length[2]);
-    const FT& d = m_field.distance[face.vertex[0]];
-    return d - longest <= value && value <= d + longest;
+    for(unsigned int k = 0; k < 3; ++k)
+    {
+      const Halfedge_id h = edge_of(halfedge_of(f, k));
+      if(may_hold(m_mesh.length(h), m_field.distance[m_mesh.source(h)], m_field.distance[m_mesh.target(h)], value))
+        return true;
+    }
+    return false;
+  }
+
+  // the halfedge that stands for the edge of h
+  Halfedge_id edge_of(Halfedge_id h) const
+  {
+    const Halfedge_id o = m_mesh.opposite(h);
+    return o == null_id ? h : (std::min)(h, o);
   }
 
   FT distance_at(Face_id f, const std::array<FT, 3>& b) const
@@ -106,21 +130,19 @@ private:
   }
 
   // Relative to an edge: two crossings that are nearer to each other may be missed.
-  static FT touching_width() { return FT(1) / 8192; }
+  static FT touching_width() { return FT(1) / 16384; }
 
   // finds the crossings between s and t, in order.
   void find_crossings(Halfedge_id h, const FT& value, const FT& s, const FT& ds, const FT& t, const FT& dt)
   {
-    const FT width = (t - s) * m_mesh.length(h);
-    const FT nearest = (ds + dt - width) / 2, farthest = (ds + dt + width) / 2;
-    if(nearest >= value || farthest < value)
+    if(!may_hold(FT((t - s) * m_mesh.length(h)), ds, dt, value))
       return;
     const FT middle = (s + t) / 2;
     const bool is_crossed = (ds < value) != (dt < value);
     if(t - s <= (is_crossed ? m_resolution : touching_width()))
     {
       if(is_crossed)
-        m_points.push_back(Point{h, middle});
+        m_points.push_back(Point{h, ds == value ? s : dt == value ? t : middle});
       return;
     }
     const FT dm = distance_on_edge(h, middle);
@@ -131,7 +153,7 @@ private:
   // the points on the edge of h, found once from either side.
   Edge_points points_on_edge(Halfedge_id h, const FT& value)
   {
-    const Halfedge_id o = m_mesh.opposite(h), key = o == null_id ? h : (std::min)(h, o);
+    const Halfedge_id key = edge_of(h);
     const auto known = m_first_point.find(key);
     if(known != m_first_point.end())
       return known->second;
@@ -152,14 +174,14 @@ private:
     std::vector<Point_index> around;
     for(unsigned int k = 0; k < 3; ++k)
     {
-      const Halfedge_id h = halfedge_of(f, k), o = m_mesh.opposite(h);
+      const Halfedge_id h = halfedge_of(f, k);
       const Edge_points e = points_on_edge(h, value);
-      const bool is_reversed = o != null_id && o < h;
+      const bool is_reversed = edge_of(h) != h;
       for(std::uint32_t i = 0; i < e.size; ++i)
         around.push_back(e.first + (is_reversed ? e.size - 1 - i : i));
     }
     const std::size_t n = around.size();
-    if(n < 2 || n % 2 != 0)
+    if(n == 0)
       return;
     const bool starts_near = m_field.distance[m_mesh.face(f).vertex[0]] < value;
     // the arcs behind the points with even numbers are near if corner 0 is not
@@ -210,14 +232,31 @@ private:
         while(current != null_id && !is_done[current])
         {
           is_done[current] = 1;
-          points.push_back(m_points[current]);
+          if(points.empty() || !is_same_vertex(points.back(), m_points[current]))
+            points.push_back(m_points[current]);
           const std::array<Point_index, 2>& next = m_neighbours[current];
           const Point_index step = next[0] != previous ? next[0] : next[1];
           previous = current;
           current = step;
         }
-        line(points, pass == 1);
+        const bool is_closed = pass == 1;
+        if(is_closed && points.size() > 1 && is_same_vertex(points.back(), points.front()))
+          points.pop_back();
+        if(points.size() > 1) // not a vertex alone that is farther than all around it
+          line(points, is_closed);
       }
+  }
+
+  // the vertex at which a point is, or null_id
+  Vertex_id vertex_at(const Point& p) const
+  {
+    return p.t == 0 ? m_mesh.source(p.halfedge) : p.t == 1 ? m_mesh.target(p.halfedge) : null_id;
+  }
+
+  bool is_same_vertex(const Point& p, const Point& q) const
+  {
+    const Vertex_id v = vertex_at(p);
+    return v != null_id && v == vertex_at(q);
   }
 
   const Mesh& m_mesh;

@@ -1,0 +1,66 @@
+// Random places of sources and queries, and how many of them the command line asks for.
+
+#ifndef RANDOM_PLACES_H
+#define RANDOM_PLACES_H
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <random>
+#include <sstream>
+#include <string>
+#include <vector>
+
+// The same places in every process: of the distributions of the standard library each implementation has its own.
+class Random_places
+{
+public:
+  explicit Random_places(std::size_t seed) : m_generator(seed) {}
+
+  template <class T>
+  const T& element(const std::vector<T>& range)
+  {
+    return range[m_generator() % range.size()];
+  }
+
+  // Not nearer to the border of a face than a thirtieth of its heights.
+  std::array<double, 3> inner_weights()
+  {
+    std::array<double, 3> weights = {0.1 + uniform(), 0.1 + uniform(), 0.1 + uniform()};
+    const double sum = weights[0] + weights[1] + weights[2];
+    weights[0] /= sum;
+    weights[1] /= sum;
+    weights[2] = 1. - weights[0] - weights[1];
+    return weights;
+  }
+
+  // strictly inside a random face
+  template <class Face_location, class Face>
+  Face_location inner_location(const std::vector<Face>& faces)
+  {
+    const Face f = element(faces);
+    const std::array<double, 3> w = inner_weights();
+    return Face_location(f, {w[0], w[1], w[2]});
+  }
+
+private:
+  double uniform() { return std::ldexp(static_cast<double>(m_generator() >> 11), -53); }
+
+  std::mt19937_64 m_generator;
+};
+
+// Reads numbers that commas separate. Returns false if there is none, or a zero among them.
+inline bool read_numbers(const std::string& text, std::vector<std::size_t>& numbers)
+{
+  numbers.clear();
+  std::istringstream list(text);
+  for(std::string item; std::getline(list, item, ',');)
+  {
+    numbers.push_back(std::strtoul(item.c_str(), nullptr, 10));
+  }
+  return !numbers.empty() && std::count(numbers.begin(), numbers.end(), std::size_t(0)) == 0;
+}
+
+#endif // RANDOM_PLACES_H
