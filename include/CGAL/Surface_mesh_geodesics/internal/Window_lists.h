@@ -22,7 +22,6 @@
 
 #include <CGAL/Surface_mesh_geodesics/internal/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Window.h>
-#include <CGAL/Surface_mesh_geodesics/internal/simd.h>
 
 #include <algorithm>
 #include <array>
@@ -85,45 +84,23 @@ struct Window_columns
     history()[i] = w.history();
   }
 
-  // the windows from i on.
-  Window_lanes<FT> load(std::size_t i) const
-  {
-    using L = Lanes<FT>;
-    return Window_lanes<FT>{L::load(begin() + i), L::load(end() + i), L::load(image_x() + i),
-                            L::load(image_depth() + i), L::load(begin_distance() + i),
-                            L::load(end_distance() + i), L::load(root_distance() + i),
-                            L::load(key() + i), L::load(history() + i)};
-  }
-
-  void store(std::size_t i, const Window_lanes<FT>& w) const
-  {
-    using L = Lanes<FT>;
-    L::store(begin() + i, w.begin);
-    L::store(end() + i, w.end);
-    L::store(image_x() + i, w.image_x);
-    L::store(image_depth() + i, w.image_depth);
-    L::store(begin_distance() + i, w.begin_distance);
-    L::store(end_distance() + i, w.end_distance);
-    L::store(root_distance() + i, w.root_distance);
-    L::store(key() + i, w.key);
-    L::store(history() + i, w.history);
-  }
-
-  // copies the windows [first, last) of another block to the windows from i on, and what is behind
-  // them up to a full step.
+  // copies the windows [first, last) of another block, or of this one from a place farther on, to the windows from
+  // i on.
   void copy(const Window_columns& from, std::size_t first, std::size_t last, std::size_t i) const
   {
-    for(; first < last; first += Lanes<FT>::size, i += Lanes<FT>::size)
-      store(i, from.load(first));
+    for(std::size_t c = 0; c < number_of_numbers; ++c)
+      copy_column(from.numbers + c * from.height, first, last, numbers + c * height + i);
+    for(std::size_t c = 0; c < number_of_words; ++c)
+      copy_column(from.words + c * from.height, first, last, words + c * height + i);
   }
 
-  // moves the windows [first, last) to the windows from i < first on, and no others.
-  void move_down(std::size_t first, std::size_t last, std::size_t i) const
+private:
+  // (Columns are short: a loop is faster than a call.)
+  template <typename T>
+  static void copy_column(const T* from, std::size_t first, std::size_t last, T* to)
   {
-    for(; first + Lanes<FT>::size <= last; first += Lanes<FT>::size, i += Lanes<FT>::size)
-      store(i, load(first));
-    for(; first < last; ++first, ++i)
-      set(i, get(first));
+    for(std::size_t k = first; k < last; ++k)
+      to[k - first] = from[k];
   }
 };
 
@@ -151,6 +128,9 @@ class Window_pool
 public:
   using List = Window_list<FT>;
   using Columns = Window_columns<FT>;
+
+  // The windows are to be processed so many at a time.
+  explicit Window_pool(std::size_t lanes) : m_lanes(lanes) {}
 
   // makes an empty list with room for n windows.
   List allocate(std::size_t n)
@@ -266,10 +246,7 @@ private:
 
   static constexpr std::size_t slab_rows = 1024;
 
-  static std::size_t height(std::size_t size_class)
-  {
-    return (std::size_t(8) << size_class) + Lanes<FT>::size;
-  }
+  std::size_t height(std::size_t size_class) const { return (std::size_t(8) << size_class) + m_lanes; }
 
   Columns new_block(std::size_t size_class)
   {
@@ -298,7 +275,7 @@ private:
     return columns;
   }
 
-  static Columns block(const Columns& slab, std::size_t size_class)
+  Columns block(const Columns& slab, std::size_t size_class) const
   {
     return Columns{slab.numbers, slab.words, height(size_class)};
   }
@@ -306,23 +283,22 @@ private:
   // Rows that are not in use hold numbers as well, and roots that exist: loops over lanes meet them.
   Columns new_slab(std::size_t rows)
   {
-    m_numbers.emplace_back(new FT[Columns::number_of_numbers * rows + alignment]());
-    m_words.emplace_back(new std::uint64_t[Columns::number_of_words * rows + alignment]());
+    m_numbers.emplace_back(new FT[Columns::number_of_numbers * rows + m_lanes]());
+    m_words.emplace_back(new std::uint64_t[Columns::number_of_words * rows + m_lanes]());
     m_number_of_rows += rows;
     return Columns{aligned(m_numbers.back().get()), aligned(m_words.back().get()), 0};
   }
 
   // Vectors are loaded faster from places that are multiples of their size.
-  static constexpr std::size_t alignment = Lanes<FT>::size;
-
   template <typename T>
-  static T* aligned(T* p)
+  T* aligned(T* p) const
   {
-    while(reinterpret_cast<std::uintptr_t>(p) % (alignment * alignof(T)) != 0)
+    while(reinterpret_cast<std::uintptr_t>(p) % (m_lanes * alignof(T)) != 0)
       ++p;
     return p;
   }
 
+  std::size_t m_lanes;
   std::vector<std::unique_ptr<FT[]>> m_numbers;
   std::vector<std::unique_ptr<std::uint64_t[]>> m_words;
   std::array<std::vector<Columns>, 32> m_free_blocks;
