@@ -264,20 +264,23 @@ private:
   std::vector<std::uint32_t> find_umbrellas()
   {
     std::vector<std::uint32_t> degree(number_of_vertices(), 0);
+    std::vector<Halfedge_id> first(number_of_vertices(), null_id);
     const Face_id n = static_cast<Face_id>(number_of_faces());
-    // umbrellas with a border begin where there is no face on the right
-    for(Face_id f = 0; f < n; ++f)
-      for(unsigned int k = 0; k < 3; ++k)
+    for(Face_id f = n; f-- > 0;)
+      for(unsigned int k = 3; k-- > 0;)
       {
         const Vertex_id v = m_faces[f].vertex[k];
         ++degree[v];
-        if(m_faces[f].opposite[k] == null_id)
-          add_umbrella(v, halfedge_of(f, k));
+        first[v] = halfedge_of(f, k);
       }
+    // umbrellas with a border begin where there is no face on the right
     for(Face_id f = 0; f < n; ++f)
       for(unsigned int k = 0; k < 3; ++k)
-        if(m_vertex_halfedge[m_faces[f].vertex[k]] == null_id)
-          m_vertex_halfedge[m_faces[f].vertex[k]] = halfedge_of(f, k);
+        if(m_faces[f].opposite[k] == null_id)
+          add_umbrella(m_faces[f].vertex[k], halfedge_of(f, k));
+    for(Vertex_id v = 0; v < number_of_vertices(); ++v)
+      if(m_vertex_halfedge[v] == null_id)
+        m_vertex_halfedge[v] = first[v];
     return degree;
   }
 

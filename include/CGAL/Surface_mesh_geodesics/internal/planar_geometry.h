@@ -163,7 +163,8 @@ struct Angle_sum
   FT cosine = 1, sine = 0;
   int turns = 0;
 
-  bool is_in_second_half() const { return sine < 0 || (sine == 0 && cosine < 0); }
+  // (& and |: no branch, as none of it can be predicted)
+  bool is_in_second_half() const { return (sine < 0) | ((sine == 0) & (cosine < 0)); }
 
   // adds the angle between (1,0) and (dot, cross), where cross >= 0; nothing if both are zero.
   void add(const FT& dot, const FT& cross)
