@@ -86,7 +86,7 @@ struct One_lane
   // the numbers begin, begin + 1, ...
   static Word count_from(std::size_t begin) { return begin; }
 
-  static std::uint64_t lane(Word x, std::size_t) { return x; }
+  static std::uint64_t least(Word x, unsigned int) { return x; } // of the lanes whose bits are set
   static const FT& least(const Number& x) { return x; } // of the lanes
 
   // the lanes one place on, where the last lane of `previous` enters.

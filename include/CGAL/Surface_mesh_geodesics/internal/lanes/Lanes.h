@@ -61,7 +61,14 @@ struct Lanes<double>
     return x + begin;
   }
 
-  static std::uint64_t lane(Word x, std::size_t k) { return x[k]; }
+  // the smallest word of the lanes whose bits are set; `bits` is not 0.
+  static std::uint64_t least(Word x, unsigned int bits)
+  {
+    std::uint64_t result = x[__builtin_ctz(bits)];
+    while((bits &= bits - 1) != 0)
+      result = (std::min)(result, static_cast<std::uint64_t>(x[__builtin_ctz(bits)]));
+    return result;
+  }
 
   static double least(Number x)
   {
@@ -119,7 +126,11 @@ struct Lanes<double>
 #endif
   }
 
-#if CGAL_SURFACE_MESH_GEODESICS_LANES == 2 && defined(__SSE2__)
+#if CGAL_SURFACE_MESH_GEODESICS_LANES == 4
+  // (The operator ?: would compare the mask with zero first.)
+  static Number select(Mask m, Number a, Number b) { return _mm256_blendv_pd(b, a, (__m256d)m); }
+  static Word select_word(Mask m, Word a, Word b) { return (Word)select(m, (Number)a, (Number)b); }
+#elif CGAL_SURFACE_MESH_GEODESICS_LANES == 2 && defined(__SSE2__)
   static Number select(Mask m, Number a, Number b)
   {
     return (Number)(((Mask)a & m) | ((Mask)b & ~m));

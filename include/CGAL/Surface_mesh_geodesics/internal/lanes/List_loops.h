@@ -95,11 +95,11 @@ private:
       distance = L::select(is_better, d, distance);
       place = L::select_word(is_better, L::count_from(i), place);
     }
-    Nearest_window<FT> nearest{n, L::least(distance), L::bits(is_close) != 0};
-    unsigned int lanes = L::bits(L::less_equal(distance, L::all(nearest.distance)));
-    for(std::size_t k = 0; lanes != 0; ++k, lanes >>= 1)
-      if((lanes & 1) != 0)
-        nearest.index = (std::min)(nearest.index, static_cast<std::size_t>(L::lane(place, k)));
+    Nearest_window<FT> nearest;
+    nearest.distance = L::least(distance);
+    const unsigned int ties = L::bits(L::less_equal(distance, L::all(nearest.distance)));
+    nearest.index = static_cast<std::size_t>(L::least(place, ties));
+    nearest.has_close_images = L::bits(is_close) != 0;
     return nearest;
   }
 
