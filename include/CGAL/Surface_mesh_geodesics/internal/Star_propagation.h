@@ -65,7 +65,9 @@ public:
   // is given each list that is propagated.
   Star_propagation(const Mesh& mesh, const std::vector<FT>& distance, Keeper keeper = Keeper(),
                    Lane_choice lanes = Lane_choice::BEST)
-    : Star_propagation(mesh, distance, keeper, window_list_loops<FT, Rules>(lanes))
+    : m_mesh(mesh), m_keeper(keeper),
+      m_crossing(mesh, distance, m_statistics, window_list_loops<FT, Rules>(lanes)), m_sector(mesh),
+      m_maximum_distance(Vertex_distance_field<FT>::infinity())
   {}
 
   Star_propagation(const Star_propagation&) = delete;
@@ -98,11 +100,6 @@ public:
   std::size_t memory() const { return m_pool.memory(); }
 
 private:
-  Star_propagation(const Mesh& mesh, const std::vector<FT>& distance, Keeper keeper, const Window_list_loops<FT>& loops)
-    : m_mesh(mesh), m_keeper(keeper), m_pool(loops.lanes), m_crossing(mesh, distance, m_statistics, loops),
-      m_sector(mesh), m_maximum_distance(Vertex_distance_field<FT>::infinity())
-  {}
-
   // the paths from the vertex along its edges.
   void walk_along_edges(Star& star) const
   {

@@ -79,7 +79,8 @@ private:
 
   static bool is_before(const Entry& a, const Entry& b)
   {
-    return a.key < b.key || (!(b.key < a.key) && a.vertex < b.vertex);
+    // (& and |: no branch, as the outcome cannot be predicted)
+    return (a.key < b.key) | (!(b.key < a.key) & (a.vertex < b.vertex));
   }
 
   void place(std::size_t i, const Entry& entry)
@@ -113,8 +114,7 @@ private:
       const std::size_t last = (std::min)(first + 4, m_heap.size());
       std::size_t best = first;
       for(std::size_t child = first + 1; child < last; ++child)
-        if(is_before(m_heap[child], m_heap[best]))
-          best = child;
+        best += is_before(m_heap[child], m_heap[best]) * (child - best);
       if(!is_before(m_heap[best], entry))
         break;
       place(i, m_heap[best]);

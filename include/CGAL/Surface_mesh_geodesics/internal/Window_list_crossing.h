@@ -210,7 +210,7 @@ private:
       while(i < list.size && !is_changed && !is_suspect(i))
         ++i;
       if(last != first)
-        list.columns.copy(list.columns, first, i, last);
+        list.columns.move_down(first, i, last);
       last += i - first;
       if(i == list.size)
         break;

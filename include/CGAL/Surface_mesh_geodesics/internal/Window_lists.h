@@ -22,6 +22,7 @@
 
 #include <CGAL/Surface_mesh_geodesics/internal/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Window.h>
+#include <CGAL/Surface_mesh_geodesics/internal/simd.h>
 
 #include <algorithm>
 #include <array>
@@ -41,6 +42,9 @@ struct Window_columns
 {
   static constexpr std::size_t number_of_numbers = 7;
   static constexpr std::size_t number_of_words = 2;
+  static constexpr std::size_t step = 4; // windows that are copied at a time
+  // Loops over lanes and copies read and write so many rows behind the last window.
+  static constexpr std::size_t padding = CGAL_SURFACE_MESH_GEODESICS_COMPILED_LANES == 8 ? 8 : 4;
 
   FT* numbers = nullptr;
   std::uint64_t* words = nullptr;
@@ -84,23 +88,43 @@ struct Window_columns
     history()[i] = w.history();
   }
 
-  // copies the windows [first, last) of another block, or of this one from a place farther on, to the windows from
-  // i on.
+  // copies the windows [first, last) of another block to the windows from i on, and what is behind them up to a
+  // full step.
   void copy(const Window_columns& from, std::size_t first, std::size_t last, std::size_t i) const
   {
-    for(std::size_t c = 0; c < number_of_numbers; ++c)
-      copy_column(from.numbers + c * from.height, first, last, numbers + c * height + i);
-    for(std::size_t c = 0; c < number_of_words; ++c)
-      copy_column(from.words + c * from.height, first, last, words + c * height + i);
+    for(; first < last; first += step, i += step)
+      copy_step(from, first, i);
+  }
+
+  // moves the windows [first, last) to the windows from i < first on, and no others.
+  void move_down(std::size_t first, std::size_t last, std::size_t i) const
+  {
+    for(; first + step <= last; first += step, i += step)
+      copy_step(*this, first, i);
+    for(; first < last; ++first, ++i)
+      set(i, get(first));
   }
 
 private:
-  // (Columns are short: a loop is faster than a call.)
-  template <typename T>
-  static void copy_column(const T* from, std::size_t first, std::size_t last, T* to)
+  // (All of a step is read before it is written, so that the two places may overlap.)
+  void copy_step(const Window_columns& from, std::size_t first, std::size_t i) const
   {
-    for(std::size_t k = first; k < last; ++k)
-      to[k - first] = from[k];
+    copy_step(from.begin() + first, begin() + i);
+    copy_step(from.end() + first, end() + i);
+    copy_step(from.image_x() + first, image_x() + i);
+    copy_step(from.image_depth() + first, image_depth() + i);
+    copy_step(from.begin_distance() + first, begin_distance() + i);
+    copy_step(from.end_distance() + first, end_distance() + i);
+    copy_step(from.root_distance() + first, root_distance() + i);
+    copy_step(from.key() + first, key() + i);
+    copy_step(from.history() + first, history() + i);
+  }
+
+  template <typename T>
+  static void copy_step(const T* from, T* to)
+  {
+    const std::array<T, step> rows{from[0], from[1], from[2], from[3]};
+    std::copy(rows.begin(), rows.end(), to);
   }
 };
 
@@ -129,15 +153,11 @@ public:
   using List = Window_list<FT>;
   using Columns = Window_columns<FT>;
 
-  // The windows are to be processed so many at a time.
-  explicit Window_pool(std::size_t lanes) : m_lanes(lanes) {}
-
   // makes an empty list with room for n windows.
   List allocate(std::size_t n)
   {
     List list;
-    while((std::size_t(8) << list.size_class) < n)
-      ++list.size_class;
+    list.size_class = size_class_for(n);
     std::vector<Columns>& free_blocks = m_free_blocks[list.size_class];
     if(free_blocks.empty())
       list.columns = new_block(list.size_class);
@@ -244,9 +264,22 @@ private:
     replace(list, merged);
   }
 
+  // The smallest class of blocks with room for n > 0 windows.
+  static std::uint32_t size_class_for(std::size_t n)
+  {
+#ifdef __GNUC__
+    return 61u - static_cast<std::uint32_t>(__builtin_clzll((n - 1) | 7)); // a loop is hard to predict
+#else
+    std::uint32_t size_class = 0;
+    while((std::size_t(8) << size_class) < n)
+      ++size_class;
+    return size_class;
+#endif
+  }
+
   static constexpr std::size_t slab_rows = 1024;
 
-  std::size_t height(std::size_t size_class) const { return (std::size_t(8) << size_class) + m_lanes; }
+  static std::size_t height(std::size_t size_class) { return (std::size_t(8) << size_class) + Columns::padding; }
 
   Columns new_block(std::size_t size_class)
   {
@@ -275,7 +308,7 @@ private:
     return columns;
   }
 
-  Columns block(const Columns& slab, std::size_t size_class) const
+  static Columns block(const Columns& slab, std::size_t size_class)
   {
     return Columns{slab.numbers, slab.words, height(size_class)};
   }
@@ -283,22 +316,21 @@ private:
   // Rows that are not in use hold numbers as well, and roots that exist: loops over lanes meet them.
   Columns new_slab(std::size_t rows)
   {
-    m_numbers.emplace_back(new FT[Columns::number_of_numbers * rows + m_lanes]());
-    m_words.emplace_back(new std::uint64_t[Columns::number_of_words * rows + m_lanes]());
+    m_numbers.emplace_back(new FT[Columns::number_of_numbers * rows + Columns::padding]());
+    m_words.emplace_back(new std::uint64_t[Columns::number_of_words * rows + Columns::padding]());
     m_number_of_rows += rows;
     return Columns{aligned(m_numbers.back().get()), aligned(m_words.back().get()), 0};
   }
 
   // Vectors are loaded faster from places that are multiples of their size.
   template <typename T>
-  T* aligned(T* p) const
+  static T* aligned(T* p)
   {
-    while(reinterpret_cast<std::uintptr_t>(p) % (m_lanes * alignof(T)) != 0)
+    while(reinterpret_cast<std::uintptr_t>(p) % (Columns::padding * alignof(T)) != 0)
       ++p;
     return p;
   }
 
-  std::size_t m_lanes;
   std::vector<std::unique_ptr<FT[]>> m_numbers;
   std::vector<std::unique_ptr<std::uint64_t[]>> m_words;
   std::array<std::vector<Columns>, 32> m_free_blocks;

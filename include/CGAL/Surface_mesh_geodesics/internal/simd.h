@@ -94,7 +94,8 @@ struct One_lane
 
   static Mask less(const Number& a, const Number& b) { return a < b; }
   static Mask less_equal(const Number& a, const Number& b) { return a <= b; }
-  static Mask first(std::size_t n) { return n != 0; }
+  // the first n lanes; none if n is the difference of a number and a greater one.
+  static Mask first(std::size_t n) { return static_cast<std::int64_t>(n) > 0; }
   static Mask except(Mask a, Mask b) { return a && !b; } // a and not b
   static unsigned int bits(Mask m) { return m ? 1u : 0u; }
 

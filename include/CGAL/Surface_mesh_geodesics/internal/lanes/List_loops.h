@@ -106,12 +106,14 @@ private:
   static bool is_split_by(const Columns& columns, std::size_t n, std::size_t best, const FT& s)
   {
     const Number point = L::all(s);
-    unsigned int wrong = 0;
-    for(std::size_t i = 0; i < best; i += L::size)
-      wrong |= L::bits(L::first(best - i) & L::less(point, L::load(columns.begin() + i)));
-    for(std::size_t i = best + 1; i < n; i += L::size)
-      wrong |= L::bits(L::first(n - i) & L::less(L::load(columns.end() + i), point));
-    return wrong == 0;
+    Mask wrong = L::first(0);
+    for(std::size_t i = 0; i < n; i += L::size)
+    {
+      const Mask is_left = L::first(best - i), is_right = L::except(L::first(n - i), L::first(best + 1 - i));
+      wrong = wrong | (is_left & L::less(point, L::load(columns.begin() + i)))
+            | (is_right & L::less(L::load(columns.end() + i), point));
+    }
+    return L::bits(wrong) == 0;
   }
 
   template <typename Child>
