@@ -79,8 +79,9 @@ private:
 
   static bool is_before(const Entry& a, const Entry& b)
   {
-    // (& and |: no branch, as the outcome cannot be predicted)
-    return (a.key < b.key) | (!(b.key < a.key) & (a.vertex < b.vertex));
+    // (numbers, combined by & and |: no branch, as the outcome cannot be predicted)
+    const int is_less = a.key < b.key, is_not_greater = !(b.key < a.key), is_first = a.vertex < b.vertex;
+    return (is_less | (is_not_greater & is_first)) != 0;
   }
 
   void place(std::size_t i, const Entry& entry)

@@ -395,6 +395,7 @@ private:
                                        + std::to_string(vertex_index(v)));
       known = v;
     }
+    table.vertices.resize(n); // num_vertices() may count vertices that have been removed
     return number_in_faces;
   }
 
