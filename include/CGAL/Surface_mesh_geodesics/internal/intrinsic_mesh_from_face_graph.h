@@ -384,17 +384,23 @@ private:
       for(unsigned int j = 0; j < 3; ++j)
         mesh.face(i).vertex[j] = vertex_id(m_corners[m_order[i]][j], table, n);
     const std::size_t number_in_faces = n;
-    const vertex_descriptor no_vertex = Graph_traits::null_vertex();
-    table.vertices.assign(num_vertices(m_tm), no_vertex);
+    table.vertices.resize(num_vertices(m_tm));
+    std::vector<char> is_known(num_vertices(m_tm), 0);
+    std::size_t number_known = 0;
     for(vertex_descriptor v : vertices(m_tm))
     {
-      vertex_descriptor& known = table.vertices[vertex_id(vertex_index(v), table, n)];
-      if(known != no_vertex)
+      const Vertex_id id = vertex_id(vertex_index(v), table, n);
+      if(is_known[id] != 0)
         throw Invalid_geodesic_input(Reason::INVALID_INDEX_MAP,
                                      "two vertices have the index "
                                        + std::to_string(vertex_index(v)));
-      known = v;
+      is_known[id] = 1;
+      ++number_known;
+      table.vertices[id] = v;
     }
+    if(number_known != n)
+      throw Invalid_geodesic_input(Reason::INVALID_INDEX_MAP,
+                                   "a face has a vertex that is not among those of the mesh");
     table.vertices.resize(n); // num_vertices() may count vertices that have been removed
     return number_in_faces;
   }

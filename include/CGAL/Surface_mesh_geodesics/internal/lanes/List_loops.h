@@ -32,7 +32,9 @@ class List_loops
 public:
   static Window_list_loops<FT> table()
   {
-    return Window_list_loops<FT>{L::size, trim, find_nearest, is_split_by, cross<Left_child<FT>>, cross<Right_child<FT>>};
+    return Window_list_loops<FT>{L::size, trim,
+                                 find_nearest, is_split_by,
+                                 cross<Left_child<FT>>, cross<Right_child<FT>>};
   }
 
 private:
