@@ -47,8 +47,8 @@ struct Trimmed_pairs
 // The distance that the window of `right`, or that of `left`, has at the point (x,0).
 template <typename FT>
 CGAL_SURFACE_MESH_GEODESICS_INLINE
-typename Lanes<FT>::Number distance_of_one(const typename Lanes<FT>::Mask& is_right, const Window_lanes<FT>& left, const Window_lanes<FT>& right,
-                const typename Lanes<FT>::Number& x)
+typename Lanes<FT>::Number distance_of_one(const typename Lanes<FT>::Mask& is_right, const Window_lanes<FT>& left,
+                                           const Window_lanes<FT>& right, const typename Lanes<FT>::Number& x)
 {
   using L = Lanes<FT>;
   using Number = typename L::Number;
