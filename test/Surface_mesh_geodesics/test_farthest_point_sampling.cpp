@@ -1,5 +1,6 @@
 // Farthest-point sampling, and the propagation that goes on with one source more.
 
+#include "intrinsic_mesh_helpers.h"
 #include "test_meshes.h"
 #include "test_support.h"
 
@@ -63,15 +64,7 @@ void test_continued_propagation(std::uint64_t seed)
   for(const Indexed_mesh& indexed : small_collection(seed + 1))
   {
     const test_support::Scope scope(indexed.name);
-    const Mesh tm = to_face_graph(indexed);
-    const auto vim = get(boost::vertex_index, tm);
-    const auto fim = get(boost::face_index, tm);
-    const auto vpm = get(CGAL::vertex_point, tm);
-    Intrinsic_mesh<double> mesh;
-    Face_graph_correspondence<Mesh> table;
-    Shape_from_points<double, Mesh, std::decay_t<decltype(vpm)>> shape(tm, vpm);
-    Intrinsic_mesh_builder<double, Mesh, std::decay_t<decltype(vim)>, std::decay_t<decltype(fim)>>(tm, vim, fim)
-      .build(shape, mesh, table);
+    const Intrinsic_mesh<double> mesh = intrinsic_mesh(to_face_graph(indexed));
     const auto go_on = [](std::size_t, double) { return true; };
     Vertex_distance_field<double> field;
     Distance_propagation<double> continued(mesh, field);

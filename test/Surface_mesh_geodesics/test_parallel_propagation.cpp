@@ -2,6 +2,7 @@
 // nor on chance, and with one star at a time they are those of the sequential propagation.
 
 #include "distance_test_helpers.h"
+#include "intrinsic_mesh_helpers.h"
 #include "test_meshes.h"
 #include "test_support.h"
 #include "thread_team.h"
@@ -11,7 +12,6 @@
 #include <CGAL/Surface_mesh_geodesics/geodesic_distances.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Distance_propagation.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Parallel_distance_propagation.h>
-#include <CGAL/Surface_mesh_geodesics/internal/intrinsic_mesh_from_face_graph.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
@@ -61,19 +61,6 @@ using Vertices = std::vector<internal::Vertex_id>;
 
 const std::vector<std::size_t> numbers_of_stars{1, 7, 64, 1000};
 const std::vector<std::size_t> numbers_of_threads{1, 2, 5};
-
-Intrinsic_mesh intrinsic_mesh(const Mesh& tm)
-{
-  const auto vim = get(boost::vertex_index, tm);
-  const auto fim = get(boost::face_index, tm);
-  const auto vpm = get(CGAL::vertex_point, tm);
-  Intrinsic_mesh mesh;
-  internal::Face_graph_correspondence<Mesh> table;
-  internal::Shape_from_points<double, Mesh, decltype(vpm)> shape(tm, vpm);
-  internal::Intrinsic_mesh_builder<double, Mesh, decltype(vim), decltype(fim)>(tm, vim, fim)
-    .build(shape, mesh, table);
-  return mesh;
-}
 
 // What a run is asked for.
 struct Task

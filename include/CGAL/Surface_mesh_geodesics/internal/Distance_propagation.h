@@ -45,8 +45,8 @@ public:
 
   // The field is reset; it holds the result. The keeper is given each list that is propagated, and the
   // distance reached before each visit of a vertex.
-  Distance_propagation(const Mesh& mesh, Field& field, Keeper keeper = Keeper())
-    : m_mesh(mesh), m_wavefront(mesh, field), m_stars(mesh, field.distance, keeper)
+  Distance_propagation(const Mesh& mesh, Field& field, Keeper keeper = Keeper(), Lane_choice lanes = Lane_choice::BEST)
+    : m_mesh(mesh), m_wavefront(mesh, field), m_stars(mesh, field.distance, keeper, lanes)
   {}
 
   // forgets the last run: its sources, distances, targets and statistics. The mesh may have been changed.

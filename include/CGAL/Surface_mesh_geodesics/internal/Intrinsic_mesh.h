@@ -230,33 +230,17 @@ public:
 private:
   static void place_apex(const Face& f, unsigned int k, Crossing<FT>& c)
   {
+    // (One way for all three: which one is asked for is hard to predict. The ratio of the base to itself is 1.)
     const FT& base = f.length[0];
     const FT& side = f.length[k];
-    const FT base_rest = base - f.apex_x;
-    if(k == 0)
-    {
-      c.apex_x = f.apex_x;
-      c.apex_rest = base_rest;
-      c.apex_y = f.apex_y;
-      return;
-    }
-    if(!(side > 0)) // only in a face whose edges all have no length
-    {
-      c.apex_x = c.apex_rest = c.apex_y = 0;
-      return;
-    }
-    const FT ratio = base / side;
+    const FT part[3] = {f.apex_x, base - f.apex_x, f.apex_x};
+    const FT ratio = side > 0 ? FT(base / side) : FT(k == 0 ? 1 : 0); // 0: all edges of the face have no length
+    FT end[2]; // of the sides below the apex
+    end[0] = part[k] * ratio;
+    end[1] = side - end[0];
+    c.apex_x = end[k >> 1];
+    c.apex_rest = end[1 - (k >> 1)];
     c.apex_y = f.apex_y * ratio;
-    if(k == 1)
-    {
-      c.apex_x = base_rest * ratio;
-      c.apex_rest = side - c.apex_x;
-    }
-    else
-    {
-      c.apex_rest = f.apex_x * ratio;
-      c.apex_x = side - c.apex_rest;
-    }
   }
 
   // finds the first umbrella of each vertex, and all those with a border; returns the numbers of faces around
@@ -264,20 +248,23 @@ private:
   std::vector<std::uint32_t> find_umbrellas()
   {
     std::vector<std::uint32_t> degree(number_of_vertices(), 0);
+    std::vector<Halfedge_id> first(number_of_vertices(), null_id);
     const Face_id n = static_cast<Face_id>(number_of_faces());
-    // umbrellas with a border begin where there is no face on the right
-    for(Face_id f = 0; f < n; ++f)
-      for(unsigned int k = 0; k < 3; ++k)
+    for(Face_id f = n; f-- > 0;)
+      for(unsigned int k = 3; k-- > 0;)
       {
         const Vertex_id v = m_faces[f].vertex[k];
         ++degree[v];
-        if(m_faces[f].opposite[k] == null_id)
-          add_umbrella(v, halfedge_of(f, k));
+        first[v] = halfedge_of(f, k);
       }
+    // umbrellas with a border begin where there is no face on the right
     for(Face_id f = 0; f < n; ++f)
       for(unsigned int k = 0; k < 3; ++k)
-        if(m_vertex_halfedge[m_faces[f].vertex[k]] == null_id)
-          m_vertex_halfedge[m_faces[f].vertex[k]] = halfedge_of(f, k);
+        if(m_faces[f].opposite[k] == null_id)
+          add_umbrella(m_faces[f].vertex[k], halfedge_of(f, k));
+    for(Vertex_id v = 0; v < number_of_vertices(); ++v)
+      if(m_vertex_halfedge[v] == null_id)
+        m_vertex_halfedge[v] = first[v];
     return degree;
   }
 

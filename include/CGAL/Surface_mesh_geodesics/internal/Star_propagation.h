@@ -28,8 +28,9 @@
 #include <CGAL/Surface_mesh_geodesics/internal/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Vertex_star.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Window_list_crossing.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Window_list_loops.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Window_lists.h>
-#include <CGAL/Surface_mesh_geodesics/internal/window_splitting.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window_of_pseudo_source.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -62,8 +63,10 @@ public:
 
   // Of the distances only those of pseudo-sources are read from which windows have started. The keeper
   // is given each list that is propagated.
-  Star_propagation(const Mesh& mesh, const std::vector<FT>& distance, Keeper keeper = Keeper())
-    : m_mesh(mesh), m_keeper(keeper), m_crossing(mesh, distance, m_statistics), m_sector(mesh),
+  Star_propagation(const Mesh& mesh, const std::vector<FT>& distance, Keeper keeper = Keeper(),
+                   Lane_choice lanes = Lane_choice::BEST)
+    : m_mesh(mesh), m_keeper(keeper),
+      m_crossing(mesh, distance, m_statistics, window_list_loops<FT, Rules>(lanes)), m_sector(mesh),
       m_maximum_distance(Vertex_distance_field<FT>::infinity())
   {}
 
@@ -123,8 +126,7 @@ private:
       window_of_pseudo_source<FT>(c, star.distance, star.distance + c.right_length,
                                   star.distance + c.left_length, w);
       if(Rules::vertex_rule
-         && is_beaten_by_vertices<One_lane<FT>>(w, c.length, star.links[f.second].rival(),
-                                                star.links[f.first].rival()))
+         && is_beaten_by_vertices(w, c.length, star.links[f.second].rival(), star.links[f.first].rival()))
       {
         ++m_statistics.windows_removed_by_vertices;
         continue;

@@ -79,7 +79,9 @@ private:
 
   static bool is_before(const Entry& a, const Entry& b)
   {
-    return a.key < b.key || (!(b.key < a.key) && a.vertex < b.vertex);
+    // (numbers, combined by & and |: no branch, as the outcome cannot be predicted)
+    const int is_less = a.key < b.key, is_not_greater = !(b.key < a.key), is_first = a.vertex < b.vertex;
+    return (is_less | (is_not_greater & is_first)) != 0;
   }
 
   void place(std::size_t i, const Entry& entry)
@@ -113,8 +115,7 @@ private:
       const std::size_t last = (std::min)(first + 4, m_heap.size());
       std::size_t best = first;
       for(std::size_t child = first + 1; child < last; ++child)
-        if(is_before(m_heap[child], m_heap[best]))
-          best = child;
+        best += is_before(m_heap[child], m_heap[best]) * (child - best);
       if(!is_before(m_heap[best], entry))
         break;
       place(i, m_heap[best]);

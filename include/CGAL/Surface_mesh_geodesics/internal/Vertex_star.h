@@ -45,6 +45,8 @@ struct Link_vertex
   Vertex_arrival<FT> arrival; // if it is improved
   Arrival_image<FT> image;
 
+  explicit Link_vertex(Vertex_id v) : vertex(v) {}
+
   Vertex_rival<FT> rival() const { return Vertex_rival<FT>(distance, is_degenerate); }
 };
 
@@ -55,7 +57,13 @@ struct Star_face
   std::uint32_t first, second;  // a and b, in the links of the star
   std::uint32_t next, previous; // the faces counterclockwise and clockwise, null_id beyond the border
   Window_list<FT> counterclockwise, clockwise, outward;
-  FT outward_distance = Vertex_distance_field<FT>::infinity(); // the smallest one of the list `outward`
+  FT outward_distance; // the smallest one of the list `outward`
+
+  // (A constructor of its own: without one, all would be set to zero before it is set.)
+  Star_face(Halfedge_id h, std::uint32_t a, std::uint32_t b, std::uint32_t next_face, std::uint32_t previous_face)
+    : halfedge(h), first(a), second(b), next(next_face), previous(previous_face),
+      outward_distance(Vertex_distance_field<FT>::infinity())
+  {}
 };
 
 template <typename FT>
@@ -90,12 +98,7 @@ private:
     {
       const std::uint32_t f = static_cast<std::uint32_t>(faces.size());
       const std::uint32_t a = static_cast<std::uint32_t>(links.size());
-      faces.emplace_back();
-      faces.back().halfedge = h;
-      faces.back().first = a;
-      faces.back().second = a + 1;
-      faces.back().next = f + 1;
-      faces.back().previous = f - 1;
+      faces.emplace_back(h, a, a + 1, f + 1, f - 1);
       add_link(mesh.target(h));
       h = mesh.next_around_source(h);
     } while(h != first && h != null_id);
@@ -113,8 +116,7 @@ private:
 
   void add_link(Vertex_id v)
   {
-    links.emplace_back();
-    links.back().vertex = v;
+    links.emplace_back(v);
   }
 };
 

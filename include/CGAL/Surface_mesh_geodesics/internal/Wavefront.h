@@ -107,7 +107,7 @@ public:
     {
       link.distance = m_field.distance[link.vertex];
       link.is_degenerate = m_mesh.has(link.vertex, Mesh::DEGENERATE);
-      link.may_emit = m_mesh.has(link.vertex, Mesh::PSEUDO_SOURCE) || m_emission[link.vertex] != 0;
+      link.may_emit = ((m_mesh.kind(link.vertex) & Mesh::PSEUDO_SOURCE) | m_emission[link.vertex]) != 0;
     }
     for(Star_face<FT>& f : star.faces)
     {

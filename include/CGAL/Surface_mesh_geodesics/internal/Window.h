@@ -38,7 +38,6 @@
 
 #include <CGAL/Surface_mesh_geodesics/internal/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/planar_geometry.h>
-#include <CGAL/Surface_mesh_geodesics/internal/simd.h>
 
 #include <cmath>
 #include <cstdint>
@@ -53,13 +52,6 @@ enum Turn : unsigned int { LEFT_TURN = 0, RIGHT_TURN = 1 };
 
 // The key of an edge sequence that begins at its pseudo-source.
 constexpr Window_key initial_window_key = Window_key(1) << 63;
-
-// `Key` is a key, or several of them (see simd.h).
-template <typename Key>
-constexpr Key turned(const Key& key, Turn turn)
-{
-  return (key >> 1) | (static_cast<Window_key>(turn) << 63);
-}
 
 // The root of a window and its number of steps (see below), in the lower and the higher half.
 using Window_history = std::uint64_t;
@@ -116,34 +108,6 @@ constexpr std::uint32_t joined_steps(std::uint32_t a, std::uint32_t b)
 {
   return (a < b ? b : a) | ((a | b) & 1);
 }
-
-// Several windows, one in each lane (see simd.h).
-template <typename FT>
-struct Window_lanes
-{
-  using Number = typename Lanes<FT>::Number;
-  using Word = typename Lanes<FT>::Word;
-
-  Number begin, end;
-  Number image_x, image_depth;
-  Number begin_distance, end_distance;
-  Number root_distance;
-  Word key, history;
-
-  Number distance_at(const Number& x) const
-  {
-    const Number dx = x - image_x;
-    return root_distance + Lanes<FT>::square_root(dx * dx + image_depth * image_depth);
-  }
-
-  Number minimum_distance() const
-  {
-    using L = Lanes<FT>;
-    const Number inside = root_distance + image_depth;
-    return L::select(L::less_equal(image_x, begin), begin_distance,
-                     L::select(L::less_equal(end, image_x), end_distance, inside));
-  }
-};
 
 // Is the image so near to its interval on an edge of the given length that rounding of the ends of the
 // interval would turn the paths? It is where a pseudo-source lies on the edge: in front of a flat face.

@@ -21,48 +21,18 @@
 #include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Pruning_rules.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Window_list_loops.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Window_lists.h>
-#include <CGAL/Surface_mesh_geodesics/internal/simd.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window_pruning.h>
-#include <CGAL/Surface_mesh_geodesics/internal/window_splitting.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
-
-// The windows that a list sends across one edge, in the room behind the list of that edge, and their
-// smallest distance.
-template <typename FT>
-struct Window_batch
-{
-  Window_list<FT> list;
-  std::size_t size;
-  FT minimum_distance;
-  std::uint32_t steps; // joined_steps() of the windows
-
-  void start(const Window_list<FT>& room, std::uint32_t steps_of_windows)
-  {
-    list = room;
-    size = 0;
-    minimum_distance = std::numeric_limits<FT>::infinity();
-    steps = steps_of_windows;
-  }
-
-  bool has_room() const { return list.columns.height != 0; }
-
-  void add(const Window<FT>& w)
-  {
-    list.columns.set(list.size + size, w);
-    minimum_distance = (std::min)(minimum_distance, w.minimum_distance());
-    ++size;
-  }
-};
 
 // The corners A, B and C of a face as rivals of the windows that enter it across AB.
 template <typename FT>
@@ -74,9 +44,7 @@ struct Corner_rivals
 template <typename FT, typename Rules>
 class Window_list_crossing
 {
-  using L = Lanes<FT>;
-  using Number = typename L::Number;
-  using Mask = typename L::Mask;
+  using Loops = Window_list_loops<FT>;
 
 public:
   // The path to C that is the shortest of those through the list.
@@ -90,8 +58,8 @@ public:
   };
 
   Window_list_crossing(const Intrinsic_mesh<FT>& mesh, const std::vector<FT>& distance,
-                       Propagation_statistics& statistics)
-    : m_mesh(mesh), m_distance(distance), m_statistics(statistics)
+                       Propagation_statistics& statistics, const Window_list_loops<FT>& loops)
+    : m_mesh(mesh), m_distance(distance), m_statistics(statistics), m_loops(loops)
   {}
 
   // Has the distance of a pseudo-source shrunk whose windows had been made?
@@ -119,34 +87,13 @@ public:
   // finds the shortest path to C through a list that is not empty; the first one if several tie.
   Apex_path find_apex_path(const Window_list<FT>& list, const Crossing<FT>& c)
   {
-    using Word = typename L::Word;
-    const std::size_t n = list.size;
-    if(m_abscissa.size() < n + L::size)
-      m_abscissa.resize(2 * n + L::size);
-    Number distance = L::all(std::numeric_limits<FT>::infinity());
-    Word place = L::count_from(0);
-    const Number close_depth = L::all(FT(Tolerance<FT>::closeness() * c.length));
-    Mask is_close = L::first(0);
-    for(std::size_t i = 0; i < n; i += L::size)
-    {
-      const Window_lanes<FT> w = list.columns.load(i);
-      const Number t = apex_abscissa(w, c);
-      L::store(m_abscissa.data() + i, t);
-      const Number d = distance_to_apex(w, c, t);
-      const Mask is_window = L::first(n - i);
-      is_close = is_close | (is_window & L::less_equal(w.image_depth, close_depth));
-      const Mask is_better = is_window & L::less(d, distance);
-      distance = L::select(is_better, d, distance);
-      place = L::select_word(is_better, L::count_from(i), place);
-    }
-    m_has_close_images = L::bits(is_close) != 0;
+    if(m_abscissa.size() < list.size + m_loops.lanes)
+      m_abscissa.resize(2 * list.size + m_loops.lanes);
+    const Nearest_window<FT> nearest = m_loops.find_nearest(list.columns, list.size, c, m_abscissa.data());
+    m_has_close_images = nearest.has_close_images;
     Apex_path best;
-    best.distance = L::least(distance);
-    best.index = n;
-    unsigned int lanes = L::bits(L::less_equal(distance, L::all(best.distance)));
-    for(std::size_t k = 0; lanes != 0; ++k, lanes >>= 1)
-      if((lanes & 1) != 0)
-        best.index = (std::min)(best.index, static_cast<std::size_t>(L::lane(place, k)));
+    best.index = nearest.index;
+    best.distance = nearest.distance;
     straighten(list, c, best);
     const Window<FT> w = list.columns.get(best.index);
     best.separating_point = (std::min)((std::max)(m_abscissa[best.index], w.begin), w.end);
@@ -164,15 +111,13 @@ public:
     m_left.start(left_room, list.steps + 2);
     m_right.start(right_room, list.steps + 2);
     const FT& s = path.separating_point;
-    Edge_crossing<Left_child<FT>> to_left{Left_child<FT>(c), corners.origin, corners.apex, s,
-                                          path.index};
-    Edge_crossing<Right_child<FT>> to_right{Right_child<FT>(c), corners.apex, corners.target, s,
-                                            path.index};
+    Edge_cut<FT> to_left{corners.origin, corners.apex, s, path.index};
+    Edge_cut<FT> to_right{corners.apex, corners.target, s, path.index};
     if(Rules::rule_1 && !list.may_be_marked() && !m_has_close_images
-       && is_split_by(list, path.index, s))
+       && m_loops.is_split_by(list.columns, list.size, path.index, s))
     {
-      cross(list, 0, path.index + 1, to_left, m_left);
-      cross(list, path.index, list.size, to_right, m_right);
+      cross(m_loops.cross_left, list, 0, path.index + 1, c, to_left, m_left);
+      cross(m_loops.cross_right, list, path.index, list.size, c, to_right, m_right);
       return;
     }
     // A window keeps both sides if its place with respect to the best one is not known, or if it lies
@@ -189,9 +134,9 @@ public:
       to_left.cut = keeps_both ? c.length : s;
       to_right.cut = keeps_both ? FT(0) : s;
       if(keeps_both || i < path.index)
-        cross(list, i, i + 1, to_left, m_left);
+        cross(m_loops.cross_left, list, i, i + 1, c, to_left, m_left);
       if(keeps_both || i > path.index)
-        cross(list, i, i + 1, to_right, m_right);
+        cross(m_loops.cross_right, list, i, i + 1, c, to_right, m_right);
     }
   }
 
@@ -199,16 +144,6 @@ public:
   const Window_batch<FT>& right() const { return m_right; }
 
 private:
-  // One of the edges AC and CB as seen from the windows.
-  template <typename Child>
-  struct Edge_crossing
-  {
-    Child child;
-    Vertex_rival<FT> left, right; // the ends of the edge
-    FT cut;                       // only paths on this side of it are taken
-    std::size_t whole_window;     // loses nothing at the cut
-  };
-
   bool has_stale_windows(const Window_list<FT>& list) const
   {
     for(std::size_t i = 0; i < list.size; ++i)
@@ -245,58 +180,21 @@ private:
     list.steps = 0;
     for(std::size_t i = 0; i < list.size; ++i)
       list.steps = joined_steps(list.steps, list.columns.get(i).steps);
-    m_suspects.assign(list.size / L::size + 1, ~0u);
+    m_suspects.assign(list.size / suspects_in_word + 1, static_cast<Suspects>(~0u));
     return true;
   }
 
-  // trims the windows of a list against their neighbours. Those that have to be looked at become
-  // suspects: windows that may be redundant by themselves, or by the window before them, and those
-  // that may be too close to trim, or behind such a window. Returns whether there are any.
-  bool trim(Window_list<FT>& list, const Crossing<FT>& c, const Corner_rivals<FT>& corners)
+  // trims the windows of a list against their neighbours. Returns whether there are suspects.
+  bool trim(const Window_list<FT>& list, const Crossing<FT>& c, const Corner_rivals<FT>& corners)
   {
-    const Window_columns<FT> columns = list.columns;
-    const Vertex_rival<FT> left = corners.origin, right = corners.target;
-    const std::size_t n = list.size;
-    if(m_suspects.size() < n / L::size + 1)
-      m_suspects.resize(2 * n / L::size + 1);
-    Number begin = L::all(columns.begin()[0]), begin_distance = L::all(columns.begin_distance()[0]);
-    const FT close_depth = Tolerance<FT>::closeness() * c.length;
-    unsigned int suspects = 0, all_suspects = 0;
-    for(std::size_t i = 0; i < n; i += L::size)
-    {
-      const Window_lanes<FT> w = columns.load(i);
-      Mask is_suspect = L::first(0);
-      if(Rules::vertex_rule)
-        is_suspect = is_suspect | is_beaten_by_vertices<L>(w, c.length, left, right);
-      if(Rules::pair_rules)
-      {
-        const Trimmed_pairs<FT> pairs(w, columns.load(i + 1), close_depth);
-        const Mask is_pair = L::first(n - 1 - i);
-        const Number end = L::select(is_pair, pairs.left_end, w.end);
-        L::store(columns.end() + i, end);
-        L::store(columns.end_distance() + i,
-                 L::select(is_pair, pairs.left_end_distance, w.end_distance));
-        // the pair of the last window of the step before trims the first one of this step
-        begin = L::shift_in(begin, pairs.right_begin);
-        begin_distance = L::shift_in(begin_distance, pairs.right_begin_distance);
-        L::store(columns.begin() + i, begin);
-        L::store(columns.begin_distance() + i, begin_distance);
-        is_suspect = is_suspect | L::less_equal(end, begin);
-        begin = pairs.right_begin;
-        begin_distance = pairs.right_begin_distance;
-        suspects |= L::bits(is_pair & pairs.is_undecided) << 1;
-      }
-      suspects |= L::bits(L::first(n - i) & is_suspect);
-      m_suspects[i / L::size] = suspects;
-      all_suspects |= suspects;
-      suspects >>= L::size;
-    }
-    return all_suspects != 0;
+    if(m_suspects.size() < list.size / suspects_in_word + 1)
+      m_suspects.resize(2 * list.size / suspects_in_word + 1);
+    return m_loops.trim(list.columns, list.size, c.length, corners.origin, corners.target, m_suspects.data());
   }
 
   bool is_suspect(std::size_t i) const
   {
-    return (m_suspects[i / L::size] >> i % L::size & 1) != 0;
+    return (m_suspects[i / suspects_in_word] >> i % suspects_in_word & 1) != 0;
   }
 
   // looks at the suspects, and at windows whose neighbour before them has been removed or trimmed.
@@ -338,7 +236,7 @@ private:
       return true;
     }
     if(w.root_distance > m_distance[w.root] || w.number_of_crossings() > m_mesh.number_of_faces()
-       || (Rules::vertex_rule && is_beaten_by_vertices<One_lane<FT>>(w, length, left, right)))
+       || (Rules::vertex_rule && is_beaten_by_vertices(w, length, left, right)))
     {
       ++m_statistics.windows_removed_by_vertices;
       return true;
@@ -379,87 +277,23 @@ private:
     return true;
   }
 
-  // does no window lie wholly on the other side of s than its key says, before or after the best one?
-  static bool is_split_by(const Window_list<FT>& list, std::size_t best, const FT& s)
+  // puts the children of the windows [first, last) on one edge, if there is room.
+  void cross(typename Loops::Cross loop, const Window_list<FT>& list, std::size_t first, std::size_t last,
+             const Crossing<FT>& c, const Edge_cut<FT>& edge, Window_batch<FT>& batch)
   {
-    const Number point = L::all(s);
-    unsigned int wrong = 0;
-    for(std::size_t i = 0; i < best; i += L::size)
-      wrong |= L::bits(L::first(best - i) & L::less(point, L::load(list.columns.begin() + i)));
-    for(std::size_t i = best + 1; i < list.size; i += L::size)
-      wrong |= L::bits(L::first(list.size - i) & L::less(L::load(list.columns.end() + i), point));
-    return wrong == 0;
-  }
-
-  // puts the children of the windows [first, last) on one edge.
-  template <typename Child>
-  void cross(const Window_list<FT>& list, std::size_t first, std::size_t last,
-             const Edge_crossing<Child>& edge, Window_batch<FT>& batch)
-  {
-    if(!batch.has_room())
-      return;
-    const Window_columns<FT> from = list.columns, to = batch.list.columns;
-    const FT length = edge.child.length();
-    const Number tolerance = L::all(FT(Tolerance<FT>::interval() * length));
-    const Number infinity = L::all(std::numeric_limits<FT>::infinity());
-    Number minimum_distance = infinity;
-    std::size_t end = batch.list.size + batch.size;
-    for(std::size_t i = first; i < last; i += L::size)
-    {
-      Window_lanes<FT> w = from.load(i);
-      const Mask is_window = L::first(last - i);
-      const Mask has_paths = is_window & edge.child(w, L::load(m_abscissa.data() + i), edge.cut);
-      const Mask is_wide = has_paths & L::less(tolerance, w.end - w.begin);
-      w.begin_distance = w.distance_at(w.begin);
-      w.end_distance = w.distance_at(w.end);
-      Mask is_useful = is_wide;
-      if(Rules::vertex_rule)
-        is_useful = L::except(is_wide, is_beaten_by_vertices<L>(w, length, edge.left, edge.right));
-      minimum_distance = L::minimum(minimum_distance,
-                                    L::select(is_useful, w.minimum_distance(), infinity));
-      to.store(end, w);
-      const std::size_t n = (std::min)(L::size, last - i);
-      const unsigned int useful = L::bits(is_useful);
-      if(useful == (1u << n) - 1)
-        end += n;
-      else
-      {
-        const unsigned int paths = L::bits(has_paths), wide = L::bits(is_wide);
-        for(std::size_t k = 0; k < n; ++k)
-        {
-          m_statistics.windows_removed_by_rule_1 += i + k != edge.whole_window && !(paths >> k & 1);
-          m_statistics.windows_removed_as_slivers += (paths & ~wide) >> k & 1;
-          m_statistics.windows_removed_by_vertices += (wide & ~useful) >> k & 1;
-        }
-        end = keep(to, end, useful);
-      }
-    }
-    batch.size = end - batch.list.size;
-    batch.minimum_distance = (std::min)(batch.minimum_distance, L::least(minimum_distance));
-  }
-
-  // keeps those windows of one step, from `first` on, whose bits are set.
-  static std::size_t keep(const Window_columns<FT>& columns, std::size_t first, unsigned int useful)
-  {
-    std::size_t end = first;
-    for(std::size_t i = first; useful != 0; ++i, useful >>= 1)
-      if((useful & 1) != 0)
-      {
-        if(end != i)
-          columns.set(end, columns.get(i));
-        ++end;
-      }
-    return end;
+    if(batch.has_room())
+      loop(list.columns, first, last, c, edge, m_abscissa.data(), batch, m_statistics);
   }
 
   const Intrinsic_mesh<FT>& m_mesh;
   const std::vector<FT>& m_distance; // of the vertices
   Propagation_statistics& m_statistics;
+  const Loops m_loops;
   bool m_has_stale_windows = false; // of a pseudo-source that has been improved since
   bool m_has_close_images = false;  // in the list: some windows may be too close to trim
   Window_batch<FT> m_left, m_right;
   std::vector<FT> m_abscissa;           // the apex_abscissa of each window of the list
-  std::vector<unsigned int> m_suspects; // a bit for each window of the list, L::size in each
+  std::vector<Suspects> m_suspects;     // among the windows of the list
 };
 
 } // namespace internal

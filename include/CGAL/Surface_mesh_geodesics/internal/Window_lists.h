@@ -42,6 +42,9 @@ struct Window_columns
 {
   static constexpr std::size_t number_of_numbers = 7;
   static constexpr std::size_t number_of_words = 2;
+  static constexpr std::size_t step = 4; // windows that are copied at a time
+  // Loops over lanes and copies read and write so many rows behind the last window.
+  static constexpr std::size_t padding = CGAL_SURFACE_MESH_GEODESICS_COMPILED_LANES == 8 ? 8 : 4;
 
   FT* numbers = nullptr;
   std::uint64_t* words = nullptr;
@@ -85,45 +88,43 @@ struct Window_columns
     history()[i] = w.history();
   }
 
-  // the windows from i on.
-  Window_lanes<FT> load(std::size_t i) const
-  {
-    using L = Lanes<FT>;
-    return Window_lanes<FT>{L::load(begin() + i), L::load(end() + i), L::load(image_x() + i),
-                            L::load(image_depth() + i), L::load(begin_distance() + i),
-                            L::load(end_distance() + i), L::load(root_distance() + i),
-                            L::load(key() + i), L::load(history() + i)};
-  }
-
-  void store(std::size_t i, const Window_lanes<FT>& w) const
-  {
-    using L = Lanes<FT>;
-    L::store(begin() + i, w.begin);
-    L::store(end() + i, w.end);
-    L::store(image_x() + i, w.image_x);
-    L::store(image_depth() + i, w.image_depth);
-    L::store(begin_distance() + i, w.begin_distance);
-    L::store(end_distance() + i, w.end_distance);
-    L::store(root_distance() + i, w.root_distance);
-    L::store(key() + i, w.key);
-    L::store(history() + i, w.history);
-  }
-
-  // copies the windows [first, last) of another block to the windows from i on, and what is behind
-  // them up to a full step.
+  // copies the windows [first, last) of another block to the windows from i on, and what is behind them up to a
+  // full step.
   void copy(const Window_columns& from, std::size_t first, std::size_t last, std::size_t i) const
   {
-    for(; first < last; first += Lanes<FT>::size, i += Lanes<FT>::size)
-      store(i, from.load(first));
+    for(; first < last; first += step, i += step)
+      copy_step(from, first, i);
   }
 
   // moves the windows [first, last) to the windows from i < first on, and no others.
   void move_down(std::size_t first, std::size_t last, std::size_t i) const
   {
-    for(; first + Lanes<FT>::size <= last; first += Lanes<FT>::size, i += Lanes<FT>::size)
-      store(i, load(first));
+    for(; first + step <= last; first += step, i += step)
+      copy_step(*this, first, i);
     for(; first < last; ++first, ++i)
       set(i, get(first));
+  }
+
+private:
+  // (All of a step is read before it is written, so that the two places may overlap.)
+  void copy_step(const Window_columns& from, std::size_t first, std::size_t i) const
+  {
+    copy_step(from.begin() + first, begin() + i);
+    copy_step(from.end() + first, end() + i);
+    copy_step(from.image_x() + first, image_x() + i);
+    copy_step(from.image_depth() + first, image_depth() + i);
+    copy_step(from.begin_distance() + first, begin_distance() + i);
+    copy_step(from.end_distance() + first, end_distance() + i);
+    copy_step(from.root_distance() + first, root_distance() + i);
+    copy_step(from.key() + first, key() + i);
+    copy_step(from.history() + first, history() + i);
+  }
+
+  template <typename T>
+  static void copy_step(const T* from, T* to)
+  {
+    const std::array<T, step> rows{from[0], from[1], from[2], from[3]};
+    std::copy(rows.begin(), rows.end(), to);
   }
 };
 
@@ -156,8 +157,7 @@ public:
   List allocate(std::size_t n)
   {
     List list;
-    while((std::size_t(8) << list.size_class) < n)
-      ++list.size_class;
+    list.size_class = size_class_for(n);
     std::vector<Columns>& free_blocks = m_free_blocks[list.size_class];
     if(free_blocks.empty())
       list.columns = new_block(list.size_class);
@@ -264,12 +264,22 @@ private:
     replace(list, merged);
   }
 
+  // The smallest class of blocks with room for n > 0 windows.
+  static std::uint32_t size_class_for(std::size_t n)
+  {
+#ifdef __GNUC__
+    return 61u - static_cast<std::uint32_t>(__builtin_clzll((n - 1) | 7)); // a loop is hard to predict
+#else
+    std::uint32_t size_class = 0;
+    while((std::size_t(8) << size_class) < n)
+      ++size_class;
+    return size_class;
+#endif
+  }
+
   static constexpr std::size_t slab_rows = 1024;
 
-  static std::size_t height(std::size_t size_class)
-  {
-    return (std::size_t(8) << size_class) + Lanes<FT>::size;
-  }
+  static std::size_t height(std::size_t size_class) { return (std::size_t(8) << size_class) + Columns::padding; }
 
   Columns new_block(std::size_t size_class)
   {
@@ -306,19 +316,17 @@ private:
   // Rows that are not in use hold numbers as well, and roots that exist: loops over lanes meet them.
   Columns new_slab(std::size_t rows)
   {
-    m_numbers.emplace_back(new FT[Columns::number_of_numbers * rows + alignment]());
-    m_words.emplace_back(new std::uint64_t[Columns::number_of_words * rows + alignment]());
+    m_numbers.emplace_back(new FT[Columns::number_of_numbers * rows + Columns::padding]());
+    m_words.emplace_back(new std::uint64_t[Columns::number_of_words * rows + Columns::padding]());
     m_number_of_rows += rows;
     return Columns{aligned(m_numbers.back().get()), aligned(m_words.back().get()), 0};
   }
 
   // Vectors are loaded faster from places that are multiples of their size.
-  static constexpr std::size_t alignment = Lanes<FT>::size;
-
   template <typename T>
   static T* aligned(T* p)
   {
-    while(reinterpret_cast<std::uintptr_t>(p) % (alignment * alignof(T)) != 0)
+    while(reinterpret_cast<std::uintptr_t>(p) % (Columns::padding * alignof(T)) != 0)
       ++p;
     return p;
   }

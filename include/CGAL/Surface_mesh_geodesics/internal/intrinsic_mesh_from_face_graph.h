@@ -79,8 +79,10 @@ struct Face_graph_correspondence
 template <typename FT>
 unsigned int set_lengths(const std::array<FT, 3>& length, Intrinsic_face<FT>& f)
 {
-  const unsigned int shift
-    = length[0] <= length[1] ? (length[0] <= length[2] ? 0 : 2) : (length[1] <= length[2] ? 1 : 2);
+  // (by a table: no processor predicts which edge is the shortest)
+  constexpr unsigned int shortest[8] = {2, 1, 2, 1, 2, 2, 0, 0};
+  const unsigned int shift = shortest[4u * (length[0] <= length[1]) + 2u * (length[0] <= length[2])
+                                      + 1u * (length[1] <= length[2])];
   for(unsigned int k = 0; k < 3; ++k)
     f.length[k] = length[place_after(k, shift)];
   return shift;
@@ -324,16 +326,10 @@ private:
   // m_neighbours[f][j] is 4 * (position of the neighbour) + (its halfedge), or null_id.
   void find_neighbours()
   {
-    m_neighbours.assign(m_faces.size(), {unknown, unknown, unknown});
-    for(std::uint32_t f = 0; f < m_faces.size(); ++f)
+    m_neighbours.resize(m_faces.size());
+    for(std::size_t f = 0; f < m_faces.size(); ++f)
       for(unsigned int j = 0; j < 3; ++j)
-        if(m_neighbours[f][j] == unknown)
-        {
-          const Halfedge_id o = neighbour(m_halfedges[f][j]);
-          m_neighbours[f][j] = o;
-          if(o != null_id)
-            m_neighbours[face_of(o)][place_in_face(o)] = halfedge_of(f, j);
-        }
+        m_neighbours[f][j] = neighbour(m_halfedges[f][j]);
   }
 
   Halfedge_id neighbour(halfedge_descriptor h) const
@@ -345,69 +341,78 @@ private:
     const std::uint32_t g = index < m_position_of_index.size() ? m_position_of_index[index] : null_id;
     if(g == null_id)
       return null_id;
-    for(unsigned int j = 0; j < 3; ++j)
-      if(m_halfedges[g][j] == o)
-        return halfedge_of(g, j);
-    return null_id;
+    // (Without branches: which one it is cannot be predicted.)
+    const std::array<halfedge_descriptor, 3>& around = m_halfedges[g];
+    const unsigned int j = 1u * (around[1] == o) + 2u * (around[2] == o);
+    return around[j] == o ? halfedge_of(g, j) : null_id;
   }
 
   // breadth first, each component from its first face.
   void number_faces()
   {
-    m_order.reserve(m_faces.size());
-    m_rank.assign(m_faces.size(), null_id);
-    for(std::uint32_t first = 0; first < m_faces.size(); ++first)
+    const std::size_t n = m_faces.size();
+    m_order.resize(n + 1); // one more: what is written last may not count
+    m_rank.assign(n, null_id);
+    std::size_t end = 0, next = 0; // of m_order; of what has been visited
+    for(std::uint32_t first = 0; first < n; ++first)
     {
-      if(m_rank[first] != null_id)
-        continue;
-      std::size_t next_in_order = m_order.size();
-      append(first);
-      for(; next_in_order < m_order.size(); ++next_in_order)
-        for(const Halfedge_id o : m_neighbours[m_order[next_in_order]])
-          if(o != null_id && m_rank[face_of(o)] == null_id)
-            append(face_of(o));
+      append(first, end);
+      for(; next < end; ++next)
+        for(const Halfedge_id o : m_neighbours[m_order[next]])
+          if(o != null_id)
+            append(face_of(o), end);
     }
   }
 
-  void append(std::uint32_t position)
+  // appends the face of a position to the order, unless it is there. (Without a branch: which of the faces around
+  // have been met cannot be predicted.)
+  void append(std::uint32_t position, std::size_t& end)
   {
-    m_rank[position] = static_cast<Face_id>(m_order.size());
-    m_order.push_back(position);
+    const bool is_new = m_rank[position] == null_id;
+    m_order[end] = position;
+    m_rank[position] = is_new ? static_cast<Face_id>(end) : m_rank[position];
+    end += is_new;
   }
 
   // in the order of the faces; the isolated vertices last. Returns how many are not isolated. The vertices of
   // the intrinsic faces are set, for now in the order of the user.
   std::size_t number_vertices(Correspondence& table, Intrinsic_mesh<FT>& mesh) const
   {
-    table.vertices.clear();
-    table.vertices.reserve(num_vertices(m_tm));
     table.vertex_of_index.assign(num_vertices(m_tm), null_id);
-    for(Face_id i = 0; i < m_order.size(); ++i)
+    std::size_t n = 0;
+    for(Face_id i = 0; i < m_faces.size(); ++i)
       for(unsigned int j = 0; j < 3; ++j)
-      {
-        Vertex_id& id = table.vertex_of_index[m_corners[m_order[i]][j]];
-        if(id == null_id)
-        {
-          id = static_cast<Vertex_id>(table.vertices.size());
-          table.vertices.push_back(source(m_halfedges[m_order[i]][j], m_tm));
-        }
-        mesh.face(i).vertex[j] = id;
-      }
-    const std::size_t number_in_faces = table.vertices.size();
+        mesh.face(i).vertex[j] = vertex_id(m_corners[m_order[i]][j], table, n);
+    const std::size_t number_in_faces = n;
+    table.vertices.resize(num_vertices(m_tm));
+    std::vector<char> is_known(num_vertices(m_tm), 0);
+    std::size_t number_known = 0;
     for(vertex_descriptor v : vertices(m_tm))
     {
-      Vertex_id& id = table.vertex_of_index[vertex_index(v)];
-      if(id == null_id)
-      {
-        id = static_cast<Vertex_id>(table.vertices.size());
-        table.vertices.push_back(v);
-      }
-      else if(table.vertices[id] != v)
+      const Vertex_id id = vertex_id(vertex_index(v), table, n);
+      if(is_known[id] != 0)
         throw Invalid_geodesic_input(Reason::INVALID_INDEX_MAP,
                                      "two vertices have the index "
                                        + std::to_string(vertex_index(v)));
+      is_known[id] = 1;
+      ++number_known;
+      table.vertices[id] = v;
     }
+    if(number_known != n)
+      throw Invalid_geodesic_input(Reason::INVALID_INDEX_MAP,
+                                   "a face has a vertex that is not among those of the mesh");
+    table.vertices.resize(n); // num_vertices() may count vertices that have been removed
     return number_in_faces;
+  }
+
+  // the number of the vertex with this index: n, which grows then, if it has none yet.
+  static Vertex_id vertex_id(std::uint32_t index, Correspondence& table, std::size_t& n)
+  {
+    Vertex_id& id = table.vertex_of_index[index];
+    const bool is_new = id == null_id;
+    id = is_new ? static_cast<Vertex_id>(n) : id;
+    n += is_new;
+    return id;
   }
 
   // the index of a vertex in the user's map, in its range.
@@ -425,7 +430,7 @@ private:
   template <typename Shape>
   void set_faces(const Shape& shape, Intrinsic_mesh<FT>& mesh)
   {
-    const Face_id n = static_cast<Face_id>(m_order.size());
+    const Face_id n = static_cast<Face_id>(m_faces.size());
     m_place.resize(n);
     for(Face_id i = 0; i < n; ++i)
     {
@@ -454,7 +459,7 @@ private:
   void fill_face_tables(Correspondence& table) const
   {
     table.faces.resize(m_faces.size());
-    for(std::size_t i = 0; i < m_order.size(); ++i)
+    for(std::size_t i = 0; i < m_faces.size(); ++i)
       table.faces[i] = m_faces[m_order[i]];
     table.halfedge_of_face_index.assign(m_position_of_index.size(), null_id);
     for(std::size_t index = 0; index < m_position_of_index.size(); ++index)
@@ -463,8 +468,6 @@ private:
   }
 
   std::size_t index_of(face_descriptor f) const { return static_cast<std::size_t>(get(m_fim, f)); }
-
-  static constexpr Halfedge_id unknown = null_id - 1;
 
   const TriangleMesh& m_tm;
   VertexIndexMap m_vim;

@@ -163,7 +163,12 @@ struct Angle_sum
   FT cosine = 1, sine = 0;
   int turns = 0;
 
-  bool is_in_second_half() const { return sine < 0 || (sine == 0 && cosine < 0); }
+  bool is_in_second_half() const
+  {
+    // (numbers, combined by & and |: no branch, as none of it can be predicted)
+    const int is_below = sine < 0, is_on_axis = sine == 0, is_on_left = cosine < 0;
+    return (is_below | (is_on_axis & is_on_left)) != 0;
+  }
 
   // adds the angle between (1,0) and (dot, cross), where cross >= 0; nothing if both are zero.
   void add(const FT& dot, const FT& cross)

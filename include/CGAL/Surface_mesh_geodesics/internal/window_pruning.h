@@ -17,7 +17,6 @@
 
 #include <CGAL/Surface_mesh_geodesics/internal/Window.h>
 #include <CGAL/Surface_mesh_geodesics/internal/planar_geometry.h>
-#include <CGAL/Surface_mesh_geodesics/internal/simd.h>
 
 namespace CGAL {
 namespace Surface_mesh_geodesics {
@@ -47,22 +46,17 @@ struct Vertex_rival
   {}
 
   // is the path through the vertex and along the edge to a point at distance l the shorter one?
-  template <typename L>
-  typename L::Mask beats(const typename L::Number& l, const typename L::Number& window_distance) const
-  {
-    return L::less(distance + l, window_distance * factor);
-  }
+  bool beats(const FT& l, const FT& window_distance) const { return distance + l < window_distance * factor; }
 };
 
 // Checking with vertices (thesis, case 12; Xin and Wang 2009): the path from the left end A of the
 // edge, or from its right end, along the edge to the far end of the interval crosses every path of
-// the window. If it is shorter there, it is shorter at each crossing. L says how many windows w is.
-template <typename L, typename Windows, typename FT>
-typename L::Mask is_beaten_by_vertices(const Windows& w, const FT& length,
-                                       const Vertex_rival<FT>& left, const Vertex_rival<FT>& right)
+// the window. If it is shorter there, it is shorter at each crossing.
+template <typename FT>
+bool is_beaten_by_vertices(const Window<FT>& w, const FT& length, const Vertex_rival<FT>& left,
+                           const Vertex_rival<FT>& right)
 {
-  return left.template beats<L>(w.end, w.end_distance)
-       | right.template beats<L>(length - w.begin, w.begin_distance);
+  return left.beats(w.end, w.end_distance) || right.beats(length - w.begin, w.begin_distance);
 }
 
 enum class Pair_outcome { KEEP_BOTH, LEFT_IS_REDUNDANT, RIGHT_IS_REDUNDANT };
@@ -143,75 +137,6 @@ Pair_outcome prune_pair(Window<FT>& left, Window<FT>& right)
     left.end_distance = of_left;
   }
   return Pair_outcome::KEEP_BOTH;
-}
-
-// What prune_pair() does to pairs of windows, one in each lane, where it trims one window or both: the
-// new end of the left window and the new beginning of the right one. Pairs with an image that is not
-// deeper than close_depth are left undecided: such a window may be too close to trim.
-template <typename FT>
-struct Trimmed_pairs
-{
-  using L = Lanes<FT>;
-  typename L::Number left_end, left_end_distance, right_begin, right_begin_distance;
-  typename L::Mask is_undecided; // a window is redundant, or may be: left as it is
-
-  Trimmed_pairs(const Window_lanes<FT>& left, const Window_lanes<FT>& right, const FT& close_depth);
-};
-
-template <typename FT>
-CGAL_SURFACE_MESH_GEODESICS_INLINE
-Trimmed_pairs<FT>::Trimmed_pairs(const Window_lanes<FT>& left, const Window_lanes<FT>& right,
-                                 const FT& close_depth)
-{
-  using Number = typename L::Number;
-  using Mask = typename L::Mask;
-  // One of the two windows begins at the left end k of the shared part, where its distance is known;
-  // the distance of the other one is computed. So it is at the right end of the shared part.
-  const auto distance_at = [](Mask of_right, const Window_lanes<FT>& l, const Window_lanes<FT>& r,
-                              const Number& x) -> Number
-  {
-    const Number dx = x - L::select(of_right, r.image_x, l.image_x);
-    const Number depth = L::select(of_right, r.image_depth, l.image_depth);
-    return L::select(of_right, r.root_distance, l.root_distance)
-         + L::square_root(dx * dx + depth * depth);
-  };
-  const Number margin = L::all(FT(1 - Tolerance<FT>::distance())); // see is_clearly_less()
-
-  const Mask starts_with_left = L::less_equal(right.begin, left.begin);
-  const Number first = L::maximum(left.begin, right.begin);
-  const Number at_first = distance_at(starts_with_left, left, right, first);
-  const Number left_first = L::select(starts_with_left, left.begin_distance, at_first);
-  const Number right_first = L::select(starts_with_left, at_first, right.begin_distance);
-  const Mask right_is_nearer_first = L::less(right_first, left_first * margin);
-  const Mask left_is_nearer_first = L::less(left_first, right_first * margin);
-
-  const Mask ends_with_right = L::less_equal(right.end, left.end);
-  const Number last = L::minimum(left.end, right.end);
-  const Number at_last = distance_at(L::except(L::less_equal(left.end, left.end), ends_with_right),
-                                     left, right, last);
-  const Number left_last = L::select(ends_with_right, at_last, left.end_distance);
-  const Number right_last = L::select(ends_with_right, right.end_distance, at_last);
-  const Mask right_is_nearer_last = L::less(right_last, left_last * margin);
-  const Mask left_is_nearer_last = L::less(left_last, right_last * margin);
-
-  const Mask overlap = L::less(right.begin, left.end);
-  const Mask goes_on = L::except(overlap, right_is_nearer_first);
-  const Number depth = L::minimum(left.image_depth, right.image_depth);
-  is_undecided = (overlap & L::less_equal(depth, L::all(close_depth)))
-               | (overlap & L::less_equal(right.end, left.begin))
-               | (overlap & right_is_nearer_first & starts_with_left)
-               | (goes_on & left_is_nearer_last & ends_with_right);
-  const Mask ends_at_first = L::except(overlap & right_is_nearer_first, is_undecided);
-  const Mask ends_at_last = L::except(goes_on & ends_with_right & right_is_nearer_last, is_undecided);
-  left_end = L::select(ends_at_first, first, L::select(ends_at_last, last, left.end));
-  left_end_distance = L::select(ends_at_first, at_first,
-                                L::select(ends_at_last, at_last, left.end_distance));
-  const Mask begins_at_last = L::except(goes_on & left_is_nearer_last, is_undecided);
-  const Mask begins_at_first = L::except(goes_on & starts_with_left & left_is_nearer_first,
-                                         is_undecided);
-  right_begin = L::select(begins_at_last, last, L::select(begins_at_first, first, right.begin));
-  right_begin_distance = L::select(begins_at_last, at_last,
-                                   L::select(begins_at_first, at_first, right.begin_distance));
 }
 
 } // namespace internal

@@ -7,9 +7,6 @@
 //
 // Author(s)     : The Surface_mesh_geodesics authors
 
-#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_SPLITTING_H
-#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_SPLITTING_H
-
 // level: 2 (window)
 //
 // Windows across one triangle, several at a time: where they separate at the opposite vertex (thesis,
@@ -23,19 +20,19 @@
 // added miss an end of AB by the rounding of its length, and are too short by the square of that.)
 //
 // Lanes without a window, or whose child has no interval, may come to hold anything.
+//
+// Nothing by itself: Window_list_loops.h includes this file once for each number of lanes.
 
-#include <CGAL/Surface_mesh_geodesics/internal/Intrinsic_mesh.h>
-#include <CGAL/Surface_mesh_geodesics/internal/Window.h>
-#include <CGAL/Surface_mesh_geodesics/internal/simd.h>
-
-#include <algorithm>
+#ifdef CGAL_SURFACE_MESH_GEODESICS_LANES
 
 namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
+namespace CGAL_SURFACE_MESH_GEODESICS_LANES_NAMESPACE {
 
 // The abscissa at which the line from the image to C meets the line AB.
 template <typename FT>
+CGAL_SURFACE_MESH_GEODESICS_INLINE
 typename Lanes<FT>::Number apex_abscissa(const Window_lanes<FT>& w, const Crossing<FT>& c)
 {
   return (w.image_x * c.apex_y + c.apex_x * w.image_depth) / (c.apex_y + w.image_depth);
@@ -44,6 +41,7 @@ typename Lanes<FT>::Number apex_abscissa(const Window_lanes<FT>& w, const Crossi
 // The distance to C through the window. The path crosses AB at the separating point, the point of the
 // interval nearest to t, its apex_abscissa (thesis, 4.2.3.1), and bends there if this is not t.
 template <typename FT>
+CGAL_SURFACE_MESH_GEODESICS_INLINE
 typename Lanes<FT>::Number distance_to_apex(const Window_lanes<FT>& w, const Crossing<FT>& c,
                                             const typename Lanes<FT>::Number& t)
 {
@@ -57,6 +55,13 @@ typename Lanes<FT>::Number distance_to_apex(const Window_lanes<FT>& w, const Cro
   const Number depth = L::select(bends_at_begin | bends_at_end, L::all(FT(0)), w.image_depth);
   const Number dx = c.apex_x - x, dy = c.apex_y + depth;
   return distance + L::square_root(dx * dx + dy * dy);
+}
+
+// The keys of the children.
+template <typename FT>
+typename Lanes<FT>::Word turned(const typename Lanes<FT>::Word& key, Turn turn)
+{
+  return (key >> 1) | (static_cast<Window_key>(turn) << 63);
 }
 
 // Makes the children of the windows of a list on the left edge AC, which are seen from A. Paths are
@@ -77,6 +82,7 @@ public:
 
   // makes the children by the paths through AB on the left of `cut`. They have to be set to the
   // windows themselves. Returns where there are such paths.
+  CGAL_SURFACE_MESH_GEODESICS_INLINE
   typename L::Mask operator()(Window_lanes<FT>& w, const Number& t, const FT& cut) const
   {
     // (A minimum is its second number if one of them is none: an image on a flat face has no abscissa t,
@@ -91,7 +97,7 @@ public:
                       L::minimum(a * end / (b + m_apex_y * (t - end)), length), length);
     w.image_depth = (t * m_apex_y + b) * m_inverse;
     w.image_x = image_x;
-    w.key = turned(w.key, LEFT_TURN);
+    w.key = turned<FT>(w.key, LEFT_TURN);
     w.history = w.history + 2 * one_step;
     return L::less(begin, end);
   }
@@ -117,6 +123,7 @@ public:
   const FT& length() const { return m_length; }
 
   // makes the children by the paths through AB on the right of `cut`, see Left_child.
+  CGAL_SURFACE_MESH_GEODESICS_INLINE
   typename L::Mask operator()(Window_lanes<FT>& w, const Number& t, const FT& cut) const
   {
     const Number begin = L::maximum(L::maximum(t, w.begin), L::all(cut)), end = w.end;
@@ -133,7 +140,7 @@ public:
                       L::minimum(a * to_end / (b + m_apex_y * to_end), length), length);
     w.image_x = (w.image_x - m_apex_x) * m_cosine + height * m_sine;
     w.image_depth = L::maximum(rest_height * m_inverse, zero);
-    w.key = turned(w.key, RIGHT_TURN);
+    w.key = turned<FT>(w.key, RIGHT_TURN);
     w.history = w.history + 2 * one_step;
     // Of an edge that is much shorter than AB the line of CB may pass the image on the wrong side where t, which is
     // rounded to the length of AB, still leaves a part of AB: then the window does not see CB.
@@ -144,27 +151,9 @@ private:
   FT m_length, m_edge_length, m_apex_x, m_apex_rest, m_apex_y, m_cosine, m_sine, m_inverse, m_rounding;
 };
 
-// The window on the whole edge e of the face in front of a pseudo-source v, where `c` is the
-// crossing of the halfedge opposite to v, which has v as its apex. It belongs to the opposite
-// halfedge, which runs from c.target to c.origin.
-template <typename FT>
-void window_of_pseudo_source(const Crossing<FT>& c, const FT& root_distance,
-                             const FT& target_distance, const FT& origin_distance, Window<FT>& w)
-{
-  w.begin = 0;
-  w.end = c.length;
-  w.image_x = c.length - c.apex_x;
-  w.image_depth = (std::max)(c.apex_y, FT(Tolerance<FT>::depth() * c.length));
-  w.begin_distance = target_distance;
-  w.end_distance = origin_distance;
-  w.root_distance = root_distance;
-  w.root = c.apex;
-  w.steps = 0;
-  w.key = initial_window_key;
-}
-
+} // namespace CGAL_SURFACE_MESH_GEODESICS_LANES_NAMESPACE
 } // namespace internal
 } // namespace Surface_mesh_geodesics
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_SPLITTING_H
+#endif // CGAL_SURFACE_MESH_GEODESICS_LANES

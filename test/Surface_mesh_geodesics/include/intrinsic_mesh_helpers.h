@@ -1,0 +1,31 @@
+#ifndef SURFACE_MESH_GEODESICS_INTRINSIC_MESH_HELPERS_H
+#define SURFACE_MESH_GEODESICS_INTRINSIC_MESH_HELPERS_H
+
+// The intrinsic mesh of a test mesh, for tests of the propagation itself.
+
+#include "test_meshes.h"
+
+#include <CGAL/Surface_mesh_geodesics/internal/Intrinsic_mesh.h>
+#include <CGAL/Surface_mesh_geodesics/internal/intrinsic_mesh_from_face_graph.h>
+
+#include <type_traits>
+
+namespace test_meshes {
+
+inline CGAL::Surface_mesh_geodesics::internal::Intrinsic_mesh<double> intrinsic_mesh(const Mesh& tm)
+{
+  namespace internal = CGAL::Surface_mesh_geodesics::internal;
+  const auto vim = get(boost::vertex_index, tm);
+  const auto fim = get(boost::face_index, tm);
+  const auto vpm = get(CGAL::vertex_point, tm);
+  internal::Intrinsic_mesh<double> mesh;
+  internal::Face_graph_correspondence<Mesh> table;
+  internal::Shape_from_points<double, Mesh, std::decay_t<decltype(vpm)>> shape(tm, vpm);
+  internal::Intrinsic_mesh_builder<double, Mesh, std::decay_t<decltype(vim)>, std::decay_t<decltype(fim)>>(tm, vim, fim)
+    .build(shape, mesh, table);
+  return mesh;
+}
+
+} // namespace test_meshes
+
+#endif // SURFACE_MESH_GEODESICS_INTRINSIC_MESH_HELPERS_H

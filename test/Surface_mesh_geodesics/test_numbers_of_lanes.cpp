@@ -1,0 +1,136 @@
+// Windows are processed as many at a time as the processor has lanes for: whatever that number is, a propagation
+// does the same, to the last bit.
+
+#include "distance_test_helpers.h"
+#include "intrinsic_mesh_helpers.h"
+#include "test_meshes.h"
+#include "test_support.h"
+
+#include <CGAL/Surface_mesh_geodesics/internal/Distance_propagation.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Window_list_loops.h>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+using namespace test_meshes;
+
+namespace {
+
+namespace internal = SMG::internal;
+using Intrinsic_mesh = internal::Intrinsic_mesh<double>;
+using Field = internal::Vertex_distance_field<double>;
+using Sources = std::vector<std::pair<internal::Vertex_id, double>>; // with offsets
+
+// What a propagation has come to: the results, and the counts of all that has been done to windows.
+struct Outcome
+{
+  Field field;
+  SMG::Propagation_statistics statistics;
+};
+
+template <class Rules>
+Outcome propagate(const Intrinsic_mesh& mesh, const Sources& sources, internal::Lane_choice choice)
+{
+  Outcome outcome;
+  outcome.field.keeps_images = true;
+  internal::Distance_propagation<double, Rules> propagation(mesh, outcome.field, internal::No_window_keeper(), choice);
+  for(const auto& source : sources)
+  {
+    propagation.add_source(source.first, source.second);
+  }
+  CHECK(propagation.run([](std::size_t, double) { return true; }));
+  outcome.statistics = propagation.statistics();
+  return outcome;
+}
+
+void check_same(const Outcome& found, const Outcome& expected)
+{
+  CHECK(found.field.distance == expected.field.distance);
+  CHECK(found.field.reached == expected.field.reached);
+  for(std::size_t v = 0; v < expected.field.distance.size(); ++v)
+  {
+    CHECK(found.field.arrival[v].root == expected.field.arrival[v].root);
+    CHECK(found.field.arrival[v].halfedge == expected.field.arrival[v].halfedge);
+    if(expected.field.distance[v] < infinity)
+    {
+      CHECK(found.field.arrival[v].crossing == expected.field.arrival[v].crossing);
+      CHECK(found.field.image[v].x == expected.field.image[v].x);
+      CHECK(found.field.image[v].depth == expected.field.image[v].depth);
+    }
+  }
+  const SMG::Propagation_statistics &a = found.statistics, &b = expected.statistics;
+  CHECK_EQUAL(a.vertices_visited, b.vertices_visited);
+  CHECK_EQUAL(a.window_lists, b.window_lists);
+  CHECK_EQUAL(a.windows_created, b.windows_created);
+  CHECK_EQUAL(a.windows_propagated, b.windows_propagated);
+  CHECK_EQUAL(a.windows_removed_by_rule_1, b.windows_removed_by_rule_1);
+  CHECK_EQUAL(a.windows_removed_by_rules_2_and_3, b.windows_removed_by_rules_2_and_3);
+  CHECK_EQUAL(a.windows_removed_by_vertices, b.windows_removed_by_vertices);
+  CHECK_EQUAL(a.windows_removed_as_slivers, b.windows_removed_as_slivers);
+  CHECK_EQUAL(a.ambiguous_pairs, b.ambiguous_pairs);
+  CHECK_EQUAL(a.maximum_windows_alive, b.maximum_windows_alive);
+}
+
+struct Without_vertex_rule : internal::All_pruning_rules
+{
+  static constexpr bool vertex_rule = false;
+};
+
+template <class Rules>
+void check_all_numbers_of_lanes(const Intrinsic_mesh& mesh, const Sources& sources)
+{
+  const Outcome expected = propagate<Rules>(mesh, sources, internal::Lane_choice::ONE);
+  {
+    test_support::Scope scope("the lanes of the compilation");
+    check_same(propagate<Rules>(mesh, sources, internal::Lane_choice::COMPILED), expected);
+  }
+  {
+    test_support::Scope scope("the lanes of the processor");
+    check_same(propagate<Rules>(mesh, sources, internal::Lane_choice::BEST), expected);
+  }
+}
+
+void check_mesh(const Indexed_mesh& indexed, test_support::Random& random)
+{
+  test_support::Scope scope(indexed.name);
+  const Intrinsic_mesh mesh = intrinsic_mesh(to_face_graph(indexed));
+  Sources sources;
+  for(std::size_t i = 0; i < 3; ++i)
+  {
+    sources.emplace_back(static_cast<internal::Vertex_id>(random.index(mesh.number_of_vertices())),
+                         random.uniform(0., .1));
+    check_all_numbers_of_lanes<internal::All_pruning_rules>(mesh, sources);
+  }
+  if(mesh.number_of_faces() <= 400)
+  {
+    check_all_numbers_of_lanes<Without_vertex_rule>(mesh, sources);
+  }
+}
+
+// What is tested depends on the machine: say it.
+void print_lanes()
+{
+  const auto lanes = [](internal::Lane_choice choice)
+  { return internal::window_list_loops<double, internal::All_pruning_rules>(choice).lanes; };
+  std::cout << "lanes of the compilation: " << lanes(internal::Lane_choice::COMPILED)
+            << ", of the processor: " << lanes(internal::Lane_choice::BEST) << std::endl;
+  CHECK_EQUAL(lanes(internal::Lane_choice::ONE), std::size_t(1));
+  CHECK(lanes(internal::Lane_choice::BEST) >= lanes(internal::Lane_choice::COMPILED));
+}
+
+} // namespace
+
+int main()
+{
+  const std::uint64_t seed = test_support::announce_seed(20260321);
+  test_support::Random random(seed);
+  print_lanes();
+  for(const Indexed_mesh& indexed : collection(seed))
+  {
+    check_mesh(indexed, random);
+  }
+  check_mesh(noisy_sphere(5, .01, seed), random);                   // long lists
+  check_mesh(midpoint_subdivision(voxel_surface("L", {{"##", "#."}}), 4), random); // flat: ties everywhere
+  return test_result();
+}
