@@ -6,7 +6,7 @@
 // Every measurement is done in a process of its own (this program starts itself again). There are four kinds:
 //   distances:  one propagation from all sites, no windows kept;
 //   all kept:   the same, and each window that is propagated is kept to the end (window-VTP without removal); no arcs;
-//   removal:    the same, with redundant windows removed; faces in several cells are dropped instead of cut, so no arcs;
+//   removal:    the same, with redundant windows removed; faces in several cells are dropped, not cut, so no arcs;
 //   diagram:    Surface_mesh_geodesic_Voronoi_diagram::build(): removal, and all arcs, vertices and edges;
 //   naive:      one Surface_mesh_shortest_path per site, with queries at all vertices (--naive N: up to N sites).
 // They alternate, and ratios are medians of the ratios of neighbouring runs. Each reads the mesh into the form that the

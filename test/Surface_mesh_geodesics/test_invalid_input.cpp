@@ -358,7 +358,8 @@ void index_maps_must_number_from_zero()
                               CGAL::parameters::vertex_index_map(vertex_indices).face_index_map(face_indices));
     });
   };
-  for(const std::size_t bad : {static_cast<std::size_t>(num_vertices(tm)), std::size_t(1) << 40, (std::numeric_limits<std::size_t>::max)()})
+  for(const std::size_t bad : {static_cast<std::size_t>(num_vertices(tm)), std::size_t(1) << 40,
+                               (std::numeric_limits<std::size_t>::max)()})
   {
     reset();
     vertex_indices[vertex(11)] = bad;

@@ -1,5 +1,6 @@
 // Every member of Surface_mesh_shortest_path, named for both classes by the same code at compile time, and called with
-// the same result; then what only the new class has: states, exceptions, cancelling, edge lengths, const queries, further members.
+// the same result; then what only the new class has: states, exceptions, cancelling, edge lengths, const queries,
+// further members.
 
 #include "interface_of_shortest_path.h"
 #include "path_test_helpers.h"
@@ -646,8 +647,10 @@ void bad_input_is_refused()
   // meshes
   {
     Mesh quadrangle;
-    const auto a = quadrangle.add_vertex(Kernel::Point_3(0., 0., 0.)), b = quadrangle.add_vertex(Kernel::Point_3(1., 0., 0.));
-    const auto c = quadrangle.add_vertex(Kernel::Point_3(1., 1., 0.)), d = quadrangle.add_vertex(Kernel::Point_3(0., 1., 0.));
+    const auto a = quadrangle.add_vertex(Kernel::Point_3(0., 0., 0.));
+    const auto b = quadrangle.add_vertex(Kernel::Point_3(1., 0., 0.));
+    const auto c = quadrangle.add_vertex(Kernel::Point_3(1., 1., 0.));
+    const auto d = quadrangle.add_vertex(Kernel::Point_3(0., 1., 0.));
     quadrangle.add_face(a, b, c, d);
     Geodesic_paths p(quadrangle);
     p.add_source_point(a);

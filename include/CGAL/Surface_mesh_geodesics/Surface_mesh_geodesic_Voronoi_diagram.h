@@ -739,8 +739,8 @@ public:
   bool is_disk(Site_index i) const { return Euler_characteristic(i) == 1; }
 
   /// writes the triangles of the dual, as `std::array<Site_index, 3>`, to an output iterator: one for each vertex of
-  /// the diagram with three cells, `n - 2` for one with `n` cells, oriented like the faces of the mesh. They need not form a
-  /// manifold: cells that are not disks, or that have several edges or none in common, make others of it.
+  /// the diagram with three cells, `n - 2` for one with `n` cells, oriented like the faces of the mesh. They need not
+  /// form a manifold: cells that are not disks, or that have several edges or none in common, make others of it.
   template <typename OutputIterator>
   OutputIterator dual(OutputIterator output) const
   {

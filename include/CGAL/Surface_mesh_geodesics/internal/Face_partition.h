@@ -618,16 +618,17 @@ private:
     FT extent = std::numeric_limits<FT>::infinity(); // see Weighted_bisector
   };
 
-  // Is there a curve with the cells on the sides where they should be? A ray has the generator that does not bend on the
-  // side that it sees; else the front comes towards the vertex where the ray begins.
+  // Is there a curve with the cells on the sides where they should be? A ray has the generator that does not bend
+  // on the side that it sees; else the front comes towards the vertex where the ray begins.
   bool leads_on(const Weighted_bisector<FT>& curve, const Generator& left, const Generator& right) const
   {
     if(!curve.is_ray())
       return curve.is_valid();
     const Point u = curve.tangent(), &p = curve.start();
     const bool is_on_left = !curve.is_left_focus();
-    const FT shift = 64 * Tolerance<FT>::closeness() * m_size, side = is_on_left ? shift : FT(-shift);
-    return (is_on_left ? left : right).sees(Point{FT(p.x + shift * u.x - side * u.y), FT(p.y + shift * u.y + side * u.x)});
+    const FT ahead = 64 * Tolerance<FT>::closeness() * m_size, aside = is_on_left ? ahead : FT(-ahead);
+    const Point q{FT(p.x + ahead * u.x - aside * u.y), FT(p.y + ahead * u.y + aside * u.x)};
+    return (is_on_left ? left : right).sees(q);
   }
 
   // follows one piece; false if that is impossible.
@@ -879,8 +880,8 @@ private:
                            m_generators[f.third_generator].image, v);
   }
 
-  // Where curves run along the border of the face or touch it, the point that three generators tie at is not well known,
-  // and may be found outside. Then one of the points where the fronts begin or end is the vertex.
+  // Where curves run along the border of the face or touch it, the point that three generators tie at is not well
+  // known, and may be found outside. Then one of the points where the fronts begin or end is the vertex.
   Point vertex_in_face(const Front& f, const Front& g, const Point& v) const
   {
     if(is_in_face(v) || f.last_left >= m_generators.size() || f.last_right >= m_generators.size())
@@ -889,8 +890,9 @@ private:
     FT smallest = std::numeric_limits<FT>::infinity();
     for(const Point* p : {&f.end, &g.end, &f.p, &g.p})
     {
-      const FT a = m_generators[f.last_left].image.distance_to(*p), b = m_generators[f.last_right].image.distance_to(*p),
-               c = m_generators[f.third_generator].image.distance_to(*p);
+      const FT a = m_generators[f.last_left].image.distance_to(*p);
+      const FT b = m_generators[f.last_right].image.distance_to(*p);
+      const FT c = m_generators[f.third_generator].image.distance_to(*p);
       const FT difference = (std::max)({a, b, c}) - (std::min)({a, b, c});
       if(is_in_face(*p) && difference < smallest)
       {
