@@ -644,7 +644,7 @@ private:
       leave(curve, m_side[k], Event::BORDER, k, event);
     const Event at_border = event;
     if(until != nullptr)
-      leave(curve, *until, Event::UNTIL, 0, event);
+      leave_again(curve, *until, event);
     if(left.has_cone)
     {
       leave(curve, left.left, Event::LEFT_CONE, 0, event);
@@ -760,7 +760,20 @@ private:
 
   bool may_take_over(const Front& f, std::size_t i) const
   {
-    return i != f.last_left && i != f.last_right && has_front(m_generators[i].site) && !has_been_left_here(i);
+    return i != f.last_left && i != f.last_right && has_front(m_generators[i].site);
+  }
+
+  // The same for the half-plane in front of the end: a front that starts outside enters it first.
+  void leave_again(const Weighted_bisector<FT>& curve, const Half_plane<FT>& until, Event& event) const
+  {
+    if(until(curve.start()) >= -width())
+      return leave(curve, until, Event::UNTIL, 0, event);
+    const FT t = curve.side(until).positive_roots()[1];
+    if(!(t < event.t))
+      return;
+    event.kind = Event::UNTIL;
+    event.t = t;
+    event.line = until;
   }
 
   // Is g nearer somewhere ahead, where it sees the curve?
@@ -797,13 +810,14 @@ private:
                       ? event.t
                       : FT(m_roots.empty() ? FT(1) : FT(2 * m_roots.back() + 1));
     m_roots.push_back(last);
+    const bool has_been_left = has_been_left_here(index); // at the start rounding only may lead back
     FT from = 0;
     for(const FT& to : m_roots)
     {
       if(from < to)
       {
         const FT middle = from + (to - from) / 2;
-        if(nearer(middle) > 0 && (!g.has_cone || (in_left(middle) > 0 && in_right(middle) > 0))
+        if((from > 0 || !has_been_left) && nearer(middle) > 0 && (!g.has_cone || (in_left(middle) > 0 && in_right(middle) > 0))
            && is_nearer(g, left, curve.point(middle)) && distance(curve.point(from), curve.point(to)) > width())
         {
           if(from < event.t)
