@@ -312,8 +312,8 @@ void print_header(const Settings& settings, const Query_settings& query_settings
             << " of the same for \"backward\"; medians of " << settings.repetitions
             << " runs of each kind in turn, each in its own process\n"
             << "# " << settings.clock
-            << " times, in ms but for query_us; total_N_ms: build and N queries; memory in MB (2^20 bytes) above that of "
-               "the mesh\n"
+            << " times, in ms but for query_us; total_N_ms: build and N queries; memory in MB (2^20 bytes) above that "
+               "of the mesh\n"
             << "# break_even_queries: from this number on \"lazily\" takes less time in all than \"backward\"\n"
             << "mesh,faces,sources,alternative,build_ms,first_query_ms,query_us,memory_built_mb,memory_end_mb,"
                "total_1_ms,total_10_ms,total_100_ms,total_1000_ms,total_100000_ms,break_even_queries,"

@@ -13,6 +13,7 @@
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_tree.h>
+#include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/version.h>
 #if CGAL_VERSION_NR >= CGAL_VERSION_NUMBER(6, 0, 0)
 #include <CGAL/AABB_traits_3.h>
@@ -641,7 +642,9 @@ void bad_input_is_refused()
   CHECK(throws_reason(Reason::INVALID_DESCRIPTOR,
                       [&] { static_cast<void>(paths.shortest_distance_to_source_points(vertex(n))); }));
   CHECK(throws_reason(Reason::INVALID_DESCRIPTOR, [&]
-                      { static_cast<void>(paths.shortest_distance_to_source_points(face(num_faces(tm)), {.2, .3, .5})); }));
+  {
+    static_cast<void>(paths.shortest_distance_to_source_points(face(num_faces(tm)), {.2, .3, .5}));
+  }));
   object_is_valid();
 
   // meshes
@@ -1001,6 +1004,39 @@ void points_of_flat_faces_are_located()
   }
 }
 
+// Removed elements are still in the range of the indices, and their links lead anywhere.
+void removed_elements_are_refused()
+{
+  test_support::Scope scope("removed elements");
+  Mesh tm = to_face_graph(flat_patch(6, 6, 0., false, 1));
+  for(std::size_t f = 0; f < 24; ++f)
+  {
+    CGAL::Euler::remove_face(halfedge(face(f), tm), tm);
+  }
+  std::size_t number = 0;
+  for(std::size_t i = 0; i < num_vertices(tm); ++i)
+  {
+    const vertex_descriptor v = vertex(i);
+    if(!tm.is_removed(v))
+    {
+      continue;
+    }
+    ++number;
+    Geodesic_paths paths(tm);
+    CHECK(throws_reason(Reason::INVALID_DESCRIPTOR,
+                        [&] { static_cast<void>(paths.shortest_distance_to_source_points(v)); }));
+    paths.add_source_point(v);
+    CHECK(throws_reason(Reason::INVALID_DESCRIPTOR, [&] { paths.build_sequence_tree(); }));
+    paths.remove_all_source_points();
+    paths.add_source_point(face(30), {.2, .3, .5});
+    CHECK(throws_reason(Reason::INVALID_DESCRIPTOR,
+                        [&] { static_cast<void>(paths.shortest_distance_to_source_points(v)); }));
+    CHECK(throws_reason(Reason::INVALID_DESCRIPTOR, [&]
+                        { static_cast<void>(paths.shortest_distance_to_source_points(face(3), {.2, .3, .5})); }));
+  }
+  CHECK(number >= 6);
+}
+
 } // namespace
 
 int main()
@@ -1020,5 +1056,6 @@ int main()
   visitors_may_throw();
   further_members();
   points_of_flat_faces_are_located();
+  removed_elements_are_refused();
   return test_result();
 }

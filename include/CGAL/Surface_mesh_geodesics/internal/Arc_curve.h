@@ -62,7 +62,7 @@ public:
     m_is_segment = !a.is_bisector || !m_curve.is_valid()
                 || abs(a.left.weight - a.right.weight) <= 4 * Tolerance<double>::distance() * d;
     m_end = m_is_segment ? 0 : m_curve.parameter(a.last);
-    m_is_segment = m_is_segment || !(m_end > 0);
+    m_is_segment = m_is_segment || !(m_end > 0) || !std::isfinite(m_end);
   }
 
   bool is_segment() const { return m_is_segment; }

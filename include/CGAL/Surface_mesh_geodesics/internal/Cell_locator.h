@@ -26,6 +26,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <utility>
@@ -53,6 +54,9 @@ public:
   {
     if(m_range.first == m_range.second)
       return m_complex.owner_of_undivided(m_face);
+    const std::array<Point, 3> corner = m_complex.layout(m_face);
+    if(corner[2].y <= near()) // all ways are on one line
+      return cell_on_border();
     const Vertex_id site = cell_on_arcs();
     return site == null_id ? cell_on_the_way(best_target()) : site;
   }
@@ -81,6 +85,15 @@ private:
     }
   };
 
+  // the cell of the nearest piece of the border.
+  Vertex_id cell_on_border() const
+  {
+    Nearest_site nearest;
+    m_complex.for_each_border_interval(m_face, [&](Vertex_id site, const Point& from, const Point& to)
+    { nearest.add(site, distance_from_segment(m_p, from, to)); });
+    return nearest.site;
+  }
+
   // the nearest site of the arcs that p is on, but for rounding; null_id if it is on none.
   Vertex_id cell_on_arcs() const
   {
@@ -96,7 +109,7 @@ private:
   }
 
   // from a point of the arc that is the nearest one if x is near to the arc.
-  static FT distance_from_arc(const Point& x, const Arc& a)
+  FT distance_from_arc(const Point& x, const Arc& a) const
   {
     const FT to_ends = (std::min)(distance(x, a.first), distance(x, a.last));
     const Weighted_bisector<FT> curve(a.left, a.right, a.first);
@@ -210,8 +223,16 @@ private:
          * (std::max)({distance(corner[0], corner[1]), distance(corner[1], corner[2]), distance(corner[2], corner[0])});
   }
 
-  // else the arc is the segment between its ends.
-  static bool is_curved(const Arc& a, const Weighted_bisector<FT>& curve) { return a.is_bisector && curve.is_valid(); }
+  // Else the arc is the segment between its ends, or cannot be told from it; the parameters of a hyperbola that is
+  // nearly a ray are too small to tell its ends.
+  bool is_curved(const Arc& a, const Weighted_bisector<FT>& curve) const
+  {
+    using std::abs;
+    if(!a.is_bisector || !curve.is_valid())
+      return false;
+    const Point middle = curve.point(curve.parameter(a.last) / 2);
+    return abs(Half_plane<FT>::left_of(a.first, a.last)(middle)) > near() || !(distance(a.first, a.last) > near());
+  }
 
   static FT distance_from_segment(const Point& x, const Point& p, const Point& q)
   {

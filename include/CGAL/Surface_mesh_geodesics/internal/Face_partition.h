@@ -817,7 +817,8 @@ private:
       if(from < to)
       {
         const FT middle = from + (to - from) / 2;
-        if((from > 0 || !has_been_left) && nearer(middle) > 0 && (!g.has_cone || (in_left(middle) > 0 && in_right(middle) > 0))
+        if((from > 0 || !has_been_left) && nearer(middle) > 0
+           && (!g.has_cone || (in_left(middle) > 0 && in_right(middle) > 0))
            && is_nearer(g, left, curve.point(middle)) && distance(curve.point(from), curve.point(to)) > width())
         {
           if(from < event.t)

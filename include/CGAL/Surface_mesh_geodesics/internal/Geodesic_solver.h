@@ -200,7 +200,7 @@ public:
   // The same checks before the mesh has been read, as far as indices tell.
   void check_query(vertex_descriptor v) const
   {
-    if(v == Graph_traits::null_vertex() || !(static_cast<std::size_t>(get(m_vim, v)) < num_vertices(m_tm)))
+    if(!is_vertex_of(v, m_tm, m_vim))
       refuse_vertex("query", 0);
   }
 
@@ -209,7 +209,8 @@ public:
   {
     if(f == Graph_traits::null_face())
       refuse_null_face("query", 0);
-    if(!(static_cast<std::size_t>(get(m_fim, f)) < num_faces(m_tm)))
+    if(!(static_cast<std::size_t>(get(m_fim, f)) < num_faces(m_tm))
+       || Removed_elements<TriangleMesh>::contain(f, m_tm))
       refuse_face("query", 0);
     intrinsic_coordinates<double>(halfedge_of(0, 0), b, "query", 0);
   }

@@ -23,6 +23,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/Surface_locations.h>
 #include <CGAL/Surface_mesh_geodesics/internal/intrinsic_mesh_from_face_graph.h>
 #include <CGAL/Surface_mesh_geodesics/internal/path_visitors.h>
+#include <CGAL/Surface_mesh_geodesics/internal/source_range.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -79,8 +80,7 @@ public:
   // A vertex that is none is refused when the structure is built.
   Source_point_iterator add_source(vertex_descriptor v)
   {
-    const bool is_vertex = v != Graph_traits::null_vertex()
-                           && static_cast<std::size_t>(get(m_vertex_index_map, v)) < num_vertices(m_tm);
+    const bool is_vertex = is_vertex_of(v, m_tm, m_vertex_index_map);
     return m_sources.add(
       {is_vertex ? Locations::location(v, m_tm, m_traits) : Locations::null_location(m_traits), v});
   }

@@ -135,7 +135,9 @@ public:
     const FT dx = other.x - m_focus.x, dy = other.y - m_focus.y;
     const FT d = norm(dx, dy), s = m_focus.weight - other.weight;
     const FT k = (d - s) * (d + s) / 2;
-    m_is_valid = r > 0 && k > 4 * Tolerance<FT>::distance() * d * d;
+    // where one generator is on the way from the other one, the curve is a ray
+    const FT rounding = relative_rounding() * (m_focus.weight + r);
+    m_is_valid = r > 0 && k > 4 * Tolerance<FT>::distance() * d * d && d - s > rounding && d + s > rounding;
     if(!m_is_valid)
     {
       find_ray(left, right);
@@ -266,6 +268,9 @@ public:
   }
 
 private:
+  // of distances of generators
+  static FT relative_rounding() { return 16 * Tolerance<FT>::distance(); }
+
   // the ray behind the generator with the larger weight, if that is on the way from the other one.
   void find_ray(const Generator& left, const Generator& right)
   {
@@ -275,7 +280,7 @@ private:
     const FT dx = m_focus.x - other.x, dy = m_focus.y - other.y, d = norm(dx, dy);
     m_radius = norm<FT>(m_p.x - m_focus.x, m_p.y - m_focus.y);
     const FT detour = other.weight + d - m_focus.weight, size = m_focus.weight + m_radius;
-    const FT rounding = 16 * Tolerance<FT>::distance() * size;
+    const FT rounding = relative_rounding() * size;
     if(!(d > Tolerance<FT>::closeness() * size) || !(detour <= rounding && -detour <= rounding))
       return;
     m_tx = dx / d;

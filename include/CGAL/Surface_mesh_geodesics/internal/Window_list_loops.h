@@ -17,7 +17,7 @@
 // included several times, each time into another namespace, and for another instruction set. Which of them are
 // called is chosen once for an object, not in the loops.
 //
-// All results are the same bits whatever the choice.
+// All results are the same bits whatever the choice, see simd.h.
 
 #include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Intrinsic_mesh.h>
@@ -129,7 +129,7 @@ struct Window_list_loops
 // The instruction set of the compilation.
 #if CGAL_SURFACE_MESH_GEODESICS_COMPILED_LANES > 1
 #define CGAL_SURFACE_MESH_GEODESICS_LANES CGAL_SURFACE_MESH_GEODESICS_COMPILED_LANES
-#define CGAL_SURFACE_MESH_GEODESICS_LANES_NAMESPACE compiled_lanes
+#define CGAL_SURFACE_MESH_GEODESICS_LANES_NAMESPACE CGAL_SURFACE_MESH_GEODESICS_COMPILED_NAMESPACE
 #include <CGAL/Surface_mesh_geodesics/internal/lanes/all.h>
 #endif
 
@@ -168,7 +168,7 @@ Window_list_loops<FT> window_list_loops(Lane_choice choice = Lane_choice::BEST)
 #endif
 #if CGAL_SURFACE_MESH_GEODESICS_COMPILED_LANES > 1
     if(choice != Lane_choice::ONE)
-      return compiled_lanes::List_loops<FT, Rules>::table();
+      return CGAL_SURFACE_MESH_GEODESICS_COMPILED_NAMESPACE::List_loops<FT, Rules>::table();
 #endif
   }
   static_cast<void>(choice);

@@ -43,8 +43,9 @@ struct Window_columns
   static constexpr std::size_t number_of_numbers = 7;
   static constexpr std::size_t number_of_words = 2;
   static constexpr std::size_t step = 4; // windows that are copied at a time
-  // Loops over lanes and copies read and write so many rows behind the last window.
-  static constexpr std::size_t padding = CGAL_SURFACE_MESH_GEODESICS_COMPILED_LANES == 8 ? 8 : 4;
+  // Loops over lanes and copies read and write so many rows behind the last window: as many as there can be lanes, so
+  // that it does not depend on the flags of the compilation.
+  static constexpr std::size_t padding = 8;
 
   FT* numbers = nullptr;
   std::uint64_t* words = nullptr;

@@ -291,9 +291,11 @@ public:
 private:
   void read_faces()
   {
-    m_faces.reserve(num_faces(m_tm));
-    m_halfedges.reserve(num_faces(m_tm));
-    m_corners.reserve(num_faces(m_tm));
+    // (Some models count their elements in each call.)
+    const std::size_t range_of_indices = num_faces(m_tm), number_of_vertices = num_vertices(m_tm);
+    m_faces.reserve(range_of_indices);
+    m_halfedges.reserve(range_of_indices);
+    m_corners.reserve(range_of_indices);
     for(face_descriptor f : faces(m_tm))
     {
       const halfedge_descriptor h0 = halfedge(f, m_tm), h1 = next(h0, m_tm), h2 = next(h1, m_tm);
@@ -302,12 +304,12 @@ private:
                                      "face " + std::to_string(m_faces.size())
                                        + " is not a triangle", m_faces.size());
       const std::size_t index = index_of(f);
-      if(index >= num_faces(m_tm))
+      if(index >= range_of_indices)
         throw Invalid_geodesic_input(Reason::INVALID_INDEX_MAP,
                                      "the index of face " + std::to_string(m_faces.size())
                                        + " is out of range", m_faces.size());
       if(index >= m_position_of_index.size())
-        m_position_of_index.resize(num_faces(m_tm), null_id);
+        m_position_of_index.resize(range_of_indices, null_id);
       if(m_position_of_index[index] != null_id)
         throw Invalid_geodesic_input(Reason::INVALID_INDEX_MAP,
                                      "the index of face " + std::to_string(m_faces.size())
@@ -316,8 +318,9 @@ private:
       m_faces.push_back(f);
       m_halfedges.push_back({h0, h1, h2});
       // (Targets are nearer at hand than sources in a halfedge data structure.)
-      m_corners.push_back({vertex_index(target(h2, m_tm)), vertex_index(target(h0, m_tm)),
-                           vertex_index(target(h1, m_tm))});
+      m_corners.push_back({vertex_index(target(h2, m_tm), number_of_vertices),
+                           vertex_index(target(h0, m_tm), number_of_vertices),
+                           vertex_index(target(h1, m_tm), number_of_vertices)});
       if(m_faces.size() >= maximum_number_of_faces)
         throw Invalid_geodesic_input(Reason::TOO_LARGE, "the mesh has too many faces");
     }
@@ -378,22 +381,23 @@ private:
   // the intrinsic faces are set, for now in the order of the user.
   std::size_t number_vertices(Correspondence& table, Intrinsic_mesh<FT>& mesh) const
   {
-    table.vertex_of_index.assign(num_vertices(m_tm), null_id);
+    const std::size_t range_of_indices = num_vertices(m_tm);
+    table.vertex_of_index.assign(range_of_indices, null_id);
     std::size_t n = 0;
     for(Face_id i = 0; i < m_faces.size(); ++i)
       for(unsigned int j = 0; j < 3; ++j)
         mesh.face(i).vertex[j] = vertex_id(m_corners[m_order[i]][j], table, n);
     const std::size_t number_in_faces = n;
-    table.vertices.resize(num_vertices(m_tm));
-    std::vector<char> is_known(num_vertices(m_tm), 0);
+    table.vertices.resize(range_of_indices);
+    std::vector<char> is_known(range_of_indices, 0);
     std::size_t number_known = 0;
     for(vertex_descriptor v : vertices(m_tm))
     {
-      const Vertex_id id = vertex_id(vertex_index(v), table, n);
+      const Vertex_id id = vertex_id(vertex_index(v, range_of_indices), table, n);
       if(is_known[id] != 0)
         throw Invalid_geodesic_input(Reason::INVALID_INDEX_MAP,
                                      "two vertices have the index "
-                                       + std::to_string(vertex_index(v)));
+                                       + std::to_string(vertex_index(v, range_of_indices)));
       is_known[id] = 1;
       ++number_known;
       table.vertices[id] = v;
@@ -416,10 +420,10 @@ private:
   }
 
   // the index of a vertex in the user's map, in its range.
-  std::uint32_t vertex_index(vertex_descriptor v) const
+  std::uint32_t vertex_index(vertex_descriptor v, std::size_t number_of_vertices) const
   {
     const std::size_t index = static_cast<std::size_t>(get(m_vim, v));
-    if(index >= num_vertices(m_tm))
+    if(index >= number_of_vertices)
       throw Invalid_geodesic_input(Reason::INVALID_INDEX_MAP,
                                    "the index " + std::to_string(index)
                                      + " of a vertex is out of range");

@@ -19,7 +19,8 @@
 //
 // What is loaded or stored need not be aligned. No operation here depends on its neighbours' lanes, so
 // lanes behind the end of a column may hold anything. Each lane sees the operations that a single number would, so
-// that results have the same bits whatever the number of lanes is.
+// that results have the same bits whatever the number of lanes is, unless the compiler fuses multiplications and
+// additions: GCC does for instruction sets that can (-march=native, ARM) without -ffp-contract=off.
 //
 // The instruction set is that of the compilation; for x86-64 processors without any flag it is chosen at run time,
 // see Window_list_loops.h.
@@ -36,10 +37,13 @@
 #endif
 #if defined(__AVX512F__)
 #define CGAL_SURFACE_MESH_GEODESICS_COMPILED_LANES 8
+#define CGAL_SURFACE_MESH_GEODESICS_COMPILED_NAMESPACE lanes_8
 #elif defined(__AVX__)
 #define CGAL_SURFACE_MESH_GEODESICS_COMPILED_LANES 4
+#define CGAL_SURFACE_MESH_GEODESICS_COMPILED_NAMESPACE lanes_4
 #else
 #define CGAL_SURFACE_MESH_GEODESICS_COMPILED_LANES 2
+#define CGAL_SURFACE_MESH_GEODESICS_COMPILED_NAMESPACE lanes_2
 #endif
 #endif
 #endif

@@ -20,6 +20,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/Source_insertion.h>
 #include <CGAL/Surface_mesh_geodesics/internal/intrinsic_mesh_from_face_graph.h>
 
+#include <CGAL/Surface_mesh/Surface_mesh_fwd.h>
 #include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -81,6 +82,37 @@ void for_each_source(const Sources& sources, Visitor visit)
       ++position;
     }
   }
+}
+
+// Removed elements keep their index: only the mesh can tell, and not every mesh can.
+template <typename TriangleMesh>
+struct Removed_elements
+{
+  template <typename Descriptor>
+  static bool contain(const Descriptor&, const TriangleMesh&)
+  {
+    return false;
+  }
+};
+
+template <typename Point>
+struct Removed_elements<CGAL::Surface_mesh<Point>>
+{
+  template <typename Descriptor>
+  static bool contain(const Descriptor& d, const CGAL::Surface_mesh<Point>& tm)
+  {
+    return !tm.has_valid_index(d) || tm.is_removed(d);
+  }
+};
+
+// is v, as far as can be told without going around in the mesh, a vertex of it?
+template <typename TriangleMesh, typename VertexIndexMap>
+bool is_vertex_of(typename boost::graph_traits<TriangleMesh>::vertex_descriptor v, const TriangleMesh& tm,
+                  const VertexIndexMap& vim)
+{
+  return v != boost::graph_traits<TriangleMesh>::null_vertex()
+      && static_cast<std::size_t>(get(vim, v)) < num_vertices(tm)
+      && !Removed_elements<TriangleMesh>::contain(v, tm);
 }
 
 // What is thrown for descriptors; `what` and `position` name the culprit.
