@@ -24,8 +24,8 @@ public:
   /// two ever decreases.
   void on_progress(std::size_t number_of_visits, double distance_reached);
 
-  /// is asked from time to time. If it returns `false`, the propagation is cancelled: nothing is written to the property
-  /// maps of the caller, and the function that propagates returns `false`.
+  /// is asked from time to time. If it returns `false`, the propagation is cancelled: nothing is written to the
+  /// property maps of the caller, and the function that propagates returns `false`.
   bool go_further();
 
   /// is called once at the end, also if the propagation was cancelled.
