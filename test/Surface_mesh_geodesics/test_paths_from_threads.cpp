@@ -1,4 +1,5 @@
-// Queries of a const object from four threads at once give the same bits as one after the other.
+// Queries of a built object from four threads at once give the same bits as one after the other. Some threads know the
+// object as const; the others call the functions that would build it if that were not done.
 
 #include "path_test_helpers.h"
 #include "test_meshes.h"
@@ -15,7 +16,8 @@ using namespace test_meshes;
 namespace {
 
 // what one query says, as numbers
-std::vector<double> everything(const Geodesic_paths& paths, const Place& query)
+template <class Paths> // const or not
+std::vector<double> everything(Paths& paths, const Place& query)
 {
   std::vector<double> result;
   const Answer answer = ask(paths, query);
@@ -67,7 +69,8 @@ std::vector<double> everything(const Geodesic_paths& paths, const Place& query)
 }
 
 // what is asked once for the whole mesh, as numbers
-std::vector<double> everything_at_once(const Geodesic_paths& paths, const Mesh& tm)
+template <class Paths>
+std::vector<double> everything_at_once(Paths& paths, const Mesh& tm)
 {
   std::vector<double> distances(num_vertices(tm));
   paths.shortest_distances_to_source_points(
@@ -88,6 +91,28 @@ std::vector<double> everything_at_once(const Geodesic_paths& paths, const Mesh& 
   return result;
 }
 
+// All queries, beginning with the given one. What is asked once for the whole mesh comes first or last.
+template <class Paths>
+std::vector<std::vector<double>> all_answers(Paths& paths, const Mesh& tm, const std::vector<Place>& queries,
+                                             std::size_t first, bool whole_mesh_first)
+{
+  std::vector<std::vector<double>> results(queries.size() + 1);
+  if(whole_mesh_first)
+  {
+    results.back() = everything_at_once(paths, tm);
+  }
+  for(std::size_t i = 0; i < queries.size(); ++i)
+  {
+    const std::size_t q = (i + first) % queries.size();
+    results[q] = everything(paths, queries[q]);
+  }
+  if(!whole_mesh_first)
+  {
+    results.back() = everything_at_once(paths, tm);
+  }
+  return results;
+}
+
 void test_mesh(const Indexed_mesh& indexed, test_support::Random& random)
 {
   test_support::Scope scope(indexed.name);
@@ -104,12 +129,7 @@ void test_mesh(const Indexed_mesh& indexed, test_support::Random& random)
   }
   building.build_sequence_tree_for_faces();
   const Geodesic_paths& paths = building;
-  std::vector<std::vector<double>> expected;
-  for(const Place& query : queries)
-  {
-    expected.push_back(everything(paths, query));
-  }
-  expected.push_back(everything_at_once(paths, tm));
+  const std::vector<std::vector<double>> expected = all_answers(paths, tm, queries, 0, false);
 
   const std::size_t number_of_threads = 4;
   std::vector<std::vector<std::vector<double>>> results(number_of_threads);
@@ -120,20 +140,9 @@ void test_mesh(const Indexed_mesh& indexed, test_support::Random& random)
       [&, t]
       {
         // each thread begins somewhere else
-        results[t].resize(queries.size() + 1);
-        if(t % 2 == 0)
-        {
-          results[t].back() = everything_at_once(paths, tm);
-        }
-        for(std::size_t i = 0; i < queries.size(); ++i)
-        {
-          const std::size_t q = (i + t * queries.size() / number_of_threads) % queries.size();
-          results[t][q] = everything(paths, queries[q]);
-        }
-        if(t % 2 == 1)
-        {
-          results[t].back() = everything_at_once(paths, tm);
-        }
+        const std::size_t first = t * queries.size() / number_of_threads;
+        results[t] = t < 2 ? all_answers(paths, tm, queries, first, t % 2 == 0)
+                           : all_answers(building, tm, queries, first, t % 2 == 0);
       });
   }
   for(std::thread& thread : threads)

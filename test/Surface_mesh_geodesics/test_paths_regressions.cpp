@@ -704,6 +704,130 @@ void cube_surface(test_support::Random& random)
   }
 }
 
+// --- paths that bend, with distances by hand ---
+
+Place vertex_at(double x, double y, const Mesh& tm)
+{
+  for(const vertex_descriptor v : vertices(tm))
+  {
+    if(coordinates(v, tm) == Coordinates{x, y, 0.})
+    {
+      return Place(v);
+    }
+  }
+  CHECK(false);
+  return Place(vertex_descriptor());
+}
+
+// The points of a path in the plane where it changes its direction.
+std::vector<Coordinates> bends(const std::vector<Coordinates>& path)
+{
+  std::vector<Coordinates> result;
+  for(std::size_t i = 1; i + 1 < path.size(); ++i)
+  {
+    if(std::abs(cross(path[i] - path[i - 1], path[i + 1] - path[i])[2]) > 1e-10)
+    {
+      result.push_back(path[i]);
+    }
+  }
+  return result;
+}
+
+// One query, and the ways its path may bend.
+struct Path_by_hand
+{
+  double x, y, distance;
+  std::vector<std::vector<Coordinates>> possible_bends;
+};
+
+void check_by_hand(const Mesh& tm, const Place& source, const std::vector<Path_by_hand>& expected)
+{
+  Geodesic_paths paths(tm);
+  add(paths, source);
+  for(const Path_by_hand& path : expected)
+  {
+    for(const Place& query : {vertex_at(path.x, path.y, tm), in_plane(path.x, path.y, tm)})
+    {
+      test_support::Scope scope("to " + description(query));
+      CHECK_CLOSE(ask(paths, query).distance, path.distance, tolerance);
+      const auto found = bends(checked_path(paths, query, tm, 3.));
+      CHECK(std::find(path.possible_bends.begin(), path.possible_bends.end(), found) != path.possible_bends.end());
+    }
+  }
+}
+
+// A square of side 3 with a square hole in its middle, flat.
+void ring_around_a_hole()
+{
+  const double r2 = std::sqrt(2.), r5 = std::sqrt(5.);
+  const Coordinates low{2., 1., 0.}, high{1., 2., 0.};
+  for(const std::size_t n : {1u, 2u, 4u})
+  {
+    test_support::Scope scope("ring around a hole, cells of side 1/" + std::to_string(n));
+    const Mesh tm = to_face_graph(plane_cells("ring", {"###", "#.#", "###"}, n));
+    check_by_hand(tm, vertex_at(0., 0., tm),
+                  {{3., 0., 3., {{}}},
+                   {0., 3., 3., {{}}},
+                   {1., 1., r2, {{}}},
+                   {1., 2., r5, {{}}},
+                   {2., 2., r5 + 1., {{low}, {high}}},
+                   {2., 3., r5 + r2, {{high}}},
+                   {3., 2., r5 + r2, {{low}}},
+                   {3., 3., 2. * r5, {{low}, {high}}}});
+    // along one side of the hole, or the other one
+    check_by_hand(tm, vertex_at(1., 0., tm), {{1., 3., 3., {{}}}, {2., 3., 2. + r2, {{low}, {high}}}});
+  }
+}
+
+// A square of side 2 without a quarter: the border has a corner that paths bend around.
+void corner_of_the_border()
+{
+  const double r2 = std::sqrt(2.), r5 = std::sqrt(5.);
+  const Coordinates corner{1., 1., 0.};
+  for(const std::size_t n : {2u, 4u})
+  {
+    test_support::Scope scope("corner of the border, cells of side 1/" + std::to_string(n));
+    const Mesh tm = to_face_graph(plane_cells("L", {"##", "#."}, n));
+    check_by_hand(tm, vertex_at(1., 2., tm),
+                  {{2., 1., 2., {{corner}}},
+                   {2., 0., 1. + r2, {{corner}}},
+                   {2., .5, 1. + r5 / 2., {{corner}}},
+                   {1., 0., 2., {{}}},
+                   {.5, 0., std::sqrt(4.25), {{}}},
+                   {0., 0., r5, {{}}}});
+    check_by_hand(tm, vertex_at(.5, 2., tm), {{2., .5, r5, {{corner}}}, {1.5, 0., r5, {{}}}});
+  }
+}
+
+// Congruent triangles around a vertex, with more than a full turn in all. Unfolded around it, the rim is a part of a
+// regular polygon: the path is a chord, or goes through the vertex if the angle there is at least pi on both sides.
+void saddle_vertices()
+{
+  for(const double z : {.1, .3, .7})
+  {
+    for(const std::size_t n : {6u, 8u, 10u, 16u})
+    {
+      test_support::Scope scope("saddle vertex, " + std::to_string(n) + " faces, z " + std::to_string(z));
+      const Mesh tm = to_face_graph(fan("saddle", n, z, -z));
+      const double radius = std::sqrt(1. + z * z);
+      const double angle = 2. * std::asin(std::hypot(std::sin(pi / static_cast<double>(n)), z) / radius);
+      CHECK(angle * static_cast<double>(n) > 2. * pi);
+      Geodesic_paths paths(tm);
+      paths.add_source_point(vertex(1));
+      for(std::size_t i = 0; i < n; ++i)
+      {
+        const std::size_t steps = (std::min)(i, n - i);
+        const double turn = angle * static_cast<double>(steps);
+        const Place query(vertex(1 + i));
+        CHECK_CLOSE(ask(paths, query).distance, 2. * radius * (turn < pi ? std::sin(turn / 2.) : 1.), tolerance);
+        const auto points = checked_path(paths, query, tm, radius);
+        CHECK_EQUAL(points.size(), turn < pi ? steps + 1 : 3u);
+        CHECK_EQUAL(std::count(points.begin(), points.end(), Coordinates{0., 0., 0.}), turn < pi ? 0 : 1);
+      }
+    }
+  }
+}
+
 void other_surfaces()
 {
   {
@@ -750,22 +874,6 @@ void other_surfaces()
     const auto points = checked_path(paths, Place(vertex(2)), tm, 2.);
     CHECK_CLOSE(polyline_length(points), 1. + std::sqrt(2.), tolerance);
     CHECK(std::find(points.begin(), points.end(), coordinates(vertex(4), tm)) != points.end());
-  }
-  {
-    test_support::Scope scope("square with one hole");
-    const Mesh tm = to_face_graph(plane_cells("one hole", {"###", "#.#", "###"}));
-    Geodesic_paths paths(tm);
-    vertex_descriptor from{}, to{};
-    for(const vertex_descriptor v : vertices(tm))
-    {
-      from = coordinates(v, tm) == Coordinates{0., 0., 0.} ? v : from;
-      to = coordinates(v, tm) == Coordinates{3., 3., 0.} ? v : to;
-    }
-    paths.add_source_point(from);
-    CHECK_CLOSE(ask(paths, Place(to)).distance, 2. * std::sqrt(5.), tolerance);
-    const auto points = checked_path(paths, Place(to), tm, 3.);
-    CHECK(std::find(points.begin(), points.end(), Coordinates{1., 2., 0.}) != points.end() ||
-          std::find(points.begin(), points.end(), Coordinates{2., 1., 0.}) != points.end());
   }
   {
     test_support::Scope scope("saddle_fan8");
@@ -914,6 +1022,9 @@ int main()
   points_of_paths_are_not_repeated();
   edges_without_length();
   cube_surface(random);
+  ring_around_a_hole();
+  corner_of_the_border();
+  saddle_vertices();
   other_surfaces();
   broken_files_are_refused();
   plane_meshes(random);
