@@ -960,8 +960,8 @@ void broken_files_are_refused()
   }
 }
 
-// Every file of the folder, so that none is forgotten: from each vertex and from points of faces the distances are those
-// of geodesic_distances(), and each path has the length of its distance.
+// Every file of the folder, so that none is forgotten: from each vertex and from points of faces the distances are
+// those of geodesic_distances(), and each path has the length of its distance.
 void every_file(test_support::Random& random)
 {
   std::size_t number_of_meshes = 0;
