@@ -31,6 +31,7 @@
 
 #include <CGAL/Surface_mesh_geodesics/internal/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Weighted_bisector.h>
+#include <CGAL/Surface_mesh_geodesics/internal/planar_geometry.h>
 
 #include <algorithm>
 #include <array>

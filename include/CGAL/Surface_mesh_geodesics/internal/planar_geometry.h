@@ -109,6 +109,13 @@ struct Tolerance
   }
 };
 
+// is a < b beyond doubt, for two distances?
+template <typename FT>
+bool is_clearly_less(const FT& a, const FT& b)
+{
+  return a < b * (1 - Tolerance<FT>::distance());
+}
+
 // A triangle laid out in the plane: the corners 0, 1, 2 are at (0,0), (base,0), (apex_x, apex_y)
 // with apex_y >= 0.
 template <typename FT>

@@ -22,13 +22,6 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// is a < b beyond doubt, for two distances?
-template <typename FT>
-bool is_clearly_less(const FT& a, const FT& b)
-{
-  return a < b * (1 - Tolerance<FT>::distance());
-}
-
 // A vertex as a rival of windows.
 //
 // A tie is left alone, unless windows start at the vertex in all directions: these carry all that goes
