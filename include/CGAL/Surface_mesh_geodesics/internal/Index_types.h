@@ -44,8 +44,9 @@ constexpr unsigned int place_in_face(Halfedge_id h) { return h & 3u; }
 constexpr unsigned int next_place(unsigned int k) { return 0x9u >> 2 * k & 3u; }
 constexpr unsigned int previous_place(unsigned int k) { return 0x12u >> 2 * k & 3u; }
 
-// The place that is n places after the place k; n is 0, 1 or 2.
-constexpr unsigned int place_after(unsigned int k, unsigned int n) { return k + n < 3 ? k + n : k + n - 3; }
+// The place that is n places after the place k; n is 0, 1 or 2. And the number of places from the place k to 0.
+constexpr unsigned int place_after(unsigned int k, unsigned int n) { return 0x124u >> 2 * (k + n) & 3u; }
+constexpr unsigned int places_to_first(unsigned int k) { return 0x18u >> 2 * k & 3u; }
 
 constexpr Halfedge_id next_halfedge(Halfedge_id h)
 {

@@ -50,6 +50,9 @@ struct alignas(sizeof(FT) == 8 ? 64 : alignof(FT)) Intrinsic_face
   FT apex_x, apex_y;
   std::array<Vertex_id, 3> vertex;
   std::array<Halfedge_id, 3> opposite;
+
+  // (A constructor of its own: without one, all would be set to zero before it is set.)
+  Intrinsic_face() {}
 };
 
 // The face on the left of a halfedge AB in the frame of the halfedge: A = (0,0), B = (length,0) and

@@ -279,8 +279,7 @@ public:
     read_faces();
     find_neighbours();
     number_faces();
-    mesh.reset(m_faces.size());
-    const std::size_t number_in_faces = number_vertices(table, mesh);
+    const std::size_t number_in_faces = number_vertices(table);
     const int exponent = shape.prepare(table.vertices, number_in_faces);
     mesh.set_unit(FT(std::ldexp(1., exponent)));
     set_faces(shape, mesh);
@@ -355,7 +354,7 @@ private:
   {
     const std::size_t n = m_faces.size();
     m_order.resize(n + 1); // one more: what is written last may not count
-    m_rank.assign(n, null_id);
+    m_name.assign(n, null_id);
     std::size_t end = 0, next = 0; // of m_order; of what has been visited
     for(std::uint32_t first = 0; first < n; ++first)
     {
@@ -371,22 +370,22 @@ private:
   // have been met cannot be predicted.)
   void append(std::uint32_t position, std::size_t& end)
   {
-    const bool is_new = m_rank[position] == null_id;
+    const bool is_new = m_name[position] == null_id;
     m_order[end] = position;
-    m_rank[position] = is_new ? static_cast<Face_id>(end) : m_rank[position];
+    m_name[position] = is_new ? static_cast<Face_id>(end) : m_name[position];
     end += is_new;
   }
 
-  // in the order of the faces; the isolated vertices last. Returns how many are not isolated. The vertices of
-  // the intrinsic faces are set, for now in the order of the user.
-  std::size_t number_vertices(Correspondence& table, Intrinsic_mesh<FT>& mesh) const
+  // in the order of the faces; the isolated vertices last. Returns how many are not isolated. From now on
+  // m_corners holds these numbers.
+  std::size_t number_vertices(Correspondence& table)
   {
     const std::size_t range_of_indices = num_vertices(m_tm);
     table.vertex_of_index.assign(range_of_indices, null_id);
     std::size_t n = 0;
     for(Face_id i = 0; i < m_faces.size(); ++i)
-      for(unsigned int j = 0; j < 3; ++j)
-        mesh.face(i).vertex[j] = vertex_id(m_corners[m_order[i]][j], table, n);
+      for(std::uint32_t& corner : m_corners[m_order[i]])
+        corner = vertex_id(corner, table, n);
     const std::size_t number_in_faces = n;
     table.vertices.resize(range_of_indices);
     std::vector<char> is_known(range_of_indices, 0);
@@ -430,25 +429,29 @@ private:
     return static_cast<std::uint32_t>(index);
   }
 
-  // m_place[i] is the place of the user's first halfedge in face i of the intrinsic mesh.
+  // makes the faces. m_name[f] is that halfedge of the intrinsic mesh which is the first one of the user's face.
   template <typename Shape>
   void set_faces(const Shape& shape, Intrinsic_mesh<FT>& mesh)
   {
     const Face_id n = static_cast<Face_id>(m_faces.size());
-    m_place.resize(n);
+    mesh.reset(n);
     for(Face_id i = 0; i < n; ++i)
     {
       const std::uint32_t f = m_order[i];
       Intrinsic_face<FT>& face = mesh.face(i);
-      const std::array<Vertex_id, 3> v = face.vertex;
+      const std::array<Vertex_id, 3>& v = m_corners[f];
       const unsigned int shift = shape.shape(m_halfedges[f], f, v, face);
       for(unsigned int k = 0; k < 3; ++k)
         face.vertex[k] = v[place_after(k, shift)];
-      m_place[i] = static_cast<unsigned char>(shift == 0 ? 0 : 3 - shift);
+      m_name[f] = halfedge_of(i, places_to_first(shift));
     }
     for(Face_id i = 0; i < n; ++i)
+    {
+      const std::uint32_t f = m_order[i];
+      const unsigned int first = place_in_face(m_name[f]);
       for(unsigned int j = 0; j < 3; ++j)
-        mesh.face(i).opposite[place_after(j, m_place[i])] = renumbered(m_neighbours[m_order[i]][j]);
+        mesh.face(i).opposite[place_after(j, first)] = renumbered(m_neighbours[f][j]);
+    }
   }
 
   // the halfedge of the intrinsic mesh, from a position and the place in the user's face.
@@ -456,8 +459,8 @@ private:
   {
     if(h == null_id)
       return null_id;
-    const Face_id i = m_rank[face_of(h)];
-    return halfedge_of(i, place_after(place_in_face(h), m_place[i]));
+    const Halfedge_id first = m_name[face_of(h)];
+    return halfedge_of(face_of(first), place_after(place_in_face(h), place_in_face(first)));
   }
 
   void fill_face_tables(Correspondence& table) const
@@ -478,12 +481,11 @@ private:
   FaceIndexMap m_fim;
   std::vector<face_descriptor> m_faces;
   std::vector<std::array<halfedge_descriptor, 3>> m_halfedges;
-  std::vector<std::array<std::uint32_t, 3>> m_corners; // indices in the user's map
+  std::vector<std::array<std::uint32_t, 3>> m_corners; // indices in the user's map, then vertices
   std::vector<std::uint32_t> m_position_of_index;
   std::vector<std::array<Halfedge_id, 3>> m_neighbours;
   std::vector<std::uint32_t> m_order; // the position of a face of the intrinsic mesh
-  std::vector<Face_id> m_rank;        // its inverse
-  std::vector<unsigned char> m_place;
+  std::vector<std::uint32_t> m_name;  // its inverse; in the end see set_faces()
 };
 
 } // namespace internal
