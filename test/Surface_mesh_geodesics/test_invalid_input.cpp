@@ -368,6 +368,12 @@ void index_maps_must_number_from_zero()
   reset();
   vertex_indices[vertex(11)] = 12;
   refuse("vertex index given twice");
+  {
+    Mesh torn = to_face_graph(icosphere(1));
+    torn.remove_vertex(vertex(11)); // its faces stay
+    expect_refusal(torn, Reason::INVALID_INDEX_MAP, any_element, "face with a vertex that is not in the mesh",
+                   [&](auto distance_map, auto) { SMG::geodesic_distances(torn, distance_map, vertex(0)); });
+  }
   reset();
   face_indices[face(11)] = num_faces(tm) + 5;
   refuse("face index too large");

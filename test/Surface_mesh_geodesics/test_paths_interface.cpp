@@ -348,6 +348,22 @@ void states_and_iterators()
   CHECK(paths.source_points_begin() == b);
   CHECK(b->first == face(3));
   CHECK(a->first == paths.face_location(vertex(0)).first); // until the structure is built again
+  bool is_refused = false;
+  try
+  {
+    paths.remove_source_point(a);
+  }
+  catch(const CGAL::Precondition_exception&)
+  {
+    is_refused = true;
+  }
+#if defined(CGAL_NO_PRECONDITIONS) || defined(CGAL_NDEBUG)
+  CHECK(!is_refused);
+#else
+  CHECK(is_refused);
+#endif
+  CHECK_EQUAL(paths.number_of_source_points(), 1u); // whether it is refused or not
+  CHECK(paths.source_points_begin() == b);
   CHECK(paths.shortest_distance_to_source_points(vertex(7)).second == b);
   CHECK(!paths.changed_since_last_build());
   CHECK(paths.shortest_distance_to_source_points(face(3), {.2, .3, .5}).first == 0.);

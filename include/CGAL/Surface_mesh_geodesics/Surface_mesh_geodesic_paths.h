@@ -301,7 +301,8 @@ public:
   /// removes a source point. Its iterator may be dereferenced until the structure is built again.
   ///
   /// \param it the iterator to the source point
-  /// \pre `it` is an iterator to a source point of this object that has not been removed.
+  /// \pre `it` is an iterator to a source point of this object that has not been removed. (Without the checks of
+  /// preconditions, a source point that is removed twice before the structure is built again stays removed.)
   void remove_source_point(Source_point_iterator it) { m_structure.sources().remove(it); }
 
   /// removes all source points. Their iterators may be dereferenced until the structure is built again.

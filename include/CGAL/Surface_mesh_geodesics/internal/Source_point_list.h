@@ -16,6 +16,8 @@
 // Queries answer with the source points as they were when the structure was built: those that have been removed
 // since are kept until it has been built again.
 
+#include <CGAL/assertions.h>
+
 #include <cstddef>
 #include <iterator>
 #include <list>
@@ -31,6 +33,7 @@ struct Source_point
 {
   FaceLocation location;
   VertexDescriptor vertex;
+  bool is_removed = false; // it is kept until the structure is built again
 };
 
 template <typename FaceLocation, typename VertexDescriptor>
@@ -100,16 +103,22 @@ public:
     return added;
   }
 
+  // A source point that has been removed already stays removed.
   void remove(Iterator it)
   {
-    m_removed.splice(m_removed.begin(), m_sources, it.m_iterator);
+    const auto place = m_sources.erase(it.m_iterator, it.m_iterator); // as an iterator that may change it
+    CGAL_precondition_msg(!place->is_removed, "the source point has been removed already");
+    if(place->is_removed)
+      return;
+    place->is_removed = true;
+    m_removed.splice(m_removed.begin(), m_sources, place);
     m_has_changed = true;
   }
 
   void remove_all()
   {
-    m_has_changed = m_has_changed || !m_sources.empty();
-    m_removed.splice(m_removed.begin(), m_sources);
+    while(!m_sources.empty())
+      remove(begin());
   }
 
   void clear()
