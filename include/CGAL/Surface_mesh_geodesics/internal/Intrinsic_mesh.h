@@ -33,6 +33,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -79,7 +80,8 @@ public:
   {
     PSEUDO_SOURCE = 1, // shortest paths may bend here: a saddle, a reflex border vertex, a pinch
     PINCHED = 2,       // surrounded by several umbrellas
-    DEGENERATE = 4     // of an edge or a face that is nearly lost in rounding: its angles say nothing
+    DEGENERATE = 4,    // of an edge or a face that is nearly lost in rounding: its angles say nothing
+    REFINED = 8        // its faces have changed since the mesh was built
   };
 
   std::size_t number_of_vertices() const { return m_vertex_halfedge.size(); }
@@ -106,6 +108,12 @@ public:
   Halfedge_id halfedge(Vertex_id v) const { return m_vertex_halfedge[v]; }
 
   bool has(Vertex_id v, Vertex_kind kind) const { return (m_vertex_kind[v] & kind) != 0; }
+
+  // The halfedges with a face that leave v, counterclockwise, for a vertex that is neither pinched nor refined.
+  // (To go from face to face would wait for the memory at each step.)
+  const Halfedge_id* star_begin(Vertex_id v) const { return m_star.data() + m_star_begin[v]; }
+  const Halfedge_id* star_end(Vertex_id v) const { return m_star.data() + m_star_begin[v + 1]; }
+  bool has_star(Vertex_id v) const { return (m_vertex_kind[v] & (PINCHED | REFINED)) == 0; }
 
   // calls visit(h) for one halfedge h of each umbrella of v, the first one if it has a border.
   template <typename Visitor>
@@ -173,7 +181,8 @@ public:
   std::size_t memory() const
   {
     return m_faces.capacity() * sizeof(Face) + m_vertex_halfedge.capacity() * sizeof(Halfedge_id)
-         + m_vertex_kind.capacity() + m_other_umbrellas.capacity() * sizeof(m_other_umbrellas[0]);
+         + m_vertex_kind.capacity() + m_other_umbrellas.capacity() * sizeof(m_other_umbrellas[0])
+         + m_star_begin.capacity() * sizeof(std::uint32_t) + m_star.capacity() * sizeof(Halfedge_id);
   }
 
   // Building: reset(), set_unit(), all members of all faces, finish().
@@ -188,7 +197,8 @@ public:
     m_vertex_halfedge.assign(number_of_vertices, null_id);
     m_vertex_kind.assign(number_of_vertices, 0);
     m_other_umbrellas.clear();
-    find_kinds(find_umbrellas());
+    find_umbrellas();
+    find_kinds();
     for(const Face& f : m_faces)
       mark_degenerate(f);
   }
@@ -197,7 +207,7 @@ public:
   Vertex_id add_flat_vertex(Halfedge_id h)
   {
     m_vertex_halfedge.push_back(h);
-    m_vertex_kind.push_back(0);
+    m_vertex_kind.push_back(REFINED);
     return static_cast<Vertex_id>(m_vertex_halfedge.size() - 1);
   }
 
@@ -246,18 +256,17 @@ private:
     c.apex_y = f.apex_y * ratio;
   }
 
-  // finds the first umbrella of each vertex, and all those with a border; returns the numbers of faces around
-  // the vertices.
-  std::vector<std::uint32_t> find_umbrellas()
+  // finds the first umbrella of each vertex, and all those with a border, and makes room for the stars.
+  void find_umbrellas()
   {
-    std::vector<std::uint32_t> degree(number_of_vertices(), 0);
+    m_star_begin.assign(number_of_vertices() + 1, 0);
     std::vector<Halfedge_id> first(number_of_vertices(), null_id);
     const Face_id n = static_cast<Face_id>(number_of_faces());
     for(Face_id f = n; f-- > 0;)
       for(unsigned int k = 3; k-- > 0;)
       {
         const Vertex_id v = m_faces[f].vertex[k];
-        ++degree[v];
+        ++m_star_begin[v + 1];
         first[v] = halfedge_of(f, k);
       }
     // umbrellas with a border begin where there is no face on the right
@@ -266,9 +275,12 @@ private:
         if(m_faces[f].opposite[k] == null_id)
           add_umbrella(m_faces[f].vertex[k], halfedge_of(f, k));
     for(Vertex_id v = 0; v < number_of_vertices(); ++v)
+    {
       if(m_vertex_halfedge[v] == null_id)
         m_vertex_halfedge[v] = first[v];
-    return degree;
+      m_star_begin[v + 1] += m_star_begin[v];
+    }
+    m_star.resize(m_star_begin.back());
   }
 
   // Umbrellas beyond the first are kept sorted by vertex; they are rare.
@@ -312,22 +324,22 @@ private:
   }
 
   // A vertex with more faces than its umbrellas have is pinched between closed umbrellas.
-  void find_kinds(const std::vector<std::uint32_t>& degree)
+  void find_kinds()
   {
     std::vector<Vertex_id> incomplete;
     for(Vertex_id v = 0; v < number_of_vertices(); ++v)
     {
-      if(degree[v] == 0)
+      if(m_vertex_halfedge[v] == null_id)
         continue;
-      std::uint32_t covered = 0;
+      std::uint32_t place = m_star_begin[v];
       Angle_sum<FT> angle;
       for_each_halfedge_around(v, [&](Halfedge_id h)
       {
-        ++covered;
+        m_star[place++] = h;
         const std::pair<FT, FT> direction = corner(m_faces[face_of(h)], place_in_face(h));
         angle.add(direction.first, direction.second);
       });
-      if(covered != degree[v])
+      if(place != m_star_begin[v + 1])
         incomplete.push_back(v);
       const bool is_on_border = opposite(m_vertex_halfedge[v]) == null_id;
       if(is_on_border ? angle.is_more_than_half() : angle.is_more_than_full())
@@ -358,6 +370,8 @@ private:
   std::vector<Halfedge_id> m_vertex_halfedge;
   std::vector<unsigned char> m_vertex_kind;
   std::vector<std::pair<Vertex_id, Halfedge_id>> m_other_umbrellas; // sorted
+  std::vector<std::uint32_t> m_star_begin; // of the vertices of the mesh as it was built
+  std::vector<Halfedge_id> m_star;
   FT m_unit = 1;
 };
 

@@ -375,6 +375,8 @@ private:
     renaming.vertices.erase(std::unique(renaming.vertices.begin(), renaming.vertices.end()),
                             renaming.vertices.end());
     rename(renaming.vertices, renaming.from, renaming.to);
+    for(const Vertex_id u : renaming.vertices)
+      mark(u, Mesh::REFINED);
     m_renamed.push_back(std::move(renaming));
     m_mesh.set_halfedge(v, leaving);
     mark_near_vertices(v);

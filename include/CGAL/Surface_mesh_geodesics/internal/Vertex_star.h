@@ -85,14 +85,30 @@ struct Vertex_star
     vertex = v;
     faces.clear();
     links.clear();
-    mesh.for_each_umbrella(v, [&](Halfedge_id first) { add_umbrella(mesh, first); });
+    if(mesh.has_star(v))
+      add_star(mesh, mesh.star_begin(v), mesh.star_end(v));
+    else
+      mesh.for_each_umbrella(v, [&](Halfedge_id first) { add_umbrella(mesh, first); });
   }
 
 private:
+  // a whole star, whose halfedges are known.
+  void add_star(const Intrinsic_mesh<FT>& mesh, const Halfedge_id* begin, const Halfedge_id* end)
+  {
+    const std::uint32_t n = static_cast<std::uint32_t>(end - begin);
+    if(n == 0)
+      return;
+    for(std::uint32_t f = 0; f < n; ++f)
+    {
+      faces.emplace_back(begin[f], f, f + 1, f + 1, f - 1);
+      add_link(mesh.target(begin[f]));
+    }
+    close(mesh, 0, mesh.opposite(begin[0]) == null_id);
+  }
+
   void add_umbrella(const Intrinsic_mesh<FT>& mesh, Halfedge_id first)
   {
     const std::uint32_t first_face = static_cast<std::uint32_t>(faces.size());
-    const std::uint32_t first_link = static_cast<std::uint32_t>(links.size());
     Halfedge_id h = first;
     do
     {
@@ -102,7 +118,13 @@ private:
       add_link(mesh.target(h));
       h = mesh.next_around_source(h);
     } while(h != first && h != null_id);
-    if(h == null_id)
+    close(mesh, first_face, h == null_id);
+  }
+
+  // joins the last face of an umbrella to its first one, unless there is a border between them.
+  void close(const Intrinsic_mesh<FT>& mesh, std::uint32_t first_face, bool has_border)
+  {
+    if(has_border)
     {
       faces[first_face].previous = null_id;
       faces.back().next = null_id;
@@ -111,7 +133,7 @@ private:
     }
     faces[first_face].previous = static_cast<std::uint32_t>(faces.size() - 1);
     faces.back().next = first_face;
-    faces.back().second = first_link;
+    faces.back().second = faces[first_face].first;
   }
 
   void add_link(Vertex_id v)
