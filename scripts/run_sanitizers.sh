@@ -41,10 +41,11 @@ run_program() {
 }
 export -f run_program
 
+# (Shifts of negative numbers are not looked for: CGAL::MP_Float, with which a test compares, makes them on purpose.)
 list() {
   local name
   for name in "${programs[@]}"; do
-    printf '%s\0address_undefined\0-fsanitize=address,undefined -fno-sanitize-recover=undefined\0' "$name"
+    printf '%s\0address_undefined\0-fsanitize=address,undefined -fno-sanitize=shift-base -fno-sanitize-recover=undefined\0' "$name"
     case "$name" in
       test_paths_from_threads | test_distance_matrix | test_parallel_propagation)
         printf '%s\0thread\0-fsanitize=thread\0' "$name" ;;
