@@ -142,31 +142,31 @@ private:
   // A list that has turned around the whole vertex comes to the face where the sweep began once more.
   void turn_counterclockwise(Star& star)
   {
-    const std::size_t n = star.faces.size();
-    for(bool is_done = false; !is_done;)
-    {
-      is_done = true;
-      for(std::size_t i = 0; i < n; ++i)
-        if(star.faces[i].counterclockwise.size > 0)
-        {
-          cross_counterclockwise(star, star.faces[i]);
-          is_done = is_done && star.faces[i].next > i;
-        }
-    }
+    Number_set& waiting = star.waiting;
+    while(waiting.next(0) != Number_set::none)
+      for(std::size_t i = waiting.next(0); i != Number_set::none; i = waiting.next(i + 1))
+      {
+        waiting.remove(i);
+        Face& f = star.faces[i];
+        cross_counterclockwise(star, f);
+        if(f.next != null_id)
+          waiting.insert(f.next, star.faces[f.next].counterclockwise.size > 0);
+      }
   }
 
   void turn_clockwise(Star& star)
   {
-    for(bool is_done = false; !is_done;)
-    {
-      is_done = true;
-      for(std::size_t i = star.faces.size(); i-- > 0;)
-        if(star.faces[i].clockwise.size > 0)
-        {
-          cross_clockwise(star, star.faces[i]);
-          is_done = is_done && (star.faces[i].previous < i || star.faces[i].previous == null_id);
-        }
-    }
+    Number_set& waiting = star.waiting_from_last;
+    const std::size_t last = star.faces.size() - 1;
+    while(waiting.next(0) != Number_set::none)
+      for(std::size_t i = waiting.next(0); i != Number_set::none; i = waiting.next(i + 1))
+      {
+        waiting.remove(i);
+        Face& f = star.faces[last - i];
+        cross_clockwise(star, f);
+        if(f.previous != null_id)
+          waiting.insert(last - f.previous, star.faces[f.previous].clockwise.size > 0);
+      }
   }
 
   // across va: the list goes on around v on the left, and leaves the star on the right.

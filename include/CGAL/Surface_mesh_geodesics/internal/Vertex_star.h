@@ -21,6 +21,7 @@
 
 #include <CGAL/Surface_mesh_geodesics/internal/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Intrinsic_mesh.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Number_set.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Window_lists.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window_pruning.h>
@@ -78,6 +79,8 @@ struct Vertex_star
   Vertex_arrival<FT> arrival; // at the vertex
   std::vector<Star_face<FT>> faces;
   std::vector<Link_vertex<FT>> links;
+  // The faces that counterclockwise lists wait to enter; and those that clockwise ones do, counted from the last one.
+  Number_set waiting, waiting_from_last;
 
   // finds the faces and links of v; what is known of v and its links is left to the caller.
   void surround(const Intrinsic_mesh<FT>& mesh, Vertex_id v)

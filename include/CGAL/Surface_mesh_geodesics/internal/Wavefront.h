@@ -24,6 +24,7 @@
 // it (Star_propagation.h), and what has come of that is put back.
 
 #include <CGAL/Surface_mesh_geodesics/internal/Intrinsic_mesh.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Number_set.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Star_propagation.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Vertex_front_queue.h>
@@ -109,9 +110,20 @@ public:
       link.is_degenerate = m_mesh.has(link.vertex, Mesh::DEGENERATE);
       link.may_emit = ((m_mesh.kind(link.vertex) & Mesh::PSEUDO_SOURCE) | m_emission[link.vertex]) != 0;
     }
-    for(Star_face<FT>& f : star.faces)
+    const std::size_t n = star.faces.size();
+    star.waiting.reset(n);
+    star.waiting_from_last.reset(n);
+    for(std::size_t i = 0; i < n; ++i)
     {
-      m_lists.take(f.halfedge, f.counterclockwise);
+      const Halfedge_id h = star.faces[i].halfedge;
+      star.waiting.insert(i, m_lists.has(h));
+      star.waiting_from_last.insert(n - 1 - i, m_lists.has(previous_halfedge(h)));
+    }
+    for(std::size_t i = star.waiting.next(0); i < n; i = star.waiting.next(i + 1))
+      m_lists.take(star.faces[i].halfedge, star.faces[i].counterclockwise);
+    for(std::size_t i = star.waiting_from_last.next(0); i < n; i = star.waiting_from_last.next(i + 1))
+    {
+      Star_face<FT>& f = star.faces[n - 1 - i];
       m_lists.take(previous_halfedge(f.halfedge), f.clockwise);
     }
   }
@@ -126,18 +138,23 @@ public:
   // puts the lists that leave a star where they wait, and takes over the distances of its links.
   void put_back(Star& star, Window_pool<FT>& pool)
   {
-    for(const Link_vertex<FT>& link : star.links)
-      if(link.is_improved)
-        improve(link);
-    for(Star_face<FT>& f : star.faces)
-      if(f.outward.size > 0)
-      {
-        const Vertex_id a = star.links[f.first].vertex, b = star.links[f.second].vertex;
-        const Halfedge_id h = m_mesh.opposite(next_halfedge(f.halfedge));
-        prefetch(&m_mesh.face(face_of(h))); // new ground, which is not in any cache
-        m_lists.put(h, f.outward, pool);
-        m_queue.push_or_decrease(m_field.distance[b] < m_field.distance[a] ? b : a, f.outward_distance);
-      }
+    m_set.reset(star.links.size());
+    for(std::size_t i = 0; i < star.links.size(); ++i)
+      m_set.insert(i, star.links[i].is_improved);
+    for(std::size_t i = m_set.next(0); i < star.links.size(); i = m_set.next(i + 1))
+      improve(star.links[i]);
+    m_set.reset(star.faces.size());
+    for(std::size_t i = 0; i < star.faces.size(); ++i)
+      m_set.insert(i, star.faces[i].outward.size > 0);
+    for(std::size_t i = m_set.next(0); i < star.faces.size(); i = m_set.next(i + 1))
+    {
+      Star_face<FT>& f = star.faces[i];
+      const Vertex_id a = star.links[f.first].vertex, b = star.links[f.second].vertex;
+      const Halfedge_id h = m_mesh.opposite(next_halfedge(f.halfedge));
+      prefetch(&m_mesh.face(face_of(h))); // new ground, which is not in any cache
+      m_lists.put(h, f.outward, pool);
+      m_queue.push_or_decrease(m_field.distance[b] < m_field.distance[a] ? b : a, f.outward_distance);
+    }
     m_maximum_windows_alive = (std::max)(m_maximum_windows_alive, m_lists.number_of_windows());
   }
 
@@ -206,6 +223,7 @@ private:
   Window_lists<FT> m_lists;
   Vertex_front_queue<FT> m_queue;
   std::vector<unsigned char> m_emission; // of Emission flags
+  Number_set m_set; // of what has to be put back
   bool m_has_stale_windows = false;
   std::size_t m_maximum_windows_alive = 0;
   std::size_t m_reached_at_last_start = 0; // of start_beside_unreached_vertices()

@@ -20,6 +20,7 @@
 
 #include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Intrinsic_mesh.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Number_set.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Pruning_rules.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Window_list_loops.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Window_lists.h>
@@ -192,9 +193,17 @@ private:
     return m_loops.trim(list.columns, list.size, c.length, corners.origin, corners.target, m_suspects.data());
   }
 
-  bool is_suspect(std::size_t i) const
+  // the first suspect from i on among the first n windows, n if there is none.
+  std::size_t next_suspect(std::size_t i, std::size_t n) const
   {
-    return (m_suspects[i / suspects_in_word] >> i % suspects_in_word & 1) != 0;
+    while(i < n)
+    {
+      const unsigned int rest = unsigned(m_suspects[i / suspects_in_word]) >> i % suspects_in_word;
+      if(rest != 0)
+        return (std::min)(i + trailing_zeros(rest), n);
+      i = (i / suspects_in_word + 1) * suspects_in_word;
+    }
+    return n;
   }
 
   // looks at the suspects, and at windows whose neighbour before them has been removed or trimmed.
@@ -207,8 +216,8 @@ private:
     for(std::size_t i = 0; i < list.size;)
     {
       const std::size_t first = i;
-      while(i < list.size && !is_changed && !is_suspect(i))
-        ++i;
+      if(!is_changed)
+        i = next_suspect(i, list.size);
       if(last != first)
         list.columns.move_down(first, i, last);
       last += i - first;

@@ -368,12 +368,12 @@ public:
     m_slot_of_halfedge.resize(3 * number_of_faces, null_id);
   }
 
-  // moves the list of h, if there is one, to a list that is empty and has no block.
+  bool has(Halfedge_id h) const { return m_slot_of_halfedge[entry(h)] != null_id; }
+
+  // moves the list of h, which there is, to a list that is empty and has no block.
   void take(Halfedge_id h, List& list)
   {
     std::uint32_t& slot = m_slot_of_halfedge[entry(h)];
-    if(slot == null_id)
-      return;
     list = m_lists[slot];
     m_lists[slot] = List();
     m_number_of_windows -= list.size;
