@@ -67,14 +67,15 @@ def plain(text, digits):
 
 
 def rounded(text):
-    """With three digits, two below ten; never in powers of ten."""
+    """With three digits, two below ten, one below a hundredth; never in powers of ten."""
     if text == "":
         return ""
     number = float(text)
     if number >= 10:
         return f"{number:,.0f}" if number >= 99.95 else f"{number:.1f}"
     digits = 1 if number == 0 else 1 - math.floor(math.log10(number) + 1e-9)
-    return f"{number:.{digits}f}"
+    text = f"{number:.{digits}f}"
+    return text.rstrip("0") if number < 0.01 else text
 
 
 def spread(row, column):
@@ -191,14 +192,14 @@ def Voronoi_diagram(results):
          for row in results.rows("Voronoi_diagram", naive_ms="")])
 
 
-VARIANTS = {"direct": "faces of the mesh", "intrinsic": "intrinsic Delaunay"}
+VARIANTS = {"direct": "direct", "intrinsic": "Delaunay"}
 
 
 def heat_method_times(results):
     columns = ["heat_first_ms", "exact_first_ms", "ratio_first", "heat_next_ms", "exact_next_ms", "ratio_next",
                "heat_added_mb", "exact_added_mb"]
     return markdown(
-        ["mesh", "faces", "heat method on", "first source: heat, ms", "exact, ms", "heat / exact",
+        ["mesh", "faces", "variant", "first source: heat, ms", "exact, ms", "heat / exact",
          "next source: heat, ms", "exact, ms", "heat / exact", "heat, added MB", "exact, added MB"],
         [[mesh_name(row), plain(row["faces"], 0), VARIANTS[row["variant"]]] + [rounded(row[name]) for name in columns]
          for row in results.rows("heat_method")])
@@ -207,7 +208,7 @@ def heat_method_times(results):
 def heat_method_errors(results):
     columns = ["mean_error_percent", "largest_error_percent", "largest_error_of_extent_percent"]
     return markdown(
-        ["mesh", "faces", "heat method on", "mean error, %", "largest error, %",
+        ["mesh", "faces", "variant", "mean error, %", "largest error, %",
          "largest error, % of the largest distance"],
         [[mesh_name(row), plain(row["faces"], 0), VARIANTS[row["variant"]]] + [rounded(row[name]) for name in columns]
          for row in results.rows("heat_method")])
