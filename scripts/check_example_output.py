@@ -43,7 +43,8 @@ def line_matches(shown, printed):
             expected.append(float(part))
     match = re.fullmatch(pattern, printed)
     return match is not None and all(
-        abs(float(found) - number) <= TOLERANCE * max(1, abs(number)) for found, number in zip(match.groups(), expected))
+        abs(float(found) - number) <= TOLERANCE * max(1, abs(number))
+        for found, number in zip(match.groups(), expected))
 
 
 def lines_match(shown, printed):
