@@ -26,6 +26,13 @@ if [ -d "$mathjax" ]; then
   ln -sfn "$mathjax" "$output/html/mathjax"
 fi
 
+# A concept is documented as a class, but is none, and has no header.
+for page in "$output"/html/class*.html; do
+  if grep -q 'Concepts/.*\.h</a>&gt;</code>' "$page"; then
+    sed -i -e '/#include &lt;.*Concepts\/.*\.h<\/a>&gt;<\/code>/d' -e 's/ Class Reference/ Concept Reference/' "$page"
+  fi
+done
+
 # Every example has its page.
 for example in examples/Surface_mesh_geodesics/*.cpp; do
   name=Surface_mesh_geodesics/$(basename "$example")

@@ -245,8 +245,8 @@ def sentences_about_distances(results):
     compiler = results.comment("standard_meshes", r"compiler: g\+\+ (\d+\.\d+)")
     version = results.comment("standard_meshes", r"# CGAL ([\d.]+),")
     return [
-        (SUBMISSION, f"{min(times):.0f} to {max(times):.0f} times faster on the three standard meshes of the benchmark and "
-                     f"in {min(memory):.0f} to {max(memory):.0f} times less memory"),
+        (SUBMISSION, f"{min(times):.0f} to {max(times):.0f} times faster on the three standard meshes of the benchmark "
+                     f"and in {min(memory):.0f} to {max(memory):.0f} times less memory"),
         (README, f"median (range) of the processor times of {runs} runs of each in turn"),
         (MANUAL, f"median (range) of the processor times of {runs} runs of each in turn"),
         (README, f"(Intel Xeon, g++ {compiler}, `-O3 -DNDEBUG -frounding-math`, CGAL {version}, one thread)"),
