@@ -32,7 +32,7 @@ class Page(html.parser.HTMLParser):
         for name, value in attributes:
             if name == "id" or (name == "name" and tag == "a"):
                 self.anchors.add(value)
-            elif name in ("href", "src") and value is not None:
+            elif (name in ("href", "src") or (name == "data" and tag == "object")) and value is not None:
                 self.links.append((self.getpos()[0], value))
 
 
@@ -96,6 +96,7 @@ FAULTS = {
     "anchor": ("index.html", '<a href="other.html#gone">', "other.html#gone has no such anchor"),
     "own anchor": ("other.html", '<a href="#gone">', "#gone has no such anchor"),
     "picture": ("other.html", '<img src="gone.png">', "gone.png is not there"),
+    "drawing": ("other.html", '<object data="gone.svg"></object>', "gone.svg is not there"),
     "page in a script": ("tree.js", '"gone.html"', "gone.html is not there"),
     "markdown": ("read.md", "[x](gone.md)", "gone.md is not there"),
     "picture in markdown": ("read.md", '<img src="gone.png">', "gone.png is not there"),
