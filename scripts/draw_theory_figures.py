@@ -4,8 +4,8 @@
 Usage: draw_theory_figures.py [FOLDER] | --check
 
 The folder is doc/Surface_mesh_geodesics/fig if none is given. --check compares the files there with what would be
-drawn. All lines that look as if they met do: points are computed, not placed by eye. Colours are those of Okabe and Ito,
-which can be told apart by those who are blind to some colours.
+drawn. All lines that look as if they met do: points are computed, not placed by eye. Colours are those of Okabe and
+Ito, which can be told apart by those who are blind to some colours.
 """
 
 import math
