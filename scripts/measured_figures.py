@@ -316,12 +316,14 @@ def sentences_about_the_heat_method(results):
 
     runs = in_words(results.comment("heat_method", r"medians of (\d+) runs of each"))
     slower = [1 / ratio for ratio in results.values("heat_method", "ratio_next")]
+    place = max(results.values("heat_method", "place_of_largest_error_percent"))
     return [
         (MANUAL, f"medians of the processor times of {runs} runs of each in turn, as `run_benchmark.sh"),
         (MANUAL, f"the exact distances come {span('ratio_first')} times sooner"),
         (MANUAL, f"each takes {short(min(slower))} to {short(max(slower))} times as long as a further estimate"),
         (MANUAL, f"The mean error is {span('mean_error_percent')} percent, the largest one "
-                 f"{span('largest_error_percent')} percent"),
+                 f"{span('largest_error_percent')} percent, near the source: no farther than {short(place)} percent of "
+                 "the largest distance"),
     ]
 
 
