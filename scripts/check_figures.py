@@ -3,8 +3,8 @@
 
 Usage: check_figures.py                   checks
        check_figures.py --update          writes tables and figures anew, and then checks
-       check_figures.py --take FOLDER     copies the tables that run_benchmark.sh has written to FOLDER, in general
-                                          build/benchmark, to the results, and then does the same
+       check_figures.py --take FOLDER     copies what run_benchmark.sh has written to FOLDER (as a rule build/benchmark)
+                                          to the results, and then does the same
        check_figures.py --self-test
 
 Complaints are raised by a table that differs from its CSV file, by a table with numbers that is not marked as a measured
