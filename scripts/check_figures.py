@@ -7,9 +7,10 @@ Usage: check_figures.py                   checks
                                           to the results, and then does the same
        check_figures.py --self-test
 
-Complaints are raised by a table that differs from its CSV file, by a table with numbers that is not marked as a measured
-one, by words about measured figures that are not in the text, and by results that nothing refers to. What belongs where
-is in measured_figures.py.
+Complaints are raised by a table that differs from its CSV file, by a table with numbers that is not marked as a
+measured one, by words about measured figures that are not in the text, and by results that nothing refers to. What
+belongs where is in measured_figures.py. An update also puts new figures between words that are there; other words, and
+numbers that are written as words, are left to an author.
 """
 
 import pathlib
