@@ -2,8 +2,11 @@
 
 set(Surface_mesh_geodesics_WARNING_FLAGS -Wall -Wextra -Wpedantic -Wshadow -Wconversion)
 
-# Optional: only some programs use it, and they say so themselves with __has_include.
+# Optional: programs that include headers of Eigen, or of Heat_method_3, which needs it, are left out without it.
 find_package(Eigen3 QUIET NO_MODULE)
+if(NOT TARGET Eigen3::Eigen)
+  message(STATUS "NOTICE: Eigen was not found: the programs that use it are left out.")
+endif()
 
 # Optional: programs that ask for CGAL_LINKED_WITH_TBB run in parallel with it.
 find_package(TBB QUIET)
@@ -14,6 +17,28 @@ if(NOT TARGET CGAL::TBB_support)
   message(STATUS "NOTICE: TBB was not found: nothing is computed in parallel.")
 endif()
 
+# Whether a program includes headers of Eigen, or headers of CGAL that do nothing without it.
+function(surface_mesh_geodesics_uses_eigen source out_answer)
+  file(STRINGS "${source}" lines REGEX "^#include <(Eigen|CGAL/Heat_method_3)/")
+  if(lines)
+    set(${out_answer} ON PARENT_SCOPE)
+  else()
+    set(${out_answer} OFF PARENT_SCOPE)
+  endif()
+endfunction()
+
+# Takes the programs that cannot be compiled here out of a list of source files.
+function(surface_mesh_geodesics_leave_out list_of_sources)
+  set(kept)
+  foreach(source IN LISTS ${list_of_sources})
+    surface_mesh_geodesics_uses_eigen("${source}" uses_eigen)
+    if(TARGET Eigen3::Eigen OR NOT uses_eigen)
+      list(APPEND kept "${source}")
+    endif()
+  endforeach()
+  set(${list_of_sources} ${kept} PARENT_SCOPE)
+endfunction()
+
 # Adds a program named like its source file and notes the file for the checks with a second compiler. The headers that the
 # programs of a folder share are in include/ beside them.
 function(surface_mesh_geodesics_add_program source)
@@ -22,8 +47,10 @@ function(surface_mesh_geodesics_add_program source)
   add_executable(${name} "${source}")
   target_include_directories(${name} PRIVATE "${folder}/include")
   target_link_libraries(${name} PRIVATE CGAL::Surface_mesh_geodesics)
-  if(TARGET Eigen3::Eigen)
+  surface_mesh_geodesics_uses_eigen("${source}" uses_eigen)
+  if(uses_eigen)
     target_link_libraries(${name} PRIVATE Eigen3::Eigen)
+    target_compile_definitions(${name} PRIVATE CGAL_EIGEN3_ENABLED)
   endif()
   file(STRINGS "${source}" lines_with_tbb REGEX "CGAL_LINKED_WITH_TBB")
   if(lines_with_tbb AND TARGET CGAL::TBB_support)

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # Builds the documentation with plain doxygen and fails on any warning. Usage: build_doc.sh [output folder]
+# Formulas are drawn by MathJax, from Debian's package libjs-mathjax where it is installed, otherwise from the network.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 output=${1:-$root/build/doc}
@@ -7,6 +8,7 @@ mkdir -p "$output"
 output=$(cd "$output" && pwd)
 log=$output/doxygen_warnings.log
 rm -f "$log"
+mathjax=/usr/share/javascript/mathjax
 
 cd "$root"
 {
@@ -16,7 +18,20 @@ cd "$root"
   if [ -d doc/Surface_mesh_geodesics/fig ]; then
     echo "IMAGE_PATH = doc/Surface_mesh_geodesics/fig"
   fi
+  if [ -d "$mathjax" ]; then
+    echo "MATHJAX_RELPATH = mathjax"
+  fi
 } | doxygen -
+if [ -d "$mathjax" ]; then
+  ln -sfn "$mathjax" "$output/html/mathjax"
+fi
+
+# A concept is documented as a class, but is none, and has no header.
+for page in "$output"/html/class*.html; do
+  if grep -q 'Concepts/.*\.h</a>&gt;</code>' "$page"; then
+    sed -i -e '/#include &lt;.*Concepts\/.*\.h<\/a>&gt;<\/code>/d' -e 's/ Class Reference/ Concept Reference/' "$page"
+  fi
+done
 
 # Every example has its page.
 for example in examples/Surface_mesh_geodesics/*.cpp; do

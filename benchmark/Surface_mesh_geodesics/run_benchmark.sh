@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Measures geodesic_distances(), Surface_mesh_geodesic_paths and Surface_mesh_geodesic_Voronoi_diagram against
-# CGAL::Surface_mesh_shortest_path on CGAL's data meshes and writes the numbers as CSV files and as tables in markdown. See readme.txt beside this file.
+# CGAL::Surface_mesh_shortest_path and CGAL::Heat_method_3 on CGAL's data meshes and writes the numbers as CSV files and
+# as tables in markdown. See readme.txt beside this file.
 set -euo pipefail
 
 usage()
@@ -11,6 +12,7 @@ usage: run_benchmark.sh [options]
   --no-standard      leave out the standard meshes (only the other tables that are asked for)
   --paths            Surface_mesh_geodesic_paths, too: builds, queries and paths
   --voronoi          Surface_mesh_geodesic_Voronoi_diagram, too: 1 to 1000 sites
+  --heat             Heat_method_3, too: times and errors (needs Eigen)
   --questions        the programs for one question each, too: growth, anisotropy, sources, reach, rules, face queries,
                      threads, matrix; and plots, if python3 has matplotlib
   --repetitions N    runs of each method on the standard meshes (5)
@@ -18,6 +20,7 @@ usage: run_benchmark.sh [options]
   --paths-repetitions N  the same for --paths (5)
   --questions-repetitions N  the same for --questions (7)
   --voronoi-repetitions N  the same for --voronoi (3)
+  --heat-repetitions N  the same for --heat (5)
   --paths-meshes LIST  names of meshes for --paths ("bunny00 armadillo refined_elephant"); with armadillo among them,
                      armadillo subdivided once, too
   --kernel K         simple or epick (simple)
@@ -43,6 +46,8 @@ all=no
 paths=no
 voronoi=no
 voronoi_repetitions=3
+heat=no
+heat_repetitions=5
 questions=no
 
 while [ $# -gt 0 ]; do
@@ -50,12 +55,14 @@ while [ $# -gt 0 ]; do
     --all) all=yes ;;
     --paths) paths=yes ;;
     --voronoi) voronoi=yes ;;
+    --heat) heat=yes ;;
     --questions) questions=yes ;;
     --no-standard) standard=no ;;
     --repetitions) repetitions="$2"; shift ;;
     --all-repetitions) all_repetitions="$2"; shift ;;
     --paths-repetitions) paths_repetitions="$2"; shift ;;
     --voronoi-repetitions) voronoi_repetitions="$2"; shift ;;
+    --heat-repetitions) heat_repetitions="$2"; shift ;;
     --questions-repetitions) questions_repetitions="$2"; shift ;;
     --paths-meshes) paths_meshes="$2"; shift ;;
     --kernel) kernel="$2"; shift ;;
@@ -80,6 +87,7 @@ if [ -z "$programs" ]; then
   [ "$standard$all" = nono ] || targets+=(benchmark_against_shortest_path)
   [ "$paths" = no ] || targets+=(benchmark_paths_against_shortest_path)
   [ "$voronoi" = no ] || targets+=(benchmark_Voronoi_diagram)
+  [ "$heat" = no ] || targets+=(benchmark_against_heat_method)
   [ "$questions" = no ] || targets+=(benchmark_growth benchmark_anisotropy benchmark_sources benchmark_reach benchmark_rules
                                      benchmark_face_queries benchmark_threads benchmark_matrix)
   [ "${#targets[@]}" -gt 0 ] || { usage >&2; exit 1; }
@@ -92,6 +100,7 @@ fi
 program="$programs/benchmark_against_shortest_path"
 paths_program="$programs/benchmark_paths_against_shortest_path"
 voronoi_program="$programs/benchmark_Voronoi_diagram"
+heat_program="$programs/benchmark_against_heat_method"
 
 if [ ! -f "$build/data/meshes/bunny00.off" ]; then
   if [ ! -f "$data_archive" ] && command -v apt-get > /dev/null; then
@@ -285,6 +294,15 @@ if [ "$voronoi" = yes ]; then
     | tee -a "$csv" >&2
   markdown_of_voronoi "$csv" | tee "${csv%.csv}.md"
 fi
+
+if [ "$heat" = yes ]; then
+  csv="$build/against_heat_method.csv"
+  "$heat_program" --kernel "$kernel" --repetitions "$heat_repetitions" --flags "$flags" \
+    "$meshes/elephant.off" "$meshes/armadillo.off" "$meshes/bunny00.off" "$meshes/refined_elephant.off" | tee "$csv" >&2
+  "$heat_program" --kernel "$kernel" --repetitions "$heat_repetitions" --no-header --subdivide 1 \
+    "$meshes/bunny00.off" | tee -a "$csv" >&2
+fi
+
 # ask <question> <arguments>: runs the program of a question; its table goes to <question>.csv
 ask()
 {

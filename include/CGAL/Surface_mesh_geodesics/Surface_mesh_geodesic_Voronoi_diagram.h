@@ -75,7 +75,7 @@ the same two cells, one behind the other, form an edge of the diagram; edges end
 diagram, where three cells or more meet, or at the border of the mesh, or are closed.
 
 Distances are propagated from all sites at once, with the algorithm of this package; windows are removed as soon as
-it is known that no curve crosses their face \cgalCite{cgal:q-gvd-17}, and faces that curves do cross are cut while
+it is known that no curve crosses their face \cgalCite{qin2017voronoi}, and faces that curves do cross are cut while
 the wavefront moves on. So the memory used is that of the wavefront and of the diagram itself.
 
 <b>Weights.</b> A site may have a weight \f$ w \f$: the distance of a point from it is the geodesic distance less

@@ -1,0 +1,99 @@
+#!/usr/bin/env python3
+"""Checks that an example prints what the manual shows below it.
+
+Usage: check_example_output.py MANUAL DATA_FOLDER PROGRAM | --self-test
+
+The program runs without arguments in an empty folder with data/ in it. In the manual, `\\cgalExample{.../NAME.cpp}` is
+followed by `\\verbatim`, the output, and `\\endverbatim`. Three dots stand for anything in a line, a line of three dots
+for any number of lines. Numbers with a point in them may differ by a part in ten thousand, all else is the same.
+"""
+
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+TOLERANCE = 1e-4
+# Three dots, or a number with a point whose digits no dots continue.
+PLACEHOLDER = re.compile(r"(\.\.\.|-?\d+\.\d+(?:e[-+]?\d+)?(?!\d*\.\.\.))")
+
+
+def shown_output(manual, name):
+    """The lines that the manual shows for an example, or None."""
+    place = manual.find(f"/{name}.cpp}}")
+    if place < 0:
+        return None
+    end = manual.find("\\cgalExample", place)
+    section = manual[place:end if end >= 0 else len(manual)]
+    block = re.search(r"^\\verbatim\n(.*?)^\\endverbatim$", section, re.DOTALL | re.MULTILINE)
+    return block.group(1).splitlines() if block else None
+
+
+def line_matches(shown, printed):
+    pattern, expected = "", []
+    for i, part in enumerate(PLACEHOLDER.split(shown)):
+        if i % 2 == 0:  # what stands between the placeholders
+            pattern += re.escape(part)
+        elif part == "...":
+            pattern += ".*"
+        else:
+            pattern += r"(-?\d+(?:\.\d+)?(?:e[-+]?\d+)?)"  # a whole number is printed without a point
+            expected.append(float(part))
+    match = re.fullmatch(pattern, printed)
+    return match is not None and all(
+        abs(float(found) - number) <= TOLERANCE * max(1, abs(number))
+        for found, number in zip(match.groups(), expected))
+
+
+def lines_match(shown, printed):
+    if not shown:
+        return not printed
+    if shown[0] == "...":
+        return any(lines_match(shown[1:], printed[i:]) for i in range(len(printed) + 1))
+    return bool(printed) and line_matches(shown[0], printed[0]) and lines_match(shown[1:], printed[1:])
+
+
+def self_test():
+    cases = [
+        ("a 1.5", "a 1.5", True), ("a 1.5", "a 1.50001", True), ("a 1.5", "a 1.51", False), ("a 15", "a 15", True),
+        ("a 15", "a 16", False), ("time: ...", "time: 3 ms", True), ("time: ...", "Time: 3 ms", False),
+        ("1.62... %", "1.62295 %", True), ("1.62... %", "1.63 %", False), ("from -1.5", "from 1.5", False),
+        ("a\n...\nz", "a\nb\nc\nz", True), ("a\n...\nz", "a\nz", True), ("a\n...\nz", "a\nb", False),
+        ("a", "a\nb", False), ("a\nb", "a", False), ("a (b)", "a (b)", True),
+    ]
+    failures = [case for case in cases if lines_match(case[0].split("\n"), case[1].split("\n")) != case[2]]
+    manual = "\\cgalExample{P/a.cpp}\n\\cgalExample{P/b.cpp}\n\n\\verbatim\nb 1\n\\endverbatim\n"
+    if shown_output(manual, "a") is not None or shown_output(manual, "b") != ["b 1"]:
+        failures.append("the place of the output")
+    for failure in failures:
+        print(failure)
+    print(f"self-test: {len(cases) + 1} cases, {len(failures)} failures")
+    return 1 if failures else 0
+
+
+def main(arguments):
+    if arguments == ["--self-test"]:
+        return self_test()
+    if len(arguments) != 3:
+        print(__doc__)
+        return 2
+    manual, data, program = (pathlib.Path(argument).resolve() for argument in arguments)
+    shown = shown_output(manual.read_text(encoding="utf-8"), program.stem)
+    if shown is None:
+        print(f"{manual}: no output is shown for {program.stem}")
+        return 1
+    with tempfile.TemporaryDirectory() as folder:
+        os.symlink(data, pathlib.Path(folder) / "data")
+        run = subprocess.run([str(program)], cwd=folder, capture_output=True, text=True, check=False)
+    printed = run.stdout.splitlines()
+    if run.returncode == 0 and lines_match(shown, printed):
+        return 0
+    print(f"{program.stem} ends with {run.returncode} and prints", *printed, sep="\n")
+    print("\nthe manual shows", *shown, sep="\n")
+    return 1
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
