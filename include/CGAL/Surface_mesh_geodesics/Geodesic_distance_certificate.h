@@ -26,11 +26,13 @@ namespace Surface_mesh_geodesics {
 /*!
 \ingroup PkgSurfaceMeshGeodesicsClasses
 
-The class `Geodesic_distance_certificate` is the result of `certify_geodesic_distances()`: how far given distances violate
-each of several conditions, and where.
+The class `Geodesic_distance_certificate` is the result of `certify_geodesic_distances()`: how far given distances
+violate each of several conditions, and where.
 
-A violation is relative: what a number is too large or too small by, divided by the sum of the right number and the longest
-edge of the faces around. It is infinite where a number is missing, infinite or not a number and must not be.
+A violation is relative: what a number is too large or too small by, divided by the sum of the right number and the
+longest edge of the faces around. It is infinite where a number is missing, infinite or not a number and must not be.
+What is too large or too small by less than \f$ 8 \epsilon \approx 1.8 \cdot 10^{-15} \f$ of the extent of the mesh is
+no violation, as points so near to each other are not told apart.
 
 \tparam TriangleMesh a model of `FaceListGraph`
 */
@@ -75,9 +77,9 @@ public:
   /// returns the largest violation of a condition.
   double worst_violation(Condition c) const { return entry(c).violation; }
 
-  /// returns the vertex where a condition is violated most: for `EDGES` and `PAIRS_OF_FACES` the vertex whose distance is
-  /// too long compared with that of another one, for `PROOF` a vertex of the face. It is the null vertex if the condition
-  /// is not violated, or if it is at a source that is not a vertex.
+  /// returns the vertex where a condition is violated most: for `EDGES` and `PAIRS_OF_FACES` the vertex whose distance
+  /// is too long compared with that of another one, for `PROOF` a vertex of the face. It is the null vertex if the
+  /// condition is not violated, or if it is at a source that is not a vertex.
   vertex_descriptor worst_vertex(Condition c) const { return entry(c).vertex; }
 
   /// returns how many times a condition has been checked.

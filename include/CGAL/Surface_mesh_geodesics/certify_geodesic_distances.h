@@ -74,23 +74,25 @@ The function does not compare the distances with others. It looks for a proof th
 - that no distance is too short, by a path for each vertex. Paths are measured piece by piece; each piece has to lie in
   one face, and the last one has to end at a source.
 - that no distance is too long, by a function on all edges of the mesh. If, between any two points on the border of one
-  face, it grows by no more than their distance in the plane of the face, then it grows along no path by more than the length
-  of the path. This is checked for all pairs of points of all faces; see \ref Surface_mesh_geodesics_certification.
+  face, it grows by no more than their distance in the plane of the face, then it grows along no path by more than the
+  length of the path. This is checked for all pairs of points of all faces (see
+  \ref Surface_mesh_geodesics_certification).
 
-Paths and function are made with a propagation; if that errs, the proof fails. Besides, conditions are checked that need no
-propagation (`REACH`, `SOURCES`, `EDGES`, `PAIRS_OF_FACES`), and some distances are computed in reverse.
-What is taken for granted are the lengths of the edges as they were read, the insertion of sources that are not vertices, and
-that rounding errors do not add up to more than the tolerance: if no condition is violated by more than \f$ \delta \f$, a
-distance errs by no more than \f$ \delta \f$ downwards and \f$ (m + 1) \delta \f$ upwards, in the units of
-`Geodesic_distance_certificate`, where \f$ m \f$ is the number of faces that a shortest path crosses.
+Paths and function are made with a propagation; if that errs, the proof fails. Besides, conditions are checked that need
+no propagation (`REACH`, `SOURCES`, `EDGES`, `PAIRS_OF_FACES`), and some distances are computed in reverse. What is
+taken for granted are the lengths of the edges as they were read and the insertion of sources that are not vertices.
 
-Takes the time and the memory of a propagation that keeps its windows, and in addition for each face a time quadratic in the
-number of intervals into which the function divides its edges, and for each vertex a time linear in the number of faces that its
-path crosses.
+If no condition is violated by more than \f$ \delta \f$, a distance is too short by no more than \f$ \delta \f$, and too
+long by no more than \f$ (m + 3) \delta \f$, relative to the sum of the distance and the longest edge of the mesh, where
+\f$ m \f$ is the number of faces that a shortest path crosses.
+
+Takes the time and the memory of a propagation that keeps its windows, and in addition for each face a time quadratic in
+the number of intervals into which the function divides its edges, and for each vertex a time linear in the number of
+faces that its path crosses.
 
 \tparam TriangleMesh a model of `FaceListGraph`
-\tparam VertexDistanceMap a model of `ReadablePropertyMap` with the vertex descriptor of `TriangleMesh` as key type and a
-        number type that `CGAL::to_double()` takes as value type
+\tparam VertexDistanceMap a model of `ReadablePropertyMap` with the vertex descriptor of `TriangleMesh` as key type and
+        a number type that `CGAL::to_double()` takes as value type
 \tparam Sources a source or a range of sources, as for `geodesic_distances()`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
@@ -142,8 +144,8 @@ certify_geodesic_distances(const TriangleMesh& tm, VertexDistanceMap vertex_dist
 /*!
 \ingroup PkgSurfaceMeshGeodesicsFunctions
 
-checks distances that have been computed with options, of which it regards the offsets and the radius: vertices beyond the
-radius must have an infinite distance. Targets are not regarded.
+checks distances that have been computed with options, of which it regards the offsets and the radius: vertices beyond
+the radius must have an infinite distance. Targets are not regarded.
 
 \throws Invalid_geodesic_input also if the radius or an offset is invalid
 */
@@ -169,7 +171,16 @@ certify_geodesic_distances(const TriangleMesh& tm, VertexDistanceMap vertex_dist
 checks distances on a surface that is given by the lengths of its edges, with options.
 
 \tparam EdgeLengthMap see `geodesic_distances_from_edge_lengths()`
+
+\param tm the triangle mesh
 \param edge_length_map the lengths
+\param vertex_distance_map the distances
+\param sources the source or sources
+\param options the options, of which the offsets and the radius are regarded
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among those of
+       `certify_geodesic_distances()`, but for `vertex_point_map`, which is not used
+
+\throws Invalid_geodesic_input as `geodesic_distances_from_edge_lengths()` does
 */
 template <typename TriangleMesh, typename EdgeLengthMap, typename VertexDistanceMap, typename Sources,
           typename NearestSourceMap, typename CGAL_NP_TEMPLATE_PARAMETERS>

@@ -89,7 +89,8 @@ public:
       m_sources.emplace_back(set.vertices[i], offsets.empty() ? FT(0) : FT(FT(offsets[i]) / m_surface.unit()));
   }
 
-  // `value(v)` is the distance of a vertex descriptor v, in the unit of the user; there are no distances beyond `limit`.
+  // `value(v)` is the distance of a vertex descriptor v, in the unit of the user; there are no distances beyond
+  // `limit`.
   template <typename Value>
   Checked_conditions<FT> run(Value value, const FT& user_limit, std::size_t number_of_reverse_runs)
   {

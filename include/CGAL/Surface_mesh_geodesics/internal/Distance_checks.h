@@ -163,8 +163,8 @@ public:
     worst.look_at(reverse < values[v] ? FT(values[v] - reverse) : FT(reverse - values[v]), reverse + m_scale[v], v);
   }
 
-  // The length of a path on the surface, from its first vertex to a source, and the offset of the source; infinity if it
-  // does not end at a source, or a piece of it is in no face.
+  // The length of a path on the surface, from its first vertex to a source, and the offset of the source; infinity if
+  // it does not end at a source, or a piece of it is in no face.
   FT length_to_source(const Path_steps<FT>& path) const
   {
     if(path.empty() || path.front().vertex == null_id || path.back().vertex == null_id)

@@ -66,21 +66,30 @@ public:
     m_pieces.clear();
   }
 
-  // Paths from an image reach the interval of the piece, and all of the edge by going on along it.
+  // The interval of a piece, between 0 and the length of the edge, is reached straight from its image, and the rest of
+  // the edge by going on along it.
   void add(const Piece& piece)
+  {
+    add(piece, {FT(0), piece.begin, piece.begin, FT(0), piece.at(piece.begin)},
+        {piece.end, m_length, piece.end, FT(0), piece.at(piece.end)});
+  }
+
+  // The same, where the places before and behind the interval are reached from other images. (Intervals that should
+  // meet may be apart by rounding, and a path that is bent somewhere on its way is longer by the square of that only.)
+  void add(const Piece& piece, const Piece& before, const Piece& behind)
   {
     if(!(piece.begin < piece.end))
       return;
     if(m_pieces.empty())
     {
-      append_part({FT(0), piece.begin, piece.begin, FT(0), piece.at(piece.begin)}, m_pieces);
+      append_part(before, m_pieces);
       append_part(piece, m_pieces);
-      append_part({piece.end, m_length, piece.end, FT(0), piece.at(piece.end)}, m_pieces);
+      append_part(behind, m_pieces);
       return;
     }
     add_part(piece);
-    add_part({FT(0), piece.begin, piece.begin, FT(0), piece.at(piece.begin)});
-    add_part({piece.end, m_length, piece.end, FT(0), piece.at(piece.end)});
+    add_part(before);
+    add_part(behind);
   }
 
   // from 0 to the length of the edge without gap; none if nothing reaches it.

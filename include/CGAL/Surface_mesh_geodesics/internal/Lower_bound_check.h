@@ -15,15 +15,15 @@
 // A proof that distances are not too long, which does not depend on how they were found.
 //
 // Let u be a function on the edges of the surface such that u(p) <= u(q) + |pq| for any two points p and q on the
-// border of one face, and that is not greater than the offset at each source. Then u is not greater than the distance at
-// any vertex: a path from a source to the vertex is cut by the edges into pieces that cross one face each, and along each
-// piece u grows by no more than its length. Here u is made of the windows that a propagation has kept, whatever they are
-// worth, and the condition is checked for all pairs of points: u consists of pieces, the least of u(q) + |pq| over the
-// points q of a piece is the distance from an image, reflected into the plane of the face, or from an end of the piece;
-// and the difference of two such distances has its extrema at known places.
+// border of one face, and that is not greater than the offset at each source. Then u is not greater than the distance
+// at any vertex: a path from a source to the vertex is cut by the edges into pieces that cross one face each, and along
+// each piece u grows by no more than its length. Here u is made of the windows that a propagation has kept, whatever
+// they are worth, and the condition is checked for all pairs of points: u consists of pieces, the least of u(q) + |pq|
+// over the points q of a piece is the distance from an image, reflected into the plane of the face, or from an end of
+// the piece; and the difference of two such distances has its extrema at known places.
 //
 // With rounding, u(p) <= u(q) + |pq| + e holds for the largest e that is found, and the distance is not less than
-// u - m e, where m is the number of faces that a shortest path crosses.
+// u - (m + 2) e, where m is the number of faces that a shortest path crosses, as u may also err by e at both ends.
 
 #include <CGAL/Surface_mesh_geodesics/internal/Edge_distance_function.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Edge_window_field.h>
@@ -127,6 +127,13 @@ private:
     const Crossing<FT> c = m_mesh.crossing(h);
     auto add = [&](const Piece& p)
     { function.add(is_backwards ? backwards(p, c.length) : p); };
+    auto add_three = [&](const Piece& before, const Piece& p, const Piece& behind)
+    {
+      if(is_backwards)
+        function.add(backwards(p, c.length), backwards(behind, c.length), backwards(before, c.length));
+      else
+        function.add(p, before, behind);
+    };
     const std::pair<Vertex_id, Point> corners[3]
       = {{c.origin, {FT(0), FT(0)}}, {c.target, {c.length, FT(0)}}, {c.apex, {c.apex_x, c.apex_y}}};
     for(const std::pair<Vertex_id, Point>& corner : corners)
@@ -135,9 +142,9 @@ private:
     m_windows.for_each_window(h, [&](const Kept_window<FT>& w)
     { add({w.begin, w.end, w.image_x, w.image_depth, m_distance[w.root]}); });
     if(c.right_length > 0)
-      add_windows_through(next_halfedge(h), right_side(c), c.length, add);
+      add_windows_through(next_halfedge(h), right_side(c), c.length, add_three);
     if(c.left_length > 0)
-      add_windows_through(previous_halfedge(h), reversed(left_side(c)), c.length, add);
+      add_windows_through(previous_halfedge(h), reversed(left_side(c)), c.length, add_three);
   }
 
   // adds what the windows that have entered the face across g see of the base, which has the given length.
@@ -152,13 +159,20 @@ private:
                            side.at(w.image_x).y - w.image_depth * side.unit.x};
       if(!(image.y > 0))
         return;
-      // From the end of an interval on the right side, which rises from the base, to its begin one looks at the base from
-      // left to right; so one does on the left side, which falls to it. A ray that rises goes on forever.
+      // From the end of an interval on the right side, which rises from the base, to its begin one looks at the base
+      // from left to right; so one does on the left side, which falls to it. A ray that rises goes on forever.
+      const Point left = side.at(w.end), right = side.at(w.begin);
       const FT rising = side.unit.y > 0 ? -infinity : infinity;
-      const FT first = seen_on_base(image, side.at(w.end), rising), last = seen_on_base(image, side.at(w.begin), rising);
-      add({(std::max)(first, FT(0)), (std::min)(last, length), image.x, image.y, m_distance[w.root]});
+      const FT first = (std::max)(seen_on_base(image, left, rising), FT(0)),
+               last = (std::min)(seen_on_base(image, right, rising), length);
+      const FT offset = m_distance[w.root];
+      add(Piece{FT(0), first, left.x, left.y, offset + distance(image, left)},
+          Piece{first, last, image.x, image.y, offset},
+          Piece{last, length, right.x, right.y, offset + distance(image, right)});
     });
   }
+
+  static FT distance(const Point& a, const Point& b) { return norm<FT>(b.x - a.x, b.y - a.y); }
 
   // where the ray from the image through p meets the base, or `rising` if it rises.
   static FT seen_on_base(const Point& image, const Point& p, const FT& rising)
@@ -195,9 +209,13 @@ private:
     pieces.clear();
     const bool is_first = is_first_of_edge(h);
     const std::size_t e = entry(is_first ? h : m_mesh.opposite(h));
-    for(std::size_t i = 0; i < m_size[e]; ++i)
-      pieces.push_back(is_first != is_backwards ? m_pieces[m_begin[e] + i]
-                                                : backwards(m_pieces[m_begin[e] + m_size[e] - 1 - i], m_mesh.length(h)));
+    const auto first = m_pieces.begin() + static_cast<std::ptrdiff_t>(m_begin[e]);
+    pieces.assign(first, first + static_cast<std::ptrdiff_t>(m_size[e]));
+    if(is_first != is_backwards)
+      return;
+    std::reverse(pieces.begin(), pieces.end());
+    for(Piece& p : pieces)
+      p = backwards(p, m_mesh.length(h));
   }
 
   // --- the condition ---

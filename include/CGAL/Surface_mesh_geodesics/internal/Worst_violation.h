@@ -15,6 +15,7 @@
 // What a check of a condition finds: how many times it looked, and the worst that it saw.
 
 #include <CGAL/Surface_mesh_geodesics/internal/Index_types.h>
+#include <CGAL/Surface_mesh_geodesics/internal/planar_geometry.h>
 
 #include <cstddef>
 #include <limits>
@@ -30,11 +31,12 @@ struct Worst_violation
   Vertex_id vertex = null_id; // where it is; null_id if nothing is violated
   std::size_t number_of_checks = 0;
 
-  // a condition that is violated by `excess` if that is positive, where lengths are about `scale`.
+  // a condition that is violated by `excess` if that is positive, where lengths are about `scale`. What cannot be told
+  // from zero beside the extent of the mesh, which is about 1, is no violation.
   void look_at(const FT& excess, const FT& scale, Vertex_id v)
   {
     ++number_of_checks;
-    if(excess <= 0)
+    if(excess <= Tolerance<FT>::gap())
       return;
     const FT relative = excess / scale;
     // (also where the excess is not a number)
