@@ -15,6 +15,7 @@ usage: run_benchmark.sh [options]
   --heat             Heat_method_3, too: times and errors (needs Eigen)
   --questions        the programs for one question each, too: growth, anisotropy, sources, reach, rules, face queries,
                      threads, matrix; and plots, if python3 has matplotlib
+  --certify          certified distances on all meshes of the data, too, compared with the original
   --repetitions N    runs of each method on the standard meshes (5)
   --all-repetitions N  the same for --all (3)
   --paths-repetitions N  the same for --paths (5)
@@ -49,6 +50,7 @@ voronoi_repetitions=3
 heat=no
 heat_repetitions=5
 questions=no
+certify=no
 
 while [ $# -gt 0 ]; do
   case "$1" in
@@ -57,6 +59,7 @@ while [ $# -gt 0 ]; do
     --voronoi) voronoi=yes ;;
     --heat) heat=yes ;;
     --questions) questions=yes ;;
+    --certify) certify=yes ;;
     --no-standard) standard=no ;;
     --repetitions) repetitions="$2"; shift ;;
     --all-repetitions) all_repetitions="$2"; shift ;;
@@ -90,6 +93,7 @@ if [ -z "$programs" ]; then
   [ "$heat" = no ] || targets+=(benchmark_against_heat_method)
   [ "$questions" = no ] || targets+=(benchmark_growth benchmark_anisotropy benchmark_sources benchmark_reach benchmark_rules
                                      benchmark_face_queries benchmark_threads benchmark_matrix)
+  [ "$certify" = no ] || targets+=(benchmark_certification)
   [ "${#targets[@]}" -gt 0 ] || { usage >&2; exit 1; }
   cmake --build "$build/programs" --target "${targets[@]}" > "$build/build.log"
   programs="$(dirname "$(find "$build/programs" -type f -name "${targets[0]}" | head -n 1)")"
@@ -322,6 +326,12 @@ if [ "$questions" = yes ]; then
   # These two measure the time that passes: the machine has to be idle.
   ask threads --subdivide 2 "$meshes/bunny00.off"
   ask matrix --rows 64 "$meshes/bunny00.off"
+fi
+
+if [ "$certify" = yes ]; then
+  find "$meshes" -maxdepth 1 -type f \( -name '*.off' -o -name '*.ply' -o -name '*.stl' \) | LC_ALL=C sort > "$build/list.txt"
+  "$programs/benchmark_certification" --flags "$flags" --memory-limit 8192 --list "$build/list.txt" \
+    | tee "$build/certified_meshes.csv" || echo "some meshes are not certified, see $build/certified_meshes.csv" >&2
 fi
 
 for python in python3 /usr/bin/python3; do

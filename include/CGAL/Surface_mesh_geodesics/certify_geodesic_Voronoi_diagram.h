@@ -1,0 +1,436 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_CERTIFY_GEODESIC_VORONOI_DIAGRAM_H
+#define CGAL_SURFACE_MESH_GEODESICS_CERTIFY_GEODESIC_VORONOI_DIAGRAM_H
+
+#include <CGAL/license/Surface_mesh_geodesics.h>
+
+#include <CGAL/Surface_mesh_geodesics/Geodesic_Voronoi_certificate.h>
+#include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_Voronoi_diagram.h>
+#include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_paths.h>
+#include <CGAL/Surface_mesh_geodesics/internal/planar_geometry.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+
+namespace internal {
+
+// Checks a diagram by what its members tell, against distances from one site at a time. `Paths` computes these;
+// `length(h)` is the length of a halfedge.
+template <typename Diagram, typename Paths, typename Length>
+class Voronoi_certifier
+{
+  using Triangle_mesh = typename Diagram::Triangle_mesh;
+  using Graph_traits = boost::graph_traits<Triangle_mesh>;
+  using vertex_descriptor = typename Graph_traits::vertex_descriptor;
+  using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
+  using face_descriptor = typename Graph_traits::face_descriptor;
+  using Face_location = typename Diagram::Face_location;
+  using Certificate = Geodesic_Voronoi_certificate;
+  using Condition = Certificate::Condition;
+
+public:
+  Voronoi_certifier(const Diagram& diagram, Length length)
+    : m_diagram(diagram), m_tm(diagram.triangle_mesh()), m_length(length)
+  {}
+
+  // make_paths() makes an object of shortest paths without sources, behind a pointer.
+  template <typename MakePaths>
+  Certificate run(MakePaths make_paths)
+  {
+    m_certificate = Certificate();
+    m_longest_edge = 0;
+    for(const face_descriptor f : faces(m_tm))
+      m_longest_edge = (std::max)(m_longest_edge, longest_edge(f));
+    if(m_diagram.number_of_sites() == 0)
+      return m_certificate;
+    collect_samples();
+    for(std::size_t i = 0; i < m_diagram.number_of_sites(); ++i)
+      check_distances_from(i, make_paths);
+    check_boundaries();
+    check_areas();
+    return m_certificate;
+  }
+
+private:
+  // A point of the surface, and what the diagram tells of it: the sites that are nearest, and their distance less
+  // their weights.
+  struct Sample
+  {
+    vertex_descriptor vertex; // the null vertex for a location
+    Face_location location;
+    std::size_t first_site, number_of_sites; // in m_sites
+    double distance;
+    Condition condition;
+  };
+
+  static constexpr std::size_t null_site() { return Certificate::null_site(); }
+  static double infinity() { return std::numeric_limits<double>::infinity(); }
+
+  // --- samples ---
+
+  void collect_samples()
+  {
+    for(const auto& arc : m_diagram.arcs())
+      for(const double t : {0., 0.125, 0.375, 0.5, 0.625, 0.875, 1.})
+        add_sample(arc.point(t), {arc.sites().first, arc.sites().second}, CGAL::to_double(arc.distance(t)),
+                   Condition::ARCS);
+    for(const auto& v : m_diagram.vertices())
+      add_sample(v.location(), v.sites(), CGAL::to_double(v.distance()), Condition::VERTICES);
+    for(const vertex_descriptor v : vertices(m_tm))
+      if(!is_isolated(v))
+      {
+        add_sample(Face_location(), {m_diagram.nearest_site(v)},
+                   CGAL::to_double(m_diagram.distance_to_nearest_site(v)), Condition::OWNERS);
+        m_samples.back().vertex = v;
+      }
+    for(const face_descriptor f : faces(m_tm))
+      add_samples_in_face(f);
+  }
+
+  // One point in a face that arcs do not cross, and more in one that they do, all at different places.
+  void add_samples_in_face(face_descriptor f)
+  {
+    const std::size_t number = m_diagram.arcs(f).empty() ? 1 : 8;
+    for(std::size_t i = 0; i < number; ++i)
+    {
+      // A sequence that fills the unit square evenly (multiples of the powers of 0.7548..., the inverse of the
+      // real root of x^3 = x + 1), folded to the triangle.
+      m_sequence[0] = std::fmod(m_sequence[0] + 0.7548776662466927, 1.);
+      m_sequence[1] = std::fmod(m_sequence[1] + 0.5698402909980532, 1.);
+      double x = m_sequence[0], y = m_sequence[1];
+      if(x + y > 1)
+      {
+        x = 1 - x;
+        y = 1 - y;
+      }
+      const Face_location l(f, typename Diagram::Barycentric_coordinates{1 - x - y, x, y});
+      const double d = CGAL::to_double(m_diagram.distance_to_nearest_site(l));
+      add_sample(l, {m_diagram.nearest_site(l)}, d, Condition::OWNERS);
+    }
+  }
+
+  void add_sample(const Face_location& l, const std::vector<std::size_t>& sites, double distance, Condition condition)
+  {
+    m_samples.push_back({Graph_traits::null_vertex(), l, m_sites.size(), sites.size(), distance, condition});
+    m_sites.insert(m_sites.end(), sites.begin(), sites.end());
+  }
+
+  // (a vertex may have edges, but no faces)
+  bool is_isolated(vertex_descriptor v) const
+  {
+    if(CGAL::halfedges_around_target(v, m_tm).empty())
+      return true;
+    for(const halfedge_descriptor h : CGAL::halfedges_around_target(v, m_tm))
+      if(!is_border(h, m_tm))
+        return false;
+    return true;
+  }
+
+  // --- distances ---
+
+  // A site that is at a vertex without faces has no place; it is nearest to nothing else.
+  template <typename MakePaths>
+  void check_distances_from(std::size_t i, MakePaths make_paths)
+  {
+    const Face_location site = m_diagram.site(i);
+    if(site.first == Graph_traits::null_face())
+      return;
+    auto paths = make_paths();
+    paths->add_source_point(site);
+    paths->build_sequence_tree_for_faces();
+    const double weight = CGAL::to_double(m_diagram.weight(i));
+    for(const Sample& s : m_samples)
+    {
+      const double d = CGAL::to_double(s.vertex != Graph_traits::null_vertex()
+                                         ? paths->shortest_distance_to_source_points(s.vertex).first
+                                         : paths->shortest_distance_to_source_points(s.location.first,
+                                                                                     s.location.second).first);
+      check_sample(s, i, d < 0 ? infinity() : d, weight);
+    }
+  }
+
+  void check_sample(const Sample& s, std::size_t i, double distance, double weight)
+  {
+    const auto first = m_sites.begin() + static_cast<std::ptrdiff_t>(s.first_site);
+    const auto last = first + static_cast<std::ptrdiff_t>(s.number_of_sites);
+    if(std::find(first, last, i) != last)
+      m_certificate.look_at(s.condition, std::abs(distance - weight - s.distance) / (distance + m_longest_edge), i);
+    else if(distance < infinity() && *first == null_site())
+      m_certificate.look_at(Condition::NEAREST, infinity(), i);
+    else if(distance < infinity())
+      m_certificate.look_at(Condition::NEAREST, (s.distance - distance + weight) / (distance + m_longest_edge), i);
+  }
+
+  // --- boundaries ---
+
+  using Directed_edge = std::pair<typename Diagram::Edge, bool>;
+  using Directed_arc = std::pair<typename Diagram::Arc, bool>;
+
+  void check_boundaries()
+  {
+    for(const auto& e : m_diagram.edges())
+      for(std::size_t k = 1; k < e.arcs().size(); ++k)
+        m_certificate.look_at(Condition::BOUNDARIES, gap(end_of(e.arcs()[k - 1]), start_of(e.arcs()[k])),
+                              e.sites().first);
+    std::vector<std::array<int, 2>> uses(m_diagram.edges().size(), std::array<int, 2>{0, 0});
+    for(std::size_t i = 0; i < m_diagram.number_of_sites(); ++i)
+      for(const auto& b : m_diagram.boundary(i))
+        check_boundary(i, b, uses);
+    for(const auto& e : m_diagram.edges())
+      if(uses[e.index()] != std::array<int, 2>{1, 1})
+        m_certificate.look_at(Condition::BOUNDARIES, infinity(), e.sites().first);
+  }
+
+  // A boundary of the cell of a site; counts how many times it uses the sides of edges.
+  template <typename Boundary>
+  void check_boundary(std::size_t i, const Boundary& b, std::vector<std::array<int, 2>>& uses)
+  {
+    for(std::size_t k = 0; k < b.edges.size(); ++k)
+    {
+      const Directed_edge& e = b.edges[k];
+      ++uses[e.first.index()][e.second ? 1 : 0];
+      const auto sites = e.first.sites();
+      const bool is_on_left = (e.second ? sites.second : sites.first) == i;
+      m_certificate.look_at(Condition::BOUNDARIES, is_on_left ? 0 : infinity(), i);
+      if(k > 0)
+        m_certificate.look_at(Condition::BOUNDARIES, gap(end_of(b.edges[k - 1]), start_of(e)), i);
+    }
+    const Face_location first = start_of(b.edges.front()), last = end_of(b.edges.back());
+    if(b.is_closed)
+      m_certificate.look_at(Condition::BOUNDARIES, gap(last, first), i);
+    else
+      m_certificate.look_at(Condition::BOUNDARIES, (std::max)(gap_to_border(first), gap_to_border(last)), i);
+  }
+
+  static Face_location start_of(const Directed_arc& a) { return a.first.point(a.second ? 1. : 0.); }
+  static Face_location end_of(const Directed_arc& a) { return a.first.point(a.second ? 0. : 1.); }
+
+  static Directed_arc turned(const Directed_arc& a) { return Directed_arc(a.first, !a.second); }
+
+  static Face_location start_of(const Directed_edge& e)
+  {
+    return e.second ? start_of(turned(e.first.arcs().back())) : start_of(e.first.arcs().front());
+  }
+
+  static Face_location end_of(const Directed_edge& e)
+  {
+    return e.second ? end_of(turned(e.first.arcs().front())) : end_of(e.first.arcs().back());
+  }
+
+  std::array<vertex_descriptor, 3> corners(face_descriptor f) const
+  {
+    const halfedge_descriptor h = halfedge(f, m_tm);
+    return {source(h, m_tm), target(h, m_tm), target(next(h, m_tm), m_tm)};
+  }
+
+  // How far two locations are apart, relative to the longest edge of a face: the largest difference of the coordinates
+  // that belong to the same vertex.
+  double gap(const Face_location& a, const Face_location& b) const
+  {
+    const std::array<vertex_descriptor, 3> of_a = corners(a.first), of_b = corners(b.first);
+    double largest = 0;
+    for(std::size_t k = 0; k < 3; ++k)
+    {
+      largest = (std::max)(largest, std::abs(CGAL::to_double(a.second[k]) - coordinate(b, of_b, of_a[k])));
+      largest = (std::max)(largest, std::abs(CGAL::to_double(b.second[k]) - coordinate(a, of_a, of_b[k])));
+    }
+    return largest;
+  }
+
+  static double coordinate(const Face_location& l, const std::array<vertex_descriptor, 3>& of_l, vertex_descriptor v)
+  {
+    double sum = 0; // (a vertex may be several corners of a face)
+    for(std::size_t k = 0; k < 3; ++k)
+      sum += of_l[k] == v ? CGAL::to_double(l.second[k]) : 0.;
+    return sum;
+  }
+
+  // the same for the nearest border edge or vertex of the face.
+  double gap_to_border(const Face_location& l) const
+  {
+    double smallest = infinity();
+    halfedge_descriptor h = halfedge(l.first, m_tm);
+    for(std::size_t k = 0; k < 3; ++k, h = next(h, m_tm))
+    {
+      if(is_border(opposite(h, m_tm), m_tm))
+        smallest = (std::min)(smallest, CGAL::to_double(l.second[(k + 2) % 3]));
+      for(const halfedge_descriptor g : CGAL::halfedges_around_source(h, m_tm))
+        if(is_border(g, m_tm))
+          smallest = (std::min)(smallest, 1 - CGAL::to_double(l.second[k]));
+    }
+    return (std::max)(smallest, 0.);
+  }
+
+  // --- areas ---
+
+  void check_areas()
+  {
+    double expected = 0, sum = 0;
+    for(const face_descriptor f : faces(m_tm))
+      if(m_diagram.nearest_site(source(halfedge(f, m_tm), m_tm)) != null_site())
+        expected += area(f);
+    for(std::size_t i = 0; i < m_diagram.number_of_sites(); ++i)
+    {
+      const double a = CGAL::to_double(m_diagram.area(i));
+      sum += a;
+      m_certificate.look_at(Condition::AREAS, a < 0 ? -a / expected : 0., i);
+    }
+    m_certificate.look_at(Condition::AREAS, sum == expected ? 0. : std::abs(sum - expected) / expected, null_site());
+  }
+
+  double area(face_descriptor f) const
+  {
+    std::array<double, 3> l = lengths(f);
+    std::sort(l.begin(), l.end());
+    return l[0] * planar_triangle_from_lengths(l[0], l[1], l[2]).apex_y / 2;
+  }
+
+  std::array<double, 3> lengths(face_descriptor f) const
+  {
+    const halfedge_descriptor h = halfedge(f, m_tm), g = next(h, m_tm);
+    return {m_length(h), m_length(g), m_length(next(g, m_tm))};
+  }
+
+  double longest_edge(face_descriptor f) const
+  {
+    const std::array<double, 3> l = lengths(f);
+    return *std::max_element(l.begin(), l.end());
+  }
+
+  const Diagram& m_diagram;
+  const Triangle_mesh& m_tm;
+  Length m_length;
+  double m_longest_edge = 0;
+  std::array<double, 2> m_sequence{{0.5, 0.5}};
+  std::vector<Sample> m_samples;
+  std::vector<std::size_t> m_sites; // of the samples
+  Certificate m_certificate;
+};
+
+// Both functions: `length` tells the length of a halfedge, `prepare` sets the lengths of an object of shortest paths.
+template <typename Traits, typename Diagram, typename Length, typename Prepare, typename NamedParameters>
+Geodesic_Voronoi_certificate certify_Voronoi_diagram(const Diagram& diagram, Length length, Prepare prepare,
+                                                     const NamedParameters& np)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  const auto& tm = diagram.triangle_mesh();
+  auto vim = CGAL::get_initialized_vertex_index_map(tm, np);
+  auto him = CGAL::get_initialized_halfedge_index_map(tm, np);
+  auto fim = CGAL::get_initialized_face_index_map(tm, np);
+  auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
+                              get_const_property_map(CGAL::vertex_point, tm));
+  using Paths = Surface_mesh_geodesic_paths<Traits, decltype(vim), decltype(him), decltype(fim), decltype(vpm)>;
+  const auto make_paths = [&]
+  {
+    auto paths = std::make_unique<Paths>(tm, vim, him, fim, vpm);
+    prepare(*paths);
+    return paths;
+  };
+  return Voronoi_certifier<Diagram, Paths, Length>(diagram, length).run(make_paths);
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgSurfaceMeshGeodesicsFunctions
+
+checks a geodesic Voronoi diagram.
+
+The distances from each site are computed with `Surface_mesh_geodesic_paths`, from one site at a time, and compared with
+what the diagram tells:
+
+- that points of its arcs, and its vertices, are equally far from their sites, and how far;
+- that no other site is nearer to any of them;
+- which site is nearest to each vertex of the mesh and to points of all faces, one in each face and eight in those that
+  arcs cross;
+- that the boundaries of cells hang together, that they are closed or end at the border of the mesh, that cells
+  are on the left of them, and that each edge has one cell on each side;
+- that areas are not negative, and that their sum is the area of the mesh, or of its components that have a site.
+
+Distances are checked at these points, not between them; see \ref Surface_mesh_geodesics_certification for what this
+proves.
+
+Takes the time of a propagation that keeps its windows for each site, and of a query for each site and each point.
+
+\param diagram the diagram
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among `vertex_point_map`,
+       `vertex_index_map`, `halfedge_index_map` and `face_index_map`, with the meaning they have for
+       `geodesic_distances()`. The point map has to be that of the diagram.
+
+\throws Invalid_geodesic_input if the mesh or a site is invalid
+*/
+template <typename Traits, typename VIM, typename HIM, typename FIM, typename VPM,
+          typename CGAL_NP_TEMPLATE_PARAMETERS>
+Geodesic_Voronoi_certificate
+certify_geodesic_Voronoi_diagram(const Surface_mesh_geodesic_Voronoi_diagram<Traits, VIM, HIM, FIM, VPM>& diagram,
+                                 const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using halfedge_descriptor = typename boost::graph_traits<typename Traits::Triangle_mesh>::halfedge_descriptor;
+  const auto& tm = diagram.triangle_mesh();
+  auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
+                              get_const_property_map(CGAL::vertex_point, tm));
+  const auto length = [&](halfedge_descriptor h)
+  {
+    const auto& p = get(vpm, source(h, tm));
+    const auto& q = get(vpm, target(h, tm));
+    return std::hypot(CGAL::to_double(q.x()) - CGAL::to_double(p.x()), CGAL::to_double(q.y()) - CGAL::to_double(p.y()),
+                      CGAL::to_double(q.z()) - CGAL::to_double(p.z()));
+  };
+  return internal::certify_Voronoi_diagram<Traits>(diagram, length, [](auto&) {}, np);
+}
+
+/*!
+\ingroup PkgSurfaceMeshGeodesicsFunctions
+
+checks a geodesic Voronoi diagram that uses the lengths of edges instead of points.
+
+\tparam EdgeLengthMap see `geodesic_distances_from_edge_lengths()`
+
+\param diagram the diagram
+\param edge_length_map the lengths, those of the diagram
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters", as above
+*/
+template <typename Traits, typename VIM, typename HIM, typename FIM, typename VPM, typename EdgeLengthMap,
+          typename CGAL_NP_TEMPLATE_PARAMETERS>
+Geodesic_Voronoi_certificate certify_geodesic_Voronoi_diagram_from_edge_lengths(
+  const Surface_mesh_geodesic_Voronoi_diagram<Traits, VIM, HIM, FIM, VPM>& diagram, EdgeLengthMap edge_length_map,
+  const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  using halfedge_descriptor = typename boost::graph_traits<typename Traits::Triangle_mesh>::halfedge_descriptor;
+  const auto& tm = diagram.triangle_mesh();
+  const auto length = [&](halfedge_descriptor h) { return CGAL::to_double(get(edge_length_map, edge(h, tm))); };
+  return internal::certify_Voronoi_diagram<Traits>(
+    diagram, length, [&](auto& paths) { paths.use_edge_lengths(edge_length_map); }, np);
+}
+
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_CERTIFY_GEODESIC_VORONOI_DIAGRAM_H

@@ -1,0 +1,221 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_CERTIFY_GEODESIC_DISTANCES_H
+#define CGAL_SURFACE_MESH_GEODESICS_CERTIFY_GEODESIC_DISTANCES_H
+
+#include <CGAL/license/Surface_mesh_geodesics.h>
+
+#include <CGAL/Surface_mesh_geodesics/Geodesic_distance_certificate.h>
+#include <CGAL/Surface_mesh_geodesics/Geodesic_distance_options.h>
+#include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Distance_certifier.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Distance_solver.h>
+#include <CGAL/Surface_mesh_geodesics/internal/intrinsic_mesh_from_face_graph.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+
+namespace internal {
+
+// `make_shape` tells where the lengths come from.
+template <typename TriangleMesh, typename VertexDistanceMap, typename Sources, typename NearestSourceMap,
+          typename MakeShape, typename NamedParameters>
+Geodesic_distance_certificate<TriangleMesh>
+certify_distances(const TriangleMesh& tm, VertexDistanceMap vertex_distance_map, const Sources& sources,
+                  const Geodesic_distance_options<TriangleMesh, NearestSourceMap>& options, MakeShape make_shape,
+                  const NamedParameters& np)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+
+  auto vim = CGAL::get_initialized_vertex_index_map(tm, np);
+  auto fim = CGAL::get_initialized_face_index_map(tm, np);
+  check_maximum_distance(options.maximum_distance);
+  check_offsets(options.source_offsets);
+  Distance_certifier<double, TriangleMesh, decltype(vim), decltype(fim)> certifier(tm, vim, fim, make_shape());
+  certifier.set_sources(sources, options.source_offsets);
+  const auto conditions = certifier.run(
+    [&](vertex_descriptor v) { return CGAL::to_double(get(vertex_distance_map, v)); }, options.maximum_distance,
+    static_cast<std::size_t>(choose_parameter(get_parameter(np, internal_np::number_of_iterations), 4)));
+  const auto& surface = certifier.surface();
+  return Geodesic_distance_certificate<TriangleMesh>(conditions, [&](Vertex_id v)
+  {
+    return v < surface.number_of_vertices() ? surface.descriptor(v)
+                                            : boost::graph_traits<TriangleMesh>::null_vertex();
+  });
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgSurfaceMeshGeodesicsFunctions
+
+checks that given distances are the geodesic distances from a source, or from the nearest of several sources, to the
+vertices of a triangle mesh.
+
+The function does not compare the distances with others. It looks for a proof that they are right, and checks it:
+
+- that no distance is too short, by a path for each vertex. Paths are measured piece by piece; each piece has to lie in
+  one face, and the last one has to end at a source.
+- that no distance is too long, by a function on all edges of the mesh. If, between any two points on the border of one
+  face, it grows by no more than their distance in the plane of the face, then it grows along no path by more than the
+  length of the path. This is checked for all pairs of points of all faces (see
+  \ref Surface_mesh_geodesics_certification).
+
+Paths and function are made with a propagation; if that errs, the proof fails. Besides, conditions are checked that need
+no propagation (`REACH`, `SOURCES`, `EDGES`, `PAIRS_OF_FACES`), and some distances are computed in reverse. What is
+taken for granted are the lengths of the edges as they were read and the insertion of sources that are not vertices.
+
+If no condition is violated by more than \f$ \delta \f$, a distance is too short by no more than \f$ \delta \f$, and too
+long by no more than \f$ (m + 3) \delta \f$, relative to the sum of the distance and the longest edge of the mesh, where
+\f$ m \f$ is the number of faces that a shortest path crosses.
+
+Takes the time and the memory of a propagation that keeps its windows, and in addition for each face a time quadratic in
+the number of intervals into which the function divides its edges, and for each vertex a time linear in the number of
+faces that its path crosses.
+
+\tparam TriangleMesh a model of `FaceListGraph`
+\tparam VertexDistanceMap a model of `ReadablePropertyMap` with the vertex descriptor of `TriangleMesh` as key type and
+        a number type that `CGAL::to_double()` takes as value type
+\tparam Sources a source or a range of sources, as for `geodesic_distances()`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tm the triangle mesh
+\param vertex_distance_map the distances. Any numbers may be there, infinite ones and NaN as well.
+\param sources the source or sources
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{a property map associating points to the vertices of `tm`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with the vertex descriptor of `TriangleMesh`
+                   as key type and a 3D point type with the members `x()`, `y()`, `z()` as value type}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_index_map}
+    \cgalParamDescription{a property map associating to each vertex of `tm` a unique index between `0`
+                          and `num_vertices(tm) - 1`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with the vertex descriptor of `TriangleMesh`
+                   as key type and `std::size_t` as value type}
+    \cgalParamDefault{an automatically indexed internal map}
+  \cgalParamNEnd
+  \cgalParamNBegin{face_index_map}
+    \cgalParamDescription{a property map associating to each face of `tm` a unique index between `0`
+                          and `num_faces(tm) - 1`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with the face descriptor of `TriangleMesh`
+                   as key type and `std::size_t` as value type}
+    \cgalParamDefault{an automatically indexed internal map}
+  \cgalParamNEnd
+  \cgalParamNBegin{number_of_iterations}
+    \cgalParamDescription{the number of vertices from which distances are computed in reverse}
+    \cgalParamType{unsigned int}
+    \cgalParamDefault{`4`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return what has been found. Wrong distances are no reason to throw.
+
+\throws Invalid_geodesic_input if the mesh or a source is invalid, as `geodesic_distances()` does
+*/
+template <typename TriangleMesh, typename VertexDistanceMap, typename Sources, typename CGAL_NP_TEMPLATE_PARAMETERS>
+Geodesic_distance_certificate<TriangleMesh>
+certify_geodesic_distances(const TriangleMesh& tm, VertexDistanceMap vertex_distance_map, const Sources& sources,
+                           const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  return certify_geodesic_distances(tm, vertex_distance_map, sources, Geodesic_distance_options<TriangleMesh>(), np);
+}
+
+/*!
+\ingroup PkgSurfaceMeshGeodesicsFunctions
+
+checks distances that have been computed with options, of which it regards the offsets and the radius: vertices beyond
+the radius must have an infinite distance. Targets are not regarded.
+
+\throws Invalid_geodesic_input also if the radius or an offset is invalid
+*/
+template <typename TriangleMesh, typename VertexDistanceMap, typename Sources, typename NearestSourceMap,
+          typename CGAL_NP_TEMPLATE_PARAMETERS>
+Geodesic_distance_certificate<TriangleMesh>
+certify_geodesic_distances(const TriangleMesh& tm, VertexDistanceMap vertex_distance_map, const Sources& sources,
+                           const Geodesic_distance_options<TriangleMesh, NearestSourceMap>& options,
+                           const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
+                              get_const_property_map(CGAL::vertex_point, tm));
+  return internal::certify_distances(
+    tm, vertex_distance_map, sources, options,
+    [&]() { return internal::Shape_from_points<double, TriangleMesh, decltype(vpm)>(tm, vpm); }, np);
+}
+
+/*!
+\ingroup PkgSurfaceMeshGeodesicsFunctions
+
+checks distances on a surface that is given by the lengths of its edges, with options.
+
+\tparam EdgeLengthMap see `geodesic_distances_from_edge_lengths()`
+
+\param tm the triangle mesh
+\param edge_length_map the lengths
+\param vertex_distance_map the distances
+\param sources the source or sources
+\param options the options, of which the offsets and the radius are regarded
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among those of
+       `certify_geodesic_distances()`, but for `vertex_point_map`, which is not used
+
+\throws Invalid_geodesic_input as `geodesic_distances_from_edge_lengths()` does
+*/
+template <typename TriangleMesh, typename EdgeLengthMap, typename VertexDistanceMap, typename Sources,
+          typename NearestSourceMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
+Geodesic_distance_certificate<TriangleMesh>
+certify_geodesic_distances_from_edge_lengths(
+  const TriangleMesh& tm, EdgeLengthMap edge_length_map, VertexDistanceMap vertex_distance_map, const Sources& sources,
+  const Geodesic_distance_options<TriangleMesh, NearestSourceMap>& options,
+  const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  return internal::certify_distances(
+    tm, vertex_distance_map, sources, options,
+    [&]()
+    {
+      return internal::Shape_from_edge_lengths<double, TriangleMesh, EdgeLengthMap>(tm, edge_length_map);
+    },
+    np);
+}
+
+/*!
+\ingroup PkgSurfaceMeshGeodesicsFunctions
+
+checks distances on a surface that is given by the lengths of its edges, with the default options.
+*/
+template <typename TriangleMesh, typename EdgeLengthMap, typename VertexDistanceMap, typename Sources,
+          typename CGAL_NP_TEMPLATE_PARAMETERS>
+Geodesic_distance_certificate<TriangleMesh>
+certify_geodesic_distances_from_edge_lengths(const TriangleMesh& tm, EdgeLengthMap edge_length_map,
+                                             VertexDistanceMap vertex_distance_map, const Sources& sources,
+                                             const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  return certify_geodesic_distances_from_edge_lengths(tm, edge_length_map, vertex_distance_map, sources,
+                                                      Geodesic_distance_options<TriangleMesh>(), np);
+}
+
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_CERTIFY_GEODESIC_DISTANCES_H

@@ -1,0 +1,494 @@
+// Right distances are certified, on meshes and from sources of all kinds; each wrong one is found, and where it is. The
+// witnesses are not believed: a path that leaves its faces, windows that are missing and bounds that are too long are
+// found as well.
+
+#include "distance_test_helpers.h"
+#include "test_meshes.h"
+#include "test_support.h"
+
+#include <CGAL/Surface_mesh_geodesics/certify_geodesic_distances.h>
+#include <CGAL/Surface_mesh_geodesics/geodesic_distances.h>
+
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/boost/graph/graph_traits_Polyhedron_3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace test_meshes;
+
+namespace {
+
+using Certificate = SMG::Geodesic_distance_certificate<Mesh>;
+using Condition = Certificate::Condition;
+using Options = SMG::Geodesic_distance_options<Mesh>;
+using Distance_map = Mesh::Property_map<vertex_descriptor, double>;
+
+Distance_map add_distances(Mesh& tm)
+{
+  return tm.add_property_map<vertex_descriptor, double>("v:test_distance", 0.).first;
+}
+
+void check_certified(const Certificate& c)
+{
+  for(std::size_t i = 0; i < Certificate::number_of_conditions; ++i)
+  {
+    const Condition condition = static_cast<Condition>(i);
+    test_support::Scope scope(Certificate::name(condition));
+    CHECK(c.worst_violation(condition) <= Certificate::default_tolerance);
+    if(c.worst_violation(condition) == 0)
+    {
+      CHECK(c.worst_vertex(condition) == boost::graph_traits<Mesh>::null_vertex());
+    }
+  }
+  CHECK(c.is_certified());
+}
+
+template <class Sources>
+Certificate certificate_of_right_distances(Mesh& tm, const Sources& sources, const Options& options = Options())
+{
+  Distance_map map = add_distances(tm);
+  SMG::geodesic_distances(tm, map, sources, options);
+  return SMG::certify_geodesic_distances(tm, map, sources, options);
+}
+
+// how many vertices have a finite distance
+std::size_t number_reached(const Mesh& tm, const Distance_map& map)
+{
+  std::size_t n = 0;
+  for(const auto v : vertices(tm))
+  {
+    n += std::isfinite(map[v]);
+  }
+  return n;
+}
+
+void right_distances_are_certified(std::uint64_t seed)
+{
+  test_support::Random random(seed);
+  std::size_t number_of_meshes = 0;
+  double worst = 0;
+  for(const Indexed_mesh& indexed : collection(seed))
+  {
+    test_support::Scope scope(indexed.name);
+    Mesh tm = to_face_graph(indexed);
+    const vertex_descriptor v = random_vertex(tm, random);
+    const Certificate from_vertex = certificate_of_right_distances(tm, v);
+    check_certified(from_vertex);
+    const std::size_t reached = number_reached(tm, add_distances(tm));
+    CHECK_EQUAL(from_vertex.number_of_checks(Condition::REACH), num_vertices(tm));
+    CHECK_EQUAL(from_vertex.number_of_checks(Condition::SOURCES), std::size_t(1));
+    CHECK_EQUAL(from_vertex.number_of_checks(Condition::PATHS), reached);
+    CHECK_EQUAL(from_vertex.number_of_checks(Condition::LOWER_BOUNDS), reached);
+    CHECK(from_vertex.number_of_checks(Condition::PROOF) > num_faces(tm) / 3);
+
+    const std::vector<Face_location> locations = {random_location(tm, random), random_location(tm, random),
+                                                  location_of_vertex(v, faces_around(v, tm).front(), tm)};
+    Options options;
+    options.source_offsets = {0.125, 0., 0.25};
+    const Certificate from_locations = certificate_of_right_distances(tm, locations, options);
+    check_certified(from_locations);
+    worst = (std::max)(worst, (std::max)(from_vertex.worst_violation(), from_locations.worst_violation()));
+    ++number_of_meshes;
+  }
+  CHECK(number_of_meshes >= 15);
+  std::cout << number_of_meshes << " meshes, worst violation " << worst << std::endl;
+}
+
+void edge_lengths_are_certified(std::uint64_t seed)
+{
+  test_support::Scope scope("edge lengths");
+  test_support::Random random(seed);
+  for(const Indexed_mesh& indexed : {torus(2., 1., 12, 8), octahedron(), flat_patch(6, 6, .2, true, seed)})
+  {
+    Mesh tm = to_face_graph(indexed);
+    auto lengths = add_edge_lengths(tm);
+    for(const auto e : edges(tm)) // a surface that is not that of the points
+    {
+      lengths[e] = random.uniform(1., 1.9);
+    }
+    Distance_map map = add_distances(tm);
+    const vertex_descriptor source = random_vertex(tm, random);
+    SMG::geodesic_distances_from_edge_lengths(tm, lengths, map, source);
+    check_certified(SMG::certify_geodesic_distances_from_edge_lengths(tm, lengths, map, source));
+    CHECK(!SMG::certify_geodesic_distances(tm, map, source).is_certified());
+  }
+}
+
+void radius_is_regarded()
+{
+  test_support::Scope scope("radius");
+  Mesh tm = to_face_graph(icosphere(2));
+  Options options;
+  options.maximum_distance = 1.;
+  Distance_map map = add_distances(tm);
+  SMG::geodesic_distances(tm, map, vertex(0), options);
+  CHECK(number_reached(tm, map) < num_vertices(tm));
+  check_certified(SMG::certify_geodesic_distances(tm, map, vertex(0), options));
+  const Certificate without_radius = SMG::certify_geodesic_distances(tm, map, vertex(0));
+  CHECK(without_radius.worst_violation(Condition::REACH) == infinity);
+  // A distance beyond the radius, and none within it, are wrong.
+  SMG::geodesic_distances(tm, map, vertex(0));
+  CHECK(SMG::certify_geodesic_distances(tm, map, vertex(0)).is_certified());
+  CHECK(!SMG::certify_geodesic_distances(tm, map, vertex(0), options).is_certified());
+  SMG::geodesic_distances(tm, map, vertex(0), options);
+  const auto nearest = *std::min_element(vertices(tm).begin(), vertices(tm).end(),
+                                         [&](vertex_descriptor a, vertex_descriptor b)
+  { return (map[a] > 0 ? map[a] : infinity) < (map[b] > 0 ? map[b] : infinity); });
+  map[nearest] = infinity;
+  const Certificate missing = SMG::certify_geodesic_distances(tm, map, vertex(0), options);
+  CHECK(missing.worst_violation(Condition::PATHS) == infinity);
+  CHECK(missing.worst_vertex(Condition::PATHS) == nearest);
+}
+
+void special_cases_are_certified()
+{
+  test_support::Scope scope("special cases");
+  Mesh tm = to_face_graph(two_components_and_an_isolated_vertex());
+  check_certified(certificate_of_right_distances(tm, vertex(0)));
+  check_certified(certificate_of_right_distances(tm, std::vector<vertex_descriptor>()));
+  Mesh empty;
+  check_certified(certificate_of_right_distances(empty, std::vector<vertex_descriptor>()));
+  // a source that another one is nearer to
+  Options options;
+  options.source_offsets = {0., 100.};
+  Mesh cubes = to_face_graph(cube_grid(3));
+  const std::vector<vertex_descriptor> sources = {vertex(0), vertex(20)};
+  check_certified(certificate_of_right_distances(cubes, sources, options));
+
+  // a mesh without indices, with distances of one digit less
+  using Polyhedron = CGAL::Polyhedron_3<Kernel>;
+  const Polyhedron polyhedron = to_face_graph<Polyhedron>(icosahedron());
+  auto map = get(CGAL::dynamic_vertex_property_t<float>(), polyhedron);
+  const auto source = *vertices(polyhedron).begin();
+  SMG::geodesic_distances(polyhedron, map, source);
+  CHECK(SMG::certify_geodesic_distances(polyhedron, map, source, CGAL::parameters::number_of_iterations(2))
+          .is_certified(1e-6));
+  CHECK(!SMG::certify_geodesic_distances(polyhedron, map, source).is_certified(1e-10));
+  CHECK_EQUAL(SMG::certify_geodesic_distances(polyhedron, map, source, CGAL::parameters::number_of_iterations(2))
+                .number_of_checks(SMG::Geodesic_distance_certificate<Polyhedron>::Condition::REVERSE),
+              std::size_t(2));
+}
+
+// A fault: what becomes of a distance, and which conditions name the vertex.
+struct Fault
+{
+  std::string name;
+  std::function<double(double)> spoil;
+  std::vector<Condition> conditions;
+};
+
+std::vector<Fault> faults()
+{
+  return {{"too long by 1e-9", [](double d) { return d * (1 + 1e-9); }, {Condition::PATHS, Condition::LOWER_BOUNDS}},
+          {"too short by 1e-9", [](double d) { return d * (1 - 1e-9); }, {Condition::PATHS}},
+          {"far too short", [](double d) { return d / 2; }, {Condition::PATHS}},
+          {"zero", [](double) { return 0.; }, {Condition::PATHS}},
+          {"far too long", [](double d) { return 3 * d; },
+           {Condition::PATHS, Condition::LOWER_BOUNDS, Condition::EDGES}},
+          {"negative", [](double d) { return -d; }, {Condition::REACH, Condition::PATHS}},
+          {"not a number", [](double) { return std::numeric_limits<double>::quiet_NaN(); },
+           {Condition::REACH, Condition::PATHS, Condition::LOWER_BOUNDS, Condition::EDGES}},
+          {"infinite", [](double) { return infinity; },
+           {Condition::REACH, Condition::PATHS, Condition::LOWER_BOUNDS, Condition::EDGES}}};
+}
+
+void each_fault_is_found_where_it_is(std::uint64_t seed)
+{
+  test_support::Scope scope("faults");
+  test_support::Random random(seed);
+  std::size_t number_of_faults = 0;
+  for(const Indexed_mesh& indexed : small_collection(seed))
+  {
+    test_support::Scope mesh_scope(indexed.name);
+    Mesh tm = to_face_graph(indexed);
+    const vertex_descriptor source = random_vertex(tm, random);
+    Distance_map map = add_distances(tm);
+    SMG::geodesic_distances(tm, map, source);
+    for(const Fault& fault : faults())
+    {
+      test_support::Scope fault_scope(fault.name);
+      const vertex_descriptor v = random_vertex(tm, random);
+      const double right = map[v];
+      if(v == source || !std::isfinite(right))
+      {
+        continue;
+      }
+      map[v] = fault.spoil(right);
+      const Certificate c = SMG::certify_geodesic_distances(tm, map, source);
+      CHECK(!c.is_certified());
+      for(const Condition condition : fault.conditions)
+      {
+        test_support::Scope condition_scope(Certificate::name(condition));
+        CHECK(c.worst_violation(condition) > Certificate::default_tolerance);
+        CHECK(c.worst_vertex(condition) == v);
+      }
+      CHECK(c.worst_violation(Condition::PROOF) <= Certificate::default_tolerance);
+      map[v] = right;
+      ++number_of_faults;
+    }
+    CHECK(SMG::certify_geodesic_distances(tm, map, source).is_certified());
+  }
+  CHECK(number_of_faults >= 40);
+  std::cout << number_of_faults << " faults at single vertices" << std::endl;
+}
+
+void faults_of_many_vertices_are_found()
+{
+  test_support::Scope scope("faults of many vertices");
+  Mesh tm = to_face_graph(torus(2., 1., 16, 10));
+  Distance_map map = add_distances(tm);
+  const std::vector<vertex_descriptor> sources = {vertex(0), vertex(37)};
+  SMG::geodesic_distances(tm, map, sources);
+  const std::vector<double> right = values_at_vertices(tm, map);
+  auto restore = [&]
+  {
+    for(const auto v : vertices(tm))
+    {
+      map[v] = right[v];
+    }
+  };
+  CHECK(SMG::certify_geodesic_distances(tm, map, sources).is_certified());
+  {
+    const vertex_descriptor a = vertex(50), b = vertex(93);
+    CHECK(std::abs(map[a] - map[b]) > 1e-3);
+    std::swap(map[a], map[b]);
+    const Certificate c = SMG::certify_geodesic_distances(tm, map, sources);
+    CHECK(c.worst_violation(Condition::PATHS) > 1e-6);
+    CHECK(c.worst_vertex(Condition::PATHS) == a || c.worst_vertex(Condition::PATHS) == b);
+    restore();
+  }
+  for(const double factor : {1 + 1e-9, 1 - 1e-9, 0., 2.})
+  {
+    for(const auto v : vertices(tm))
+    {
+      map[v] *= factor;
+    }
+    const Certificate c = SMG::certify_geodesic_distances(tm, map, sources);
+    CHECK(c.worst_violation(Condition::PATHS) > 1e-10);
+    CHECK(c.worst_violation(Condition::REVERSE) > 1e-10);
+    CHECK((c.worst_violation(Condition::LOWER_BOUNDS) > 1e-10) == (factor > 1));
+    CHECK((c.worst_violation(Condition::EDGES) > 1e-10) == (factor > 1));
+    restore();
+  }
+  {
+    // what was found from one source of two, and a source that is told to be elsewhere
+    SMG::geodesic_distances(tm, map, vertex(0));
+    const Certificate c = SMG::certify_geodesic_distances(tm, map, sources);
+    CHECK(c.worst_violation(Condition::SOURCES) > 1e-3);
+    CHECK(c.worst_vertex(Condition::SOURCES) == vertex(37));
+    CHECK(c.worst_violation(Condition::LOWER_BOUNDS) > 1e-3);
+    restore();
+    CHECK(SMG::certify_geodesic_distances(tm, map, vertex(0)).worst_vertex(Condition::PATHS) == vertex(37));
+  }
+  {
+    // the distance along edges
+    std::vector<double> along_edges(num_vertices(tm), infinity);
+    along_edges[0] = along_edges[37] = 0;
+    for(std::size_t i = 0; i < num_vertices(tm); ++i)
+    {
+      for(const auto h : halfedges(tm))
+      {
+        const double length = std::sqrt((tm.point(source(h, tm)) - tm.point(target(h, tm))).squared_length());
+        along_edges[target(h, tm)] = (std::min)(along_edges[target(h, tm)], along_edges[source(h, tm)] + length);
+      }
+    }
+    for(const auto v : vertices(tm))
+    {
+      map[v] = along_edges[v];
+    }
+    const Certificate c = SMG::certify_geodesic_distances(tm, map, sources);
+    CHECK(c.worst_violation(Condition::EDGES) <= Certificate::default_tolerance);
+    CHECK(c.worst_violation(Condition::PAIRS_OF_FACES) > 1e-3);
+    CHECK(c.worst_violation(Condition::LOWER_BOUNDS) > 1e-3);
+  }
+}
+
+void invalid_input_is_refused()
+{
+  test_support::Scope scope("invalid input");
+  Mesh tm = to_face_graph(octahedron());
+  Distance_map map = add_distances(tm);
+  auto reason_of = [](auto call)
+  {
+    try
+    {
+      call();
+    }
+    catch(const SMG::Invalid_geodesic_input& e)
+    {
+      return static_cast<int>(e.reason());
+    }
+    return -1;
+  };
+  using Reason = SMG::Invalid_geodesic_input::Reason;
+  CHECK_EQUAL(reason_of([&] { SMG::certify_geodesic_distances(tm, map, vertex(100)); }),
+              static_cast<int>(Reason::INVALID_DESCRIPTOR));
+  Options options;
+  options.source_offsets = {1., 2.};
+  CHECK_EQUAL(reason_of([&] { SMG::certify_geodesic_distances(tm, map, vertex(0), options); }),
+              static_cast<int>(Reason::INVALID_OFFSET));
+  tm.point(vertex(3)) = Kernel::Point_3(0, 0, infinity);
+  CHECK_EQUAL(reason_of([&] { SMG::certify_geodesic_distances(tm, map, vertex(0)); }),
+              static_cast<int>(Reason::NON_FINITE_POINT));
+}
+
+// --- the checks themselves ---
+
+namespace SMGI = SMG::internal;
+
+// A mesh, the distances from its vertex 0, and the windows that were kept but for those of the faces around a vertex.
+struct Witness
+{
+  using Keeper = SMGI::Window_keeper<double>;
+
+  struct Keeper_without
+  {
+    Keeper keeper;
+    const SMGI::Intrinsic_mesh<double>& mesh;
+    SMGI::Vertex_id left_out;
+
+    template <typename List>
+    void keep(SMGI::Halfedge_id h, const List& list)
+    {
+      const auto& corners = mesh.face(SMGI::face_of(h)).vertex;
+      if(std::find(corners.begin(), corners.end(), left_out) == corners.end())
+      {
+        keeper.keep(h, list);
+      }
+    }
+    void advance(double) const {}
+  };
+
+  Witness(const Indexed_mesh& indexed, SMGI::Vertex_id left_out = SMGI::null_id) : tm(to_face_graph(indexed))
+  {
+    const auto vim = get(boost::vertex_index, tm);
+    const auto fim = get(boost::face_index, tm);
+    const auto vpm = get(CGAL::vertex_point, tm);
+    SMGI::Face_graph_correspondence<Mesh> table;
+    SMGI::Shape_from_points<double, Mesh, std::decay_t<decltype(vpm)>> shape(tm, vpm);
+    SMGI::Intrinsic_mesh_builder<double, Mesh, std::decay_t<decltype(vim)>, std::decay_t<decltype(fim)>>(tm, vim, fim)
+      .build(shape, mesh, table);
+    windows.reset(mesh.number_of_faces());
+    field.keeps_images = true;
+    SMGI::Distance_propagation<double, SMGI::All_pruning_rules, Keeper_without> propagation(
+      mesh, field, Keeper_without{Keeper(windows), mesh, left_out});
+    propagation.add_source(0, 0.);
+    propagation.run([](std::size_t, double) { return true; });
+  }
+
+  double violation() const { return SMGI::Lower_bound_check<double>(mesh, field.distance, windows).run().size; }
+
+  Mesh tm;
+  SMGI::Intrinsic_mesh<double> mesh;
+  SMGI::Vertex_distance_field<double> field;
+  SMGI::Edge_window_field<double> windows;
+};
+
+void bounds_that_are_too_long_are_no_bounds()
+{
+  test_support::Scope scope("bounds");
+  for(const Indexed_mesh& indexed : {icosphere(1), saddle_patch(6), genus_2_polycube()})
+  {
+    test_support::Scope mesh_scope(indexed.name);
+    Witness witness(indexed);
+    CHECK(witness.violation() < 1e-14);
+    for(SMGI::Vertex_id v = 1; v < witness.mesh.number_of_vertices(); ++v)
+    {
+      const double right = witness.field.distance[v];
+      witness.field.distance[v] = right * (1 + 1e-9);
+      CHECK(witness.violation() > 1e-11);
+      witness.field.distance[v] = right;
+    }
+  }
+}
+
+void missing_windows_are_missed()
+{
+  test_support::Scope scope("windows");
+  const Indexed_mesh indexed = icosphere(2);
+  const Witness witness(indexed);
+  std::size_t number_of_vertices = 0;
+  for(SMGI::Vertex_id v = 0; v < witness.mesh.number_of_vertices(); ++v)
+  {
+    // Nearer to the source, the paths to the points around v are straight from the source and its neighbours.
+    if(witness.field.distance[v] * witness.mesh.unit() < 1.2)
+    {
+      continue;
+    }
+    CHECK(Witness(indexed, v).violation() > 1e-6);
+    ++number_of_vertices;
+  }
+  CHECK(number_of_vertices > 50);
+}
+
+void paths_are_measured()
+{
+  test_support::Scope scope("paths");
+  const Witness witness(torus(2., 1., 12, 8));
+  SMGI::Distance_checks<double> checks(witness.mesh, witness.mesh.number_of_vertices());
+  checks.values = witness.field.distance;
+  checks.offsets[0] = 0.;
+  const SMGI::Path_tracer<double> tracer(witness.mesh, witness.field);
+  std::size_t number_with_edges = 0;
+  for(SMGI::Vertex_id v = 0; v < witness.mesh.number_of_vertices(); ++v)
+  {
+    SMGI::Path_steps<double> path;
+    CHECK(tracer.trace_from_vertex(v, path));
+    const double length = checks.length_to_source(path);
+    CHECK_CLOSE(length, witness.field.distance[v], 1e-14);
+
+    // not to a source
+    const SMGI::Path_steps<double> cut_off(path.begin(), path.end() - 1);
+    CHECK(checks.length_to_source(cut_off) == infinity);
+    // through no face
+    SMGI::Path_steps<double> elsewhere = path;
+    for(auto& step : elsewhere)
+    {
+      step.face = (step.face + 48) % static_cast<SMGI::Face_id>(witness.mesh.number_of_faces());
+    }
+    CHECK(path.size() == 1 || checks.length_to_source(elsewhere) == infinity);
+    for(std::size_t i = 1; i + 1 < path.size(); ++i)
+    {
+      if(path[i].vertex != SMGI::null_id)
+      {
+        continue;
+      }
+      ++number_with_edges;
+      // a point left out, moved along its edge, beyond the end of it
+      SMGI::Path_steps<double> shortcut = path;
+      shortcut.erase(shortcut.begin() + static_cast<std::ptrdiff_t>(i));
+      CHECK(!(checks.length_to_source(shortcut) < length * (1 - 1e-14)));
+      SMGI::Path_steps<double> moved = path;
+      moved[i].x = witness.mesh.length(moved[i].halfedge) * (moved[i].x > 0.1 ? 0.01 : 0.9);
+      CHECK(checks.length_to_source(moved) > length * (1 + 1e-9));
+      moved[i].x = witness.mesh.length(moved[i].halfedge) * 1.5;
+      CHECK(checks.length_to_source(moved) == infinity);
+    }
+  }
+  CHECK(number_with_edges > 50);
+}
+
+} // namespace
+
+int main()
+{
+  const std::uint64_t seed = test_support::announce_seed(20260701);
+  right_distances_are_certified(seed);
+  edge_lengths_are_certified(seed);
+  radius_is_regarded();
+  special_cases_are_certified();
+  each_fault_is_found_where_it_is(seed);
+  faults_of_many_vertices_are_found();
+  invalid_input_is_refused();
+  bounds_that_are_too_long_are_no_bounds();
+  missing_windows_are_missed();
+  paths_are_measured();
+  return test_result();
+}
