@@ -116,10 +116,11 @@ private:
     FT next_slope = 0;
     for(std::size_t j = 0; j < m_generators.size(); ++j)
     {
+      const Generator& g = m_generators[j];
       FT start;
-      if(j == m_current || !takes_over(m_generators[j], m_generators[m_current], start))
+      if(j == m_current || g.begin > x || !takes_over(g, m_generators[m_current], x, start))
         continue;
-      const FT slope = m_generators[j].slope_at(start);
+      const FT slope = g.slope_at(start);
       if(start < x || (start == x && next != m_current && slope < next_slope))
       {
         x = start;
@@ -141,14 +142,15 @@ private:
     return true;
   }
 
-  // Is g nearer than c somewhere from m_x on, before c ends? Then `start` is where that begins.
-  bool takes_over(const Generator& g, const Generator& c, FT& start) const
+  // Is g nearer than c somewhere from m_x on, before c ends, and not only behind `until`? Then `start` is where that
+  // begins.
+  bool takes_over(const Generator& g, const Generator& c, const FT& until, FT& start) const
   {
     const FT first = (std::max)(m_x, g.begin), last = (std::min)(c.end, g.end);
     if(!(first < last))
       return false;
     // both distances grow and shrink with x at most
-    if(g.distance_at(first) > c.distance_at(first) + 2 * (last - first))
+    if(g.distance_at(first) > c.distance_at(first) + 2 * ((std::min)(until, last) - first))
       return false;
     const std::array<FT, 2> root = equal_points(g, c);
     FT from = first;
