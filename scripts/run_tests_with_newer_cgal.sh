@@ -11,7 +11,7 @@ work=$root/build/cgal_of_$release
 jobs=${JOBS:-$(nproc)}
 
 "$root/scripts/install_needs.sh" g++ cmake make libcgal-dev libcgal-demo libboost-program-options-dev \
-  libeigen3-dev libtbb-dev python3
+  libeigen3-dev libjs-three libtbb-dev python3
 
 # apt-get with lists of its own: the system's are not touched
 apt=$work/apt

@@ -5,8 +5,10 @@
 #include <CGAL/Surface_mesh_geodesics/Geodesic_distance_solver.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 namespace geodesics_app {
 
@@ -57,6 +59,53 @@ std::vector<Isoline> isolines_around(const Mesh& mesh, const std::vector<Place>&
     for(std::vector<Point>& line : lines)
       result.push_back(Isoline{d, std::move(line)});
   }
+  return result;
+}
+
+std::vector<double> evenly_spaced(std::size_t n, double largest)
+{
+  std::vector<double> result;
+  for(std::size_t i = 1; i <= n && largest > 0; ++i)
+    result.push_back(largest * static_cast<double>(i) / static_cast<double>(n + 1));
+  return result;
+}
+
+Html_surface surface_with_distances(const Mesh& mesh, const std::vector<Place>& sources, const Distance_field& field)
+{
+  Html_surface surface;
+  for(const Vertex v : mesh.vertices())
+    surface.points.push_back(mesh.point(v));
+  surface.distances = field.distance;
+  for(const Face f : mesh.faces())
+  {
+    const Mesh::Halfedge_index h = mesh.halfedge(f);
+    surface.triangles.push_back({mesh.source(h).idx(), mesh.target(h).idx(), mesh.target(mesh.next(h)).idx()});
+  }
+  if(!is_refined(surface.triangles.size()))
+    return surface;
+  Path_finder paths(mesh);
+  add_sources(paths, sources);
+  paths.build_sequence_tree_for_faces();
+  return refined(surface, [&](std::size_t t, const std::array<double, 3>& b)
+  {
+    const Face f(static_cast<Mesh::size_type>(t));
+    const double d = paths.shortest_distance_to_source_points(f, b).first;
+    // what --radius has left out, or no source reaches
+    const auto is_missing = [&](std::size_t v) { return !std::isfinite(field.distance[v]); };
+    const std::array<std::size_t, 3>& corners = surface.triangles[t];
+    return std::any_of(corners.begin(), corners.end(), is_missing) ? std::numeric_limits<double>::infinity() : d;
+  });
+}
+
+Html_lines lines_on(const Html_surface& surface, const Mesh& mesh, const std::vector<Place>& sources,
+                    const std::vector<double>& distances, const Console& console)
+{
+  // inside large faces isolines are round, but segments in files
+  if(is_refined(mesh.number_of_faces()))
+    return lines_between_bands(surface, distances);
+  Html_lines result{"isoline", {}};
+  for(const Isoline& line : isolines_around(mesh, sources, distances, console))
+    result.lines.push_back(line.points);
   return result;
 }
 

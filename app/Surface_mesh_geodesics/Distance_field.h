@@ -2,6 +2,7 @@
 #define SURFACE_MESH_GEODESICS_APP_DISTANCE_FIELD_H
 
 #include "Console.h"
+#include "Html_page.h"
 #include "Place_options.h"
 #include "Program_mesh.h"
 
@@ -37,6 +38,14 @@ struct Isoline
 // the lines at the given distances, in their order.
 std::vector<Isoline> isolines_around(const Mesh& mesh, const std::vector<Place>& sources,
                                      const std::vector<double>& distances, const Console& console);
+
+// n distances between 0 and the largest one, both left out; none if that is 0.
+std::vector<double> evenly_spaced(std::size_t n, double largest);
+
+// For pages: the surface, and the isolines on it at the given distances.
+Html_surface surface_with_distances(const Mesh& mesh, const std::vector<Place>& sources, const Distance_field& field);
+Html_lines lines_on(const Html_surface& surface, const Mesh& mesh, const std::vector<Place>& sources,
+                    const std::vector<double>& distances, const Console& console);
 
 // a column of numbers for files: -1 for no source.
 double source_number(std::size_t source);

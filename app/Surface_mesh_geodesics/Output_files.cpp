@@ -148,9 +148,10 @@ void declare_output(Option_descriptions& options, const std::string& formats)
                         text.c_str());
 }
 
-std::vector<std::string> output_names(const Arguments& arguments)
+std::vector<std::string> output_names(const Arguments& arguments, const std::vector<std::string>& others)
 {
-  const std::vector<std::string> names = all_values(arguments, "output");
+  std::vector<std::string> names = all_values(arguments, "output");
+  names.insert(names.end(), others.begin(), others.end());
   return names.empty() ? std::vector<std::string>{"-"} : names;
 }
 

@@ -54,8 +54,8 @@ private:
 // The option --output of a command with the given formats, the first of which is the default on the standard output.
 void declare_output(Option_descriptions& options, const std::string& formats);
 
-// the files of the option; the standard output if there is none.
-std::vector<std::string> output_names(const Arguments& arguments);
+// the files of the option and others; the standard output if there are none.
+std::vector<std::string> output_names(const Arguments& arguments, const std::vector<std::string>& others = {});
 
 } // namespace geodesics_app
 

@@ -4,11 +4,13 @@
 #include "Command_error.h"
 #include "Distance_field.h"
 #include "Drawing.h"
+#include "Html_page.h"
 #include "Output_files.h"
 #include "Place_options.h"
 #include "number_arguments.h"
 
 #include <limits>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -29,6 +31,7 @@ void declare(Option_descriptions& options)
     ("isolines", po::value<std::string>()->value_name("N"),
      "N lines of equal distance in files with geometry, evenly spaced up to the largest distance (default: 20)")
     ("spacing", po::value<std::string>()->value_name("D"), "lines at the distances D, 2 D, 3 D, ... instead");
+  declare_html(options);
   declare_output(options, "a table .csv (default: to standard output); the surface with colours and isolines .ply, "
                           ".vtk, .obj");
 }
@@ -61,9 +64,7 @@ std::vector<double> isoline_distances(const Arguments& arguments, double largest
     = has(arguments, "isolines") ? count_argument("isolines", arguments["isolines"].as<std::string>(), 0) : 20;
   if(static_cast<double>(n) > largest_number_of_isolines)
     throw Command_error(Exit_code::BAD_USAGE, "--isolines: more than 10000 lines");
-  for(std::size_t i = 1; i <= n && largest > 0; ++i)
-    result.push_back(largest * static_cast<double>(i) / static_cast<double>(n + 1));
-  return result;
+  return evenly_spaced(n, largest);
 }
 
 void write_table(std::ostream& os, const Distance_field& field)
@@ -99,21 +100,36 @@ Drawing drawing_of(const Mesh& mesh, const Distance_field& field, const std::vec
   return drawing;
 }
 
+Html_page page_of(const std::string& file_name, const Mesh& mesh, const std::vector<Place>& sources,
+                  const Distance_field& field, const std::vector<double>& limits, const Console& console)
+{
+  Html_page page;
+  page.title = "Geodesic distances";
+  page.subtitle = description_of(file_name, mesh);
+  page.surface = surface_with_distances(mesh, sources, field);
+  page.band_limits = limits;
+  page.lines = {lines_on(page.surface, mesh, sources, limits, console)};
+  page.dots = {dots_at("source", sources, mesh)};
+  return page;
+}
+
 void run(const Arguments& arguments, const Console& console)
 {
   const double r = radius(arguments);
-  Output_files files(output_names(arguments), {"csv", "ply", "vtk", "obj"});
+  Output_files files(output_names(arguments, html_names(arguments)), {"csv", "ply", "vtk", "obj", "html"});
   const Mesh mesh = read_mesh(mesh_argument(arguments), console);
   const std::vector<Place> sources = source_options.required_places(arguments, mesh);
   const Distance_field field = distances_from(mesh, sources, r, console);
+  const std::vector<double> limits = isoline_distances(arguments, field.largest());
   Drawing drawing;
   if(files.have({"ply", "vtk", "obj"}))
-    drawing = drawing_of(mesh, field,
-                         isolines_around(mesh, sources, isoline_distances(arguments, field.largest()), console));
+    drawing = drawing_of(mesh, field, isolines_around(mesh, sources, limits, console));
   files.write([&](std::ostream& os, const std::string& format)
   {
     if(format == "csv")
       write_table(os, field);
+    else if(format == "html")
+      write_html_page(os, page_of(mesh_argument(arguments), mesh, sources, field, limits, console));
     else
       write_drawing(os, format, drawing);
   });
@@ -129,7 +145,8 @@ const Command distances_command{
   "Files with geometry have the numbers of the vertices; -1 stands for 'inf' there.",
   "  surface_mesh_geodesics distances bunny.off --source 0 > distances.csv\n"
   "  surface_mesh_geodesics distances bunny.off --source-point -0.1,0.1,0 -o colours.ply -o colours.vtk --isolines 30\n"
-  "  surface_mesh_geodesics distances bunny.off --source-random 10 --seed 7 --radius 0.02 -o near.csv\n",
+  "  surface_mesh_geodesics distances bunny.off --source-random 10 --seed 7 --radius 0.02 -o near.csv\n"
+  "  surface_mesh_geodesics distances bunny.off --source 0 --html distances.html\n",
   declare, run};
 
 } // namespace geodesics_app

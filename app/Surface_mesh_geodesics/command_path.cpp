@@ -2,12 +2,16 @@
 
 #include "Command.h"
 #include "Command_error.h"
+#include "Distance_field.h"
 #include "Drawing.h"
+#include "Html_page.h"
 #include "Output_files.h"
 #include "Path_finder.h"
 #include "Place_options.h"
 
 #include <iterator>
+#include <limits>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -25,6 +29,7 @@ void declare(Option_descriptions& options)
   target_options.declare(options);
   declare_seed(options);
   options.add_options()("points", "the table has a line for each point of each path");
+  declare_html(options);
   declare_output(options, "a table .csv (default: to standard output); the paths as lines .obj, .ply, .vtk, "
                           ".polylines.txt");
 }
@@ -138,9 +143,30 @@ Drawing drawing_of(const std::vector<Path>& paths)
   return drawing;
 }
 
+// The paths lie on bands of distance, which they cross at right angles.
+Html_page page_of(const std::string& file_name, const Mesh& mesh, const std::vector<Place>& sources,
+                  const std::vector<Place>& targets, const std::vector<Path>& paths, const Console& console)
+{
+  const Distance_field field
+    = distances_from(mesh, sources, std::numeric_limits<double>::infinity(), console);
+  Html_page page;
+  page.title = "Shortest paths";
+  page.subtitle = description_of(file_name, mesh);
+  page.surface = surface_with_distances(mesh, sources, field);
+  page.band_limits = evenly_spaced(20, field.largest());
+  Html_lines lines{"path", {}};
+  for(const Path& path : paths)
+    if(path.points.size() > 1)
+      lines.lines.push_back(path.points);
+  page.lines = {lines_on(page.surface, mesh, sources, page.band_limits, console), lines};
+  page.dots = {dots_at("target", targets, mesh), dots_at("source", sources, mesh)};
+  return page;
+}
+
 void run(const Arguments& arguments, const Console& console)
 {
-  Output_files files(output_names(arguments), {"csv", "obj", "ply", "vtk", "polylines.txt"});
+  Output_files files(output_names(arguments, html_names(arguments)),
+                     {"csv", "obj", "ply", "vtk", "polylines.txt", "html"});
   const Mesh mesh = read_mesh(mesh_argument(arguments), console);
   const std::vector<Place> sources = source_options.required_places(arguments, mesh);
   const std::vector<Place> targets = target_options.required_places(arguments, mesh);
@@ -152,6 +178,8 @@ void run(const Arguments& arguments, const Console& console)
       has(arguments, "points") ? write_points_table(os, paths) : write_paths_table(os, paths);
     else if(format == "polylines.txt")
       write_polylines(os, paths);
+    else if(format == "html")
+      write_html_page(os, page_of(mesh_argument(arguments), mesh, sources, targets, paths, console));
     else
       write_drawing(os, format, drawing);
   });
@@ -168,7 +196,8 @@ const Command path_command{
   "target to the source.",
   "  surface_mesh_geodesics path bunny.off --source 0 --target 100,200 -o paths.obj -o paths.csv\n"
   "  surface_mesh_geodesics path bunny.off --source 0 --target-point -0.1,0.1,0 --points\n"
-  "  surface_mesh_geodesics path bunny.off --source-random 3 --target-file places.txt -o paths.polylines.txt\n",
+  "  surface_mesh_geodesics path bunny.off --source-random 3 --target-file places.txt -o paths.polylines.txt\n"
+  "  surface_mesh_geodesics path bunny.off --source 0 --target-random 20 --html paths.html\n",
   declare, run};
 
 } // namespace geodesics_app

@@ -2,6 +2,9 @@
 
 #include "Command.h"
 #include "Command_error.h"
+#include "Distance_field.h"
+#include "Face_tree.h"
+#include "Html_page.h"
 #include "Output_files.h"
 #include "Place_options.h"
 #include "Program_mesh.h"
@@ -11,6 +14,12 @@
 #include <CGAL/Surface_mesh_geodesics/write_geodesic_Voronoi_diagram.h>
 #include <CGAL/Surface_mesh_shortest_path/Surface_mesh_shortest_path_traits.h>
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -34,6 +43,7 @@ void declare(Option_descriptions& options)
     ("vertices", "the table has a line for each vertex of the mesh, with its site")
     ("tolerance", po::value<std::string>()->value_name("T"),
      "how far the lines in files may be from the curves (default: 0.0001 times the diagonal of the bounding box)");
+  declare_html(options);
   declare_output(options, "a table .csv (default: to standard output); cells with colours and their boundaries .ply, "
                           ".vtk; boundaries alone .obj");
 }
@@ -105,9 +115,84 @@ void write_geometry(std::ostream& os, const std::string& format, const Diagram& 
     Geodesics::write_geodesic_Voronoi_diagram_OBJ(os, diagram, tolerance);
 }
 
+// The smallest number that no neighbor with a smaller one has: a few numbers are enough, as on a map.
+std::vector<std::size_t> cell_colors(const Diagram& diagram)
+{
+  std::vector<std::size_t> colors;
+  for(std::size_t i = 0; i < diagram.number_of_sites(); ++i)
+  {
+    std::vector<std::size_t> taken;
+    for(const std::size_t j : diagram.adjacent_sites(i))
+      if(j < i)
+        taken.push_back(colors[j]);
+    std::size_t color = 0;
+    while(std::find(taken.begin(), taken.end(), color) != taken.end())
+      ++color;
+    colors.push_back(color);
+  }
+  return colors;
+}
+
+// The mesh cut along the arcs, with the distance from the nearest site at each point.
+Html_surface cut_surface(const Mesh& mesh, const Diagram& diagram, double tolerance)
+{
+  Mesh cut;
+  auto site = cut.add_property_map<Face, std::size_t>("f:site").first;
+  diagram.cut(cut, site, tolerance);
+  const Face_tree tree(mesh);
+  const auto distance_at = [&](const Point& p)
+  {
+    const Face_location location = tree.nearest_place(p);
+    return diagram.nearest_site(location) == Diagram::null_site() ? std::numeric_limits<double>::infinity()
+                                                                  : diagram.distance_to_nearest_site(location);
+  };
+  Html_surface surface;
+  for(const Vertex v : cut.vertices())
+    surface.points.push_back(cut.point(v));
+  for(const Face f : cut.faces())
+  {
+    const Mesh::Halfedge_index h = cut.halfedge(f);
+    surface.triangles.push_back({cut.source(h).idx(), cut.target(h).idx(), cut.target(cut.next(h)).idx()});
+    surface.cells.push_back(site[f]);
+  }
+  if(!is_refined(surface.triangles.size()))
+  {
+    for(const Point& p : surface.points)
+      surface.distances.push_back(distance_at(p));
+    return surface;
+  }
+  return refined(surface, [&](std::size_t t, const std::array<double, 3>& b)
+  {
+    const auto [p, q, r] = surface.triangles[t];
+    return distance_at(CGAL::barycenter(surface.points[p], b[0], surface.points[q], b[1], surface.points[r], b[2]));
+  });
+}
+
+Html_page page_of(const std::string& file_name, const Mesh& mesh, const std::vector<Place>& sites,
+                  const Diagram& diagram, double tolerance)
+{
+  Html_page page;
+  page.title = "Geodesic Voronoi diagram";
+  page.subtitle = description_of(file_name, mesh);
+  page.surface = cut_surface(mesh, diagram, tolerance);
+  page.cell_colors = cell_colors(diagram);
+  Distance_field field;
+  field.distance = page.surface.distances;
+  page.band_limits = evenly_spaced(9, field.largest());
+  Html_lines arcs{"arc", {}};
+  for(const Diagram::Edge& edge : diagram.edges())
+  {
+    arcs.lines.emplace_back();
+    edge.polyline(tolerance, std::back_inserter(arcs.lines.back()));
+  }
+  page.lines = {arcs};
+  page.dots = {dots_at("site", sites, mesh)};
+  return page;
+}
+
 void run(const Arguments& arguments, const Console& console)
 {
-  Output_files files(output_names(arguments), {"csv", "ply", "vtk", "obj"});
+  Output_files files(output_names(arguments, html_names(arguments)), {"csv", "ply", "vtk", "obj", "html"});
   const Mesh mesh = read_mesh(mesh_argument(arguments), console);
   const double tolerance = has(arguments, "tolerance")
                              ? positive_argument("tolerance", arguments["tolerance"].as<std::string>())
@@ -118,7 +203,9 @@ void run(const Arguments& arguments, const Console& console)
   diagram.build();
   files.write([&](std::ostream& os, const std::string& format)
   {
-    if(format != "csv")
+    if(format == "html")
+      write_html_page(os, page_of(mesh_argument(arguments), mesh, sites, diagram, tolerance));
+    else if(format != "csv")
       write_geometry(os, format, diagram, tolerance);
     else if(has(arguments, "vertices"))
       write_vertices_table(os, mesh, diagram);
@@ -137,7 +224,8 @@ const Command voronoi_command{
   "it has the site of each vertex and its distance from that, less the weight.",
   "  surface_mesh_geodesics voronoi bunny.off --site-random 30 -o cells.ply -o cells.csv\n"
   "  surface_mesh_geodesics voronoi bunny.off --site 0,100,200 --weight 0,0.01,0.02 --vertices\n"
-  "  surface_mesh_geodesics voronoi bunny.off --site-file places.txt -o boundaries.obj\n",
+  "  surface_mesh_geodesics voronoi bunny.off --site-file places.txt -o boundaries.obj\n"
+  "  surface_mesh_geodesics voronoi bunny.off --site-random 30 --html cells.html\n",
   declare, run};
 
 } // namespace geodesics_app

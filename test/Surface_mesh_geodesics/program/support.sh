@@ -67,6 +67,15 @@ is_silent() {
   [ ! -s silent.err ] || fail "the program said: $(cat silent.err)"
 }
 
+# needs_pages: the test is skipped where the program writes no pages for browsers
+needs_pages() {
+  if ! "$program" distances "$data/grid4.off" --source 0 --html probe.html 2> probe.err; then
+    contains probe.err "this program was built without three.js"
+    echo "SKIPPED: the program was built without three.js"
+    exit 77
+  fi
+}
+
 # no_remains: no unfinished file is in the work folder
 no_remains() {
   local remains
