@@ -190,13 +190,19 @@ Html_page page_of(const std::string& file_name, const Mesh& mesh, const std::vec
   return page;
 }
 
+double tolerance_of(const Arguments& arguments, const Mesh& mesh)
+{
+  if(has(arguments, "tolerance"))
+    return positive_argument("tolerance", arguments["tolerance"].as<std::string>());
+  const double size = extent(mesh);
+  return size > 0 ? 1e-4 * size : 1; // all points at one place: any tolerance will do
+}
+
 void run(const Arguments& arguments, const Console& console)
 {
   Output_files files(output_names(arguments, html_names(arguments)), {"csv", "ply", "vtk", "obj", "html"});
   const Mesh mesh = read_mesh(mesh_argument(arguments), console);
-  const double tolerance = has(arguments, "tolerance")
-                             ? positive_argument("tolerance", arguments["tolerance"].as<std::string>())
-                             : 1e-4 * extent(mesh);
+  const double tolerance = tolerance_of(arguments, mesh);
   const std::vector<Place> sites = site_options.required_places(arguments, mesh);
   Diagram diagram(mesh);
   add_sites(diagram, sites, weights(arguments, sites.size()));

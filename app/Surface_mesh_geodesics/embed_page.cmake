@@ -3,7 +3,8 @@
 cmake_minimum_required(VERSION 3.19...3.31)
 
 function(write_array name hexadecimal)
-  string(REGEX REPLACE "(................................................................)" "\\1\n" lines "${hexadecimal}")
+  string(REPEAT "." 64 digits_of_line)
+  string(REGEX REPLACE "(${digits_of_line})" "\\1\n" lines "${hexadecimal}")
   string(REGEX REPLACE "([0-9a-f][0-9a-f])" "0x\\1," bytes "${lines}")
   file(APPEND "${output}" "extern const unsigned char ${name}[] = {\n${bytes}};\n")
   file(APPEND "${output}" "extern const std::size_t ${name}_size = sizeof(${name});\n\n")

@@ -421,7 +421,9 @@
     const lines = [];
     if (cells) lines.push(cells[triangle] === NO_CELL ? "in no cell" : "in the cell of site " + cells[triangle]);
     lines.push(isFinite(d) ? "distance " + rounded(d) : "not reached");
-    lines.push("at (" + p.toArray().map((x, k) => rounded(x + data.center[k])).join(", ") + ")");
+    const isRounding = (x) => Math.abs(x) < 1e-7 * radius; // of the matrices of the picture
+    const coordinates = p.toArray().map((x, k) => x + data.center[k]).map((x) => (isRounding(x) ? "0" : rounded(x)));
+    lines.push("at (" + coordinates.join(", ") + ")");
     answer.innerText = lines.join("\n");
   }
 

@@ -15,9 +15,16 @@ if [ -z "$browser" ]; then
   exit 77
 fi
 
-# What the user does and sees. click(): at a place told in parts of the width and the height of the picture; the answer
+# What the user does and sees. drag(): by some pixels, which answers nothing. click(): at a place told in parts of the width and the height of the picture; the answer
 # is added to an attribute. Then the number of colors of the picture is added, which can be read only just after drawing.
-user='function click(x, y) {
+user='function drag(x, y) {
+  const canvas = document.getElementById("surface"), event = { pointerId: 1, button: 0, clientX: 100, clientY: 100 };
+  canvas.dispatchEvent(new PointerEvent("pointerdown", event));
+  Object.assign(event, { clientX: 100 + x, clientY: 100 + y });
+  canvas.dispatchEvent(new PointerEvent("pointermove", event));
+  canvas.dispatchEvent(new PointerEvent("pointerup", event));
+}
+function click(x, y) {
   const canvas = document.getElementById("surface"), box = canvas.getBoundingClientRect();
   const event = { pointerId: 1, button: 0, clientX: box.left + x * box.width, clientY: box.top + y * box.height };
   canvas.dispatchEvent(new PointerEvent("pointerdown", event));
@@ -51,9 +58,13 @@ number_of_colors() {
 
 # The middle of the square is half a diagonal away from its corner.
 is_silent distances "$grid" --source 0 --html distances.html
-opened distances.html "click(0.01, 0.01); click(0.5, 0.5);" > distances.dom
+opened distances.html "click(0.01, 0.01); click(0.5, 0.5); drag(100, 0); click(0.5, 0.5); click(0.6, 0.5);" > distances.dom
 contains distances.dom 'data-state="ready"'
-contains distances.dom '"|There is no surface at this place.|distance 0.70711, at (0.5, 0.5, 0)"'
+contains distances.dom '"|There is no surface at this place.|distance 0.70711, at (0.5, 0.5, 0)|'
+# turned around its middle by 0.8, the square is narrower: a click beside the middle is farther to the right on it
+answers=$(sed -n 's/.*data-answers="\([^"]*\)".*/\1/p' distances.dom)
+equals "$(echo "$answers" | cut -d '|' -f 4)" "distance 0.70711, at (0.5, 0.5, 0)"
+echo "$answers" | cut -d '|' -f 5 | awk -F '[(,]' '{ exit !($3 > 0.65 && $3 < 0.8 && $4 == 0.5) }'
 contains distances.dom '>grid4.off: 16 vertices, 18 faces</p>'
 contains distances.dom '>≤ 1.4142</small>'
 contains distances.dom '>lines of equal distance</div>'
