@@ -10,7 +10,8 @@ data=$build/cgal_data
 "$root/scripts/install_needs.sh" g++ cmake make libcgal-dev libcgal-demo
 
 cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release \
-  -DSurface_mesh_geodesics_EXAMPLES=ON -DSurface_mesh_geodesics_TESTS=OFF -DSurface_mesh_geodesics_BENCHMARK=OFF
+  -DSurface_mesh_geodesics_EXAMPLES=ON -DSurface_mesh_geodesics_TESTS=OFF -DSurface_mesh_geodesics_BENCHMARK=OFF \
+  -DSurface_mesh_geodesics_PROGRAM=OFF
 cmake --build "$build" --target distances_to_all_vertices --parallel "${JOBS:-$(nproc)}"
 
 if [ ! -f "$data/data/meshes/bunny00.off" ]; then

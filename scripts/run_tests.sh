@@ -7,10 +7,12 @@ build=$root/build
 jobs=${JOBS:-$(nproc)}
 
 "$root/scripts/install_needs.sh" \
-  g++ clang cmake make libcgal-dev libcgal-demo libeigen3-dev libtbb-dev doxygen python3
+  g++ clang cmake make libcgal-dev libcgal-demo libboost-program-options-dev libeigen3-dev libjs-three libtbb-dev \
+  doxygen python3
 
 cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release -DSurface_mesh_geodesics_WARNINGS_AS_ERRORS=ON \
-  -DSurface_mesh_geodesics_EXAMPLES=ON -DSurface_mesh_geodesics_TESTS=ON -DSurface_mesh_geodesics_BENCHMARK=ON
+  -DSurface_mesh_geodesics_EXAMPLES=ON -DSurface_mesh_geodesics_TESTS=ON -DSurface_mesh_geodesics_BENCHMARK=ON \
+  -DSurface_mesh_geodesics_PROGRAM=ON
 cmake --build "$build" --parallel "$jobs"
 cd "$build"
 ctest --output-on-failure --no-tests=error --parallel "$jobs" "$@"

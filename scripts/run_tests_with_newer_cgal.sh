@@ -10,7 +10,8 @@ release=${1:-trixie}
 work=$root/build/cgal_of_$release
 jobs=${JOBS:-$(nproc)}
 
-"$root/scripts/install_needs.sh" g++ cmake make libcgal-dev libcgal-demo libeigen3-dev libtbb-dev python3
+"$root/scripts/install_needs.sh" g++ cmake make libcgal-dev libcgal-demo libboost-program-options-dev \
+  libeigen3-dev libjs-three libtbb-dev python3
 
 # apt-get with lists of its own: the system's are not touched
 apt=$work/apt
@@ -27,7 +28,8 @@ dpkg -x "$apt"/libcgal-dev_*.deb "$work/package"
 config=$(find "$work/package" -name CGALConfig.cmake)
 cmake -S "$root" -B "$work/build" -DCMAKE_BUILD_TYPE=Release -DCGAL_DIR="$(dirname "$config")" \
   -DSurface_mesh_geodesics_WARNINGS_AS_ERRORS=ON -DSurface_mesh_geodesics_EXAMPLES=ON \
-  -DSurface_mesh_geodesics_TESTS=ON -DSurface_mesh_geodesics_BENCHMARK=ON
+  -DSurface_mesh_geodesics_TESTS=ON -DSurface_mesh_geodesics_BENCHMARK=ON \
+  -DSurface_mesh_geodesics_PROGRAM=ON
 grep -h 'define CGAL_VERSION ' "$work/package/usr/include/CGAL/version.h"
 cmake --build "$work/build" --parallel "$jobs"
 cd "$work/build"

@@ -85,7 +85,7 @@ flags="not known (--programs)"
 if [ -z "$programs" ]; then
   cmake -S "$root" -B "$build/programs" -DCMAKE_BUILD_TYPE=Release -DCMAKE_EXPORT_COMPILE_COMMANDS=ON \
     -DSurface_mesh_geodesics_TESTS=OFF -DSurface_mesh_geodesics_EXAMPLES=OFF \
-    -DSurface_mesh_geodesics_BENCHMARK=ON > "$build/configure.log"
+    -DSurface_mesh_geodesics_BENCHMARK=ON -DSurface_mesh_geodesics_PROGRAM=OFF > "$build/configure.log"
   targets=()
   [ "$standard$all" = nono ] || targets+=(benchmark_against_shortest_path)
   [ "$paths" = no ] || targets+=(benchmark_paths_against_shortest_path)

@@ -1,0 +1,34 @@
+#ifndef SURFACE_MESH_GEODESICS_APP_COMMAND_ERROR_H
+#define SURFACE_MESH_GEODESICS_APP_COMMAND_ERROR_H
+
+#include <stdexcept>
+#include <string>
+
+namespace geodesics_app {
+
+// What the program returns to the shell. The numbers are part of the interface: the man page names them.
+enum class Exit_code
+{
+  SUCCESS = 0,
+  NO_RESULT = 1,  // the computation has no result, or not enough memory
+  BAD_USAGE = 2,  // the command line is wrong
+  BAD_INPUT = 3,  // a file cannot be read or does not hold what it should
+  BAD_OUTPUT = 4  // a file cannot be written
+};
+
+// An error that ends the program with a message for the user.
+class Command_error
+  : public std::runtime_error
+{
+public:
+  Command_error(Exit_code code, const std::string& message) : std::runtime_error(message), m_code(code) {}
+
+  Exit_code code() const { return m_code; }
+
+private:
+  Exit_code m_code;
+};
+
+} // namespace geodesics_app
+
+#endif // SURFACE_MESH_GEODESICS_APP_COMMAND_ERROR_H

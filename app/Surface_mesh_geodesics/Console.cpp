@@ -1,0 +1,44 @@
+#include "Console.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <iostream>
+
+namespace geodesics_app {
+
+Console::Console(bool is_quiet) : m_is_quiet(is_quiet), m_shows_progress(!is_quiet && isatty(STDERR_FILENO) == 1) {}
+
+void Console::note(const std::string& text) const
+{
+  if(!m_is_quiet)
+    std::cerr << "surface_mesh_geodesics: " << text << std::endl;
+}
+
+Progress_bar::Progress_bar(const Console& console, const std::string& what)
+  : m_what(what), m_is_on(console.shows_progress()), m_next_drawing(Clock::now() + std::chrono::milliseconds(500))
+{}
+
+Progress_bar::~Progress_bar()
+{
+  if(m_has_drawn)
+    std::cerr << "\r\033[K" << std::flush; // nothing of the bar stays on the terminal
+}
+
+void Progress_bar::show(double fraction)
+{
+  // Reading the clock costs more than a visit of a vertex.
+  if(!m_is_on || ++m_number_of_calls % 64 != 0)
+    return;
+  const Clock::time_point now = Clock::now();
+  if(now < m_next_drawing)
+    return;
+  m_next_drawing = now + std::chrono::milliseconds(100);
+  m_has_drawn = true;
+  const int width = 40, percent = static_cast<int>(100 * (std::min)((std::max)(fraction, 0.), 1.));
+  const std::string done(static_cast<std::size_t>(percent * width / 100), '#');
+  std::cerr << '\r' << m_what << " [" << done << std::string(static_cast<std::size_t>(width) - done.size(), '.')
+            << "] " << percent << " %" << std::flush;
+}
+
+} // namespace geodesics_app

@@ -1,0 +1,44 @@
+#include "Face_tree.h"
+
+#include <CGAL/AABB_face_graph_triangle_primitive.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_paths.h>
+#include <CGAL/version.h>
+#if CGAL_VERSION_NR >= CGAL_VERSION_NUMBER(6, 0, 0)
+#include <CGAL/AABB_traits_3.h>
+#else
+#include <CGAL/AABB_traits.h>
+#endif
+
+namespace geodesics_app {
+
+namespace {
+
+using Paths = CGAL::Surface_mesh_geodesic_paths<CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>>;
+using Primitive = CGAL::AABB_face_graph_triangle_primitive<Mesh>;
+#if CGAL_VERSION_NR >= CGAL_VERSION_NUMBER(6, 0, 0)
+using AABB_traits = CGAL::AABB_traits_3<Kernel, Primitive>;
+#else
+using AABB_traits = CGAL::AABB_traits<Kernel, Primitive>;
+#endif
+
+} // namespace
+
+struct Face_tree::Tree
+{
+  CGAL::AABB_tree<AABB_traits> faces;
+};
+
+Face_tree::Face_tree(const Mesh& mesh) : m_mesh(mesh), m_tree(new Tree)
+{
+  Paths::build_aabb_tree(m_mesh, m_tree->faces);
+}
+
+Face_tree::~Face_tree() = default;
+
+Face_location Face_tree::nearest_place(const Point& p) const
+{
+  return Paths::locate(p, m_tree->faces, m_mesh, get(CGAL::vertex_point, m_mesh));
+}
+
+} // namespace geodesics_app

@@ -1,0 +1,381 @@
+#include "Html_page.h"
+
+#include "Command_error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <limits>
+#include <map>
+#include <utility>
+
+namespace geodesics_app {
+
+namespace po = boost::program_options;
+
+// Embedded by embed_page.cmake, where three.js was found.
+#ifdef SURFACE_MESH_GEODESICS_HAS_PAGE
+extern const unsigned char page_template[], page_script[], page_three[], page_licence[];
+extern const std::size_t page_template_size, page_script_size, page_three_size, page_licence_size;
+#endif
+
+namespace {
+
+// --- numbers as text -------------------------------------------------------------------------------------------------
+
+// Four bytes, the lowest one first, for each number, in base 64: browsers make an array of it in one step, and it takes
+// half the place of digits.
+class Base64_writer
+{
+public:
+  explicit Base64_writer(std::ostream& os) : m_os(os) { m_os << '"'; }
+
+  void add(std::uint32_t x)
+  {
+    for(int shift = 0; shift < 32; shift += 8)
+      add_byte((x >> shift) & 0xffu);
+  }
+
+  void add(float x)
+  {
+    std::uint32_t bits;
+    std::memcpy(&bits, &x, sizeof(x));
+    add(bits);
+  }
+
+  void finish()
+  {
+    if(m_number_of_bytes == 1)
+      m_os << digit(m_bytes << 16, 18) << digit(m_bytes << 16, 12) << "==";
+    else if(m_number_of_bytes == 2)
+      m_os << digit(m_bytes << 8, 18) << digit(m_bytes << 8, 12) << digit(m_bytes << 8, 6) << '=';
+    m_os << '"';
+  }
+
+private:
+  static char digit(std::uint32_t bytes, int shift)
+  {
+    return "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/"[(bytes >> shift) & 63u];
+  }
+
+  void add_byte(std::uint32_t byte)
+  {
+    m_bytes = m_bytes << 8 | byte;
+    if(++m_number_of_bytes < 3)
+      return;
+    for(const int shift : {18, 12, 6, 0})
+      m_os << digit(m_bytes, shift);
+    m_bytes = 0;
+    m_number_of_bytes = 0;
+  }
+
+  std::ostream& m_os;
+  std::uint32_t m_bytes = 0; // those not written yet
+  int m_number_of_bytes = 0;
+};
+
+template <typename Range, typename Convert>
+void write_array(std::ostream& os, const Range& range, Convert convert)
+{
+  Base64_writer writer(os);
+  for(const auto& x : range)
+    convert(writer, x);
+  writer.finish();
+}
+
+void write_indices(std::ostream& os, const std::vector<std::size_t>& indices)
+{
+  write_array(os, indices, [](Base64_writer& w, std::size_t i) { w.add(static_cast<std::uint32_t>(i)); });
+}
+
+// A string of JSON that may also stand in a script element: no character can end that.
+void write_string(std::ostream& os, const std::string& text)
+{
+  static const char* const digits = "0123456789abcdef";
+  os << '"';
+  for(const char c : text)
+  {
+    const unsigned char u = static_cast<unsigned char>(c);
+    if(u < 0x20 || c == '"' || c == '\\' || c == '<' || c == '>' || c == '&')
+      os << "\\u00" << digits[u >> 4] << digits[u & 15];
+    else
+      os << c;
+  }
+  os << '"';
+}
+
+std::string escaped(const std::string& text)
+{
+  static const std::map<char, std::string> names{{'<', "&lt;"}, {'>', "&gt;"}, {'&', "&amp;"}, {'"', "&quot;"}};
+  std::string result;
+  for(const char c : text)
+  {
+    const auto name = names.find(c);
+    result += name == names.end() ? std::string(1, c) : name->second;
+  }
+  return result;
+}
+
+// --- the data of a page ----------------------------------------------------------------------------------------------
+
+// Coordinates are written from the center of the surface, so that `float` keeps them apart wherever they are.
+class Page_data_writer
+{
+public:
+  Page_data_writer(std::ostream& os, const Html_page& page) : m_os(os), m_page(page)
+  {
+    CGAL::Bbox_3 box;
+    for(const Point& p : page.surface.points)
+      box += p.bbox();
+    m_center = Point((box.xmin() + box.xmax()) / 2, (box.ymin() + box.ymax()) / 2, (box.zmin() + box.zmax()) / 2);
+    m_radius = std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()) / 2;
+  }
+
+  void write()
+  {
+    m_os << "{\"title\":";
+    write_string(m_os, m_page.title);
+    m_os << ",\"subtitle\":";
+    write_string(m_os, m_page.subtitle);
+    m_os << ",\"center\":[" << m_center.x() << ',' << m_center.y() << ',' << m_center.z()
+         << "],\"radius\":" << m_radius;
+    write_surface();
+    write_groups();
+    m_os << '}';
+  }
+
+private:
+  void write_points(const std::vector<Point>& points)
+  {
+    write_array(m_os, points, [this](Base64_writer& w, const Point& p)
+    {
+      const auto v = p - m_center;
+      w.add(static_cast<float>(v.x()));
+      w.add(static_cast<float>(v.y()));
+      w.add(static_cast<float>(v.z()));
+    });
+  }
+
+  void write_surface()
+  {
+    const Html_surface& surface = m_page.surface;
+    m_os << ",\"points\":";
+    write_points(surface.points);
+    m_os << ",\"triangles\":";
+    write_array(m_os, surface.triangles, [](Base64_writer& w, const std::array<std::size_t, 3>& t)
+    {
+      for(const std::size_t v : t)
+        w.add(static_cast<std::uint32_t>(v));
+    });
+    m_os << ",\"distances\":";
+    write_array(m_os, surface.distances, [](Base64_writer& w, double d) { w.add(static_cast<float>(d)); });
+    double largest = 0;
+    for(const double d : surface.distances)
+      largest = std::isfinite(d) ? (std::max)(largest, d) : largest;
+    m_os << ",\"largest\":" << largest << ",\"isolines\":[";
+    for(std::size_t i = 0; i < m_page.band_limits.size(); ++i)
+      m_os << (i == 0 ? "" : ",") << m_page.band_limits[i];
+    m_os << ']';
+    if(!surface.cells.empty())
+    {
+      m_os << ",\"cells\":"; // "no cell" becomes the largest number of 32 bits
+      write_indices(m_os, surface.cells);
+    }
+    m_os << ",\"cellColors\":[";
+    for(std::size_t i = 0; i < m_page.cell_colors.size(); ++i)
+      m_os << (i == 0 ? "" : ",") << m_page.cell_colors[i];
+    m_os << ']';
+  }
+
+  void write_groups()
+  {
+    m_os << ",\"lines\":[";
+    for(std::size_t i = 0; i < m_page.lines.size(); ++i)
+    {
+      std::vector<Point> points;
+      std::vector<std::size_t> lengths;
+      for(const std::vector<Point>& line : m_page.lines[i].lines)
+      {
+        points.insert(points.end(), line.begin(), line.end());
+        lengths.push_back(line.size());
+      }
+      m_os << (i == 0 ? "" : ",") << "{\"role\":\"" << m_page.lines[i].role << "\",\"lengths\":";
+      write_indices(m_os, lengths);
+      m_os << ",\"points\":";
+      write_points(points);
+      m_os << '}';
+    }
+    m_os << "],\"dots\":[";
+    for(std::size_t i = 0; i < m_page.dots.size(); ++i)
+    {
+      m_os << (i == 0 ? "" : ",") << "{\"role\":\"" << m_page.dots[i].role << "\",\"points\":";
+      write_points(m_page.dots[i].points);
+      m_os << '}';
+    }
+    m_os << ']';
+  }
+
+  std::ostream& m_os;
+  const Html_page& m_page;
+  Point m_center;
+  double m_radius;
+};
+
+// A surface with fewer triangles is divided.
+constexpr std::size_t triangles_wanted = 40000;
+
+// into how many parts the sides of triangles are divided.
+std::size_t number_of_parts(std::size_t number_of_triangles)
+{
+  std::size_t k = 1;
+  while(k < 64 && number_of_triangles * (k + 1) * (k + 1) <= triangles_wanted)
+    ++k;
+  return k;
+}
+
+} // namespace
+
+Html_dots dots_at(const std::string& role, const std::vector<Place>& places, const Mesh& mesh)
+{
+  Html_dots result{role, {}};
+  for(const Place& p : places)
+    result.points.push_back(point_of(p, mesh));
+  return result;
+}
+
+std::string description_of(const std::string& file_name, const Mesh& mesh)
+{
+  return std::filesystem::path(file_name).filename().string() + ": " + std::to_string(mesh.number_of_vertices())
+       + " vertices, " + std::to_string(mesh.number_of_faces()) + " faces";
+}
+
+bool is_refined(std::size_t number_of_triangles)
+{
+  return number_of_parts(number_of_triangles) > 1;
+}
+
+Html_surface refined(const Html_surface& surface, const Distance_in_triangle& distance)
+{
+  const std::size_t k = number_of_parts(surface.triangles.size());
+  if(k == 1)
+    return surface;
+  Html_surface result;
+  for(std::size_t t = 0; t < surface.triangles.size(); ++t)
+  {
+    // row i has the points with the first coordinate i / k, from left to right
+    const auto [p, q, r] = surface.triangles[t];
+    std::vector<std::size_t> row_before;
+    for(std::size_t i = 0; i <= k; ++i)
+    {
+      std::vector<std::size_t> row;
+      for(std::size_t j = 0; j + i <= k; ++j)
+      {
+        const double whole = static_cast<double>(k), b0 = static_cast<double>(i) / whole,
+                     b1 = static_cast<double>(j) / whole, b2 = static_cast<double>(k - i - j) / whole;
+        row.push_back(result.points.size());
+        result.points.push_back(
+          CGAL::barycenter(surface.points[p], b0, surface.points[q], b1, surface.points[r], b2));
+        result.distances.push_back(distance(t, {b0, b1, b2}));
+      }
+      for(std::size_t j = 0; i > 0 && j < row.size(); ++j)
+      {
+        result.triangles.push_back({row[j], row_before[j + 1], row_before[j]});
+        if(j + 1 < row.size())
+          result.triangles.push_back({row[j], row[j + 1], row_before[j + 1]});
+      }
+      row_before = row;
+    }
+    if(!surface.cells.empty())
+      result.cells.resize(result.triangles.size(), surface.cells[t]);
+  }
+  return result;
+}
+
+Html_lines lines_between_bands(const Html_surface& surface, const std::vector<double>& limits)
+{
+  Html_lines result{"isoline", {}};
+  for(const std::array<std::size_t, 3>& t : surface.triangles)
+  {
+    const auto [nearest, farthest] = std::minmax(
+      {surface.distances[t[0]], surface.distances[t[1]], surface.distances[t[2]]});
+    if(!std::isfinite(farthest))
+      continue;
+    const auto end = std::upper_bound(limits.begin(), limits.end(), farthest);
+    for(auto limit = std::lower_bound(limits.begin(), end, nearest); limit != end; ++limit)
+    {
+      std::vector<Point> ends;
+      for(std::size_t k = 0; k < 3; ++k)
+      {
+        const std::size_t v = t[k], w = t[(k + 1) % 3];
+        const double d = surface.distances[v], e = surface.distances[w];
+        if((d < *limit) != (e < *limit))
+          ends.push_back(surface.points[v] + (*limit - d) / (e - d) * (surface.points[w] - surface.points[v]));
+      }
+      if(ends.size() == 2)
+        result.lines.push_back(ends);
+    }
+  }
+  return result;
+}
+
+void declare_html(Option_descriptions& options)
+{
+  options.add_options()("html", po::value<std::vector<std::string>>()->value_name("FILE.html")->composing(),
+                        "a page for a browser that shows the result; it needs no network");
+}
+
+#ifdef SURFACE_MESH_GEODESICS_HAS_PAGE
+
+std::vector<std::string> html_names(const Arguments& arguments)
+{
+  const std::vector<std::string> names = all_values(arguments, "html");
+  for(const std::string& name : names)
+    if(name.size() < 6 || name.compare(name.size() - 5, 5, ".html") != 0)
+      throw Command_error(Exit_code::BAD_USAGE, "--html: the end of the name '" + name + "' is not .html");
+  return names;
+}
+
+void write_html_page(std::ostream& os, const Html_page& page)
+{
+  const auto embedded = [](const unsigned char* bytes, std::size_t size)
+  { return std::string(reinterpret_cast<const char*>(bytes), size); };
+  std::string rest = embedded(page_template, page_template_size);
+  // writes the template up to a mark, which is left out
+  const auto write_up_to = [&](const std::string& mark)
+  {
+    const std::size_t position = rest.find(mark);
+    os << rest.substr(0, position);
+    rest.erase(0, position + mark.size());
+  };
+  write_up_to("@TITLE@");
+  os << escaped(page.title);
+  write_up_to("@LICENCE@");
+  os << escaped(embedded(page_licence, page_licence_size));
+  write_up_to("@THREE@");
+  os << embedded(page_three, page_three_size);
+  write_up_to("@DATA@");
+  Page_data_writer(os, page).write();
+  write_up_to("@SCRIPT@");
+  os << embedded(page_script, page_script_size) << rest;
+}
+
+#else
+
+std::vector<std::string> html_names(const Arguments& arguments)
+{
+  if(has(arguments, "html"))
+    throw Command_error(Exit_code::BAD_USAGE, "--html: this program was built without three.js (Debian: libjs-three), "
+                                              "and writes no pages");
+  return {};
+}
+
+void write_html_page(std::ostream& os, const Html_page&)
+{
+  os.setstate(std::ios::failbit);
+}
+
+#endif
+
+} // namespace geodesics_app

@@ -1,0 +1,158 @@
+#include "Output_files.h"
+
+#include "Command_error.h"
+#include "Temporary_files.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <iostream>
+#include <system_error>
+
+namespace geodesics_app {
+
+namespace po = boost::program_options;
+namespace fs = std::filesystem;
+
+namespace {
+
+[[noreturn]] void complain(const std::string& name, const std::string& reason)
+{
+  throw Command_error(Exit_code::BAD_OUTPUT, name + ": cannot be written: " + reason);
+}
+
+bool ends_with(const std::string& text, const std::string& ending)
+{
+  return text.size() > ending.size() && text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
+}
+
+std::string format_of(const std::string& name, const std::vector<std::string>& formats)
+{
+  for(const std::string& format : formats)
+    if(ends_with(name, "." + format))
+      return format;
+  std::string known;
+  for(const std::string& format : formats)
+    known += (known.empty() ? "." : ", .") + format;
+  throw Command_error(Exit_code::BAD_USAGE, name + ": the end of the name must be one of " + known);
+}
+
+// Everything is written with all digits: reading the numbers again gives the same ones.
+constexpr int number_of_digits = 17;
+
+} // namespace
+
+Output_files::Output_files(const std::vector<std::string>& names, const std::vector<std::string>& formats)
+  : Output_files()
+{
+  for(const std::string& name : names)
+  {
+    const bool is_new = std::none_of(m_files.begin(), m_files.end(), [&](const File& f) { return f.name == name; });
+    if(is_new)
+      open(name, name == "-" ? formats.front() : format_of(name, formats));
+  }
+}
+
+Output_files::~Output_files()
+{
+  for(File& file : m_files)
+    if(!file.temporary_name.empty())
+    {
+      file.stream.close();
+      std::error_code error;
+      fs::remove(file.temporary_name, error);
+      keep_if_interrupted(file.temporary_name);
+    }
+}
+
+void Output_files::open(const std::string& name, const std::string& format)
+{
+  m_files.emplace_back();
+  File& file = m_files.back();
+  file.name = name;
+  file.format = format;
+  if(name == "-")
+    return;
+  std::error_code error;
+  const fs::file_status status = fs::status(name, error);
+  if(fs::is_directory(status))
+    complain(name, "it is a folder");
+  if(fs::exists(status) && access(name.c_str(), W_OK) != 0) // renaming would overwrite a protected file
+    complain(name, std::strerror(errno));
+  if(!fs::exists(status) || fs::is_regular_file(status))
+  {
+    // a link stays a link, and the file that it leads to is replaced
+    const fs::path place = fs::exists(status) ? fs::canonical(name) : fs::path(name);
+    file.name = place.string();
+    const std::string hidden_name = "." + std::to_string(getpid()) + "." + place.filename().string();
+    file.temporary_name = (place.parent_path() / hidden_name).string();
+    remove_if_interrupted(file.temporary_name);
+  }
+  errno = 0;
+  file.stream.open(file.temporary_name.empty() ? name : file.temporary_name, std::ios::binary | std::ios::trunc);
+  if(!file.stream)
+  {
+    const int reason = errno;
+    keep_if_interrupted(file.temporary_name);
+    file.temporary_name.clear();
+    complain(name, std::strerror(reason));
+  }
+}
+
+bool Output_files::have(const std::vector<std::string>& formats) const
+{
+  return std::any_of(m_files.begin(), m_files.end(), [&](const File& file)
+                     { return std::find(formats.begin(), formats.end(), file.format) != formats.end(); });
+}
+
+void Output_files::write(const std::function<void(std::ostream&, const std::string&)>& write)
+{
+  for(File& file : m_files)
+  {
+    std::ostream& os = file.name == "-" ? std::cout : file.stream;
+    os.precision(number_of_digits);
+    errno = 0;
+    write(os, file.format);
+    os.flush();
+    if(file.stream.is_open())
+      file.stream.close();
+    if(!os)
+      complain(file.name == "-" ? "standard output" : file.name,
+               errno != 0 ? std::strerror(errno) : "the stream is broken");
+  }
+  for(File& file : m_files)
+    if(!file.temporary_name.empty())
+      complete(file);
+}
+
+void Output_files::complete(File& file)
+{
+  std::error_code error;
+  const fs::file_status old = fs::status(file.name, error);
+  if(fs::exists(old))
+    fs::permissions(file.temporary_name, old.permissions(), error);
+  fs::rename(file.temporary_name, file.name, error);
+  if(error)
+    complain(file.name, error.message());
+  keep_if_interrupted(file.temporary_name);
+  file.temporary_name.clear();
+}
+
+void declare_output(Option_descriptions& options, const std::string& formats)
+{
+  const std::string text = "a file to be written: " + formats + "; may be given several times";
+  options.add_options()("output,o", po::value<std::vector<std::string>>()->value_name("FILE")->composing(),
+                        text.c_str());
+}
+
+std::vector<std::string> output_names(const Arguments& arguments, const std::vector<std::string>& others)
+{
+  std::vector<std::string> names = all_values(arguments, "output");
+  names.insert(names.end(), others.begin(), others.end());
+  return names.empty() ? std::vector<std::string>{"-"} : names;
+}
+
+} // namespace geodesics_app

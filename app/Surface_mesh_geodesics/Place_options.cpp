@@ -1,0 +1,273 @@
+#include "Place_options.h"
+
+#include "Command_error.h"
+#include "Face_tree.h"
+#include "number_arguments.h"
+
+#include <CGAL/boost/graph/helpers.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <random>
+#include <sstream>
+#include <utility>
+
+namespace geodesics_app {
+
+namespace po = boost::program_options;
+
+namespace {
+
+Place vertex_place(Vertex v)
+{
+  return Place{v, Face_location(Mesh::null_face(), {0, 0, 0})};
+}
+
+Place location_place(const Face_location& location)
+{
+  return Place{Mesh::null_vertex(), location};
+}
+
+// Reads places from the command line and from files; `where` says in messages where a text stands.
+class Place_reader
+{
+public:
+  explicit Place_reader(const Mesh& mesh) : m_mesh(mesh) {}
+
+  std::vector<Place> places;
+
+  void add_vertex(const std::string& text, const std::string& where, Exit_code code)
+  {
+    std::size_t i = 0;
+    if(!parse_index(text, i))
+      throw Command_error(code, where + ": '" + text + "' is not the number of a vertex");
+    if(i >= m_mesh.number_of_vertices())
+      throw Command_error(code, where + ": there is no vertex " + text + "; the vertices of the mesh are 0 to "
+                                  + std::to_string(m_mesh.number_of_vertices() - 1));
+    places.push_back(vertex_place(Vertex(static_cast<Mesh::size_type>(i))));
+  }
+
+  void add_all_vertices()
+  {
+    for(const Vertex v : m_mesh.vertices())
+      places.push_back(vertex_place(v));
+  }
+
+  void add_nearest_place(const std::vector<std::string>& coordinates, const std::string& where, Exit_code code)
+  {
+    double x[3] = {0, 0, 0};
+    bool is_point = coordinates.size() == 3;
+    for(std::size_t k = 0; is_point && k < 3; ++k)
+      is_point = parse_number(coordinates[k], x[k]);
+    if(!is_point)
+      throw Command_error(code, where + ": a point is three finite numbers");
+    if(m_tree == nullptr)
+      m_tree.reset(new Face_tree(m_mesh));
+    places.push_back(location_place(m_tree->nearest_place(Point(x[0], x[1], x[2]))));
+  }
+
+  // One place in a line: a vertex (one number), a point (three numbers), or a face with barycentric coordinates (four
+  // numbers). What follows a # does not count.
+  void add_file(const std::string& file_name)
+  {
+    std::ifstream is(file_name);
+    if(!is)
+      throw Command_error(Exit_code::BAD_INPUT, file_name + ": the file cannot be opened");
+    const std::size_t number_before = places.size();
+    std::string line;
+    for(std::size_t number = 1; std::getline(is, line); ++number)
+    {
+      for(char& c : line)
+        if(c == ',' || c == ';')
+          c = ' ';
+      std::istringstream words_of_line(line.substr(0, line.find('#')));
+      const std::vector<std::string> words{std::istream_iterator<std::string>(words_of_line),
+                                           std::istream_iterator<std::string>()};
+      if(!words.empty())
+        add_line(words, file_name + ", line " + std::to_string(number));
+    }
+    if(is.bad())
+      throw Command_error(Exit_code::BAD_INPUT, file_name + ": the file cannot be read");
+    if(places.size() == number_before)
+      throw Command_error(Exit_code::BAD_INPUT, file_name + ": there is no place in the file");
+  }
+
+  // Vertices with faces, each at most once. The same seed gives the same vertices on every machine, which the
+  // distributions of the standard library do not promise.
+  void add_random_vertices(std::size_t n, std::uint64_t seed, const std::string& option)
+  {
+    std::vector<Vertex> pool;
+    for(const Vertex v : m_mesh.vertices())
+      if(!m_mesh.is_isolated(v))
+        pool.push_back(v);
+    if(n > pool.size())
+      throw Command_error(Exit_code::BAD_USAGE, option + ": there are only " + std::to_string(pool.size())
+                                                  + " vertices with faces in the mesh");
+    std::mt19937_64 random(seed);
+    for(std::size_t i = 0; i < n; ++i)
+    {
+      std::swap(pool[i], pool[i + random() % (pool.size() - i)]);
+      places.push_back(vertex_place(pool[i]));
+    }
+  }
+
+private:
+  void add_line(const std::vector<std::string>& words, const std::string& where)
+  {
+    if(words.size() == 1)
+      add_vertex(words[0], where, Exit_code::BAD_INPUT);
+    else if(words.size() == 4)
+      add_location(words, where);
+    else
+      add_nearest_place(words, where, Exit_code::BAD_INPUT);
+  }
+
+  void add_location(const std::vector<std::string>& words, const std::string& where)
+  {
+    std::size_t f = 0;
+    std::array<double, 3> b{};
+    if(!parse_index(words[0], f) || f >= m_mesh.number_of_faces())
+      throw Command_error(Exit_code::BAD_INPUT, where + ": '" + words[0] + "' is not the number of a face");
+    double sum = 0;
+    for(std::size_t k = 0; k < 3; ++k)
+    {
+      if(!parse_number(words[k + 1], b[k]) || b[k] < 0)
+        throw Command_error(Exit_code::BAD_INPUT, where + ": '" + words[k + 1] + "' is not a barycentric coordinate");
+      sum += b[k];
+    }
+    if(std::abs(sum - 1) > 1e-6) // digits that were printed by somebody; what is left is divided out
+      throw Command_error(Exit_code::BAD_INPUT, where + ": the sum of the barycentric coordinates is not 1");
+    for(double& x : b)
+      x /= sum;
+    places.push_back(location_place(Face_location(Face(static_cast<Mesh::size_type>(f)), b)));
+  }
+
+  const Mesh& m_mesh;
+  std::unique_ptr<Face_tree> m_tree;
+};
+
+} // namespace
+
+void Place_options::declare(Option_descriptions& options) const
+{
+  using Texts = std::vector<std::string>;
+  const std::string point = m_role + "-point", file = m_role + "-file", random = m_role + "-random";
+  options.add_options()
+    (m_role.c_str(), po::value<Texts>()->value_name("V[,V...]")->composing(),
+     "vertices, by their numbers from 0, or 'all'")
+    (point.c_str(), po::value<Texts>()->value_name("X,Y,Z")->composing(),
+     "the place of the surface that is nearest to a point")
+    (file.c_str(), po::value<Texts>()->value_name("FILE")->composing(),
+     "a file with one place in each line: V, or X Y Z, or FACE B0 B1 B2 with barycentric coordinates")
+    (random.c_str(), po::value<std::string>()->value_name("N"), "N different vertices, chosen at random");
+}
+
+void declare_seed(Option_descriptions& options)
+{
+  options.add_options()("seed", po::value<std::string>()->value_name("S")->default_value("0"),
+                        "the number that random choices depend on");
+}
+
+bool Place_options::are_given(const Arguments& arguments) const
+{
+  for(const char* ending : {"", "-point", "-file", "-random"})
+    if(has(arguments, m_role + ending))
+      return true;
+  return false;
+}
+
+std::vector<Place> Place_options::places(const Arguments& arguments, const Mesh& mesh) const
+{
+  Place_reader reader(mesh);
+  for(const std::string& value : all_values(arguments, m_role))
+    for(const std::string& text : split(value, ','))
+    {
+      if(text == "all")
+        reader.add_all_vertices();
+      else
+        reader.add_vertex(text, "--" + m_role, Exit_code::BAD_USAGE);
+    }
+  for(const std::string& value : all_values(arguments, m_role + "-point"))
+    reader.add_nearest_place(split(value, ','), "--" + m_role + "-point " + value, Exit_code::BAD_USAGE);
+  for(const std::string& file_name : all_values(arguments, m_role + "-file"))
+    reader.add_file(file_name);
+  if(has(arguments, m_role + "-random"))
+  {
+    const std::size_t n = count_argument(m_role + "-random", arguments[m_role + "-random"].as<std::string>(), 1);
+    // Targets are not to be the sources: each role draws from a sequence of its own.
+    const std::uint64_t seed = count_argument("seed", arguments["seed"].as<std::string>(), 0);
+    reader.add_random_vertices(n, m_role == "target" ? ~seed : seed, "--" + m_role + "-random");
+  }
+  return reader.places;
+}
+
+std::vector<Place> Place_options::required_places(const Arguments& arguments, const Mesh& mesh) const
+{
+  if(!are_given(arguments))
+    throw Command_error(Exit_code::BAD_USAGE, "no " + m_role + " is given; use --" + m_role + ", --" + m_role
+                                                + "-point, --" + m_role + "-file or --" + m_role + "-random");
+  return places(arguments, mesh);
+}
+
+std::vector<Vertex> Place_options::vertices(const Arguments& arguments, const Mesh& mesh) const
+{
+  const std::vector<Place> all = places(arguments, mesh);
+  const std::vector<Vertex> result = as_vertices(all);
+  if(result.size() != all.size())
+    throw Command_error(Exit_code::BAD_USAGE, "a " + m_role + " must be a vertex here");
+  return result;
+}
+
+Point point_of(const Place& place, const Mesh& mesh)
+{
+  if(place.is_vertex())
+    return mesh.point(place.vertex);
+  const Mesh::Halfedge_index h = mesh.halfedge(place.location.first);
+  const std::array<double, 3>& b = place.location.second;
+  return CGAL::barycenter(mesh.point(mesh.source(h)), b[0], mesh.point(mesh.target(h)), b[1],
+                          mesh.point(mesh.target(mesh.next(h))), b[2]);
+}
+
+std::vector<Vertex> as_vertices(const std::vector<Place>& places)
+{
+  std::vector<Vertex> result;
+  for(const Place& p : places)
+  {
+    if(!p.is_vertex())
+      return {};
+    result.push_back(p.vertex);
+  }
+  return result;
+}
+
+std::vector<Face_location> as_locations(const std::vector<Place>& places, const Mesh& mesh)
+{
+  std::vector<Face_location> result;
+  for(const Place& p : places)
+  {
+    if(!p.is_vertex())
+    {
+      result.push_back(p.location);
+      continue;
+    }
+    // the halfedge of an isolated vertex is null, that of a vertex at the border may have no face
+    Mesh::Halfedge_index h = mesh.halfedge(p.vertex);
+    if(!h.is_valid())
+      throw Command_error(Exit_code::BAD_USAGE, "vertex " + std::to_string(p.vertex.idx())
+                                                  + " has no face: it cannot be given together with points");
+    if(mesh.is_border(h))
+      h = mesh.prev(mesh.opposite(h));
+    Face_location location(mesh.face(h), {0, 0, 0});
+    Mesh::Halfedge_index corner = mesh.prev(mesh.halfedge(location.first)); // its target is the first corner
+    for(std::size_t k = 0; k < 3; ++k, corner = mesh.next(corner))
+      location.second[k] = mesh.target(corner) == p.vertex ? 1 : 0;
+    result.push_back(location);
+  }
+  return result;
+}
+
+} // namespace geodesics_app

@@ -1,0 +1,164 @@
+#include "Program_mesh.h"
+
+#include "Command_error.h"
+
+#include <CGAL/IO/polygon_soup_io.h>
+#include <CGAL/Polygon_mesh_processing/bbox.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <exception>
+#include <filesystem>
+#include <system_error>
+#include <vector>
+
+namespace geodesics_app {
+
+namespace {
+
+using Polygon = std::vector<std::size_t>;
+
+struct Polygon_soup
+{
+  std::vector<Point> points;
+  std::vector<Polygon> faces;
+};
+
+[[noreturn]] void complain(const std::string& file_name, const std::string& what)
+{
+  throw Command_error(Exit_code::BAD_INPUT, file_name + ": " + what);
+}
+
+// Readers say only that they failed; these are the reasons that can be told before.
+void check_file(const std::string& file_name)
+{
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::file_status status = fs::status(file_name, error);
+  if(!fs::exists(status))
+    complain(file_name, "there is no such file");
+  if(fs::is_directory(status))
+    complain(file_name, "is a folder, not a file");
+  if(access(file_name.c_str(), R_OK) != 0) // opening a pipe would take it from the reader
+    complain(file_name, std::strerror(errno));
+  if(fs::is_regular_file(status) && fs::file_size(file_name, error) == 0)
+    complain(file_name, "the file is empty");
+  std::string ending = fs::path(file_name).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); });
+  static const std::vector<std::string> known{".off", ".obj", ".ply", ".stl", ".ts"};
+  if(std::find(known.begin(), known.end(), ending) == known.end())
+    complain(file_name, "the end of the name is none of .off, .obj, .ply, .stl, .ts");
+}
+
+Polygon_soup read_soup(const std::string& file_name)
+{
+  Polygon_soup soup;
+  bool is_read = false;
+  try
+  {
+    is_read = CGAL::IO::read_polygon_soup(file_name, soup.points, soup.faces);
+  }
+  catch(const std::bad_alloc&)
+  {
+    throw;
+  }
+  catch(const std::exception&) // some readers throw for numbers that are none
+  {}
+  if(!is_read)
+    complain(file_name, "the file is damaged or incomplete, or is no mesh of the format that its name tells");
+  if(soup.faces.empty())
+    complain(file_name, "there are no faces in the file");
+  return soup;
+}
+
+void check_points(const std::string& file_name, const Polygon_soup& soup)
+{
+  for(std::size_t v = 0; v < soup.points.size(); ++v)
+  {
+    const Point& p = soup.points[v];
+    if(!std::isfinite(p.x()) || !std::isfinite(p.y()) || !std::isfinite(p.z()))
+      complain(file_name, "a coordinate of vertex " + std::to_string(v) + " is not a finite number");
+  }
+}
+
+void check_face(const std::string& file_name, const Polygon_soup& soup, std::size_t f)
+{
+  const std::string face = "face " + std::to_string(f);
+  Polygon polygon = soup.faces[f];
+  if(polygon.size() < 3)
+    complain(file_name, face + " has fewer than three vertices");
+  std::sort(polygon.begin(), polygon.end());
+  if(polygon.back() >= soup.points.size())
+    complain(file_name, face + " has the vertex " + std::to_string(polygon.back()) + ", but there are only "
+                          + std::to_string(soup.points.size()) + " vertices");
+  if(std::adjacent_find(polygon.begin(), polygon.end()) != polygon.end())
+    complain(file_name, face + " has a vertex twice");
+}
+
+Mesh connect(const std::string& file_name, const Polygon_soup& soup)
+{
+  Mesh mesh;
+  mesh.reserve(static_cast<Mesh::size_type>(soup.points.size()), static_cast<Mesh::size_type>(3 * soup.faces.size()),
+               static_cast<Mesh::size_type>(soup.faces.size()));
+  for(const Point& p : soup.points)
+    mesh.add_vertex(p);
+  std::vector<Vertex> corners;
+  for(std::size_t f = 0; f < soup.faces.size(); ++f)
+  {
+    check_face(file_name, soup, f);
+    corners.clear();
+    for(const std::size_t v : soup.faces[f])
+      corners.push_back(Vertex(static_cast<Mesh::size_type>(v)));
+    const Face face = mesh.add_face(corners);
+    if(face == Mesh::null_face())
+      complain(file_name, "face " + std::to_string(f)
+                            + " does not fit to those before: an edge has more than two faces, or two faces of "
+                              "opposite orientation, or too many parts of the surface meet in a vertex");
+    // Barycentric coordinates are those of the corners in the order of the file.
+    while(mesh.source(mesh.halfedge(face)) != corners[0])
+      mesh.set_halfedge(face, mesh.next(mesh.halfedge(face)));
+  }
+  return mesh;
+}
+
+void triangulate(const std::string& file_name, Mesh& mesh, const Console& console)
+{
+  if(CGAL::is_triangle_mesh(mesh))
+    return;
+  const std::size_t before = mesh.number_of_faces();
+  if(!CGAL::Polygon_mesh_processing::triangulate_faces(mesh) || !CGAL::is_triangle_mesh(mesh))
+    complain(file_name, "a face that is not a triangle cannot be cut into triangles");
+  if(mesh.has_garbage())
+    mesh.collect_garbage();
+  console.note(file_name + ": not all faces are triangles; " + std::to_string(before) + " faces have been cut into "
+               + std::to_string(mesh.number_of_faces()) + " triangles");
+}
+
+} // namespace
+
+Mesh read_mesh(const std::string& file_name, const Console& console)
+{
+  check_file(file_name);
+  const Polygon_soup soup = read_soup(file_name);
+  check_points(file_name, soup);
+  Mesh mesh = connect(file_name, soup);
+  triangulate(file_name, mesh, console);
+  return mesh;
+}
+
+double extent(const Mesh& mesh)
+{
+  const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(mesh);
+  return std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin());
+}
+
+} // namespace geodesics_app

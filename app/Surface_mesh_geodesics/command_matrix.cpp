@@ -1,0 +1,124 @@
+// The subcommand matrix.
+
+#include "Command.h"
+#include "Command_error.h"
+#include "Output_files.h"
+#include "Place_options.h"
+#include "number_arguments.h"
+
+#include <CGAL/Surface_mesh_geodesics/Geodesic_distance_solver.h>
+#include <CGAL/Surface_mesh_geodesics/geodesic_distance_matrix.h>
+#include <CGAL/tags.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace geodesics_app {
+
+namespace po = boost::program_options;
+
+namespace {
+
+using Solver = CGAL::Surface_mesh_geodesics::Geodesic_distance_solver<Mesh>;
+using Tag = CGAL::Parallel_if_available_tag; // rows are the same, whatever the tag is
+
+const Place_options source_options("source"), target_options("target");
+
+void declare(Option_descriptions& options)
+{
+  source_options.declare(options);
+  target_options.declare(options);
+  declare_seed(options);
+  options.add_options()("radius", po::value<std::string>()->value_name("R"),
+                        "only distances up to R: the table has a line for each, with the number of the source, counted from "
+                        "0, the target vertex, and the distance");
+  declare_output(options, "a table .csv (default: to standard output)");
+}
+
+// Targets are vertices; if none are given, the sources are the targets.
+std::vector<Vertex> targets(const Arguments& arguments, const Mesh& mesh, const std::vector<Place>& sources)
+{
+  if(target_options.are_given(arguments))
+    return target_options.vertices(arguments, mesh);
+  const std::vector<Vertex> result = as_vertices(sources);
+  if(result.empty())
+    throw Command_error(Exit_code::BAD_USAGE, "sources that are not vertices cannot be the targets: use --target");
+  return result;
+}
+
+template <typename Sources>
+void write_matrix(std::ostream& os, const Solver& solver, const Sources& sources, const std::vector<Vertex>& targets,
+                  Progress_bar& bar)
+{
+  for(std::size_t j = 0; j < targets.size(); ++j)
+    os << (j == 0 ? "" : ",") << targets[j].idx();
+  os << '\n';
+  const auto write_row = [&](std::size_t i, const std::vector<double>& row)
+  {
+    for(std::size_t j = 0; j < row.size(); ++j)
+      os << (j == 0 ? "" : ",") << row[j];
+    os << '\n';
+    bar.show(static_cast<double>(i + 1) / static_cast<double>(sources.size()));
+    return static_cast<bool>(os); // no more rows for a disk that is full
+  };
+  CGAL::Surface_mesh_geodesics::geodesic_distance_matrix<Tag>(solver, sources, targets, write_row);
+}
+
+template <typename Sources>
+void write_near_pairs(std::ostream& os, const Solver& solver, const Sources& sources,
+                      const std::vector<Vertex>& targets, double radius, Progress_bar& bar)
+{
+  os << "source,target,distance\n";
+  const auto write_row = [&](std::size_t i, const std::vector<std::pair<std::size_t, double>>& row)
+  {
+    for(const std::pair<std::size_t, double>& entry : row)
+      os << i << ',' << targets[entry.first].idx() << ',' << entry.second << '\n';
+    bar.show(static_cast<double>(i + 1) / static_cast<double>(sources.size()));
+    return static_cast<bool>(os);
+  };
+  CGAL::Surface_mesh_geodesics::sparse_geodesic_distance_matrix<Tag>(solver, sources, targets, radius, write_row);
+}
+
+template <typename Sources>
+void write(const Arguments& arguments, const Mesh& mesh, const Sources& sources, const std::vector<Vertex>& targets,
+           Output_files& files, const Console& console)
+{
+  const Solver solver(mesh);
+  files.write([&](std::ostream& os, const std::string&)
+  {
+    Progress_bar bar(console, "rows");
+    if(has(arguments, "radius"))
+      write_near_pairs(os, solver, sources, targets,
+                       positive_argument("radius", arguments["radius"].as<std::string>()), bar);
+    else
+      write_matrix(os, solver, sources, targets, bar);
+  });
+}
+
+void run(const Arguments& arguments, const Console& console)
+{
+  Output_files files(output_names(arguments), {"csv"});
+  const Mesh mesh = read_mesh(mesh_argument(arguments), console);
+  const std::vector<Place> sources = source_options.required_places(arguments, mesh);
+  const std::vector<Vertex> target_vertices = targets(arguments, mesh, sources);
+  const std::vector<Vertex> source_vertices = as_vertices(sources);
+  if(!source_vertices.empty())
+    write(arguments, mesh, source_vertices, target_vertices, files, console);
+  else
+    write(arguments, mesh, as_locations(sources, mesh), target_vertices, files, console);
+}
+
+} // namespace
+
+const Command matrix_command{
+  "matrix",
+  "distances between each of several sources and each of several targets",
+  "The first line has the numbers of the target vertices, each further one the distances from one source ('inf' if\n"
+  "there is no path), in the order of the options below. Without targets the sources are the targets.",
+  "  surface_mesh_geodesics matrix bunny.off --source 0,100,200 > matrix.csv\n"
+  "  surface_mesh_geodesics matrix bunny.off --source-random 50 --target all -o matrix.csv\n"
+  "  surface_mesh_geodesics matrix bunny.off --source all --radius 0.003 -o neighbours.csv\n",
+  declare, run};
+
+} // namespace geodesics_app

@@ -1,0 +1,89 @@
+// The subcommand remesh.
+
+#include "Command.h"
+#include "Command_error.h"
+#include "Output_files.h"
+#include "Program_mesh.h"
+#include "number_arguments.h"
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/Surface_mesh_geodesics/geodesic_remeshing.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+
+#include <string>
+#include <vector>
+
+namespace geodesics_app {
+
+namespace po = boost::program_options;
+
+namespace {
+
+void declare(Option_descriptions& options)
+{
+  options.add_options()
+    ("number,n", po::value<std::string>()->value_name("N")->required(), "the number of vertices of the new mesh")
+    ("iterations", po::value<std::string>()->value_name("K")->default_value("10"),
+     "how often, at most, the vertices are moved to the centres of their cells");
+  declare_output(options, "the new mesh .off, .obj, .ply (default: OFF to standard output)");
+}
+
+void write_mesh(std::ostream& os, const std::string& format, const Mesh& mesh)
+{
+  const auto digits = CGAL::parameters::stream_precision(17);
+  if(format == "off")
+    CGAL::IO::write_OFF(os, mesh, digits);
+  else if(format == "obj")
+    CGAL::IO::write_OBJ(os, mesh, digits);
+  else
+    CGAL::IO::write_PLY(os, mesh, digits);
+}
+
+std::string reasons(const CGAL::Surface_mesh_geodesics::Geodesic_dual_report& report)
+{
+  std::string text;
+  const auto add = [&](std::size_t n, const std::string& what)
+  {
+    if(n > 0)
+      text += (text.empty() ? "" : ", ") + std::to_string(n) + " " + what;
+  };
+  add(report.cells_that_are_not_disks.size(), "cells are no disks");
+  add(report.cells_with_several_boundaries.size(), "cells have several boundaries");
+  add(report.cells_without_triangle.size(), "cells have no triangle");
+  add(report.pairs_with_several_edges.size(), "pairs of cells have several edges in common");
+  add(report.pairs_without_triangle.size(), "pairs of cells have no triangle");
+  add(report.triples_with_several_vertices.size(), "triples of cells meet several times");
+  return text.empty() ? "they are no surface" : text;
+}
+
+void run(const Arguments& arguments, const Console& console)
+{
+  const std::size_t n = count_argument("number", arguments["number"].as<std::string>(), 3);
+  const std::size_t iterations = count_argument("iterations", arguments["iterations"].as<std::string>(), 0);
+  Output_files files(output_names(arguments), {"off", "obj", "ply"});
+  const Mesh mesh = read_mesh(mesh_argument(arguments), console);
+  Mesh coarse;
+  const CGAL::Surface_mesh_geodesics::Geodesic_dual_report report = CGAL::Surface_mesh_geodesics::geodesic_remeshing(
+    mesh, n, coarse, CGAL::parameters::number_of_iterations(static_cast<unsigned int>(iterations)));
+  if(!report.is_manifold())
+    throw Command_error(Exit_code::NO_RESULT, "the triangles between " + std::to_string(n)
+                                                + " vertices make no mesh: " + reasons(report)
+                                                + "; a larger --number helps");
+  console.note("from " + std::to_string(mesh.number_of_vertices()) + " to "
+               + std::to_string(coarse.number_of_vertices()) + " vertices, " + std::to_string(coarse.number_of_faces())
+               + " faces");
+  files.write([&](std::ostream& os, const std::string& format) { write_mesh(os, format, coarse); });
+}
+
+} // namespace
+
+const Command remesh_command{
+  "remesh",
+  "a coarser mesh with even triangles",
+  "Vertices are spread over the surface and moved to the centres of their geodesic Voronoi cells; three of them whose\n"
+  "cells meet make a triangle. Where the surface has a border, the new mesh ends before it.",
+  "  surface_mesh_geodesics remesh bunny.off --number 1000 -o coarse.off\n"
+  "  surface_mesh_geodesics remesh bunny.off --number 500 --iterations 30 -o coarse.ply\n",
+  declare, run};
+
+} // namespace geodesics_app

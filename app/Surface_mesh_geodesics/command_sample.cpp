@@ -1,0 +1,120 @@
+// The subcommand sample.
+
+#include "Command.h"
+#include "Command_error.h"
+#include "Drawing.h"
+#include "Output_files.h"
+#include "Place_options.h"
+#include "number_arguments.h"
+
+#include <CGAL/Surface_mesh_geodesics/geodesic_farthest_point_sampling.h>
+
+#include <boost/iterator/function_output_iterator.hpp>
+
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace geodesics_app {
+
+namespace po = boost::program_options;
+
+namespace {
+
+const Place_options first_options("first");
+
+void declare(Option_descriptions& options)
+{
+  options.add_options()
+    ("number,n", po::value<std::string>()->value_name("N"), "the number of samples, the first ones included")
+    ("radius", po::value<std::string>()->value_name("R"),
+     "stop when no vertex is farther than R from its nearest sample");
+  first_options.declare(options);
+  declare_seed(options);
+  declare_output(options, "a table .csv (default: to standard output); points .ply, .vtk, .obj");
+}
+
+void write_table(std::ostream& os, const Mesh& mesh, const std::vector<Vertex>& samples)
+{
+  os << "sample,vertex,x,y,z\n";
+  for(std::size_t i = 0; i < samples.size(); ++i)
+  {
+    const Point& p = mesh.point(samples[i]);
+    os << i << ',' << samples[i].idx() << ',' << p.x() << ',' << p.y() << ',' << p.z() << '\n';
+  }
+}
+
+Drawing drawing_of(const Mesh& mesh, const std::vector<Vertex>& samples)
+{
+  Drawing drawing;
+  Drawing_column vertex{"vertex", true, {}};
+  for(const Vertex v : samples)
+  {
+    drawing.points.push_back(mesh.point(v));
+    vertex.values.push_back(static_cast<double>(v.idx()));
+  }
+  drawing.point_columns = {vertex};
+  return drawing;
+}
+
+// returns the samples, and tells how near they are to all vertices.
+std::vector<Vertex> samples_of(const Mesh& mesh, std::size_t n, double radius, const std::vector<Vertex>& first,
+                               const Console& console)
+{
+  CGAL::Surface_mesh_geodesics::Geodesic_sampling_options<Mesh> options;
+  options.first_samples = first;
+  options.covering_radius = radius;
+  std::vector<Vertex> samples = first;
+  double covering_radius = 0;
+  {
+    Progress_bar bar(console, "samples");
+    const auto output = boost::make_function_output_iterator([&](Vertex v)
+    {
+      samples.push_back(v);
+      bar.show(static_cast<double>(samples.size()) / static_cast<double>(n));
+    });
+    covering_radius = CGAL::Surface_mesh_geodesics::geodesic_farthest_point_sampling(mesh, n, output, options);
+  }
+  std::ostringstream text;
+  text << samples.size() << " samples; the farthest vertex is " << covering_radius << " from its nearest one";
+  console.note(text.str());
+  return samples;
+}
+
+void run(const Arguments& arguments, const Console& console)
+{
+  if(!has(arguments, "number") && !has(arguments, "radius"))
+    throw Command_error(Exit_code::BAD_USAGE, "neither --number nor --radius is given");
+  const double radius
+    = has(arguments, "radius") ? positive_argument("radius", arguments["radius"].as<std::string>()) : 0;
+  Output_files files(output_names(arguments), {"csv", "ply", "vtk", "obj"});
+  const Mesh mesh = read_mesh(mesh_argument(arguments), console);
+  const std::size_t n = has(arguments, "number")
+                          ? count_argument("number", arguments["number"].as<std::string>(), 1)
+                          : mesh.number_of_vertices();
+  const std::vector<Vertex> first = first_options.vertices(arguments, mesh);
+  if(first.size() > n)
+    throw Command_error(Exit_code::BAD_USAGE, "there are more first samples than --number allows");
+  const std::vector<Vertex> samples = samples_of(mesh, n, radius, first, console);
+  const Drawing drawing = drawing_of(mesh, samples);
+  files.write([&](std::ostream& os, const std::string& format)
+  {
+    if(format == "csv")
+      write_table(os, mesh, samples);
+    else
+      write_drawing(os, format, drawing);
+  });
+}
+
+} // namespace
+
+const Command sample_command{
+  "sample",
+  "vertices that are spread evenly over the surface",
+  "Each sample is the vertex that is farthest from all samples before it. The table has a line for each: its number,\n"
+  "the number of the vertex, and the point. The distance of the farthest vertex is told on the error stream.",
+  "  surface_mesh_geodesics sample bunny.off --number 100 > samples.csv\n"
+  "  surface_mesh_geodesics sample bunny.off --radius 0.01 --first 0 -o samples.ply\n",
+  declare, run};
+
+} // namespace geodesics_app

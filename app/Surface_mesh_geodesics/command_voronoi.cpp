@@ -1,0 +1,237 @@
+// The subcommand voronoi.
+
+#include "Command.h"
+#include "Command_error.h"
+#include "Distance_field.h"
+#include "Face_tree.h"
+#include "Html_page.h"
+#include "Output_files.h"
+#include "Place_options.h"
+#include "Program_mesh.h"
+#include "number_arguments.h"
+
+#include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_Voronoi_diagram.h>
+#include <CGAL/Surface_mesh_geodesics/write_geodesic_Voronoi_diagram.h>
+#include <CGAL/Surface_mesh_shortest_path/Surface_mesh_shortest_path_traits.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace geodesics_app {
+
+namespace po = boost::program_options;
+
+namespace {
+
+using Diagram = CGAL::Surface_mesh_geodesic_Voronoi_diagram<CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>>;
+
+const Place_options site_options("site");
+
+void declare(Option_descriptions& options)
+{
+  site_options.declare(options);
+  declare_seed(options);
+  options.add_options()
+    ("weight", po::value<std::vector<std::string>>()->value_name("W[,W...]")->composing(),
+     "a weight for each site, which is subtracted from the distances (default: 0)")
+    ("vertices", "the table has a line for each vertex of the mesh, with its site")
+    ("tolerance", po::value<std::string>()->value_name("T"),
+     "how far the lines in files may be from the curves (default: 0.0001 times the diagonal of the bounding box)");
+  declare_html(options);
+  declare_output(options, "a table .csv (default: to standard output); cells with colours and their boundaries .ply, "
+                          ".vtk; boundaries alone .obj");
+}
+
+std::vector<double> weights(const Arguments& arguments, std::size_t number_of_sites)
+{
+  std::vector<double> result;
+  for(const std::string& value : all_values(arguments, "weight"))
+    for(const std::string& text : split(value, ','))
+      result.push_back(number_argument("weight", text));
+  if(!result.empty() && result.size() != number_of_sites)
+    throw Command_error(Exit_code::BAD_USAGE, "--weight: " + std::to_string(result.size()) + " weights for "
+                                                + std::to_string(number_of_sites) + " sites");
+  result.resize(number_of_sites, 0);
+  return result;
+}
+
+void add_sites(Diagram& diagram, const std::vector<Place>& sites, const std::vector<double>& weights)
+{
+  for(std::size_t i = 0; i < sites.size(); ++i)
+  {
+    if(sites[i].is_vertex())
+      diagram.add_site(sites[i].vertex, weights[i]);
+    else
+      diagram.add_site(sites[i].location, weights[i]);
+  }
+}
+
+void write_cells_table(std::ostream& os, const Mesh& mesh, const std::vector<Place>& sites, const Diagram& diagram)
+{
+  os << "site,x,y,z,weight,area,is_disk,neighbours\n";
+  for(std::size_t i = 0; i < diagram.number_of_sites(); ++i)
+  {
+    const Point p = point_of(sites[i], mesh);
+    os << i << ',' << p.x() << ',' << p.y() << ',' << p.z() << ',' << diagram.weight(i) << ',' << diagram.area(i)
+       << ',' << (diagram.is_disk(i) ? 1 : 0) << ',';
+    const char* separator = "";
+    for(const std::size_t j : diagram.adjacent_sites(i))
+    {
+      os << separator << j;
+      separator = " ";
+    }
+    os << '\n';
+  }
+}
+
+void write_vertices_table(std::ostream& os, const Mesh& mesh, const Diagram& diagram)
+{
+  os << "vertex,site,distance\n";
+  for(const Vertex v : mesh.vertices())
+  {
+    const std::size_t site = diagram.nearest_site(v);
+    os << v.idx() << ',';
+    if(site == Diagram::null_site())
+      os << "-1,inf\n";
+    else
+      os << site << ',' << diagram.distance_to_nearest_site(v) << '\n';
+  }
+}
+
+void write_geometry(std::ostream& os, const std::string& format, const Diagram& diagram, double tolerance)
+{
+  namespace Geodesics = CGAL::Surface_mesh_geodesics;
+  if(format == "ply")
+    Geodesics::write_geodesic_Voronoi_diagram_PLY(os, diagram, tolerance);
+  else if(format == "vtk")
+    Geodesics::write_geodesic_Voronoi_diagram_VTK(os, diagram, tolerance);
+  else
+    Geodesics::write_geodesic_Voronoi_diagram_OBJ(os, diagram, tolerance);
+}
+
+// The smallest number that no neighbor with a smaller one has: a few numbers are enough, as on a map.
+std::vector<std::size_t> cell_colors(const Diagram& diagram)
+{
+  std::vector<std::size_t> colors;
+  for(std::size_t i = 0; i < diagram.number_of_sites(); ++i)
+  {
+    std::vector<std::size_t> taken;
+    for(const std::size_t j : diagram.adjacent_sites(i))
+      if(j < i)
+        taken.push_back(colors[j]);
+    std::size_t color = 0;
+    while(std::find(taken.begin(), taken.end(), color) != taken.end())
+      ++color;
+    colors.push_back(color);
+  }
+  return colors;
+}
+
+// The mesh cut along the arcs, with the distance from the nearest site at each point.
+Html_surface cut_surface(const Mesh& mesh, const Diagram& diagram, double tolerance)
+{
+  Mesh cut;
+  auto site = cut.add_property_map<Face, std::size_t>("f:site").first;
+  diagram.cut(cut, site, tolerance);
+  const Face_tree tree(mesh);
+  const auto distance_at = [&](const Point& p)
+  {
+    const Face_location location = tree.nearest_place(p);
+    return diagram.nearest_site(location) == Diagram::null_site() ? std::numeric_limits<double>::infinity()
+                                                                  : diagram.distance_to_nearest_site(location);
+  };
+  Html_surface surface;
+  for(const Vertex v : cut.vertices())
+    surface.points.push_back(cut.point(v));
+  for(const Face f : cut.faces())
+  {
+    const Mesh::Halfedge_index h = cut.halfedge(f);
+    surface.triangles.push_back({cut.source(h).idx(), cut.target(h).idx(), cut.target(cut.next(h)).idx()});
+    surface.cells.push_back(site[f]);
+  }
+  if(!is_refined(surface.triangles.size()))
+  {
+    for(const Point& p : surface.points)
+      surface.distances.push_back(distance_at(p));
+    return surface;
+  }
+  return refined(surface, [&](std::size_t t, const std::array<double, 3>& b)
+  {
+    const auto [p, q, r] = surface.triangles[t];
+    return distance_at(CGAL::barycenter(surface.points[p], b[0], surface.points[q], b[1], surface.points[r], b[2]));
+  });
+}
+
+Html_page page_of(const std::string& file_name, const Mesh& mesh, const std::vector<Place>& sites,
+                  const Diagram& diagram, double tolerance)
+{
+  Html_page page;
+  page.title = "Geodesic Voronoi diagram";
+  page.subtitle = description_of(file_name, mesh);
+  page.surface = cut_surface(mesh, diagram, tolerance);
+  page.cell_colors = cell_colors(diagram);
+  Distance_field field;
+  field.distance = page.surface.distances;
+  page.band_limits = evenly_spaced(9, field.largest());
+  Html_lines arcs{"arc", {}};
+  for(const Diagram::Edge& edge : diagram.edges())
+  {
+    arcs.lines.emplace_back();
+    edge.polyline(tolerance, std::back_inserter(arcs.lines.back()));
+  }
+  page.lines = {arcs};
+  page.dots = {dots_at("site", sites, mesh)};
+  return page;
+}
+
+double tolerance_of(const Arguments& arguments, const Mesh& mesh)
+{
+  if(has(arguments, "tolerance"))
+    return positive_argument("tolerance", arguments["tolerance"].as<std::string>());
+  const double size = extent(mesh);
+  return size > 0 ? 1e-4 * size : 1; // all points at one place: any tolerance will do
+}
+
+void run(const Arguments& arguments, const Console& console)
+{
+  Output_files files(output_names(arguments, html_names(arguments)), {"csv", "ply", "vtk", "obj", "html"});
+  const Mesh mesh = read_mesh(mesh_argument(arguments), console);
+  const double tolerance = tolerance_of(arguments, mesh);
+  const std::vector<Place> sites = site_options.required_places(arguments, mesh);
+  Diagram diagram(mesh);
+  add_sites(diagram, sites, weights(arguments, sites.size()));
+  diagram.build();
+  files.write([&](std::ostream& os, const std::string& format)
+  {
+    if(format == "html")
+      write_html_page(os, page_of(mesh_argument(arguments), mesh, sites, diagram, tolerance));
+    else if(format != "csv")
+      write_geometry(os, format, diagram, tolerance);
+    else if(has(arguments, "vertices"))
+      write_vertices_table(os, mesh, diagram);
+    else
+      write_cells_table(os, mesh, sites, diagram);
+  });
+}
+
+} // namespace
+
+const Command voronoi_command{
+  "voronoi",
+  "the geodesic Voronoi diagram of sites",
+  "The table has a line for each site, counted from 0 in the order of the options below: its place, weight, the area\n"
+  "of its cell, whether the cell is a disk (1) or not (0), and the sites of the neighbouring cells. With --vertices\n"
+  "it has the site of each vertex and its distance from that, less the weight.",
+  "  surface_mesh_geodesics voronoi bunny.off --site-random 30 -o cells.ply -o cells.csv\n"
+  "  surface_mesh_geodesics voronoi bunny.off --site 0,100,200 --weight 0,0.01,0.02 --vertices\n"
+  "  surface_mesh_geodesics voronoi bunny.off --site-file places.txt -o boundaries.obj\n"
+  "  surface_mesh_geodesics voronoi bunny.off --site-random 30 --html cells.html\n",
+  declare, run};
+
+} // namespace geodesics_app

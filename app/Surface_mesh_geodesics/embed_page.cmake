@@ -1,0 +1,38 @@
+# Writes a C++ source with the bytes of the files that a page is made of.
+# Needs -Doutput, -Dtemplate, -Dscript, -Dthree and -Dlicence; the licence is cut out of Debian's copyright file.
+cmake_minimum_required(VERSION 3.19...3.31)
+
+function(write_array name hexadecimal)
+  string(REPEAT "." 64 digits_of_line)
+  string(REGEX REPLACE "(${digits_of_line})" "\\1\n" lines "${hexadecimal}")
+  string(REGEX REPLACE "([0-9a-f][0-9a-f])" "0x\\1," bytes "${lines}")
+  file(APPEND "${output}" "extern const unsigned char ${name}[] = {\n${bytes}};\n")
+  file(APPEND "${output}" "extern const std::size_t ${name}_size = sizeof(${name});\n\n")
+endfunction()
+
+file(WRITE "${output}.new" "")
+set(final_output "${output}")
+set(output "${output}.new")
+file(APPEND "${output}" "// Made by embed_page.cmake.\n\n#include <cstddef>\n\nnamespace geodesics_app {\n\n")
+foreach(part IN ITEMS template script three)
+  file(READ "${${part}}" hexadecimal HEX)
+  write_array(page_${part} "${hexadecimal}")
+endforeach()
+
+# The copyright of all files but those named, and the text of the licence Expat, in the machine-readable format.
+file(READ "${licence}" text)
+string(REGEX MATCH "Files: \\*\nCopyright: ([^\n]*)\nLicense: Expat" found "${text}")
+set(owner "${CMAKE_MATCH_1}")
+string(REGEX MATCH "\nLicense: Expat\n( [^\n]*(\n [^\n]*)*)" found "${text}")
+set(conditions "${CMAKE_MATCH_1}")
+if(owner STREQUAL "" OR conditions STREQUAL "")
+  message(FATAL_ERROR "The licence of three.js was not found in ${licence}")
+endif()
+string(REGEX REPLACE "\n \\.\n" "\n\n" conditions "${conditions}")
+string(REGEX REPLACE "(^|\n) " "\\1" conditions "${conditions}")
+file(WRITE "${output}.licence" "Copyright ${owner}\n\n${conditions}\n")
+file(READ "${output}.licence" hexadecimal HEX)
+file(REMOVE "${output}.licence")
+write_array(page_licence "${hexadecimal}")
+file(APPEND "${output}" "} // namespace geodesics_app\n")
+file(RENAME "${output}" "${final_output}")

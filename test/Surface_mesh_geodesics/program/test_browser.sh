@@ -1,0 +1,92 @@
+#!/usr/bin/env bash
+# Pages for browsers of surface_mesh_geodesics, opened in Chromium without a window: they draw, and answer clicks.
+source "$(dirname "${BASH_SOURCE[0]}")/support.sh" "$@"
+grid=$data/grid4.off # the unit square, 16 vertices, 18 faces; vertex 4 i + j is (i, j) / 3
+
+needs_pages
+browser=
+for name in chromium chromium-browser google-chrome; do
+  if [ -z "$browser" ] && command -v $name > /dev/null; then
+    browser=$name
+  fi
+done
+if [ -z "$browser" ]; then
+  echo "SKIPPED: there is no Chromium"
+  exit 77
+fi
+
+# What the user does and sees. drag(): by some pixels, which answers nothing. click(): at a place told in parts of the width and the height of the picture; the answer
+# is added to an attribute. Then the number of colors of the picture is added, which can be read only just after drawing.
+user='function drag(x, y) {
+  const canvas = document.getElementById("surface"), event = { pointerId: 1, button: 0, clientX: 100, clientY: 100 };
+  canvas.dispatchEvent(new PointerEvent("pointerdown", event));
+  Object.assign(event, { clientX: 100 + x, clientY: 100 + y });
+  canvas.dispatchEvent(new PointerEvent("pointermove", event));
+  canvas.dispatchEvent(new PointerEvent("pointerup", event));
+}
+function click(x, y) {
+  const canvas = document.getElementById("surface"), box = canvas.getBoundingClientRect();
+  const event = { pointerId: 1, button: 0, clientX: box.left + x * box.width, clientY: box.top + y * box.height };
+  canvas.dispatchEvent(new PointerEvent("pointerdown", event));
+  canvas.dispatchEvent(new PointerEvent("pointerup", event));
+  const copy = document.createElement("canvas");
+  copy.width = canvas.width;
+  copy.height = canvas.height;
+  const context = copy.getContext("2d");
+  context.drawImage(canvas, 0, 0);
+  const pixels = new Uint32Array(context.getImageData(0, 0, copy.width, copy.height).data.buffer);
+  document.body.dataset.colors = new Set(pixels).size;
+  document.body.dataset.answers = (document.body.dataset.answers || "") + "|"
+    + document.getElementById("answer").innerText.replace(/\n/g, ", ");
+}'
+
+# opened <page> <script>: the page after the script has run in it
+opened() {
+  {
+    head -n -2 "$1" # without the last two lines, </body> and </html>
+    printf '<script>%s\n%s</script>\n</body>\n</html>\n' "$user" "$2"
+  } > opened.html
+  # No sandbox: root has none, and the pages are our own. No network: every name is unknown.
+  timeout 100 "$browser" --headless=new --no-sandbox --user-data-dir="$work/profile" --use-angle=swiftshader \
+    --enable-unsafe-swiftshader --hide-scrollbars --window-size=800,800 --virtual-time-budget=10000 \
+    --host-resolver-rules='MAP * ~NOTFOUND' --dump-dom "file://$work/opened.html" 2> browser.log
+}
+
+number_of_colors() {
+  sed -n 's/.*data-colors="\([0-9]*\)".*/\1/p' "$1"
+}
+
+# The middle of the square is half a diagonal away from its corner.
+is_silent distances "$grid" --source 0 --html distances.html
+opened distances.html "click(0.01, 0.01); click(0.5, 0.5); drag(100, 0); click(0.5, 0.5); click(0.6, 0.5);" > distances.dom
+contains distances.dom 'data-state="ready"'
+contains distances.dom '"|There is no surface at this place.|distance 0.70711, at (0.5, 0.5, 0)|'
+# turned around its middle by 0.8, the square is narrower: a click beside the middle is farther to the right on it
+answers=$(sed -n 's/.*data-answers="\([^"]*\)".*/\1/p' distances.dom)
+equals "$(echo "$answers" | cut -d '|' -f 4)" "distance 0.70711, at (0.5, 0.5, 0)"
+echo "$answers" | cut -d '|' -f 5 | awk -F '[(,]' '{ exit !($3 > 0.65 && $3 < 0.8 && $4 == 0.5) }'
+contains distances.dom '>grid4.off: 16 vertices, 18 faces</p>'
+contains distances.dom '>≤ 1.4142</small>'
+contains distances.dom '>lines of equal distance</div>'
+contains distances.dom '>sources</div>'
+[ "$(number_of_colors distances.dom)" -gt 20 ] # one for each band and more
+
+# Two components, one of them without a source.
+is_silent path "$data/two_components.off" --source 0 --target all --html path.html
+opened path.html "" > path.dom
+contains path.dom 'data-state="ready"'
+contains path.dom '>shortest paths</div>'
+contains path.dom '>targets</div>'
+contains path.dom '>not reached</div>'
+
+# Vertex 0 is below on the left, vertex 15 above on the right: a click on either side of the boundary, at places that
+# are equally far.
+is_silent voronoi "$grid" --site 0,15 --html voronoi.html
+opened voronoi.html "click(0.45, 0.55); click(0.55, 0.45);" > voronoi.dom
+contains voronoi.dom 'data-state="ready"'
+first=$(sed -n 's/.*|in the cell of site 0, distance \([0-9.]*\),.*/\1/p' voronoi.dom)
+second=$(sed -n 's/.*|in the cell of site 1, distance \([0-9.]*\),.*/\1/p' voronoi.dom)
+awk -v d="$first" 'BEGIN { exit !(d > 0.5 && d < 0.7) }'
+equals "$first" "$second"
+contains voronoi.dom '>boundaries of the cells</div>'
+[ "$(number_of_colors voronoi.dom)" -gt 4 ]

@@ -1,0 +1,103 @@
+#!/usr/bin/env bash
+# surface_mesh_geodesics distances
+source "$(dirname "${BASH_SOURCE[0]}")/support.sh" "$@"
+grid=$data/grid4.off # the unit square, 16 vertices, 18 faces; vertex 4 i + j is (i, j) / 3
+
+# The table, on the standard output and in a file.
+is_silent distances "$grid" --source 0 > table.csv
+equals "$(line table.csv 1)" vertex,distance,source
+equals "$(wc -l < table.csv)" 17
+is_near "$(column table.csv distance | line /dev/stdin 16)" 1.4142135623730951
+is_near "$(column table.csv distance | line /dev/stdin 10)" 0.74535599249992990
+equals "$(column table.csv source | sort -u)" 0
+is_silent distances "$grid" --source 0 -o file.csv > out
+[ ! -s out ]
+cmp table.csv file.csv
+is_silent distances "$grid" --source 0 -o - > out
+cmp table.csv out
+
+# Several sources: all ways to tell them, in this order.
+printf '# corners\n3\n1 0 0\n\n17 0 0 1 # the last corner of the last face, vertex 14\n' > places.txt
+is_silent distances "$grid" --source 0 --source-point 0.5,0.5,0.3 --source-file places.txt -o several.csv
+equals "$(column several.csv source | line /dev/stdin 1)" 0
+equals "$(column several.csv source | line /dev/stdin 4)" 2
+equals "$(column several.csv source | line /dev/stdin 13)" 3
+is_near "$(column several.csv distance | line /dev/stdin 6)" 0.23570226039551584
+equals "$(column several.csv source | line /dev/stdin 6)" 1
+is_near "$(column several.csv distance | line /dev/stdin 15)" 0
+equals "$(column several.csv source | line /dev/stdin 15)" 4
+is_silent distances "$grid" --source-point -3,0,0 -o negative.csv
+cmp <(cut -d, -f1,2 table.csv) <(cut -d, -f1,2 negative.csv)
+
+# Random sources depend on the seed, and on nothing else.
+is_silent distances "$grid" --source-random 3 --seed 5 > first.csv
+is_silent distances "$grid" --source-random 3 --seed 5 > again.csv
+is_silent distances "$grid" --source-random 3 --seed 6 > other.csv
+cmp first.csv again.csv
+differ first.csv other.csv
+equals "$(column first.csv distance | grep -c '^0$')" 3
+
+# A radius, and a surface in two parts.
+is_silent distances "$grid" --source 0 --radius 0.5 > near.csv
+equals "$(column near.csv distance | grep -vc inf)" 4
+equals "$(column near.csv source | grep -c -- -1)" 12
+is_silent distances "$data/two_components.off" --source 0 > parts.csv
+[ "$(column parts.csv distance | grep -c inf)" -gt 0 ]
+equals "$(column parts.csv distance | grep -c inf)" "$(column parts.csv source | grep -c -- -1)"
+
+# Files for viewers: the mesh, a color for each point, isolines at the distances asked for.
+is_silent distances "$grid" --source 0 --spacing 0.5 -o d.vtk -o d.obj -o d.ply
+contains d.vtk "POLYGONS 18 72"
+contains d.vtk "LINES 2 "
+contains d.vtk "SCALARS distance double 1"
+number_of_points=$(awk '$1 == "POINTS" { print $2 }' d.vtk)
+awk -v n="$number_of_points" '
+  $1 == "POINTS" { for(i = 0; i < n; ++i) { getline; x[i] = $1; y[i] = $2 } }
+  $1 == "POINT_DATA" { is_point = 1 }
+  $2 == "distance" && is_point { getline; for(i = 0; i < n; ++i) { getline; ++checked;
+    if(($1 - sqrt(x[i]^2 + y[i]^2))^2 > 1e-20) exit 1 } }
+  END { if(checked != n) exit 1 }' d.vtk
+equals "$(grep -c '^v ' d.obj)" "$number_of_points"
+equals "$(grep -c '^f ' d.obj)" 18
+equals "$(grep -c '^l ' d.obj)" 2
+equals "$(awk '$1 == "v" { print NF }' d.obj | sort -u)" 7
+contains d.ply "format binary_little_endian 1.0"
+contains d.ply "element vertex $number_of_points"
+contains d.ply "element edge $((number_of_points - 16 - 2))"
+is_silent distances "$grid" --source 0 --isolines 0 -o read_again.ply
+is_silent distances read_again.ply --source 0 > again.csv
+cmp table.csv again.csv
+is_silent distances "$grid" --source 0 --isolines 3 -o three.vtk
+contains three.vtk "LINES 3 "
+
+# A file that is there is replaced, one that a link leads to as well; what is at the other places stays.
+echo old > old.csv
+ln -s old.csv link.csv
+is_silent distances "$grid" --source 0 -o link.csv
+[ -L link.csv ]
+cmp table.csv old.csv
+
+# Faces that are no triangles.
+printf 'OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n' > square.off
+"$program" distances square.off --source 0 > square.csv 2> note
+contains note "1 faces have been cut into 2 triangles"
+is_near "$(column square.csv distance | line /dev/stdin 3)" 1.4142135623730951
+is_silent distances square.off --source 0 --quiet > quiet.csv
+cmp square.csv quiet.csv
+
+# What is wrong on the command line.
+refuses 2 "no source is given" distances "$grid"
+refuses 2 "no mesh is given" distances --source 0
+refuses 2 "there is no vertex 16; the vertices of the mesh are 0 to 15" distances "$grid" --source 16
+refuses 2 "'-1' is not the number of a vertex" distances "$grid" --source -1
+refuses 2 "'1.5' is not the number of a vertex" distances "$grid" --source 1.5
+refuses 2 "three finite numbers" distances "$grid" --source-point 1,2
+refuses 2 "three finite numbers" distances "$grid" --source-point nan,0,0
+refuses 2 "only 16 vertices" distances "$grid" --source-random 17
+refuses 2 "'inf' is not a positive number" distances "$grid" --source 0 --radius inf
+refuses 2 "cannot be given together" distances "$grid" --source 0 --isolines 3 --spacing 1 -o x.vtk
+refuses 2 "more than 10000 lines" distances "$grid" --source 0 --spacing 1e-9 -o x.vtk
+refuses 2 "the end of the name must be one of .csv, .ply, .vtk, .obj" distances "$grid" --source 0 -o x.txt
+refuses 2 "--nonsense" distances "$grid" --source 0 --nonsense
+[ ! -e x.vtk ]
+no_remains

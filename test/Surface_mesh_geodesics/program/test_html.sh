@@ -1,0 +1,40 @@
+#!/usr/bin/env bash
+# Pages for browsers, as the subcommands distances, path and voronoi of surface_mesh_geodesics write them with --html.
+source "$(dirname "${BASH_SOURCE[0]}")/support.sh" "$@"
+grid=$data/grid4.off # the unit square, 16 vertices, 18 faces; vertex 4 i + j is (i, j) / 3
+
+needs_pages
+
+is_silent distances "$grid" --source 0 --html distances.html -o distances.csv
+is_silent path "$grid" --source 0 --target 15 --html path.html
+is_silent voronoi "$grid" --site 0,15 -o voronoi.html # the other way to ask for it
+for page in distances path voronoi; do
+  equals "$(line $page.html 1)" "<!DOCTYPE html>"
+  equals "$(tail -n 1 $page.html)" "</html>"
+  # complete in itself, with the licence of what is in it
+  equals "$(grep -c -i -E '<(script|img|iframe)[^>]+src=|<link|@import' $page.html)" 0
+  contains $page.html "three.js authors"
+  contains $page.html "Permission is hereby granted, free of charge"
+  contains $page.html "The above copyright notice and this permission notice shall be included"
+  equals "$(grep -c '@TITLE@\|@DATA@\|@SCRIPT@\|@THREE@\|@LICENCE@' $page.html)" 0
+done
+
+# A name that is no HTML stays a name.
+cp "$grid" '<i>&"x".off'
+is_silent distances '<i>&"x".off' --source 0 --html name.html
+equals "$(grep -c '<i>&"x"' name.html)" 0
+contains name.html '\u003ci\u003e\u0026\u0022x\u0022.off: 16 vertices, 18 faces'
+
+# A scan of 75,000 faces is less than ten million bytes.
+awk 'BEGIN { n = 194; print "OFF\n" (n + 1)^2, 2 * n^2, 0
+  for(i = 0; i <= n; ++i) for(j = 0; j <= n; ++j) print i, j, sin(i / 9) * cos(j / 9)
+  for(i = 0; i < n; ++i) for(j = 0; j < n; ++j) { v = (n + 1) * i + j
+    print 3, v, v + n + 1, v + n + 2; print 3, v, v + n + 2, v + 1 } }' > large.off
+is_silent distances large.off --source 0 --html large.html
+is_silent voronoi large.off --site-random 50 --html large_cells.html
+[ "$(wc -c < large.html)" -lt 10000000 ]
+[ "$(wc -c < large_cells.html)" -lt 10000000 ]
+
+refuses 2 "the end of the name 'x.htm' is not .html" distances "$grid" --source 0 --html x.htm
+refuses 4 "cannot be written" distances "$grid" --source 0 --html nowhere/x.html
+no_remains

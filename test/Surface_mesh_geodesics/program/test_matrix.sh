@@ -1,0 +1,35 @@
+#!/usr/bin/env bash
+# surface_mesh_geodesics matrix
+source "$(dirname "${BASH_SOURCE[0]}")/support.sh" "$@"
+grid=$data/grid4.off # the unit square, 16 vertices, 18 faces; vertex 4 i + j is (i, j) / 3
+
+is_silent matrix "$grid" --source 0,15,3 > square.csv
+equals "$(line square.csv 1)" 0,15,3
+equals "$(wc -l < square.csv)" 4
+is_near "$(line square.csv 2 | cut -d, -f1)" 0
+is_near "$(line square.csv 2 | cut -d, -f2)" 1.4142135623730951
+is_near "$(line square.csv 3 | cut -d, -f3)" 1
+is_near "$(line square.csv 4 | cut -d, -f1)" 1
+
+# A row is what the subcommand distances writes.
+is_silent matrix "$grid" --source 5 --source-point 0.5,0.5,0 --target all -o rows.csv
+is_silent distances "$grid" --source 5 > from_5.csv
+is_silent distances "$grid" --source-point 0.5,0.5,0 > from_point.csv
+equals "$(line rows.csv 1)" 0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15
+equals "$(line rows.csv 2)" "$(column from_5.csv distance | paste -sd ,)"
+equals "$(line rows.csv 3)" "$(column from_point.csv distance | paste -sd ,)"
+
+# Pairs within a radius: those of the whole matrix that are not farther.
+is_silent matrix "$grid" --source all > all.csv
+is_silent matrix "$grid" --source all --radius 0.5 > pairs.csv
+equals "$(line pairs.csv 1)" source,target,distance
+cmp <(awk -F, 'NR > 1 { for(i = 1; i <= NF; ++i) if($i <= 0.5) print NR - 2 "," i - 1 "," $i }' all.csv) <(tail -n +2 pairs.csv)
+
+is_silent matrix "$data/two_components.off" --source all > parts.csv
+contains parts.csv inf
+
+refuses 2 "no source is given" matrix "$grid"
+refuses 2 "use --target" matrix "$grid" --source-point 0,0,0
+refuses 2 "a target must be a vertex" matrix "$grid" --source 0 --target-point 0,0,0
+refuses 2 "'-2' is not a positive number" matrix "$grid" --source 0 --radius -2
+no_remains

@@ -1,0 +1,58 @@
+#!/usr/bin/env bash
+# surface_mesh_geodesics path
+source "$(dirname "${BASH_SOURCE[0]}")/support.sh" "$@"
+grid=$data/grid4.off # the unit square, 16 vertices, 18 faces; vertex 4 i + j is (i, j) / 3
+
+# The table of lengths.
+is_silent path "$grid" --source 0,12 --target 15,4 --target-point 0.5,1,0 > paths.csv
+equals "$(line paths.csv 1)" target,source,length,points
+equals "$(column paths.csv target | paste -sd ' ')" "0 1 2"
+is_near "$(column paths.csv length | line /dev/stdin 1)" 1
+is_near "$(column paths.csv length | line /dev/stdin 2)" 0.33333333333333331
+is_near "$(column paths.csv length | line /dev/stdin 3)" 1.1180339887498949
+equals "$(column paths.csv source | line /dev/stdin 1)" 1
+equals "$(column paths.csv source | line /dev/stdin 2)" 0
+
+# The points of a path: on the straight line, from the target to the source, with the length of the table.
+is_silent path "$grid" --source 0 --target-point 1,0.2,0 --points > points.csv
+equals "$(line points.csv 1)" target,source,point,x,y,z
+awk -F, 'NR == 2 && ($4 - 1)^2 + ($5 - 0.2)^2 > 1e-24 { exit 1 }
+  NR > 1 && (($5 - 0.2 * $4)^2 > 1e-24 || $6 != 0) { exit 1 }
+  END { if($4^2 + $5^2 > 1e-24) exit 1 }' points.csv
+is_near "$(awk -F, 'NR > 2 { s += sqrt(($4 - x)^2 + ($5 - y)^2) } { x = $4; y = $5 } END { printf "%.17g", s }' points.csv)" \
+  1.0198039027185569
+
+# Around the corner of the L, through its inner vertex.
+is_silent path "$data/L_shape.off" --source 0 --target all -o all.csv -o all.obj -o all.vtk -o all.ply \
+  -o all.polylines.txt
+number_of_vertices=$(line "$data/L_shape.off" 2 | cut -d ' ' -f 1)
+equals "$(column all.csv target | wc -l)" "$number_of_vertices"
+equals "$(column all.csv length | line /dev/stdin 1)" 0
+# a path to the source itself is no line
+equals "$(wc -l < all.polylines.txt)" $((number_of_vertices - 1))
+equals "$(grep -c '^l ' all.obj)" $((number_of_vertices - 1))
+contains all.vtk "LINES $((number_of_vertices - 1)) "
+contains all.vtk "SCALARS length double 1"
+contains all.ply "property double length"
+# lengths of the lines, summed up, are those of the table
+awk -F, 'NR > 2 { print $3 }' all.csv > lengths
+awk '{ s = 0; for(i = 5; i < NF; i += 3) s += sqrt(($i - $(i-3))^2 + ($(i+1) - $(i-2))^2 + ($(i+2) - $(i-1))^2)
+  getline length_in_table < "lengths"; if((s - length_in_table)^2 > 1e-24 || NF != 3 * $1 + 1) exit 1 }' all.polylines.txt
+
+# A place that no source reaches.
+is_silent path "$data/two_components.off" --source 0 --target all > parts.csv
+contains parts.csv ",-1,inf,0"
+
+refuses 2 "no source is given" path "$grid" --target 0
+refuses 2 "no target is given" path "$grid" --source 0
+refuses 2 "there is no vertex 99" path "$grid" --source 0 --target 99
+printf '0\n1 2\n' > two_numbers.txt
+refuses 3 "two_numbers.txt, line 2: a point is three finite numbers" path "$grid" --source 0 --target-file two_numbers.txt
+printf '40 0.2 0.2 0.6\n' > no_face.txt
+refuses 3 "'40' is not the number of a face" path "$grid" --source 0 --target-file no_face.txt
+printf '4 0.2 0.2 0.2\n' > no_sum.txt
+refuses 3 "the sum of the barycentric coordinates is not 1" path "$grid" --source 0 --target-file no_sum.txt
+printf '# nothing\n' > no_place.txt
+refuses 3 "there is no place in the file" path "$grid" --source 0 --target-file no_place.txt
+refuses 3 "cannot be opened" path "$grid" --source 0 --target-file none.txt
+no_remains

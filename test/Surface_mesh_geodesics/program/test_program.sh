@@ -1,0 +1,127 @@
+#!/usr/bin/env bash
+# What all subcommands of surface_mesh_geodesics have in common: help, input and output.
+# A fourth argument is the man page.
+source "$(dirname "${BASH_SOURCE[0]}")/support.sh" "$@"
+man_page=$4
+grid=$data/grid4.off
+subcommands="distances path voronoi sample remesh matrix info"
+
+# --- help -------------------------------------------------------------------------------------------------------------
+
+is_silent --version > version
+contains version "surface_mesh_geodesics "
+is_silent --help > help
+for subcommand in $subcommands; do
+  contains help "  $subcommand "
+  is_silent "$subcommand" --help > "help_$subcommand"
+  is_silent help "$subcommand" > other_help
+  cmp "help_$subcommand" other_help
+  contains "help_$subcommand" "usage: surface_mesh_geodesics $subcommand MESH [options]"
+  contains "help_$subcommand" "  surface_mesh_geodesics $subcommand bunny.off"
+  contains "$man_page" ".B $subcommand"
+done
+# every option of the help is in the man page, and every subcommand of the help has been looked at
+equals "$(awk '/^subcommands:/ { on = 1; next } /^$/ { on = 0 } on { print $1 }' help | paste -sd ' ')" "$subcommands"
+sed 's/\\-/-/g' "$man_page" > man_text
+for option in $(cat help_* | grep -o -e '--[a-z-]*' | sort -u); do
+  contains man_text "$(echo "$option" | sed -E 's/--(target|site|first)($|-)/--source\2/')"
+done
+refuses 2 "there is no subcommand 'bogus'" bogus
+refuses 2 "there is no subcommand 'bogus'" help bogus
+status=0
+"$program" > no_arguments.out 2> no_arguments.err || status=$?
+equals "$status" 2
+[ ! -s no_arguments.out ]
+contains no_arguments.err "usage: "
+
+# --- input ------------------------------------------------------------------------------------------------------------
+
+: > empty.off
+echo "this is no mesh" > text.off
+head -n 20 "$grid" > no_last_faces.off
+head -c 150 "$grid" > no_last_points.off
+sed 's/^0 0 0$/0 nan 0/' "$grid" > not_a_number.off
+sed 's/^0 0 0$/0 1e999 0/' "$grid" > too_large.off
+printf 'OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n' > no_faces.off
+printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 1\n' > vertex_twice.off
+printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n2 0 1\n' > two_corners.off
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 7\n' > no_vertex.obj
+"$program" distances "$grid" --source 0 --isolines 0 -o whole.ply
+head -c 700 whole.ply > half.ply
+header=$(($(grep --text --byte-offset --only-matching end_header whole.ply | cut -d: -f1) + 11)) # its bytes
+{ head -c $header whole.ply; printf '\0\0\0\0\0\0\370\177'; tail -c +$((header + 9)) whole.ply; } > nan.ply
+printf 'solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n' > half.stl
+for subcommand in $subcommands; do
+  case $subcommand in
+    distances | matrix) arguments=(--source 0) ;;
+    path) arguments=(--source 0 --target 1) ;;
+    voronoi) arguments=(--site 0) ;;
+    sample | remesh) arguments=(--number 3) ;;
+    info) arguments=() ;;
+  esac
+  refuses 2 "no mesh is given" "$subcommand" "${arguments[@]}"
+  refuses 3 "none.off: there is no such file" "$subcommand" none.off "${arguments[@]}"
+  refuses 3 "empty.off: the file is empty" "$subcommand" empty.off "${arguments[@]}"
+  refuses 3 "no_last_faces.off: the file is damaged or incomplete" "$subcommand" no_last_faces.off "${arguments[@]}"
+  refuses 2 "too many positional options" "$subcommand" "$grid" "${arguments[@]}" another.off
+done
+refuses 3 ".: is a folder, not a file" info .
+refuses 3 "text.off: the file is damaged" info text.off
+refuses 3 "no_last_points.off: the file is damaged" info no_last_points.off
+refuses 3 "not_a_number.off: " info not_a_number.off
+refuses 3 "too_large.off: " info too_large.off
+refuses 3 "no_faces.off: there are no faces in the file" info no_faces.off
+refuses 3 "vertex_twice.off: " info vertex_twice.off
+refuses 3 "two_corners.off: " info two_corners.off
+refuses 3 "no_vertex.obj: " info no_vertex.obj
+refuses 3 "half.ply: " info half.ply
+refuses 3 "half.stl: " info half.stl
+refuses 3 "nan.ply: a coordinate of vertex" info nan.ply
+refuses 3 "$data/edge_three_faces.off: face 1 does not fit" info "$data/edge_three_faces.off"
+refuses 3 "none of .off, .obj, .ply, .stl, .ts" info "$man_page"
+
+# --- output -----------------------------------------------------------------------------------------------------------
+
+distances=(distances "$grid" --source 0)
+refuses 4 "nowhere/x.csv: cannot be written: No such file or directory" "${distances[@]}" -o nowhere/x.csv
+refuses 4 "cannot be written: Not a directory" "${distances[@]}" -o text.off/x.csv
+mkdir folder.csv
+refuses 4 "folder.csv: cannot be written: it is a folder" "${distances[@]}" -o folder.csv
+if [ -e /dev/full ]; then
+  ln -s /dev/full full.csv
+  refuses 4 "cannot be written: No space left on device" "${distances[@]}" -o full.csv
+  status=0
+  "$program" "${distances[@]}" > /dev/full 2> full.err || status=$?
+  equals "$status" 4
+  contains full.err "standard output: cannot be written"
+fi
+if [ "$(id -u)" -ne 0 ]; then # whoever may write everything cannot see this one
+  echo old > protected.csv
+  chmod a-w protected.csv
+  refuses 4 "protected.csv: cannot be written: Permission denied" "${distances[@]}" -o protected.csv
+  equals "$(cat protected.csv)" old
+fi
+
+# An error leaves the old file as it was, and nothing beside it.
+echo old > kept.csv
+refuses 2 "there is no vertex 99" distances "$grid" --source 99 -o kept.csv
+refuses 3 "the file is empty" distances empty.off --source 0 -o kept.csv
+refuses 4 "cannot be written" "${distances[@]}" -o kept.csv -o nowhere/x.csv
+equals "$(cat kept.csv)" old
+no_remains
+
+# So does a signal. The program waits for its mesh, which comes through a pipe that nobody fills.
+mkfifo pipe.off
+"$program" distances pipe.off --source 0 -o kept.csv &
+process=$!
+for _ in $(seq 100); do
+  [ -z "$(find . -name '.[0-9]*')" ] || break
+  sleep 0.1
+done
+[ -n "$(find . -name '.[0-9]*')" ] # the file has been begun
+kill -TERM "$process"
+status=0
+wait "$process" || status=$?
+equals "$status" 143
+equals "$(cat kept.csv)" old
+no_remains

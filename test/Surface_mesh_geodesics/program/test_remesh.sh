@@ -1,0 +1,30 @@
+#!/usr/bin/env bash
+# surface_mesh_geodesics remesh
+source "$(dirname "${BASH_SOURCE[0]}")/support.sh" "$@"
+sphere=$data/../../../examples/Surface_mesh_geodesics/data/bumpy_sphere.off
+
+"$program" remesh "$sphere" --number 60 -o coarse.off -o coarse.obj -o coarse.ply 2> note
+contains note "to 60 vertices, 116 faces"
+for format in off obj ply; do
+  is_silent info coarse.$format > info.csv
+  contains info.csv vertices,60
+  contains info.csv faces,116
+  contains info.csv euler_characteristic,2
+  contains info.csv borders,0
+done
+# all vertices are vertices of the sphere
+awk 'FNR == 1 { ++file; next } NF == 3 && !/[a-zA-Z]/ { key = ($1 + 0) " " ($2 + 0) " " ($3 + 0) }
+  NF != 3 { next } file == 1 { known[key] = 1 } file == 2 && FNR > 2 { ++n; if(!(key in known)) exit 1 }
+  END { if(n != 60) exit 1 }' "$sphere" coarse.off
+is_silent remesh "$sphere" --number 60 --quiet > out.off
+cmp out.off coarse.off
+is_silent remesh "$sphere" --number 60 --iterations 0 --quiet > other.off
+differ other.off coarse.off
+
+refuses 2 "number" remesh "$sphere"
+refuses 2 "'2' is not a number of 3 or more" remesh "$sphere" --number 2
+refuses 2 "the end of the name must be one of .off, .obj, .ply" remesh "$sphere" --number 60 -o x.vtk
+# too few cells for a closed surface
+refuses 1 "a larger --number helps" remesh "$sphere" --number 3 -o few.off
+[ ! -e few.off ]
+no_remains

@@ -1,0 +1,40 @@
+#!/usr/bin/env bash
+# surface_mesh_geodesics sample
+source "$(dirname "${BASH_SOURCE[0]}")/support.sh" "$@"
+grid=$data/grid4.off # the unit square, 16 vertices, 18 faces; vertex 4 i + j is (i, j) / 3
+
+"$program" sample "$grid" --number 4 --first 0 > corners.csv 2> note
+equals "$(line corners.csv 1)" sample,vertex,x,y,z
+equals "$(column corners.csv sample | paste -sd ' ')" "0 1 2 3"
+equals "$(column corners.csv vertex | line /dev/stdin 1)" 0
+equals "$(column corners.csv vertex | line /dev/stdin 2)" 15
+equals "$(column corners.csv vertex | sort -n | paste -sd ' ')" "0 3 12 15"
+contains note "4 samples; the farthest vertex is 0.471405 from its nearest one"
+is_silent sample "$grid" --number 4 --first 0 --quiet > again.csv
+cmp corners.csv again.csv
+
+# Until all vertices are near enough: no vertex is farther than the radius, and one sample fewer would not do.
+"$program" sample "$grid" --radius 0.4 --first 0 > near.csv 2> /dev/null
+samples=$(column near.csv vertex | paste -sd ,)
+is_silent distances "$grid" --source "$samples" > distances.csv
+awk -F, 'NR > 1 && $2 > 0.4 { exit 1 }' distances.csv
+is_silent distances "$grid" --source "${samples%,*}" > distances.csv
+awk -F, 'NR > 1 && $2 > 0.4 { found = 1 } END { exit !found }' distances.csv
+
+# All vertices, if more are wanted than there are.
+is_silent sample "$grid" --number 100 --quiet > all.csv
+equals "$(column all.csv vertex | sort -n | paste -sd ' ')" "0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15"
+
+is_silent sample "$grid" --number 5 --quiet -o s.ply -o s.vtk -o s.obj
+contains s.vtk "VERTICES 5 10"
+contains s.vtk "SCALARS vertex int 1"
+contains s.ply "element vertex 5"
+equals "$(grep -c '^p ' s.obj)" 5
+
+refuses 2 "neither --number nor --radius is given" sample "$grid"
+refuses 2 "'0' is not a number of 1 or more" sample "$grid" --number 0
+refuses 2 "'x' is not a number of 1 or more" sample "$grid" --number x
+refuses 2 "'-1' is not a positive number" sample "$grid" --radius -1
+refuses 2 "a first must be a vertex" sample "$grid" --number 3 --first-point 0.1,0.1,0
+refuses 2 "more first samples than --number" sample "$grid" --number 1 --first 0,1
+no_remains
