@@ -27,7 +27,7 @@ struct Command
 };
 
 extern const Command distances_command, path_command, voronoi_command, sample_command, remesh_command, matrix_command,
-  info_command;
+  check_command, info_command;
 
 // All subcommands have these options. The name of the mesh is the only argument that is not an option.
 inline std::string mesh_argument(const Arguments& arguments)

@@ -29,7 +29,7 @@ namespace {
 const std::vector<const Command*>& commands()
 {
   static const std::vector<const Command*> all{&distances_command, &path_command, &voronoi_command, &sample_command,
-                                               &remesh_command, &matrix_command, &info_command};
+                                               &remesh_command, &matrix_command, &check_command, &info_command};
   return all;
 }
 

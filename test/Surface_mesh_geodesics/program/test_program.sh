@@ -4,7 +4,7 @@
 source "$(dirname "${BASH_SOURCE[0]}")/support.sh" "$@"
 man_page=$4
 grid=$data/grid4.off
-subcommands="distances path voronoi sample remesh matrix info"
+subcommands="distances path voronoi sample remesh matrix check info"
 
 # --- help -------------------------------------------------------------------------------------------------------------
 
@@ -53,7 +53,7 @@ header=$(($(grep --text --byte-offset --only-matching end_header whole.ply | cut
 printf 'solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n' > half.stl
 for subcommand in $subcommands; do
   case $subcommand in
-    distances | matrix) arguments=(--source 0) ;;
+    distances | matrix | check) arguments=(--source 0) ;;
     path) arguments=(--source 0 --target 1) ;;
     voronoi) arguments=(--site 0) ;;
     sample | remesh) arguments=(--number 3) ;;

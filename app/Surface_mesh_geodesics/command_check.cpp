@@ -1,0 +1,195 @@
+// The subcommand check.
+
+#include "Command.h"
+#include "Command_error.h"
+#include "Distance_field.h"
+#include "Output_files.h"
+#include "Place_options.h"
+#include "Program_mesh.h"
+#include "number_arguments.h"
+
+#include <CGAL/Surface_mesh_geodesics/certify_geodesic_distances.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <fstream>
+#include <limits>
+#include <ostream>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace geodesics_app {
+
+namespace po = boost::program_options;
+
+namespace {
+
+using Certificate = CGAL::Surface_mesh_geodesics::Geodesic_distance_certificate<Mesh>;
+using Condition = Certificate::Condition;
+
+const Place_options source_options("source");
+
+void declare(Option_descriptions& options)
+{
+  source_options.declare(options);
+  declare_seed(options);
+  options.add_options()
+    ("distances", po::value<std::string>()->value_name("FILE"),
+     "a table with the columns 'vertex' and 'distance' (default: the distances that 'distances' computes)")
+    ("radius", po::value<std::string>()->value_name("R"), "the distances are those up to R, all others infinite")
+    ("tolerance", po::value<std::string>()->value_name("T"),
+     "the largest violation, relative to distance and longest edge (default: 2^-40)");
+  declare_output(options, "a table .csv (default: to standard output)");
+}
+
+// A table of distances, as the subcommand distances writes it.
+class Distance_table
+{
+public:
+  Distance_table(const std::string& file_name, std::size_t number_of_vertices)
+    : m_file_name(file_name), m_distance(number_of_vertices, 0), m_is_known(number_of_vertices, false)
+  {
+    std::ifstream is(file_name);
+    if(!is)
+      throw Command_error(Exit_code::BAD_INPUT, file_name + ": cannot be read");
+    std::string line;
+    std::getline(is, line);
+    read_names(without_return(line));
+    for(m_line = 2; std::getline(is, line); ++m_line)
+      if(!without_return(line).empty())
+        read_distance(split(without_return(line), ','));
+    const auto missing = std::find(m_is_known.begin(), m_is_known.end(), false);
+    if(missing != m_is_known.end())
+      throw Command_error(Exit_code::BAD_INPUT, file_name + ": there is no distance of vertex "
+                                                  + std::to_string(missing - m_is_known.begin()));
+  }
+
+  const std::vector<double>& distances() const { return m_distance; }
+
+private:
+  static std::string without_return(const std::string& line)
+  {
+    return !line.empty() && line.back() == '\r' ? line.substr(0, line.size() - 1) : line;
+  }
+
+  [[noreturn]] void complain(const std::string& what) const
+  {
+    throw Command_error(Exit_code::BAD_INPUT, m_file_name + ", line " + std::to_string(m_line) + ": " + what);
+  }
+
+  void read_names(const std::string& line)
+  {
+    const std::vector<std::string> names = split(line, ',');
+    for(const auto& [name, column] : {std::make_pair("vertex", &m_vertex_column),
+                                      std::make_pair("distance", &m_distance_column)})
+    {
+      *column = static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+      if(*column == names.size())
+        complain(std::string("there is no column '") + name + "'");
+    }
+  }
+
+  void read_distance(const std::vector<std::string>& row)
+  {
+    if(row.size() <= (std::max)(m_vertex_column, m_distance_column))
+      complain("a value is missing");
+    std::size_t v = 0;
+    if(!parse_index(row[m_vertex_column], v) || v >= m_distance.size())
+      complain("there is no vertex '" + row[m_vertex_column] + "'");
+    if(m_is_known[v])
+      complain("vertex " + std::to_string(v) + " comes for the second time");
+    m_is_known[v] = true;
+    const std::string& text = row[m_distance_column];
+    if(text == "inf" || text == "nan") // it is for the certificate to say whether that is right
+      m_distance[v] = text == "inf" ? std::numeric_limits<double>::infinity()
+                                    : std::numeric_limits<double>::quiet_NaN();
+    else if(!parse_number(text, m_distance[v]))
+      complain("'" + text + "' is not a distance");
+  }
+
+  std::string m_file_name;
+  std::size_t m_line = 1, m_vertex_column = 0, m_distance_column = 0;
+  std::vector<double> m_distance;
+  std::vector<bool> m_is_known;
+};
+
+Certificate certificate_of(Mesh& mesh, const std::vector<double>& distances, const std::vector<Place>& sources,
+                           double radius)
+{
+  const auto map = mesh.add_property_map<Vertex, double>("v:checked_distance", 0).first;
+  for(const Vertex v : mesh.vertices())
+    map[v] = distances[v];
+  CGAL::Surface_mesh_geodesics::Geodesic_distance_options<Mesh> options;
+  options.maximum_distance = radius;
+  const std::vector<Vertex> vertices = as_vertices(sources);
+  return vertices.empty()
+           ? CGAL::Surface_mesh_geodesics::certify_geodesic_distances(mesh, map, as_locations(sources, mesh), options)
+           : CGAL::Surface_mesh_geodesics::certify_geodesic_distances(mesh, map, vertices, options);
+}
+
+void write_table(std::ostream& os, const Certificate& certificate)
+{
+  os << "condition,checks,worst_violation,vertex\n";
+  for(std::size_t i = 0; i < Certificate::number_of_conditions; ++i)
+  {
+    const Condition c = static_cast<Condition>(i);
+    os << Certificate::name(c) << ',' << certificate.number_of_checks(c) << ',' << certificate.worst_violation(c)
+       << ',';
+    if(certificate.worst_vertex(c) != Mesh::null_vertex())
+      os << certificate.worst_vertex(c).idx();
+    os << '\n';
+  }
+}
+
+std::string complaint(const Certificate& certificate)
+{
+  std::ostringstream os;
+  for(std::size_t i = 0; i < Certificate::number_of_conditions; ++i)
+  {
+    const Condition c = static_cast<Condition>(i);
+    if(!(certificate.worst_violation(c) >= certificate.worst_violation()))
+      continue;
+    os << "the distances are not certified: " << Certificate::name(c) << " is violated by "
+       << certificate.worst_violation(c);
+    if(certificate.worst_vertex(c) != Mesh::null_vertex())
+      os << " at vertex " << certificate.worst_vertex(c).idx();
+    break;
+  }
+  return os.str();
+}
+
+void run(const Arguments& arguments, const Console& console)
+{
+  const auto number = [&](const char* option, double otherwise)
+  { return has(arguments, option) ? positive_argument(option, arguments[option].as<std::string>()) : otherwise; };
+  const double radius = number("radius", std::numeric_limits<double>::infinity());
+  const double tolerance = number("tolerance", Certificate::default_tolerance);
+  Output_files files(output_names(arguments), {"csv"});
+  Mesh mesh = read_mesh(mesh_argument(arguments), console);
+  const std::vector<Place> sources = source_options.required_places(arguments, mesh);
+  const std::vector<double> distances
+    = has(arguments, "distances")
+        ? Distance_table(arguments["distances"].as<std::string>(), mesh.number_of_vertices()).distances()
+        : distances_from(mesh, sources, radius, console).distance;
+  const Certificate certificate = certificate_of(mesh, distances, sources, radius);
+  files.write([&](std::ostream& os, const std::string&) { write_table(os, certificate); });
+  if(!certificate.is_certified(tolerance))
+    throw Command_error(Exit_code::NO_RESULT, complaint(certificate));
+}
+
+} // namespace
+
+const Command check_command{
+  "check",
+  "whether distances are the exact ones, proved without trusting them",
+  "Distances of all vertices are certified: a path shows for each of them that it is not too short, lower bounds show\n"
+  "that it is not too long. The table has a line for each condition, with the number of checks, the worst violation\n"
+  "(relative to distance and longest edge) and the vertex where it is. The exit status is 1 if a violation is larger\n"
+  "than the tolerance.",
+  "  surface_mesh_geodesics check bunny.off --source 0\n"
+  "  surface_mesh_geodesics check bunny.off --source 0 --distances other_program.csv --tolerance 1e-9\n",
+  declare, run};
+
+} // namespace geodesics_app
