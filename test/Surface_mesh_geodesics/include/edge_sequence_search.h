@@ -6,9 +6,10 @@
 // faces are unfolded into one plane, around each vertex in the order of distances; what is seen of an edge through all
 // edges before it is a cone of directions, and the next vertex is reached straight if it is in the cone.
 //
-// There are no windows, no frames of edges and no tolerances of distances here: every vertex may bend paths, unless it is
-// clearly convex, and a ray through a vertex counts for that vertex. A sequence ends where nothing is seen any more, where it would come back to a
-// face, or where it is farther than every distance that is still in question (which are bounded by paths along edges).
+// There are no windows, no frames of edges and no tolerances of distances here: every vertex may bend paths, unless it
+// is clearly convex, and a ray through a vertex counts for that vertex. A sequence ends where nothing is seen any more,
+// where it would come back to a face, or where it is farther than every distance that is still in question (which are
+// bounded by paths along edges).
 
 #include "test_meshes.h"
 
