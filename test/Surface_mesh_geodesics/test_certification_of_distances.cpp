@@ -3,6 +3,7 @@
 // found as well.
 
 #include "distance_test_helpers.h"
+#include "hostile_meshes.h"
 #include "test_meshes.h"
 #include "test_support.h"
 
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <exception>
 #include <functional>
 #include <limits>
 #include <string>
@@ -174,6 +176,73 @@ void special_cases_are_certified()
   CHECK_EQUAL(SMG::certify_geodesic_distances(polyhedron, map, source, CGAL::parameters::number_of_iterations(2))
                 .number_of_checks(SMG::Geodesic_distance_certificate<Polyhedron>::Condition::REVERSE),
               std::size_t(2));
+}
+
+// The same surface in other units, and far from the origin.
+void scales_do_not_count()
+{
+  test_support::Scope scope("scales");
+  const Indexed_mesh indexed = noisy_sphere(2, .1, 5);
+  Mesh tm = to_face_graph(indexed);
+  const Certificate expected = certificate_of_right_distances(tm, vertex(3));
+  for(const double factor : {0x1p-500, 0x1p+500, 1e-150, 1e-9, 1e9, 1e150})
+  {
+    Mesh other = to_face_graph(scaled(indexed, factor));
+    const Certificate c = certificate_of_right_distances(other, vertex(3));
+    check_certified(c);
+    if(factor == 0x1p-500 || factor == 0x1p+500)
+    {
+      CHECK_EQUAL(c.worst_violation(), expected.worst_violation());
+    }
+    Distance_map map = add_distances(other);
+    map[vertex(11)] *= 1 + 1e-9;
+    CHECK(SMG::certify_geodesic_distances(other, map, vertex(3)).worst_vertex(Condition::PATHS) == vertex(11));
+  }
+  Indexed_mesh moved = indexed;
+  for(Coordinates& p : moved.points)
+  {
+    p = p + Coordinates{1e6, -1e6, 1e6};
+  }
+  Mesh far_away = to_face_graph(moved);
+  check_certified(certificate_of_right_distances(far_away, vertex(3)));
+}
+
+// Needles and caps of all heights, vertices that are hardly told apart. The distances of vertices are right; the
+// function that proves it may be inaccurate between such vertices.
+void hostile_meshes_are_certified(std::size_t number, std::uint64_t seed)
+{
+  test_support::Scope scope("hostile meshes");
+  test_support::Random random(seed);
+  std::size_t number_of_meshes = 0, number_certified = 0;
+  double worst = 0;
+  while(number_of_meshes < number)
+  {
+    const Indexed_mesh indexed = hostile_meshes::hostile_mesh(random);
+    Mesh tm;
+    try
+    {
+      tm = to_face_graph(indexed);
+    }
+    catch(const std::exception&) // not every one is a surface
+    {
+      continue;
+    }
+    test_support::Scope mesh_scope("mesh " + std::to_string(number_of_meshes) + ", " + indexed.name);
+    const Certificate c = certificate_of_right_distances(tm, random_vertex(tm, random));
+    for(const Condition condition : {Condition::REACH, Condition::SOURCES, Condition::EDGES, Condition::PAIRS_OF_FACES,
+                                     Condition::PATHS, Condition::LOWER_BOUNDS, Condition::REVERSE})
+    {
+      test_support::Scope condition_scope(Certificate::name(condition));
+      CHECK(c.worst_violation(condition) <= Certificate::default_tolerance);
+    }
+    CHECK(c.worst_violation(Condition::PROOF) <= 1e-8);
+    worst = (std::max)(worst, c.worst_violation());
+    number_certified += c.is_certified();
+    ++number_of_meshes;
+  }
+  CHECK(number_certified * 100 >= 99 * number_of_meshes);
+  std::cout << number_certified << " of " << number_of_meshes << " hostile meshes certified, worst violation " << worst
+            << std::endl;
 }
 
 // A fault: what becomes of a distance, and which conditions name the vertex.
@@ -484,6 +553,8 @@ int main()
   edge_lengths_are_certified(seed);
   radius_is_regarded();
   special_cases_are_certified();
+  scales_do_not_count();
+  hostile_meshes_are_certified(1000, seed);
   each_fault_is_found_where_it_is(seed);
   faults_of_many_vertices_are_found();
   invalid_input_is_refused();

@@ -225,6 +225,7 @@ private:
   {
     const Crossing<FT> c = m_mesh.crossing(h);
     m_scale = (std::max)(c.length, (std::max)(c.left_length, c.right_length));
+    check_ends(c);
     read_function(h, false, m_from);
     if(m_from.empty()) // not reached, or without length
       return;
@@ -243,6 +244,17 @@ private:
       read_function(next_halfedge(h), false, m_to);
       check_pieces(right_side(c), c.target, c.apex);
     }
+  }
+
+  // the condition for the ends of the edge alone: all that there is to an edge without length.
+  void check_ends(const Crossing<FT>& c)
+  {
+    const FT& d = m_distance[c.origin];
+    const FT& e = m_distance[c.target];
+    if(!is_finite(d) && !is_finite(e))
+      return;
+    look_at(d - e - c.length, d, c.origin);
+    look_at(e - d - c.length, e, c.target);
   }
 
   static FT abs_difference(const FT& a, const FT& b) { return a < b ? FT(b - a) : FT(a - b); }
