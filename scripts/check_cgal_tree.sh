@@ -34,6 +34,12 @@ mark='This file is part of CGAL (www.cgal.org).'
 grep -rL --include='*.h' "$mark" "$tree/$package/include" "$tree/Installation" > "$work/unmarked.txt" || true
 [ ! -s "$work/unmarked.txt" ] || fail "not marked as a part of CGAL: $(cat "$work/unmarked.txt")"
 
+# The specification names every public header.
+for header in "$tree/$package/include/CGAL/$package"/*.h; do
+  grep -qF "$(basename "$header")" "$root/doc/submission/specification.md" \
+    || fail "doc/submission/specification.md does not name $(basename "$header")"
+done
+
 # An example, as a user of that CGAL has it.
 example=$tree/$package/examples/$package
 "${CXX:-g++}" -std=c++17 -O0 -frounding-math -I"$tree/$package/include" -I"$tree/Installation/include" \

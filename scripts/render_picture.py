@@ -1,8 +1,10 @@
 #!/usr/bin/python3
-"""Renders a mesh with coloured distances, as distances_to_all_vertices writes it, or the cells and arcs of a Voronoi
-diagram, as write_geodesic_Voronoi_diagram() does, to a PNG file without a screen.
+"""Renders a mesh with coloured distances, as distances_to_all_vertices writes it, a mesh without colours, or the cells
+and arcs of a Voronoi diagram, as write_geodesic_Voronoi_diagram() does, to a PNG file without a screen.
 
-usage: render_picture.py mesh.ply|diagram.vtk picture.png [options]
+usage: render_picture.py mesh.ply|mesh.off|diagram.vtk picture.png [options]
+  --lines paths.vtk     paths on top of the mesh, as paths_from_several_sources writes them; a colour for each source
+  --edges               the edges of a mesh without colours, and flat faces
   --size WIDTHxHEIGHT   size of the picture (900x900)
   --view X,Y,Z          direction from the mesh to the eye (0,0,1)
   --up X,Y,Z            direction that points upwards in the picture (0,1,0)
@@ -21,8 +23,9 @@ import shutil
 import struct
 import sys
 
-PLY_TYPES = {"char": "b", "int8": "b", "uchar": "B", "uint8": "B", "short": "h", "int16": "h", "ushort": "H", "uint16": "H",
-             "int": "i", "int32": "i", "uint": "I", "uint32": "I", "float": "f", "float32": "f", "double": "d", "float64": "d"}
+PLY_TYPES = {"char": "b", "int8": "b", "uchar": "B", "uint8": "B", "short": "h", "int16": "h", "ushort": "H",
+             "uint16": "H", "int": "i", "int32": "i", "uint": "I", "uint32": "I", "float": "f", "float32": "f",
+             "double": "d", "float64": "d"}
 
 
 def read_ply(name):
@@ -63,6 +66,23 @@ def read_ply(name):
         else:
             break  # what follows is not drawn
     return columns, faces
+
+
+def read_off(name):
+    """Returns the points and the faces of an OFF file."""
+    with open(name, encoding="ascii") as file:
+        words = [word for line in file for word in line.split("#")[0].split()]
+    if words[0] != "OFF":
+        sys.exit("%s is not an OFF file" % name)
+    number_of_points, number_of_faces = int(words[1]), int(words[2])
+    numbers_of_points = [float(word) for word in words[4:4 + 3 * number_of_points]]
+    points = list(zip(*[iter(numbers_of_points)] * 3))
+    faces, position = [], 4 + 3 * number_of_points
+    for _ in range(number_of_faces):
+        length = int(words[position])
+        faces.append([int(word) for word in words[position + 1:position + 1 + length]])
+        position += 1 + length
+    return points, faces
 
 
 def lookup_table(vtk, distances, colors, largest, size=8192):
@@ -124,6 +144,67 @@ def make_actor(vtk, columns, faces):
     return actor_with_surface(vtk, mapper)
 
 
+def actor_of_lines(vtk, lines, radius):
+    """Lines as tubes, in the colours of their cells if these have some, else nearly black."""
+    tubes = vtk.vtkTubeFilter()
+    tubes.SetInputData(lines)
+    tubes.SetRadius(radius)
+    tubes.SetNumberOfSides(8)
+    tubes.SetCapping(1)
+    mapper = vtk.vtkPolyDataMapper()
+    mapper.SetInputConnection(tubes.GetOutputPort())
+    actor = actor_with_surface(vtk, mapper)
+    if lines.GetCellData().GetScalars() is None:
+        mapper.ScalarVisibilityOff()
+        actor.GetProperty().SetColor(0.1, 0.1, 0.1)
+    return actor
+
+
+def make_mesh_actors(vtk, points, faces, has_edges):
+    """A mesh without colours: with its edges and flat faces, or smooth."""
+    mesh = vtk.vtkPolyData()
+    vtk_points = vtk.vtkPoints()
+    for point in points:
+        vtk_points.InsertNextPoint(point)
+    cells, edges = vtk.vtkCellArray(), vtk.vtkCellArray()
+    for face in faces:
+        cells.InsertNextCell(len(face), face)
+    for edge in sorted({tuple(sorted((face[i - 1], face[i]))) for face in faces for i in range(len(face))}):
+        edges.InsertNextCell(2, edge)
+    mesh.SetPoints(vtk_points)
+    mesh.SetPolys(cells)
+    normals = vtk.vtkPolyDataNormals()
+    normals.SetInputData(mesh)
+    normals.SplittingOff()
+    mapper = vtk.vtkPolyDataMapper()
+    mapper.SetInputConnection(normals.GetOutputPort())
+    surface = actor_with_surface(vtk, mapper)
+    surface.GetProperty().SetColor(0.62, 0.78, 0.92)
+    if not has_edges:
+        return [surface]
+    surface.GetProperty().SetInterpolationToFlat()
+    lines = vtk.vtkPolyData()
+    lines.SetPoints(vtk_points)
+    lines.SetLines(edges)
+    return [surface, actor_of_lines(vtk, lines, 0.0012 * mesh.GetLength())]
+
+
+def make_path_actor(vtk, name):
+    """Paths, coloured by their sources."""
+    reader = vtk.vtkPolyDataReader()
+    reader.SetFileName(name)
+    reader.ReadAllScalarsOn()
+    reader.Update()
+    paths = reader.GetOutput()
+    source = paths.GetCellData().GetArray("source")
+    colors = vtk.vtkUnsignedCharArray()
+    colors.SetNumberOfComponents(3)
+    for i in range(paths.GetNumberOfCells()):
+        colors.InsertNextTuple3(*PATH_COLORS[int(source.GetValue(i)) % len(PATH_COLORS)])
+    paths.GetCellData().SetScalars(colors)
+    return actor_of_lines(vtk, paths, 0.0035 * paths.GetLength())
+
+
 def actor_with_surface(vtk, mapper):
     actor = vtk.vtkActor()
     actor.SetMapper(mapper)
@@ -138,6 +219,9 @@ def actor_with_surface(vtk, mapper):
 # Light colours that are told apart with any colour vision, by their lightness as well (after Okabe and Ito).
 CELL_COLORS = [(230, 159, 0), (86, 180, 233), (0, 158, 115), (240, 228, 66), (120, 150, 220), (213, 94, 0),
                (204, 121, 167), (235, 235, 235)]
+
+# Colours that stand out on such cells and on bands.
+PATH_COLORS = [(213, 94, 0), (20, 20, 20), (255, 255, 255), (204, 60, 140)]
 
 
 def colors_of_sites(neighbors):
@@ -183,17 +267,7 @@ def make_diagram_actors(vtk, name):
     arcs = vtk.vtkPolyData()
     arcs.SetPoints(diagram.GetPoints())
     arcs.SetLines(diagram.GetLines())
-    tubes = vtk.vtkTubeFilter()
-    tubes.SetInputData(arcs)
-    tubes.SetRadius(0.0015 * diagram.GetLength())
-    tubes.SetNumberOfSides(8)
-    tubes.SetCapping(1)
-    arc_mapper = vtk.vtkPolyDataMapper()
-    arc_mapper.SetInputConnection(tubes.GetOutputPort())
-    arc_mapper.ScalarVisibilityOff()
-    arc_actor = actor_with_surface(vtk, arc_mapper)
-    arc_actor.GetProperty().SetColor(0.1, 0.1, 0.1)
-    return [actor_with_surface(vtk, cell_mapper), arc_actor]
+    return [actor_with_surface(vtk, cell_mapper), actor_of_lines(vtk, arcs, 0.0015 * diagram.GetLength())]
 
 
 def numbers(text):
@@ -247,6 +321,8 @@ def main():
     parser = argparse.ArgumentParser(usage=__doc__)
     parser.add_argument("mesh")
     parser.add_argument("picture")
+    parser.add_argument("--lines")
+    parser.add_argument("--edges", action="store_true")
     parser.add_argument("--size", default="900x900")
     parser.add_argument("--view", type=numbers, default=(0, 0, 1))
     parser.add_argument("--up", type=numbers, default=(0, 1, 0))
@@ -263,8 +339,12 @@ def main():
 
     if options.mesh.endswith(".vtk"):
         actors = make_diagram_actors(vtk, options.mesh)
+    elif options.mesh.endswith(".off"):
+        actors = make_mesh_actors(vtk, *read_off(options.mesh), options.edges)
     else:
         actors = [make_actor(vtk, *read_ply(options.mesh))]
+    if options.lines:
+        actors.append(make_path_actor(vtk, options.lines))
     render(vtk, actors, options)
 
 

@@ -1,0 +1,43 @@
+#!/usr/bin/env bash
+# Makes the pictures of the README and of the manual anew: builds the examples that write them, runs them on the mesh of
+# the examples and on a scan of CGAL's data, and renders. The drawings of the theory are made by draw_theory_figures.py.
+# Everything but the pictures is written below build/. Look at each picture before it is committed.
+set -euo pipefail
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+build=$root/build
+work=$build/pictures
+figures=$root/doc/Surface_mesh_geodesics/fig
+examples=$build/examples/Surface_mesh_geodesics
+
+bash "$root/scripts/install_needs.sh" g++ cmake make libcgal-dev libcgal-demo python3-vtk9 xvfb
+# The main job unpacks the scan, too.
+bash "$root/scripts/run_main_job.sh" > /dev/null
+scan=$build/cgal_data/data/meshes/bunny00.off
+programs=(distances_to_all_vertices paths_from_several_sources Voronoi_diagram_of_scan weighted_Voronoi_diagram
+  sampling_and_remeshing)
+cmake --build "$build" --parallel "${JOBS:-$(nproc)}" --target "${programs[@]}"
+
+mkdir -p "$work"
+cd "$work"
+ln -sfn "$root/examples/Surface_mesh_geodesics/data" data
+"$examples/distances_to_all_vertices" "$scan" --distances bands.csv --colored-mesh bands.ply
+"$examples/paths_from_several_sources"
+"$examples/Voronoi_diagram_of_scan" "$scan"
+"$examples/weighted_Voronoi_diagram"
+"$examples/sampling_and_remeshing" "$scan" 1500
+
+# render PICTURE FILE [options]
+render()
+{
+  local picture=$1
+  shift
+  /usr/bin/python3 "$root/scripts/render_picture.py" "$1" "$figures/$picture" --size 800x760 "${@:2}"
+}
+render bunny_bands.png bands.ply --view=-0.25,0.15,-1
+render bunny_bands_small.png bands.ply --view=-0.25,0.15,-1 --size 109x104
+render sphere_paths.png data/bumpy_sphere.off --lines paths.vtk --view=0.5,-0.9,0.2 --up 0,0,1
+render bunny_Voronoi.png voronoi.vtk
+render weighted_Voronoi.png weighted_voronoi.vtk
+render bunny_remeshed.png remeshed.off --edges
+python3 "$root/scripts/draw_theory_figures.py"
+echo "The pictures are in $figures"
