@@ -12,6 +12,7 @@ import csv
 import math
 import pathlib
 import re
+import statistics
 
 # The name in the results -> the file that run_benchmark.sh writes.
 CSV_FILES = {
@@ -21,6 +22,14 @@ CSV_FILES = {
     "Voronoi_diagram": "voronoi.csv",
     "heat_method": "against_heat_method.csv",
     "certified_meshes": "certified_meshes.csv",
+    "all_meshes": "against_shortest_path_all.csv",
+    "growth": "growth.csv",
+    "anisotropy": "anisotropy.csv",
+    "sources": "sources.csv",
+    "reach": "reach.csv",
+    "rules": "rules.csv",
+    "threads": "threads.csv",
+    "matrix": "matrix.csv",
 }
 
 
@@ -215,9 +224,72 @@ def heat_method_errors(results):
          for row in results.rows("heat_method")])
 
 
+def all_meshes(results):
+    return markdown(
+        ["mesh", "faces", "original, ms", "ours, ms", "time ratio", "memory ratio", "windows per face", "ns per window"],
+        [[mesh_name(row), plain(row["faces"], 0), rounded(row["original_ms"]), rounded(row["ours_ms"]),
+          plain(row["time_ratio"], 1), plain(row["memory_ratio"], 1),
+          plain(float(row["windows_propagated"]) / float(row["faces"]), 1), plain(row["ns_per_window"], 0)]
+         for row in results.rows("all_meshes")])
+
+
+def growth(results):
+    return markdown(
+        ["mesh", "faces", "reading, ms", "run without reading, ms", "part of reading, %", "windows per face",
+         "ns per window", "mesh, bytes per face", "windows at once, MB"],
+        [[mesh_name(row), plain(row["faces"], 0), rounded(row["read_ms"]), rounded(row["run_ms"]),
+          plain(100 * float(row["read_share"]), 0), plain(row["windows_per_face"], 1), plain(row["ns_per_window"], 1),
+          plain(row["mesh_bytes_per_face"], 0), rounded(row["window_mb"])] for row in results.rows("growth")])
+
+
+def anisotropy(results):
+    return markdown(
+        ["stretched", "faces", "run, ms", "windows", "windows per list", "ns per window"],
+        [[row["stretch"] + " times", plain(row["faces"], 0), rounded(row["run_ms"]), plain(row["windows"], 0),
+          plain(float(row["windows"]) / float(row["lists"]), 1), plain(row["ns_per_window"], 1)]
+         for row in results.rows("anisotropy")])
+
+
+def sources(results):
+    return markdown(
+        ["sources", "run, ms", "windows", "ns per window"],
+        [[row["sources"], rounded(row["run_ms"]), plain(row["windows"], 0), plain(row["ns_per_window"], 0)]
+         for row in results.rows("sources")])
+
+
+def reach(results):
+    return markdown(
+        ["end of the run", "part of the largest distance", "run, ms", "vertices reached", "windows",
+         "\\f$ \\mu \\f$s per vertex"],
+        [[row["end"], row["part_of_largest_distance"], rounded(row["run_ms"]), plain(row["vertices_reached"], 0),
+          plain(row["windows"], 0), rounded(row["us_per_vertex"])] for row in results.rows("reach")])
+
+
+def rules(results):
+    return markdown(
+        ["mesh", "rules", "run, ms", "windows propagated", "windows per face", "windows at once"],
+        [[row["mesh"].rsplit(".", 1)[0], row["rules"], rounded(row["run_ms"]), plain(row["windows_propagated"], 0),
+          plain(row["windows_per_face"], 1), plain(row["windows_alive"], 0)] for row in results.rows("rules")],
+        words=2)
+
+
+def threads(results):
+    return markdown(
+        ["mesh", "faces", "threads", "run, ms", "speedup"],
+        [[mesh_name(row), plain(row["faces"], 0), row["threads"], rounded(row["run_ms"]), rounded(row["speedup"])]
+         for row in results.rows("threads")])
+
+
+def matrix(results):
+    return markdown(
+        ["matrix", "rows", "threads", "ms per row", "speedup"],
+        [[row["matrix"], row["rows"], row["threads"], rounded(row["ms_per_row"]), rounded(row["speedup"])]
+         for row in results.rows("matrix")])
+
+
 TABLES = {table.__name__: table for table in (
     standard_meshes, paths_on_bunny, paths_on_other_meshes, face_queries, Voronoi_diagram, heat_method_times,
-    heat_method_errors)}
+    heat_method_errors, all_meshes, growth, anisotropy, sources, reach, rules, threads, matrix)}
 
 # --- sentences -------------------------------------------------------------------------------------------------------
 
@@ -347,8 +419,18 @@ def sentences_about_certificates(results):
     ]
 
 
+def sentences_about_all_meshes(results):
+    times = results.values("all_meshes", "time_ratio")
+    memory = results.values("all_meshes", "memory_ratio")
+    return [
+        (MANUAL, f"On {len(times)} meshes the ratio of times is {short(min(times))} to {short(max(times))}, with a median "
+                 f"of {statistics.median(times):.1f}, and the ratio of memory {short(min(memory))} to "
+                 f"{short(max(memory))}, with a median of {statistics.median(memory):.1f}."),
+    ]
+
+
 def sentences(results):
     """Pairs of a document and words that stand in it, wherever its lines end."""
     return (sentences_about_distances(results) + sentences_about_paths(results) + sentences_about_face_queries(results)
             + sentences_about_Voronoi_diagrams(results) + sentences_about_the_heat_method(results)
-            + sentences_about_certificates(results))
+            + sentences_about_certificates(results) + sentences_about_all_meshes(results))
