@@ -14,7 +14,7 @@
 #ifdef CGAL_SURFACE_MESH_GEODESICS_LANES
 #include <CGAL/Surface_mesh_geodesics/internal/lanes/Lanes.h>
 #include <CGAL/Surface_mesh_geodesics/internal/lanes/Window_lanes.h>
-#include <CGAL/Surface_mesh_geodesics/internal/lanes/window_pruning.h>
+#include <CGAL/Surface_mesh_geodesics/internal/lanes/lane_pruning.h>
 #include <CGAL/Surface_mesh_geodesics/internal/lanes/window_splitting.h>
 #include <CGAL/Surface_mesh_geodesics/internal/lanes/List_loops.h>
 #undef CGAL_SURFACE_MESH_GEODESICS_LANES
