@@ -15,11 +15,9 @@ namespace geodesics_app {
 
 namespace po = boost::program_options;
 
-// Embedded by embed_page.cmake, where three.js was found.
-#ifdef SURFACE_MESH_GEODESICS_HAS_PAGE
+// Embedded by embed_page.cmake; three.js and its licence have no bytes if it was not there.
 extern const unsigned char page_template[], page_script[], page_three[], page_licence[];
 extern const std::size_t page_template_size, page_script_size, page_three_size, page_licence_size;
-#endif
 
 namespace {
 
@@ -235,6 +233,13 @@ std::size_t number_of_parts(std::size_t number_of_triangles)
   return k;
 }
 
+void check_pages_are_available()
+{
+  if(page_three_size == 0)
+    throw Command_error(Exit_code::BAD_USAGE, "this program was built without three.js (Debian: libjs-three), and "
+                                              "writes no pages for browsers");
+}
+
 } // namespace
 
 Html_dots dots_at(const std::string& role, const std::vector<Place>& places, const Mesh& mesh)
@@ -326,11 +331,11 @@ void declare_html(Option_descriptions& options)
                         "a page for a browser that shows the result; it needs no network");
 }
 
-#ifdef SURFACE_MESH_GEODESICS_HAS_PAGE
-
 std::vector<std::string> html_names(const Arguments& arguments)
 {
   const std::vector<std::string> names = all_values(arguments, "html");
+  if(!names.empty())
+    check_pages_are_available();
   for(const std::string& name : names)
     if(name.size() < 6 || name.compare(name.size() - 5, 5, ".html") != 0)
       throw Command_error(Exit_code::BAD_USAGE, "--html: the end of the name '" + name + "' is not .html");
@@ -339,6 +344,7 @@ std::vector<std::string> html_names(const Arguments& arguments)
 
 void write_html_page(std::ostream& os, const Html_page& page)
 {
+  check_pages_are_available(); // -o x.html asks for a page, too
   const auto embedded = [](const unsigned char* bytes, std::size_t size)
   { return std::string(reinterpret_cast<const char*>(bytes), size); };
   std::string rest = embedded(page_template, page_template_size);
@@ -360,22 +366,5 @@ void write_html_page(std::ostream& os, const Html_page& page)
   write_up_to("@SCRIPT@");
   os << embedded(page_script, page_script_size) << rest;
 }
-
-#else
-
-std::vector<std::string> html_names(const Arguments& arguments)
-{
-  if(has(arguments, "html"))
-    throw Command_error(Exit_code::BAD_USAGE, "--html: this program was built without three.js (Debian: libjs-three), "
-                                              "and writes no pages");
-  return {};
-}
-
-void write_html_page(std::ostream& os, const Html_page&)
-{
-  os.setstate(std::ios::failbit);
-}
-
-#endif
 
 } // namespace geodesics_app

@@ -31,8 +31,8 @@ void declare(Option_descriptions& options)
   target_options.declare(options);
   declare_seed(options);
   options.add_options()("radius", po::value<std::string>()->value_name("R"),
-                        "only distances up to R: the table has a line for each, with the number of the source, counted from "
-                        "0, the target vertex, and the distance");
+                        "only distances up to R: the table has a line for each, with the number of the source, "
+                        "counted from 0, the target vertex, and the distance");
   declare_output(options, "a table .csv (default: to standard output)");
 }
 
