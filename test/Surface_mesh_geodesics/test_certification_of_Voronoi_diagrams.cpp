@@ -77,6 +77,7 @@ void special_cases_are_certified(std::uint64_t seed)
     diagram.add_site(vertex(0));
     diagram.add_site(vertex(3), 100.);
     check_certified(SMG::certify_geodesic_Voronoi_diagram(diagram)); // empty cells
+    check_certified(SMG::certify_geodesic_Voronoi_diagram(diagram, CGAL::parameters::vertex_point_map(tm.points())));
     CHECK(diagram.is_empty(0));
   }
   {
