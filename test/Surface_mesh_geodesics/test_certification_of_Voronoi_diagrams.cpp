@@ -169,8 +169,11 @@ Certificate certificate_of(const Wrong_diagram& diagram, const Mesh& tm)
 {
   const auto length = [&](halfedge_descriptor h)
   { return std::sqrt((tm.point(target(h, tm)) - tm.point(source(h, tm))).squared_length()); };
-  return SMG::internal::Voronoi_certifier<Wrong_diagram, Geodesic_paths, decltype(length)>(diagram, length).run(
-    [&] { return std::make_unique<Geodesic_paths>(tm); });
+  using Point_map = Mesh::Property_map<vertex_descriptor, Kernel::Point_3>;
+  using Separation = SMG::internal::Separation_in_space<Wrong_diagram, Point_map>;
+  SMG::internal::Voronoi_certifier<Wrong_diagram, Geodesic_paths, decltype(length), Separation> certifier(
+    diagram, length, Separation(diagram, tm.points()));
+  return certifier.run([&] { return std::make_unique<Geodesic_paths>(tm); });
 }
 
 void check_violated(const Certificate& c, Condition condition, std::size_t culprit)

@@ -27,8 +27,8 @@ The class `Geodesic_Voronoi_certificate` is the result of `certify_geodesic_Voro
 Voronoi diagram violates each of several conditions, and by the cell of which site.
 
 A violation is relative: for distances, what a number is too large or too small by, divided by the sum of the distance
-and the longest edge of the mesh; for places, to the longest edge of the face; for areas, to that of the mesh. It is
-infinite where something is missing or does not fit together at all.
+and the longest edge of the mesh; for places, to the longest edge; for areas, to the sum of the expected area and the
+square of the longest edge. It is infinite where something is missing or does not fit together at all.
 */
 class Geodesic_Voronoi_certificate
 {

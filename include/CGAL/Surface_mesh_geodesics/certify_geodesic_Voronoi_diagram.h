@@ -39,8 +39,9 @@ namespace Surface_mesh_geodesics {
 namespace internal {
 
 // Checks a diagram by what its members tell, against distances from one site at a time. `Paths` computes these;
-// `length(h)` is the length of a halfedge.
-template <typename Diagram, typename Paths, typename Length>
+// `length(h)` is the length of a halfedge, `separation(a, b)` is how far two locations are apart, and
+// `separation.from_border(a)` how far a location is from the border.
+template <typename Diagram, typename Paths, typename Length, typename Separation>
 class Voronoi_certifier
 {
   using Triangle_mesh = typename Diagram::Triangle_mesh;
@@ -53,8 +54,8 @@ class Voronoi_certifier
   using Condition = Certificate::Condition;
 
 public:
-  Voronoi_certifier(const Diagram& diagram, Length length)
-    : m_diagram(diagram), m_tm(diagram.triangle_mesh()), m_length(length)
+  Voronoi_certifier(const Diagram& diagram, Length length, Separation separation)
+    : m_diagram(diagram), m_tm(diagram.triangle_mesh()), m_length(length), m_separation(separation)
   {}
 
   // make_paths() makes an object of shortest paths without sources, behind a pointer.
@@ -241,49 +242,11 @@ private:
     return e.second ? end_of(turned(e.first.arcs().front())) : end_of(e.first.arcs().back());
   }
 
-  std::array<vertex_descriptor, 3> corners(face_descriptor f) const
-  {
-    const halfedge_descriptor h = halfedge(f, m_tm);
-    return {source(h, m_tm), target(h, m_tm), target(next(h, m_tm), m_tm)};
-  }
+  // how far two locations are apart, relative to the longest edge.
+  double gap(const Face_location& a, const Face_location& b) const { return m_separation(a, b) / m_longest_edge; }
 
-  // How far two locations are apart, relative to the longest edge of a face: the largest difference of the coordinates
-  // that belong to the same vertex.
-  double gap(const Face_location& a, const Face_location& b) const
-  {
-    const std::array<vertex_descriptor, 3> of_a = corners(a.first), of_b = corners(b.first);
-    double largest = 0;
-    for(std::size_t k = 0; k < 3; ++k)
-    {
-      largest = (std::max)(largest, std::abs(CGAL::to_double(a.second[k]) - coordinate(b, of_b, of_a[k])));
-      largest = (std::max)(largest, std::abs(CGAL::to_double(b.second[k]) - coordinate(a, of_a, of_b[k])));
-    }
-    return largest;
-  }
-
-  static double coordinate(const Face_location& l, const std::array<vertex_descriptor, 3>& of_l, vertex_descriptor v)
-  {
-    double sum = 0; // (a vertex may be several corners of a face)
-    for(std::size_t k = 0; k < 3; ++k)
-      sum += of_l[k] == v ? CGAL::to_double(l.second[k]) : 0.;
-    return sum;
-  }
-
-  // the same for the nearest border edge or vertex of the face.
-  double gap_to_border(const Face_location& l) const
-  {
-    double smallest = infinity();
-    halfedge_descriptor h = halfedge(l.first, m_tm);
-    for(std::size_t k = 0; k < 3; ++k, h = next(h, m_tm))
-    {
-      if(is_border(opposite(h, m_tm), m_tm))
-        smallest = (std::min)(smallest, CGAL::to_double(l.second[(k + 2) % 3]));
-      for(const halfedge_descriptor g : CGAL::halfedges_around_source(h, m_tm))
-        if(is_border(g, m_tm))
-          smallest = (std::min)(smallest, 1 - CGAL::to_double(l.second[k]));
-    }
-    return (std::max)(smallest, 0.);
-  }
+  // how far a location is from the border of the mesh, relative to the longest edge.
+  double gap_to_border(const Face_location& l) const { return m_separation.from_border(l) / m_longest_edge; }
 
   // --- areas ---
 
@@ -293,13 +256,14 @@ private:
     for(const face_descriptor f : faces(m_tm))
       if(m_diagram.nearest_site(source(halfedge(f, m_tm), m_tm)) != null_site())
         expected += area(f);
+    const double scale = expected + m_longest_edge * m_longest_edge;
     for(std::size_t i = 0; i < m_diagram.number_of_sites(); ++i)
     {
       const double a = CGAL::to_double(m_diagram.area(i));
       sum += a;
-      m_certificate.look_at(Condition::AREAS, a < 0 ? -a / expected : 0., i);
+      m_certificate.look_at(Condition::AREAS, -a / scale, i);
     }
-    m_certificate.look_at(Condition::AREAS, sum == expected ? 0. : std::abs(sum - expected) / expected, null_site());
+    m_certificate.look_at(Condition::AREAS, std::abs(sum - expected) / scale, null_site());
   }
 
   double area(face_descriptor f) const
@@ -324,6 +288,7 @@ private:
   const Diagram& m_diagram;
   const Triangle_mesh& m_tm;
   Length m_length;
+  Separation m_separation;
   double m_longest_edge = 0;
   std::array<double, 2> m_sequence{{0.5, 0.5}};
   std::vector<Sample> m_samples;
@@ -331,10 +296,125 @@ private:
   Certificate m_certificate;
 };
 
-// Both functions: `length` tells the length of a halfedge, `prepare` sets the lengths of an object of shortest paths.
-template <typename Traits, typename Diagram, typename Length, typename Prepare, typename NamedParameters>
-Geodesic_Voronoi_certificate certify_Voronoi_diagram(const Diagram& diagram, Length length, Prepare prepare,
-                                                     const NamedParameters& np)
+// How far locations are apart in space, and from the border of the mesh.
+template <typename Diagram, typename VertexPointMap>
+class Separation_in_space
+{
+  using Face_location = typename Diagram::Face_location;
+  using Vector = std::array<double, 3>;
+
+public:
+  Separation_in_space(const Diagram& diagram, VertexPointMap vpm) : m_diagram(diagram)
+  {
+    const auto& tm = diagram.triangle_mesh();
+    for(const auto h : halfedges(tm))
+      if(is_border(h, tm))
+        m_border.push_back({vector(get(vpm, source(h, tm))), vector(get(vpm, target(h, tm)))});
+  }
+
+  double operator()(const Face_location& a, const Face_location& b) const
+  {
+    return norm(difference(vector(m_diagram.point(a)), vector(m_diagram.point(b))));
+  }
+
+  // Takes time linear in the number of border edges.
+  double from_border(const Face_location& l) const
+  {
+    double smallest = std::numeric_limits<double>::infinity();
+    const Vector p = vector(m_diagram.point(l));
+    for(const std::array<Vector, 2>& edge : m_border)
+    {
+      const Vector along = difference(edge[1], edge[0]), to_p = difference(p, edge[0]);
+      const double square = product(along, along);
+      const double t = square > 0 ? (std::min)((std::max)(product(along, to_p) / square, 0.), 1.) : 0.;
+      smallest = (std::min)(smallest, norm(difference(to_p, {t * along[0], t * along[1], t * along[2]})));
+    }
+    return smallest;
+  }
+
+private:
+  template <typename Point>
+  static Vector vector(const Point& p)
+  {
+    return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
+  }
+
+  static Vector difference(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+  static double product(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+  static double norm(const Vector& a) { return std::hypot(a[0], a[1], a[2]); }
+
+  const Diagram& m_diagram;
+  std::vector<std::array<Vector, 2>> m_border;
+};
+
+// The same on a surface that has no points: upper bounds, from the coordinates that belong to the same vertex.
+template <typename Diagram, typename Length>
+class Separation_by_coordinates
+{
+  using Face_location = typename Diagram::Face_location;
+  using Triangle_mesh = typename Diagram::Triangle_mesh;
+  using Graph_traits = boost::graph_traits<Triangle_mesh>;
+  using Corners = std::array<typename Graph_traits::vertex_descriptor, 3>;
+
+public:
+  Separation_by_coordinates(const Diagram& diagram, Length length) : m_tm(diagram.triangle_mesh()), m_length(length) {}
+
+  double operator()(const Face_location& a, const Face_location& b) const
+  {
+    const Corners of_a = corners(a.first), of_b = corners(b.first);
+    double sum = 0;
+    for(std::size_t k = 0; k < 3; ++k)
+      sum += std::abs(CGAL::to_double(a.second[k]) - coordinate(b, of_b, of_a[k]))
+           + std::abs(CGAL::to_double(b.second[k]) - coordinate(a, of_a, of_b[k]));
+    return sum * (std::max)(longest_edge(a.first), longest_edge(b.first));
+  }
+
+  double from_border(const Face_location& l) const
+  {
+    double smallest = std::numeric_limits<double>::infinity();
+    auto h = halfedge(l.first, m_tm);
+    for(std::size_t k = 0; k < 3; ++k, h = next(h, m_tm))
+    {
+      if(is_border(opposite(h, m_tm), m_tm))
+        smallest = (std::min)(smallest, std::abs(CGAL::to_double(l.second[(k + 2) % 3])));
+      for(const auto g : CGAL::halfedges_around_source(h, m_tm))
+        if(is_border(g, m_tm))
+          smallest = (std::min)(smallest, std::abs(1 - CGAL::to_double(l.second[k])));
+    }
+    return smallest * longest_edge(l.first);
+  }
+
+private:
+  Corners corners(typename Graph_traits::face_descriptor f) const
+  {
+    const auto h = halfedge(f, m_tm);
+    return {source(h, m_tm), target(h, m_tm), target(next(h, m_tm), m_tm)};
+  }
+
+  static double coordinate(const Face_location& l, const Corners& of_l, typename Graph_traits::vertex_descriptor v)
+  {
+    double sum = 0; // (a vertex may be several corners of a face)
+    for(std::size_t k = 0; k < 3; ++k)
+      sum += of_l[k] == v ? CGAL::to_double(l.second[k]) : 0.;
+    return sum;
+  }
+
+  double longest_edge(typename Graph_traits::face_descriptor f) const
+  {
+    const auto h = halfedge(f, m_tm), g = next(h, m_tm);
+    return (std::max)(m_length(h), (std::max)(m_length(g), m_length(next(g, m_tm))));
+  }
+
+  const Triangle_mesh& m_tm;
+  Length m_length;
+};
+
+// Both functions: `length` tells the length of a halfedge, `separation` how far two locations are apart, and `prepare`
+// sets the lengths of an object of shortest paths.
+template <typename Traits, typename Diagram, typename Length, typename Separation, typename Prepare,
+          typename NamedParameters>
+Geodesic_Voronoi_certificate certify_Voronoi_diagram(const Diagram& diagram, Length length, Separation separation,
+                                                     Prepare prepare, const NamedParameters& np)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -351,7 +431,7 @@ Geodesic_Voronoi_certificate certify_Voronoi_diagram(const Diagram& diagram, Len
     prepare(*paths);
     return paths;
   };
-  return Voronoi_certifier<Diagram, Paths, Length>(diagram, length).run(make_paths);
+  return Voronoi_certifier<Diagram, Paths, Length, Separation>(diagram, length, separation).run(make_paths);
 }
 
 } // namespace internal
@@ -403,7 +483,9 @@ certify_geodesic_Voronoi_diagram(const Surface_mesh_geodesic_Voronoi_diagram<Tra
     return std::hypot(CGAL::to_double(q.x()) - CGAL::to_double(p.x()), CGAL::to_double(q.y()) - CGAL::to_double(p.y()),
                       CGAL::to_double(q.z()) - CGAL::to_double(p.z()));
   };
-  return internal::certify_Voronoi_diagram<Traits>(diagram, length, [](auto&) {}, np);
+  using Diagram = Surface_mesh_geodesic_Voronoi_diagram<Traits, VIM, HIM, FIM, VPM>;
+  const internal::Separation_in_space<Diagram, decltype(vpm)> separation(diagram, vpm);
+  return internal::certify_Voronoi_diagram<Traits>(diagram, length, separation, [](auto&) {}, np);
 }
 
 /*!
@@ -426,8 +508,10 @@ Geodesic_Voronoi_certificate certify_geodesic_Voronoi_diagram_from_edge_lengths(
   using halfedge_descriptor = typename boost::graph_traits<typename Traits::Triangle_mesh>::halfedge_descriptor;
   const auto& tm = diagram.triangle_mesh();
   const auto length = [&](halfedge_descriptor h) { return CGAL::to_double(get(edge_length_map, edge(h, tm))); };
+  using Diagram = Surface_mesh_geodesic_Voronoi_diagram<Traits, VIM, HIM, FIM, VPM>;
+  const internal::Separation_by_coordinates<Diagram, decltype(length)> separation(diagram, length);
   return internal::certify_Voronoi_diagram<Traits>(
-    diagram, length, [&](auto& paths) { paths.use_edge_lengths(edge_length_map); }, np);
+    diagram, length, separation, [&](auto& paths) { paths.use_edge_lengths(edge_length_map); }, np);
 }
 
 } // namespace Surface_mesh_geodesics
