@@ -3,10 +3,14 @@
 
 #include "random_Voronoi_diagram.h"
 
+#include <CGAL/Surface_mesh_geodesics/certify_geodesic_Voronoi_diagram.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <iostream>
+#include <string>
 #include <vector>
 
 using namespace test_meshes;
@@ -114,10 +118,45 @@ void test_random_grid(std::uint64_t seed)
   check_diagram(tm, sites, points);
 }
 
+Mesh mesh_of_file(const std::string& name)
+{
+  Mesh tm;
+  CHECK(CGAL::IO::read_polygon_mesh(name, tm));
+  return tm;
+}
+
+// The diagrams of meshes on which they once were wrong, with sites at vertices and in a face.
+void certify_diagrams()
+{
+  {
+    // Near to a site, distances are smaller than the rounding of places on the edge of a face without height.
+    test_support::Scope scope("cells in a flat cap");
+    const Mesh tm = mesh_of_file("data/cells_in_flat_cap.off");
+    Voronoi diagram(tm);
+    diagram.add_site(vertex(11));
+    diagram.add_site(vertex(8));
+    diagram.add_site(Face_location(face(16), {0.15908345952465353, 0, 0.84091654047534647}));
+    CHECK(SMG::certify_geodesic_Voronoi_diagram(diagram).is_certified(1e-9));
+  }
+  {
+    // Sites at different vertices with the same point: arcs between them lie in faces without area.
+    test_support::Scope scope("sites at one point");
+    const Mesh tm = mesh_of_file("data/sites_at_one_point.off");
+    Voronoi diagram(tm);
+    diagram.add_site(vertex(8));
+    diagram.add_site(Face_location(face(21), {0.41494522565178216, 0.0084301875672685694, 0.5766245867809493}));
+    diagram.add_site(vertex(6));
+    diagram.add_site(vertex(10));
+    CHECK(SMG::certify_geodesic_Voronoi_diagram(diagram).is_certified(1e-9));
+  }
+}
+
 } // namespace
 
 int main()
 {
+  certify_diagrams();
+
   test_face_without_area_beside_a_site();
   test_points_near_an_edge();
   const std::uint64_t seed = test_support::announce_seed(20261121);

@@ -93,6 +93,7 @@ public:
     m_intervals.clear();
     m_x = 0;
     m_current = 0;
+    m_left_here.clear();
     std::size_t steps = 8 * m_generators.size() + 64; // rounding must not let it walk for ever
     while(steps-- > 0 && take_over())
     {
@@ -120,6 +121,8 @@ private:
       FT start;
       if(j == m_current || g.begin > x || !takes_over(g, m_generators[m_current], x, start))
         continue;
+      if(!(start > m_x) && has_been_left_here(j))
+        continue;
       const FT slope = g.slope_at(start);
       if(start < x || (start == x && next != m_current && slope < next_slope))
       {
@@ -135,11 +138,22 @@ private:
       next = successor(x);
     }
     if(m_x < x)
+    {
       m_intervals.push_back(Edge_interval<FT>{m_x, x, m_current});
+      m_left_here.clear();
+    }
+    m_left_here.push_back(m_current);
     change_site(x, m_generators[next].site);
     m_x = x;
     m_current = next;
     return true;
+  }
+
+  // Near to a source, distances are smaller than the rounding of places: two generators may each seem to be nearer
+  // than the other one where they take over. There, none comes back.
+  bool has_been_left_here(std::size_t generator) const
+  {
+    return std::find(m_left_here.begin(), m_left_here.end(), generator) != m_left_here.end();
   }
 
   // Is g nearer than c somewhere from m_x on, before c ends, and not only behind `until`? Then `start` is where that
@@ -259,6 +273,7 @@ private:
   std::vector<Edge_interval<FT>> m_intervals;
   FT m_x = 0;
   std::size_t m_current = 0;
+  std::vector<std::size_t> m_left_here; // the generators that ended at m_x
 };
 
 } // namespace internal

@@ -281,10 +281,13 @@ public:
   std::array<FT, 3> coordinates(Face_id f, const Point& p) const
   {
     const typename Mesh::Face& face = m_mesh->face(f);
+    const unsigned int longest = face.length[1] < face.length[2] ? 2 : 1;
+    if(face.length[0] * face.apex_y <= Tolerance<FT>::length() * face.length[longest] * face.length[longest])
+      return coordinates_on_edge(f, longest, p);
     const FT base = face.length[0];
     std::array<FT, 3> b;
-    b[2] = face.apex_y > 0 ? FT(p.y / face.apex_y) : FT(0);
-    b[1] = base > 0 ? FT((p.x - b[2] * face.apex_x) / base) : FT(0);
+    b[2] = p.y / face.apex_y;
+    b[1] = (p.x - b[2] * face.apex_x) / base;
     for(unsigned int k = 1; k < 3; ++k)
       b[k] = (std::min)((std::max)(b[k], FT(0)), FT(1));
     b[0] = (std::max)(FT(1 - b[1] - b[2]), FT(0));
@@ -295,6 +298,19 @@ public:
   }
 
 private:
+  // of the point of edge k that is nearest to p: in a face without height, that is p itself.
+  std::array<FT, 3> coordinates_on_edge(Face_id f, unsigned int k, const Point& p) const
+  {
+    const std::array<Point, 3> corner = layout(f);
+    const Point &a = corner[k], &b = corner[next_place(k)];
+    const FT x = b.x - a.x, y = b.y - a.y, square = x * x + y * y;
+    const FT t = square > 0 ? FT(((p.x - a.x) * x + (p.y - a.y) * y) / square) : FT(0);
+    std::array<FT, 3> result{FT(0), FT(0), FT(0)};
+    result[next_place(k)] = (std::min)((std::max)(t, FT(0)), FT(1));
+    result[k] = 1 - result[next_place(k)];
+    return result;
+  }
+
   std::uint32_t start_of(const std::pair<std::uint32_t, bool>& c) const
   {
     return c.second ? m_chains[c.first].last_node : m_chains[c.first].first_node;
