@@ -35,6 +35,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -216,7 +217,7 @@ private:
              typename List_crossing::Apex_path& path)
   {
     ++m_statistics.window_lists;
-    m_crossing.prune(list, c, corners);
+    m_crossing.prune(list, c, corners, !std::is_same<Keeper, No_window_keeper>::value);
     if(list.size == 0)
       return false;
     m_statistics.windows_propagated += list.size;

@@ -74,8 +74,14 @@ public:
   // All windows are trimmed against their neighbours as they are. What is not decided then, because a
   // window is redundant, is looked at window by window. No order of pruning does harm: what is removed
   // is longer than some path on the surface.
-  void prune(Window_list<FT>& list, const Crossing<FT>& c, const Corner_rivals<FT>& corners)
+  //
+  // Most windows that are removed later instead cost less than to look for them on each edge: lists that are not
+  // kept are pruned on every second edge only.
+  void prune(Window_list<FT>& list, const Crossing<FT>& c, const Corner_rivals<FT>& corners, bool is_kept)
   {
+    if(!is_kept && list.number_of_crossings() % 2 != 0 && !list.may_be_marked() && !m_has_stale_windows
+       && list.number_of_crossings() <= m_mesh.number_of_faces())
+      return;
     const bool has_suspects =
       list.may_be_marked() || list.number_of_crossings() > m_mesh.number_of_faces()
           || (m_has_stale_windows && has_stale_windows(list))
