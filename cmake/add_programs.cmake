@@ -95,3 +95,19 @@ function(surface_mesh_geodesics_add_runs source working_directory out_tests)
       ${tests}
       PARENT_SCOPE)
 endfunction()
+
+# Looks for one of CGAL's meshes, such as bunny00.off, which Debian keeps in an archive of the package libcgal-demo. Its
+# path goes to `out_path`, which is empty if there is none.
+function(surface_mesh_geodesics_find_cgal_mesh name out_path)
+  set(archive "/usr/share/doc/libcgal-dev/data.tar.gz")
+  set(folder "${PROJECT_BINARY_DIR}/cgal_data")
+  set(path "${folder}/data/meshes/${name}")
+  if(NOT EXISTS "${path}" AND EXISTS "${archive}")
+    file(ARCHIVE_EXTRACT INPUT "${archive}" DESTINATION "${folder}" PATTERNS "data/meshes/${name}")
+  endif()
+  if(NOT EXISTS "${path}")
+    message(STATUS "NOTICE: ${archive} is not there: no test runs on CGAL's mesh ${name}.")
+    set(path "")
+  endif()
+  set(${out_path} "${path}" PARENT_SCOPE)
+endfunction()

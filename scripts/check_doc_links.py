@@ -14,6 +14,8 @@ import sys
 import tempfile
 import urllib.parse
 
+from complaints import report
+
 ELSEWHERE = ("http:", "https:", "mailto:", "javascript:", "data:")
 LINK_IN_MARKDOWN = re.compile(r"""\]\(([^)\s]+)\)|(?:src|href)=["']([^"']+)["']""")
 LINK_IN_SCRIPT = re.compile(r"""["']([\w./-]+\.html)(#[\w.-]+)?["']""")
@@ -119,10 +121,7 @@ def self_test():
         complaints = complaints_of({**SOUND_PAGES, name: SOUND_PAGES[name] + "\n" + text})
         if len(complaints) != 1 or words not in complaints[0]:
             failures.append(f"not found: {fault}: {complaints}")
-    for failure in failures:
-        print(failure)
-    print(f"self-test: {len(FAULTS)} faults, {len(failures)} failures")
-    return 1 if failures else 0
+    return report(failures, f"self-test: {len(FAULTS)} faults")
 
 
 def main(arguments):
@@ -132,11 +131,9 @@ def main(arguments):
         print(__doc__)
         return 2
     number_of_pages, number_of_links, complaints = check(arguments[0], arguments[1:])
-    for complaint in complaints:
-        print(complaint)
-    print(f"{number_of_pages} pages, {number_of_links} links, {len(complaints)} complaints")
-    # A folder without pages is a wrong folder.
-    return 1 if complaints or number_of_pages == 0 else 0
+    if number_of_pages == 0:
+        complaints.append(f"{arguments[0]}: there are no pages")
+    return report(complaints, f"{number_of_pages} pages, {number_of_links} links")
 
 
 if __name__ == "__main__":

@@ -15,6 +15,8 @@ import subprocess
 import sys
 import tempfile
 
+from complaints import report
+
 TOLERANCE = 1e-4
 # Three dots, or a number with a point whose digits no dots continue.
 PLACEHOLDER = re.compile(r"(\.\.\.|-?\d+\.\d+(?:e[-+]?\d+)?(?!\d*\.\.\.))")
@@ -67,10 +69,7 @@ def self_test():
     manual = "\\cgalExample{P/a.cpp}\n\\cgalExample{P/b.cpp}\n\n\\verbatim\nb 1\n\\endverbatim\n"
     if shown_output(manual, "a") is not None or shown_output(manual, "b") != ["b 1"]:
         failures.append("the place of the output")
-    for failure in failures:
-        print(failure)
-    print(f"self-test: {len(cases) + 1} cases, {len(failures)} failures")
-    return 1 if failures else 0
+    return report(failures, f"self-test: {len(cases) + 1} cases")
 
 
 def main(arguments):

@@ -19,6 +19,7 @@ import sys
 import tempfile
 
 import measured_figures
+from complaints import report
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 RESULTS = "benchmark/Surface_mesh_geodesics/results"
@@ -206,10 +207,7 @@ def self_test():
         failures.append(f"new results: {complaints}, after an update: {after}")
     if not any("nothing refers" in complaint for complaint in complaints_of(SOUND_TEXT, SOUND_TABLE, ["x.csv"])[0]):
         failures.append("not found: results that nothing refers to")
-    for failure in failures:
-        print(failure)
-    print(f"self-test: {len(FAULTS) + 2} faults, {len(failures)} failures")
-    return 1 if failures else 0
+    return report(failures, f"self-test: {len(FAULTS) + 2} faults")
 
 
 def main(arguments):
@@ -225,11 +223,7 @@ def main(arguments):
     elif arguments:
         print(__doc__)
         return 2
-    complaints = check(ROOT, DOCUMENTS, OURS)[0]
-    for complaint in complaints:
-        print(complaint)
-    print(f"{len(DOCUMENTS)} documents, {len(complaints)} complaints")
-    return 1 if complaints else 0
+    return report(check(ROOT, DOCUMENTS, OURS)[0], f"{len(DOCUMENTS)} documents")
 
 
 if __name__ == "__main__":

@@ -19,6 +19,8 @@ import re
 import sys
 import tempfile
 
+from complaints import report
+
 OWN = "CGAL/Surface_mesh_geodesics/"
 INTERNAL = OWN + "internal/"
 CONVENIENCE_HEADER = "CGAL/Surface_mesh_geodesics.h"
@@ -243,10 +245,7 @@ def self_test():
     for fault, (files, words) in FAULTS.items():
         if not any(words in complaint for complaint in check_tree({**SOUND_TREE, **files})):
             failures.append(f"not found: {fault}")
-    for failure in failures:
-        print(failure)
-    print(f"self-test: {len(FAULTS)} faults, {len(failures)} failures")
-    return 1 if failures else 0
+    return report(failures, f"self-test: {len(FAULTS)} faults")
 
 
 def main(arguments):
@@ -256,11 +255,9 @@ def main(arguments):
         print(__doc__)
         return 2
     number_of_files, complaints = check(arguments[0])
-    for complaint in complaints:
-        print(complaint)
-    print(f"{number_of_files} headers, {len(complaints)} complaints")
-    # A folder without headers is a wrong folder, not a sound one.
-    return 1 if complaints or number_of_files == 0 else 0
+    if number_of_files == 0:
+        complaints.append(f"{arguments[0]}: there are no headers")
+    return report(complaints, f"{number_of_files} headers")
 
 
 if __name__ == "__main__":

@@ -12,6 +12,8 @@ import math
 import pathlib
 import sys
 
+from complaints import report
+
 FOLDER = pathlib.Path(__file__).resolve().parent.parent / "doc" / "Surface_mesh_geodesics" / "fig"
 
 BLUE, ORANGE, GREEN, PURPLE, GREY = "#0072B2", "#D55E00", "#009E73", "#CC79A7", "#888888"
@@ -313,17 +315,15 @@ def main(arguments):
         return 2
     check = arguments == ["--check"]
     folder = FOLDER if check or not arguments else pathlib.Path(arguments[0])
-    different = []
+    complaints = []
     for figure in FIGURES:
         path, text = folder / f"theory_{figure.__name__}.svg", str(figure())
         if check:
             if not path.exists() or path.read_text(encoding="utf-8") != text:
-                different.append(path)
+                complaints.append(f"{path} is not what this script draws")
         else:
             path.write_text(text, encoding="utf-8")
-    for path in different:
-        print(f"{path} is not what this script draws")
-    return 1 if different else 0
+    return report(complaints, f"{len(FIGURES)} figures")
 
 
 if __name__ == "__main__":

@@ -189,13 +189,17 @@ def make_mesh_actors(vtk, points, faces, has_edges):
     return [surface, actor_of_lines(vtk, lines, 0.0012 * mesh.GetLength())]
 
 
-def make_path_actor(vtk, name):
-    """Paths, coloured by their sources."""
+def read_poly_data(vtk, name):
     reader = vtk.vtkPolyDataReader()
     reader.SetFileName(name)
     reader.ReadAllScalarsOn()
     reader.Update()
-    paths = reader.GetOutput()
+    return reader.GetOutput()
+
+
+def make_path_actor(vtk, name):
+    """Paths, coloured by their sources."""
+    paths = read_poly_data(vtk, name)
     source = paths.GetCellData().GetArray("source")
     colors = vtk.vtkUnsignedCharArray()
     colors.SetNumberOfComponents(3)
@@ -235,11 +239,7 @@ def colors_of_sites(neighbors):
 
 def make_diagram_actors(vtk, name):
     """The cells and the arcs of a diagram."""
-    reader = vtk.vtkPolyDataReader()
-    reader.SetFileName(name)
-    reader.ReadAllScalarsOn()
-    reader.Update()
-    diagram = reader.GetOutput()
+    diagram = read_poly_data(vtk, name)
     data = diagram.GetCellData()
     site, left, right = (data.GetArray(n) for n in ("site", "left_site", "right_site"))
     number_of_lines = diagram.GetNumberOfLines()

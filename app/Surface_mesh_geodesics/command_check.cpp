@@ -162,10 +162,8 @@ std::string complaint(const Certificate& certificate)
 
 void run(const Arguments& arguments, const Console& console)
 {
-  const auto number = [&](const char* option, double otherwise)
-  { return has(arguments, option) ? positive_argument(option, arguments[option].as<std::string>()) : otherwise; };
-  const double radius = number("radius", std::numeric_limits<double>::infinity());
-  const double tolerance = number("tolerance", Certificate::default_tolerance);
+  const double radius = positive_argument_or(arguments, "radius", std::numeric_limits<double>::infinity());
+  const double tolerance = positive_argument_or(arguments, "tolerance", Certificate::default_tolerance);
   Output_files files(output_names(arguments), {"csv"});
   Mesh mesh = read_mesh(mesh_argument(arguments), console);
   const std::vector<Place> sources = source_options.required_places(arguments, mesh);

@@ -36,12 +36,6 @@ void declare(Option_descriptions& options)
                           ".vtk, .obj");
 }
 
-double radius(const Arguments& arguments)
-{
-  return has(arguments, "radius") ? positive_argument("radius", arguments["radius"].as<std::string>())
-                                  : std::numeric_limits<double>::infinity();
-}
-
 // More lines than this would hide the surface, and are a mistake in the spacing.
 constexpr double largest_number_of_isolines = 10000;
 
@@ -115,11 +109,11 @@ Html_page page_of(const std::string& file_name, const Mesh& mesh, const std::vec
 
 void run(const Arguments& arguments, const Console& console)
 {
-  const double r = radius(arguments);
+  const double radius = positive_argument_or(arguments, "radius", std::numeric_limits<double>::infinity());
   Output_files files(output_names(arguments, html_names(arguments)), {"csv", "ply", "vtk", "obj", "html"});
   const Mesh mesh = read_mesh(mesh_argument(arguments), console);
   const std::vector<Place> sources = source_options.required_places(arguments, mesh);
-  const Distance_field field = distances_from(mesh, sources, r, console);
+  const Distance_field field = distances_from(mesh, sources, radius, console);
   const std::vector<double> limits = isoline_distances(arguments, field.largest());
   Drawing drawing;
   if(files.have({"ply", "vtk", "obj"}))

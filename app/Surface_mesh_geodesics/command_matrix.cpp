@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_geodesics/geodesic_distance_matrix.h>
 #include <CGAL/tags.h>
 
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -84,13 +85,13 @@ template <typename Sources>
 void write(const Arguments& arguments, const Mesh& mesh, const Sources& sources, const std::vector<Vertex>& targets,
            Output_files& files, const Console& console)
 {
+  const double radius = positive_argument_or(arguments, "radius", std::numeric_limits<double>::infinity());
   const Solver solver(mesh);
   files.write([&](std::ostream& os, const std::string&)
   {
     Progress_bar bar(console, "rows");
-    if(has(arguments, "radius"))
-      write_near_pairs(os, solver, sources, targets,
-                       positive_argument("radius", arguments["radius"].as<std::string>()), bar);
+    if(radius < std::numeric_limits<double>::infinity())
+      write_near_pairs(os, solver, sources, targets, radius, bar);
     else
       write_matrix(os, solver, sources, targets, bar);
   });

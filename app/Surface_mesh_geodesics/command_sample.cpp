@@ -85,8 +85,7 @@ void run(const Arguments& arguments, const Console& console)
 {
   if(!has(arguments, "number") && !has(arguments, "radius"))
     throw Command_error(Exit_code::BAD_USAGE, "neither --number nor --radius is given");
-  const double radius
-    = has(arguments, "radius") ? positive_argument("radius", arguments["radius"].as<std::string>()) : 0;
+  const double radius = positive_argument_or(arguments, "radius", 0);
   Output_files files(output_names(arguments), {"csv", "ply", "vtk", "obj"});
   const Mesh mesh = read_mesh(mesh_argument(arguments), console);
   const std::size_t n = has(arguments, "number")

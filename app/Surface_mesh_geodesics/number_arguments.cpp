@@ -72,4 +72,9 @@ double number_argument(const std::string& option, const std::string& text)
   return value;
 }
 
+double positive_argument_or(const Arguments& arguments, const std::string& option, double otherwise)
+{
+  return has(arguments, option) ? positive_argument(option, arguments[option].as<std::string>()) : otherwise;
+}
+
 } // namespace geodesics_app

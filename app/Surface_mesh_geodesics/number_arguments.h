@@ -1,6 +1,8 @@
 #ifndef SURFACE_MESH_GEODESICS_APP_NUMBER_ARGUMENTS_H
 #define SURFACE_MESH_GEODESICS_APP_NUMBER_ARGUMENTS_H
 
+#include "Command.h"
+
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -18,6 +20,9 @@ std::vector<std::string> split(const std::string& text, char separator);
 std::size_t count_argument(const std::string& option, const std::string& text, std::size_t minimum);
 double positive_argument(const std::string& option, const std::string& text);
 double number_argument(const std::string& option, const std::string& text);
+
+// the value of an option that may be left out.
+double positive_argument_or(const Arguments& arguments, const std::string& option, double otherwise);
 
 } // namespace geodesics_app
 

@@ -79,14 +79,10 @@ public:
   template <typename Sources>
   void set_sources(const Sources& sources, const std::vector<double>& offsets)
   {
-    Source_set<FT> set = m_surface.source_set(sources);
-    if(!offsets.empty() && offsets.size() != set.vertices.size())
-      throw Invalid_geodesic_input(Invalid_geodesic_input::Reason::INVALID_OFFSET,
-                                   std::to_string(offsets.size()) + " offsets for "
-                                     + std::to_string(set.vertices.size()) + " sources");
+    Source_set<FT> set = m_surface.source_set(sources, offsets);
     insert_located_sources(set.located, m_insertion, set.vertices);
     for(std::size_t i = 0; i < set.vertices.size(); ++i)
-      m_sources.emplace_back(set.vertices[i], offsets.empty() ? FT(0) : FT(FT(offsets[i]) / m_surface.unit()));
+      m_sources.emplace_back(set.vertices[i], set.offsets.empty() ? FT(0) : set.offsets[i]);
   }
 
   // `value(v)` is the distance of a vertex descriptor v, in the unit of the user; there are no distances beyond
@@ -144,14 +140,15 @@ private:
     std::vector<Vertex_id> targets;
     for(const std::pair<Vertex_id, FT>& s : m_sources)
       targets.push_back(s.first);
+    Field field;
+    Distance_propagation<FT> propagation(m_surface.mesh(), field);
     Worst_violation<FT> worst;
     const std::size_t n = m_surface.number_of_vertices();
     for(std::size_t i = 0; i < (std::min)(number, n); ++i)
     {
       // (near the ends and in between: numbers grow with the distance from some face)
       const Vertex_id v = static_cast<Vertex_id>(number > 1 ? (n - 1) * i / (number - 1) : n / 2);
-      Field field;
-      Distance_propagation<FT> propagation(m_surface.mesh(), field);
+      propagation.restart();
       propagation.add_source(v, FT(0));
       propagation.set_targets(targets.data(), targets.data() + targets.size());
       propagation.run([](std::size_t, const FT&) { return true; });

@@ -256,12 +256,12 @@ private:
   bool place_in_layout(Face_id f, unsigned int k, const FT& x, std::array<FT, 2>& p) const
   {
     const Intrinsic_face<FT>& face = m_mesh.face(f);
-    const std::array<FT, 2> corner[3] = {{FT(0), FT(0)}, {face.length[0], FT(0)}, {face.apex_x, face.apex_y}};
-    const std::array<FT, 2>&a = corner[k], &b = corner[next_place(k)];
+    const std::array<Planar_point<FT>, 3> corner = layout_of_face(face);
+    const Planar_point<FT>&a = corner[k], &b = corner[next_place(k)];
     if(!(x >= 0) || !(x <= face.length[k]))
       return false;
     const FT share = x > 0 ? FT(x / face.length[k]) : FT(0);
-    p = {a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1])};
+    p = {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
     return true;
   }
 

@@ -44,6 +44,22 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
+inline void check_maximum_distance(double maximum_distance)
+{
+  if(!(maximum_distance >= 0))
+    throw Invalid_geodesic_input(Invalid_geodesic_input::Reason::INVALID_RADIUS,
+                                 "the maximum distance is negative or not a number");
+}
+
+inline void check_offsets(const std::vector<double>& offsets)
+{
+  for(std::size_t i = 0; i < offsets.size(); ++i)
+    if(!(offsets[i] >= 0) || !std::isfinite(offsets[i]))
+      throw Invalid_geodesic_input(Invalid_geodesic_input::Reason::INVALID_OFFSET,
+                                   "the offset of source " + std::to_string(i)
+                                     + " is negative or not finite", i);
+}
+
 // The intrinsic mesh of a mesh of the user, and the way from the user's descriptors to its elements.
 template <typename FT, typename TriangleMesh, typename VertexIndexMap, typename FaceIndexMap>
 class Intrinsic_surface
@@ -79,9 +95,11 @@ public:
     return finder().vertex(v, what, position);
   }
 
+  // `offsets`, in the user's unit, are none or one for each source.
   template <typename Sources>
-  Source_set<FT> source_set(const Sources& sources) const
+  Source_set<FT> source_set(const Sources& sources, const std::vector<double>& offsets = {}) const
   {
+    check_offsets(offsets);
     Source_set<FT> set;
     for_each_source<TriangleMesh>(sources, [&](std::size_t position, const auto& source)
     {
@@ -91,6 +109,12 @@ public:
       else
         set.located.push_back(locate_source<FT>(finder(), source, position));
     });
+    if(!offsets.empty() && offsets.size() != set.vertices.size())
+      throw Invalid_geodesic_input(Invalid_geodesic_input::Reason::INVALID_OFFSET,
+                                   std::to_string(offsets.size()) + " offsets for "
+                                     + std::to_string(set.vertices.size()) + " sources");
+    for(const double offset : offsets)
+      set.offsets.push_back(FT(FT(offset) / unit()));
     return set;
   }
 
@@ -117,22 +141,6 @@ private:
   Intrinsic_mesh<FT> m_mesh;
   Face_graph_correspondence<TriangleMesh> m_table;
 };
-
-inline void check_maximum_distance(double maximum_distance)
-{
-  if(!(maximum_distance >= 0))
-    throw Invalid_geodesic_input(Invalid_geodesic_input::Reason::INVALID_RADIUS,
-                                 "the maximum distance is negative or not a number");
-}
-
-inline void check_offsets(const std::vector<double>& offsets)
-{
-  for(std::size_t i = 0; i < offsets.size(); ++i)
-    if(!(offsets[i] >= 0) || !std::isfinite(offsets[i]))
-      throw Invalid_geodesic_input(Invalid_geodesic_input::Reason::INVALID_OFFSET,
-                                   "the offset of source " + std::to_string(i)
-                                     + " is negative or not finite", i);
-}
 
 template <typename Tag, typename FT, typename Rules>
 struct Propagation_for_tag
@@ -177,14 +185,7 @@ public:
   bool run(const Sources& sources, const Options& options, Visitor& visitor)
   {
     check_maximum_distance(options.maximum_distance);
-    check_offsets(options.source_offsets);
-    Source_set<FT> set = m_surface.source_set(sources);
-    if(!options.source_offsets.empty() && options.source_offsets.size() != set.vertices.size())
-      throw Invalid_geodesic_input(Invalid_geodesic_input::Reason::INVALID_OFFSET,
-                                   std::to_string(options.source_offsets.size()) + " offsets for "
-                                     + std::to_string(set.vertices.size()) + " sources");
-    for(const double offset : options.source_offsets)
-      set.offsets.push_back(FT(FT(offset) / m_surface.unit()));
+    Source_set<FT> set = m_surface.source_set(sources, options.source_offsets);
     const std::vector<Vertex_id> targets = m_surface.checked_ids(options.targets, "target");
     Run_limits<FT> limits;
     limits.maximum_distance = FT(options.maximum_distance) / m_surface.unit();

@@ -56,6 +56,21 @@ struct alignas(sizeof(FT) == 8 ? 64 : alignof(FT)) Intrinsic_face
   Intrinsic_face() {}
 };
 
+template <typename FT>
+std::array<Planar_point<FT>, 3> layout_of_face(const Intrinsic_face<FT>& face)
+{
+  return {Planar_point<FT>{FT(0), FT(0)}, Planar_point<FT>{face.length[0], FT(0)},
+          Planar_point<FT>{face.apex_x, face.apex_y}};
+}
+
+// A face whose corners are on one line as far as numbers tell. (Its first side is the shortest one.)
+template <typename FT>
+bool has_no_height(const Intrinsic_face<FT>& f)
+{
+  const FT longest = (std::max)(f.length[1], f.length[2]);
+  return f.apex_y * f.length[0] <= Tolerance<FT>::length() * longest * longest;
+}
+
 // The face on the left of a halfedge AB in the frame of the halfedge: A = (0,0), B = (length,0) and
 // the third vertex C = (apex_x, apex_y) with apex_y >= 0. apex_rest is length - apex_x, with all the digits
 // that it has if C is near to B. The windows that enter the face across AB
@@ -353,11 +368,9 @@ private:
   // the corners of a face whose height is.
   void mark_degenerate(const Face& f)
   {
-    const FT longest = (std::max)(f.length[1], f.length[2]);
-    if(f.length[0] > Tolerance<FT>::length()
-       && f.apex_y * f.length[0] > Tolerance<FT>::length() * longest * longest)
+    const bool is_flat = has_no_height(f);
+    if(!is_flat && f.length[0] > Tolerance<FT>::length())
       return;
-    const bool is_flat = f.apex_y * f.length[0] <= Tolerance<FT>::length() * longest * longest;
     for(unsigned int k = 0; k < 3; ++k)
       if(is_flat || f.length[k] <= Tolerance<FT>::length())
       {

@@ -67,8 +67,6 @@ public:
     return m_worst;
   }
 
-  std::size_t number_of_pieces() const { return m_pieces.size(); }
-
 private:
   struct Point
   {
@@ -98,7 +96,7 @@ private:
 
   bool is_first_of_edge(Halfedge_id h) const { return m_mesh.opposite(h) == null_id || h < m_mesh.opposite(h); }
 
-  bool is_finite(const FT& d) const { return d < std::numeric_limits<FT>::infinity(); }
+  static bool is_finite(const FT& d) { return d < std::numeric_limits<FT>::infinity(); }
 
   void make_functions()
   {

@@ -60,6 +60,8 @@ public:
 
   void remove(std::size_t i) { word(i) &= ~(std::uint64_t(1) << i % bits); }
 
+  bool empty() const { return next(0) == none; }
+
   // the smallest number of the set that is not less than i, or `none`.
   std::size_t next(std::size_t i) const
   {
@@ -77,6 +79,14 @@ public:
         return i + trailing_zeros(rest);
     }
     return none;
+  }
+
+  // calls visit(i) for the numbers of the set in ascending order. What it inserts behind i is visited as well.
+  template <typename Visit>
+  void for_each(Visit visit) const
+  {
+    for(std::size_t i = next(0); i != none; i = next(i + 1))
+      visit(i);
   }
 
 private:

@@ -106,12 +106,11 @@ public:
   // A source point that has been removed already stays removed.
   void remove(Iterator it)
   {
-    const auto place = m_sources.erase(it.m_iterator, it.m_iterator); // as an iterator that may change it
-    CGAL_precondition_msg(!place->is_removed, "the source point has been removed already");
-    if(place->is_removed)
+    CGAL_precondition_msg(!it.m_iterator->is_removed, "the source point has been removed already");
+    if(it.m_iterator->is_removed)
       return;
-    place->is_removed = true;
-    m_removed.splice(m_removed.begin(), m_sources, place);
+    m_removed.splice(m_removed.begin(), m_sources, it.m_iterator);
+    m_removed.front().is_removed = true;
     m_has_changed = true;
   }
 

@@ -144,30 +144,30 @@ private:
   void turn_counterclockwise(Star& star)
   {
     Number_set& waiting = star.waiting;
-    while(waiting.next(0) != Number_set::none)
-      for(std::size_t i = waiting.next(0); i != Number_set::none; i = waiting.next(i + 1))
+    while(!waiting.empty())
+      waiting.for_each([&](std::size_t i)
       {
         waiting.remove(i);
         Face& f = star.faces[i];
         cross_counterclockwise(star, f);
         if(f.next != null_id)
           waiting.insert(f.next, star.faces[f.next].counterclockwise.size > 0);
-      }
+      });
   }
 
   void turn_clockwise(Star& star)
   {
     Number_set& waiting = star.waiting_from_last;
     const std::size_t last = star.faces.size() - 1;
-    while(waiting.next(0) != Number_set::none)
-      for(std::size_t i = waiting.next(0); i != Number_set::none; i = waiting.next(i + 1))
+    while(!waiting.empty())
+      waiting.for_each([&](std::size_t i)
       {
         waiting.remove(i);
         Face& f = star.faces[last - i];
         cross_clockwise(star, f);
         if(f.previous != null_id)
           waiting.insert(last - f.previous, star.faces[f.previous].clockwise.size > 0);
-      }
+      });
   }
 
   // across va: the list goes on around v on the left, and leaves the star on the right.

@@ -98,14 +98,10 @@ private:
   // a whole star, whose halfedges are known.
   void add_star(const Intrinsic_mesh<FT>& mesh, const Halfedge_id* begin, const Halfedge_id* end)
   {
-    const std::uint32_t n = static_cast<std::uint32_t>(end - begin);
-    if(n == 0)
+    if(begin == end)
       return;
-    for(std::uint32_t f = 0; f < n; ++f)
-    {
-      faces.emplace_back(begin[f], f, f + 1, f + 1, f - 1);
-      add_link(mesh.target(begin[f]));
-    }
+    for(const Halfedge_id* h = begin; h != end; ++h)
+      add_face(mesh, *h);
     close(mesh, 0, mesh.opposite(begin[0]) == null_id);
   }
 
@@ -115,13 +111,19 @@ private:
     Halfedge_id h = first;
     do
     {
-      const std::uint32_t f = static_cast<std::uint32_t>(faces.size());
-      const std::uint32_t a = static_cast<std::uint32_t>(links.size());
-      faces.emplace_back(h, a, a + 1, f + 1, f - 1);
-      add_link(mesh.target(h));
+      add_face(mesh, h);
       h = mesh.next_around_source(h);
     } while(h != first && h != null_id);
     close(mesh, first_face, h == null_id);
+  }
+
+  // with the link before it; that behind it is the next one to be added.
+  void add_face(const Intrinsic_mesh<FT>& mesh, Halfedge_id h)
+  {
+    const std::uint32_t f = static_cast<std::uint32_t>(faces.size());
+    const std::uint32_t a = static_cast<std::uint32_t>(links.size());
+    faces.emplace_back(h, a, a + 1, f + 1, f - 1);
+    links.emplace_back(mesh.target(h));
   }
 
   // joins the last face of an umbrella to its first one, unless there is a border between them.
@@ -131,17 +133,12 @@ private:
     {
       faces[first_face].previous = null_id;
       faces.back().next = null_id;
-      add_link(mesh.source(previous_halfedge(faces.back().halfedge)));
+      links.emplace_back(mesh.source(previous_halfedge(faces.back().halfedge)));
       return;
     }
     faces[first_face].previous = static_cast<std::uint32_t>(faces.size() - 1);
     faces.back().next = first_face;
     faces.back().second = faces[first_face].first;
-  }
-
-  void add_link(Vertex_id v)
-  {
-    links.emplace_back(v);
   }
 };
 

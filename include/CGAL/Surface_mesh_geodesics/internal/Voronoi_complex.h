@@ -281,9 +281,8 @@ public:
   std::array<FT, 3> coordinates(Face_id f, const Point& p) const
   {
     const typename Mesh::Face& face = m_mesh->face(f);
-    const unsigned int longest = face.length[1] < face.length[2] ? 2 : 1;
-    if(face.length[0] * face.apex_y <= Tolerance<FT>::length() * face.length[longest] * face.length[longest])
-      return coordinates_on_edge(f, longest, p);
+    if(has_no_height(face))
+      return coordinates_on_edge(f, face.length[1] < face.length[2] ? 2 : 1, p);
     const FT base = face.length[0];
     std::array<FT, 3> b;
     b[2] = p.y / face.apex_y;

@@ -119,13 +119,13 @@ public:
       star.waiting.insert(i, m_lists.has(h));
       star.waiting_from_last.insert(n - 1 - i, m_lists.has(previous_halfedge(h)));
     }
-    for(std::size_t i = star.waiting.next(0); i < n; i = star.waiting.next(i + 1))
-      m_lists.take(star.faces[i].halfedge, star.faces[i].counterclockwise);
-    for(std::size_t i = star.waiting_from_last.next(0); i < n; i = star.waiting_from_last.next(i + 1))
+    star.waiting.for_each(
+      [&](std::size_t i) { m_lists.take(star.faces[i].halfedge, star.faces[i].counterclockwise); });
+    star.waiting_from_last.for_each([&](std::size_t i)
     {
       Star_face<FT>& f = star.faces[n - 1 - i];
       m_lists.take(previous_halfedge(f.halfedge), f.clockwise);
-    }
+    });
   }
 
   // Does the star hold a better distance of a vertex from which windows have started?
@@ -141,12 +141,11 @@ public:
     m_set.reset(star.links.size());
     for(std::size_t i = 0; i < star.links.size(); ++i)
       m_set.insert(i, star.links[i].is_improved);
-    for(std::size_t i = m_set.next(0); i < star.links.size(); i = m_set.next(i + 1))
-      improve(star.links[i]);
+    m_set.for_each([&](std::size_t i) { improve(star.links[i]); });
     m_set.reset(star.faces.size());
     for(std::size_t i = 0; i < star.faces.size(); ++i)
       m_set.insert(i, star.faces[i].outward.size > 0);
-    for(std::size_t i = m_set.next(0); i < star.faces.size(); i = m_set.next(i + 1))
+    m_set.for_each([&](std::size_t i)
     {
       Star_face<FT>& f = star.faces[i];
       const Vertex_id a = star.links[f.first].vertex, b = star.links[f.second].vertex;
@@ -154,7 +153,7 @@ public:
       prefetch(&m_mesh.face(face_of(h))); // new ground, which is not in any cache
       m_lists.put(h, f.outward, pool);
       m_queue.push_or_decrease(m_field.distance[b] < m_field.distance[a] ? b : a, f.outward_distance);
-    }
+    });
     m_maximum_windows_alive = (std::max)(m_maximum_windows_alive, m_lists.number_of_windows());
   }
 

@@ -38,12 +38,6 @@ namespace Surface_mesh_geodesics {
 namespace internal {
 
 template <typename FT>
-struct Planar_point
-{
-  FT x = 0, y = 0;
-};
-
-template <typename FT>
 FT distance(const Planar_point<FT>& p, const Planar_point<FT>& q)
 {
   return norm<FT>(p.x - q.x, p.y - q.y);

@@ -79,14 +79,12 @@ public:
   // kept are pruned on every second edge only.
   void prune(Window_list<FT>& list, const Crossing<FT>& c, const Corner_rivals<FT>& corners, bool is_kept)
   {
-    if(!is_kept && list.number_of_crossings() % 2 != 0 && !list.may_be_marked() && !m_has_stale_windows
-       && list.number_of_crossings() <= m_mesh.number_of_faces())
+    const bool is_unusual = list.may_be_marked() || list.number_of_crossings() > m_mesh.number_of_faces();
+    if(!is_kept && list.number_of_crossings() % 2 != 0 && !is_unusual && !m_has_stale_windows)
       return;
-    const bool has_suspects =
-      list.may_be_marked() || list.number_of_crossings() > m_mesh.number_of_faces()
-          || (m_has_stale_windows && has_stale_windows(list))
-        ? suspect_all(list)
-        : trim(list, c, corners);
+    const bool has_suspects = is_unusual || (m_has_stale_windows && has_stale_windows(list))
+                                ? suspect_all(list)
+                                : trim(list, c, corners);
     if(has_suspects)
       remove_redundant_suspects(list, c, corners);
   }

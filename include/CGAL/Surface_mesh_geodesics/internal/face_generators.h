@@ -28,13 +28,6 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-template <typename FT>
-std::array<Planar_point<FT>, 3> layout_of_face(const Intrinsic_face<FT>& face)
-{
-  return {Planar_point<FT>{FT(0), FT(0)}, Planar_point<FT>{face.length[0], FT(0)},
-          Planar_point<FT>{face.apex_x, face.apex_y}};
-}
-
 // owner_of(v) is the source of a vertex, null_id if none reaches it.
 template <typename FT, typename OwnerOf, typename Visitor>
 void for_each_face_generator(const Intrinsic_mesh<FT>& mesh, const Vertex_distance_field<FT>& field,

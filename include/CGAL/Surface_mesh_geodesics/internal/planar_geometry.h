@@ -24,6 +24,12 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
+template <typename FT>
+struct Planar_point
+{
+  FT x = 0, y = 0;
+};
+
 // Tolerances, in units of the rounding error of the number type.
 template <typename FT>
 struct Tolerance
