@@ -259,6 +259,9 @@ private:
   // Ends of curves that are nearer to each other may be meant to be one.
   FT near() const { return m_size / 1024; }
 
+  // The places where curves touch lines are not known better.
+  FT touching() const { return 64 * Tolerance<FT>::closeness() * m_size; }
+
   // Distances in the face that rounding makes.
   FT width() const { return Tolerance<FT>::interval() * m_size; }
 
@@ -431,11 +434,11 @@ private:
     Half_plane<FT> before_end;
     const bool has_direction = !is_leaf(g) && line_in_front_of(g, before_end);
     trace(f, has_direction ? &before_end : nullptr);
-    if(f.stop == Stop::LOST || !(distance(f.end, g.p) <= near()))
-    {
+    const FT gap = distance(f.end, g.p);
+    if(f.stop == Stop::LOST || !(gap <= near()))
       ++m_number_of_joints;
+    if(!(gap <= touching()))
       f.stop = Stop::LOST;
-    }
     finish(f, g.p, g.node);
   }
 
@@ -552,7 +555,7 @@ private:
   // pair of them, of both sources, with a curve into the face?
   bool find_way_ahead(Front& f)
   {
-    m_slack = 64 * Tolerance<FT>::closeness() * m_size; // points where curves touch lines are not known better
+    m_slack = touching();
     const std::vector<std::size_t> left = tied_generators(f.left, f.end), right = tied_generators(f.right, f.end);
     for(std::size_t l : left)
       for(std::size_t r : right)
@@ -612,7 +615,7 @@ private:
   // What ends a piece.
   struct Event
   {
-    enum Kind { NOTHING, BORDER, UNTIL, LEFT_CONE, RIGHT_CONE, NEARER } kind = NOTHING;
+    enum Kind { NOTHING, BORDER, UNTIL, LEFT_CONE, RIGHT_CONE, NEARER, IMPRECISE } kind = NOTHING;
     FT t = std::numeric_limits<FT>::infinity();
     std::size_t index = 0; // of the side or of the generator
     Half_plane<FT> line{};
@@ -640,7 +643,9 @@ private:
     if(!leads_on(curve, left, right))
       return false;
     Event event;
-    event.t = curve.end();
+    event.t = (std::min)(curve.end(), curve.end_of_precision());
+    if(event.t < curve.end())
+      event.kind = Event::IMPRECISE;
     for(unsigned int k = 0; k < 3; ++k)
       leave(curve, m_side[k], Event::BORDER, k, event);
     const Event at_border = event;
@@ -673,16 +678,17 @@ private:
     // Cones end where cells end on the border. What is beyond the end of a cone, that near to the border, is
     // wrong by the square of this length only.
     const bool is_cone = event.kind == Event::LEFT_CONE || event.kind == Event::RIGHT_CONE;
-    if(at_border.kind != Event::NOTHING
+    if(at_border.kind == Event::BORDER
        && distance(curve.point(at_border.t), curve.point(event.t))
             <= (is_cone ? FT(Tolerance<FT>::closeness() * m_size) : width()))
       event = at_border;
     Point p = curve.point(event.t);
     if(!(event.t > 0))
       p = f.end;
-    else if(event.kind != Event::NEARER)
+    else if(event.kind != Event::NEARER && event.kind != Event::IMPRECISE)
       p = polished_crossing(left.image, right.image, event.line, p);
-    else if(m_generators[event.index].site != f.left && m_generators[event.index].site != f.right)
+    else if(event.kind == Event::NEARER && m_generators[event.index].site != f.left
+            && m_generators[event.index].site != f.right)
     {
       const Point q = polished_vertex(left.image, right.image, m_generators[event.index].image, p);
       p = is_in_face(q) ? q : curve.point((std::min)(event.t, at_border.t));
@@ -701,6 +707,8 @@ private:
       break;
     case Event::NEARER:
       meet(f, event.index);
+      break;
+    case Event::IMPRECISE:
       break;
     default:
       f.stop = Stop::OUTSIDE;
@@ -924,7 +932,9 @@ private:
     return std::all_of(m_side.begin(), m_side.end(), [&](const Half_plane<FT>& h) { return h(p) >= -width(); });
   }
 
-  // Newton's method for f(p) = g(p) = 0, as long as it helps; `size` is that of the distances.
+  // Newton's method for f(p) = g(p) = 0, as long as it helps; `size` is that of the distances. f is the difference of
+  // the distances from two generators. If they are near to each other, f tells nothing about the place on a line that
+  // points away from them, and g decides it alone.
   template <typename Residuals>
   Point polished(Point p, const FT& size, Residuals residuals) const
   {
@@ -933,11 +943,16 @@ private:
     std::array<FT, 6> r = residuals(p); // the values, and their gradients
     for(int i = 0; i < 4 && abs(r[0]) + abs(r[1]) > precision; ++i)
     {
-      const FT det = r[2] * r[5] - r[3] * r[4];
-      if(!(abs(det) > Tolerance<FT>::angle()))
+      const FT n = norm<FT>(r[2], r[3]);
+      if(!(n > 0))
         return p;
-      const Point q{FT(p.x - (r[0] * r[5] - r[1] * r[3]) / det),
-                    FT(p.y - (r[1] * r[2] - r[0] * r[4]) / det)};
+      const Point across{FT(r[2] / n), FT(r[3] / n)}, along{FT(-across.y), across.x};
+      const FT slope = r[4] * along.x + r[5] * along.y;
+      if(!(abs(slope) > Tolerance<FT>::angle()))
+        return p;
+      const FT x = n > Tolerance<FT>::closeness() ? FT(-r[0] / n) : FT(0);
+      const FT y = -(r[1] + x * (r[4] * across.x + r[5] * across.y)) / slope;
+      const Point q{FT(p.x + x * across.x + y * along.x), FT(p.y + x * across.y + y * along.y)};
       const std::array<FT, 6> s = residuals(q);
       if(!(abs(s[0]) + abs(s[1]) < abs(r[0]) + abs(r[1])) || distance(p, q) > m_size / (1 << 20))
         return p;

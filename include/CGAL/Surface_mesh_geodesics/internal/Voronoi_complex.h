@@ -283,16 +283,12 @@ public:
     const typename Mesh::Face& face = m_mesh->face(f);
     if(has_no_height(face))
       return coordinates_on_edge(f, face.length[1] < face.length[2] ? 2 : 1, p);
-    const FT base = face.length[0];
+    // The first side is the shortest one. What rounding does along it must not move the point along the others.
     std::array<FT, 3> b;
-    b[2] = p.y / face.apex_y;
-    b[1] = (p.x - b[2] * face.apex_x) / base;
-    for(unsigned int k = 1; k < 3; ++k)
-      b[k] = (std::min)((std::max)(b[k], FT(0)), FT(1));
-    b[0] = (std::max)(FT(1 - b[1] - b[2]), FT(0));
-    const FT sum = b[0] + b[1] + b[2];
-    for(FT& x : b)
-      x = x / sum;
+    b[2] = (std::min)((std::max)(FT(p.y / face.apex_y), FT(0)), FT(1));
+    const FT rest = 1 - b[2];
+    b[1] = (std::min)((std::max)(FT((p.x - b[2] * face.apex_x) / face.length[0]), FT(0)), rest);
+    b[0] = rest - b[1];
     return b;
   }
 

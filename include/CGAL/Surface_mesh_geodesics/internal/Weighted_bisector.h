@@ -140,6 +140,11 @@ public:
     m_radius = r;
     m_ux = (p.x - m_focus.x) / r;
     m_uy = (p.y - m_focus.y) / r;
+    if(d <= Tolerance<FT>::closeness() * r)
+    {
+      find_line(left, right);
+      return;
+    }
     m_vx = -m_uy;
     m_vy = m_ux;
     m_a = (dx * m_ux + dy * m_uy) / k;
@@ -165,15 +170,15 @@ public:
   bool is_valid() const { return m_is_valid; }
 
   // Paths from one generator bend at the other one, and the points of the ray behind it are as far from both. The other
-  // functions are then those of the ray, except `derivative()`, and the parameter is the length.
-  bool is_ray() const { return m_is_ray; }
+  // functions are then those of the ray, and the parameter is the length.
+  bool is_ray() const { return m_is_straight && !m_is_valid; }
 
   // Is it `left` by whose distances the curve is described? At a ray it is the one where paths bend.
   bool is_left_focus() const { return m_is_left_focus; }
 
   Point point(const FT& t) const
   {
-    if(m_is_ray)
+    if(m_is_straight)
       return Point{FT(m_p.x + t * m_tx), FT(m_p.y + t * m_ty)};
     const FT factor = 2 * t / denominator()(t), g = t * (1 - m_a * m_radius);
     return Point{FT(m_p.x + factor * (m_tx - g * m_ux)), FT(m_p.y + factor * (m_ty - g * m_uy))};
@@ -183,7 +188,7 @@ public:
   FT extent(const FT& t) const
   {
     using std::abs;
-    if(m_is_ray)
+    if(m_is_straight)
       return t;
     const Quadratic<FT> w = denominator();
     const FT smallest = (std::min)({w.c0, FT(w.c0 + w.c1 * t), w(t)});
@@ -195,7 +200,7 @@ public:
   // the parameter of a point of the curve.
   FT parameter(const Point& p) const
   {
-    if(m_is_ray)
+    if(m_is_straight)
       return (p.x - m_p.x) * m_tx + (p.y - m_p.y) * m_ty;
     const FT x = p.x - m_focus.x, y = p.y - m_focus.y;
     const FT along = x * m_ux + y * m_uy, across = x * m_vx + y * m_vy;
@@ -205,6 +210,8 @@ public:
   // dp/dt
   Point derivative(const FT& t) const
   {
+    if(m_is_straight)
+      return Point{m_tx, m_ty};
     // p - p0 = n / w
     const Quadratic<FT> w = denominator();
     const FT g = 1 - m_a * m_radius, wt = w(t), dw = 2 * (w.c1 + t * w.c2), square = wt * wt;
@@ -216,7 +223,7 @@ public:
   // is positive where the curve exists.
   Quadratic<FT> denominator() const
   {
-    if(m_is_ray)
+    if(m_is_straight)
       return Quadratic<FT>{1, 0, 0};
     const FT rho = 1 / m_radius;
     return Quadratic<FT>{rho, m_b, FT(rho - 2 * m_a)};
@@ -225,11 +232,22 @@ public:
   // where the curve ends, at infinity; behind it point() is on the other branch.
   FT end() const { return denominator().positive_roots()[0]; }
 
+  // Far away from the focus, where all parameters are near to the end, they have lost their digits: the curve has to be
+  // described anew from there. Infinity if it does not go that far.
+  FT end_of_precision() const
+  {
+    const FT many = FT(1 << 20); // times the distance of p from the focus
+    if(m_is_straight)
+      return std::numeric_limits<FT>::infinity();
+    return Quadratic<FT>{FT(1 - many), FT(-many * m_radius * m_b), FT(1 - many + 2 * many * m_a * m_radius)}
+      .positive_roots()[0];
+  }
+
   // is positive where the curve is in the half-plane.
   Quadratic<FT> side(const Half_plane<FT>& h) const
   {
     const FT h0 = h(m_p);
-    if(m_is_ray)
+    if(m_is_straight)
       return Quadratic<FT>{h0, FT((h.a * m_tx + h.b * m_ty) / 2), 0};
     const Quadratic<FT> w = denominator();
     const FT along_tangent = h.a * m_tx + h.b * m_ty, along_u = h.a * m_ux + h.b * m_uy;
@@ -240,8 +258,8 @@ public:
   // is positive where a third generator is nearer than the two, except if it never is.
   Quadratic<FT> nearer(const Generator& g) const
   {
-    if(m_is_ray)
-      return nearer_on_ray(g);
+    if(m_is_straight)
+      return nearer_on_line(g);
     const FT dx = g.x - m_focus.x, dy = g.y - m_focus.y, d = norm(dx, dy);
     const FT s = m_focus.weight - g.weight;
     if(s <= -d)
@@ -280,16 +298,25 @@ private:
     m_tx = dx / d;
     m_ty = dy / d;
     const FT along = (m_p.x - m_focus.x) * m_tx + (m_p.y - m_focus.y) * m_ty;
-    m_is_ray = m_radius <= rounding || along >= m_radius / 2;
+    m_is_straight = m_radius <= rounding || along >= m_radius / 2;
   }
 
-  // see nearer(): |p - g| < S + t, squared.
-  Quadratic<FT> nearer_on_ray(const Generator& g) const
+  // Seen from p the foci are one: the curve is the line through them, as exactly as distances are known.
+  void find_line(const Generator& left, const Generator& right)
+  {
+    m_is_straight = true;
+    m_is_outward = m_ux * (right.y - left.y) - m_uy * (right.x - left.x) < 0;
+    m_tx = m_is_outward ? m_ux : FT(-m_ux);
+    m_ty = m_is_outward ? m_uy : FT(-m_uy);
+  }
+
+  // see nearer(): |p + t (tx, ty) - g| < s + t, or s - t on the way to the focus, squared.
+  Quadratic<FT> nearer_on_line(const Generator& g) const
   {
     const FT dx = m_p.x - g.x, dy = m_p.y - g.y, d = norm(dx, dy), s = m_focus.weight + m_radius - g.weight;
     if(s <= -d)
       return Quadratic<FT>{-1, 0, 0};
-    return Quadratic<FT>{FT((s - d) * (s + d)), FT(s - (dx * m_tx + dy * m_ty)), 0};
+    return Quadratic<FT>{FT((s - d) * (s + d)), FT((m_is_outward ? s : FT(-s)) - (dx * m_tx + dy * m_ty)), 0};
   }
 
   void set_tangent()
@@ -300,7 +327,8 @@ private:
 
   Point m_p;
   Generator m_focus;
-  bool m_is_left_focus = true, m_is_valid = false, m_is_ray = false;
+  bool m_is_left_focus = true, m_is_valid = false, m_is_straight = false;
+  bool m_is_outward = true;       // a straight curve goes away from the focus
   FT m_radius = 0;                // from the focus to p0
   FT m_ux = 0, m_uy = 0;          // the direction from the focus to p0
   FT m_vx = 0, m_vy = 0;          // across, to the side of growing parameters
