@@ -165,6 +165,7 @@ public:
       m_side[k] = Half_plane<FT>::left_of(corner[k], corner[(k + 1) % 3]);
     m_size = (std::max)({distance(corner[0], corner[1]), distance(corner[1], corner[2]),
                          distance(corner[2], corner[0])});
+    m_has_no_height = m_side[0](corner[2]) * distance(corner[0], corner[1]) <= Tolerance<FT>::length() * m_size * m_size;
   }
 
   void add(const Generator& g)
@@ -430,6 +431,11 @@ private:
       finish(f, g.p, g.node);
       return;
     }
+    if(m_has_no_height)
+    {
+      finish(f, g.p, g.node);
+      return;
+    }
     m_sites = {(std::min)(f.left, f.right), (std::max)(f.left, f.right)};
     Half_plane<FT> before_end;
     const bool has_direction = !is_leaf(g) && line_in_front_of(g, before_end);
@@ -461,7 +467,8 @@ private:
   // makes arcs of the pieces of f, the last of which ends at p.
   void finish(Front& f, const Point& p, std::size_t node)
   {
-    if(f.pieces.empty() || f.stop == Stop::LOST)
+    const bool is_lost = f.pieces.empty() || f.stop == Stop::LOST;
+    if(is_lost)
       f.pieces.push_back(straight_piece(f, f.pieces.empty() ? f.p : f.pieces.back().end, p));
     Point from = f.p;
     std::size_t from_node = f.node;
@@ -477,7 +484,7 @@ private:
         m_nodes.push_back(Node{to, {f.left, f.right, null_id}, false});
       }
       m_arcs.push_back(Arc{f.left, f.right, piece.left, piece.right, from, to, from_node, to_node,
-                           f.stop != Stop::LOST || !is_last});
+                           !is_lost || !is_last});
       from = to;
       from_node = to_node;
     }
@@ -510,7 +517,9 @@ private:
     f.pieces.reserve(32);
     f.end = f.p;
     f.third = null_id;
-    f.stop = Stop::LOST;
+    f.stop = m_has_no_height ? Stop::OUTSIDE : Stop::LOST;
+    if(m_has_no_height) // where curves cross it is known from its border only
+      return;
     f.last_left = nearest_of(f.left, f.p);
     f.last_right = nearest_of(f.right, f.p);
     if(f.last_left == none || f.last_right == none)
@@ -1003,6 +1012,7 @@ private:
   std::array<Point, 3> m_corner;
   std::array<Half_plane<FT>, 3> m_side;
   FT m_size = 0;
+  bool m_has_no_height = false;
   FT m_slack = 0; // how far a front may start outside the half-planes that it is to leave
   std::vector<Generator> m_generators, m_bends;
   std::vector<Leaf> m_leaves;
