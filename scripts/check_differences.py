@@ -3,14 +3,14 @@
 
 Usage: check_differences.py MANUAL PROGRAM [VERSION...] | --self-test
 
-The table follows the line `<!-- table: differences -->`. The program prints the version of CGAL, and the rows. The
-column of the other class is compared with the versions of CGAL that are given only: another one may have mended it.
+The table follows the line `<!-- printed table: differences -->`. The program prints the version of CGAL, and the rows.
+The column of the other class is compared with the versions of CGAL that are given only: another one may have mended it.
 """
 
 import subprocess
 import sys
 
-MARK = "<!-- table: differences -->"
+MARK = "<!-- printed table: differences -->"
 COLUMN_OF_THE_OTHER_CLASS = 3
 
 
