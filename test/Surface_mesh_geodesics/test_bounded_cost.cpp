@@ -3,10 +3,10 @@
 // In theory an edge has no more windows than the mesh has faces, times a constant (Mitchell, Mount, Papadimitriou):
 // windows that are next to each other on an edge have come through different faces, and a vertex that both pass tells
 // them apart. This is met by fans of valence n, and by rows of thin faces: a line crosses all of their faces. Where
-// faces are about equal, a line crosses some sqrt(F) of F faces, and there is no reason why there should be more windows
-// than that. So the number of windows per edge must not grow faster than F, or than sqrt(F), from one size to the next,
-// with a quarter more for what small sizes do not show. Besides, it may be twice what it was when its limit was noted:
-// where a rule of pruning fails, it is many times as large.
+// faces are about equal, a line crosses some sqrt(F) of F faces, and there is no reason for more windows than that. So
+// the number of windows per edge must not grow faster than F, or than sqrt(F), from one size to the next, with a
+// quarter more for what small sizes do not show. Besides, it may be twice what it was when its limit was noted: where a
+// rule of pruning fails, it is many times as large.
 
 #include "distance_test_helpers.h"
 #include "test_meshes.h"

@@ -2,8 +2,8 @@
 //
 // With a power of two as the unit, all coordinates are multiplied without rounding, and the answers are the same bits.
 // With any other unit, or far from the origin, coordinates are rounded: the mesh is another one, whose vertices have
-// moved by no more than m = sqrt(3) u M, where u = 2^-53 and M is the largest coordinate. A path of n pieces on one mesh
-// is a path of n pieces on the other one, if its points keep their barycentric coordinates, and each piece becomes
+// moved by no more than m = sqrt(3) u M, where u = 2^-53 and M is the largest coordinate. A path of n pieces on one
+// mesh is a path of n pieces on the other one, if its points keep their barycentric coordinates, and each piece becomes
 // longer by no more than 2 m. So the distances d on both meshes differ by no more than 2 n m, where n belongs to the
 // path with more pieces, and by what the computations err, a few units for each face: less than 8 n u d each.
 // The answers for the rounded mesh are certified besides.
