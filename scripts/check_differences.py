@@ -10,6 +10,8 @@ The column of the other class is compared with the versions of CGAL that are giv
 import subprocess
 import sys
 
+from complaints import report
+
 MARK = "<!-- printed table: differences -->"
 COLUMN_OF_THE_OTHER_CLASS = 3
 
@@ -43,30 +45,34 @@ def faults(shown, printed, compares_other_class):
 def self_test():
     manual = f"text\n{MARK}\n\n| a | 1 | q | x | 2 |\n|---|--:|---|---|---|\n\n| b | 1 |\n"
     shown = table_of_manual(manual)
-    assert len(shown) == 2 and shown[0] == ["a", "1", "q", "x", "2"]
-    same = rows(["CGAL 5.5", "| a | 1 | q | x | 2 |", "|---|--:|---|---|---|"])
-    mended = rows(["| a | 1 | q | 2 | 2 |", "|---|--:|---|---|---|"])
-    wrong = rows(["| a | 1 | q | x | 3 |", "|---|--:|---|---|---|"])
-    assert not faults(shown, same, True) and not faults(shown, mended, False)
-    assert faults(shown, mended, True) and faults(shown, wrong, False) and faults(shown, same[:1], False)
-    assert faults(table_of_manual("no table"), same, False)
-    print("self-test passed")
+    line = "|---|--:|---|---|---|"
+    same, mended = rows(["CGAL 5.5", "| a | 1 | q | x | 2 |", line]), rows(["| a | 1 | q | 2 | 2 |", line])
+    cases = {
+        "the same table": (faults(shown, same, True), False),
+        "another answer of the other class": (faults(shown, mended, True), True),
+        "a mended class": (faults(shown, mended, False), False),
+        "another answer of ours": (faults(shown, rows(["| a | 1 | q | x | 3 |", line]), False), True),
+        "a row too few": (faults(shown, same[:1], False), True),
+        "no table": (faults(table_of_manual("no table"), same, False), True),
+    }
+    complaints = [name for name, (found, is_fault) in cases.items() if bool(found) != is_fault]
+    if len(shown) != 2:
+        complaints.append("rows below the table are taken for its own")
+    return report(complaints, f"self-test: {len(cases)} cases")
 
 
-def main():
-    if sys.argv[1:] == ["--self-test"]:
+def main(arguments):
+    if arguments == ["--self-test"]:
         return self_test()
-    if len(sys.argv) < 3:
-        sys.exit(__doc__)
-    with open(sys.argv[1], encoding="utf-8") as manual:
+    if len(arguments) < 2:
+        print(__doc__)
+        return 2
+    with open(arguments[0], encoding="utf-8") as manual:
         shown = table_of_manual(manual.read())
-    lines = subprocess.run([sys.argv[2]], check=True, capture_output=True, text=True).stdout.splitlines()
+    lines = subprocess.run([arguments[1]], check=True, capture_output=True, text=True).stdout.splitlines()
     version = next((line.split()[1] for line in lines if line.startswith("CGAL ")), "")
-    found = faults(shown, rows(lines), version in sys.argv[3:])
-    print(f"CGAL {version}: {len(shown)} rows, {len(found)} differ")
-    if found:
-        sys.exit("\n".join(found))
+    return report(faults(shown, rows(lines), version in arguments[2:]), f"CGAL {version}: {len(shown)} rows")
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main(sys.argv[1:]))
