@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# Checks that the same answers come, to the last bit, whatever the compiler and its optimisation: one program is built in
-# several ways, and the hashes of all distances, points of paths and arcs of geodesic Voronoi diagrams are compared.
+# Checks that the same answers come, to the last bit, whatever the compiler and its optimisation: one program is built
+# in several ways, and the hashes of all distances, points of paths and arcs of geodesic Voronoi diagrams are compared.
 # Usage: check_determinism.sh [MESH...]
 #
 # Without arguments: meshes of the tests, and two of CGAL's meshes where Debian's package libcgal-demo is installed.
-# With -march=native a compiler may fuse a product and a sum into one operation that rounds once. This is allowed to change
-# bits, and reported; with -ffp-contract=off it must not.
+# With -march=native a compiler may fuse a product and a sum into one operation that rounds once. This is allowed to
+# change bits, and reported; with -ffp-contract=off it must not.
 # CGAL_INCLUDE_DIRS may hold further flags for the headers of another CGAL, DETERMINISM_FOLDER the folder to build in.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -44,8 +44,8 @@ for compiler in g++ clang++; do
     # -frounding-math is what CGAL asks of every user of GCC.
     rounding=$([ "$compiler" = g++ ] && echo -frounding-math || true)
     # shellcheck disable=SC2086
-    "$compiler" -std=c++17 $flags $rounding -I"$root/include" ${CGAL_INCLUDE_DIRS:-} "$program" -o "$work/print_hashes" \
-      -lgmp -lmpfr
+    "$compiler" -std=c++17 $flags $rounding -I"$root/include" ${CGAL_INCLUDE_DIRS:-} "$program" \
+      -o "$work/print_hashes" -lgmp -lmpfr
     "$work/print_hashes" "${meshes[@]}" > "$work/hashes.txt"
     if [ -z "$reference" ]; then
       reference=$work/reference.txt
