@@ -131,6 +131,24 @@ Indexed_mesh with_coincident_vertices(const Indexed_mesh& mesh)
   return result;
 }
 
+// The convex hull comes in an order that depends on addresses. Here points are sorted, and faces start with their least.
+Indexed_mesh sorted(const Indexed_mesh& mesh)
+{
+  Indexed_mesh result = mesh;
+  std::sort(result.points.begin(), result.points.end());
+  for(Triangle& t : result.faces)
+  {
+    for(std::size_t& v : t)
+    {
+      const auto place = std::lower_bound(result.points.begin(), result.points.end(), mesh.points[v]);
+      v = static_cast<std::size_t>(place - result.points.begin());
+    }
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+  }
+  std::sort(result.faces.begin(), result.faces.end());
+  return result;
+}
+
 Indexed_mesh random_convex_hull(std::size_t number, std::uint64_t seed)
 {
   test_support::Random random(seed);
@@ -146,7 +164,7 @@ Indexed_mesh random_convex_hull(std::size_t number, std::uint64_t seed)
   }
   Mesh tm;
   CGAL::convex_hull_3(points.begin(), points.end(), tm);
-  return to_indexed_mesh(tm, "random convex hull");
+  return sorted(to_indexed_mesh(tm, "random convex hull"));
 }
 
 template <class Make>
