@@ -131,7 +131,7 @@ Indexed_mesh with_coincident_vertices(const Indexed_mesh& mesh)
   return result;
 }
 
-// The convex hull comes in an order that depends on addresses. Here points are sorted, and faces start with their least.
+// The convex hull comes in an order that depends on addresses. Here points and faces are sorted.
 Indexed_mesh sorted(const Indexed_mesh& mesh)
 {
   Indexed_mesh result = mesh;
