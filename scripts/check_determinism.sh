@@ -1,0 +1,69 @@
+#!/usr/bin/env bash
+# Checks that the same answers come, to the last bit, whatever the compiler and its optimisation: one program is built
+# in several ways, and the hashes of all distances, points of paths and arcs of geodesic Voronoi diagrams are compared.
+# Usage: check_determinism.sh [MESH...]
+#
+# Without arguments: meshes of the tests, and two of CGAL's meshes where Debian's package libcgal-demo is installed.
+# With -march=native a compiler may fuse a product and a sum into one operation that rounds once. This is allowed to
+# change bits, and reported; with -ffp-contract=off it must not.
+# CGAL_INCLUDE_DIRS may hold further flags for the headers of another CGAL, DETERMINISM_FOLDER the folder to build in.
+set -euo pipefail
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+program=$root/test/Surface_mesh_geodesics/determinism/print_hashes.cpp
+data=$root/test/Surface_mesh_geodesics/data
+if [ -n "${DETERMINISM_FOLDER:-}" ]; then
+  work=$DETERMINISM_FOLDER
+  mkdir -p "$work"
+else
+  work=$(mktemp -d)
+  trap 'rm -rf "$work"' EXIT
+fi
+
+meshes=("$@")
+if [ ${#meshes[@]} -eq 0 ]; then
+  meshes=("$root/examples/Surface_mesh_geodesics/data/bumpy_sphere.off" "$data/cube.off" "$data/grid9.off"
+    "$data/cone64.off" "$data/saddle_fan8.off" "$data/needle_1e-12.off")
+  archive=/usr/share/doc/libcgal-dev/data.tar.gz
+  for mesh in bunny00.off fandisk.off; do
+    if [ -f "$archive" ] && tar -xzf "$archive" -C "$work" "data/meshes/$mesh" 2>> "$work/tar.log"; then
+      meshes+=("$work/data/meshes/$mesh")
+    fi
+  done
+fi
+
+all_flags=("-O0" "-O1" "-O3" "-O3 -march=native -ffp-contract=off" "-O3 -march=native")
+reference=
+status=0
+printf '%-10s %-38s %s\n' compiler flags result
+for compiler in g++ clang++; do
+  if ! command -v "$compiler" > /dev/null; then
+    echo "$compiler is not installed"
+    continue
+  fi
+  for flags in "${all_flags[@]}"; do
+    # -frounding-math is what CGAL asks of every user of GCC.
+    rounding=$([ "$compiler" = g++ ] && echo -frounding-math || true)
+    # shellcheck disable=SC2086
+    "$compiler" -std=c++17 $flags $rounding -I"$root/include" ${CGAL_INCLUDE_DIRS:-} "$program" \
+      -o "$work/print_hashes" -lgmp -lmpfr
+    "$work/print_hashes" "${meshes[@]}" > "$work/hashes.txt"
+    if [ -z "$reference" ]; then
+      reference=$work/reference.txt
+      cp "$work/hashes.txt" "$reference"
+      result="reference, $(wc -l < "$reference") meshes"
+    elif cmp -s "$reference" "$work/hashes.txt"; then
+      result="the same bits"
+    else
+      differing=$(diff "$reference" "$work/hashes.txt" | grep -c '^>' || true)
+      result="other bits on $differing meshes"
+      if [ "$flags" != "-O3 -march=native" ]; then
+        result="$result: FAILED"
+        diff "$reference" "$work/hashes.txt" >&2 || true
+        status=1
+      fi
+    fi
+    printf '%-10s %-38s %s\n' "$compiler" "$flags" "$result"
+  done
+done
+cat "$reference"
+exit $status

@@ -1,0 +1,78 @@
+#!/usr/bin/env python3
+"""Checks that the manual's table of differences from Surface_mesh_shortest_path is what its program prints.
+
+Usage: check_differences.py MANUAL PROGRAM [VERSION...] | --self-test
+
+The table follows the line `<!-- printed table: differences -->`. The program prints the version of CGAL, and the rows.
+The column of the other class is compared with the versions of CGAL that are given only: another one may have mended it.
+"""
+
+import subprocess
+import sys
+
+from complaints import report
+
+MARK = "<!-- printed table: differences -->"
+COLUMN_OF_THE_OTHER_CLASS = 3
+
+
+def rows(lines):
+    """The cells of the lines of a table."""
+    return [[cell.strip() for cell in line.strip().strip("|").split("|")] for line in lines if line.startswith("|")]
+
+
+def table_of_manual(text):
+    lines = text.split(MARK, 1)[1].lstrip("\n").splitlines() if MARK in text else []
+    end = next((i for i, line in enumerate(lines) if not line.startswith("|")), len(lines))
+    return rows(lines[:end])
+
+
+def faults(shown, printed, compares_other_class):
+    if not shown:
+        return ["the manual has no table"]
+    if len(shown) != len(printed):
+        return [f"{len(shown)} rows in the manual, {len(printed)} are printed"]
+    result = []
+    for a, b in zip(shown, printed):
+        if not compares_other_class and len(a) == len(b) > COLUMN_OF_THE_OTHER_CLASS:
+            a, b = list(a), list(b)
+            a[COLUMN_OF_THE_OTHER_CLASS] = b[COLUMN_OF_THE_OTHER_CLASS] = ""
+        if a != b:
+            result.append(f"in the manual: {' | '.join(a)}\n     printed: {' | '.join(b)}")
+    return result
+
+
+def self_test():
+    manual = f"text\n{MARK}\n\n| a | 1 | q | x | 2 |\n|---|--:|---|---|---|\n\n| b | 1 |\n"
+    shown = table_of_manual(manual)
+    line = "|---|--:|---|---|---|"
+    same, mended = rows(["CGAL 5.5", "| a | 1 | q | x | 2 |", line]), rows(["| a | 1 | q | 2 | 2 |", line])
+    cases = {
+        "the same table": (faults(shown, same, True), False),
+        "another answer of the other class": (faults(shown, mended, True), True),
+        "a mended class": (faults(shown, mended, False), False),
+        "another answer of ours": (faults(shown, rows(["| a | 1 | q | x | 3 |", line]), False), True),
+        "a row too few": (faults(shown, same[:1], False), True),
+        "no table": (faults(table_of_manual("no table"), same, False), True),
+    }
+    complaints = [name for name, (found, is_fault) in cases.items() if bool(found) != is_fault]
+    if len(shown) != 2:
+        complaints.append("rows below the table are taken for its own")
+    return report(complaints, f"self-test: {len(cases)} cases")
+
+
+def main(arguments):
+    if arguments == ["--self-test"]:
+        return self_test()
+    if len(arguments) < 2:
+        print(__doc__)
+        return 2
+    with open(arguments[0], encoding="utf-8") as manual:
+        shown = table_of_manual(manual.read())
+    lines = subprocess.run([arguments[1]], check=True, capture_output=True, text=True).stdout.splitlines()
+    version = next((line.split()[1] for line in lines if line.startswith("CGAL ")), "")
+    return report(faults(shown, rows(lines), version in arguments[2:]), f"CGAL {version}: {len(shown)} rows")
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
