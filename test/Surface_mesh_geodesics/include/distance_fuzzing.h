@@ -38,8 +38,8 @@ namespace distance_fuzzing {
 
 using namespace test_meshes;
 
-using Hundred_digits
-  = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<100>, boost::multiprecision::et_off>;
+using Fifty_digits
+  = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
 using Options = SMG::Geodesic_distance_options<Mesh, Mesh::Property_map<vertex_descriptor, std::size_t>>;
 using Certificate = SMG::Geodesic_distance_certificate<Mesh>;
 using Condition = Certificate::Condition;
@@ -54,7 +54,7 @@ const double tolerance_of_extent = 8 * std::numeric_limits<double>::epsilon();
 const double tolerance_of_proof = 1e-8;
 
 // The largest surfaces on which distances are compared with those of a referee.
-const std::size_t largest_number_of_faces = 100, largest_number_of_faces_glued = 24;
+const std::size_t largest_number_of_faces = 60, largest_number_of_faces_glued = 24;
 
 // What has been found; `fault` is empty if all is well.
 struct Findings
@@ -285,7 +285,7 @@ inline void compare_with_referee(const Distance_case& c, const Input& input, Fin
   if(!(findings.worst_error <= tolerance)) // which of the two has been inaccurate?
   {
     findings.needs_digits = true;
-    findings.worst_error = error_against_referee<Hundred_digits>(c, input);
+    findings.worst_error = error_against_referee<Fifty_digits>(c, input);
   }
   if(!(findings.worst_error <= tolerance))
   {
