@@ -8,10 +8,8 @@
 #include "test_meshes.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <limits>
 #include <map>
 #include <queue>
@@ -32,29 +30,37 @@ public:
 
   // `length(a, b)` is the length of the edge between two vertices; the points do not count.
   template <class Length>
-  Brute_force_distances(const Indexed_mesh& mesh, const Length& length)
-    : Brute_force_distances(mesh, lengths_of_sides(mesh, length), neighbors_of_sides(mesh))
-  {}
-
-  // Triangles that are glued along their sides in any way: `neighbors[f][k]` is 3 * face + side, or no_neighbor(), of
-  // what is glued to the side from corner k of face f to the next one. Two corners of a face may be one vertex.
-  Brute_force_distances(const Indexed_mesh& mesh, std::vector<std::array<FT, 3>> lengths,
-                        std::vector<std::array<std::size_t, 3>> neighbors)
-    : m_mesh(mesh), m_lengths(std::move(lengths)), m_neighbors(std::move(neighbors))
+  Brute_force_distances(const Indexed_mesh& mesh, const Length& length) : m_mesh(mesh)
   {
     const std::size_t number_of_faces = mesh.faces.size();
+    m_lengths.resize(number_of_faces);
+    m_neighbors.assign(number_of_faces, {none(), none(), none()});
     m_corners.resize(mesh.points.size());
+    std::map<std::pair<std::size_t, std::size_t>, std::pair<std::size_t, std::size_t>> side_of;
     std::vector<FT> angles(mesh.points.size(), FT(0));
     std::vector<bool> on_border(mesh.points.size(), false);
     for(std::size_t f = 0; f < number_of_faces; ++f)
     {
       for(std::size_t k = 0; k < 3; ++k)
       {
+        side_of[{tail(f, k), head(f, k)}] = {f, k};
+        m_lengths[f][k] = length(tail(f, k), head(f, k));
         m_corners[tail(f, k)].push_back({f, k});
-        if(m_neighbors[f][k] == none())
+      }
+    }
+    for(std::size_t f = 0; f < number_of_faces; ++f)
+    {
+      for(std::size_t k = 0; k < 3; ++k)
+      {
+        const auto found = side_of.find({head(f, k), tail(f, k)});
+        if(found == side_of.end())
         {
           on_border[tail(f, k)] = true;
           on_border[head(f, k)] = true;
+        }
+        else
+        {
+          m_neighbors[f][k] = found->second.first * 3 + found->second.second;
         }
         const FT x = apex_x(m_lengths[f][k], m_lengths[f][(k + 1) % 3], m_lengths[f][(k + 2) % 3]);
         using std::atan2;
@@ -68,8 +74,6 @@ public:
       m_is_pseudo_source[v] = on_border[v] || angles[v] > FT(2 * pi) - FT(1e-8);
     }
   }
-
-  static std::size_t no_neighbor() { return none(); }
 
   std::vector<FT> from_vertex(std::size_t source) { return run({{source, FT(0)}}); }
 
@@ -124,42 +128,6 @@ private:
 
   static std::size_t none() { return (std::numeric_limits<std::size_t>::max)(); }
   static FT infinity() { return std::numeric_limits<FT>::infinity(); }
-
-  template <class Length>
-  static std::vector<std::array<FT, 3>> lengths_of_sides(const Indexed_mesh& mesh, const Length& length)
-  {
-    std::vector<std::array<FT, 3>> result;
-    for(const Triangle& t : mesh.faces)
-    {
-      result.push_back({FT(length(t[0], t[1])), FT(length(t[1], t[2])), FT(length(t[2], t[0]))});
-    }
-    return result;
-  }
-
-  static std::vector<std::array<std::size_t, 3>> neighbors_of_sides(const Indexed_mesh& mesh)
-  {
-    std::map<std::pair<std::size_t, std::size_t>, std::size_t> side_of;
-    for(std::size_t f = 0; f < mesh.faces.size(); ++f)
-    {
-      for(std::size_t k = 0; k < 3; ++k)
-      {
-        side_of[{mesh.faces[f][k], mesh.faces[f][(k + 1) % 3]}] = 3 * f + k;
-      }
-    }
-    std::vector<std::array<std::size_t, 3>> result(mesh.faces.size(), {none(), none(), none()});
-    for(std::size_t f = 0; f < mesh.faces.size(); ++f)
-    {
-      for(std::size_t k = 0; k < 3; ++k)
-      {
-        const auto found = side_of.find({mesh.faces[f][(k + 1) % 3], mesh.faces[f][k]});
-        if(found != side_of.end())
-        {
-          result[f][k] = found->second;
-        }
-      }
-    }
-    return result;
-  }
 
   std::size_t tail(std::size_t f, std::size_t k) const { return m_mesh.faces[f][k]; }
   std::size_t head(std::size_t f, std::size_t k) const { return m_mesh.faces[f][(k + 1) % 3]; }

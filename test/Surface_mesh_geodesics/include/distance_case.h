@@ -94,8 +94,9 @@ Distance_case with_faces(const Distance_case& c, const Predicate& is_kept)
   }
   for(Numbered_source s : c.sources)
   {
-    (s.is_vertex() ? s.vertex : s.face) = s.is_vertex() ? new_vertex[s.vertex] : new_face[s.face];
-    if((s.is_vertex() ? s.vertex : s.face) != no_source)
+    std::size_t& number = s.is_vertex() ? s.vertex : s.face;
+    number = s.is_vertex() ? new_vertex[number] : new_face[number];
+    if(number != no_source)
     {
       result.sources.push_back(s);
     }

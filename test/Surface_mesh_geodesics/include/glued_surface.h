@@ -34,16 +34,6 @@ struct Glued_surface
 
   const FT& length(std::size_t f, std::size_t k) const { return lengths[edges[f][k % 3]]; }
 
-  std::vector<std::array<FT, 3>> lengths_of_sides() const
-  {
-    std::vector<std::array<FT, 3>> result;
-    for(std::size_t f = 0; f < edges.size(); ++f)
-    {
-      result.push_back({length(f, 0), length(f, 1), length(f, 2)});
-    }
-    return result;
-  }
-
   // 3 * face + side of what is glued to each side, or no_side
   std::vector<std::array<std::size_t, 3>> neighbors() const
   {
@@ -121,15 +111,16 @@ inline bool has_vertex_twice_in_face(const Indexed_mesh& mesh)
 }
 
 // Every triangle becomes four; no length is rounded.
-inline Glued_surface<double> midpoint_subdivision(const Glued_surface<double>& surface)
+template <class FT>
+Glued_surface<FT> midpoint_subdivision(const Glued_surface<FT>& surface)
 {
-  Glued_surface<double> result;
+  Glued_surface<FT> result;
   result.mesh.name = surface.mesh.name;
   result.mesh.points = surface.mesh.points;
   result.mesh.points.resize(surface.mesh.points.size() + surface.lengths.size());
-  for(const double length : surface.lengths) // the halves of edge e are 2 e and 2 e + 1
+  for(const FT& length : surface.lengths) // the halves of edge e are 2 e and 2 e + 1
   {
-    result.lengths.insert(result.lengths.end(), 2, length / 2);
+    result.lengths.insert(result.lengths.end(), 2, FT(length / 2));
   }
   std::vector<bool> is_met(surface.lengths.size(), false);
   for(std::size_t f = 0; f < surface.edges.size(); ++f)
@@ -143,7 +134,7 @@ inline Glued_surface<double> midpoint_subdivision(const Glued_surface<double>& s
       second[k] = is_met[e] ? 2 * e : 2 * e + 1;
       is_met[e] = true;
       inner[k] = result.lengths.size(); // from the middle of side k to that of the next one
-      result.lengths.push_back(surface.length(f, k + 2) / 2);
+      result.lengths.push_back(FT(surface.length(f, k + 2) / 2));
     }
     for(std::size_t k = 0; k < 3; ++k)
     {
