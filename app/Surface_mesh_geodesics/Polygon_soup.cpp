@@ -3,7 +3,6 @@
 #include <CGAL/IO/OFF/File_scanner_OFF.h>
 
 #include <cstddef>
-#include <filesystem>
 #include <fstream>
 #include <ios>
 #include <istream>
@@ -71,24 +70,6 @@ bool read_OFF(const std::string& file_name, Polygon_soup& soup)
     if(!read_face(scanner, in, soup))
       return false;
   return !in.fail();
-}
-
-bool is_PLY_header_in_order(const std::string& file_name)
-{
-  if(!std::filesystem::is_regular_file(file_name)) // what is read from a pipe cannot be read again
-    return true;
-  std::ifstream in(file_name, std::ios::binary);
-  bool has_element = false;
-  std::string line;
-  while(std::getline(in, line))
-  {
-    if(line.compare(0, 10, "end_header") == 0)
-      return true;
-    has_element = has_element || line.compare(0, 7, "element") == 0;
-    if(!has_element && line.compare(0, 8, "property") == 0)
-      return false;
-  }
-  return true;
 }
 
 } // namespace geodesics_app

@@ -1,6 +1,7 @@
 #include "Program_mesh.h"
 
 #include "Command_error.h"
+#include "PLY_check.h"
 #include "Polygon_soup.h"
 
 #include <CGAL/IO/polygon_soup_io.h>
@@ -69,7 +70,7 @@ Polygon_soup read_soup(const std::string& file_name)
     if(ending == ".off")
       is_read = read_OFF(file_name, soup);
     else
-      is_read = (ending != ".ply" || is_PLY_header_in_order(file_name))
+      is_read = (ending != ".ply" || may_read_PLY(file_name))
              && CGAL::IO::read_polygon_soup(file_name, soup.points, soup.faces);
   }
   catch(const std::bad_alloc&)

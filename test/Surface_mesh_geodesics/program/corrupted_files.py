@@ -41,20 +41,21 @@ def obj():
     return ("\n".join(lines) + "\n").encode()
 
 
-def ply(kind):
+def ply(kind, type_of_size="uchar"):
     header = f"ply\nformat {kind} 1.0\ncomment c\nelement vertex {len(POINTS)}\n" \
              "property float x\nproperty float y\nproperty float z\n" \
-             f"element face {len(FACES)}\nproperty list uchar int vertex_indices\nend_header\n"
+             f"element face {len(FACES)}\nproperty list {type_of_size} int vertex_indices\nend_header\n"
     if kind == "ascii":
         lines = [" ".join(map(str, p)) for p in POINTS] + [" ".join(map(str, (3, *f))) for f in FACES]
         return (header + "\n".join(lines) + "\n").encode()
     order = "<" if kind == "binary_little_endian" else ">"
     return header.encode() + b"".join(struct.pack(order + "3f", *p) for p in POINTS) \
-        + b"".join(struct.pack(order + "B3i", 3, *f) for f in FACES)
+        + b"".join(struct.pack(order + ("B3i" if type_of_size == "uchar" else "I3i"), 3, *f) for f in FACES)
 
 
 SOUND = {"a.off": off(), "a.obj": obj(), "ascii.ply": ply("ascii"), "little.ply": ply("binary_little_endian"),
-         "big.ply": ply("binary_big_endian")}
+         "big.ply": ply("binary_big_endian"), "wide.ply": ply("binary_little_endian", "uint"),
+         "wide_ascii.ply": ply("ascii", "uint")}
 
 
 def truncated(data):
