@@ -27,10 +27,12 @@ struct Number_type
 Number_type type_with_name(const std::string& name)
 {
   static const std::map<std::string, Number_type> types{
-    {"char", {1, true, true}},   {"int8", {1, true, true}},     {"uchar", {1, false, true}},  {"uint8", {1, false, true}},
-    {"short", {2, true, true}},  {"int16", {2, true, true}},    {"ushort", {2, false, true}}, {"uint16", {2, false, true}},
-    {"int", {4, true, true}},    {"int32", {4, true, true}},    {"uint", {4, false, true}},   {"uint32", {4, false, true}},
-    {"float", {4, true, false}}, {"float32", {4, true, false}}, {"double", {8, true, false}}, {"float64", {8, true, false}}};
+    {"char", {1, true, true}},    {"int8", {1, true, true}},     {"uchar", {1, false, true}},
+    {"uint8", {1, false, true}},  {"short", {2, true, true}},    {"int16", {2, true, true}},
+    {"ushort", {2, false, true}}, {"uint16", {2, false, true}},  {"int", {4, true, true}},
+    {"int32", {4, true, true}},   {"uint", {4, false, true}},    {"uint32", {4, false, true}},
+    {"float", {4, true, false}},  {"float32", {4, true, false}}, {"double", {8, true, false}},
+    {"float64", {8, true, false}}};
   const auto found = types.find(name);
   return found == types.end() ? Number_type() : found->second;
 }

@@ -418,9 +418,8 @@ extern "C" inline void tell_seed_and_die(int signal)
   std::_Exit(EXIT_FAILURE);
 }
 
-inline Distance_case case_of_seed(std::uint64_t seed)
+inline Distance_case case_of_seed(std::uint64_t seed, const hostile_cases::Families& all)
 {
-  const std::vector<hostile_cases::Family>& all = hostile_cases::families();
   test_support::Random random(seed);
   Distance_case c = all[seed % all.size()].make(random);
   hostile_cases::add_sources(c, random);
@@ -438,7 +437,7 @@ inline void count(const Findings& findings, Counts& counts)
   counts.worst_violation = (std::max)(counts.worst_violation, findings.worst_violation);
 }
 
-inline void print(const std::vector<Counts>& counts)
+inline void print(const std::vector<Counts>& counts, const hostile_cases::Families& families)
 {
   std::cout << std::left << std::setw(18) << "family" << std::right << std::setw(10) << "surfaces" << std::setw(10)
             << "none" << std::setw(10) << "compared" << std::setw(10) << "digits" << std::setw(10) << "certified"
@@ -446,7 +445,7 @@ inline void print(const std::vector<Counts>& counts)
   for(std::size_t i = 0; i < counts.size(); ++i)
   {
     const Counts& c = counts[i];
-    std::cout << std::left << std::setw(18) << hostile_cases::families()[i].name << std::right << std::setw(10)
+    std::cout << std::left << std::setw(18) << families[i].name << std::right << std::setw(10)
               << c.surfaces << std::setw(10) << c.no_surfaces << std::setw(10) << c.compared << std::setw(10)
               << c.with_digits << std::setw(10) << c.certified << std::setw(10) << c.faults << std::setw(14)
               << c.worst_error << std::setw(14) << c.worst_violation << "\n";
@@ -454,18 +453,19 @@ inline void print(const std::vector<Counts>& counts)
 }
 
 // Surface number i depends on the seed plus i alone.
-inline std::vector<Counts> distances_on_hostile_surfaces(std::size_t number, std::uint64_t seed,
-                                                         const std::string& folder = ".")
+inline std::vector<Counts>
+distances_on_hostile_surfaces(std::size_t number, std::uint64_t seed, const std::string& folder = ".",
+                              const hostile_cases::Families& families = hostile_cases::families())
 {
   for(const int signal : {SIGSEGV, SIGABRT, SIGFPE, SIGILL})
   {
     std::signal(signal, tell_seed_and_die);
   }
-  std::vector<Counts> counts(hostile_cases::families().size());
+  std::vector<Counts> counts(families.size());
   for(std::uint64_t s = seed; s < seed + number; ++s)
   {
     seed_at_work() = s;
-    const Distance_case c = case_of_seed(s);
+    const Distance_case c = case_of_seed(s, families);
     const Findings findings = examine(c);
     ++test_support::state().number_of_checks;
     count(findings, counts[s % counts.size()]);
@@ -474,7 +474,7 @@ inline std::vector<Counts> distances_on_hostile_surfaces(std::size_t number, std
       report(c, findings, s, folder);
     }
   }
-  print(counts);
+  print(counts, families);
   return counts;
 }
 

@@ -64,7 +64,8 @@ struct Glued_surface
     {
       const std::size_t a = mesh.faces[s / 3][s % 3], b = mesh.faces[s / 3][(s % 3 + 1) % 3];
       const std::size_t e = edges[s / 3][s % 3];
-      if(a == b || edge_of_ends.insert({std::minmax(a, b), e}).first->second != e || !side_of.insert({{a, b}, s}).second)
+      if(a == b || edge_of_ends.insert({std::minmax(a, b), e}).first->second != e
+         || !side_of.insert({{a, b}, s}).second)
       {
         return false;
       }
@@ -270,8 +271,8 @@ private:
   Glued_surface<FT>& m_surface;
 };
 
-// A halfedge data structure with the same vertices and faces, in their order; halfedge(f) is side 0. `edge_of_side` gets
-// the edge of each side.
+// A halfedge data structure with the same vertices and faces, in their order; halfedge(f) is side 0. `edge_of_side`
+// gets the edge of each side.
 inline Mesh to_face_graph(const Glued_surface<double>& surface,
                           std::vector<std::array<Mesh::Edge_index, 3>>& edge_of_side)
 {
