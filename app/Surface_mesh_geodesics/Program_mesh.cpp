@@ -1,6 +1,8 @@
 #include "Program_mesh.h"
 
 #include "Command_error.h"
+#include "PLY_check.h"
+#include "Polygon_soup.h"
 
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
@@ -24,17 +26,18 @@ namespace geodesics_app {
 
 namespace {
 
-using Polygon = std::vector<std::size_t>;
-
-struct Polygon_soup
-{
-  std::vector<Point> points;
-  std::vector<Polygon> faces;
-};
-
 [[noreturn]] void complain(const std::string& file_name, const std::string& what)
 {
   throw Command_error(Exit_code::BAD_INPUT, file_name + ": " + what);
+}
+
+// the end of a name, in small letters
+std::string ending_of(const std::string& file_name)
+{
+  std::string ending = std::filesystem::path(file_name).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); });
+  return ending;
 }
 
 // Readers say only that they failed; these are the reasons that can be told before.
@@ -51,9 +54,7 @@ void check_file(const std::string& file_name)
     complain(file_name, std::strerror(errno));
   if(fs::is_regular_file(status) && fs::file_size(file_name, error) == 0)
     complain(file_name, "the file is empty");
-  std::string ending = fs::path(file_name).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); });
+  const std::string ending = ending_of(file_name);
   static const std::vector<std::string> known{".off", ".obj", ".ply", ".stl", ".ts"};
   if(std::find(known.begin(), known.end(), ending) == known.end())
     complain(file_name, "the end of the name is none of .off, .obj, .ply, .stl, .ts");
@@ -65,7 +66,12 @@ Polygon_soup read_soup(const std::string& file_name)
   bool is_read = false;
   try
   {
-    is_read = CGAL::IO::read_polygon_soup(file_name, soup.points, soup.faces);
+    const std::string ending = ending_of(file_name);
+    if(ending == ".off")
+      is_read = read_OFF(file_name, soup);
+    else
+      is_read = (ending != ".ply" || may_read_PLY(file_name))
+             && CGAL::IO::read_polygon_soup(file_name, soup.points, soup.faces);
   }
   catch(const std::bad_alloc&)
   {
@@ -93,7 +99,7 @@ void check_points(const std::string& file_name, const Polygon_soup& soup)
 void check_face(const std::string& file_name, const Polygon_soup& soup, std::size_t f)
 {
   const std::string face = "face " + std::to_string(f);
-  Polygon polygon = soup.faces[f];
+  std::vector<std::size_t> polygon = soup.faces[f];
   if(polygon.size() < 3)
     complain(file_name, face + " has fewer than three vertices");
   std::sort(polygon.begin(), polygon.end());

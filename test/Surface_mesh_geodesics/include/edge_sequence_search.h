@@ -106,6 +106,14 @@ private:
   // positive if b is to the left of a, seen from the origin
   static FT turn(const Point& a, const Point& b) { return a.x * b.y - a.y * b.x; }
 
+  // Is there a direction between the two, from the right to the left? At the middle corner of a face without area there
+  // is half a plane of them.
+  static bool is_open(const Point& first, const Point& last)
+  {
+    const FT t = turn(first, last);
+    return t > FT(0) || (t == FT(0) && first.x * last.x + first.y * last.y < FT(0));
+  }
+
   static FT norm(const Point& p)
   {
     using std::sqrt;
@@ -203,7 +211,7 @@ private:
                    const Point& last)
   {
     const auto found = m_face_on_left.find({left, right});
-    if(found == m_face_on_left.end() || m_is_crossed[found->second] || !(turn(first, last) > FT(0))
+    if(found == m_face_on_left.end() || m_is_crossed[found->second] || !is_open(first, last)
        || !(m_offset + nearest_in_cone(r, l, first, last) < m_bound))
     {
       return;

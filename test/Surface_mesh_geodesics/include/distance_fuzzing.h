@@ -1,0 +1,502 @@
+#ifndef SURFACE_MESH_GEODESICS_DISTANCE_FUZZING_H
+#define SURFACE_MESH_GEODESICS_DISTANCE_FUZZING_H
+
+// Distances on random hostile surfaces, checked in two ways that do not believe the propagation: by the certificate,
+// and on small surfaces by unfolding from each source on its own, with more digits. A case that fails is made smaller
+// while it still fails, and saved.
+
+#include "distance_case.h"
+#include "distance_test_helpers.h"
+#include "edge_sequence_search.h"
+#include "hostile_cases.h"
+#include "test_support.h"
+
+#include <CGAL/Surface_mesh_geodesics/certify_geodesic_distances.h>
+#include <CGAL/Surface_mesh_geodesics/geodesic_distances.h>
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <csignal>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <iomanip>
+#include <iostream>
+#include <limits>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace distance_fuzzing {
+
+using namespace test_meshes;
+
+using Fifty_digits
+  = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
+using Options = SMG::Geodesic_distance_options<Mesh, Mesh::Property_map<vertex_descriptor, std::size_t>>;
+using Certificate = SMG::Geodesic_distance_certificate<Mesh>;
+using Condition = Certificate::Condition;
+using Lengths = Mesh::Property_map<Mesh::Edge_index, double>;
+
+// Relative to the distance: what double may err by. Points that are nearer to each other than a few units of rounding
+// of the extent of the surface are not told apart.
+const double tolerance = 1e-12;
+const double tolerance_of_extent = 8 * std::numeric_limits<double>::epsilon();
+
+// From which error on the referee gets more digits.
+const double tolerance_of_referee = 1e-13;
+
+// The function that proves lower bounds may be inaccurate between vertices that are hardly told apart.
+const double tolerance_of_proof = 1e-8;
+
+// The largest surfaces on which distances are compared with those of a referee.
+const std::size_t largest_number_of_faces = 60, largest_number_of_faces_subdivided = 200;
+
+// What has been found; `fault` is empty if all is well.
+struct Findings
+{
+  std::string fault;
+  bool is_surface = true, is_compared = false, needs_digits = false;
+  double worst_error = 0., worst_violation = 0.;
+};
+
+// The user's side of a case: a mesh, perhaps with lengths, and sources as the functions take them.
+struct Input
+{
+  explicit Input(const Distance_case& c) : has_points(c.has_points)
+  {
+    if(has_points)
+    {
+      tm = to_face_graph(c.surface.mesh);
+      for(std::size_t f = 0; f < c.surface.mesh.faces.size(); ++f) // coordinates follow the list of corners
+      {
+        while(tm.source(tm.halfedge(face(f))) != vertex(c.surface.mesh.faces[f][0]))
+        {
+          tm.set_halfedge(face(f), tm.next(tm.halfedge(face(f))));
+        }
+      }
+    }
+    else
+    {
+      std::vector<std::array<Mesh::Edge_index, 3>> edge_of_side;
+      tm = to_face_graph(c.surface, edge_of_side);
+      lengths = tm.add_property_map<Mesh::Edge_index, double>("e:length", 0.).first;
+      for(std::size_t f = 0; f < edge_of_side.size(); ++f)
+      {
+        for(std::size_t k = 0; k < 3; ++k)
+        {
+          lengths[edge_of_side[f][k]] = c.surface.length(f, k);
+        }
+      }
+    }
+    distance = tm.add_property_map<vertex_descriptor, double>("v:distance", -1.).first;
+    options.nearest_source_map = tm.add_property_map<vertex_descriptor, std::size_t>("v:nearest", 0).first;
+    read_sources(c);
+  }
+
+  // calls with the range of vertices or of places
+  template <class Call>
+  auto with_sources(const Call& call) const
+  {
+    return m_vertices.size() == m_places.size() ? call(m_vertices) : call(m_places);
+  }
+
+  void compute()
+  {
+    with_sources([&](const auto& sources)
+    {
+      return has_points ? SMG::geodesic_distances(tm, distance, sources, options)
+                        : SMG::geodesic_distances_from_edge_lengths(tm, lengths, distance, sources, options);
+    });
+  }
+
+  Certificate certificate() const
+  {
+    return with_sources([&](const auto& sources)
+    {
+      return has_points ? SMG::certify_geodesic_distances(tm, distance, sources, options)
+                        : SMG::certify_geodesic_distances_from_edge_lengths(tm, lengths, distance, sources, options);
+    });
+  }
+
+  bool has_points;
+  Mesh tm;
+  Lengths lengths;
+  Mesh::Property_map<vertex_descriptor, double> distance;
+  Options options;
+
+private:
+  // Vertices if all sources are vertices, else places in faces.
+  void read_sources(const Distance_case& c)
+  {
+    bool has_offset = false;
+    for(const Numbered_source& s : c.sources)
+    {
+      has_offset = has_offset || s.offset != 0.;
+      options.source_offsets.push_back(s.offset);
+      if(s.is_vertex())
+      {
+        m_vertices.push_back(vertex(s.vertex));
+      }
+      m_places.push_back(s.is_vertex() ? place_of_vertex(c, s.vertex) : Face_location(face(s.face), s.coordinates));
+    }
+    if(!has_offset)
+    {
+      options.source_offsets.clear();
+    }
+  }
+
+  static Face_location place_of_vertex(const Distance_case& c, std::size_t v)
+  {
+    for(std::size_t f = 0; f < c.surface.mesh.faces.size(); ++f)
+    {
+      for(std::size_t k = 0; k < 3; ++k)
+      {
+        if(c.surface.mesh.faces[f][k] == v)
+        {
+          Face_location place(face(f), {0., 0., 0.});
+          place.second[k] = 1.;
+          return place;
+        }
+      }
+    }
+    return {};
+  }
+
+  std::vector<vertex_descriptor> m_vertices;
+  std::vector<Face_location> m_places;
+};
+
+// --- the referees ---
+
+// The distances of all vertices from one source, without its offset; none where two vertices have several edges even
+// when the surface has been subdivided.
+template <class FT>
+std::vector<FT> distances_from(const Distance_case& c, const Numbered_source& s)
+{
+  Glued_surface<FT> surface = with_digits<FT>(c);
+  const std::array<FT, 3> coordinates{FT(s.coordinates[0]), FT(s.coordinates[1]), FT(s.coordinates[2])};
+  const std::size_t v = s.is_vertex() ? s.vertex : Point_insertion<FT>(surface).insert(s.face, coordinates);
+  while(!surface.is_triangle_mesh())
+  {
+    if(4 * surface.edges.size() > largest_number_of_faces_subdivided)
+    {
+      return {};
+    }
+    surface = midpoint_subdivision(surface);
+  }
+  std::map<std::pair<std::size_t, std::size_t>, FT> lengths;
+  for(std::size_t f = 0; f < surface.edges.size(); ++f)
+  {
+    for(std::size_t k = 0; k < 3; ++k)
+    {
+      lengths[std::minmax(surface.mesh.faces[f][k], surface.mesh.faces[f][(k + 1) % 3])] = surface.length(f, k);
+    }
+  }
+  Edge_sequence_search<FT> search(surface.mesh, [&](std::size_t a, std::size_t b) {
+    return lengths.at(std::minmax(a, b));
+  });
+  std::vector<FT> result = search.from_vertex(v);
+  result.resize(c.surface.mesh.points.size());
+  return result;
+}
+
+inline double extent_of(const Distance_case& c)
+{
+  double extent = 0.;
+  if(!c.has_points)
+  {
+    return *std::max_element(c.surface.lengths.begin(), c.surface.lengths.end());
+  }
+  for(const Triangle& t : c.surface.mesh.faces)
+  {
+    for(const std::size_t v : t)
+    {
+      for(std::size_t i = 0; i < 3; ++i)
+      {
+        const Coordinates& first = c.surface.mesh.points[c.surface.mesh.faces[0][0]];
+        extent = (std::max)(extent, std::abs(c.surface.mesh.points[v][i] - first[i]));
+      }
+    }
+  }
+  return extent;
+}
+
+// by how much a number is wrong, relative to the right one, beyond what the extent allows
+inline double relative_error(double number, double right, double extent)
+{
+  if(number == right)
+  {
+    return 0.;
+  }
+  const double error = (std::max)(std::abs(number - right) - tolerance_of_extent * extent, 0.);
+  return std::isfinite(error) && right >= 0. ? (error > 0. ? error / right : 0.) : infinity;
+}
+
+// The distances, and those from the sources that are told to be the nearest ones, against a referee. Negative if there
+// is none.
+template <class FT>
+double error_against_referee(const Distance_case& c, const Input& input)
+{
+  const double extent = extent_of(c);
+  std::vector<std::vector<FT>> from_source;
+  for(const Numbered_source& s : c.sources)
+  {
+    from_source.push_back(distances_from<FT>(c, s));
+    if(from_source.back().empty())
+    {
+      return -1.;
+    }
+  }
+  double worst = 0.;
+  for(std::size_t v = 0; v < c.surface.mesh.points.size(); ++v)
+  {
+    FT right = std::numeric_limits<FT>::infinity();
+    for(std::size_t i = 0; i < c.sources.size(); ++i)
+    {
+      right = (std::min)(right, FT(from_source[i][v] + FT(c.sources[i].offset)));
+    }
+    const double d = input.distance[vertex(v)], r = static_cast<double>(right);
+    worst = (std::max)(worst, relative_error(d, r, extent));
+    const std::size_t nearest = input.options.nearest_source_map[vertex(v)];
+    if(std::isfinite(r))
+    {
+      const double from_nearest
+        = nearest < c.sources.size() ? static_cast<double>(FT(from_source[nearest][v] + FT(c.sources[nearest].offset)))
+                                     : infinity;
+      worst = (std::max)(worst, relative_error(from_nearest, r, extent));
+    }
+    else if(nearest != input.options.no_source)
+    {
+      worst = infinity;
+    }
+  }
+  return worst;
+}
+
+inline void compare_with_referee(const Distance_case& c, const Input& input, Findings& findings)
+{
+  const double error = c.surface.edges.size() <= largest_number_of_faces ? error_against_referee<long double>(c, input)
+                                                                         : -1.;
+  if(error < 0.)
+  {
+    return;
+  }
+  findings.is_compared = true;
+  findings.worst_error = error;
+  if(!(findings.worst_error <= tolerance_of_referee)) // which of the two has been inaccurate?
+  {
+    findings.needs_digits = true;
+    findings.worst_error = error_against_referee<Fifty_digits>(c, input);
+  }
+  if(!(findings.worst_error <= tolerance))
+  {
+    findings.fault = "a distance differs from that of the referee";
+  }
+}
+
+inline void certify(const Input& input, Findings& findings)
+{
+  const Certificate certificate = input.certificate();
+  findings.worst_violation = certificate.worst_violation();
+  for(std::size_t i = 0; i < Certificate::number_of_conditions; ++i)
+  {
+    const Condition condition = static_cast<Condition>(i);
+    const double allowed = condition == Condition::PROOF ? tolerance_of_proof : Certificate::default_tolerance;
+    if(!(certificate.worst_violation(condition) <= allowed))
+    {
+      findings.fault = std::string("not certified: ") + Certificate::name(condition);
+    }
+  }
+}
+
+inline Findings examine(const Distance_case& c)
+{
+  Findings findings;
+  try
+  {
+    Input input(c);
+    try
+    {
+      input.compute();
+      certify(input, findings);
+      compare_with_referee(c, input, findings);
+    }
+    catch(const std::exception& e)
+    {
+      findings.fault = std::string("an exception: ") + e.what();
+    }
+  }
+  catch(const std::logic_error&) // not every random list of faces is a surface
+  {
+    findings.is_surface = false;
+  }
+  return findings;
+}
+
+// --- cases that fail ---
+
+// takes sources and faces away, first many faces and then single ones, while there still is a fault.
+inline Distance_case shrunk(Distance_case c, std::size_t most_trials = 2000)
+{
+  const auto is_faulty = [&](const Distance_case& smaller)
+  {
+    return most_trials > 0 && !smaller.sources.empty() && --most_trials > 0 && !examine(smaller).fault.empty();
+  };
+  for(std::size_t part = (c.surface.edges.size() + 1) / 2; part > 0; part /= 2)
+  {
+    for(bool is_smaller = true; is_smaller;)
+    {
+      is_smaller = false;
+      for(std::size_t i = c.sources.size(); i-- > 0;)
+      {
+        Distance_case smaller = without_source(c, i);
+        if(is_faulty(smaller))
+        {
+          c = std::move(smaller);
+          is_smaller = true;
+        }
+      }
+      for(std::size_t first = 0; first < c.surface.edges.size();)
+      {
+        Distance_case smaller = with_faces(c, [&](std::size_t f) { return f < first || f >= first + part; });
+        if(is_faulty(smaller))
+        {
+          c = std::move(smaller);
+          is_smaller = true;
+        }
+        else
+        {
+          first += part;
+        }
+      }
+    }
+  }
+  return c;
+}
+
+inline void report(const Distance_case& c, const Findings& findings, std::uint64_t seed, const std::string& folder)
+{
+  test_support::Scope scope(c.name + ", seed " + std::to_string(seed));
+  test_support::report_failure(__FILE__, __LINE__, findings.fault);
+  const Distance_case small = shrunk(c);
+  const std::string stem = folder + "/distances_" + std::to_string(seed);
+  std::cout << "  relative error " << findings.worst_error << ", violation " << findings.worst_violation
+            << "\n  again: fuzz_distances 1 " << seed << "\n";
+  if(write_case(small, stem))
+  {
+    std::cout << "  smaller, " << small.surface.edges.size() << " faces and " << small.sources.size()
+              << " sources: fuzz_distances --case " << stem << std::endl;
+  }
+}
+
+// --- many cases ---
+
+struct Counts
+{
+  std::size_t surfaces = 0, no_surfaces = 0, compared = 0, with_digits = 0, certified = 0, faults = 0;
+  double worst_error = 0., worst_violation = 0.;
+};
+
+inline std::uint64_t& seed_at_work()
+{
+  static std::uint64_t seed = 0;
+  return seed;
+}
+
+// A crash does not hide which surface it was.
+extern "C" inline void tell_seed_and_die(int signal)
+{
+  std::fprintf(stderr, "signal %d at seed %llu; again: fuzz_distances 1 %llu\n", signal,
+               static_cast<unsigned long long>(seed_at_work()), static_cast<unsigned long long>(seed_at_work()));
+  std::_Exit(EXIT_FAILURE);
+}
+
+inline Distance_case case_of_seed(std::uint64_t seed, const hostile_cases::Families& all)
+{
+  test_support::Random random(seed);
+  Distance_case c = all[seed % all.size()].make(random);
+  hostile_cases::add_sources(c, random);
+  return c;
+}
+
+inline void count(const Findings& findings, Counts& counts)
+{
+  ++(findings.is_surface ? counts.surfaces : counts.no_surfaces);
+  counts.compared += findings.is_compared;
+  counts.with_digits += findings.needs_digits;
+  counts.certified += findings.is_surface && findings.worst_violation <= Certificate::default_tolerance;
+  counts.faults += !findings.fault.empty();
+  counts.worst_error = (std::max)(counts.worst_error, findings.worst_error);
+  counts.worst_violation = (std::max)(counts.worst_violation, findings.worst_violation);
+}
+
+inline void print(const std::vector<Counts>& counts, const hostile_cases::Families& families)
+{
+  std::cout << std::left << std::setw(18) << "family" << std::right << std::setw(10) << "surfaces" << std::setw(10)
+            << "none" << std::setw(10) << "compared" << std::setw(10) << "digits" << std::setw(10) << "certified"
+            << std::setw(10) << "faults" << std::setw(14) << "worst error" << std::setw(14) << "violation" << "\n";
+  for(std::size_t i = 0; i < counts.size(); ++i)
+  {
+    const Counts& c = counts[i];
+    std::cout << std::left << std::setw(18) << families[i].name << std::right << std::setw(10)
+              << c.surfaces << std::setw(10) << c.no_surfaces << std::setw(10) << c.compared << std::setw(10)
+              << c.with_digits << std::setw(10) << c.certified << std::setw(10) << c.faults << std::setw(14)
+              << c.worst_error << std::setw(14) << c.worst_violation << "\n";
+  }
+}
+
+// Surface number i depends on the seed plus i alone.
+inline std::vector<Counts>
+distances_on_hostile_surfaces(std::size_t number, std::uint64_t seed, const std::string& folder = ".",
+                              const hostile_cases::Families& families = hostile_cases::families())
+{
+  for(const int signal : {SIGSEGV, SIGABRT, SIGFPE, SIGILL})
+  {
+    std::signal(signal, tell_seed_and_die);
+  }
+  std::vector<Counts> counts(families.size());
+  for(std::uint64_t s = seed; s < seed + number; ++s)
+  {
+    seed_at_work() = s;
+    const Distance_case c = case_of_seed(s, families);
+    const Findings findings = examine(c);
+    ++test_support::state().number_of_checks;
+    count(findings, counts[s % counts.size()]);
+    if(!findings.fault.empty())
+    {
+      report(c, findings, s, folder);
+    }
+  }
+  print(counts, families);
+  return counts;
+}
+
+// Surfaces that have no orientation are no meshes of CGAL: they are refused, not computed.
+inline std::size_t number_refused(std::size_t number, std::uint64_t seed)
+{
+  std::size_t result = 0;
+  for(std::uint64_t s = seed; s < seed + number; ++s)
+  {
+    test_support::Random random(s);
+    try
+    {
+      to_face_graph(hostile_cases::not_orientable(random));
+    }
+    catch(const std::logic_error&)
+    {
+      ++result;
+    }
+  }
+  return result;
+}
+
+} // namespace distance_fuzzing
+
+#endif // SURFACE_MESH_GEODESICS_DISTANCE_FUZZING_H
