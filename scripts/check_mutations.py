@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Shows that the tests find faults: puts one fault at a time into the headers, and runs tests until one fails.
 
-Usage: check_mutations.py [--jobs N] [NAME...]     tries all mutants, or those with the names given
+Usage: check_mutations.py [--jobs N] [NAME...]     tries all mutants, or those named, in this order
        check_mutations.py --list                            names all mutants, with the fault of each
        check_mutations.py --check-table                     is the text that each mutant replaces still there, once?
        check_mutations.py --self-test                       tries this program itself
@@ -414,7 +414,7 @@ def main():
     if unknown:
         parser.error("no such mutant: " + ", ".join(sorted(unknown)))
     if arguments.names:
-        mutants = [m for m in mutants if m.name in arguments.names]
+        mutants = sorted((m for m in mutants if m.name in arguments.names), key=lambda m: arguments.names.index(m.name))
     if arguments.list:
         for m in mutants:
             print(f"{m.name} ({m.file.rsplit('/', 1)[-1]}): {m.fault}")

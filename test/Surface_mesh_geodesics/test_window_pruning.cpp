@@ -247,6 +247,20 @@ void lists_are_trimmed_like_pairs(Lane_choice choice, test_support::Random& rand
   CHECK(number_trimmed > 100 && number_undecided > 100);
 }
 
+void ties_in_lists_are_left_alone(Lane_choice choice)
+{
+  const auto loops = internal::window_list_loops<double, internal::All_pruning_rules>(choice);
+  for(const double begin : {0., .25, .375})
+  {
+    Pool pool;
+    const List list = list_of(pool, {window(.25, .75, .5, .25, .125), window(begin, .875, .5, .25, .125)});
+    internal::Suspects suspects = 0;
+    CHECK(!loops.trim(list.columns, list.size, edge_length, no_rival, no_rival, &suspects));
+    check_trimmed(list.columns.get(0), .25, .75);
+    check_trimmed(list.columns.get(1), begin, .875);
+  }
+}
+
 // Three windows on the same interval: those at the sides are trimmed from one side each, the middle one is trimmed to
 // nothing by both, and is a suspect for that.
 void windows_trimmed_from_both_sides_are_suspects(Lane_choice choice)
@@ -668,6 +682,7 @@ int main()
   for(const Lane_choice choice : {Lane_choice::ONE, Lane_choice::COMPILED, Lane_choice::BEST})
   {
     lists_are_trimmed_like_pairs(choice, random);
+    ties_in_lists_are_left_alone(choice);
     windows_trimmed_from_both_sides_are_suspects(choice);
     close_images_are_not_trimmed(choice);
     vertices_take_windows_away_by_definition(choice, random);
