@@ -99,15 +99,15 @@ struct Counts
   std::size_t emissions = 0, hidden = 0, of_first_face = 0;
 };
 
-// Windows of the final distance are looked at: those of vertices that have been improved since are no longer of use, and
-// a vertex that starts windows once more does so in all faces, which is rare.
+// Windows of the final distance are looked at: those of vertices that have been improved since are no longer of use,
+// and a vertex that starts windows once more does so in all faces, which is rare.
 void look_at_emissions(const Indexed_mesh& indexed, std::size_t source, Counts& counts)
 {
   const Intrinsic_mesh mesh = intrinsic_mesh(to_face_graph(indexed));
   Field field;
   std::vector<Emission> emissions;
-  internal::Distance_propagation<double, internal::All_pruning_rules, Recorder> propagation(
-    mesh, field, Recorder(mesh, emissions));
+  internal::Distance_propagation<double, internal::All_pruning_rules, Recorder> propagation(mesh, field,
+                                                                                            Recorder(mesh, emissions));
   propagation.add_source(static_cast<Vertex_id>(source % mesh.number_of_vertices()), 0.);
   CHECK(propagation.run([](std::size_t, double) { return true; }));
   const double half_turn = std::acos(-1.), margin = 1e-5;
@@ -123,8 +123,8 @@ void look_at_emissions(const Indexed_mesh& indexed, std::size_t source, Counts& 
     {
       ++counts.of_first_face;
     }
-    else if(find_angles(mesh, field, e.vertex, e.face, angles)
-            && (angles[1] < half_turn - margin || angles[2] - angles[0] < half_turn - margin))
+    else if(find_angles(mesh, field, e.vertex, e.face, angles) &&
+            (angles[1] < half_turn - margin || angles[2] - angles[0] < half_turn - margin))
     {
       ++counts.hidden;
     }
@@ -137,7 +137,7 @@ void windows_start_where_paths_bend(std::uint64_t seed)
   for(const Indexed_mesh& indexed : {rough_terrain(12, .3, seed), noisy_sphere(3, .2, seed), saddle_patch(10),
                                      jittered(genus_2_polycube(), .05, seed)})
   {
-    for(const std::size_t source : {0, 17, 40})
+    for(const std::size_t source : {std::size_t(0), std::size_t(17), std::size_t(40)})
     {
       look_at_emissions(indexed, source, counts);
     }

@@ -98,8 +98,7 @@ void right_angles()
 void check_triangle(double a, double b, double c)
 {
   const internal::Planar_triangle<double> found = internal::planar_triangle_from_lengths(a, b, c);
-  const internal::Planar_triangle<long double> expected
-    = internal::planar_triangle_from_lengths<long double>(a, b, c);
+  const internal::Planar_triangle<long double> expected = internal::planar_triangle_from_lengths<long double>(a, b, c);
   CHECK_EQUAL(found.base, a);
   CHECK_CLOSE(found.apex_y, static_cast<double>(expected.apex_y), 1e-14);
   CHECK_NEAR(found.apex_x, static_cast<double>(expected.apex_x), 4e-16 * (std::max)(a, c));

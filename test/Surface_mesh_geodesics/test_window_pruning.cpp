@@ -230,8 +230,7 @@ void lists_are_trimmed_like_pairs(Lane_choice choice, test_support::Random& rand
     Pool pool;
     const List list = list_of(pool, {left, right});
     internal::Suspects suspects = 0;
-    const bool has_suspects
-      = loops.trim(list.columns, list.size, edge_length, no_rival, no_rival, &suspects);
+    const bool has_suspects = loops.trim(list.columns, list.size, edge_length, no_rival, no_rival, &suspects);
     CHECK_EQUAL(has_suspects, suspects != 0);
     Window l = left, r = right;
     const bool are_crossed = right.end <= left.begin;
@@ -507,8 +506,8 @@ void lists_lose_what_vertices_take(Lane_choice choice, test_support::Random& ran
       std::vector<bool> remains;
       for(const Window& w : windows)
       {
-        remains.push_back(!(left.distance + w.end < w.end_distance)
-                          && !(right.distance + (edge_length - w.begin) < w.begin_distance));
+        remains.push_back(!(left.distance + w.end < w.end_distance) &&
+                          !(right.distance + (edge_length - w.begin) < w.begin_distance));
       }
       check_pruned(face, windows, remains);
     }
@@ -623,15 +622,13 @@ Children children_of(One_face& face, const std::vector<Window>& windows)
 
 void lists_are_split_at_their_shortest_path(Lane_choice choice)
 {
-  const auto numbered = [](Window w, std::uint64_t number)
-  {
+  const auto numbered = [](Window w, std::uint64_t number) {
     w.key = number << 8; // not lost when the key is shifted
     w.steps = 2;
     return w;
   };
   One_face face(choice);
-  const auto keys = [](std::vector<std::uint64_t> numbers)
-  {
+  const auto keys = [](std::vector<std::uint64_t> numbers) {
     for(std::uint64_t& n : numbers)
     {
       n <<= 8;
@@ -642,8 +639,7 @@ void lists_are_split_at_their_shortest_path(Lane_choice choice)
   const Window far_left = window(0, .25, .375, .25, 1), middle = window(.25, .75, .5, .25, 0),
                far_right = window(.75, 1, .625, .25, 1);
   {
-    const Children children
-      = children_of(face, {numbered(far_left, 1), numbered(middle, 2), numbered(far_right, 3)});
+    const Children children = children_of(face, {numbered(far_left, 1), numbered(middle, 2), numbered(far_right, 3)});
     CHECK(children.left == keys({1, 2}));
     CHECK(children.right == keys({2, 3}));
   }
