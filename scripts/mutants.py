@@ -201,7 +201,7 @@ MUTANTS = [
     ("separating_point_not_clamped", LIST_CROSSING,
      "best.separating_point = (std::min)((std::max)(m_abscissa[best.index], w.begin), w.end);",
      "best.separating_point = m_abscissa[best.index];",
-     "a list is split beside the interval that its shortest path runs through", (WINDOWS, ANALYTIC, RULES)),
+     "a list is split beside the interval that its shortest path runs through", (WINDOWS,)),
     ("next_suspect_off_by_one", LIST_CROSSING,
      "return (std::min)(i + trailing_zeros(rest), n);", "return (std::min)(i + 1 + trailing_zeros(rest), n);",
      "the window behind a suspect is looked at instead", (WINDOWS,)),
@@ -343,7 +343,8 @@ MUTANTS = [
      "for(const Link_vertex<FT>& link : star.links)\n"
      "      obstacle = (std::max)(obstacle, m_flight_of_vertex[link.vertex]);",
      "",
-     "stars that share faces are worked on at the same time", (PARALLEL_TEST,)),
+     "stars that share faces are worked on at the same time", (PARALLEL_TEST,),
+     "what comes to a star that is out waits for its next visit: there are more visits, and the same distances"),
     ("deferred_vertices_lost", PARALLEL,
      "m_wavefront.queue().push_or_decrease(neighbour.second, neighbour.first);", "static_cast<void>(neighbour);",
      "vertices next to a star that was out are never visited", (PARALLEL_TEST,)),
@@ -446,7 +447,9 @@ MUTANTS = [
 
     # --- certification ---
     ("certificate_ignores_edges", CHECKS,
-     "look_at_way(m_mesh.source(h), m_mesh.target(h), m_mesh.length(h), limit, worst);", "",
+     "        look_at_way(m_mesh.source(h), m_mesh.target(h), m_mesh.length(h), limit, worst);\n"
+     "        look_at_way(m_mesh.target(h), m_mesh.source(h), m_mesh.length(h), limit, worst);\n",
+     "        static_cast<void>(limit);\n",
      "values that are too large beyond an edge are certified", (CERTIFICATION,)),
     ("certificate_ignores_short_paths", CHECKS,
      "worst.look_at(length < values[v] ? FT(values[v] - length) : FT(length - values[v]), length + m_scale[v], v);",

@@ -596,6 +596,24 @@ void the_straighter_of_two_paths_is_taken(Lane_choice choice)
   }
 }
 
+// The line from the image to the next vertex misses the interval: the shortest path bends at the nearer end of it, and
+// the list is split there.
+void paths_bend_at_the_end_of_an_interval(Lane_choice choice)
+{
+  One_face face(choice);
+  for(const bool is_right : {true, false})
+  {
+    Window w = is_right ? window(.75, 1, .5625, .0625, .25) : window(0, .25, .4375, .0625, .25);
+    w.steps = 2;
+    const double end = is_right ? w.begin : w.end;
+    const List list = list_of(face.pool, {w});
+    const auto path = face.crossing.find_apex_path(list, face.across);
+    CHECK_EQUAL(path.separating_point, end);
+    const double to_apex = std::hypot(face.across.apex_x - end, face.across.apex_y);
+    CHECK_CLOSE(path.distance, (is_right ? w.begin_distance : w.end_distance) + to_apex, 1e-14);
+  }
+}
+
 // The children on both sides: which windows they come from is told by their images.
 struct Children
 {
@@ -688,6 +706,7 @@ int main()
     one_window_of_a_pair_is_lost(choice);
     windows_of_unknown_order_are_kept(choice);
     the_straighter_of_two_paths_is_taken(choice);
+    paths_bend_at_the_end_of_an_interval(choice);
     lists_are_split_at_their_shortest_path(choice);
   }
   ties_with_vertices();
