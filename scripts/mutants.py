@@ -50,6 +50,7 @@ EDGE_FUNCTION = INTERNAL + "Edge_distance_function.h"
 
 WINDOWS = "test_window_pruning"
 EMISSION = "test_emission_sector"
+PIECES = "test_straight_pieces"
 PLANE = "test_planar_geometry"
 ANALYTIC = "test_distances_analytic"
 RULES = "test_pruning_rules"
@@ -282,7 +283,7 @@ MUTANTS = [
      "windows are dropped that are not the product of rounding", (FINE, ANALYTIC, PLANAR)),
     ("sideways_tolerance_zero", GEOMETRY,
      "static FT sideways() { return 512 * unit_roundoff(); }", "static FT sideways() { return 0 * unit_roundoff(); }",
-     "a path that meets a vertex passes it on a side that rounding chooses", (PATHS, PATHS_NEAR, PATH_REGRESSIONS)),
+     "a path that meets a vertex passes it on a side that rounding chooses", (PIECES, PATHS, PATHS_NEAR)),
     ("lengthwise_tolerance_zero", GEOMETRY,
      "static FT lengthwise() { return 8 * unit_roundoff(); }", "static FT lengthwise() { return 0 * unit_roundoff(); }",
      "right paths are refused for their rounding", (PATHS_NEAR, HOSTILE_PATHS, PATH_REGRESSIONS)),
@@ -363,10 +364,10 @@ MUTANTS = [
     ("piece_to_the_wrong_side", STRAIGHT,
      "(c.apex_x - s.crossing) * s.image_y - c.apex_y * (s.image_x - s.crossing) > 0);",
      "(c.apex_x - s.crossing) * s.image_y - c.apex_y * (s.image_x - s.crossing) < 0);",
-     "a straight piece turns to the wrong edge", (PATHS, PATH_REGRESSIONS)),
+     "a straight piece turns to the wrong edge", (PIECES,)),
     ("path_to_another_source", STRAIGHT,
      "\n        && m_field.source_of(v) == m_field.source_of(m_start.root);", ";",
-     "a path ends at another source than is told", (PATHS, HOSTILE_PATHS, PATH_REGRESSIONS, PATHS_NEAR)),
+     "a path ends at another source than is told", (PIECES, PATHS)),
     ("length_not_checked", STRAIGHT,
      "return abs(error) <= Tolerance<FT>::path() * m_start.distance + slack();",
      "return abs(error) < Field::infinity();",
