@@ -128,8 +128,11 @@ class Laboratory:
         program = folder / test
         overlays = [f"-I{overlay}"] if overlay else []
         own = [f"-I{self.sources.include}", f"-I{self.sources.tests / 'include'}"]
-        self.call_compiler([*self.precompiled(), *overlays, *own, f"{self.sources.tests / test}.cpp", "-o",
-                            str(program), *self.sources.libraries], folder / f"{test}.log", test)
+        source = self.sources.tests / f"{test}.cpp"
+        # (a test that defines macros does so before it includes anything)
+        common = [] if "#define" in source.read_text(encoding="utf-8") else self.precompiled()
+        self.call_compiler([*common, *overlays, *own, str(source), "-o", str(program), *self.sources.libraries],
+                           folder / f"{test}.log", test)
         return program
 
     def call_compiler(self, arguments, log, what):

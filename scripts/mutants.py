@@ -283,7 +283,7 @@ MUTANTS = [
      "windows are dropped that are not the product of rounding", (FINE, ANALYTIC, PLANAR)),
     ("sideways_tolerance_zero", GEOMETRY,
      "static FT sideways() { return 512 * unit_roundoff(); }", "static FT sideways() { return 0 * unit_roundoff(); }",
-     "a path that meets a vertex passes it on a side that rounding chooses", (PIECES, PATHS, PATHS_NEAR)),
+     "a path that meets a vertex passes it on a side that rounding chooses", (HOSTILE_PATHS,)),
     ("lengthwise_tolerance_zero", GEOMETRY,
      "static FT lengthwise() { return 8 * unit_roundoff(); }", "static FT lengthwise() { return 0 * unit_roundoff(); }",
      "right paths are refused for their rounding", (PATHS_NEAR, HOSTILE_PATHS, PATH_REGRESSIONS)),
