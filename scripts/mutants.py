@@ -27,9 +27,13 @@ ISOLINES = INTERNAL + "isoline_tracing.h"
 FACE_WINDOWS = INTERNAL + "Face_windows.h"
 REMOVAL = INTERNAL + "Redundant_window_removal.h"
 BISECTOR = INTERNAL + "Weighted_bisector.h"
+EDGE_PARTITION = INTERNAL + "Edge_partition.h"
 COMPLEX = INTERNAL + "Voronoi_complex.h"
+LOCATOR = INTERNAL + "Cell_locator.h"
+MEASURES = INTERNAL + "Voronoi_cell_measures.h"
 FACE_CUT = INTERNAL + "Voronoi_face_cut.h"
 CHECKS = INTERNAL + "Distance_checks.h"
+LOWER_BOUND = INTERNAL + "Lower_bound_check.h"
 EDGE_FUNCTION = INTERNAL + "Edge_distance_function.h"
 
 WINDOWS = "test_window_pruning"
@@ -49,6 +53,7 @@ HOSTILE_PATHS = "test_paths_on_hostile_meshes"
 ISOLINE_TEST = "test_isolines"
 BY_HAND = "test_Voronoi_by_hand"
 PLANAR = "test_Voronoi_planar"
+SYMMETRIC = "test_Voronoi_symmetric"
 RANDOM_DIAGRAMS = "test_Voronoi_random"
 CUT = "test_Voronoi_cut"
 CERTIFICATION = "test_certification_of_distances"
@@ -277,10 +282,20 @@ MUTANTS = [
     ("bisector_turned", BISECTOR,
      "    if(m_tx * ny - m_ty * nx < 0)\n", "    if(m_tx * ny - m_ty * nx > 0)\n",
      "curves run backwards", (CUT,)),
+    ("edge_takes_over_by_rounding", EDGE_PARTITION,
+     "return a < b * (1 - 4 * Tolerance<FT>::distance()); }", "return a <= b; }",
+     "on an edge two sources that tie take turns", (SYMMETRIC, BY_HAND, RANDOM_DIAGRAMS)),
     ("nodes_on_edge_not_reversed", COMPLEX,
      "result.is_reversed = o != null_id && o < h;\n    const auto it = m_edge_nodes",
      "result.is_reversed = false;\n    const auto it = m_edge_nodes",
      "the two faces of an edge see its points in the same order", (BY_HAND, CUT)),
+    ("locator_wrong_side", LOCATOR,
+     "return a.left.distance_to(y) < a.right.distance_to(y) ? a.left_site : a.right_site;",
+     "return a.left.distance_to(y) > a.right.distance_to(y) ? a.left_site : a.right_site;",
+     "points are located in the cell on the other side of a curve", (SYMMETRIC,)),
+    ("area_on_both_sides", MEASURES,
+     "m_parts[arc.right_site].add(i, -1);", "m_parts[arc.right_site].add(i);",
+     "what one cell gains at a curve the other one does not lose", (BY_HAND, PLANAR)),
     ("cut_too_coarse", FACE_CUT,
      "if(best == i || (!is_forced && largest <= tolerance))",
      "if(best == i || (!is_forced && largest <= 64 * tolerance))",
@@ -296,6 +311,9 @@ MUTANTS = [
      "worst.look_at(length < values[v] ? FT(values[v] - length) : FT(length - values[v]), length + m_scale[v], v);",
      "worst.look_at(FT(values[v] - length), length + m_scale[v], v);",
      "values that no path attains are certified", (CERTIFICATION,)),
+    ("lower_bound_one_side", LOWER_BOUND,
+     "      check_pieces(right_side(c), c.target, c.apex);\n", "",
+     "a bound that is too large on right sides is believed", (CERTIFICATION,)),
     ("function_turning_places", EDGE_FUNCTION,
      "const FT t = (x * other_depth - other_x * depth) / (other_depth - depth);",
      "const FT t = (x * other_depth + other_x * depth) / (other_depth + depth);",
