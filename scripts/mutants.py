@@ -1,0 +1,321 @@
+"""The faults that check_mutations.py puts into the headers, one at a time.
+
+A row has the name of the mutant, the header, a text that stands there once, what is written instead, why that is a
+fault, and the tests that should find it, the cheapest first. A row of a mutant that changes no answer ends with the
+reason: no test can find it.
+"""
+
+INTERNAL = "CGAL/Surface_mesh_geodesics/internal/"
+
+PRUNING_RULES = INTERNAL + "Pruning_rules.h"
+WINDOW_PRUNING = INTERNAL + "window_pruning.h"
+LANE_PRUNING = INTERNAL + "lanes/lane_pruning.h"
+LIST_LOOPS = INTERNAL + "lanes/List_loops.h"
+WINDOW = INTERNAL + "Window.h"
+WINDOW_LISTS = INTERNAL + "Window_lists.h"
+LIST_CROSSING = INTERNAL + "Window_list_crossing.h"
+GEOMETRY = INTERNAL + "planar_geometry.h"
+FIRST_WINDOW = INTERNAL + "window_of_pseudo_source.h"
+STARS = INTERNAL + "Star_propagation.h"
+SECTOR = INTERNAL + "Emission_sector.h"
+WAVEFRONT = INTERNAL + "Wavefront.h"
+SOURCES = INTERNAL + "Source_insertion.h"
+PARALLEL = INTERNAL + "Parallel_distance_propagation.h"
+FARTHEST = INTERNAL + "Farthest_vertex_queue.h"
+STRAIGHT = INTERNAL + "Straight_piece.h"
+ISOLINES = INTERNAL + "isoline_tracing.h"
+FACE_WINDOWS = INTERNAL + "Face_windows.h"
+REMOVAL = INTERNAL + "Redundant_window_removal.h"
+BISECTOR = INTERNAL + "Weighted_bisector.h"
+EDGE_PARTITION = INTERNAL + "Edge_partition.h"
+COMPLEX = INTERNAL + "Voronoi_complex.h"
+LOCATOR = INTERNAL + "Cell_locator.h"
+MEASURES = INTERNAL + "Voronoi_cell_measures.h"
+FACE_CUT = INTERNAL + "Voronoi_face_cut.h"
+CHECKS = INTERNAL + "Distance_checks.h"
+LOWER_BOUND = INTERNAL + "Lower_bound_check.h"
+EDGE_FUNCTION = INTERNAL + "Edge_distance_function.h"
+
+WINDOWS = "test_window_pruning"
+EMISSION = "test_emission_sector"
+PIECES = "test_straight_pieces"
+PLANE = "test_planar_geometry"
+ANALYTIC = "test_distances_analytic"
+RULES = "test_pruning_rules"
+LANES = "test_numbers_of_lanes"
+NEEDLES = "test_needles_and_caps"
+OPTIONS = "test_options"
+SOLVER = "test_distance_solver"
+PARALLEL_TEST = "test_parallel_propagation"
+SAMPLING = "test_farthest_point_sampling"
+PATHS = "test_paths_interface"
+HOSTILE_PATHS = "test_paths_on_hostile_meshes"
+ISOLINE_TEST = "test_isolines"
+BY_HAND = "test_Voronoi_by_hand"
+PLANAR = "test_Voronoi_planar"
+SYMMETRIC = "test_Voronoi_symmetric"
+RANDOM_DIAGRAMS = "test_Voronoi_random"
+CUT = "test_Voronoi_cut"
+CERTIFICATION = "test_certification_of_distances"
+
+MUTANTS = [
+    # --- the rules that remove windows ---
+    ("rule_1_off", PRUNING_RULES,
+     "rule_1 = true;", "rule_1 = false;",
+     "Rule 1 saves no work", (RULES,)),
+    ("pair_rules_off", PRUNING_RULES,
+     "pair_rules = true;", "pair_rules = false;",
+     "the rules of pairs save no work", (RULES,)),
+    ("vertex_rule_off", PRUNING_RULES,
+     "vertex_rule = true;", "vertex_rule = false;",
+     "checking with vertices saves no work", (RULES,)),
+    ("rival_wins_all_ties", WINDOW_PRUNING,
+     "factor(wins_ties ? 1 + Tolerance<FT>::distance() : 1 - Tolerance<FT>::distance())",
+     "factor(wins_ties ? 1 + Tolerance<FT>::distance() : 1 + Tolerance<FT>::distance())",
+     "a vertex from which no window starts takes windows away that are as near", (WINDOWS,)),
+    ("rival_wins_no_tie", WINDOW_PRUNING,
+     "factor(wins_ties ? 1 + Tolerance<FT>::distance() : 1 - Tolerance<FT>::distance())",
+     "factor(wins_ties ? 1 - Tolerance<FT>::distance() : 1 - Tolerance<FT>::distance())",
+     "among vertices nearer to each other than rounding no path ever ends", (WINDOWS,)),
+    ("vertex_rule_at_near_end", WINDOW_PRUNING,
+     "left.beats(w.end, w.end_distance)", "left.beats(w.begin, w.begin_distance)",
+     "a vertex that is nearer at one end of a new window takes all of it", (WINDOWS,)),
+    ("vertex_rule_in_lanes_at_near_end", LANE_PRUNING,
+     "L::less(left.distance + w.end, w.end_distance * left.factor)",
+     "L::less(left.distance + w.begin, w.begin_distance * left.factor)",
+     "a vertex that is nearer at one end of a window takes all of it", (WINDOWS,)),
+    ("vertex_rule_in_lanes_one_side", LANE_PRUNING,
+     "       | L::less(right.distance + (length - w.begin), w.begin_distance * right.factor);", ";",
+     "windows behind the right vertex are propagated", (WINDOWS,)),
+    ("crossed_windows_wrong_one", WINDOW_PRUNING,
+     "  if(is_clearly_less(at_left, at_right))\n    return Pair_outcome::RIGHT_IS_REDUNDANT;",
+     "  if(is_clearly_less(at_right, at_left))\n    return Pair_outcome::RIGHT_IS_REDUNDANT;",
+     "of two crossed windows the nearer one is removed", (WINDOWS,)),
+    ("crossed_windows_kept", WINDOW_PRUNING,
+     "    return prune_crossed_windows(left, right);", "    return Pair_outcome::KEEP_BOTH;",
+     "Rule 3 saves no work", (WINDOWS,)),
+    ("crossed_windows_place", WINDOW_PRUNING,
+     "const FT h = (left.begin - right.end) / approach;", "const FT h = (right.end - left.begin) / approach;",
+     "crossed windows are compared at a point where they do not cross", (WINDOWS,)),
+    ("pair_trimmed_at_start", WINDOW_PRUNING,
+     "      left.end = k;\n      left.end_distance = of_left;\n      return", "      return",
+     "a window goes on where its right neighbour is nearer", (WINDOWS,)),
+    ("pair_swallows_right", WINDOW_PRUNING,
+     "    if(ends_with_right)\n      return Pair_outcome::RIGHT_IS_REDUNDANT;",
+     "    return Pair_outcome::RIGHT_IS_REDUNDANT;",
+     "a window that is trimmed at its beginning is lost as a whole", (WINDOWS,)),
+    ("pair_in_lanes_no_margin", LANE_PRUNING,
+     "L::all(FT(1 - Tolerance<FT>::distance()))", "L::all(FT(1 + Tolerance<FT>::distance()))",
+     "two windows that tie are trimmed against each other", (WINDOWS,)),
+    ("pair_in_lanes_end", LANE_PRUNING,
+     "left_end = L::select(ends_at_first, first,", "left_end = L::select(ends_at_first, last,",
+     "a window that should end at the left end of the shared part ends at the right one", (WINDOWS,)),
+    ("pair_in_lanes_begins_too_late", LANE_PRUNING,
+     "L::except(goes_on & starts_with_left & left_is_nearer_first,", "L::except(goes_on & left_is_nearer_first,",
+     "a window begins at the left end of the shared part though it is not inside the other one", (WINDOWS,)),
+    ("close_images_trimmed", LANE_PRUNING,
+     "(overlap & L::less_equal(depth, L::all(close_depth)))\n"
+     "               | (overlap & L::less_equal(right.end, left.begin))",
+     "(overlap & L::less_equal(right.end, left.begin))",
+     "windows whose image is too near are trimmed, which turns their paths", (WINDOWS,)),
+    ("redundant_right_not_suspect", LANE_PRUNING,
+     "               | (goes_on & left_is_nearer_last & ends_with_right);",
+     "               | (goes_on & left_is_nearer_last & ends_with_right & starts_with_left);",
+     "a window that is redundant as a whole is trimmed to nothing unseen", (WINDOWS,)),
+
+    # --- windows and their order ---
+    ("order_always_known", WINDOW,
+     "return a.key == b.key && (a.is_marked() || b.is_marked());", "return false && a.key == b.key;",
+     "pairs are pruned whose order has been lost", (WINDOWS,)),
+    ("too_close_never", WINDOW,
+     "return w.image_depth <= Tolerance<FT>::closeness() * length", "return w.image_depth < 0 * length",
+     "windows whose image is too near are trimmed, which turns their paths", (WINDOWS,)),
+    ("minimum_of_window_at_end", WINDOW,
+     "    return root_distance + image_depth;\n", "    return (std::max)(begin_distance, end_distance);\n",
+     "the smallest distance of a new window is too large: a radius cuts it off", (WINDOWS,)),
+    ("merge_before_equal_keys", WINDOW_LISTS,
+     "std::upper_bound(key + old,", "std::lower_bound(key + old,",
+     "windows that came later are put before those with the same key, and not marked", (WINDOWS,)),
+    ("merge_unmarked", WINDOW_LISTS,
+     "          to.history()[n] |= one_step;\n          list.steps |= 1;\n", "          list.steps |= 0;\n",
+     "windows whose order is unknown are not marked", (WINDOWS,)),
+    ("merge_not_needed", WINDOW_LISTS,
+     "if(middle > 0 && !(key[middle - 1] < key[middle]))", "if(middle > 0 && key[middle - 1] == key[middle])",
+     "lists are joined that are out of order", (WINDOWS,)),
+    ("last_lane_left_out", LIST_LOOPS,
+     "const Mask is_pair = L::first(n - 1 - i);", "const Mask is_pair = L::first(n - i);",
+     "the last window of a list is trimmed by what stands behind it in memory", (LANES, ANALYTIC)),
+    ("nearest_takes_last_tie", LIST_LOOPS,
+     "const Mask is_better = is_window & L::less(d, distance);",
+     "const Mask is_better = is_window & L::less_equal(d, distance);",
+     "of windows that tie another one is taken with more lanes", (LANES,)),
+
+    # --- lists across faces ---
+    ("straighter_path_not_taken", LIST_CROSSING,
+     "while(is_to_right ? best.index + 1 < list.size", "while(is_to_right ? best.index + 1 < 0 * list.size",
+     "a list is split where a bent path crosses it, and a gap opens", (WINDOWS,)),
+    ("best_window_one_side", LIST_CROSSING,
+     "cross(m_loops.cross_left, list, 0, path.index + 1, c, to_left, m_left);",
+     "cross(m_loops.cross_left, list, 0, path.index, c, to_left, m_left);",
+     "the nearest window loses its left part", (WINDOWS,)),
+    ("split_by_unknown_order", LIST_CROSSING,
+     "i == path.index || is_order_unknown(w, best)\n                           || is_too_close_to_trim(w, c.length)",
+     "i == path.index || is_too_close_to_trim(w, c.length)",
+     "a window loses a side though its place beside the nearest one is unknown", (WINDOWS,)),
+    ("split_against_key", LIST_CROSSING,
+     "|| (i < path.index ? w.begin > s : w.end < s);", ";",
+     "a window loses a side that its key does not tell it to lose", (WINDOWS,)),
+    ("separating_point_not_clamped", LIST_CROSSING,
+     "best.separating_point = (std::min)((std::max)(m_abscissa[best.index], w.begin), w.end);",
+     "best.separating_point = m_abscissa[best.index];",
+     "a list is split beside the interval that its shortest path runs through", (WINDOWS,)),
+    ("next_suspect_off_by_one", LIST_CROSSING,
+     "return (std::min)(i + trailing_zeros(rest), n);", "return (std::min)(i + 1 + trailing_zeros(rest), n);",
+     "the window behind a suspect is looked at instead", (WINDOWS,)),
+    ("next_suspect_skips_words", LIST_CROSSING,
+     "i = (i / suspects_in_word + 1) * suspects_in_word;", "i = (i / suspects_in_word + 2) * suspects_in_word;",
+     "every second group of suspects is passed over", (WINDOWS,)),
+    ("two_removed_for_one", LIST_CROSSING,
+     "        --last;\n", "        last -= last > 1 ? 2 : 1;\n",
+     "with a redundant window its neighbour goes as well", (WINDOWS,)),
+    ("stale_windows_kept", LIST_CROSSING,
+     "if(w.root_distance > m_distance[w.root] || w.number_of_crossings()",
+     "if(w.number_of_crossings()",
+     "windows of a pseudo-source that has been improved since are propagated", (WINDOWS,)),
+    ("runs_around_for_ever", LIST_CROSSING,
+     "if(w.root_distance > m_distance[w.root] || w.number_of_crossings() > m_mesh.number_of_faces()\n       || (Rules",
+     "if(w.root_distance > m_distance[w.root] || (Rules",
+     "paths around faces without area never end", (WINDOWS,)),
+
+    # --- stars, where windows start, the wavefront ---
+    ("first_window_mirrored", FIRST_WINDOW,
+     "w.image_x = c.length - c.apex_x;", "w.image_x = c.apex_x;",
+     "the image is at the mirrored place", (ANALYTIC,)),
+    ("emission_again_for_rounding", STARS,
+     "      && (!may_emit || is_clearly_less(d, distance) ||", "      && (!may_emit || d < distance ||",
+     "windows start once more for an improvement by rounding", (WINDOWS,)),
+    ("no_sector", SECTOR,
+     "m_is_in_sector[f] = 0;\n      f = star.faces[f].next;", "f = star.faces[f].next;",
+     "windows start in faces that no path bends into", (EMISSION,)),
+    ("list_waits_too_long", WAVEFRONT,
+     "m_queue.push_or_decrease(m_field.distance[b] < m_field.distance[a] ? b : a, f.outward_distance);",
+     "m_queue.push_or_decrease(m_field.distance[b] < m_field.distance[a] ? b : a, 2 * f.outward_distance);",
+     "lists are visited too late: distances are said to be final that are not", (OPTIONS,)),
+    ("bends_nowhere", WAVEFRONT,
+     "      m_emission[v] |= MUST_EMIT;\n      m_queue.push_or_decrease(v, link.distance);\n", "",
+     "no path bends at a saddle", (ANALYTIC,)),
+    ("unreached_vertices_left", WAVEFRONT,
+     "if(reached == m_mesh.number_of_vertices() || reached == m_reached_at_last_start)", "if(reached > 0)",
+     "vertices between faces thinner than rounding are not reached", (NEEDLES,)),
+
+    # --- tolerances ---
+    ("distance_tolerance_zero", GEOMETRY,
+     "static FT distance() { return 4 * unit_roundoff(); }", "static FT distance() { return 0 * unit_roundoff(); }",
+     "ties are decided by rounding", (PLANE,)),
+    ("distance_tolerance_wide", GEOMETRY,
+     "static FT distance() { return 4 * unit_roundoff(); }", "static FT distance() { return 4e6 * unit_roundoff(); }",
+     "distances that differ are taken for the same", (PLANE,)),
+    ("sideways_tolerance_zero", GEOMETRY,
+     "static FT sideways() { return 512 * unit_roundoff(); }", "static FT sideways() { return 0 * unit_roundoff(); }",
+     "a path that meets a vertex passes it on a side that rounding chooses", (PIECES, HOSTILE_PATHS),
+     "a path that goes astray is found out by its length, and looked for without this tolerance (Path_search.h)"),
+    ("angle_tolerance_zero", GEOMETRY,
+     "static FT angle() { return 1024 * unit_roundoff(); }", "static FT angle() { return 0 * unit_roundoff(); }",
+     "flat vertices are taken for saddles, by rounding", (PLANE,)),
+    ("angle_tolerance_wide", GEOMETRY,
+     "static FT angle() { return 1024 * unit_roundoff(); }", "static FT angle() { return 1024e9 * unit_roundoff(); }",
+     "no path bends at a slight saddle", (PLANE,)),
+    ("area_of_needles", GEOMETRY,
+     "* ((a - (x - y)) / x) * ((a + (x - y)) / x) *", "* (((a + y) - x) / x) * (((a + x) - y) / x) *",
+     "the area of needles is lost in rounding", (PLANE,)),
+    ("apex_mirrored", GEOMETRY,
+     "t.apex_x = (a + (c - b) * (c + b) / a) / 2;", "t.apex_x = (a + (b - c) * (c + b) / a) / 2;",
+     "triangles are laid out as their mirror images", (PLANE,)),
+    ("three_half_turns_are_full", GEOMETRY,
+     "return s <= width * c && (turns == 0 || cosine > 0);", "return s <= width * c;",
+     "a vertex with three half turns around it is taken for a flat one", (PLANE,)),
+
+    # --- the mesh, sources ---
+    ("split_edge_other_side", SOURCES,
+     "= split_side(o, wb, wa, length, v, kept);", "= split_side(o, wa, wb, length, v, kept);",
+     "a source on an edge is at the mirrored place in the face on the other side", (ANALYTIC,)),
+    ("split_not_undone", SOURCES,
+     "    for(; !m_renamed.empty(); m_renamed.pop_back())\n"
+     "      rename(m_renamed.back().vertices, m_renamed.back().to, m_renamed.back().from);\n",
+     "    m_renamed.clear();\n",
+     "after a source in a face the mesh is not what it was", (SOLVER, PATHS)),
+
+    # --- parallel propagation, sampling ---
+    ("neighbours_at_the_same_time", PARALLEL,
+     "for(const Link_vertex<FT>& link : star.links)\n"
+     "      obstacle = (std::max)(obstacle, m_flight_of_vertex[link.vertex]);",
+     "",
+     "stars that share faces are worked on at the same time", (PARALLEL_TEST,),
+     "what comes to a star that is out waits for its next visit: there are more visits, and the same distances"),
+    ("deferred_vertices_lost", PARALLEL,
+     "m_wavefront.queue().push_or_decrease(neighbour.second, neighbour.first);", "static_cast<void>(neighbour);",
+     "vertices next to a star that was out are never visited", (PARALLEL_TEST,)),
+    ("parallel_end_too_early", PARALLEL,
+     "      key = (std::min)(key, flight(i).key);\n", "",
+     "a run to targets ends while nearer stars are under way", (PARALLEL_TEST,)),
+    ("farthest_not_up_to_date", FARTHEST,
+     "if(!(m_distance[top.second] < top.first))",
+     "if(m_distance[top.second] > 0 || !(m_distance[top.second] < top.first))",
+     "a vertex is taken for the farthest by a distance that it had before", (SAMPLING,)),
+
+    # --- paths, points, isolines ---
+    ("piece_to_the_wrong_side", STRAIGHT,
+     "(c.apex_x - s.crossing) * s.image_y - c.apex_y * (s.image_x - s.crossing) > 0);",
+     "(c.apex_x - s.crossing) * s.image_y - c.apex_y * (s.image_x - s.crossing) < 0);",
+     "a straight piece turns to the wrong edge", (PIECES,)),
+    ("isoline_touching_edge", ISOLINES,
+     "return nearest < value && value <= farthest;", "return false && nearest < farthest;",
+     "lines that cross an edge twice are not found there", (ISOLINE_TEST,)),
+
+    # --- Voronoi diagrams ---
+    ("chunk_of_windows_lost", FACE_WINDOWS,
+     "m_chunks[c].next = first;", "m_chunks[c].next = null_id;",
+     "of many windows of an edge only the last ones are remembered", (CUT, PLANAR, RANDOM_DIAGRAMS)),
+    ("one_corner_is_enough", REMOVAL,
+     "if(owner(corner[1]) != source || owner(corner[2]) != source)", "if(owner(corner[1]) != source)",
+     "a face is said to be in one cell by two of its corners", (BY_HAND, CUT)),
+    ("bisector_turned", BISECTOR,
+     "    if(m_tx * ny - m_ty * nx < 0)\n", "    if(m_tx * ny - m_ty * nx > 0)\n",
+     "curves run backwards", (CUT,)),
+    ("edge_takes_over_by_rounding", EDGE_PARTITION,
+     "return a < b * (1 - 4 * Tolerance<FT>::distance()); }", "return a <= b; }",
+     "on an edge two sources that tie take turns", (SYMMETRIC, BY_HAND, RANDOM_DIAGRAMS)),
+    ("nodes_on_edge_not_reversed", COMPLEX,
+     "result.is_reversed = o != null_id && o < h;\n    const auto it = m_edge_nodes",
+     "result.is_reversed = false;\n    const auto it = m_edge_nodes",
+     "the two faces of an edge see its points in the same order", (BY_HAND, CUT)),
+    ("locator_wrong_side", LOCATOR,
+     "return a.left.distance_to(y) < a.right.distance_to(y) ? a.left_site : a.right_site;",
+     "return a.left.distance_to(y) > a.right.distance_to(y) ? a.left_site : a.right_site;",
+     "points are located in the cell on the other side of a curve", (SYMMETRIC,)),
+    ("area_on_both_sides", MEASURES,
+     "m_parts[arc.right_site].add(i, -1);", "m_parts[arc.right_site].add(i);",
+     "what one cell gains at a curve the other one does not lose", (BY_HAND, PLANAR)),
+    ("cut_too_coarse", FACE_CUT,
+     "if(best == i || (!is_forced && largest <= tolerance))",
+     "if(best == i || (!is_forced && largest <= 64 * tolerance))",
+     "cut meshes are farther from the arcs than is asked for", (CUT,)),
+
+    # --- certification ---
+    ("certificate_ignores_edges", CHECKS,
+     "        look_at_way(m_mesh.source(h), m_mesh.target(h), m_mesh.length(h), limit, worst);\n"
+     "        look_at_way(m_mesh.target(h), m_mesh.source(h), m_mesh.length(h), limit, worst);\n",
+     "        static_cast<void>(limit);\n",
+     "values that are too large beyond an edge are certified", (CERTIFICATION,)),
+    ("certificate_ignores_short_paths", CHECKS,
+     "worst.look_at(length < values[v] ? FT(values[v] - length) : FT(length - values[v]), length + m_scale[v], v);",
+     "worst.look_at(FT(values[v] - length), length + m_scale[v], v);",
+     "values that no path attains are certified", (CERTIFICATION,)),
+    ("lower_bound_one_side", LOWER_BOUND,
+     "      check_pieces(right_side(c), c.target, c.apex);\n", "",
+     "a bound that is too large on right sides is believed", (CERTIFICATION,)),
+    ("function_turning_places", EDGE_FUNCTION,
+     "const FT t = (x * other_depth - other_x * depth) / (other_depth - depth);",
+     "const FT t = (x * other_depth + other_x * depth) / (other_depth + depth);",
+     "distances along an edge are compared at the wrong places", (CERTIFICATION,)),
+]

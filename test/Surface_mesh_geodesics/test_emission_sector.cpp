@@ -1,0 +1,158 @@
+// Where paths bend at a vertex, windows start in the faces that a shortest path can go on into, and in no others: those
+// that lie within half a turn of the direction of arrival, on one of its sides, see nothing new.
+
+#include "intrinsic_mesh_helpers.h"
+#include "test_meshes.h"
+#include "test_support.h"
+
+#include <CGAL/Surface_mesh_geodesics/internal/Distance_propagation.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+using namespace test_meshes;
+
+namespace {
+
+namespace internal = CGAL::Surface_mesh_geodesics::internal;
+using internal::Halfedge_id;
+using internal::Vertex_id;
+using Intrinsic_mesh = internal::Intrinsic_mesh<double>;
+using Field = internal::Vertex_distance_field<double>;
+
+// The faces into which a vertex has sent windows, with the distance that it had then.
+struct Emission
+{
+  Vertex_id vertex;
+  internal::Face_id face;
+  double distance;
+};
+
+// Is told of all windows that are propagated. Those that have crossed no face yet are new.
+class Recorder
+{
+public:
+  Recorder(const Intrinsic_mesh& mesh, std::vector<Emission>& emissions) : m_mesh(&mesh), m_emissions(&emissions) {}
+
+  void keep(Halfedge_id h, const internal::Window_list<double>& list) const
+  {
+    for(std::size_t i = 0; i < list.size; ++i)
+    {
+      const internal::Window<double> w = list.columns.get(i);
+      if(w.number_of_crossings() == 0)
+      {
+        m_emissions->push_back(Emission{w.root, internal::face_of(m_mesh->opposite(h)), w.root_distance});
+      }
+    }
+  }
+
+  void advance(double) const {}
+
+private:
+  const Intrinsic_mesh* m_mesh;
+  std::vector<Emission>* m_emissions;
+};
+
+// the angle at corner k of a face
+double angle_of_corner(const Intrinsic_mesh& mesh, Halfedge_id h)
+{
+  const auto corner = Intrinsic_mesh::corner(mesh.face(internal::face_of(h)), internal::place_in_face(h));
+  return std::atan2(corner.second, corner.first);
+}
+
+// The angles, counterclockwise from the direction in which the path arrives at a vertex, between which a face lies; the
+// third number is the sum of all angles. Only for vertices that faces surround.
+bool find_angles(const Intrinsic_mesh& mesh, const Field& field, Vertex_id v, internal::Face_id f,
+                 std::array<double, 3>& angles)
+{
+  const Halfedge_id across = field.arrival[v].halfedge, first = internal::previous_halfedge(across);
+  const internal::Crossing<double> c = mesh.crossing(across);
+  const double x = field.arrival[v].crossing;
+  // the part of the face of arrival that follows counterclockwise
+  const double dx = x - c.apex_x, dy = -c.apex_y, bx = c.length - c.apex_x, by = -c.apex_y;
+  const double begin = std::atan2(dx * by - dy * bx, dx * bx + dy * by);
+  double angle = begin;
+  bool is_found = false;
+  for(Halfedge_id h = mesh.next_around_source(first); h != first; h = mesh.next_around_source(h))
+  {
+    if(h == internal::null_id)
+    {
+      return false;
+    }
+    const double next = angle + angle_of_corner(mesh, h);
+    if(internal::face_of(h) == f)
+    {
+      angles[0] = angle;
+      angles[1] = next;
+      is_found = true;
+    }
+    angle = next;
+  }
+  angles[2] = angle - begin + angle_of_corner(mesh, first);
+  return is_found;
+}
+
+struct Counts
+{
+  std::size_t emissions = 0, hidden = 0, of_first_face = 0;
+};
+
+// Windows of the final distance are looked at: those of vertices that have been improved since are no longer of use,
+// and a vertex that starts windows once more does so in all faces, which is rare.
+void look_at_emissions(const Indexed_mesh& indexed, std::size_t source, Counts& counts)
+{
+  const Intrinsic_mesh mesh = intrinsic_mesh(to_face_graph(indexed));
+  Field field;
+  std::vector<Emission> emissions;
+  internal::Distance_propagation<double, internal::All_pruning_rules, Recorder> propagation(mesh, field,
+                                                                                            Recorder(mesh, emissions));
+  propagation.add_source(static_cast<Vertex_id>(source % mesh.number_of_vertices()), 0.);
+  CHECK(propagation.run([](std::size_t, double) { return true; }));
+  const double half_turn = std::acos(-1.), margin = 1e-5;
+  for(const Emission& e : emissions)
+  {
+    if(field.is_source(e.vertex) || e.distance != field.distance[e.vertex])
+    {
+      continue;
+    }
+    ++counts.emissions;
+    std::array<double, 3> angles;
+    if(e.face == internal::face_of(field.arrival[e.vertex].halfedge))
+    {
+      ++counts.of_first_face;
+    }
+    else if(find_angles(mesh, field, e.vertex, e.face, angles) &&
+            (angles[1] < half_turn - margin || angles[2] - angles[0] < half_turn - margin))
+    {
+      ++counts.hidden;
+    }
+  }
+}
+
+void windows_start_where_paths_bend(std::uint64_t seed)
+{
+  Counts counts;
+  for(const Indexed_mesh& indexed : {rough_terrain(12, .3, seed), noisy_sphere(3, .2, seed), saddle_patch(10),
+                                     jittered(genus_2_polycube(), .05, seed)})
+  {
+    for(const std::size_t source : {std::size_t(0), std::size_t(17), std::size_t(40)})
+    {
+      look_at_emissions(indexed, source, counts);
+    }
+  }
+  std::cout << counts.emissions << " windows of vertices where paths bend, " << counts.hidden + counts.of_first_face
+            << " of them in hidden faces" << std::endl;
+  CHECK(counts.emissions > 1000);
+  CHECK(100 * counts.hidden <= counts.emissions);
+  CHECK(100 * counts.of_first_face <= counts.emissions);
+}
+
+} // namespace
+
+int main()
+{
+  windows_start_where_paths_bend(test_support::announce_seed(20261123));
+  return test_result();
+}

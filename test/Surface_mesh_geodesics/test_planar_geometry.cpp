@@ -1,0 +1,163 @@
+// The formulas of the plane that everything rests on: sums of angles around a vertex, triangles from their sides,
+// comparison of distances; each of them where rounding matters.
+
+#include "test_support.h"
+
+#include <CGAL/Surface_mesh_geodesics/internal/planar_geometry.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace {
+
+namespace internal = CGAL::Surface_mesh_geodesics::internal;
+using Angle_sum = internal::Angle_sum<double>;
+
+const double pi = std::acos(-1.);
+
+// --- angles ----------------------------------------------------------------------------------------------------------
+
+void add_angle(Angle_sum& sum, double angle, double scale)
+{
+  sum.add(scale * std::cos(angle), scale * std::sin(angle));
+}
+
+// an angle divided into n parts, each less than pi, of sizes as different as random numbers are.
+Angle_sum divided(double angle, std::size_t n, test_support::Random& random)
+{
+  std::vector<double> parts;
+  double total = 0;
+  for(std::size_t i = 0; i < n; ++i)
+  {
+    parts.push_back(random.uniform(.5, 1.));
+    total += parts.back();
+  }
+  Angle_sum sum;
+  for(const double p : parts)
+  {
+    add_angle(sum, angle * p / total, random.uniform(1e-6, 1e6));
+  }
+  return sum;
+}
+
+// Angles of the size `half_turns` times pi and of sizes next to it, in many parts.
+void flat_angles_are_told_from_others(test_support::Random& random)
+{
+  const double margin = 1e-9; // far more than rounding, and far less than what a mesh shows
+  for(std::size_t n = 6; n < 200; n += 1 + n / 4)
+  {
+    CHECK(!divided(2 * pi, n, random).is_more_than_full());
+    CHECK(!divided(2 * pi - margin, n, random).is_more_than_full());
+    CHECK(divided(2 * pi + margin, n, random).is_more_than_full());
+    CHECK(!divided(pi, n, random).is_more_than_half());
+    CHECK(!divided(pi - margin, n, random).is_more_than_half());
+    CHECK(divided(pi + margin, n, random).is_more_than_half());
+  }
+}
+
+void large_and_small_sums_of_angles(test_support::Random& random)
+{
+  for(std::size_t n = 16; n < 100; n += 7)
+  {
+    for(const double angle : {.001, 1., 3., pi, 4., 5.})
+    {
+      CHECK(!divided(angle, n, random).is_more_than_full());
+      CHECK_EQUAL(divided(angle, n, random).is_more_than_half(), angle > 3.5);
+    }
+    for(const double half_turns : {2.5, 2.99, 3., 3.01, 3.5, 4., 4.5, 5., 6., 7.})
+    {
+      for(const double rounding : {-1e-14, 0., 1e-14})
+      {
+        const Angle_sum sum = divided(half_turns * pi + rounding, n, random);
+        CHECK(sum.is_more_than_full());
+        CHECK(sum.is_more_than_half());
+      }
+    }
+  }
+  CHECK(!Angle_sum().is_more_than_full());
+  CHECK(!Angle_sum().is_more_than_half());
+}
+
+// Right angles are exact.
+void right_angles()
+{
+  Angle_sum sum;
+  for(int n = 1; n <= 12; ++n)
+  {
+    sum.add(0., 2.);
+    CHECK_EQUAL(sum.is_more_than_half(), n > 2);
+    CHECK_EQUAL(sum.is_more_than_full(), n > 4);
+  }
+}
+
+// --- triangles -------------------------------------------------------------------------------------------------------
+
+// The same triangle, with more digits: lengths are taken as they are, so that there is one right answer.
+void check_triangle(double a, double b, double c)
+{
+  const internal::Planar_triangle<double> found = internal::planar_triangle_from_lengths(a, b, c);
+  const internal::Planar_triangle<long double> expected = internal::planar_triangle_from_lengths<long double>(a, b, c);
+  CHECK_EQUAL(found.base, a);
+  CHECK_CLOSE(found.apex_y, static_cast<double>(expected.apex_y), 1e-14);
+  CHECK_NEAR(found.apex_x, static_cast<double>(expected.apex_x), 4e-16 * (std::max)(a, c));
+  // and the sides are what they were
+  CHECK_CLOSE(internal::norm<double>(found.apex_x, found.apex_y), c, 1e-15);
+  CHECK_CLOSE(internal::norm<double>(found.apex_x - a, found.apex_y), b, 1e-15);
+}
+
+void triangles_have_their_sides(test_support::Random& random)
+{
+  for(std::size_t i = 0; i < 2000; ++i)
+  {
+    const double a = std::pow(10., random.uniform(-9., 0.));
+    // the angle at the first corner, and the side there
+    const double angle = random.uniform(.01, 3.13), c = random.uniform(1., 2.);
+    const double b = std::hypot(c * std::cos(angle) - a, c * std::sin(angle));
+    if(a <= b)
+    {
+      check_triangle(a, b, c);
+    }
+  }
+}
+
+void triangles_without_area()
+{
+  const internal::Planar_triangle<double> cap = internal::planar_triangle_from_lengths(1., 2., 3.);
+  CHECK_EQUAL(cap.apex_y, 0.);
+  CHECK_EQUAL(cap.apex_x, 3.);
+  const internal::Planar_triangle<double> needle = internal::planar_triangle_from_lengths(0., 2., 2.);
+  CHECK_EQUAL(needle.apex_y, 0.);
+  CHECK_EQUAL(needle.apex_x, 2.);
+}
+
+// --- comparison ------------------------------------------------------------------------------------------------------
+
+void rounding_does_not_decide()
+{
+  for(const double d : {1e-150, 1e-3, 1., 7., 1e150})
+  {
+    const double next = std::nextafter(d, 2 * d);
+    CHECK(!internal::is_clearly_less(d, d));
+    CHECK(!internal::is_clearly_less(d, next));
+    CHECK(!internal::is_clearly_less(next, d));
+    CHECK(internal::is_clearly_less(d, d * (1 + 1e-14)));
+    CHECK(!internal::is_clearly_less(d * (1 + 1e-14), d));
+  }
+  CHECK(internal::is_clearly_less(0., 1e-300));
+}
+
+} // namespace
+
+int main()
+{
+  test_support::Random random(test_support::announce_seed(20261122));
+  flat_angles_are_told_from_others(random);
+  large_and_small_sums_of_angles(random);
+  right_angles();
+  triangles_have_their_sides(random);
+  triangles_without_area();
+  rounding_does_not_decide();
+  return test_support::test_result();
+}
