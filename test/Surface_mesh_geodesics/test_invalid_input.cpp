@@ -125,6 +125,40 @@ void faces_that_are_no_triangles_are_refused()
   expect_refusal_of_sources(pentagon, Reason::NOT_A_TRIANGLE, 0, "pentagon", vertex(0));
 }
 
+void faces_that_make_no_surface_are_refused()
+{
+  const auto refuse = [](const Mesh& tm, std::size_t element, const char* what) {
+    expect_refusal_of_sources(tm, Reason::NON_MANIFOLD, element, what, vertex(0));
+    auto lengths = get(CGAL::dynamic_edge_property_t<double>(), tm);
+    for(const auto e : edges(tm))
+    {
+      put(lengths, e, 1.);
+    }
+    expect_refusal(tm, Reason::NON_MANIFOLD, element, what, [&](auto distance_map, auto) {
+      SMG::geodesic_distances_from_edge_lengths(tm, lengths, distance_map, vertex(0));
+    });
+  };
+  Mesh cone; // one triangle, of which two sides are glued: its third side is a loop
+  const vertex_descriptor rim = cone.add_vertex(Kernel::Point_3(1., 0., 0.));
+  const vertex_descriptor tip = cone.add_vertex(Kernel::Point_3(0., 0., 1.));
+  const Mesh::Halfedge_index up = cone.add_edge(rim, tip), around = cone.add_edge(rim, rim), down = opposite(up, cone);
+  const Mesh::Face_index f = cone.add_face();
+  for(const auto& pair : {std::make_pair(up, down), std::make_pair(down, around), std::make_pair(around, up)})
+  {
+    cone.set_next(pair.first, pair.second);
+    cone.set_face(pair.first, f);
+  }
+  cone.set_next(opposite(around, cone), opposite(around, cone));
+  cone.set_halfedge(f, up);
+  cone.set_halfedge(rim, opposite(around, cone));
+  cone.set_halfedge(tip, up);
+  refuse(cone, 0, "face with a vertex twice");
+
+  Mesh torn = to_face_graph(icosphere(1));
+  torn.set_target(halfedge(face(7), torn), vertex(40)); // a vertex elsewhere
+  refuse(torn, any_element, "two faces that disagree");
+}
+
 void points_that_are_not_finite_are_refused()
 {
   for(const double bad : {nan_value, infinity, -infinity})
@@ -407,6 +441,7 @@ void catching_the_base_class_works()
 int main()
 {
   faces_that_are_no_triangles_are_refused();
+  faces_that_make_no_surface_are_refused();
   points_that_are_not_finite_are_refused();
   bad_edge_lengths_are_refused();
   a_degenerate_triangle_is_allowed();

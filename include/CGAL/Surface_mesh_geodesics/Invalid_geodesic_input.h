@@ -44,7 +44,7 @@ public:
     INVALID_OFFSET,      ///< an offset is negative or not finite, or there is not one per source
     INVALID_RADIUS,      ///< a maximum distance is negative or not a number
     INVALID_INDEX_MAP,   ///< an index map has values out of range, or equal values
-    NON_MANIFOLD,        ///< an edge has more than two faces, or two faces of opposite orientation
+    NON_MANIFOLD,        ///< a face has a vertex twice, or two faces disagree about the ends of their edge
     TOO_LARGE            ///< the mesh has more than 2<sup>30</sup> - 2 faces
   };
 

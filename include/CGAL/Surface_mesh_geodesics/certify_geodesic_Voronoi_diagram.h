@@ -314,7 +314,8 @@ public:
 
   double operator()(const Face_location& a, const Face_location& b) const
   {
-    return norm(difference(vector(m_diagram.point(a)), vector(m_diagram.point(b))));
+    const Vector p = vector(m_diagram.point(a)), q = vector(m_diagram.point(b));
+    return (std::max)(norm(difference(p, q)) - rounding_of(p, q), 0.);
   }
 
   // Takes time linear in the number of border edges.
@@ -327,7 +328,8 @@ public:
       const Vector along = difference(edge[1], edge[0]), to_p = difference(p, edge[0]);
       const double square = product(along, along);
       const double t = square > 0 ? (std::min)((std::max)(product(along, to_p) / square, 0.), 1.) : 0.;
-      smallest = (std::min)(smallest, norm(difference(to_p, {t * along[0], t * along[1], t * along[2]})));
+      const double d = norm(difference(to_p, {t * along[0], t * along[1], t * along[2]}));
+      smallest = (std::min)(smallest, (std::max)(d - rounding_of(p, edge[0]), 0.));
     }
     return smallest;
   }
@@ -337,6 +339,13 @@ private:
   static Vector vector(const Point& p)
   {
     return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
+  }
+
+  // Far from the origin, two locations of a point have coordinates that differ in their last digits: each coordinate is a
+  // sum of three products.
+  static double rounding_of(const Vector& a, const Vector& b)
+  {
+    return 8 * std::numeric_limits<double>::epsilon() * (std::max)(norm(a), norm(b));
   }
 
   static Vector difference(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }

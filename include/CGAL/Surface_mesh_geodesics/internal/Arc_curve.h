@@ -59,10 +59,10 @@ public:
   {
     using std::abs;
     const double d = a.left.distance_to(a.first);
-    m_is_segment = !a.is_bisector || !m_curve.is_valid()
+    m_is_segment = !a.is_bisector || !m_curve.is_valid() || m_curve.is_straight()
                 || abs(a.left.weight - a.right.weight) <= 4 * Tolerance<double>::distance() * d;
-    m_end = m_is_segment ? 0 : m_curve.parameter(a.last);
-    m_is_segment = m_is_segment || !(m_end > 0) || !std::isfinite(m_end);
+    m_end = m_is_segment ? 0 : m_curve.angle(a.last);
+    m_is_segment = m_is_segment || !(m_end > 0);
   }
 
   bool is_segment() const { return m_is_segment; }
@@ -74,7 +74,7 @@ public:
     if(t >= 1)
       return m_last;
     if(!m_is_segment)
-      return m_curve.point(t * m_end);
+      return m_curve.point(std::tan(t * m_end));
     return Point{m_first.x + t * (m_last.x - m_first.x), m_first.y + t * (m_last.y - m_first.y)};
   }
 
@@ -84,7 +84,7 @@ public:
       return distance(m_first, m_last);
     return integral([this](double t)
     {
-      const Point d = m_curve.derivative(t);
+      const Point d = derivative(t);
       return norm(d.x, d.y);
     }, distance(m_first, m_last));
   }
@@ -101,7 +101,7 @@ public:
     {
       return integral([&](double t)
       {
-        const Point p = m_curve.point(t), d = m_curve.derivative(t);
+        const Point p = m_curve.point(std::tan(t)), d = derivative(t);
         const double x = p.x - m_first.x, y = p.y - m_first.y;
         return weight(x, y) * (x * d.y - y * d.x);
       }, scale);
@@ -126,6 +126,14 @@ public:
   }
 
 private:
+  // by the angle
+  Point derivative(double angle) const
+  {
+    const double t = std::tan(angle);
+    const Point d = m_curve.derivative(t);
+    return Point{(1 + t * t) * d.x, (1 + t * t) * d.y};
+  }
+
   // The integral over the curve, with an error that is small in comparison with `scale`: what is integrated may be
   // nothing but rounding. The intervals are halved until the sum does not change.
   template <typename Function>
@@ -161,7 +169,7 @@ private:
   Point m_first, m_last;
   Weighted_bisector<double> m_curve;
   bool m_is_segment;
-  double m_end = 0;
+  double m_end = 0; // the angle of the last point (Weighted_bisector)
 };
 
 } // namespace internal

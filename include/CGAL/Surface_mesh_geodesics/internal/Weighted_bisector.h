@@ -197,15 +197,17 @@ public:
     return 2 * t * (norm(m_tx, m_ty) + t * abs(FT(1 - m_a * m_radius))) / smallest;
   }
 
-  // the parameter of a point of the curve.
-  FT parameter(const Point& p) const
+  // the arc tangent of the parameter of a point of a curve that is not straight.
+  FT angle(const Point& p) const
   {
-    if(m_is_straight)
-      return (p.x - m_p.x) * m_tx + (p.y - m_p.y) * m_ty;
+    using std::atan2;
     const FT x = p.x - m_focus.x, y = p.y - m_focus.y;
     const FT along = x * m_ux + y * m_uy, across = x * m_vx + y * m_vy;
-    return across / (norm(along, across) + along);
+    return atan2(across, FT(norm(along, across) + along));
   }
+
+  // Is it a line, as far as one can tell? The parameter is the length then.
+  bool is_straight() const { return m_is_straight; }
 
   // dp/dt
   Point derivative(const FT& t) const
@@ -232,15 +234,16 @@ public:
   // where the curve ends, at infinity; behind it point() is on the other branch.
   FT end() const { return denominator().positive_roots()[0]; }
 
-  // Far away from the focus, where all parameters are near to the end, they have lost their digits: the curve has to be
-  // described anew from there. Infinity if it does not go that far.
+  // The parameters lose their digits far away from the focus, where all are near to the end, and when the curve has gone
+  // half round it: it is to be described anew from here. Infinity if the curve does not come here.
   FT end_of_precision() const
   {
-    const FT many = FT(1 << 20); // times the distance of p from the focus
     if(m_is_straight)
       return std::numeric_limits<FT>::infinity();
-    return Quadratic<FT>{FT(1 - many), FT(-many * m_radius * m_b), FT(1 - many + 2 * many * m_a * m_radius)}
-      .positive_roots()[0];
+    const FT far = FT(1 << 20); // times the distance of p from the focus
+    const FT t = Quadratic<FT>{FT(1 - far), FT(-far * m_radius * m_b), FT(1 - far + 2 * far * m_a * m_radius)}
+                   .positive_roots()[0];
+    return (std::min)(t, FT(4));
   }
 
   // is positive where the curve is in the half-plane.

@@ -317,9 +317,13 @@ private:
       m_faces.push_back(f);
       m_halfedges.push_back({h0, h1, h2});
       // (Targets are nearer at hand than sources in a halfedge data structure.)
-      m_corners.push_back({vertex_index(target(h2, m_tm), number_of_vertices),
-                           vertex_index(target(h0, m_tm), number_of_vertices),
-                           vertex_index(target(h1, m_tm), number_of_vertices)});
+      const vertex_descriptor v0 = target(h2, m_tm), v1 = target(h0, m_tm), v2 = target(h1, m_tm);
+      if(v0 == v1 || v1 == v2 || v2 == v0)
+        throw Invalid_geodesic_input(Reason::NON_MANIFOLD,
+                                     "face " + std::to_string(m_faces.size() - 1) + " has a vertex twice",
+                                     m_faces.size() - 1);
+      m_corners.push_back({vertex_index(v0, number_of_vertices), vertex_index(v1, number_of_vertices),
+                           vertex_index(v2, number_of_vertices)});
       if(m_faces.size() >= maximum_number_of_faces)
         throw Invalid_geodesic_input(Reason::TOO_LARGE, "the mesh has too many faces");
     }
@@ -450,7 +454,14 @@ private:
       const std::uint32_t f = m_order[i];
       const unsigned int first = place_in_face(m_name[f]);
       for(unsigned int j = 0; j < 3; ++j)
-        mesh.face(i).opposite[place_after(j, first)] = renumbered(m_neighbours[f][j]);
+      {
+        const Halfedge_id h = halfedge_of(i, place_after(j, first)), o = renumbered(m_neighbours[f][j]);
+        if(o != null_id && (mesh.source(o) != mesh.target(h) || mesh.target(o) != mesh.source(h)))
+          throw Invalid_geodesic_input(Reason::NON_MANIFOLD,
+                                       "face " + std::to_string(f) + " and its neighbour disagree about the ends of "
+                                         + "their edge", f);
+        mesh.face(i).opposite[place_in_face(h)] = o;
+      }
     }
   }
 
