@@ -18,6 +18,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/Lazy_path_structure.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Surface_locations.h>
 #include <CGAL/Surface_mesh_geodesics/internal/path_visitors.h>
+#include <CGAL/Surface_mesh_geodesics/internal/planar_geometry.h>
 
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Default.h>
@@ -819,7 +820,8 @@ public:
       return output;
     m_structure.check_windows();
     using Points = std::vector<std::pair<face_descriptor, std::array<double, 3>>>;
-    m_structure.solver().trace_isolines(CGAL::to_double(value), 1e-12, [&](const Points& points, bool is_closed)
+    const double resolution = Surface_mesh_geodesics::internal::Tolerance<double>::crossing();
+    m_structure.solver().trace_isolines(CGAL::to_double(value), resolution, [&](const Points& points, bool is_closed)
     {
       std::vector<Point_3> line;
       const auto append = [&](const Point_3& p)

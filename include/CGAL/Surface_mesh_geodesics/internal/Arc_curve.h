@@ -145,7 +145,7 @@ private:
       double sum = 0;
       for(int i = 0; i < n; ++i)
         sum += boost::math::quadrature::gauss<double, 15>::integrate(f, m_end * i / n, m_end * (i + 1) / n);
-      if(n > 1 && std::abs(sum - previous) <= 1e-13 * scale)
+      if(n > 1 && std::abs(sum - previous) <= Tolerance<double>::quadrature() * scale)
         return sum;
       previous = sum;
     }

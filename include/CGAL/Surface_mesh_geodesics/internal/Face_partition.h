@@ -227,7 +227,7 @@ public:
         best_seen = d;
       }
     }
-    const bool is_tie = best_seen <= best_distance + best_distance * (64 * Tolerance<FT>::distance());
+    const bool is_tie = best_seen <= best_distance + best_distance * Tolerance<FT>::tie();
     return best_seeing != none && is_tie ? best_seeing : best;
   }
 
@@ -260,8 +260,7 @@ private:
   // Ends of curves that are nearer to each other may be meant to be one.
   FT near() const { return m_size / 1024; }
 
-  // The places where curves touch lines are not known better.
-  FT touching() const { return 64 * Tolerance<FT>::closeness() * m_size; }
+  FT touching() const { return Tolerance<FT>::touching() * m_size; }
 
   // Distances in the face that rounding makes.
   FT width() const { return Tolerance<FT>::interval() * m_size; }
@@ -587,7 +586,7 @@ private:
         smallest = (std::min)(smallest, g.distance_to(p));
     for(std::size_t i = 0; i < m_generators.size(); ++i)
       if(m_generators[i].site == site
-         && m_generators[i].distance_to(p) <= smallest + 64 * Tolerance<FT>::distance() * smallest)
+         && m_generators[i].distance_to(p) <= smallest + Tolerance<FT>::tie() * smallest)
         result.push_back(i);
     return result;
   }
@@ -639,7 +638,7 @@ private:
       return curve.is_valid();
     const Point u = curve.tangent(), &p = curve.start();
     const bool is_on_left = !curve.is_left_focus();
-    const FT ahead = 64 * Tolerance<FT>::closeness() * m_size, aside = is_on_left ? ahead : FT(-ahead);
+    const FT ahead = touching(), aside = is_on_left ? ahead : FT(-ahead);
     const Point q{FT(p.x + ahead * u.x - aside * u.y), FT(p.y + ahead * u.y + aside * u.x)};
     return (is_on_left ? left : right).sees(q);
   }
@@ -878,7 +877,7 @@ private:
     const Generator g = generator(i);
     const FT at_p = g.image.distance_to(p);
     std::size_t best = none;
-    FT best_distance = at_p + at_p * (64 * Tolerance<FT>::distance());
+    FT best_distance = at_p + at_p * Tolerance<FT>::tie();
     for(std::size_t j = 0; j < m_generators.size(); ++j)
     {
       if(j == i || j == other || m_generators[j].site != g.site || has_been_left_here(j))

@@ -89,6 +89,19 @@ struct Tolerance
     return sqrt(unit_roundoff()) / 16;
   }
 
+  // Relative to a distance: two images of one source tie, of which each errs by some units for each face that the path
+  // has crossed.
+  static FT tie() { return 64 * distance(); }
+
+  // Relative to the size of a face: where a curve touches a line, its place is known to the square root of rounding.
+  static FT touching() { return 64 * closeness(); }
+
+  // Relative to what is integrated along a curve, if its chord were all of it: below, intervals are not halved any more.
+  static FT quadrature() { return 512 * unit_roundoff(); }
+
+  // Relative to the length of an edge: how exactly the crossings of isolines are found.
+  static FT crossing() { return 4096 * unit_roundoff(); }
+
   // Relative to 1: a barycentric coordinate below is taken for zero, so that a location with
   // rounded coordinates is the vertex or the edge point that was meant. It shifts a source by at
   // most this part of the longest edge of its face.
