@@ -412,7 +412,8 @@ void invalid_input_is_refused()
 
 namespace SMGI = SMG::internal;
 
-// A mesh, the distances from its vertex 0, and the windows that were kept but for those of the faces around a vertex.
+// A mesh, the distances from some vertices, and the windows that were kept but for those that enter a face with the
+// vertex `into` from one with the vertex `from`, or from anywhere.
 struct Witness
 {
   using Keeper = SMGI::Window_keeper<double>;
@@ -421,13 +422,18 @@ struct Witness
   {
     Keeper keeper;
     const SMGI::Intrinsic_mesh<double>& mesh;
-    SMGI::Vertex_id left_out;
+    SMGI::Vertex_id into, from;
+
+    bool is_at(SMGI::Halfedge_id h, SMGI::Vertex_id v) const
+    {
+      const auto& corners = mesh.face(SMGI::face_of(h)).vertex;
+      return std::find(corners.begin(), corners.end(), v) != corners.end();
+    }
 
     template <typename List>
     void keep(SMGI::Halfedge_id h, const List& list)
     {
-      const auto& corners = mesh.face(SMGI::face_of(h)).vertex;
-      if(std::find(corners.begin(), corners.end(), left_out) == corners.end())
+      if(!is_at(h, into) || (from != SMGI::null_id && !is_at(mesh.opposite(h), from)))
       {
         keeper.keep(h, list);
       }
@@ -435,27 +441,34 @@ struct Witness
     void advance(double) const {}
   };
 
-  Witness(const Indexed_mesh& indexed, SMGI::Vertex_id left_out = SMGI::null_id) : tm(to_face_graph(indexed))
+  Witness(const Indexed_mesh& indexed, SMGI::Vertex_id into = SMGI::null_id, SMGI::Vertex_id from = SMGI::null_id,
+          const std::vector<SMGI::Vertex_id>& sources = {0})
+    : tm(to_face_graph(indexed))
   {
     const auto vim = get(boost::vertex_index, tm);
     const auto fim = get(boost::face_index, tm);
     const auto vpm = get(CGAL::vertex_point, tm);
-    SMGI::Face_graph_correspondence<Mesh> table;
     SMGI::Shape_from_points<double, Mesh, std::decay_t<decltype(vpm)>> shape(tm, vpm);
     SMGI::Intrinsic_mesh_builder<double, Mesh, std::decay_t<decltype(vim)>, std::decay_t<decltype(fim)>>(tm, vim, fim)
       .build(shape, mesh, table);
     windows.reset(mesh.number_of_faces());
     field.keeps_images = true;
     SMGI::Distance_propagation<double, SMGI::All_pruning_rules, Keeper_without> propagation(
-      mesh, field, Keeper_without{Keeper(windows), mesh, left_out});
-    propagation.add_source(0, 0.);
+      mesh, field, Keeper_without{Keeper(windows), mesh, into, from});
+    for(const SMGI::Vertex_id v : sources)
+    {
+      propagation.add_source(v, 0.);
+    }
     propagation.run([](std::size_t, double) { return true; });
   }
+
+  SMGI::Vertex_id id(std::size_t v) const { return table.vertex_of_index[v]; }
 
   double violation() const { return SMGI::Lower_bound_check<double>(mesh, field.distance, windows).run().size; }
 
   Mesh tm;
   SMGI::Intrinsic_mesh<double> mesh;
+  SMGI::Face_graph_correspondence<Mesh> table;
   SMGI::Vertex_distance_field<double> field;
   SMGI::Edge_window_field<double> windows;
 };
@@ -495,6 +508,32 @@ void missing_windows_are_missed()
     ++number_of_vertices;
   }
   CHECK(number_of_vertices > 50);
+}
+
+// Shortest paths to the points of AB near A come from the source at D and cross CA; those to the points near B come from
+// the source there, and so do all paths through BC. That the windows behind CA are missing shows on AB from CA only,
+// which is the edge before AB or, in the mirror, the one behind it.
+void windows_are_missed_from_both_sides()
+{
+  test_support::Scope scope("both sides");
+  for(const bool is_mirrored : {false, true})
+  {
+    const double x = is_mirrored ? -1. : 1.;
+    Indexed_mesh mesh;
+    mesh.points = {{-0.15 * x, 0.25, 0.}, {0., 0., 0.}, {0.5 * x, 0.9, 0.}, {x, 0., 0.}, {1.5 * x, 0.8, 0.}}; // D A C B E
+    mesh.faces = {{0, 1, 2}, {1, 3, 2}, {2, 3, 4}};
+    for(Triangle& t : mesh.faces)
+    {
+      if(is_mirrored)
+      {
+        std::swap(t[1], t[2]);
+      }
+    }
+    const Witness names(mesh);
+    const SMGI::Vertex_id b = names.id(3), d = names.id(0);
+    CHECK(Witness(mesh, SMGI::null_id, SMGI::null_id, {b, d}).violation() < 1e-14);
+    CHECK(Witness(mesh, b, d, {b, d}).violation() > 0.01);
+  }
 }
 
 void paths_are_measured()
@@ -560,6 +599,7 @@ int main()
   invalid_input_is_refused();
   bounds_that_are_too_long_are_no_bounds();
   missing_windows_are_missed();
+  windows_are_missed_from_both_sides();
   paths_are_measured();
   return test_result();
 }
