@@ -312,6 +312,7 @@ def sentences_about_distances(results):
     differences = results.values("standard_meshes", "largest_relative_difference")
     windows = results.values("standard_meshes", "windows_propagated", mesh="bunny00.off")
     bunny = results.row("standard_meshes", mesh="bunny00.off", subdivisions=0)
+    counts = results.row("growth", mesh="bunny00.off", subdivisions=0)
     times = results.values("standard_meshes", "time_ratio")
     memory = results.values("standard_meshes", "memory_ratio")
     runs = in_words(results.comment("standard_meshes", r"(\d+) runs of each"))
@@ -329,6 +330,9 @@ def sentences_about_distances(results):
         (MANUAL, f"The distances of the first three meshes agree to {bound(differences, formula=True)} relative."),
         (MANUAL, f"{listed([f'{number / 1e6:.3g}' for number in windows])} million are propagated on the three "
                  "bunnies."),
+        (MANUAL, f"all vertices from vertex 0) {int(counts['windows']) / 1e6:.3g} million windows are propagated in "
+                 f"{int(counts['lists']) / 1000:.0f} thousand lists, during {int(counts['visits']) / 1000:.0f} thousand "
+                 "visits of vertices."),
         (MANUAL, f"on the scan of the first figure it takes {short(float(bunny['original_ms']) / 1000)} seconds and "
                  f"{float(bunny['original_added_mb']) / 1024:.1f} GB, "
                  f"{short(bunny['time_ratio'])} times the time and {short(bunny['memory_ratio'])} times the memory of"),
