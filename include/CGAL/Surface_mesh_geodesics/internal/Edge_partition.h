@@ -167,10 +167,19 @@ private:
     if(g.distance_at(first) > c.distance_at(first) + 2 * ((std::min)(until, last) - first))
       return false;
     const std::array<FT, 2> root = equal_points(g, c);
-    FT from = first;
-    for(unsigned int i = 0; i < 3; ++i)
+    std::array<FT, 4> place{root[0], root[1], last, last};
+    // Where both images are on the line of the edge, one may be on all paths from the other one to a part of the edge.
+    // They tie there, up to one of the images, and the equation tells nothing.
+    if(g.depth + c.depth <= Tolerance<FT>::closeness() * m_length)
     {
-      const FT to = i < 2 ? (std::min)((std::max)(root[i], from), last) : last;
+      place[2] = g.image_x;
+      place[3] = c.image_x;
+      std::sort(place.begin(), place.end());
+    }
+    FT from = first;
+    for(unsigned int i = 0; i < 5; ++i)
+    {
+      const FT to = i < 4 ? (std::min)((std::max)(place[i], from), last) : last;
       if(from < to)
       {
         const FT middle = from + (to - from) / 2;
