@@ -23,6 +23,7 @@ from complaints import report
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 RESULTS = "benchmark/Surface_mesh_geodesics/results"
+PICTURES = "doc/Surface_mesh_geodesics/fig"
 MARK = re.compile(r"^<!-- table: (\w+) -->$")
 # A table that a program prints: another script compares it, as check_differences.py does.
 PRINTED = re.compile(r"^<!-- printed table: \w+ -->$")
@@ -136,13 +137,15 @@ def update(root, documents, contents):
 
 
 def take(folder, root):
-    """Copies new results; those that run_benchmark.sh has not been asked for stay as they are."""
+    """Copies new results and plots; those that run_benchmark.sh has not been asked for stay as they are."""
+    files = {f"{RESULTS}/{name}.csv": file for name, file in measured_figures.CSV_FILES.items()}
+    files.update({f"{PICTURES}/{name}": file for name, file in measured_figures.PLOTS.items()})
     taken = 0
-    for name, file in measured_figures.CSV_FILES.items():
+    for target, file in files.items():
         source = pathlib.Path(folder) / file
         if source.exists():
-            (root / RESULTS / (name + ".csv")).write_text(source.read_text(encoding="utf-8"), encoding="utf-8")
-            print(f"{source} -> {RESULTS}/{name}.csv")
+            (root / target).write_text(source.read_text(encoding="utf-8"), encoding="utf-8")
+            print(f"{source} -> {target}")
             taken += 1
     return taken
 

@@ -32,6 +32,12 @@ CSV_FILES = {
     "matrix": "matrix.csv",
 }
 
+# The picture in the manual -> the plot that run_benchmark.sh makes.
+PLOTS = {
+    "plot_ratios.svg": "plots/against_shortest_path.svg",
+    "plot_growth.svg": "plots/growth.svg",
+}
+
 
 class Results:
     """The CSV files of a folder, and which of them have been asked for."""
