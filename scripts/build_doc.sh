@@ -33,6 +33,11 @@ for page in "$output"/html/class*.html; do
   fi
 done
 
+# Doxygen takes an asterisk at the beginning of a line away, with which emphasis may begin.
+if grep -nE '^[[:space:]]*\*[[:alnum:]]' doc/Surface_mesh_geodesics/*.txt >> "$log"; then
+  echo "lines begin with emphasis: write <em>...</em>" >> "$log"
+fi
+
 # Every example has its page.
 for example in examples/Surface_mesh_geodesics/*.cpp; do
   name=Surface_mesh_geodesics/$(basename "$example")

@@ -265,10 +265,11 @@ def sources(results):
 
 def reach(results):
     return markdown(
-        ["end of the run", "part of the largest distance", "run, ms", "vertices reached", "windows",
+        ["mesh, faces", "end of the run", "part of the largest distance", "run, ms", "vertices reached", "windows",
          "\\f$ \\mu \\f$s per vertex"],
-        [[row["end"], row["part_of_largest_distance"], rounded(row["run_ms"]), plain(row["vertices_reached"], 0),
-          plain(row["windows"], 0), rounded(row["us_per_vertex"])] for row in results.rows("reach")])
+        [[f"{row['mesh'].rsplit('.', 1)[0]}, {plain(row['faces'], 0)}", row["end"], row["part_of_largest_distance"], rounded(row["run_ms"]), plain(row["vertices_reached"], 0),
+          plain(row["windows"], 0), rounded(row["us_per_vertex"])] for row in results.rows("reach")],
+        words=2)
 
 
 def rules(results):
@@ -405,7 +406,7 @@ def sentences_about_the_heat_method(results):
         (MANUAL, f"the exact distances come {span('ratio_first')} times sooner"),
         (MANUAL, f"each takes {short(min(slower))} to {short(max(slower))} times as long as a further estimate"),
         (MANUAL, f"The mean error is {span('mean_error_percent')} percent, the largest one "
-                 f"{span('largest_error_percent')} percent, near the source: no farther than {short(place)} percent of "
+                 f"{span('largest_error_percent')} percent, near the source: no farther than {math.ceil(10 * place) / 10:.1f} percent of "
                  "the largest distance"),
     ]
 

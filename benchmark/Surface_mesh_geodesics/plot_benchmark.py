@@ -4,7 +4,8 @@
 Usage: plot_benchmark.py FOLDER_WITH_CSV OUTPUT_FOLDER
 
 Reads the files that are there, of growth.csv, anisotropy.csv, sources.csv, reach.csv, rules.csv, face_queries.csv,
-threads.csv, matrix.csv and against_shortest_path_all.csv. Writes an SVG file for each of them and tables.md, with the tables of the manual.
+threads.csv, matrix.csv and against_shortest_path_all.csv. Writes an SVG file for each of them and tables.md, with the
+tables of the manual.
 """
 
 import csv
@@ -22,6 +23,7 @@ matplotlib.rcParams["svg.hashsalt"] = "Surface_mesh_geodesics"
 matplotlib.rcParams["svg.fonttype"] = "none"
 matplotlib.rcParams["font.size"] = 9
 matplotlib.rcParams["axes.grid"] = True
+matplotlib.rcParams["axes.axisbelow"] = True
 matplotlib.rcParams["grid.linewidth"] = 0.4
 matplotlib.rcParams["axes.spines.top"] = False
 matplotlib.rcParams["axes.spines.right"] = False
@@ -111,8 +113,7 @@ def growth(rows, folder):
         axes.set_xscale("log")
         axes.set_xlabel("faces")
     time.set_yscale("log")
-    windows.set_yscale("log")
-    plain_axis(windows.yaxis)
+    windows.set_ylim(bottom=0)
     time.set_ylabel("processor time, ms")
     windows.set_ylabel("windows per face")
     memory.set_ylabel("bytes per face")
