@@ -48,11 +48,15 @@ constexpr int number_of_digits = 17;
 Output_files::Output_files(const std::vector<std::string>& names, const std::vector<std::string>& formats)
   : Output_files()
 {
+  std::vector<fs::path> places; // a file that is named twice is written once
   for(const std::string& name : names)
   {
-    const bool is_new = std::none_of(m_files.begin(), m_files.end(), [&](const File& f) { return f.name == name; });
-    if(is_new)
-      open(name, name == "-" ? formats.front() : format_of(name, formats));
+    std::error_code error;
+    const fs::path place = name == "-" ? fs::path(name) : fs::weakly_canonical(name, error);
+    if(!error && std::find(places.begin(), places.end(), place) != places.end())
+      continue;
+    places.push_back(place);
+    open(name, name == "-" ? formats.front() : format_of(name, formats));
   }
 }
 

@@ -35,7 +35,7 @@ void install_handlers()
 {
   static const bool is_done = []
   {
-    for(const int s : {SIGINT, SIGTERM, SIGHUP})
+    for(const int s : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGXCPU})
       if(signal(s, remove_files_and_end) == SIG_IGN)
         signal(s, SIG_IGN); // as nohup wants it
     return true;

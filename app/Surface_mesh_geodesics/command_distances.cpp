@@ -139,7 +139,7 @@ const Command distances_command{
   "Files with geometry have the numbers of the vertices; -1 stands for 'inf' there.",
   "  surface_mesh_geodesics distances bunny.off --source 0 > distances.csv\n"
   "  surface_mesh_geodesics distances bunny.off --source-point -0.1,0.1,0 -o colours.ply -o colours.vtk --isolines 30\n"
-  "  surface_mesh_geodesics distances bunny.off --source-random 10 --seed 7 --radius 0.02 -o near.csv\n"
+  "  surface_mesh_geodesics distances bunny.off --source-random 10 --seed 7 --radius 0.2 -o near.csv\n"
   "  surface_mesh_geodesics distances bunny.off --source 0 --html distances.html\n",
   declare, run};
 

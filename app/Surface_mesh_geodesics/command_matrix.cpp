@@ -119,7 +119,7 @@ const Command matrix_command{
   "there is no path), in the order of the options below. Without targets the sources are the targets.",
   "  surface_mesh_geodesics matrix bunny.off --source 0,100,200 > matrix.csv\n"
   "  surface_mesh_geodesics matrix bunny.off --source-random 50 --target all -o matrix.csv\n"
-  "  surface_mesh_geodesics matrix bunny.off --source all --radius 0.003 -o neighbours.csv\n",
+  "  surface_mesh_geodesics matrix bunny.off --source all --radius 0.03 -o neighbours.csv\n",
   declare, run};
 
 } // namespace geodesics_app

@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_geodesics/geodesic_remeshing.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -60,6 +61,8 @@ void run(const Arguments& arguments, const Console& console)
 {
   const std::size_t n = count_argument("number", arguments["number"].as<std::string>(), 3);
   const std::size_t iterations = count_argument("iterations", arguments["iterations"].as<std::string>(), 0);
+  if(iterations > (std::numeric_limits<unsigned int>::max)())
+    throw Command_error(Exit_code::BAD_USAGE, "--iterations: the number is too large");
   Output_files files(output_names(arguments), {"off", "obj", "ply"});
   const Mesh mesh = read_mesh(mesh_argument(arguments), console);
   Mesh coarse;

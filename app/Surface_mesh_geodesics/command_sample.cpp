@@ -113,7 +113,7 @@ const Command sample_command{
   "Each sample is the vertex that is farthest from all samples before it. The table has a line for each: its number,\n"
   "the number of the vertex, and the point. The distance of the farthest vertex is told on the error stream.",
   "  surface_mesh_geodesics sample bunny.off --number 100 > samples.csv\n"
-  "  surface_mesh_geodesics sample bunny.off --radius 0.01 --first 0 -o samples.ply\n",
+  "  surface_mesh_geodesics sample bunny.off --radius 0.1 --first 0 -o samples.ply\n",
   declare, run};
 
 } // namespace geodesics_app

@@ -3,6 +3,8 @@
 #include "Command.h"
 #include "Command_error.h"
 
+#include <fcntl.h>
+
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/version.h>
 
@@ -185,6 +187,10 @@ int checked_run(const std::vector<std::string>& words)
 
 int main(int argc, char* argv[])
 {
+  // A file that is opened must not get the number of a standard stream that is closed: remarks would be written to it.
+  for(int stream = 0; stream < 3; ++stream)
+    if(fcntl(stream, F_GETFD) == -1)
+      static_cast<void>(open("/dev/null", stream == 1 ? O_RDONLY : O_RDWR));
   std::ios_base::sync_with_stdio(false);
   return geodesics_app::checked_run(std::vector<std::string>(argv + (argc > 0 ? 1 : 0), argv + argc));
 }

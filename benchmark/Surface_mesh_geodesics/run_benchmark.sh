@@ -97,8 +97,11 @@ if [ -z "$programs" ]; then
   [ "${#targets[@]}" -gt 0 ] || { usage >&2; exit 1; }
   cmake --build "$build/programs" --target "${targets[@]}" > "$build/build.log"
   programs="$(dirname "$(find "$build/programs" -type f -name "${targets[0]}" | head -n 1)")"
-  # What the compiler was really called with, less folders, warnings, definitions of paths and file names.
-  flags="$(grep "\"command\".*${targets[0]}" "$build/programs/compile_commands.json" | head -n 1 \
+fi
+# What the compiler was really called with, less folders, warnings, definitions of paths and file names.
+commands="$programs/../../compile_commands.json"
+if [ -f "$commands" ]; then
+  flags="$(grep '"command".*benchmark_' "$commands" | head -n 1 \
     | tr ' ' '\n' | grep -E '^-(O|f|m|march|std|DNDEBUG|D_GLIBCXX)' | sort -u | tr '\n' ' ' | sed 's/ $//')"
 fi
 program="$programs/benchmark_against_shortest_path"

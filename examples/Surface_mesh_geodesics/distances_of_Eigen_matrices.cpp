@@ -7,7 +7,8 @@
 
 #include <Eigen/Core>
 
-#include <array>
+#include <algorithm>
+#include <cstddef>
 #include <cstdlib>
 #include <iostream>
 #include <stdexcept>
@@ -53,8 +54,10 @@ int main(int argc, char* argv[])
 {
   const std::string filename = (argc > 1) ? argv[1] : "data/bumpy_sphere.off";
   std::vector<Point> points;
-  std::vector<std::array<int, 3>> triangles;
-  if(!CGAL::IO::read_polygon_soup(filename, points, triangles) || triangles.empty())
+  std::vector<std::vector<std::size_t>> triangles;
+  const auto is_triangle = [](const std::vector<std::size_t>& face) { return face.size() == 3; };
+  if(!CGAL::IO::read_polygon_soup(filename, points, triangles) || triangles.empty()
+     || !std::all_of(triangles.begin(), triangles.end(), is_triangle))
   {
     std::cerr << "Cannot read triangles from " << filename << std::endl;
     return EXIT_FAILURE;
@@ -64,7 +67,8 @@ int main(int argc, char* argv[])
   for(std::size_t i = 0; i < points.size(); ++i)
     V.row(static_cast<Eigen::Index>(i)) << points[i].x(), points[i].y(), points[i].z();
   for(std::size_t i = 0; i < triangles.size(); ++i)
-    F.row(static_cast<Eigen::Index>(i)) << triangles[i][0], triangles[i][1], triangles[i][2];
+    for(std::size_t k = 0; k < 3; ++k)
+      F(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) = static_cast<int>(triangles[i][k]);
 
   const Eigen::VectorXd D = exact_distances(V, F, {0, 1});
   Eigen::Index farthest;

@@ -7,6 +7,7 @@
 //   +using Shortest_paths = CGAL::Surface_mesh_geodesic_paths<Traits>;
 
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_paths.h>
@@ -39,9 +40,9 @@ int main(int argc, char* argv[])
 {
   const std::string filename = (argc > 1) ? argv[1] : "data/bumpy_sphere.off";
   Mesh mesh;
-  if(!CGAL::IO::read_polygon_mesh(filename, mesh) || mesh.number_of_faces() == 0)
+  if(!CGAL::IO::read_polygon_mesh(filename, mesh) || mesh.number_of_faces() == 0 || !CGAL::is_triangle_mesh(mesh))
   {
-    std::cerr << "Cannot read a mesh from " << filename << std::endl;
+    std::cerr << "Cannot read a triangle mesh from " << filename << std::endl;
     return EXIT_FAILURE;
   }
 
@@ -55,6 +56,11 @@ int main(int argc, char* argv[])
   // The distance of a point in a face, and the source that is the nearest one.
   const face_descriptor middle(static_cast<Mesh::size_type>(mesh.number_of_faces() / 2));
   auto [distance, source] = shortest_paths.shortest_distance_to_source_points(middle, center);
+  if(source == shortest_paths.source_points_end())
+  {
+    std::cerr << "No path leads to a source" << std::endl;
+    return EXIT_FAILURE;
+  }
   std::cout << "distance " << distance << " to the source at " << shortest_paths.point(source->first, source->second)
             << std::endl;
 
@@ -67,7 +73,8 @@ int main(int argc, char* argv[])
 
   std::vector<Kernel::Point_3> points;
   shortest_paths.shortest_path_points_to_source_points(middle, center, std::back_inserter(points));
-  std::cout << points.size() << " points from " << points.front() << " to " << points.back() << std::endl;
+  if(!points.empty())
+    std::cout << points.size() << " points from " << points.front() << " to " << points.back() << std::endl;
 
   return EXIT_SUCCESS;
 }

@@ -2,6 +2,7 @@
 // sources that are unusual but allowed.
 
 #include "distance_test_helpers.h"
+#include "path_test_helpers.h"
 #include "test_meshes.h"
 #include "test_support.h"
 
@@ -250,6 +251,37 @@ void the_visitor_hears_of_the_progress(const Mesh& tm, test_support::Random& ran
   CHECK(visitor.questions > 0);
   CHECK(visitor.is_monotone);
   CHECK(visitor.is_in_order);
+}
+
+// Has the members that the concept GeodesicPropagationVisitor asks for, and nothing else: no base, no copies.
+class Minimal_visitor
+{
+public:
+  explicit Minimal_visitor(int&) {}
+  Minimal_visitor(const Minimal_visitor&) = delete;
+  Minimal_visitor& operator=(const Minimal_visitor&) = delete;
+
+  void on_propagation_begin(std::size_t) {}
+  void on_progress(std::size_t, double) {}
+  bool go_further() { return ++number_of_questions > 0; }
+  void on_propagation_end() {}
+
+  std::size_t number_of_questions = 0;
+};
+
+void the_least_visitor_will_do(const Mesh& tm, test_support::Random& random)
+{
+  test_support::Scope scope("minimal visitor");
+  int something = 0;
+  Minimal_visitor visitor(something);
+  auto map = get(CGAL::dynamic_vertex_property_t<double>(), tm);
+  CHECK(SMG::geodesic_distances(tm, map, random_vertex(tm, random), CGAL::parameters::visitor(std::ref(visitor))));
+  const std::size_t asked = visitor.number_of_questions;
+  CHECK(asked > 0);
+  Geodesic_paths paths(tm);
+  paths.add_source_point(random_vertex(tm, random));
+  CHECK(paths.build_sequence_tree(visitor));
+  CHECK(visitor.number_of_questions > asked);
 }
 
 void a_cancelled_run_writes_nothing(const Mesh& tm, test_support::Random& random)
@@ -600,6 +632,7 @@ int main()
       tm, std::vector<Face_location>{random_location(tm, random), random_location(tm, random)}, random);
     targets_and_radius_work_together(tm, random);
     the_visitor_hears_of_the_progress(tm, random);
+    the_least_visitor_will_do(tm, random);
     a_cancelled_run_writes_nothing(tm, random);
     statistics_are_consistent(tm, random);
     a_beaten_source_owns_nothing(tm, random);

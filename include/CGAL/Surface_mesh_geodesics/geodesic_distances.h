@@ -177,10 +177,10 @@ called by the calling thread, and less often.
 
 \return `true`, or `false` if the visitor cancelled the computation; nothing has been written then.
 
-\throws Invalid_geodesic_input if a face is not a triangle, a coordinate is not finite or the extent of the
-        points exceeds \f$ 2^{960} \f$, a location is
-        not in its face or has a null face, a descriptor is not one of `tm` as far as the index maps
-        tell, or an index map is not one. Nothing has been written then.
+\throws Invalid_geodesic_input if a face is not a triangle or has a vertex twice, two faces disagree about the ends of
+        their edge, a coordinate is not finite or the extent of the points exceeds \f$ 2^{960} \f$, a location is not
+        in its face or has a null face, a descriptor is not one of `tm` as far as the index maps tell, an index map is
+        not one, or the mesh is too large. Nothing has been written then.
 */
 template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename VertexDistanceMap,
           typename Sources, typename CGAL_NP_TEMPLATE_PARAMETERS>
