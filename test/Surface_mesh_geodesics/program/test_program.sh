@@ -125,3 +125,17 @@ wait "$process" || status=$?
 equals "$status" 143
 equals "$(cat kept.csv)" old
 no_remains
+
+# a file that is named twice is written once
+for i in 1 2; do # new, and there already
+  "$program" distances "$data/grid9.off" --source 0 -o twice.csv -o ./twice.csv -o twice.csv
+done
+equals "$(wc -l < twice.csv)" "$(wc -l < <("$program" distances "$data/grid9.off" --source 0))"
+
+# a file does not get the number of a closed stream, and remarks do not go to it
+"$program" remesh "$data/grid9.off" --number 5 -o mesh.off 2>&-
+equals "$(line mesh.off 1)" OFF
+
+# a reader that goes away leaves nothing behind
+"$program" distances "$data/grid9.off" --source 0 -o part.csv -o - | head -n 1 > first.txt || true
+no_remains
