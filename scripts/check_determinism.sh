@@ -6,13 +6,13 @@
 # Without arguments: meshes of the tests, and two of CGAL's meshes where Debian's package libcgal-demo is installed.
 # With -march=native a compiler may fuse a product and a sum into one operation that rounds once. This is allowed to
 # change bits, and reported; with -ffp-contract=off it must not.
-# CGAL_INCLUDE_DIRS may hold further flags for the headers of another CGAL, DETERMINISM_FOLDER the folder to build in.
+# CGAL_INCLUDE_DIRS may hold further flags for the headers of another CGAL, WORK_FOLDER the folder to build in.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 program=$root/test/Surface_mesh_geodesics/determinism/print_hashes.cpp
 data=$root/test/Surface_mesh_geodesics/data
-if [ -n "${DETERMINISM_FOLDER:-}" ]; then
-  work=$DETERMINISM_FOLDER
+if [ -n "${WORK_FOLDER:-}" ]; then
+  work=$WORK_FOLDER
   mkdir -p "$work"
 else
   work=$(mktemp -d)

@@ -14,7 +14,7 @@ that fails without any fault, is a mistake in the table and not a result.
 
 Succeeds if at least 95 % of the mutants that are not equivalent are caught, and all survivors are listed as equivalent.
 
-The environment variable CXX is the compiler (g++), MUTATION_FOLDER the work folder (build/mutation).
+The environment variable CXX is the compiler (g++), WORK_FOLDER the work folder (build/mutation).
 """
 
 import argparse
@@ -431,7 +431,7 @@ def main():
     if complaints or arguments.check_table:
         print(f"{len(mutants)} mutants, {len(complaints)} complaints")
         return 1 if complaints else 0
-    folder = pathlib.Path(os.environ.get("MUTATION_FOLDER", ROOT / "build/mutation")).resolve()
+    folder = pathlib.Path(os.environ.get("WORK_FOLDER", ROOT / "build/mutation")).resolve()
     tally = try_mutants(mutants, Laboratory(copy_of_sources(sources, folder), folder), arguments.jobs)
     tally.print()
     return 0 if tally.is_good() else 1

@@ -11,12 +11,7 @@ export compiler=${CXX:-g++}
 mkdir -p "$work"
 find "$work" -name '*.gcda' -delete
 
-programs=("$@")
-if [ $# -eq 0 ]; then
-  for source in "$tests"/test_*.cpp; do
-    programs+=("$(basename "$source" .cpp)")
-  done
-fi
+mapfile -t programs < <("$root/scripts/list_tests.sh" "$@")
 
 run_program() {
   local flags=(-std=c++17 -O0 --coverage -fprofile-update=atomic -DNDEBUG -frounding-math)

@@ -7,16 +7,11 @@
 set -uo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 tests=$root/test/Surface_mesh_geodesics
-export work=${SANITIZER_FOLDER:-$root/build/sanitizers}
+export work=${WORK_FOLDER:-$root/build/sanitizers}
 export compiler=${CXX:-g++} include=$root/include tests
 mkdir -p "$work"
 
-programs=("$@")
-if [ $# -eq 0 ]; then
-  for source in "$tests"/test_*.cpp; do
-    programs+=("$(basename "$source" .cpp)")
-  done
-fi
+mapfile -t programs < <("$root/scripts/list_tests.sh" "$@")
 
 # run_program <name> <kind> <flags>: builds and runs a program; one line says how it went
 run_program() {

@@ -52,7 +52,7 @@ Output_files::Output_files(const std::vector<std::string>& names, const std::vec
   for(const std::string& name : names)
   {
     std::error_code error;
-    const fs::path place = name == "-" ? fs::path(name) : fs::weakly_canonical(fs::absolute(name), error);
+    const fs::path place = name == "-" ? fs::path(name) : fs::weakly_canonical(fs::absolute(name, error), error);
     if(!error && std::find(places.begin(), places.end(), place) != places.end())
       continue;
     places.push_back(place);
