@@ -59,7 +59,7 @@ public:
   {
     using std::abs;
     const double d = a.left.distance_to(a.first);
-    m_is_segment = !a.is_bisector || !m_curve.is_valid() || m_curve.is_straight()
+    m_is_segment = !a.is_bisector || !m_curve.is_curved()
                 || abs(a.left.weight - a.right.weight) <= 4 * Tolerance<double>::distance() * d;
     m_end = m_is_segment ? 0 : m_curve.angle(a.last);
     m_is_segment = m_is_segment || !(m_end > 0);
@@ -74,7 +74,7 @@ public:
     if(t >= 1)
       return m_last;
     if(!m_is_segment)
-      return m_curve.point(std::tan(t * m_end));
+      return m_curve.point_at_angle(t * m_end);
     return Point{m_first.x + t * (m_last.x - m_first.x), m_first.y + t * (m_last.y - m_first.y)};
   }
 
@@ -101,7 +101,7 @@ public:
     {
       return integral([&](double t)
       {
-        const Point p = m_curve.point(std::tan(t)), d = derivative(t);
+        const Point p = m_curve.point_at_angle(t), d = derivative(t);
         const double x = p.x - m_first.x, y = p.y - m_first.y;
         return weight(x, y) * (x * d.y - y * d.x);
       }, scale);

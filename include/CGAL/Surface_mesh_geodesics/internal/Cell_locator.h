@@ -116,7 +116,7 @@ private:
     if(!is_curved(a, curve))
       return (std::min)(to_ends, distance_from_segment(x, a.first, a.last));
     const FT t = curve.angle(x);
-    return t > 0 && t < curve.angle(a.last) ? (std::min)(to_ends, distance(x, point_at(curve, t))) : to_ends;
+    return t > 0 && t < curve.angle(a.last) ? (std::min)(to_ends, distance(x, curve.point_at_angle(t))) : to_ends;
   }
 
   // the first kind of target that has a clear one: corners, points of the border, points of arcs.
@@ -143,7 +143,7 @@ private:
   void add_target_on_arc(const Arc& a, const FT& t, Target& best) const
   {
     const Weighted_bisector<FT> curve(a.left, a.right, a.first);
-    const Point q = is_curved(a, curve) ? point_at(curve, FT(t * curve.angle(a.last)))
+    const Point q = is_curved(a, curve) ? curve.point_at_angle(t * curve.angle(a.last))
                                         : Point{FT(a.first.x + t * (a.last.x - a.first.x)),
                                                 FT(a.first.y + t * (a.last.y - a.first.y))};
     add_target(Target{q, site_towards_p(a, curve, q), clearance_of(q, &a)}, best);
@@ -229,16 +229,10 @@ private:
   bool is_curved(const Arc& a, const Weighted_bisector<FT>& curve) const
   {
     using std::abs;
-    if(!a.is_bisector || !curve.is_valid() || curve.is_straight())
+    if(!a.is_bisector || !curve.is_curved())
       return false;
-    const Point middle = point_at(curve, FT(curve.angle(a.last) / 2));
+    const Point middle = curve.point_at_angle(curve.angle(a.last) / 2);
     return abs(Half_plane<FT>::left_of(a.first, a.last)(middle)) > near() || !(distance(a.first, a.last) > near());
-  }
-
-  static Point point_at(const Weighted_bisector<FT>& curve, const FT& angle)
-  {
-    using std::tan;
-    return curve.point(tan(angle));
   }
 
   static FT distance_from_segment(const Point& x, const Point& p, const Point& q)

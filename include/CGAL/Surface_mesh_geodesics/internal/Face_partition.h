@@ -165,7 +165,7 @@ public:
       m_side[k] = Half_plane<FT>::left_of(corner[k], corner[(k + 1) % 3]);
     m_size = (std::max)({distance(corner[0], corner[1]), distance(corner[1], corner[2]),
                          distance(corner[2], corner[0])});
-    m_has_no_height = m_side[0](corner[2]) * distance(corner[0], corner[1]) <= Tolerance<FT>::length() * m_size * m_size;
+    m_has_no_height = is_without_height<FT>(m_side[0](corner[2]) * distance(corner[0], corner[1]), m_size);
   }
 
   void add(const Generator& g)
@@ -693,16 +693,16 @@ private:
     Point p = curve.point(event.t);
     if(!(event.t > 0))
       p = f.end;
-    else if(event.kind != Event::NEARER && event.kind != Event::IMPRECISE)
-      p = polished_crossing(left.image, right.image, event.line, p);
-    else if(event.kind == Event::NEARER && m_generators[event.index].site != f.left
-            && m_generators[event.index].site != f.right)
+    else if(event.kind == Event::NEARER && is_third_site(f, event.index))
     {
       const Point q = polished_vertex(left.image, right.image, m_generators[event.index].image, p);
       p = is_in_face(q) ? q : curve.point((std::min)(event.t, at_border.t));
     }
-    else // across the curve only: images of one source may be so near that the place is not well known
+    else if(event.kind == Event::NEARER || event.kind == Event::IMPRECISE)
+      // across the curve only: images of one source may be so near that the place is not well known
       p = polished_crossing(left.image, right.image, across(left.image, right.image, p), p);
+    else
+      p = polished_crossing(left.image, right.image, event.line, p);
     f.pieces.push_back(Piece{left.image, right.image, p});
     f.end = p;
     switch(event.kind)
@@ -724,10 +724,16 @@ private:
     return true;
   }
 
+  bool is_third_site(const Front& f, std::size_t index) const
+  {
+    const Vertex_id site = m_generators[index].site;
+    return site != f.left && site != f.right;
+  }
+
   void meet(Front& f, std::size_t index)
   {
     const Vertex_id site = m_generators[index].site;
-    if(site == f.left || site == f.right)
+    if(!is_third_site(f, index))
     {
       std::size_t& last = site == f.left ? f.last_left : f.last_right;
       m_left_here.push_back(last);

@@ -67,8 +67,7 @@ std::array<Planar_point<FT>, 3> layout_of_face(const Intrinsic_face<FT>& face)
 template <typename FT>
 bool has_no_height(const Intrinsic_face<FT>& f)
 {
-  const FT longest = (std::max)(f.length[1], f.length[2]);
-  return f.apex_y * f.length[0] <= Tolerance<FT>::length() * longest * longest;
+  return is_without_height<FT>(f.apex_y * f.length[0], (std::max)(f.length[1], f.length[2]));
 }
 
 // The face on the left of a halfedge AB in the frame of the halfedge: A = (0,0), B = (length,0) and

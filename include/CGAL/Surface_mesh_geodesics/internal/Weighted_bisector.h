@@ -170,7 +170,7 @@ public:
   bool is_valid() const { return m_is_valid; }
 
   // Paths from one generator bend at the other one, and the points of the ray behind it are as far from both. The other
-  // functions are then those of the ray, and the parameter is the length.
+  // functions are then those of the ray, as far as they exist, and the parameter is the length.
   bool is_ray() const { return m_is_straight && !m_is_valid; }
 
   // Is it `left` by whose distances the curve is described? At a ray it is the one where paths bend.
@@ -197,7 +197,10 @@ public:
     return 2 * t * (norm(m_tx, m_ty) + t * abs(FT(1 - m_a * m_radius))) / smallest;
   }
 
-  // the arc tangent of the parameter of a point of a curve that is not straight.
+  // Is it a curve that bends? Those that are straight, as far as one can tell, have no angles and no derivative.
+  bool is_curved() const { return m_is_valid && !m_is_straight; }
+
+  // the arc tangent of the parameter of a point.
   FT angle(const Point& p) const
   {
     using std::atan2;
@@ -206,14 +209,15 @@ public:
     return atan2(across, FT(norm(along, across) + along));
   }
 
-  // Is it a line, as far as one can tell? The parameter is the length then.
-  bool is_straight() const { return m_is_straight; }
+  Point point_at_angle(const FT& angle) const
+  {
+    using std::tan;
+    return point(tan(angle));
+  }
 
   // dp/dt
   Point derivative(const FT& t) const
   {
-    if(m_is_straight)
-      return Point{m_tx, m_ty};
     // p - p0 = n / w
     const Quadratic<FT> w = denominator();
     const FT g = 1 - m_a * m_radius, wt = w(t), dw = 2 * (w.c1 + t * w.c2), square = wt * wt;

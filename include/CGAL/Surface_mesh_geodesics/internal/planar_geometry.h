@@ -135,6 +135,13 @@ bool is_clearly_less(const FT& a, const FT& b)
   return a < b * (1 - Tolerance<FT>::distance());
 }
 
+// Are the corners of a triangle on one line as far as numbers tell? `longest` is its longest side.
+template <typename FT>
+bool is_without_height(const FT& twice_the_area, const FT& longest)
+{
+  return twice_the_area <= Tolerance<FT>::length() * longest * longest;
+}
+
 // A triangle laid out in the plane: the corners 0, 1, 2 are at (0,0), (base,0), (apex_x, apex_y)
 // with apex_y >= 0.
 template <typename FT>
