@@ -4,7 +4,8 @@
 
 The concept `GeodesicPropagationVisitor` describes what the functions of this package ask of a visitor, the object that
 follows a propagation and may end it before its time. It is passed with the named parameter `visitor` to the free
-functions, and as an argument to `CGAL::Surface_mesh_geodesic_paths::build_sequence_tree()`.
+functions, and as an argument to `CGAL::Surface_mesh_geodesic_paths::build_sequence_tree()` and
+`CGAL::Surface_mesh_geodesic_Voronoi_diagram::build()`.
 
 The functions are called in the order `on_propagation_begin()`, then any number of times `on_progress()` and
 `go_further()`, then `on_propagation_end()`. Invalid input is found earlier: then none of them is called.

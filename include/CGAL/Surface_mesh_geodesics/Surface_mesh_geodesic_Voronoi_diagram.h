@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesics.h>
 
+#include <CGAL/Surface_mesh_geodesics/Geodesic_default_visitor.h>
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
 #include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_paths.h>
@@ -23,6 +24,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi_complex.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi_cut_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/intrinsic_mesh_from_face_graph.h>
+#include <CGAL/Surface_mesh_geodesics/internal/visited_run.h>
 
 #include <CGAL/Default.h>
 #include <CGAL/Named_function_parameters.h>
@@ -485,14 +487,32 @@ public:
   ///         function that builds
   void build() const
   {
+    Surface_mesh_geodesics::Geodesic_default_visitor visitor;
+    build(visitor);
+  }
+
+  /// does the same and tells a visitor of the progress of the propagation, which is most of the work. Returns `true`,
+  /// or `false` if the visitor cancelled it: nothing has been computed then. The visitor is not called if the diagram
+  /// has been computed before.
+  ///
+  /// \tparam Visitor a model of `GeodesicPropagationVisitor`
+  /// \param visitor the visitor, called by this thread. It must not use the diagram.
+  ///
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the mesh or a site is invalid, and what the visitor
+  ///         throws; nothing has been computed then
+  template <typename Visitor>
+  bool build(Visitor& visitor) const
+  {
     if(m_is_built.load(std::memory_order_acquire))
-      return;
+      return true;
     const std::lock_guard<std::mutex> lock(m_mutex);
     if(m_is_built.load(std::memory_order_relaxed))
-      return;
-    propagate(m_solver, true);
+      return true;
+    if(!propagate_for_diagram(visitor))
+      return false;
     collect();
     m_is_built.store(true, std::memory_order_release);
+    return true;
   }
 
   /// returns whether the diagram has been computed for the sites as they are.
@@ -872,10 +892,9 @@ private:
     m_edges.clear();
   }
 
-  // propagates from all sites; for the diagram, or for queries at any point.
-  void propagate(Solver& solver, bool is_for_diagram) const
+  // gives the mesh, unless it is known, and the sites to a solver.
+  void prepare(Solver& solver) const
   {
-    const auto go_on = [](std::size_t, double) { return true; };
     m_largest_weight = 0;
     for(std::size_t i = 0; i < m_sites.size(); ++i)
     {
@@ -893,21 +912,34 @@ private:
       else
         solver.add_source_location(std::make_pair(s.location.first, weights(s.location.second)), offset);
     }
-    if(!is_for_diagram)
-    {
-      solver.run(true, go_on);
-      return;
-    }
+  }
+
+  // returns false if the visitor cancels.
+  template <typename Visitor>
+  bool propagate_for_diagram(Visitor& visitor) const
+  {
+    prepare(m_solver);
     Removal removal;
-    solver.run_with_keeper([&]
+    const auto start = [&]
     {
-      removal.reset(solver.mesh(), solver.field(), m_complex);
-      m_complex.start(solver.mesh(), solver.field(), removal);
+      removal.reset(m_solver.mesh(), m_solver.field(), m_complex);
+      m_complex.start(m_solver.mesh(), m_solver.field(), removal);
       return Surface_mesh_geodesics::internal::Redundant_window_remover<Removal>(removal);
-    }, go_on);
+    };
+    const bool is_complete = Surface_mesh_geodesics::internal::visited_run(visitor, num_vertices(m_tm), [&](auto go_on)
+    {
+      return m_solver.run_with_keeper(start, [&](std::size_t number_of_visits, double reached)
+      { return go_on(number_of_visits, reached - m_largest_weight); });
+    });
+    if(!is_complete)
+    {
+      m_complex.clear();
+      return false;
+    }
     removal.finish();
     m_complex.finish();
     m_kept_windows = {removal.windows().maximum_size(), removal.number_of_kept_windows()};
+    return true;
   }
 
   // makes the elements that users see of those of the complex, without what has no length.
@@ -999,7 +1031,8 @@ private:
       if(!m_has_distances.load(std::memory_order_relaxed))
       {
         m_distance_solver.reset(new Solver(m_tm, m_vertex_index_map, m_face_index_map));
-        propagate(*m_distance_solver, false);
+        prepare(*m_distance_solver);
+        m_distance_solver->run(true, [](std::size_t, double) { return true; });
         m_has_distances.store(true, std::memory_order_release);
       }
     }

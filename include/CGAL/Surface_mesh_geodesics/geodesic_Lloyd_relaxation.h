@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesics.h>
 
+#include <CGAL/Surface_mesh_geodesics/Geodesic_default_visitor.h>
 #include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_Voronoi_diagram.h>
 
 #include <CGAL/Kernel_traits.h>
@@ -111,8 +112,8 @@ moves sites to the centers of their cells, again and again (Lloyd's method), so 
 in area.
 
 In each iteration the geodesic Voronoi diagram of the sites is computed, and each site moves to the vertex, among
-those in its cell, that is nearest in space to the centroid of the cell. Sites stay vertices; two
-iterations that visit the same set of vertices end the relaxation.
+those in its cell, that is nearest in space to the centroid of the cell. So sites stay vertices. The relaxation ends
+when no site moves, or after the given number of iterations.
 
 Takes the time of one diagram, and a time linear in the size of the mesh, per iteration.
 
@@ -126,7 +127,9 @@ Takes the time of one diagram, and a time linear in the size of the mesh, per it
 \param number_of_iterations the largest number of iterations
 \param output gets the sites, in the order of `sites`. One whose cell is empty has not moved.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among `vertex_point_map`,
-       `vertex_index_map` and `face_index_map`, with the meaning they have for `geodesic_distances()`
+       `vertex_index_map`, `face_index_map` and `visitor`, with the meaning they have for `geodesic_distances()`.
+       The visitor follows one propagation for each iteration. If it cancels one, the relaxation ends with the
+       sites of the iterations before.
 
 \return the number of iterations that moved a site; fewer than `number_of_iterations` if all sites are where they
         belong
@@ -138,14 +141,18 @@ std::size_t geodesic_Lloyd_relaxation(const TriangleMesh& tm, const VertexRange&
                                       std::size_t number_of_iterations, OutputIterator output,
                                       const CGAL_NP_CLASS& np = parameters::default_values())
 {
+  using parameters::choose_parameter;
+  using parameters::get_parameter_reference;
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  Geodesic_default_visitor default_visitor;
+  auto& visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
   auto diagram = internal::make_vertex_site_diagram(tm, np);
   std::vector<vertex_descriptor> moved(sites.begin(), sites.end());
   std::size_t i = 0;
   for(; i < number_of_iterations; ++i)
   {
     diagram.set_sites(moved);
-    if(!diagram.move_to_centers(moved))
+    if(!diagram.diagram().build(visitor) || !diagram.move_to_centers(moved))
       break;
   }
   for(vertex_descriptor v : moved)

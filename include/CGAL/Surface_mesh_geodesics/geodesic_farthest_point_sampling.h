@@ -12,12 +12,14 @@
 
 #include <CGAL/license/Surface_mesh_geodesics.h>
 
+#include <CGAL/Surface_mesh_geodesics/Geodesic_default_visitor.h>
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Distance_propagation.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Farthest_vertex_queue.h>
 #include <CGAL/Surface_mesh_geodesics/internal/intrinsic_mesh_from_face_graph.h>
 #include <CGAL/Surface_mesh_geodesics/internal/source_range.h>
+#include <CGAL/Surface_mesh_geodesics/internal/visited_run.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -72,8 +74,9 @@ public:
   {}
 
   // returns the covering radius.
-  template <typename Shape, typename OutputIterator>
-  double run(Shape shape, std::size_t n, OutputIterator output, const Geodesic_sampling_options<TriangleMesh>& options)
+  template <typename Shape, typename OutputIterator, typename Visitor>
+  double run(Shape shape, std::size_t n, OutputIterator output, const Geodesic_sampling_options<TriangleMesh>& options,
+             Visitor& visitor)
   {
     if(!(options.covering_radius >= 0))
       throw Invalid_geodesic_input(Invalid_geodesic_input::Reason::INVALID_RADIUS,
@@ -81,20 +84,22 @@ public:
     Intrinsic_mesh_builder<double, TriangleMesh, VertexIndexMap, FaceIndexMap>(m_tm, m_vim, m_fim)
       .build(shape, m_mesh, m_table);
     Distance_propagation<double> propagation(m_mesh, m_field);
-    std::size_t number = add_first_samples(propagation, options);
+    std::size_t number = options.first_samples.size();
+    bool is_complete = add_first_samples(propagation, options, visitor);
     Farthest_vertex_queue<double> queue(m_field.distance, ranks(), number_of_candidates());
     const double unit = m_mesh.unit();
-    double radius = -1;
-    while(true)
+    double radius = std::numeric_limits<double>::infinity();
+    while(is_complete)
     {
       const Vertex_id v = queue.farthest();
       radius = v == null_id ? 0. : unit * m_field.distance[v];
       if(number >= n || v == null_id || radius <= options.covering_radius)
         break;
-      *output++ = m_table.vertices[v];
-      ++number;
       propagation.add_source(v, 0);
-      run(propagation);
+      is_complete = run(propagation, visitor);
+      if(is_complete)
+        *output++ = m_table.vertices[v];
+      ++number;
     }
     if(options.statistics != nullptr)
     {
@@ -105,19 +110,25 @@ public:
   }
 
 private:
-  std::size_t add_first_samples(Distance_propagation<double>& propagation,
-                                const Geodesic_sampling_options<TriangleMesh>& options)
+  // returns false if the visitor cancels.
+  template <typename Visitor>
+  bool add_first_samples(Distance_propagation<double>& propagation,
+                         const Geodesic_sampling_options<TriangleMesh>& options, Visitor& visitor)
   {
     const Element_finder<double, TriangleMesh, VertexIndexMap, FaceIndexMap> finder(m_table, m_vim, m_fim);
     for(std::size_t i = 0; i < options.first_samples.size(); ++i)
       propagation.add_source(finder.vertex(options.first_samples[i], "sample", i), 0);
-    run(propagation);
-    return options.first_samples.size();
+    return options.first_samples.empty() || run(propagation, visitor);
   }
 
-  static void run(Distance_propagation<double>& propagation)
+  template <typename Visitor>
+  bool run(Distance_propagation<double>& propagation, Visitor& visitor) const
   {
-    propagation.run([](std::size_t, double) { return true; });
+    return visited_run(visitor, m_table.vertices.size(), [&](auto go_on)
+    {
+      return propagation.run([&](std::size_t number_of_visits, double distance)
+      { return go_on(number_of_visits, m_mesh.unit() * distance); });
+    });
   }
 
   // Of vertices that are equally far the first one of the mesh is taken.
@@ -174,10 +185,13 @@ for the first sample, and for each further one in proportion to its cell.
        one, or has one within the radius of the options
 \param options vertices to begin with, a radius, statistics
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among `vertex_point_map`,
-       `vertex_index_map` and `face_index_map`, with the meaning they have for `geodesic_distances()`
+       `vertex_index_map`, `face_index_map` and `visitor`, with the meaning they have for `geodesic_distances()`.
+       The visitor follows one propagation for each sample, and one for all samples in the options; distances begin
+       anew with each, visits are counted on.
 
 \return the covering radius: the largest distance of a vertex from its nearest sample, in the unit of the mesh. It is
-        infinite if there is a vertex, with a face, that no sample reaches.
+        infinite if there is a vertex, with a face, that no sample reaches. If the visitor cancelled a propagation, this
+        is the radius of the samples before, and nothing more has been written; infinite if it was the first one.
 
 \throws Invalid_geodesic_input if the mesh is invalid, as for `geodesic_distances()`, if a vertex in the
         options is not one of `tm`, or if the radius is negative or not a number. Nothing has been written then.
@@ -189,13 +203,16 @@ double geodesic_farthest_point_sampling(const TriangleMesh& tm, std::size_t n, O
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
+  using parameters::get_parameter_reference;
   auto vim = CGAL::get_initialized_vertex_index_map(tm, np);
   auto fim = CGAL::get_initialized_face_index_map(tm, np);
   auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
                               get_const_property_map(CGAL::vertex_point, tm));
+  Geodesic_default_visitor default_visitor;
+  auto& visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
   internal::Farthest_point_sampling<TriangleMesh, decltype(vim), decltype(fim)> sampling(tm, vim, fim);
   return sampling.run(internal::Shape_from_points<double, TriangleMesh, decltype(vpm)>(tm, vpm), n, output,
-                      options);
+                      options, visitor);
 }
 
 /*!

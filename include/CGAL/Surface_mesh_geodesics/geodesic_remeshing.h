@@ -12,9 +12,11 @@
 
 #include <CGAL/license/Surface_mesh_geodesics.h>
 
+#include <CGAL/Surface_mesh_geodesics/Geodesic_default_visitor.h>
 #include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_Voronoi_diagram.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_Lloyd_relaxation.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_farthest_point_sampling.h>
+#include <CGAL/Surface_mesh_geodesics/internal/visited_run.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
@@ -26,9 +28,11 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <iterator>
 #include <map>
 #include <set>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -233,7 +237,9 @@ chosen with `geodesic_farthest_point_sampling()` and moved with `geodesic_Lloyd_
 \param n the number of vertices of the result
 \param output the mesh to which the result is added
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among `vertex_point_map`,
-       `vertex_index_map` and `face_index_map`, with the meaning they have for `geodesic_distances()`, and
+       `vertex_index_map`, `face_index_map` and `visitor`, with the meaning they have for `geodesic_distances()`, and
+       the one listed below. The visitor follows one propagation for each sample, for each iteration, and for the
+       last diagram.
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{number_of_iterations}
@@ -244,7 +250,7 @@ chosen with `geodesic_farthest_point_sampling()` and moved with `geodesic_Lloyd_
 \cgalNamedParamsEnd
 
 \return what `check_geodesic_dual()` returns. If the dual is not manifold, nothing is added to `output`; a larger `n`
-        helps.
+        helps. If the visitor cancelled, nothing is added either, and the report is that of no triangles.
 
 \throws Invalid_geodesic_input if the mesh is invalid
 */
@@ -254,14 +260,23 @@ Geodesic_dual_report geodesic_remeshing(const TriangleMesh& tm, std::size_t n, O
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
+  using parameters::get_parameter_reference;
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
   const std::size_t number_of_iterations = static_cast<std::size_t>(
     choose_parameter(get_parameter(np, internal_np::number_of_iterations), 5u));
+  Geodesic_default_visitor default_visitor;
+  auto& users_visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
+  internal::Visitor_of_several_runs<std::remove_reference_t<decltype(users_visitor)>> visitor(users_visitor);
+  const auto np_with_visitor = np.visitor(std::ref(visitor));
   std::vector<vertex_descriptor> samples, sites;
-  geodesic_farthest_point_sampling(tm, n, std::back_inserter(samples), np);
-  geodesic_Lloyd_relaxation(tm, samples, number_of_iterations, std::back_inserter(sites), np);
+  geodesic_farthest_point_sampling(tm, n, std::back_inserter(samples), np_with_visitor);
+  if(visitor.is_cancelled())
+    return Geodesic_dual_report();
+  geodesic_Lloyd_relaxation(tm, samples, number_of_iterations, std::back_inserter(sites), np_with_visitor);
   auto diagram = internal::make_vertex_site_diagram(tm, np);
   diagram.set_sites(sites);
+  if(visitor.is_cancelled() || !diagram.diagram().build(visitor))
+    return Geodesic_dual_report();
   return geodesic_dual_mesh(diagram.diagram(), output);
 }
 

@@ -26,6 +26,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/Worker_team.h>
 #include <CGAL/Surface_mesh_geodesics/internal/intrinsic_mesh_from_face_graph.h>
 #include <CGAL/Surface_mesh_geodesics/internal/source_range.h>
+#include <CGAL/Surface_mesh_geodesics/internal/visited_run.h>
 
 #include <CGAL/tags.h>
 
@@ -192,14 +193,12 @@ public:
     limits.first_target = targets.data();
     limits.last_target = targets.data() + targets.size();
 
-    visitor.on_propagation_begin(m_surface.number_of_vertices());
     const double unit = static_cast<double>(m_surface.unit());
-    const bool is_complete = m_runner.run(set, limits, [&](std::size_t visits, const FT& d)
+    const bool is_complete = visited_run(visitor, m_surface.number_of_vertices(), [&](auto go_on)
     {
-      visitor.on_progress(visits, unit * static_cast<double>(d));
-      return visitor.go_further();
+      return m_runner.run(set, limits, [&](std::size_t visits, const FT& d)
+      { return go_on(visits, unit * static_cast<double>(d)); });
     });
-    visitor.on_propagation_end();
     if(options.statistics != nullptr)
     {
       Propagation_statistics statistics = m_runner.statistics();

@@ -24,6 +24,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/intrinsic_mesh_from_face_graph.h>
 #include <CGAL/Surface_mesh_geodesics/internal/path_visitors.h>
 #include <CGAL/Surface_mesh_geodesics/internal/source_range.h>
+#include <CGAL/Surface_mesh_geodesics/internal/visited_run.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -105,13 +106,8 @@ public:
       return true;
     m_sources.mark_changed();
     give_sources_to_solver();
-    visitor.on_propagation_begin(num_vertices(m_tm));
-    const bool is_complete = m_solver.run(wants_windows, [&](std::size_t visits, double reached)
-    {
-      visitor.on_progress(visits, reached);
-      return visitor.go_further();
-    });
-    visitor.on_propagation_end();
+    const bool is_complete
+      = visited_run(visitor, num_vertices(m_tm), [&](auto go_on) { return m_solver.run(wants_windows, go_on); });
     if(is_complete)
       m_sources.mark_built();
     return is_complete;
