@@ -187,9 +187,9 @@ void random_metrics_agree(std::size_t number, std::uint64_t seed)
       lengths[e] = random.uniform(1., 1.9);
     }
     const std::size_t source = std::size_t(random_vertex(tm, random));
-    Edge_sequence_search<Hundred_digits> search(indexed, [&](std::size_t a, std::size_t b) {
-      return Hundred_digits(lengths[tm.edge(tm.halfedge(vertex(a), vertex(b)))]);
-    });
+    const auto length = [&](std::size_t a, std::size_t b)
+    { return Hundred_digits(lengths[tm.edge(tm.halfedge(vertex(a), vertex(b)))]); };
+    Edge_sequence_search<Hundred_digits> search(indexed, length, 3);
     check_close(distances_from_edge_lengths(tm, lengths, vertex(source)), search.from_vertex(source), 1.);
   }
 }

@@ -199,9 +199,8 @@ std::vector<FT> distances_from(const Distance_case& c, const Numbered_source& s)
       lengths[std::minmax(surface.mesh.faces[f][k], surface.mesh.faces[f][(k + 1) % 3])] = surface.length(f, k);
     }
   }
-  Edge_sequence_search<FT> search(surface.mesh, [&](std::size_t a, std::size_t b) {
-    return lengths.at(std::minmax(a, b));
-  });
+  const auto length = [&](std::size_t a, std::size_t b) { return lengths.at(std::minmax(a, b)); };
+  Edge_sequence_search<FT> search(surface.mesh, length, c.has_points ? 1 : 3);
   std::vector<FT> result = search.from_vertex(v);
   result.resize(c.surface.mesh.points.size());
   return result;

@@ -2,13 +2,17 @@
 #define SURFACE_MESH_GEODESICS_EDGE_SEQUENCE_SEARCH_H
 
 // A referee for small meshes, written from the definition and with any number of digits. A shortest path is a chain of
-// straight pieces between vertices; each piece crosses a sequence of edges, and no face twice. So all sequences of
-// faces are unfolded into one plane, around each vertex in the order of distances; what is seen of an edge through all
-// edges before it is a cone of directions, and the next vertex is reached straight if it is in the cone.
+// straight pieces between vertices; each piece crosses a sequence of edges. So all sequences of faces are unfolded into
+// one plane, around each vertex in the order of distances; what is seen of an edge through all edges before it is a
+// cone of directions, and the next vertex is reached straight if it is in the cone.
+//
+// On a surface with points no shortest path crosses a face twice, as no way is shorter than the segment between two
+// points of the face. Where lengths are given, a way around through other faces may be shorter than that; then each
+// face may be crossed `most_crossings` times.
 //
 // There are no windows, no frames of edges and no tolerances of distances here: every vertex may bend paths, unless it
 // is clearly convex, and a ray through a vertex counts for that vertex. A sequence ends where nothing is seen any more,
-// where it would come back to a face, or where it is farther than every distance that is still in question (which are
+// where it would come back to a face once too often, or where it is farther than every distance that is still in question (which are
 // bounded by paths along edges).
 
 #include "test_meshes.h"
@@ -44,8 +48,8 @@ public:
 
   // `length(a, b)` is the length of the edge between two vertices; the points do not count.
   template <class Length>
-  Edge_sequence_search(const Indexed_mesh& mesh, const Length& length)
-    : m_mesh(mesh), m_lengths(mesh.points.size())
+  Edge_sequence_search(const Indexed_mesh& mesh, const Length& length, unsigned int most_crossings = 1)
+    : m_mesh(mesh), m_most_crossings(most_crossings), m_lengths(mesh.points.size())
   {
     for(std::size_t f = 0; f < mesh.faces.size(); ++f)
     {
@@ -170,7 +174,7 @@ private:
   // all straight pieces from v, which is at the origin
   void look_around(std::size_t v)
   {
-    m_is_crossed.assign(m_mesh.faces.size(), false);
+    m_crossings.assign(m_mesh.faces.size(), 0);
     m_offset = m_distances[v];
     for(const auto& edge : m_lengths[v])
     {
@@ -187,9 +191,9 @@ private:
         }
         const Point r = {m_lengths[v][right], FT(0)};
         const Point l = third_point({FT(0), FT(0)}, r, m_lengths[v][right], m_lengths[v][left], m_lengths[right][left]);
-        m_is_crossed[f] = true;
+        ++m_crossings[f];
         look_across(right, left, r, l, r, l);
-        m_is_crossed[f] = false;
+        --m_crossings[f];
       }
     }
   }
@@ -211,7 +215,7 @@ private:
                    const Point& last)
   {
     const auto found = m_face_on_left.find({left, right});
-    if(found == m_face_on_left.end() || m_is_crossed[found->second] || !is_open(first, last)
+    if(found == m_face_on_left.end() || m_crossings[found->second] == m_most_crossings || !is_open(first, last)
        || !(m_offset + nearest_in_cone(r, l, first, last) < m_bound))
     {
       return;
@@ -227,7 +231,7 @@ private:
     {
       m_distances[apex] = (std::min)(m_distances[apex], FT(m_offset + norm(a)));
     }
-    m_is_crossed[f] = true;
+    ++m_crossings[f];
     if(is_left_of_first)
     {
       look_across(right, apex, r, a, first, is_right_of_last ? a : last);
@@ -236,7 +240,7 @@ private:
     {
       look_across(apex, left, a, l, is_left_of_first ? a : first, last);
     }
-    m_is_crossed[f] = false;
+    --m_crossings[f];
   }
 
   // A lower bound of the distance of the points that are seen: that of the segment between the points where the edge
@@ -260,11 +264,12 @@ private:
   }
 
   const Indexed_mesh& m_mesh;
+  unsigned int m_most_crossings;
   std::vector<std::map<std::size_t, FT>> m_lengths;                          // by both ends of an edge
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> m_face_on_left; // of a directed edge
   std::vector<bool> m_is_convex;
   std::vector<FT> m_distances;
-  std::vector<bool> m_is_crossed; // the faces of the sequence
+  std::vector<unsigned int> m_crossings; // of each face, by the sequence
   FT m_offset = FT(0);            // the distance of the vertex at the origin
   FT m_bound = FT(0);
   std::size_t m_number_of_sequences = 0;

@@ -320,7 +320,7 @@ private:
     Steps reversed;
     for(Index i = m_stop; i != null_id; i = m_stops[i].previous)
       add_piece(m_stops[i], reversed);
-    FT length = 0;
+    FT length = m_field.distance[m_stops[m_stop].vertex]; // the offset of the source
     for(const Path_step<FT>& step : reversed)
       length = length + step.gap;
     if(!(abs(FT(length - m_distance)) <= 2 * m_tolerance))
