@@ -29,6 +29,10 @@ Voronoi diagram violates each of several conditions, and by the cell of which si
 A violation is relative: for distances, what a number is too large or too small by, divided by the sum of the distance
 and the longest edge of the mesh; for places, to the longest edge; for areas, to the sum of the expected area and the
 square of the longest edge. It is infinite where something is missing or does not fit together at all.
+
+All functions take constant time, throw nothing, and may be called by several threads at once.
+
+\sa `certify_geodesic_Voronoi_diagram()`
 */
 class Geodesic_Voronoi_certificate
 {
@@ -54,6 +58,8 @@ public:
   static constexpr std::size_t null_site() { return (std::numeric_limits<std::size_t>::max)(); }
 
   /// returns whether no condition is violated by more than the tolerance.
+  ///
+  /// \param tolerance a relative one, as a violation is
   bool is_certified(double tolerance = default_tolerance) const { return worst_violation() <= tolerance; }
 
   /// returns the largest violation of all conditions, 0 if none is violated.
@@ -65,7 +71,7 @@ public:
     return worst;
   }
 
-  /// returns the largest violation of a condition.
+  /// returns the largest violation of a condition, 0 if it is not violated.
   double worst_violation(Condition c) const { return entry(c).violation; }
 
   /// returns the site that is involved where a condition is violated most: the one whose distance is not as told, or

@@ -20,24 +20,26 @@ namespace Surface_mesh_geodesics {
 /*!
 \ingroup PkgSurfaceMeshGeodesicsClasses
 
-The class `Geodesic_default_visitor` does nothing at each event of a propagation, and never cancels
-it. A visitor may derive from it and hide the functions that it needs.
+The class `Geodesic_default_visitor` is the visitor that takes no notice of anything and never cancels.
+
+A visitor of one's own may derive from it and declare those functions that it needs; the others are inherited. (No
+function is virtual: the type of the visitor that is passed decides which ones are called.) The functions take constant
+time, throw nothing, and may be called from several threads at once, as the class has no data.
 
 \cgalModels{GeodesicPropagationVisitor}
 */
 struct Geodesic_default_visitor
 {
-  /// is called before the propagation over a mesh with `number_of_vertices` vertices.
+  /// does nothing.
   void on_propagation_begin(std::size_t /* number_of_vertices */) {}
 
-  /// is called before each visit of a vertex by the wavefront. All distances up to
-  /// `distance_reached`, which never decreases, are final. A vertex may be visited more than once.
+  /// does nothing.
   void on_progress(std::size_t /* number_of_visits */, double /* distance_reached */) {}
 
-  /// is called after each `on_progress()`; the propagation is cancelled if it returns `false`.
+  /// returns `true`: the propagation goes on.
   bool go_further() { return true; }
 
-  /// is called after the propagation, also if it was cancelled.
+  /// does nothing.
   void on_propagation_end() {}
 };
 

@@ -34,7 +34,12 @@ longest edge of the faces around. It is infinite where a number is missing, infi
 What is too large or too small by less than \f$ 8 \epsilon \approx 1.8 \cdot 10^{-15} \f$ of the extent of the mesh is
 no violation, as points so near to each other are not told apart.
 
+An object holds numbers and descriptors; it is valid as long as the mesh does not change. All functions take constant
+time, throw nothing, and may be called by several threads at once.
+
 \tparam TriangleMesh a model of `FaceListGraph`
+
+\sa `certify_geodesic_distances()`
 */
 template <typename TriangleMesh>
 class Geodesic_distance_certificate
@@ -63,6 +68,8 @@ public:
   static constexpr double default_tolerance = 0x1p-40;
 
   /// returns whether no condition is violated by more than the tolerance.
+  ///
+  /// \param tolerance a relative one, as a violation is
   bool is_certified(double tolerance = default_tolerance) const { return worst_violation() <= tolerance; }
 
   /// returns the largest violation of all conditions, 0 if none is violated.
@@ -74,7 +81,7 @@ public:
     return worst;
   }
 
-  /// returns the largest violation of a condition.
+  /// returns the largest violation of a condition, 0 if it is not violated.
   double worst_violation(Condition c) const { return entry(c).violation; }
 
   /// returns the vertex where a condition is violated most: for `EDGES` and `PAIRS_OF_FACES` the vertex whose distance

@@ -41,6 +41,9 @@ The class `Geodesic_distance_options` holds the options of `geodesic_distances()
 \tparam NearestSourceMap a model of `WritablePropertyMap` with the vertex descriptor of `TriangleMesh`
         as key type and `std::size_t` as value type, if `nearest_source_map` is used
 
+Objects can be copied, and used for any number of calls. Functions look at them during the call only; what is in them is
+checked there, not before.
+
 \sa `make_geodesic_distance_options()`
 */
 template <typename TriangleMesh
@@ -73,19 +76,30 @@ struct Geodesic_distance_options
   /// smaller than its own offset is the nearest source of no vertex.
   std::vector<double> source_offsets;
 
-  /// is assigned, for each vertex, the position in the range of sources of a source from which its
+  /// gets, for each vertex, the position in the range of sources, counted from 0, of a source from which its
   /// distance is measured, or `no_source`. If several sources have this distance, any of
-  /// them is assigned; if they are at the same place with the same offset, the first.
+  /// them is taken; if they are at the same place with the same offset, the first. Nothing is put into the map if
+  /// the visitor cancels or the input is invalid.
   NearestSourceMap nearest_source_map = NearestSourceMap();
 
-  /// if not null, what the computation did is added to `*statistics`.
+  /// if not null, what the computation did is <em>added to</em> `*statistics`, also if the visitor cancelled it. The
+  /// object is not owned. Computations that run at the same time must not share one.
   Propagation_statistics* statistics = nullptr;
 };
 
 /*!
 \ingroup PkgSurfaceMeshGeodesicsFunctions
 
-returns default options with the given `nearest_source_map`.
+returns default options with the given `nearest_source_map`. The type of the mesh is told by the caller:
+`make_geodesic_distance_options<Mesh>(map)`.
+
+\tparam TriangleMesh a model of `FaceListGraph`
+\tparam NearestSourceMap a model of `WritablePropertyMap` with the vertex descriptor of `TriangleMesh` as key type and
+        `std::size_t` as value type
+
+\param nearest_source_map the map, which is copied
+
+\return the options, all but the map with their default values
 */
 template <typename TriangleMesh, typename NearestSourceMap>
 Geodesic_distance_options<TriangleMesh, NearestSourceMap>

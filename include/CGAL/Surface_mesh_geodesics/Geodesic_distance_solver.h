@@ -55,8 +55,13 @@ solver.compute_distances(v, options);                       // one to all within
 solver.vertices_reached(std::back_inserter(neighbours));
 \endcode
 
-An object may be used by one thread at a time; `geodesic_distance_matrix()` uses several threads. It refers to the
-mesh, which must neither be changed nor die before the object. Objects can be moved.
+<b>Thread safety.</b> Member functions that are `const` may be called by several threads at once. The others may be
+called by one thread at a time, and not together with the `const` ones. Each thread may have an object of its own on the
+same mesh; `geodesic_distance_matrix()` does that with less memory.
+
+<b>Validity.</b> An object refers to the mesh and keeps copies of the maps; the mesh must neither be changed nor die
+before the object. (Points and lengths are read by the constructor, and not again.) Objects can be moved, and not
+copied. One that has been moved from may be assigned to or destroyed, and nothing else.
 
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`: whether each computation
@@ -111,13 +116,15 @@ private:
 
 public:
   /// \name Creation
-  /// All of them read the whole mesh.
+  /// All of them read the whole mesh, in linear time.
   ///
   /// \throws Invalid_geodesic_input for the same meshes as `geodesic_distances()`, or
   ///         `geodesic_distances_from_edge_lengths()`
   /// @{
 
   /// reads a mesh with its default maps.
+  ///
+  /// \param tm the triangle mesh
   explicit Geodesic_distance_solver(const TriangleMesh& tm)
     : Geodesic_distance_solver(tm, get_const_property_map(CGAL::vertex_point, tm))
   {}
@@ -126,6 +133,9 @@ public:
   ///
   /// \tparam VertexPointMap a model of `ReadablePropertyMap` with the vertex descriptor as key type and a 3D
   ///         point type with the members `x()`, `y()`, `z()` as value type
+  ///
+  /// \param tm the triangle mesh
+  /// \param vertex_point_map gives the point of each vertex
   template <typename VertexPointMap>
   Geodesic_distance_solver(const TriangleMesh& tm, VertexPointMap vertex_point_map)
     : Geodesic_distance_solver(tm, vertex_point_map,
@@ -134,6 +144,13 @@ public:
   {}
 
   /// reads a mesh with the points and the indices of the given maps.
+  ///
+  /// \tparam VertexPointMap as above
+  ///
+  /// \param tm the triangle mesh
+  /// \param vertex_point_map gives the point of each vertex
+  /// \param vertex_index_map gives each vertex a unique index from 0 to `num_vertices(tm) - 1`
+  /// \param face_index_map gives each face a unique index from 0 to `num_faces(tm) - 1`
   template <typename VertexPointMap>
   Geodesic_distance_solver(const TriangleMesh& tm, VertexPointMap vertex_point_map,
                            Vertex_index_map vertex_index_map, Face_index_map face_index_map)
@@ -146,6 +163,9 @@ public:
   ///
   /// \tparam EdgeLengthMap a model of `ReadablePropertyMap` with the edge descriptor as key type and a number
   ///         type that `CGAL::to_double()` takes as value type
+  ///
+  /// \param tm the triangle mesh
+  /// \param edge_length_map the lengths, as for `geodesic_distances_from_edge_lengths()`
   template <typename EdgeLengthMap>
   static Geodesic_distance_solver from_edge_lengths(const TriangleMesh& tm, EdgeLengthMap edge_length_map)
   {
@@ -156,6 +176,13 @@ public:
 
   /// returns a solver for a surface that is given by the lengths of its edges, with the indices of the
   /// given maps.
+  ///
+  /// \tparam EdgeLengthMap as above
+  ///
+  /// \param tm the triangle mesh
+  /// \param edge_length_map the lengths, as for `geodesic_distances_from_edge_lengths()`
+  /// \param vertex_index_map gives each vertex a unique index from 0 to `num_vertices(tm) - 1`
+  /// \param face_index_map gives each face a unique index from 0 to `num_faces(tm) - 1`
   template <typename EdgeLengthMap>
   static Geodesic_distance_solver from_edge_lengths(const TriangleMesh& tm, EdgeLengthMap edge_length_map,
                                                     Vertex_index_map vertex_index_map,
@@ -169,18 +196,24 @@ public:
   /// @}
 
   /// \name Computation
-  /// What was computed before is forgotten.
+  /// What was computed before is forgotten, unless the input is found to be invalid. The time is that of a propagation
+  /// over the area that is reached; see `geodesic_distances()`.
   /// @{
 
   /// computes the distances from a source or from the nearest of several sources; these are given as for
-  /// `geodesic_distances()`. Returns `true`, or `false` if the visitor cancelled: no vertex has been reached
-  /// then.
+  /// `geodesic_distances()`.
   ///
   /// \tparam Sources a source or a range of sources
   /// \tparam Visitor a model of `GeodesicPropagationVisitor`
   ///
-  /// \throws Invalid_geodesic_input for a source, a target or a number for which `geodesic_distances()` does. No vertex
-  ///         has been reached then.
+  /// \param sources the source or sources
+  /// \param options the options
+  /// \param visitor is told of the progress; what it throws is passed on, and no vertex has been reached then
+  ///
+  /// \return `true`, or `false` if the visitor cancelled: no vertex has been reached then
+  ///
+  /// \throws Invalid_geodesic_input for a source, a target or a number for which `geodesic_distances()` does. The
+  ///         results of the computation before stay as they are.
   template <typename Sources, typename Visitor>
   bool compute_distances(const Sources& sources, const Options& options, Visitor& visitor)
   {
@@ -188,6 +221,13 @@ public:
   }
 
   /// computes the distances without a visitor.
+  ///
+  /// \tparam Sources a source or a range of sources
+  ///
+  /// \param sources the source or sources, as for `geodesic_distances()`
+  /// \param options the options
+  ///
+  /// \throws Invalid_geodesic_input as above
   template <typename Sources>
   void compute_distances(const Sources& sources, const Options& options = Options())
   {
@@ -195,7 +235,16 @@ public:
     compute_distances(sources, options, visitor);
   }
 
-  /// computes the distances up to that of a vertex, and returns that, or infinity if no source reaches it.
+  /// computes the distances up to that of a vertex.
+  ///
+  /// \tparam Sources a source or a range of sources
+  ///
+  /// \param sources the source or sources, as for `geodesic_distances()`
+  /// \param target a vertex of the mesh
+  ///
+  /// \return the distance of `target`, in the unit of the mesh, or infinity if no source reaches it
+  ///
+  /// \throws Invalid_geodesic_input if a source or the target is invalid
   template <typename Sources>
   double compute_distance(const Sources& sources, vertex_descriptor target)
   {
@@ -208,18 +257,30 @@ public:
   /// @}
 
   /// \name Results of the Last Computation
+  /// Before the first one, no vertex has been reached.
   /// @{
 
-  /// returns the distance of a vertex of the mesh, in the unit of the mesh. It is infinity if no source reaches the
-  /// vertex or if the computation ended before its distance was final.
+  /// returns the distance of a vertex, in the unit of the mesh. It is infinity if no source reaches the
+  /// vertex or if the computation ended before its distance was final. Takes constant time.
+  ///
+  /// \param v a vertex
+  /// \pre `v` is a vertex of the mesh (this is not checked).
   double distance(vertex_descriptor v) const { return m_solver->distance(v); }
 
   /// returns the position in the range of sources of a source from which the distance of `v` is measured,
-  /// or `Options::no_source` if the distance is infinity.
+  /// counted from 0, or `Options::no_source` if the distance is infinity. Takes time logarithmic in the number of
+  /// sources, and linear in the number of times that the path bends.
+  ///
+  /// \param v a vertex
+  /// \pre `v` is a vertex of the mesh (this is not checked).
   std::size_t nearest_source(vertex_descriptor v) const { return m_solver->nearest_source(v); }
 
-  /// puts the vertices whose distance is not infinity, each once and in no particular order, into an output iterator;
-  /// returns its new position. Takes time proportional to their number.
+  /// puts the vertices whose distance is not infinity, each once and in no particular order, into an output iterator.
+  /// Takes time proportional to the number of vertices that the wavefront has touched.
+  ///
+  /// \tparam VertexOutputIterator a model of `OutputIterator` that holds vertex descriptors of `TriangleMesh`
+  /// \param output gets the vertices
+  /// \return the new position of `output`
   template <typename VertexOutputIterator>
   VertexOutputIterator vertices_reached(VertexOutputIterator output) const
   {

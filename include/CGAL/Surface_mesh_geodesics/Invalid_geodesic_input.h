@@ -51,6 +51,11 @@ public:
   /// the value of `element()` where no single element is to blame.
   static constexpr std::size_t no_element = (std::numeric_limits<std::size_t>::max)();
 
+  /// creates an exception.
+  ///
+  /// \param reason what is wrong
+  /// \param message what `what()` returns: a sentence for people
+  /// \param element which element is to blame
   Invalid_geodesic_input(Reason reason, const std::string& message, std::size_t element = no_element)
     : std::invalid_argument(message), m_reason(reason), m_element(element)
   {}
@@ -59,7 +64,8 @@ public:
   Reason reason() const { return m_reason; }
 
   /// returns which element is to blame: the position of a vertex, a face or an edge in the range
-  /// `vertices(tm)`, `faces(tm)` or `edges(tm)`, or that of a source in the range of sources.
+  /// `vertices(tm)`, `faces(tm)` or `edges(tm)`, or that of a source, an offset, a target, a sample or a site in the
+  /// range of these, counted from 0; `no_element` if there is none.
   std::size_t element() const { return m_element; }
 
 private:

@@ -21,8 +21,17 @@ namespace Surface_mesh_geodesics {
 /*!
 \ingroup PkgSurfaceMeshGeodesicsClasses
 
-The class `Propagation_statistics` counts what a propagation did. Counts are added up, so that an
-object may be used for several runs; maxima and bytes are those of the largest run.
+The class `Propagation_statistics` counts what one propagation did, or several.
+
+- An object that `Geodesic_distance_options::statistics` points to is <em>added to</em>, by `geodesic_distances()`,
+  `geodesic_distances_from_edge_lengths()` and `Geodesic_distance_solver`, so that it may be used for several runs:
+  counts are summed up, maxima and bytes are those of the largest run. The other functions that take these options do
+  not look at the pointer.
+- An object that `Geodesic_sampling_options::statistics` points to is <em>assigned</em> the counts of the call.
+- `Surface_mesh_geodesic_paths::statistics()` and `Surface_mesh_geodesic_Voronoi_diagram::statistics()` return those of
+  the last propagation alone.
+
+A propagation that a visitor has cancelled is counted as far as it went, and none that has ended by an exception.
 
 \sa `Geodesic_distance_options`
 */
@@ -37,11 +46,11 @@ struct Propagation_statistics
   /// number of windows that were propagated across a face, after pruning.
   std::size_t windows_propagated = 0;
 
-  /// number of propagated windows left without a child: by Rule 1 (one angle, two sides), at a border, or because
-  /// their children were removed by another rule.
+  /// number of propagated windows left without a child: by Rule 1 (\ref Surface_mesh_geodesics_rules), at a border, or
+  /// because their children were removed by another rule.
   std::size_t windows_removed_by_rule_1 = 0;
 
-  /// number of windows removed by Rules 2 and 3 (pairs of windows of one edge).
+  /// number of windows removed by Rules 2 and 3 (pairs of windows of one edge; \ref Surface_mesh_geodesics_rules).
   std::size_t windows_removed_by_rules_2_and_3 = 0;
 
   /// number of windows removed because a path through a vertex is shorter.

@@ -89,8 +89,17 @@ from both; such a region belongs to one of the two, as decided at that vertex. T
 are then those along which the other site's paths, too, are no longer equally short. Where the diagram is
 symmetric, arcs may run along edges and through vertices of the mesh, and more than three cells may meet.
 
-<b>When things are computed.</b> Sites are collected; the diagram is computed by `build()`, or by the first query.
-All member functions that are `const` may be called from several threads at once, also the first time.
+<b>When things are computed.</b> Sites are collected; the diagram is computed by `build()`, or by the first query. Each
+function that does so throws what `build()` throws.
+
+<b>Units.</b> Distances, weights and lengths are in the unit of the points, or of the edge lengths, areas in its square.
+
+<b>Thread safety.</b> All member functions that are `const`, and those of `Vertex`, `Arc` and `Edge`, may be called by
+several threads at once, also the first time: one of them computes, the others wait. Functions that are not `const` must
+not run at the same time as any other one.
+
+<b>Validity.</b> What functions return by reference, and handles, are valid until sites are changed, `clear()`,
+`use_edge_lengths()` or `use_points()` is called, or the diagram is destroyed. The mesh must not change in between.
 
 \tparam Traits a model of `SurfaceMeshShortestPathTraits`, with the requirements of `Surface_mesh_geodesic_paths`
 \tparam VIM a model of `ReadablePropertyMap` with `vertex_descriptor` as key and `unsigned int` as value type.
@@ -166,7 +175,7 @@ public:
 
   /// @}
 
-  /// returns the number that stands for "no site", and for "no vertex" of the diagram.
+  /// returns the number that stands for "no site", and for "no vertex" of the diagram: the largest `std::size_t`.
   static constexpr std::size_t null_site() { return (std::numeric_limits<std::size_t>::max)(); }
 
 private:
@@ -184,7 +193,7 @@ private:
 public:
   /*!
   A vertex of the diagram: a point with the same distance from three nearest sites or more. Like `Arc` and `Edge`
-  it is a small handle, valid until the diagram is destroyed or its sites are changed.
+  it is a small handle, valid until the diagram is destroyed or its sites are changed. All functions take constant time.
   */
   class Vertex
   {
@@ -198,10 +207,10 @@ public:
     /// returns the sites whose cells meet here, in ascending order: three, or more in symmetric diagrams.
     const std::vector<Site_index>& sites() const { return m_diagram->m_vertex_sites[m_index]; }
 
-    /// returns the distance from the sites, less their weights.
+    /// returns the distance from the sites, less their weights, in the unit of the mesh.
     FT distance() const { return m_diagram->user_distance(m_diagram->m_complex.nodes()[node()].distance); }
 
-    /// returns the number of the vertex.
+    /// returns the number of the vertex: its position in `Surface_mesh_geodesic_Voronoi_diagram::vertices()`.
     std::size_t index() const { return m_index; }
 
   private:
@@ -216,7 +225,8 @@ public:
 
   /*!
   An arc of the diagram: a piece of the curve between two cells in one face, along which the same image of
-  each of the two sites is the nearest one.
+  each of the two sites is the nearest one. All functions but `sample()` take constant time (that of `length()` depends
+  on the shape of the arc, as it is the time of a quadrature).
   */
   class Arc
   {
@@ -230,13 +240,19 @@ public:
       return {m_diagram->m_solver.source_at(arc().left_site), m_diagram->m_solver.source_at(arc().right_site)};
     }
 
-    /// returns the location at the parameter `t`, from 0 to 1. Points are not evenly spaced in general.
+    /// returns the location at the parameter `t`. Points are not evenly spaced in general.
+    ///
+    /// \param t where the point is: 0 for the beginning of the arc, 1 for its end
+    /// \pre `0 <= t` and `t <= 1`. (A smaller number is taken for 0, a larger one for 1.)
     Face_location point(double t) const
     {
       return m_diagram->location_in(arc().face, Curve(arc()).point(t));
     }
 
-    /// returns the distance of the two sites from `point(t)`, less their weights.
+    /// returns the distance of the two sites from `point(t)`, less their weights, in the unit of the mesh.
+    ///
+    /// \param t where the point is, as for `point()`
+    /// \pre `0 <= t` and `t <= 1`. (A smaller number is taken for 0, a larger one for 1.)
     FT distance(double t) const
     {
       return m_diagram->user_distance(arc().left.distance_to(Curve(arc()).point(t)));
@@ -245,14 +261,22 @@ public:
     /// returns whether the arc is a segment; else it is a piece of a hyperbola.
     bool is_segment() const { return Curve(arc()).is_segment(); }
 
-    /// returns the length, with an error of about \f$ 10^{-13} \f$ of it.
+    /// returns the length, in the unit of the mesh, with an error of about \f$ 10^{-13} \f$ of it.
     FT length() const { return FT(m_diagram->m_solver.unit() * Curve(arc()).length()); }
 
     /// writes the locations of points from `point(0)` to `point(1)` to an output iterator; the segments between
-    /// them are not farther from the arc than `tolerance`.
+    /// them are not farther from the arc than `tolerance`. Takes time linear in the number of points.
+    ///
+    /// \tparam OutputIterator a model of `OutputIterator` that takes `Face_location`
+    /// \param tolerance the largest distance, in the unit of the mesh
+    /// \param output gets the locations, two for a segment. No interval of a piece of a hyperbola is halved more than
+    ///        24 times.
+    /// \return the output iterator past the last location
+    /// \pre `tolerance > 0`
     template <typename OutputIterator>
     OutputIterator sample(double tolerance, OutputIterator output) const
     {
+      CGAL_precondition_msg(tolerance > 0, "the tolerance is not positive");
       const auto face = arc().face;
       *output++ = m_diagram->location_in(face, arc().first);
       Curve(arc()).sample(tolerance / m_diagram->m_solver.unit(), [&](const Planar& p)
@@ -260,13 +284,13 @@ public:
       return output;
     }
 
-    /// returns the number of the vertex of the diagram at the beginning, or `null_site()`.
+    /// returns the number of the vertex of the diagram at the beginning, or `null_site()` if there is none.
     std::size_t source_vertex() const { return m_diagram->vertex_at(arc().first_node); }
 
     /// returns the number of the vertex of the diagram at the end, or `null_site()`.
     std::size_t target_vertex() const { return m_diagram->vertex_at(arc().last_node); }
 
-    /// returns the number of the arc.
+    /// returns the number of the arc: its position in `Surface_mesh_geodesic_Voronoi_diagram::arcs()`.
     std::size_t index() const { return m_index; }
 
   private:
@@ -281,7 +305,7 @@ public:
 
   /*!
   An edge of the diagram: the arcs of two cells from one vertex of the diagram to the next one or to the border of
-  the mesh, or all around.
+  the mesh, or all around. All functions but `length()` and `polyline()` take constant time.
   */
   class Edge
   {
@@ -294,6 +318,7 @@ public:
     }
 
     /// returns the arcs from the beginning to the end, and whether each is run through from its end to its beginning.
+    /// The reference is valid as long as the edge.
     const std::vector<std::pair<Arc, bool>>& arcs() const { return m_diagram->m_edge_arcs[m_index]; }
 
     /// returns the number of the vertex of the diagram at the beginning, or `null_site()` if the edge is closed or
@@ -312,7 +337,7 @@ public:
     /// returns whether the edge has no ends.
     bool is_closed() const { return chain().is_closed; }
 
-    /// returns the length.
+    /// returns the length, in the unit of the mesh. Takes time linear in the number of arcs.
     FT length() const
     {
       FT sum = 0;
@@ -321,8 +346,15 @@ public:
       return sum;
     }
 
-    /// writes the points of a polyline along the edge to an output iterator of `Point_3`; a closed edge ends with its
-    /// first point. See `Arc::sample()` for `tolerance`.
+    /// writes the points of a polyline along the edge to an output iterator; a closed edge ends with its first point.
+    /// Takes time linear in the number of points.
+    ///
+    /// \tparam OutputIterator a model of `OutputIterator` that takes `Point_3`
+    /// \param tolerance the largest distance of the polyline from the arcs, in the unit of the mesh, as for
+    ///        `Arc::sample()`
+    /// \param output gets the points
+    /// \return the output iterator past the last point
+    /// \pre `tolerance > 0`
     template <typename OutputIterator>
     OutputIterator polyline(double tolerance, OutputIterator output) const
     {
@@ -341,7 +373,7 @@ public:
       return output;
     }
 
-    /// returns the number of the edge.
+    /// returns the number of the edge: its position in `Surface_mesh_geodesic_Voronoi_diagram::edges()`.
     std::size_t index() const { return m_index; }
 
   private:
@@ -354,7 +386,8 @@ public:
     std::size_t m_index;
   };
 
-  /// A part of the boundary of a cell: edges one behind the other, with the cell on their left.
+  /// A part of the boundary of a cell: edges one behind the other, with the cell on their left. It is valid as long as
+  /// its edges.
   struct Boundary
   {
     /// the edges, and whether each is run through from its end to its beginning.
@@ -365,16 +398,28 @@ public:
   };
 
   /// \name Constructors
+  /// They take constant time. Diagrams can neither be copied nor moved.
   /// @{
 
-  /// creates the diagram of no sites on `tm`, which is referred to, not copied, and must not change before
-  /// `clear()`. The index maps and the point map of `tm` are used.
+  /// creates the diagram of no sites on a mesh, with the index maps and the point map of the mesh.
+  ///
+  /// \param tm the mesh, which is referred to, not copied, and must not change before `clear()`
+  /// \param traits an instance of the traits class, which is copied
+  /// \pre The faces of `tm` are triangles. (`build()` throws otherwise.)
   explicit Surface_mesh_geodesic_Voronoi_diagram(const Triangle_mesh& tm, const Traits& traits = Traits())
     : Surface_mesh_geodesic_Voronoi_diagram(tm, get(boost::vertex_index, tm), get(boost::halfedge_index, tm),
                                             get(boost::face_index, tm), get(CGAL::vertex_point, tm), traits)
   {}
 
-  /// creates the diagram of no sites on `tm`, with the maps given.
+  /// creates the diagram of no sites on a mesh, with the maps given.
+  ///
+  /// \param tm the mesh, which is referred to, not copied, and must not change before `clear()`
+  /// \param vertex_index_map gives each vertex an index from 0 to `num_vertices(tm) - 1`
+  /// \param halfedge_index_map is not used
+  /// \param face_index_map gives each face an index from 0 to `num_faces(tm) - 1`
+  /// \param vertex_point_map gives the point of each vertex
+  /// \param traits an instance of the traits class, which is copied
+  /// \pre The faces of `tm` are triangles. (`build()` throws otherwise.)
   Surface_mesh_geodesic_Voronoi_diagram(const Triangle_mesh& tm, Vertex_index_map vertex_index_map,
                                         Halfedge_index_map halfedge_index_map, Face_index_map face_index_map,
                                         Vertex_point_map vertex_point_map, const Traits& traits = Traits())
@@ -391,24 +436,36 @@ public:
   /// @}
 
   /// \name Sites
-  /// Changes forget the diagram; it is computed again when it is needed.
+  /// Changes forget the diagram; it is computed again when it is needed. Adding a site takes constant time.
   /// @{
 
-  /// adds a vertex as a site; returns its number.
+  /// adds a vertex as a site. Whether it is one of the mesh is checked by `build()`.
+  ///
+  /// \param v a vertex of the mesh
+  /// \param weight its weight, in the unit of the mesh; it may be negative
+  /// \return the number of the site
   /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the weight is not finite
   Site_index add_site(vertex_descriptor v, const FT& weight = FT(0))
   {
     return insert(Site{v, Face_location(), finite(weight)});
   }
 
-  /// adds a point of a face as a site; returns its number. Whether it is one is checked by `build()`.
+  /// adds a point of a face as a site. Whether it is one is checked by `build()`.
+  ///
+  /// \param location a face of the mesh and coordinates in it
+  /// \param weight its weight, in the unit of the mesh; it may be negative
+  /// \return the number of the site
   /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the weight is not finite
   Site_index add_site(const Face_location& location, const FT& weight = FT(0))
   {
     return insert(Site{Graph_traits::null_vertex(), location, finite(weight)});
   }
 
-  /// adds all elements of a range of `vertex_descriptor` or `Face_location`; returns the number of the first one.
+  /// adds all elements of a range as sites, with the weight 0.
+  ///
+  /// \tparam Sites a range of `vertex_descriptor` or `Face_location`
+  /// \param sites the sites
+  /// \return the number of the first one that was added, `number_of_sites()` if the range is empty; the others follow
   template <typename Sites>
   Site_index add_sites(const Sites& sites)
   {
@@ -428,9 +485,13 @@ public:
   }
 
   /// takes the lengths of the edges from a map instead of from points. They are used until the next call of
-  /// `use_points()`.
+  /// `use_points()`, and read and checked when the mesh is read: by `build()`, and by the first query of a distance in
+  /// a face. Sites are kept. Takes constant time.
+  ///
   /// \tparam EdgeLengthMap a model of `ReadablePropertyMap` with the edge descriptor as key type and a number
   ///         type as value type
+  /// \param edge_length_map gives the length of each edge, as for
+  ///        `Surface_mesh_geodesics::geodesic_distances_from_edge_lengths()`; it is copied
   template <typename EdgeLengthMap>
   void use_edge_lengths(EdgeLengthMap edge_length_map)
   {
@@ -443,7 +504,8 @@ public:
     forget_mesh();
   }
 
-  /// takes the lengths of the edges from the points of the vertices, as it is done unless they are given.
+  /// takes the lengths of the edges from the points of the vertices, as it is done unless they are given. Sites are
+  /// kept.
   void use_points()
   {
     m_build_mesh = [this](Solver& solver)
@@ -458,7 +520,10 @@ public:
   /// returns the number of sites.
   std::size_t number_of_sites() const { return m_sites.size(); }
 
-  /// returns the place of a site.
+  /// returns the place of a site, in a face around it if it is a vertex; the face is the null face for a vertex without
+  /// faces.
+  ///
+  /// \param i the number of the site
   /// \pre `i < number_of_sites()`
   Face_location site(Site_index i) const
   {
@@ -468,7 +533,9 @@ public:
                                                    : Paths::face_location(s.vertex, m_tm, m_traits);
   }
 
-  /// returns the weight of a site.
+  /// returns the weight of a site, in the unit of the mesh.
+  ///
+  /// \param i the number of the site
   /// \pre `i < number_of_sites()`
   FT weight(Site_index i) const
   {
@@ -483,8 +550,15 @@ public:
 
   /// computes the diagram, if that has not been done since sites were changed.
   ///
+  /// Takes the time of a propagation from all sites, in the worst case \cgalBigO{n^2} for \f$ n \f$ vertices, and for
+  /// each face that curves cross time polynomial in the number of windows on its edges; in practice both together are
+  /// two to five times the time of the distances (\ref Surface_mesh_geodesics_performance). The memory is that of the
+  /// mesh, of the windows near the wavefront, and of the arcs (\cgalCite{qin2017voronoi}; thesis, chapter 5). The mesh
+  /// is read by the first call only.
+  ///
   /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the mesh or a site is invalid; this holds for each
-  ///         function that builds
+  ///         function that builds. Nothing has been computed then; sites stay as they are.
+  /// \throws std::bad_alloc if there is not enough memory
   void build() const
   {
     Surface_mesh_geodesics::Geodesic_default_visitor visitor;
@@ -518,7 +592,7 @@ public:
   /// returns whether the diagram has been computed for the sites as they are.
   bool is_built() const { return m_is_built.load(std::memory_order_acquire); }
 
-  /// returns what the propagation did.
+  /// returns what the propagation did. The diagram is computed if that has not been done.
   const Surface_mesh_geodesics::Propagation_statistics& statistics() const
   {
     build();
@@ -526,7 +600,7 @@ public:
   }
 
   /// returns how many windows were kept for the diagram at most at a time, and how many would have been kept without
-  /// the removal of redundant windows.
+  /// the removal of redundant windows. The diagram is computed if that has not been done.
   std::pair<std::size_t, std::size_t> number_of_kept_windows() const
   {
     build();
@@ -536,9 +610,17 @@ public:
   /// @}
 
   /// \name Queries
+  /// The diagram is computed if that has not been done. A vertex, a face or a location that is not in the mesh throws
+  /// `Surface_mesh_geodesics::Invalid_geodesic_input`, unless there are no sites: then nothing is checked, and the
+  /// answer is that for a point that no site reaches.
   /// @{
 
-  /// returns the site whose cell holds a vertex, or `null_site()` if no site reaches it.
+  /// returns the site whose cell holds a vertex. Takes constant time.
+  ///
+  /// \param v a vertex of the mesh
+  /// \return the number of the site, or `null_site()` if no site reaches `v`
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if `v` is not a vertex of the mesh (null, removed, or with
+  ///         an index out of range) and there is a site
   Site_index nearest_site(vertex_descriptor v) const
   {
     build();
@@ -547,8 +629,14 @@ public:
     return site_at(m_complex.owner(m_solver.query(v).vertex));
   }
 
-  /// returns the site whose cell holds a point of a face, or `null_site()`; any of the nearest ones if there are
-  /// several. Takes time linear in the number of arcs in the face.
+  /// returns the site whose cell holds a point of a face. Takes time linear in the number of arcs in the face.
+  ///
+  /// \param f a face of the mesh
+  /// \param location the coordinates of the point in `f`
+  /// \return the number of the site, any of the nearest ones if there are several, or `null_site()` if no site reaches
+  ///         the point
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if `f` is not a face of the mesh, or the point is not in
+  ///         it, and there is a site
   Site_index nearest_site(face_descriptor f, const Barycentric_coordinates& location) const
   {
     build();
@@ -567,13 +655,22 @@ public:
     return site_at(Surface_mesh_geodesics::internal::Cell_locator<double>(m_complex, q.face, p).cell());
   }
 
-  /// returns the site whose cell holds a point of a face.
+  /// does the same.
+  ///
+  /// \param location a face of the mesh and coordinates in it
+  /// \return the number of the site, or `null_site()`
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input as above
   Site_index nearest_site(const Face_location& location) const
   {
     return nearest_site(location.first, location.second);
   }
 
-  /// returns the distance of a vertex from its nearest site, less the weight of that; -1 if no site reaches it.
+  /// returns the distance of a vertex from its nearest site, less the weight of that. Takes constant time.
+  ///
+  /// \param v a vertex of the mesh
+  /// \return the distance, in the unit of the mesh, or -1 if no site reaches `v`. (With positive weights a distance may
+  ///         be negative, too; ask `nearest_site()` then.)
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if `v` is not a vertex of the mesh and there is a site
   FT distance_to_nearest_site(vertex_descriptor v) const
   {
     build();
@@ -582,9 +679,15 @@ public:
     return user_distance(m_solver.arrival(m_solver.query(v)));
   }
 
-  /// returns the distance of a point of a face from its nearest site, less the weight of that; -1 if no site reaches
-  /// it. The first call propagates once more and keeps all windows, as those that the diagram does not need
-  /// have been removed.
+  /// returns the distance of a point of a face from its nearest site, less the weight of that. The first call for a
+  /// point that is not a vertex propagates once more and keeps all windows, as those that the diagram does not need
+  /// have been removed; each takes time linear in the number of windows on the edges of the face.
+  ///
+  /// \param f a face of the mesh
+  /// \param location the coordinates of the point in `f`
+  /// \return the distance, in the unit of the mesh, or -1 if no site reaches the point
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if `f` is not a face of the mesh, or the point is not in
+  ///         it, and there is a site
   FT distance_to_nearest_site(face_descriptor f, const Barycentric_coordinates& location) const
   {
     build();
@@ -597,7 +700,11 @@ public:
     return user_distance(solver.arrival(solver.query(f, weights(location))));
   }
 
-  /// returns the distance of a point of a face from its nearest site.
+  /// does the same.
+  ///
+  /// \param location a face of the mesh and coordinates in it
+  /// \return the distance, in the unit of the mesh, or -1
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input as above
   FT distance_to_nearest_site(const Face_location& location) const
   {
     return distance_to_nearest_site(location.first, location.second);
@@ -606,6 +713,8 @@ public:
   /// @}
 
   /// \name Elements of the Diagram
+  /// The diagram is computed if that has not been done. References are valid until it is forgotten. Ranges of elements
+  /// take constant time.
   /// @{
 
   /// returns the vertices of the diagram.
@@ -631,6 +740,9 @@ public:
 
   /// returns the arcs in a face. Takes time proportional to the logarithm of the number of arcs, and to the number
   /// of those returned.
+  ///
+  /// \param f a face of the mesh
+  /// \pre `f` is a face of the mesh (this is not checked).
   std::vector<Arc> arcs(face_descriptor f) const
   {
     build();
@@ -643,7 +755,10 @@ public:
     return result;
   }
 
-  /// returns the arcs around the cell of a site.
+  /// returns the arcs around the cell of a site, in the order of `boundary()`. Takes time proportional to their number.
+  ///
+  /// \param i the number of the site
+  /// \pre `i < number_of_sites()`
   std::vector<Arc> arcs(Site_index i) const
   {
     std::vector<Arc> result;
@@ -657,10 +772,15 @@ public:
   /// @}
 
   /// \name Cells
-  /// \pre `i < number_of_sites()`, for all of these functions.
+  /// The diagram is computed if that has not been done. Where nothing else is said, functions take time linear in the
+  /// number of edges around the cell.
   /// @{
 
-  /// returns whether no point is nearest to the site: another one has the same place, or hides it by its weight.
+  /// returns whether no point is nearest to the site: another one has the same place, or hides it by its weight. Takes
+  /// constant time.
+  ///
+  /// \param i the number of the site
+  /// \pre `i < number_of_sites()`
   bool is_empty(Site_index i) const
   {
     build();
@@ -668,7 +788,11 @@ public:
     return !has_cell(i);
   }
 
-  /// returns the sites whose cells have an edge with that of site `i`, in ascending order.
+  /// returns the sites whose cells have an edge with that of site `i`, in ascending order. Takes \cgalBigO{k \log k}
+  /// time for \f$ k \f$ edges around the cell.
+  ///
+  /// \param i the number of the site
+  /// \pre `i < number_of_sites()`
   std::vector<Site_index> adjacent_sites(Site_index i) const
   {
     build();
@@ -687,6 +811,10 @@ public:
 
   /// returns the edges around the cell, with the cell on the left. What the border of the mesh adds to the boundary is
   /// left out: parts that it interrupts are not closed.
+  ///
+  /// \param i the number of the site
+  /// \return the parts, in no particular order; none for an empty cell, and for one that is a whole component
+  /// \pre `i < number_of_sites()`
   std::vector<Boundary> boundary(Site_index i) const
   {
     build();
@@ -707,7 +835,12 @@ public:
     return result;
   }
 
-  /// returns the area of the cell.
+  /// returns the area of the cell, in the square of the unit of the mesh; 0 if it is empty. The first call of this
+  /// function, or of `centroid()`, measures all cells, in time linear in the size of the mesh and of the diagram; after
+  /// that, it takes constant time.
+  ///
+  /// \param i the number of the site
+  /// \pre `i < number_of_sites()`
   FT area(Site_index i) const
   {
     check(i);
@@ -716,7 +849,10 @@ public:
   }
 
   /// returns the mean of the points of the cell, which need not be on the surface; the site if the cell is empty or
-  /// has no area.
+  /// has no area. The time is that of `area()`.
+  ///
+  /// \param i the number of the site
+  /// \pre `i < number_of_sites()`
   Point_3 centroid(Site_index i) const
   {
     check(i);
@@ -725,7 +861,11 @@ public:
   }
 
   /// returns the vertex of the mesh, among those in the cell, that is nearest in space to the centroid of the cell; the
-  /// null vertex if there is none. Takes time linear in the number of vertices of the mesh.
+  /// null vertex if there is none; the first one in the order of `vertices(tm)` if several are equally near. Takes time
+  /// linear in the number of vertices of the mesh.
+  ///
+  /// \param i the number of the site
+  /// \pre `i < number_of_sites()`
   vertex_descriptor central_vertex(Site_index i) const
   {
     const Point_3 c = centroid(i);
@@ -748,6 +888,9 @@ public:
 
   /// returns the Euler characteristic of the cell with its boundary; 0 if it is empty. The boundary is taken as a
   /// curve that does not touch itself.
+  ///
+  /// \param i the number of the site
+  /// \pre `i < number_of_sites()`
   int Euler_characteristic(Site_index i) const
   {
     build();
@@ -755,12 +898,20 @@ public:
     return has_cell(i) ? m_complex.Euler_characteristic(m_solver.source_vertex(i)) : 0;
   }
 
-  /// returns whether the cell is a topological disk.
+  /// returns whether the cell is a topological disk; `false` if it is empty.
+  ///
+  /// \param i the number of the site
+  /// \pre `i < number_of_sites()`
   bool is_disk(Site_index i) const { return Euler_characteristic(i) == 1; }
 
   /// writes the triangles of the dual, as `std::array<Site_index, 3>`, to an output iterator: one for each vertex of
   /// the diagram with three cells, `n - 2` for one with `n` cells, oriented like the faces of the mesh. They need not
-  /// form a manifold: cells that are not disks, or that have several edges or none in common, make others of it.
+  /// form a manifold: cells that are not disks, or that have several edges or none in common, make others of it. Takes
+  /// time linear in the number of arcs.
+  ///
+  /// \tparam OutputIterator a model of `OutputIterator` that takes `std::array<Site_index, 3>`
+  /// \param output gets the triangles
+  /// \return the output iterator past the last triangle
   template <typename OutputIterator>
   OutputIterator dual(OutputIterator output) const
   {
@@ -792,7 +943,8 @@ public:
 
   \param output the mesh to which the faces are added
   \param face_site_map gets the site of each face, `null_site()` for faces that no site reaches
-  \param tolerance the largest distance of the polylines from the arcs, in the unit of the mesh
+  \param tolerance the largest distance of the polylines from the arcs, in the unit of the mesh; the smaller, the more
+         faces
   \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 
   \cgalNamedParamsBegin
@@ -805,6 +957,9 @@ public:
   \cgalNamedParamsEnd
 
   \pre `tolerance > 0`
+
+  \throws Surface_mesh_geodesics::Invalid_geodesic_input if the diagram has to be computed, and the mesh or a site is
+          invalid. Nothing has been added then.
 
   Takes time linear in the size of the mesh and of the diagram; in a face with many arcs or samples, the time grows with
   the cube of the number of vertices around a piece of a cell.
@@ -835,9 +990,13 @@ public:
   /// @}
 
   /// \name Points
+  /// They come from the point map, also where the lengths come from a map of their own.
   /// @{
 
-  /// returns the point at a location.
+  /// returns the point at a location. Takes constant time.
+  ///
+  /// \param location a face of the mesh and coordinates in it
+  /// \pre The face is one of the mesh (this is not checked).
   Point_3 point(const Face_location& location) const
   {
     return Paths::point(location.first, location.second, m_tm, m_vertex_point_map, m_traits);

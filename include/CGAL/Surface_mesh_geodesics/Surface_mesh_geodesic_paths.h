@@ -103,7 +103,9 @@ Lengths and distances have the unit of the coordinates of the points, or of the 
 <b>What is computed when.</b> `build_sequence_tree()` computes what queries at vertices need, distances and paths, and
 keeps no windows. The first query at a point that is not a vertex computes what such queries need: the windows of each
 edge are kept then, in some 40 bytes each. Call `build_sequence_tree_for_faces()` if such queries will come. Both take
-the time of one propagation, which grows with the number of windows; see the chapter on performance. A build, and so a
+the time of one propagation, which grows with the number of windows, in the worst case with the square of the number of
+vertices; see
+\ref Surface_mesh_geodesics_performance. A build, and so a
 query that builds, throws what `build_sequence_tree()` throws.
 
 <b>Thread safety.</b> Member functions of a `const` object, and static ones, may be called from several threads at
@@ -267,7 +269,7 @@ public:
   /// adds a point of a face.
   ///
   /// \param f a face of the mesh
-  /// \param location the coordinates of the point in `f`
+  /// \param location the barycentric coordinates of the point in `f`, in the order that `Face_location` tells
   /// \return the iterator to the source point
   Source_point_iterator add_source_point(face_descriptor f, const Barycentric_coordinates& location)
   {
@@ -373,7 +375,8 @@ public:
   }
 
   /// removes all source points and all that was computed; the object is as it was after construction. To be
-  /// called if the mesh has changed. All iterators to source points become invalid.
+  /// called if the mesh has changed. All iterators to source points become invalid. Edge lengths are taken from the
+  /// points again.
   void clear() { m_structure.clear(); }
 
   /// @}
@@ -794,7 +797,7 @@ public:
   /// Takes time linear in the number of faces, and face queries around each point.
   ///
   /// \tparam OutputIterator a model of `OutputIterator` that takes `std::vector<Point_3>`
-  /// \param value the distance
+  /// \param value the distance, in the unit of the mesh
   /// \param output gets a polyline for each line
   /// \return the output iterator past the last polyline
   /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the mesh or a source point is invalid
@@ -849,7 +852,7 @@ public:
   ///
   /// \param f a face of the mesh
   /// \param location the coordinates of the point in `f`
-  /// \pre `f` is a triangle of the mesh.
+  /// \pre `f` is a triangle of the mesh (this is not checked, here and below).
   Point_3 point(face_descriptor f, const Barycentric_coordinates& location) const
   {
     return point(f, location, m_structure.mesh(), m_structure.vertex_point_map(), m_structure.traits());

@@ -341,8 +341,8 @@ private:
     return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
   }
 
-  // Far from the origin, two locations of a point have coordinates that differ in their last digits: each coordinate is a
-  // sum of three products.
+  // Far from the origin, two locations of a point have coordinates that differ in their last digits: each coordinate is
+  // a sum of three products.
   static double rounding_of(const Vector& a, const Vector& b)
   {
     return 8 * std::numeric_limits<double>::epsilon() * (std::max)(norm(a), norm(b));
@@ -464,12 +464,46 @@ what the diagram tells:
 Distances are checked at these points, not between them; see \ref Surface_mesh_geodesics_certification for what this
 proves.
 
-Takes the time of a propagation that keeps its windows for each site, and of a query for each site and each point.
+Takes the time of a propagation that keeps its windows for each site, and of a query for each site and each point; the
+memory is that of one propagation, beside the diagram. The diagram is computed first if that has not been done.
+
+<b>Thread safety.</b> The function may be called by several threads at once, on the same diagram as well; see
+`geodesic_distances()`.
+
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param diagram the diagram
-\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among `vertex_point_map`,
-       `vertex_index_map`, `halfedge_index_map` and `face_index_map`, with the meaning they have for
-       `geodesic_distances()`. The point map has to be that of the diagram.
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{a property map associating points to the vertices of the mesh, that of the diagram}
+    \cgalParamType{a class model of `ReadablePropertyMap` with the vertex descriptor of the mesh as key type and
+                   the point type of the traits as value type}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_index_map}
+    \cgalParamDescription{a property map associating to each vertex of the mesh a unique index between `0`
+                          and `num_vertices(tm) - 1`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with the vertex descriptor of the mesh
+                   as key type and `std::size_t` as value type}
+    \cgalParamDefault{an automatically indexed internal map}
+  \cgalParamNEnd
+  \cgalParamNBegin{face_index_map}
+    \cgalParamDescription{a property map associating to each face of the mesh a unique index between `0`
+                          and `num_faces(tm) - 1`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with the face descriptor of the mesh
+                   as key type and `std::size_t` as value type}
+    \cgalParamDefault{an automatically indexed internal map}
+  \cgalParamNEnd
+  \cgalParamNBegin{halfedge_index_map}
+    \cgalParamDescription{is not read}
+    \cgalParamType{as for the diagram}
+    \cgalParamDefault{an automatically indexed internal map}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return what has been found. A wrong diagram is no reason to throw.
 
 \throws Invalid_geodesic_input if the mesh or a site is invalid
 */
@@ -500,13 +534,19 @@ certify_geodesic_Voronoi_diagram(const Surface_mesh_geodesic_Voronoi_diagram<Tra
 /*!
 \ingroup PkgSurfaceMeshGeodesicsFunctions
 
-checks a geodesic Voronoi diagram that uses the lengths of edges instead of points.
+checks a geodesic Voronoi diagram that uses the lengths of edges instead of points. All else is as for the function
+above.
 
 \tparam EdgeLengthMap see `geodesic_distances_from_edge_lengths()`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param diagram the diagram
 \param edge_length_map the lengths, those of the diagram
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters", as above
+
+\return what has been found
+
+\throws Invalid_geodesic_input if the mesh, a length or a site is invalid
 */
 template <typename Traits, typename VIM, typename HIM, typename FIM, typename VPM, typename EdgeLengthMap,
           typename CGAL_NP_TEMPLATE_PARAMETERS>

@@ -90,6 +90,9 @@ Takes the time and the memory of a propagation that keeps its windows, and in ad
 the number of intervals into which the function divides its edges, and for each vertex a time linear in the number of
 faces that its path crosses.
 
+<b>Thread safety.</b> The function may be called by several threads at once, on the same mesh and the same map as well,
+if nobody changes them; see `geodesic_distances()`.
+
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam VertexDistanceMap a model of `ReadablePropertyMap` with the vertex descriptor of `TriangleMesh` as key type and
         a number type that `CGAL::to_double()` takes as value type
@@ -97,8 +100,9 @@ faces that its path crosses.
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tm the triangle mesh
-\param vertex_distance_map the distances. Any numbers may be there, infinite ones and NaN as well.
-\param sources the source or sources
+\param vertex_distance_map the distances, in the unit of the points. Any numbers may be there, infinite ones and NaN as
+       well.
+\param sources the source or sources, as for `geodesic_distances()`
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 
 \cgalNamedParamsBegin
@@ -132,6 +136,7 @@ faces that its path crosses.
 \return what has been found. Wrong distances are no reason to throw.
 
 \throws Invalid_geodesic_input if the mesh or a source is invalid, as `geodesic_distances()` does
+\throws std::bad_alloc if there is not enough memory for the windows
 */
 template <typename TriangleMesh, typename VertexDistanceMap, typename Sources, typename CGAL_NP_TEMPLATE_PARAMETERS>
 Geodesic_distance_certificate<TriangleMesh>
@@ -145,7 +150,22 @@ certify_geodesic_distances(const TriangleMesh& tm, VertexDistanceMap vertex_dist
 \ingroup PkgSurfaceMeshGeodesicsFunctions
 
 checks distances that have been computed with options, of which it regards the offsets and the radius: vertices beyond
-the radius must have an infinite distance. Targets are not regarded.
+the radius must have an infinite distance. Targets, the map of nearest sources and statistics are not regarded.
+All else is as for the function above.
+
+\tparam TriangleMesh a model of `FaceListGraph`
+\tparam VertexDistanceMap as above
+\tparam Sources as for `geodesic_distances()`
+\tparam NearestSourceMap see `Geodesic_distance_options`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tm the triangle mesh
+\param vertex_distance_map the distances
+\param sources the source or sources
+\param options the options
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters", as above
+
+\return what has been found
 
 \throws Invalid_geodesic_input also if the radius or an offset is invalid
 */
@@ -168,8 +188,14 @@ certify_geodesic_distances(const TriangleMesh& tm, VertexDistanceMap vertex_dist
 /*!
 \ingroup PkgSurfaceMeshGeodesicsFunctions
 
-checks distances on a surface that is given by the lengths of its edges, with options.
+checks distances on a surface that is given by the lengths of its edges, with options. Complexity and thread safety are
+those of `certify_geodesic_distances()`.
 
+\tparam TriangleMesh a model of `FaceListGraph`
+\tparam VertexDistanceMap as for `certify_geodesic_distances()`
+\tparam Sources as for `geodesic_distances()`
+\tparam NearestSourceMap see `Geodesic_distance_options`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 \tparam EdgeLengthMap see `geodesic_distances_from_edge_lengths()`
 
 \param tm the triangle mesh
@@ -179,6 +205,8 @@ checks distances on a surface that is given by the lengths of its edges, with op
 \param options the options, of which the offsets and the radius are regarded
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among those of
        `certify_geodesic_distances()`, but for `vertex_point_map`, which is not used
+
+\return what has been found
 
 \throws Invalid_geodesic_input as `geodesic_distances_from_edge_lengths()` does
 */
@@ -202,7 +230,24 @@ certify_geodesic_distances_from_edge_lengths(
 /*!
 \ingroup PkgSurfaceMeshGeodesicsFunctions
 
-checks distances on a surface that is given by the lengths of its edges, with the default options.
+checks distances on a surface that is given by the lengths of its edges, with the default options. All else is as for
+the function above.
+
+\tparam TriangleMesh a model of `FaceListGraph`
+\tparam EdgeLengthMap see `geodesic_distances_from_edge_lengths()`
+\tparam VertexDistanceMap as for `certify_geodesic_distances()`
+\tparam Sources as for `geodesic_distances()`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tm the triangle mesh
+\param edge_length_map the lengths
+\param vertex_distance_map the distances
+\param sources the source or sources
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters", as above
+
+\return what has been found
+
+\throws Invalid_geodesic_input as above
 */
 template <typename TriangleMesh, typename EdgeLengthMap, typename VertexDistanceMap, typename Sources,
           typename CGAL_NP_TEMPLATE_PARAMETERS>

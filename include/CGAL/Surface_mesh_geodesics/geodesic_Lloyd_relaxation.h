@@ -112,10 +112,24 @@ moves sites to the centers of their cells, again and again (Lloyd's method), so 
 in area.
 
 In each iteration the geodesic Voronoi diagram of the sites is computed, and each site moves to the vertex, among
+<<<<<<< HEAD
 those in its cell, that is nearest in space to the centroid of the cell. So sites stay vertices. The relaxation ends
 when no site moves, or after the given number of iterations.
+=======
+those in its cell, that is nearest in space to the centroid of the cell, see
+`Surface_mesh_geodesic_Voronoi_diagram::central_vertex()`; the first one in the order of `vertices(tm)` if several are
+equally near. All sites move at once, and stay vertices. A site whose cell is empty, or holds no vertex, stays where it
+is; so do sites in each component that has them: none leaves its component. The relaxation ends when no site moves, or
+after the largest number of iterations. (It need not come to rest by itself: sites may move between few vertices that
+are about equally good.)
+>>>>>>> 0d71c38 (Reference: every function with its parameters, units, preconditions, exceptions, time and thread safety; named parameters of all functions; what is added to statistics, and what assigned)
 
-Takes the time of one diagram, and a time linear in the size of the mesh, per iteration.
+<b>Complexity.</b> Each iteration takes the time and the memory of one diagram, and time linear in the size of the mesh.
+
+<b>Thread safety.</b> The function uses one thread, and may be called by several threads at once, on the same mesh as
+well, if each call writes to an output of its own; see `geodesic_distances()`.
+
+The use for remeshing is that of the thesis, section 5.4.4.
 
 \tparam TriangleMesh a model of `FaceListGraph`; its points are those of a kernel of `double`
 \tparam VertexRange a range of vertex descriptors of `TriangleMesh`
@@ -125,16 +139,45 @@ Takes the time of one diagram, and a time linear in the size of the mesh, per it
 \param tm the triangle mesh
 \param sites the sites to begin with
 \param number_of_iterations the largest number of iterations
+<<<<<<< HEAD
 \param output gets the sites, in the order of `sites`. One whose cell is empty has not moved.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among `vertex_point_map`,
        `vertex_index_map`, `face_index_map` and `visitor`, with the meaning they have for `geodesic_distances()`.
        The visitor follows one propagation for each iteration. If it cancels one, the relaxation ends with the
        sites of the iterations before.
+=======
+\param output gets the sites, in the order of `sites`, when the relaxation has ended
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{a property map associating points to the vertices of `tm`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with the vertex descriptor of `TriangleMesh`
+                   as key type and the 3D point type of a kernel as value type}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_index_map}
+    \cgalParamDescription{a property map associating to each vertex of `tm` a unique index between `0`
+                          and `num_vertices(tm) - 1`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with the vertex descriptor of `TriangleMesh`
+                   as key type and `std::size_t` as value type}
+    \cgalParamDefault{an automatically indexed internal map}
+  \cgalParamNEnd
+  \cgalParamNBegin{face_index_map}
+    \cgalParamDescription{a property map associating to each face of `tm` a unique index between `0`
+                          and `num_faces(tm) - 1`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with the face descriptor of `TriangleMesh`
+                   as key type and `std::size_t` as value type}
+    \cgalParamDefault{an automatically indexed internal map}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+>>>>>>> 0d71c38 (Reference: every function with its parameters, units, preconditions, exceptions, time and thread safety; named parameters of all functions; what is added to statistics, and what assigned)
 
 \return the number of iterations that moved a site; fewer than `number_of_iterations` if all sites are where they
         belong
 
-\throws Invalid_geodesic_input if the mesh or a site is invalid
+\throws Invalid_geodesic_input if the mesh or a site is invalid, unless `number_of_iterations` is 0: then nothing is
+        looked at. Nothing has been written then.
 */
 template <typename TriangleMesh, typename VertexRange, typename OutputIterator, typename CGAL_NP_TEMPLATE_PARAMETERS>
 std::size_t geodesic_Lloyd_relaxation(const TriangleMesh& tm, const VertexRange& sites,

@@ -84,26 +84,53 @@ memory. No matter how many threads compute them, rows are put out one after the 
 the calls may come from different threads, but never two at a time. A row is what `geodesic_distances()` computes
 from its source alone, bit by bit, whatever the tag and the number of threads are.
 
-Each row takes the time of a propagation up to the farthest target. The mesh is read once, and each thread uses its
-memory for all its rows again; there are four rows for each thread in memory at most. If there are sources in faces,
-each thread also has a copy of what was read of the mesh.
+<b>Complexity.</b> Each row takes the time of a propagation up to the farthest target. The mesh is read once, and each
+thread uses its memory for all its rows again; there are four rows for each thread in memory at most. If there are
+sources in faces, each thread also has a copy of what was read of the mesh.
+
+<b>Thread safety.</b> As for `geodesic_distances()`. `row_output` is called by one thread at a time, and all that one
+call does is seen by the next one; it must not change the mesh.
 
 \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`: whether rows are computed in
         parallel. The number of threads is that of \tbb, which may be limited with `tbb::task_arena` or
         `tbb::global_control`.
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam Sources a source or a range of sources, as for `geodesic_distances()`: vertices, or locations in faces
-\tparam Targets a range of vertex descriptors of `TriangleMesh`
+\tparam Targets a range of vertex descriptors of `TriangleMesh`; the same one may be there several times
 \tparam RowOutput a function object that is called with a `std::size_t` and a `const std::vector<double>&`, which is
-        changed after the call. If it returns something else than `void`, that is converted to `bool`, and `false` ends
-        the computation.
+        valid during the call only. If it returns something else than `void`, that is converted to `bool`, and `false`
+        ends the computation.
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tm the triangle mesh
 \param sources the sources
 \param targets the targets; for all vertices `vertices(tm)`
-\param row_output is called for each row
-\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among `vertex_point_map`,
-       `vertex_index_map` and `face_index_map`, which are those of `geodesic_distances()`
+\param row_output is called for each row. Distances are in the unit of the points, infinity where the source does not
+       reach.
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{a property map associating points to the vertices of `tm`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with the vertex descriptor of `TriangleMesh`
+                   as key type and a 3D point type with the members `x()`, `y()`, `z()` as value type}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_index_map}
+    \cgalParamDescription{a property map associating to each vertex of `tm` a unique index between `0`
+                          and `num_vertices(tm) - 1`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with the vertex descriptor of `TriangleMesh`
+                   as key type and `std::size_t` as value type}
+    \cgalParamDefault{an automatically indexed internal map}
+  \cgalParamNEnd
+  \cgalParamNBegin{face_index_map}
+    \cgalParamDescription{a property map associating to each face of `tm` a unique index between `0`
+                          and `num_faces(tm) - 1`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with the face descriptor of `TriangleMesh`
+                   as key type and `std::size_t` as value type}
+    \cgalParamDefault{an automatically indexed internal map}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
 
 \return `true`, or `false` if `row_output` has ended the computation
 
@@ -126,6 +153,22 @@ bool geodesic_distance_matrix(const TriangleMesh& tm, const Sources& sources, co
 
 computes a matrix of distances as the function above does, on the mesh that a solver has read; the last computation of
 the solver is not changed. This is the way to matrices on surfaces that are given by edge lengths.
+
+<b>Thread safety.</b> That of a `const` member function of `Geodesic_distance_solver`.
+
+\tparam ConcurrencyTag as above; that of the solver, `SolverTag`, is not regarded
+\tparam Sources as above
+\tparam Targets as above
+\tparam RowOutput as above
+
+\param solver the solver
+\param sources the sources
+\param targets the targets
+\param row_output is called for each row, as above
+
+\return `true`, or `false` if `row_output` has ended the computation
+
+\throws Invalid_geodesic_input if a source or a target is invalid, before any row is put out
 */
 template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename SolverTag,
           typename VertexIndexMap, typename FaceIndexMap, typename Sources, typename Targets, typename RowOutput>
@@ -146,7 +189,21 @@ each pair once: `row[k]` is the distance from the vertex with the position `i` t
 `k = 0`, ..., `n - 1 - i` if there are `n` vertices. So row `i` ends as soon as the distances of all later vertices are
 final. (In floating point arithmetic the distances there and back may differ in the last digits.)
 
+\tparam ConcurrencyTag as for `geodesic_distance_matrix()`
+\tparam TriangleMesh a model of `FaceListGraph`
 \tparam Vertices a range of vertex descriptors of `TriangleMesh`
+\tparam RowOutput as for `geodesic_distance_matrix()`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tm the triangle mesh
+\param vertices the vertices
+\param row_output is called as `row_output(i, row)` for each vertex
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among those of
+       `geodesic_distance_matrix()`
+
+\return `true`, or `false` if `row_output` has ended the computation
+
+\throws Invalid_geodesic_input if the mesh or a vertex is invalid, before any row is put out
 */
 template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename Vertices, typename RowOutput,
           typename CGAL_NP_TEMPLATE_PARAMETERS>
@@ -164,6 +221,18 @@ bool symmetric_geodesic_distance_matrix(const TriangleMesh& tm, const Vertices& 
 
 computes the distances between all pairs of several vertices as the function above does, on the mesh that a solver has
 read; the last computation of the solver is not changed.
+
+\tparam ConcurrencyTag as above; that of the solver, `SolverTag`, is not regarded
+\tparam Vertices as above
+\tparam RowOutput as above
+
+\param solver the solver
+\param vertices the vertices
+\param row_output is called for each vertex, as above
+
+\return `true`, or `false` if `row_output` has ended the computation
+
+\throws Invalid_geodesic_input if a vertex is invalid, before any row is put out
 */
 template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename SolverTag,
           typename VertexIndexMap, typename FaceIndexMap, typename Vertices, typename RowOutput>
@@ -185,12 +254,22 @@ the positions of the targets whose distance is not greater than `maximum_distanc
 distances. A row takes time that depends on the area within the radius, not on the number of targets or on the size of
 the mesh.
 
+\tparam ConcurrencyTag as for `geodesic_distance_matrix()`
+\tparam TriangleMesh a model of `FaceListGraph`
+\tparam Sources as for `geodesic_distance_matrix()`
+\tparam Targets as for `geodesic_distance_matrix()`
+\tparam RowOutput as for `geodesic_distance_matrix()`, but for the type of a row
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
 \param tm the triangle mesh
 \param sources the sources
 \param targets the targets; for all vertices `vertices(tm)`
-\param maximum_distance the radius, in the unit of the mesh
+\param maximum_distance the radius, in the unit of the mesh; not negative
 \param row_output is called for each row
-\param np as for `geodesic_distance_matrix()`
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among those of
+       `geodesic_distance_matrix()`
+
+\return `true`, or `false` if `row_output` has ended the computation
 
 \throws Invalid_geodesic_input also if the radius is negative or not a number
 */
@@ -213,6 +292,21 @@ bool sparse_geodesic_distance_matrix(const TriangleMesh& tm, const Sources& sour
 
 computes the distances within a radius as the function above does, on the mesh that a solver has read; the last
 computation of the solver is not changed.
+
+\tparam ConcurrencyTag as above; that of the solver, `SolverTag`, is not regarded
+\tparam Sources as above
+\tparam Targets as above
+\tparam RowOutput as above
+
+\param solver the solver
+\param sources the sources
+\param targets the targets
+\param maximum_distance the radius, in the unit of the mesh; not negative
+\param row_output is called for each row, as above
+
+\return `true`, or `false` if `row_output` has ended the computation
+
+\throws Invalid_geodesic_input if a source, a target or the radius is invalid, before any row is put out
 */
 template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename SolverTag,
           typename VertexIndexMap, typename FaceIndexMap, typename Sources, typename Targets, typename RowOutput>

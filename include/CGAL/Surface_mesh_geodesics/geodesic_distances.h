@@ -119,11 +119,16 @@ allowed.
 
 The algorithm is VTP \cgalCite{qin2016fast}: windows grouped by edge, pruned in a triangle, propagated
 by a wavefront sorted by vertices. It takes \cgalBigO{n^2} time and memory in the worst case for
-\f$ n \f$ vertices (thesis, section 4.4); the memory is linear plus that of the windows of the wavefront.
+\f$ n \f$ vertices (thesis, section 4.4); the memory is linear plus that of the windows of the wavefront. On usual
+meshes the time is nearly linear: see \ref Surface_mesh_geodesics_performance.
 
 With `Parallel_tag`, several vertices of the wavefront are visited at the same time. The distances then do not depend on
 the number of threads; they may differ from those of `Sequential_tag` in the last digits. Functions of the visitor are
 called by the calling thread, and less often.
+
+<b>Thread safety.</b> The function may be called by several threads at once, on the same mesh as well, if each call
+writes to maps of its own and nobody changes the mesh or its points. Indices that are kept in the elements of the mesh
+(such as those of `Polyhedron_items_with_id_3`) have to be set before, as the first call would set them otherwise.
 
 \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`. The number of threads is that of
         \tbb, which may be limited with `tbb::task_arena` or `tbb::global_control`.
@@ -137,7 +142,7 @@ called by the calling thread, and less often.
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tm the triangle mesh
-\param vertex_distance_map the distances
+\param vertex_distance_map gets the distance of each vertex
 \param sources the source or sources. Barycentric coordinates are those of
        `source(halfedge(f,tm),tm)`, `target(halfedge(f,tm),tm)` and
        `target(next(halfedge(f,tm),tm),tm)`, in this order, for a face `f`. Coordinates below
@@ -181,6 +186,8 @@ called by the calling thread, and less often.
         their edge, a coordinate is not finite or the extent of the points exceeds \f$ 2^{960} \f$, a location is not
         in its face or has a null face, a descriptor is not one of `tm` as far as the index maps tell, an index map is
         not one, or the mesh is too large. Nothing has been written then.
+\throws std::bad_alloc if there is not enough memory. Nothing has been written then, and neither if the visitor throws,
+        which is passed on.
 */
 template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename VertexDistanceMap,
           typename Sources, typename CGAL_NP_TEMPLATE_PARAMETERS>
@@ -198,10 +205,27 @@ bool geodesic_distances(const TriangleMesh& tm, VertexDistanceMap vertex_distanc
 computes geodesic distances as the function above does, with options: a radius, targets, an offset for
 each source, the nearest source of each vertex, statistics.
 
-\tparam NearestSourceMap see `Geodesic_distance_options`
+With a radius or with targets the propagation takes time in proportion to the windows in the area that it reaches; the
+mesh is read as a whole nevertheless, in linear time. (A `Geodesic_distance_solver` reads it once for many calls.)
 
-\throws Invalid_geodesic_input also if the radius is negative or not a number, if an offset is negative
-        or not finite, or if there is not one offset for each source
+\tparam ConcurrencyTag as above
+\tparam TriangleMesh a model of `FaceListGraph`
+\tparam VertexDistanceMap as above
+\tparam Sources as above
+\tparam NearestSourceMap see `Geodesic_distance_options`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tm the triangle mesh
+\param vertex_distance_map gets the distance of each vertex, in the unit of the points; infinity beyond the radius, and
+       where the distance is not final when those of all targets are
+\param sources the source or sources, as above
+\param options the options
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among those of the function above
+
+\return `true`, or `false` if the visitor cancelled the computation; nothing has been written then but the statistics.
+
+\throws Invalid_geodesic_input also if a target is not a vertex of `tm`, if the radius is negative or not a number, if
+        an offset is negative or not finite, or if there is not one offset for each source
 */
 template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename VertexDistanceMap,
           typename Sources, typename NearestSourceMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
@@ -218,19 +242,27 @@ bool geodesic_distances(const TriangleMesh& tm, VertexDistanceMap vertex_distanc
 \ingroup PkgSurfaceMeshGeodesicsFunctions
 
 computes geodesic distances, with options, on a surface that is given by the lengths of its edges; it
-need not be embedded in space.
+need not be embedded in space. Complexity and thread safety are those of `geodesic_distances()`.
 
+\tparam ConcurrencyTag as for `geodesic_distances()`
+\tparam TriangleMesh a model of `FaceListGraph`
+\tparam VertexDistanceMap as for `geodesic_distances()`
+\tparam Sources as for `geodesic_distances()`
+\tparam NearestSourceMap see `Geodesic_distance_options`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 \tparam EdgeLengthMap a model of `ReadablePropertyMap` with the edge descriptor of `TriangleMesh` as key
         type and a number type that `CGAL::to_double()` takes as value type
 
 \param tm the triangle mesh
 \param edge_length_map the lengths: finite, not negative, and such that no edge is longer than the two
        others of a face (beyond rounding)
-\param vertex_distance_map the distances
+\param vertex_distance_map gets the distance of each vertex, in the unit of the lengths
 \param sources the source or sources, as for `geodesic_distances()`
 \param options the options, as for `geodesic_distances()`
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among those of
        `geodesic_distances()`, but for `vertex_point_map`, which is not used
+
+\return `true`, or `false` if the visitor cancelled the computation; nothing has been written then but the statistics.
 
 \throws Invalid_geodesic_input also if a length is negative or not finite, or if a face violates the
         triangle inequality by more than \f$ 64 \epsilon \approx 1.4 \cdot 10^{-14} \f$ of its longest
@@ -258,7 +290,24 @@ bool geodesic_distances_from_edge_lengths(
 \ingroup PkgSurfaceMeshGeodesicsFunctions
 
 computes geodesic distances on a surface that is given by the lengths of its edges, with the default
-options.
+options. All else is as for the function above.
+
+\tparam ConcurrencyTag as for `geodesic_distances()`
+\tparam TriangleMesh a model of `FaceListGraph`
+\tparam EdgeLengthMap as above
+\tparam VertexDistanceMap as for `geodesic_distances()`
+\tparam Sources as for `geodesic_distances()`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tm the triangle mesh
+\param edge_length_map the lengths, as above
+\param vertex_distance_map gets the distance of each vertex, in the unit of the lengths
+\param sources the source or sources, as for `geodesic_distances()`
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters", as above
+
+\return `true`, or `false` if the visitor cancelled the computation; nothing has been written then.
+
+\throws Invalid_geodesic_input as above
 */
 template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename EdgeLengthMap,
           typename VertexDistanceMap, typename Sources, typename CGAL_NP_TEMPLATE_PARAMETERS>

@@ -55,7 +55,7 @@ struct Geodesic_sampling_options
   /// mesh. Not negative; 0 by default.
   double covering_radius = 0;
 
-  /// if not null, what the propagation did is assigned to `*statistics`.
+  /// if not null, what the propagation did is <em>assigned</em> to `*statistics`. The object is not owned.
   Propagation_statistics* statistics = nullptr;
 };
 
@@ -168,12 +168,14 @@ writes vertices that are spread over a triangle mesh: each is the vertex that is
 geodesic distances.
 
 A vertex that no sample reaches is farther than all others, so each component gets a sample first; vertices without
-faces
-are left out. Of vertices that are equally far the first one of the mesh is taken.
+faces are left out. Of vertices that are equally far the first one of the mesh is taken.
 
 Distances are propagated once. A new sample sends windows over the part of the surface that becomes its Voronoi cell
 and little more; all else stays as it is. So the time is about that of a run of `geodesic_distances()`
-for the first sample, and for each further one in proportion to its cell.
+for the first sample, and for each further one in proportion to its cell. The memory is that of such a run.
+
+<b>Thread safety.</b> The function uses one thread, and may be called by several threads at once, on the same mesh as
+well, if each call writes to an output of its own; see `geodesic_distances()`.
 
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam OutputIterator a model of `OutputIterator` that holds vertex descriptors of `TriangleMesh`
@@ -184,10 +186,37 @@ for the first sample, and for each further one in proportion to its cell.
 \param output gets the samples, in the order in which they are found; fewer than `n` if every vertex is
        one, or has one within the radius of the options
 \param options vertices to begin with, a radius, statistics
+<<<<<<< HEAD
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among `vertex_point_map`,
        `vertex_index_map`, `face_index_map` and `visitor`, with the meaning they have for `geodesic_distances()`.
        The visitor follows one propagation for each sample, and one for all samples in the options; distances begin
        anew with each, visits are counted on.
+=======
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{a property map associating points to the vertices of `tm`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with the vertex descriptor of `TriangleMesh`
+                   as key type and a 3D point type with the members `x()`, `y()`, `z()` as value type}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_index_map}
+    \cgalParamDescription{a property map associating to each vertex of `tm` a unique index between `0`
+                          and `num_vertices(tm) - 1`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with the vertex descriptor of `TriangleMesh`
+                   as key type and `std::size_t` as value type}
+    \cgalParamDefault{an automatically indexed internal map}
+  \cgalParamNEnd
+  \cgalParamNBegin{face_index_map}
+    \cgalParamDescription{a property map associating to each face of `tm` a unique index between `0`
+                          and `num_faces(tm) - 1`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with the face descriptor of `TriangleMesh`
+                   as key type and `std::size_t` as value type}
+    \cgalParamDefault{an automatically indexed internal map}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+>>>>>>> 0d71c38 (Reference: every function with its parameters, units, preconditions, exceptions, time and thread safety; named parameters of all functions; what is added to statistics, and what assigned)
 
 \return the covering radius: the largest distance of a vertex from its nearest sample, in the unit of the mesh. It is
         infinite if there is a vertex, with a face, that no sample reaches. If the visitor cancelled a propagation, this
@@ -218,7 +247,20 @@ double geodesic_farthest_point_sampling(const TriangleMesh& tm, std::size_t n, O
 /*!
 \ingroup PkgSurfaceMeshGeodesicsFunctions
 
-writes vertices that are spread over a triangle mesh, with the default options.
+writes vertices that are spread over a triangle mesh, with the default options. All else is as for the function above.
+
+\tparam TriangleMesh a model of `FaceListGraph`
+\tparam OutputIterator a model of `OutputIterator` that holds vertex descriptors of `TriangleMesh`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tm the triangle mesh
+\param n the number of samples
+\param output gets the samples, in the order in which they are found
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters", as above
+
+\return the covering radius, in the unit of the mesh
+
+\throws Invalid_geodesic_input if the mesh is invalid. Nothing has been written then.
 */
 template <typename TriangleMesh, typename OutputIterator, typename CGAL_NP_TEMPLATE_PARAMETERS>
 double geodesic_farthest_point_sampling(const TriangleMesh& tm, std::size_t n, OutputIterator output,

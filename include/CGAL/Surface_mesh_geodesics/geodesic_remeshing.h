@@ -44,13 +44,13 @@ namespace Surface_mesh_geodesics {
 
 The class `Geodesic_dual_report` tells why the triangles of the dual of a geodesic Voronoi diagram make a manifold mesh
 of the topology of the surface, or why they do not. Sites are told by their numbers. More
-sites where the report points to make the cells smaller and help.
+sites where the report points to make the cells smaller and help. Lists of single cells are in ascending order.
 
 \sa `check_geodesic_dual()`
 */
 struct Geodesic_dual_report
 {
-  /// the cells that are not topological disks.
+  /// the cells, not empty, that are not topological disks.
   std::vector<std::size_t> cells_that_are_not_disks;
 
   /// the cells that are disks, with a boundary (without the border of the mesh) of several parts: in the dual, the
@@ -194,7 +194,16 @@ checks whether the triangles of the dual of a diagram make a manifold mesh, and 
 are not disks, pairs of cells with several edges in common, and so on. Where the surface has a border, so has the
 dual, farther inside.
 
+Takes time proportional to the number of arcs and edges of the diagram, times a logarithm, and that of the diagram if it
+has not been computed. The function may be called by several threads at once, on the same diagram as well.
+
 \tparam Diagram a specialization of `Surface_mesh_geodesic_Voronoi_diagram`
+
+\param diagram the diagram
+
+\return what has been found
+
+\throws Invalid_geodesic_input if the diagram has to be computed, and the mesh or a site is invalid
 */
 template <typename Diagram>
 Geodesic_dual_report check_geodesic_dual(const Diagram& diagram)
@@ -205,10 +214,18 @@ Geodesic_dual_report check_geodesic_dual(const Diagram& diagram)
 /*!
 \ingroup PkgSurfaceMeshGeodesicsFunctions
 
-adds the dual of a diagram, triangles with the sites as vertices, to a mesh if it is manifold.
+adds the dual of a diagram, triangles with the sites as vertices, to a mesh if it is manifold. Sites that are in no
+triangle get no vertex. Time and thread safety are those of `check_geodesic_dual()`; each call needs an output of its
+own.
 
 \tparam Diagram a specialization of `Surface_mesh_geodesic_Voronoi_diagram`
-\tparam OutputMesh a model of `MutableFaceGraph` with an internal property for `CGAL::vertex_point_t`
+\tparam OutputMesh a model of `MutableFaceGraph` with an internal property for `CGAL::vertex_point_t`, whose points are
+        constructible from three coordinates of type `double`
+
+\param diagram the diagram
+\param output the mesh to which the triangles are added
+
+\throws Invalid_geodesic_input if the diagram has to be computed, and the mesh or a site is invalid
 
 \return what `check_geodesic_dual()` returns. If it is not manifold, `output` is not changed.
 */
@@ -229,19 +246,49 @@ approximates a triangle mesh by one with `n` vertices: the dual of the geodesic 
 chosen with `geodesic_farthest_point_sampling()` and moved with `geodesic_Lloyd_relaxation()`
 (thesis, section 5.4.4).
 
+<b>Complexity.</b> The time is that of the sampling, of the relaxation, and of one more diagram.
+
+<b>Thread safety.</b> The function uses one thread, and may be called by several threads at once, on the same mesh as
+well, if each call writes to an output of its own; see `geodesic_distances()`.
+
 \tparam TriangleMesh a model of `FaceListGraph`; its points are those of a kernel of `double`
-\tparam OutputMesh a model of `MutableFaceGraph` with an internal property for `CGAL::vertex_point_t`
+\tparam OutputMesh a model of `MutableFaceGraph` with an internal property for `CGAL::vertex_point_t`, whose points are
+        constructible from three coordinates of type `double`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tm the triangle mesh
-\param n the number of vertices of the result
+\param n the number of sites, and so the largest number of vertices of the result
 \param output the mesh to which the result is added
+<<<<<<< HEAD
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among `vertex_point_map`,
        `vertex_index_map`, `face_index_map` and `visitor`, with the meaning they have for `geodesic_distances()`, and
        the one listed below. The visitor follows one propagation for each sample, for each iteration, and for the
        last diagram.
+=======
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+>>>>>>> 0d71c38 (Reference: every function with its parameters, units, preconditions, exceptions, time and thread safety; named parameters of all functions; what is added to statistics, and what assigned)
 
 \cgalNamedParamsBegin
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{a property map associating points to the vertices of `tm`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with the vertex descriptor of `TriangleMesh`
+                   as key type and the 3D point type of a kernel as value type}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_index_map}
+    \cgalParamDescription{a property map associating to each vertex of `tm` a unique index between `0`
+                          and `num_vertices(tm) - 1`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with the vertex descriptor of `TriangleMesh`
+                   as key type and `std::size_t` as value type}
+    \cgalParamDefault{an automatically indexed internal map}
+  \cgalParamNEnd
+  \cgalParamNBegin{face_index_map}
+    \cgalParamDescription{a property map associating to each face of `tm` a unique index between `0`
+                          and `num_faces(tm) - 1`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with the face descriptor of `TriangleMesh`
+                   as key type and `std::size_t` as value type}
+    \cgalParamDefault{an automatically indexed internal map}
+  \cgalParamNEnd
   \cgalParamNBegin{number_of_iterations}
     \cgalParamDescription{the largest number of iterations of the relaxation}
     \cgalParamType{unsigned int}
@@ -252,7 +299,7 @@ chosen with `geodesic_farthest_point_sampling()` and moved with `geodesic_Lloyd_
 \return what `check_geodesic_dual()` returns. If the dual is not manifold, nothing is added to `output`; a larger `n`
         helps. If the visitor cancelled, nothing is added either, and the report is that of no triangles.
 
-\throws Invalid_geodesic_input if the mesh is invalid
+\throws Invalid_geodesic_input if the mesh is invalid; nothing has been added to `output` then
 */
 template <typename TriangleMesh, typename OutputMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>
 Geodesic_dual_report geodesic_remeshing(const TriangleMesh& tm, std::size_t n, OutputMesh& output,

@@ -123,13 +123,21 @@ edge between the cells of the sites `i` and `j`, with one line.
 
 \tparam Diagram a specialization of `Surface_mesh_geodesic_Voronoi_diagram`
 
-\param os the stream, with the precision that is wanted
-\param diagram the diagram
+\param os the stream, with the precision that is wanted (17 digits lose nothing)
+\param diagram the diagram, which is computed if that has not been done
 \param tolerance the largest distance of the polylines from the arcs, in the unit of the mesh
 
-\return whether all has been written
+\return whether all has been written. What has not may have been written in part.
 
-\pre `tolerance > 0`
+\pre `tolerance > 0` and finite
+
+\throws Invalid_geodesic_input if the diagram has to be computed, and the mesh or a site is invalid. Nothing has been
+        written then.
+
+<b>Complexity.</b> Time and memory are linear in the number of points that are written.
+
+<b>Thread safety.</b> The function may be called by several threads at once, on the same diagram as well, if each has a
+stream of its own.
 */
 template <typename Diagram>
 bool write_geodesic_Voronoi_diagram_OBJ(std::ostream& os, const Diagram& diagram, double tolerance)
@@ -155,7 +163,16 @@ writes a geodesic Voronoi diagram in the PLY format (ASCII): the mesh, cut along
 `Surface_mesh_geodesic_Voronoi_diagram::cut()`, each face with a color and the number of its `site` (-1 for none); and
 the edges of the diagram as elements `edge`, one for each segment, with the sites on the left and on the right.
 
-Parameters, result and precondition are those of `write_geodesic_Voronoi_diagram_OBJ()`.
+The precondition, the exception and thread safety are those of `write_geodesic_Voronoi_diagram_OBJ()`; the time is that
+of `Surface_mesh_geodesic_Voronoi_diagram::cut()`.
+
+\tparam Diagram a specialization of `Surface_mesh_geodesic_Voronoi_diagram`
+
+\param os the stream, with the precision that is wanted (17 digits lose nothing)
+\param diagram the diagram, which is computed if that has not been done
+\param tolerance the largest distance of the polylines from the arcs, in the unit of the mesh
+
+\return whether all has been written
 */
 template <typename Diagram>
 bool write_geodesic_Voronoi_diagram_PLY(std::ostream& os, const Diagram& diagram, double tolerance)
@@ -192,7 +209,16 @@ the faces of the mesh, cut along the arcs. The cell data `site` is the site of a
 that no site reaches); `left_site` and `right_site` are the sites beside an edge, and those of
 its face for a face.
 
-Parameters, result and precondition are those of `write_geodesic_Voronoi_diagram_OBJ()`.
+The precondition, the exception and thread safety are those of `write_geodesic_Voronoi_diagram_OBJ()`; the time is that
+of `Surface_mesh_geodesic_Voronoi_diagram::cut()`.
+
+\tparam Diagram a specialization of `Surface_mesh_geodesic_Voronoi_diagram`
+
+\param os the stream, with the precision that is wanted (17 digits lose nothing)
+\param diagram the diagram, which is computed if that has not been done
+\param tolerance the largest distance of the polylines from the arcs, in the unit of the mesh
+
+\return whether all has been written
 */
 template <typename Diagram>
 bool write_geodesic_Voronoi_diagram_VTK(std::ostream& os, const Diagram& diagram, double tolerance)
@@ -237,11 +263,20 @@ bool write_geodesic_Voronoi_diagram_VTK(std::ostream& os, const Diagram& diagram
 \ingroup PkgSurfaceMeshGeodesicsIO
 
 writes a geodesic Voronoi diagram to a file, with 17 digits, in the format that the end of its name tells: `.obj`,
-`.ply` or `.vtk`.
+`.ply` or `.vtk` (in lower case).
 
-\return whether all has been written; `false` also if the end of the name is another one.
+\tparam Diagram a specialization of `Surface_mesh_geodesic_Voronoi_diagram`
 
-\pre `tolerance > 0`
+\param filename the name of the file, which is overwritten if it exists
+\param diagram the diagram, which is computed if that has not been done
+\param tolerance the largest distance of the polylines from the arcs, in the unit of the mesh
+
+\return whether all has been written; `false` also if the end of the name is another one: then there is no file.
+
+\pre `tolerance > 0` and finite
+
+\throws Invalid_geodesic_input if the diagram has to be computed, and the mesh or a site is invalid. The file is empty
+        then.
 
 \sa `write_geodesic_Voronoi_diagram_OBJ()`, `write_geodesic_Voronoi_diagram_PLY()`,
     `write_geodesic_Voronoi_diagram_VTK()`
