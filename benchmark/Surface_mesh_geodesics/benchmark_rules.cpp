@@ -1,4 +1,4 @@
-// What each rule of pruning saves (the thesis compares the same in tables 4.1 to 4.5): distances of all vertices from
+// What each rule of pruning saves (the thesis does the same in figures 4.12 and 4.15): distances of all vertices from
 // vertex 0 with all rules, and without some of them. Prints one line of comma separated values per mesh and set of
 // rules: windows and processor times. Small meshes only: without rules the number of windows grows like the square.
 

@@ -21,6 +21,20 @@ if(NOT position EQUAL 0)
   message(FATAL_ERROR "The package was found in ${found_Surface_mesh_geodesics_DIR}, not in ${prefix}")
 endif()
 
+# A CGAL that is too old is refused by the package, with a message that says so, and not by some header.
+file(WRITE "${work_folder}/old_cgal/CGALConfig.cmake" "set(CGAL_VERSION 5.4.5)\n")
+execute_process(
+  COMMAND
+    "${CMAKE_COMMAND}" -G "${generator}" -S "${CMAKE_CURRENT_LIST_DIR}" -B "${work_folder}/old_cgal/build"
+    "-DCMAKE_PREFIX_PATH=${prefix}" "-DCGAL_DIR=${work_folder}/old_cgal" "-DCMAKE_CXX_COMPILER=${compiler}"
+  RESULT_VARIABLE result
+  OUTPUT_QUIET
+  ERROR_VARIABLE message)
+string(REGEX REPLACE "[ \n]+" " " message "${message}")
+if(result EQUAL 0 OR NOT message MATCHES "needs CGAL 5\\.5 or newer, found 5\\.4\\.5 in")
+  message(FATAL_ERROR "An old CGAL: the result was ${result}, with\n${message}")
+endif()
+
 execute_process(COMMAND "${CMAKE_COMMAND}" --build "${consumer_build}" --config Release COMMAND_ERROR_IS_FATAL ANY)
 find_program(
   consumer consumer
