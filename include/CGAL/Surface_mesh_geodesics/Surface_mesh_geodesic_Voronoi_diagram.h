@@ -565,12 +565,13 @@ public:
     build(visitor);
   }
 
-  /// does the same and tells a visitor of the progress of the propagation, which is most of the work. Returns `true`,
-  /// or `false` if the visitor cancelled it: nothing has been computed then. The visitor is not called if the diagram
-  /// has been computed before.
+  /// does the same and tells a visitor of the progress of the propagation, which is most of the work. The visitor is not
+  /// called if the diagram has been computed before.
   ///
   /// \tparam Visitor a model of `GeodesicPropagationVisitor`
-  /// \param visitor the visitor, called by this thread. It must not use the diagram.
+  /// \param visitor the visitor, called by this thread. It must not use the diagram. Distances that it is told are less
+  ///        the largest weight.
+  /// \return `true`, or `false` if the visitor cancelled the propagation: nothing has been computed then
   ///
   /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the mesh or a site is invalid, and what the visitor
   ///         throws; nothing has been computed then

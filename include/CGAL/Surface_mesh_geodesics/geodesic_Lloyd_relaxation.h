@@ -112,17 +112,12 @@ moves sites to the centers of their cells, again and again (Lloyd's method), so 
 in area.
 
 In each iteration the geodesic Voronoi diagram of the sites is computed, and each site moves to the vertex, among
-<<<<<<< HEAD
-those in its cell, that is nearest in space to the centroid of the cell. So sites stay vertices. The relaxation ends
-when no site moves, or after the given number of iterations.
-=======
 those in its cell, that is nearest in space to the centroid of the cell, see
 `Surface_mesh_geodesic_Voronoi_diagram::central_vertex()`; the first one in the order of `vertices(tm)` if several are
 equally near. All sites move at once, and stay vertices. A site whose cell is empty, or holds no vertex, stays where it
 is; so do sites in each component that has them: none leaves its component. The relaxation ends when no site moves, or
 after the largest number of iterations. (It need not come to rest by itself: sites may move between few vertices that
 are about equally good.)
->>>>>>> 0d71c38 (Reference: every function with its parameters, units, preconditions, exceptions, time and thread safety; named parameters of all functions; what is added to statistics, and what assigned)
 
 <b>Complexity.</b> Each iteration takes the time and the memory of one diagram, and time linear in the size of the mesh.
 
@@ -139,13 +134,6 @@ The use for remeshing is that of the thesis, section 5.4.4.
 \param tm the triangle mesh
 \param sites the sites to begin with
 \param number_of_iterations the largest number of iterations
-<<<<<<< HEAD
-\param output gets the sites, in the order of `sites`. One whose cell is empty has not moved.
-\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among `vertex_point_map`,
-       `vertex_index_map`, `face_index_map` and `visitor`, with the meaning they have for `geodesic_distances()`.
-       The visitor follows one propagation for each iteration. If it cancels one, the relaxation ends with the
-       sites of the iterations before.
-=======
 \param output gets the sites, in the order of `sites`, when the relaxation has ended
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 
@@ -170,8 +158,14 @@ The use for remeshing is that of the thesis, section 5.4.4.
                    as key type and `std::size_t` as value type}
     \cgalParamDefault{an automatically indexed internal map}
   \cgalParamNEnd
+  \cgalParamNBegin{visitor}
+    \cgalParamDescription{a visitor that follows one propagation for each iteration. If it cancels one, the relaxation
+                          ends with the sites of the iterations before.}
+    \cgalParamType{a class model of `GeodesicPropagationVisitor`}
+    \cgalParamDefault{`Geodesic_default_visitor`}
+    \cgalParamExtra{The visitor is not copied if it is passed with `std::ref()`.}
+  \cgalParamNEnd
 \cgalNamedParamsEnd
->>>>>>> 0d71c38 (Reference: every function with its parameters, units, preconditions, exceptions, time and thread safety; named parameters of all functions; what is added to statistics, and what assigned)
 
 \return the number of iterations that moved a site; fewer than `number_of_iterations` if all sites are where they
         belong

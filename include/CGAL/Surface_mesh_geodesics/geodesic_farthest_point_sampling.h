@@ -186,12 +186,6 @@ well, if each call writes to an output of its own; see `geodesic_distances()`.
 \param output gets the samples, in the order in which they are found; fewer than `n` if every vertex is
        one, or has one within the radius of the options
 \param options vertices to begin with, a radius, statistics
-<<<<<<< HEAD
-\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among `vertex_point_map`,
-       `vertex_index_map`, `face_index_map` and `visitor`, with the meaning they have for `geodesic_distances()`.
-       The visitor follows one propagation for each sample, and one for all samples in the options; distances begin
-       anew with each, visits are counted on.
-=======
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 
 \cgalNamedParamsBegin
@@ -215,8 +209,15 @@ well, if each call writes to an output of its own; see `geodesic_distances()`.
                    as key type and `std::size_t` as value type}
     \cgalParamDefault{an automatically indexed internal map}
   \cgalParamNEnd
+  \cgalParamNBegin{visitor}
+    \cgalParamDescription{a visitor that follows one propagation for each sample, and one for all samples in the
+                          options; distances begin anew with each, visits are counted on. If it cancels one, no
+                          more samples are written.}
+    \cgalParamType{a class model of `GeodesicPropagationVisitor`}
+    \cgalParamDefault{`Geodesic_default_visitor`}
+    \cgalParamExtra{The visitor is not copied if it is passed with `std::ref()`.}
+  \cgalParamNEnd
 \cgalNamedParamsEnd
->>>>>>> 0d71c38 (Reference: every function with its parameters, units, preconditions, exceptions, time and thread safety; named parameters of all functions; what is added to statistics, and what assigned)
 
 \return the covering radius: the largest distance of a vertex from its nearest sample, in the unit of the mesh. It is
         infinite if there is a vertex, with a face, that no sample reaches. If the visitor cancelled a propagation, this
@@ -258,7 +259,7 @@ writes vertices that are spread over a triangle mesh, with the default options. 
 \param output gets the samples, in the order in which they are found
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters", as above
 
-\return the covering radius, in the unit of the mesh
+\return the covering radius, in the unit of the mesh, as above
 
 \throws Invalid_geodesic_input if the mesh is invalid. Nothing has been written then.
 */

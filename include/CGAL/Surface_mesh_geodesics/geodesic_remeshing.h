@@ -259,14 +259,7 @@ well, if each call writes to an output of its own; see `geodesic_distances()`.
 \param tm the triangle mesh
 \param n the number of sites, and so the largest number of vertices of the result
 \param output the mesh to which the result is added
-<<<<<<< HEAD
-\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among `vertex_point_map`,
-       `vertex_index_map`, `face_index_map` and `visitor`, with the meaning they have for `geodesic_distances()`, and
-       the one listed below. The visitor follows one propagation for each sample, for each iteration, and for the
-       last diagram.
-=======
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
->>>>>>> 0d71c38 (Reference: every function with its parameters, units, preconditions, exceptions, time and thread safety; named parameters of all functions; what is added to statistics, and what assigned)
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{vertex_point_map}
@@ -288,6 +281,13 @@ well, if each call writes to an output of its own; see `geodesic_distances()`.
     \cgalParamType{a class model of `ReadablePropertyMap` with the face descriptor of `TriangleMesh`
                    as key type and `std::size_t` as value type}
     \cgalParamDefault{an automatically indexed internal map}
+  \cgalParamNEnd
+  \cgalParamNBegin{visitor}
+    \cgalParamDescription{a visitor that follows one propagation for each sample, for each iteration, and for the last
+                          diagram. If it cancels one, nothing is added to `output`.}
+    \cgalParamType{a class model of `GeodesicPropagationVisitor`}
+    \cgalParamDefault{`Geodesic_default_visitor`}
+    \cgalParamExtra{The visitor is not copied if it is passed with `std::ref()`.}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_iterations}
     \cgalParamDescription{the largest number of iterations of the relaxation}
