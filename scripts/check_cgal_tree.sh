@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Lays the package out in an empty tree of CGAL and checks the result: it holds every header, an example compiles with
-# nothing but folders of the tree and the CGAL that is installed, CMake finds a program for each example and test, and
-# the literature has an entry for each citation.
+# nothing but folders of the tree and the CGAL that is installed, CMake finds a program for each example, test and
+# benchmark, nothing speaks of what CGAL does not have, and the literature has an entry for each citation.
 # usage: check_cgal_tree.sh WORK_FOLDER [options of cmake]     The variable CXX is the compiler.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -20,9 +20,11 @@ fail()
 }
 
 # Twice, as somebody does who has a newer version.
+options=(--owner "A & B | C (Utopia)" --since 9.9)
 bash "$root/scripts/lay_out_in_cgal.sh" "$tree" > "$work/first.txt"
-bash "$root/scripts/lay_out_in_cgal.sh" "$tree" > "$work/second.txt"
-diff "$work/first.txt" "$work/second.txt"
+bash "$root/scripts/lay_out_in_cgal.sh" "${options[@]}" "$tree" > "$work/second.txt"
+diff <(grep -v '^Not told: ' "$work/first.txt") "$work/second.txt"
+[ "$(grep -c '^Not told: ' "$work/first.txt")" = 2 ] || fail "it is not said what has not been told"
 [ "$(grep -c "^$package " "$tree/Installation/include/CGAL/license/gpl_package_list.txt")" = 1 ] \
   || fail "the list of licences has not one line for the package"
 
@@ -33,6 +35,31 @@ diff <(headers_below "$root/include") \
 mark='This file is part of CGAL (www.cgal.org).'
 grep -rL --include='*.h' "$mark" "$tree/$package/include" "$tree/Installation" > "$work/unmarked.txt" || true
 [ ! -s "$work/unmarked.txt" ] || fail "not marked as a part of CGAL: $(cat "$work/unmarked.txt")"
+
+# They have the owner that was told, and no other one.
+owner='^// Copyright (c) [0-9-]*  A & B | C (Utopia)\.$'
+grep -rL --include='*.h' "$owner" "$tree/$package/include" "$tree/Installation" > "$work/others.txt" || true
+[ ! -s "$work/others.txt" ] || fail "another owner: $(cat "$work/others.txt")"
+grep -qxF 'A & B | C (Utopia)' "$tree/$package/package_info/$package/copyright" || fail "package_info: another owner"
+grep -qxF '\cgalPkgSince{9.9}' "$tree/$package/doc/$package/PackageDescription.txt" || fail "another first version"
+
+# Nothing speaks of what is in this repository only: its scripts, its build folder, the program for the command line.
+ours='(^|[^[:alnum:]_/])scripts/|run_(tests|main_job)|build_doc|app/|not in CGAL'
+ours+='|Surface_mesh_geodesics_(TESTS|EXAMPLES|program)'
+grep -rnE "$ours" "$tree/$package" --include='*.txt' --include='*.h' --include='*.cpp' > "$work/ours.txt" || true
+[ ! -s "$work/ours.txt" ] || fail "what CGAL does not have: $(cat "$work/ours.txt")"
+unexpected=$(cd "$tree/$package/test/$package" && find . -mindepth 1 -maxdepth 1 -type d ! -name data ! -name include)
+[ -z "$unexpected" ] || fail "folders of tests that CGAL does not build: $unexpected"
+
+# The manual refers to its own sections, and to pictures that are there; no picture is left over.
+manual=$tree/$package/doc/$package
+grep -ohE '\\ref Surface_mesh_geodesics_\w+' -r "$manual" "$tree/$package/include" | sed 's/.* //' | LC_ALL=C sort -u \
+  > "$work/references.txt"
+sed -nE 's/^\\(sub)*section (\w+) .*/\2/p' "$manual/$package.txt" | LC_ALL=C sort -u > "$work/sections.txt"
+missing=$(LC_ALL=C comm -23 "$work/references.txt" "$work/sections.txt")
+[ -z "$missing" ] || fail "references to sections that are not there: $missing"
+diff <(grep -ohE '[A-Za-z0-9_]+\.(png|svg)' "$manual"/*.txt | LC_ALL=C sort -u) \
+  <(find "$manual/fig" -type f -printf '%f\n' | LC_ALL=C sort)
 
 # The specification names every public header.
 for header in "$tree/$package/include/CGAL/$package"/*.h; do
@@ -48,7 +75,7 @@ example=$tree/$package/examples/$package
 grep -q '^source 0 is the nearest one of [1-9]' "$work/several_sources.txt" || fail "the example prints something else"
 
 # A program for each source file.
-for part in examples test; do
+for part in examples test benchmark; do
   folder=$tree/$package/$part/$package
   cmake -S "$folder" -B "$work/$part" -DCMAKE_BUILD_TYPE=Release "$@" > "$work/$part.log" 2>&1 \
     || fail "$(cat "$work/$part.log")"

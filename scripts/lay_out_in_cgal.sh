@@ -1,15 +1,27 @@
 #!/usr/bin/env bash
 # Lays the package out in a source tree of CGAL, as that keeps its packages: include/CGAL/..., test, examples,
 # benchmark, doc and package_info in TREE/Surface_mesh_geodesics. What has to change on the way is changed here, so that
-# nothing is renamed or edited by hand. The tree may be a clone of CGAL or an empty folder; what an earlier call has laid out is
-# replaced.
-# usage: lay_out_in_cgal.sh TREE
+# nothing is renamed or edited by hand; what CGAL has no place for, such as the program for the command line, is left
+# out. The tree may be a clone of CGAL or an empty folder; what an earlier call has laid out is replaced.
+# usage: lay_out_in_cgal.sh [--owner "NAME (COUNTRY)"] [--since VERSION] TREE
 #        lay_out_in_cgal.sh --list    prints the files of the package, relative to the tree
+#   --owner    who holds the copyright, in the form of CGAL's headers; they and package_info/ get it
+#   --since    the version of CGAL that will be the first one with the package; the package description gets it
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 package=Surface_mesh_geodesics
 title="Exact Geodesics on Triangulated Surface Meshes"
 
+owner=
+since=
+while [ $# -gt 1 ]; do
+  case "$1" in
+    --owner) owner=$2 ;;
+    --since) since=$2 ;;
+    *) break ;;
+  esac
+  shift 2
+done
 if [ $# -ne 1 ] || [ -z "$1" ]; then
   sed -n '/^# usage/,/^[^#]/s/^# \?//p' "${BASH_SOURCE[0]}" >&2
   exit 2
@@ -59,10 +71,12 @@ if ! grep -qs "^$package " "$list"; then
   echo "$package $title" >> "$list"
 fi
 
-# What tests and examples of this repository only: the installed package, CGAL's own examples, runs of minutes.
-rm -rf "$target/test/$package/consumer" "$target/test/$package/run_cgal_examples.sh"
-rm -f "$target/test/$package"/fuzz_*.cpp
-rm -f "$target/benchmark/$package/CMakeLists.txt"
+# What tests this repository only: the installed package, the program for the command line, the same bits from several
+# compilers, CGAL's own examples, runs of minutes.
+for part in consumer program determinism run_cgal_examples.sh; do
+  rm -r "$target/test/${package:?}/$part"
+done
+rm "$target/test/$package"/fuzz_*.cpp
 
 # --- headers and manual ----------------------------------------------------------------------------------------------
 
@@ -70,11 +84,34 @@ rm -f "$target/benchmark/$package/CMakeLists.txt"
 find "$target/include" "$installation/$package.h" -name '*.h' -exec \
   sed -i '0,/^\/\/ All rights reserved\.$/s//&\n\/\/\n\/\/ This file is part of CGAL (www.cgal.org)./' {} +
 
-# CGAL prints the literature by itself, of its own file: see doc/submission/references.bib.
+if [ -n "$owner" ]; then
+  find "$target/include" "$installation/$package.h" -name '*.h' -exec \
+    sed -i "s|^\(// Copyright (c) [0-9-]*\)  .*|\1  $(sed 's/[&|\\]/\\&/g' <<< "$owner").|" {} +
+  echo "$owner" > "$target/package_info/$package/copyright"
+fi
+
+# What the manual says of things that are in this repository only is between marks; the section Examples begins with how
+# they are built here.
 manual=$target/doc/$package/$package.txt
+sed -i '/^<!-- not in CGAL: begin -->$/,/^<!-- not in CGAL: end -->$/d' "$manual"
+sed -i "/^\\\\section ${package}_examples /,/^\\\\subsection /{//!d}" "$manual"
+sed -i "/^\\\\section ${package}_examples /r /dev/stdin" "$manual" <<'END'
+
+Examples that read a mesh take it as their first argument, in any format that \cgal reads, and are content without one:
+they read the small mesh `data/bumpy_sphere.off` then.
+
+END
+for figure in "$target/doc/$package/fig"/*; do
+  grep -qF "$(basename "$figure")" "$target/doc/$package"/*.txt || rm "$figure"
+done
+
+# CGAL prints the literature by itself, of its own file: see doc/submission/references.bib.
 sed -i "/^\\\\section ${package}_literature /,/^\*\/\$/{/^\*\/\$/!d}" "$manual"
 mkdir -p "$tree/Documentation/doc/biblio"
 cp "doc/submission/references.bib" "$tree/Documentation/doc/biblio/$package.bib"
+if [ -n "$since" ]; then
+  sed -i "s|^\\\\cgalPkgSince{.*}$|\\\\cgalPkgSince{$since}|" "$target/doc/$package/PackageDescription.txt"
+fi
 
 # --- building in CGAL's way ------------------------------------------------------------------------------------------
 
@@ -116,10 +153,13 @@ cmake_lists()
 }
 cmake_lists Examples "$target/examples/$package"
 cmake_lists Tests "$target/test/$package"
+cmake_lists Benchmark "$target/benchmark/$package"
 
 # --- what is left ----------------------------------------------------------------------------------------------------
 
 echo "The package is in $target"
+[ -n "$owner" ] || echo "Not told: the owner of the copyright with a country (--owner)"
+[ -n "$since" ] || echo "Not told: the version of CGAL in \\cgalPkgSince (--since)"
 echo "Left to do in CGAL's own files, as doc/submission/specification.md says:"
 echo "  Documentation/doc/Documentation/packages.txt: \\package_listing{$package}"
 echo "  Documentation/doc/biblio/cgal_manual.bib: the entries of Documentation/doc/biblio/$package.bib"

@@ -83,7 +83,10 @@ build="$(cd "$build" && pwd)"
 flags="not known (--programs)"
 
 if [ -z "$programs" ]; then
-  cmake -S "$root" -B "$build/programs" -DCMAKE_BUILD_TYPE=Release -DCMAKE_EXPORT_COMPILE_COMMANDS=ON \
+  # In CGAL's tree this folder is a project of its own.
+  source=$root
+  [ -f "$root/CMakeLists.txt" ] || source=$here
+  cmake -S "$source" -B "$build/programs" -DCMAKE_BUILD_TYPE=Release -DCMAKE_EXPORT_COMPILE_COMMANDS=ON \
     -DSurface_mesh_geodesics_TESTS=OFF -DSurface_mesh_geodesics_EXAMPLES=OFF \
     -DSurface_mesh_geodesics_BENCHMARK=ON -DSurface_mesh_geodesics_PROGRAM=OFF > "$build/configure.log"
   targets=()
@@ -100,6 +103,7 @@ if [ -z "$programs" ]; then
 fi
 # What the compiler was really called with, less folders, warnings, definitions of paths and file names.
 commands="$programs/../../compile_commands.json"
+[ -f "$commands" ] || commands="$programs/compile_commands.json"
 if [ -f "$commands" ]; then
   flags="$(grep '"command".*benchmark_' "$commands" | head -n 1 \
     | tr ' ' '\n' | grep -E '^-(O|f|m|march|std|DNDEBUG|D_GLIBCXX)' | sort -u | tr '\n' ' ' | sed 's/ $//')"

@@ -551,8 +551,8 @@ public:
   /// computes the diagram, if that has not been done since sites were changed.
   ///
   /// Takes the time of a propagation from all sites, in the worst case \cgalBigO{n^2} for \f$ n \f$ vertices, and for
-  /// each face that curves cross time polynomial in the number of windows on its edges; in practice both together are
-  /// two to five times the time of the distances (\ref Surface_mesh_geodesics_performance). The memory is that of the
+  /// each face that curves cross time polynomial in the number of windows on its edges; in practice both together are a
+  /// small multiple of the time of the distances (\ref Surface_mesh_geodesics_performance). The memory is that of the
   /// mesh, of the windows near the wavefront, and of the arcs (\cgalCite{qin2017voronoi}; thesis, chapter 5). The mesh
   /// is read by the first call only.
   ///
@@ -565,8 +565,8 @@ public:
     build(visitor);
   }
 
-  /// does the same and tells a visitor of the progress of the propagation, which is most of the work. The visitor is not
-  /// called if the diagram has been computed before.
+  /// does the same and tells a visitor of the progress of the propagation, which is most of the work. The visitor is
+  /// not called if the diagram has been computed before.
   ///
   /// \tparam Visitor a model of `GeodesicPropagationVisitor`
   /// \param visitor the visitor, called by this thread. It must not use the diagram. Distances that it is told are less

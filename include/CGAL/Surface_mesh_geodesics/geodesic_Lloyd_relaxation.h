@@ -115,7 +115,7 @@ In each iteration the geodesic Voronoi diagram of the sites is computed, and eac
 those in its cell, that is nearest in space to the centroid of the cell, see
 `Surface_mesh_geodesic_Voronoi_diagram::central_vertex()`; the first one in the order of `vertices(tm)` if several are
 equally near. All sites move at once, and stay vertices. A site whose cell is empty, or holds no vertex, stays where it
-is; so do sites in each component that has them: none leaves its component. The relaxation ends when no site moves, or
+is, and none leaves its component. The relaxation ends when no site moves, or
 after the largest number of iterations. (It need not come to rest by itself: sites may move between few vertices that
 are about equally good.)
 
@@ -168,7 +168,7 @@ The use for remeshing is that of the thesis, section 5.4.4.
 \cgalNamedParamsEnd
 
 \return the number of iterations that moved a site; fewer than `number_of_iterations` if all sites are where they
-        belong
+        belong, or if the visitor has cancelled
 
 \throws Invalid_geodesic_input if the mesh or a site is invalid, unless `number_of_iterations` is 0: then nothing is
         looked at. Nothing has been written then.
