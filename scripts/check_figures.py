@@ -139,7 +139,8 @@ def update(root, documents, contents):
 def take(folder, root):
     """Copies new results and plots; those that run_benchmark.sh has not been asked for stay as they are."""
     files = {f"{RESULTS}/{name}.csv": file for name, file in measured_figures.CSV_FILES.items()}
-    files.update({f"{PICTURES}/{name}": file for name, file in measured_figures.PLOTS.items()})
+    for picture, name in measured_figures.PLOTS.items():
+        files[f"{PICTURES}/{picture}"] = "plots/" + measured_figures.CSV_FILES[name].replace(".csv", ".svg")
     taken = 0
     for target, file in files.items():
         source = pathlib.Path(folder) / file

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Makes the pictures of the README and of the manual anew: builds the examples that write them, runs them on the mesh of
-# the examples and on a scan of CGAL's data, and renders. The drawings of the theory are made by draw_theory_figures.py.
+# Makes all pictures of the README and of the manual anew. For the renderings it builds the examples that write them, and
+# runs them on the mesh of the examples and on a scan of CGAL's data; the drawings of the theory, the plots of the
+# committed results of the benchmark and the pictures of the program's page are made by scripts of their own.
 # Everything but the pictures is written below build/. Look at each picture before it is committed.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -9,7 +10,8 @@ work=$build/pictures
 figures=$root/doc/Surface_mesh_geodesics/fig
 examples=$build/examples/Surface_mesh_geodesics
 
-bash "$root/scripts/install_needs.sh" g++ cmake make libcgal-dev libcgal-demo python3-vtk9 xvfb
+bash "$root/scripts/install_needs.sh" g++ cmake make libcgal-dev libcgal-demo libboost-program-options-dev \
+  libjs-three python3-vtk9 python3-matplotlib xvfb chromium
 # The main job unpacks the scan, too.
 bash "$root/scripts/run_main_job.sh" > /dev/null
 scan=$build/cgal_data/data/meshes/bunny00.off
@@ -39,5 +41,10 @@ render sphere_paths.png data/bumpy_sphere.off --lines paths.vtk --view=0.5,-0.9,
 render bunny_Voronoi.png voronoi.vtk
 render weighted_Voronoi.png weighted_voronoi.vtk
 render bunny_remeshed.png remeshed.off --edges
-python3 "$root/scripts/draw_theory_figures.py"
+/usr/bin/python3 "$root/scripts/draw_theory_figures.py"
+/usr/bin/python3 "$root/scripts/draw_plots.py"
+
+cmake "$build" -DSurface_mesh_geodesics_PROGRAM=ON > /dev/null
+cmake --build "$build" --parallel "${JOBS:-$(nproc)}" --target surface_mesh_geodesics_program
+bash "$root/scripts/picture_pages.sh" "$build/app/Surface_mesh_geodesics/surface_mesh_geodesics" "$scan" "$work" "$figures"
 echo "The pictures are in $figures"

@@ -32,10 +32,10 @@ CSV_FILES = {
     "matrix": "matrix.csv",
 }
 
-# The picture in the manual -> the plot that run_benchmark.sh makes.
+# The picture in the manual -> the results that it shows; draw_plots.py draws it.
 PLOTS = {
-    "plot_ratios.svg": "plots/against_shortest_path.svg",
-    "plot_growth.svg": "plots/growth.svg",
+    "plot_ratios.svg": "all_meshes",
+    "plot_growth.svg": "growth",
 }
 
 

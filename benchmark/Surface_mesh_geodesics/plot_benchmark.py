@@ -4,8 +4,9 @@
 Usage: plot_benchmark.py FOLDER_WITH_CSV OUTPUT_FOLDER
 
 Reads the files that are there, of growth.csv, anisotropy.csv, sources.csv, reach.csv, rules.csv, face_queries.csv,
-threads.csv, matrix.csv and against_shortest_path_all.csv. Writes an SVG file for each of them and tables.md, with the
-tables of the manual.
+threads.csv, matrix.csv and against_shortest_path_all.csv. Writes an SVG file of the same name for each of them and
+tables.md, with the tables of the manual. An SVG file tells the numbers that it shows: the lines of the CSV file are its
+description.
 """
 
 import csv
@@ -30,19 +31,23 @@ matplotlib.rcParams["axes.spines.right"] = False
 
 
 def read(path):
-    """The lines of comments and the rows of a file, as dictionaries of numbers where they are numbers."""
+    """The lines of comments and those of the table of a file."""
     with open(path, encoding="utf-8") as file:
         lines = file.read().splitlines()
-    comments = [line[2:] for line in lines if line.startswith("# ")]
+    return [line[2:] for line in lines if line.startswith("# ")], [line for line in lines if not line.startswith("#")]
+
+
+def rows_of(lines):
+    """The rows of a table, as dictionaries of numbers where they are numbers."""
     rows = []
-    for row in csv.DictReader(line for line in lines if not line.startswith("#")):
+    for row in csv.DictReader(lines):
         for key, value in row.items():
             try:
                 row[key] = float(value)
             except (TypeError, ValueError):
                 pass
         rows.append(row)
-    return comments, rows
+    return rows
 
 
 def groups(rows, key):
@@ -65,10 +70,19 @@ def error_bars(axes, x, rows, name, **style):
     axes.errorbar(x, middle, yerr=[low, high], marker="o", markersize=4, capsize=2, linewidth=1.2, **style)
 
 
-def save(figure, folder, name):
+def save(figure, path, lines):
+    """Writes a figure, with the table that it shows as its description. No date: the same bits from the same numbers."""
     figure.tight_layout()
-    figure.savefig(folder / (name + ".svg"), metadata={"Date": None})
+    figure.savefig(path, metadata={"Date": None, "Description": "\n".join(lines)})
     plt.close(figure)
+
+
+def draw_file(name, source, path):
+    """Draws the plot of a question from a CSV file; returns its title, the comments of the file and its table."""
+    comments, lines = read(source)
+    figure, title, text = QUESTIONS[name](rows_of(lines))
+    save(figure, path, lines)
+    return title, comments, text
 
 
 def number(value, digits=1):
@@ -92,10 +106,10 @@ def spread(name):
     return lambda row: f"{number(row[name])} ({number(row[name + '_min'])}–{number(row[name + '_max'])})"
 
 
-# --- one function for each question: it draws into the folder and returns a title and a table ------------------------
+# --- one function for each question: it returns a figure, a title and a table ----------------------------------------
 
 
-def growth(rows, folder):
+def growth(rows):
     figure, (time, windows, memory) = plt.subplots(1, 3, figsize=(10, 3.2))
     for mesh, of_mesh in groups(rows, "mesh").items():
         faces = [row["faces"] for row in of_mesh]
@@ -120,8 +134,7 @@ def growth(rows, folder):
     memory.set_ylim(bottom=0)
     for axes in (time, windows, memory):
         axes.legend(fontsize=7)
-    save(figure, folder, "growth")
-    return "Growth", table([
+    return figure, "Growth", table([
         ("mesh", lambda r: f"{r['mesh']}, level {int(r['subdivisions'])}"),
         ("faces", lambda r: number(r["faces"], 0)),
         ("reading the mesh, ms", spread("read_ms")),
@@ -135,7 +148,7 @@ def growth(rows, folder):
     ], rows)
 
 
-def anisotropy(rows, folder):
+def anisotropy(rows):
     figure, axes = plt.subplots(figsize=(4, 3))
     axes.plot([row["stretch"] for row in rows], [row["ns_per_window"] for row in rows], marker="o", markersize=4)
     axes.set_xscale("log", base=2)
@@ -143,8 +156,7 @@ def anisotropy(rows, folder):
     axes.set_ylim(bottom=0)
     axes.set_xlabel("stretch of the torus")
     axes.set_ylabel("ns per window")
-    save(figure, folder, "anisotropy")
-    return "Anisotropy", table([
+    return figure, "Anisotropy", table([
         ("stretch", lambda r: number(r["stretch"], 0)),
         ("run, ms", spread("run_ms")),
         ("windows", lambda r: number(r["windows"], 0)),
@@ -152,7 +164,7 @@ def anisotropy(rows, folder):
     ], rows)
 
 
-def sources(rows, folder):
+def sources(rows):
     figure, axes = plt.subplots(figsize=(4, 3))
     for mesh, of_mesh in groups(rows, "mesh").items():
         error_bars(axes, [row["sources"] for row in of_mesh], of_mesh, "run_ms", label=mesh)
@@ -161,8 +173,7 @@ def sources(rows, folder):
     axes.set_xlabel("sources")
     axes.set_ylabel("processor time, ms")
     axes.legend(fontsize=7)
-    save(figure, folder, "sources")
-    return "Number of sources", table([
+    return figure, "Number of sources", table([
         ("mesh", lambda r: r["mesh"]),
         ("sources", lambda r: number(r["sources"], 0)),
         ("run, ms", spread("run_ms")),
@@ -170,7 +181,7 @@ def sources(rows, folder):
     ], rows)
 
 
-def reach(rows, folder):
+def reach(rows):
     figure, axes = plt.subplots(figsize=(4.5, 3.2))
     for (faces, of_size), style in zip(groups(rows, "faces").items(), ["-", "--", ":"]):
         for end, of_end in groups(of_size, "end").items():
@@ -181,8 +192,7 @@ def reach(rows, folder):
     axes.set_xlabel("vertices reached")
     axes.set_ylabel("processor time, ms")
     axes.legend(fontsize=7)
-    save(figure, folder, "reach")
-    return "Computations that end early", table([
+    return figure, "Computations that end early", table([
         ("mesh", lambda r: f"{r['mesh']}, {int(r['faces']):,} faces"),
         ("end", lambda r: r["end"]),
         ("part of the largest distance", lambda r: f"{r['part_of_largest_distance']:g}"),
@@ -192,7 +202,7 @@ def reach(rows, folder):
     ], rows)
 
 
-def rules(rows, folder):
+def rules(rows):
     meshes = groups(rows, "mesh")
     figure, (windows, time) = plt.subplots(1, 2, figsize=(9, 3.2))
     names = list(groups(rows, "rules"))
@@ -207,8 +217,7 @@ def rules(rows, folder):
         axes.set_yscale("log")
         axes.set_ylabel(label)
         axes.legend(fontsize=7)
-    save(figure, folder, "rules")
-    return "Rules left out", table([
+    return figure, "Rules left out", table([
         ("mesh", lambda r: r["mesh"]),
         ("rules", lambda r: r["rules"]),
         ("run, ms", spread("run_ms")),
@@ -218,7 +227,7 @@ def rules(rows, folder):
     ], rows)
 
 
-def speedups(rows, folder, name, label, title, columns):
+def speedups(rows, label, title, columns):
     figure, axes = plt.subplots(figsize=(4, 3))
     most = 1
     for key, of_key in groups(rows, label).items():
@@ -234,13 +243,12 @@ def speedups(rows, folder, name, label, title, columns):
     axes.set_xlabel("threads")
     axes.set_ylabel("speedup over the sequential run")
     axes.legend(fontsize=7)
-    save(figure, folder, name)
     threads = ("threads", lambda r: r["threads"] if r["threads"] == "sequential" else number(r["threads"], 0))
-    return title, table(columns + [
+    return figure, title, table(columns + [
         threads, ("run, ms", spread("run_ms")), ("speedup", lambda r: number(r["speedup"], 2))], rows)
 
 
-def face_queries(rows, folder):
+def face_queries(rows):
     all_sources = groups(rows, "sources")
     figure, all_axes = plt.subplots(1, len(all_sources), figsize=(3.2 * len(all_sources), 3), sharey=True, squeeze=False)
     numbers = [1, 10, 100, 1000, 100000]
@@ -252,8 +260,7 @@ def face_queries(rows, folder):
         axes.set_xlabel(f"queries in faces, {int(sources)} source" + ("s" if sources > 1 else ""))
     all_axes[0][0].set_ylabel("processor time with building, ms")
     all_axes[0][0].legend(fontsize=7)
-    save(figure, folder, "face_queries")
-    return "Queries in faces", table([
+    return figure, "Queries in faces", table([
         ("sources", lambda r: number(r["sources"], 0)),
         ("windows are kept", lambda r: "never" if r["alternative"] == "backward" else r["alternative"]),
         ("build, ms", lambda r: number(r["build_ms"], 0)),
@@ -265,24 +272,22 @@ def face_queries(rows, folder):
     ], rows)
 
 
-def threads_of_one_source(rows, folder):
-    return speedups(rows, folder, "threads", "faces", "Threads for one source",
-                    [("faces", lambda r: number(r["faces"], 0))])
+def threads_of_one_source(rows):
+    return speedups(rows, "faces", "Threads for one source", [("faces", lambda r: number(r["faces"], 0))])
 
 
-def matrix(rows, folder):
-    return speedups(rows, folder, "matrix", "matrix", "Threads for a matrix",
+def matrix(rows):
+    return speedups(rows, "matrix", "Threads for a matrix",
                     [("matrix", lambda r: r["matrix"]), ("rows", lambda r: number(r["rows"], 0))])
 
 
-def against(rows, folder):
+def against(rows):
     rows = sorted((row for row in rows if row["time_ratio"] != ""), key=lambda row: row["time_ratio"])
     figure, axes = plt.subplots(figsize=(6, 0.16 * len(rows) + 1))
     axes.barh([row["mesh"] for row in rows], [row["time_ratio"] for row in rows])
     axes.set_xlabel("time of Surface_mesh_shortest_path / time of geodesic_distances()")
     axes.tick_params(axis="y", labelsize=6)
-    save(figure, folder, "against_shortest_path")
-    return "Ratios against Surface_mesh_shortest_path", table([
+    return figure, "Ratios against Surface_mesh_shortest_path", table([
         ("mesh", lambda r: r["mesh"]),
         ("faces", lambda r: number(r["faces"], 0)),
         ("original, ms", spread("original_ms")),
@@ -311,14 +316,13 @@ def main(arguments):
     source, target = pathlib.Path(arguments[0]), pathlib.Path(arguments[1])
     target.mkdir(parents=True, exist_ok=True)
     sections = []
-    for name, draw in QUESTIONS.items():
+    for name in QUESTIONS:
         path = source / (name + ".csv")
         if not path.exists():
             continue
-        comments, rows = read(path)
-        if not rows:
+        if len(read(path)[1]) < 2:
             continue
-        title, text = draw(rows, target)
+        title, comments, text = draw_file(name, path, target / (name + ".svg"))
         sections.append(f"## {title}\n\n" + "".join(f"- {line}\n" for line in comments) + f"\n{text}\n")
     (target / "tables.md").write_text("\n".join(sections), encoding="utf-8")
     print(f"{len(sections)} plots and tables in {target}")
