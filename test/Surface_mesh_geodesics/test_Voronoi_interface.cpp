@@ -138,6 +138,75 @@ void check_throws(Invalid_geodesic_input::Reason reason, Function function)
   CHECK(has_thrown);
 }
 
+// Places that are not in the mesh are refused where there is a site; where there is none, nothing is near to them.
+void test_absent_places()
+{
+  test_support::Scope scope("absent places");
+  using Reason = Invalid_geodesic_input::Reason;
+  const Mesh tm = to_face_graph(cube());
+  const std::vector<vertex_descriptor> no_vertices = {vertex(100), boost::graph_traits<Mesh>::null_vertex()};
+  const std::vector<Face_location> no_locations
+    = {Face_location(boost::graph_traits<Mesh>::null_face(), {1., 0., 0.}), Face_location(face(0), {2., -.5, -.5})};
+  Voronoi diagram(tm);
+  for(const vertex_descriptor v : no_vertices)
+  {
+    CHECK_EQUAL(diagram.nearest_site(v), null_site);
+    CHECK_EQUAL(diagram.distance_to_nearest_site(v), -1.);
+  }
+  for(const Face_location& l : no_locations)
+  {
+    CHECK_EQUAL(diagram.nearest_site(l), null_site);
+    CHECK_EQUAL(diagram.distance_to_nearest_site(l), -1.);
+  }
+  diagram.add_site(vertex(0));
+  for(const vertex_descriptor v : no_vertices)
+  {
+    check_throws(Reason::INVALID_DESCRIPTOR, [&] { diagram.nearest_site(v); });
+    check_throws(Reason::INVALID_DESCRIPTOR, [&] { diagram.distance_to_nearest_site(v); });
+  }
+  for(const Face_location& l : no_locations)
+  {
+    check_throws(Reason::INVALID_LOCATION, [&] { diagram.nearest_site(l); });
+    check_throws(Reason::INVALID_LOCATION, [&] { diagram.distance_to_nearest_site(l); });
+  }
+  CHECK(diagram.is_built());
+}
+
+// Parameters of arcs beyond their ends, and tolerances that are none.
+void test_parameters_of_arcs()
+{
+  test_support::Scope scope("parameters of arcs");
+  const Mesh tm = to_face_graph(cube());
+  Voronoi diagram(tm);
+  diagram.add_site(vertex(0), .1);
+  diagram.add_site(vertex(6));
+  CHECK(!diagram.arcs().empty());
+  for(const auto& a : diagram.arcs())
+  {
+    CHECK(a.point(-1.) == a.point(0.) && a.point(2.) == a.point(1.));
+    CHECK(a.distance(-1.) == a.distance(0.) && a.distance(2.) == a.distance(1.));
+    std::vector<Face_location> coarse;
+    a.sample(1e300, std::back_inserter(coarse));
+    CHECK(coarse.size() == 2 && coarse.front() == a.point(0.) && coarse.back() == a.point(1.));
+  }
+#if !defined(CGAL_NO_PRECONDITIONS) && !defined(CGAL_NDEBUG)
+  for(const double tolerance : {0., -1., std::numeric_limits<double>::quiet_NaN()})
+  {
+    bool is_refused = false;
+    std::vector<Kernel::Point_3> points;
+    try
+    {
+      diagram.edges().front().polyline(tolerance, std::back_inserter(points));
+    }
+    catch(const CGAL::Precondition_exception&)
+    {
+      is_refused = true;
+    }
+    CHECK(is_refused && points.empty());
+  }
+#endif
+}
+
 void test_invalid_input()
 {
   test_support::Scope scope("invalid input");
@@ -320,6 +389,8 @@ int main()
 {
   test_life_of_diagram();
   test_elements();
+  test_absent_places();
+  test_parameters_of_arcs();
   test_invalid_input();
   test_threads();
   test_maps();

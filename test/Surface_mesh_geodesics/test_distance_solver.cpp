@@ -12,6 +12,7 @@
 #include <CGAL/Polyhedron_3.h>
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <set>
 #include <stdexcept>
@@ -122,6 +123,33 @@ void check_broken_computations(Solver& solver, const Mesh& tm, test_support::Ran
   }
   CHECK(is_caught);
   check_vertices_reached(solver, tm);
+
+  // Input that is refused leaves the results of the computation before.
+  solver.compute_distances(vertex(0));
+  const std::vector<double> before = results(solver, tm);
+  Options wrong_number;
+  wrong_number.source_offsets = {0., 0.};
+  Options negative_radius;
+  negative_radius.maximum_distance = -1.;
+  const std::vector<std::function<void()>> invalid = {[&] { solver.compute_distances(foreign); },
+                                                      [&] { solver.compute_distance(vertex(1), foreign); },
+                                                      [&] { solver.compute_distances(vertex(1), wrong_number); },
+                                                      [&] { solver.compute_distances(vertex(1), negative_radius); }};
+  for(const auto& compute : invalid)
+  {
+    is_caught = false;
+    try
+    {
+      compute();
+    }
+    catch(const SMG::Invalid_geodesic_input&)
+    {
+      is_caught = true;
+    }
+    CHECK(is_caught);
+    CHECK(results(solver, tm) == before);
+    check_vertices_reached(solver, tm);
+  }
 }
 
 void check_many_computations(const Indexed_mesh& indexed, test_support::Random& random)

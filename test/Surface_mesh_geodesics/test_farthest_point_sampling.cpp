@@ -95,6 +95,10 @@ void test_cost()
   std::vector<vertex_descriptor> samples;
   options.statistics = &one;
   Geodesics::geodesic_farthest_point_sampling(mesh, 1, std::back_inserter(samples), options);
+  // What was there is not added to.
+  const std::size_t windows = one.windows_propagated;
+  Geodesics::geodesic_farthest_point_sampling(mesh, 1, std::back_inserter(samples), options);
+  CHECK(windows > 0 && one.windows_propagated == windows);
   samples.clear();
   options.statistics = &many;
   Geodesics::geodesic_farthest_point_sampling(mesh, 50, std::back_inserter(samples), options);

@@ -166,12 +166,35 @@ void test_reports()
   }
 }
 
+// Without an iteration, sites stay as they are, and are not even looked at.
+void test_no_iterations()
+{
+  test_support::Scope scope("no iterations");
+  const Mesh mesh = to_face_graph(icosphere(1));
+  const std::vector<vertex_descriptor> sites = {vertex_descriptor(3), boost::graph_traits<Mesh>::null_vertex()};
+  std::vector<vertex_descriptor> moved;
+  CHECK_EQUAL(Geodesics::geodesic_Lloyd_relaxation(mesh, sites, 0, std::back_inserter(moved)), std::size_t(0));
+  CHECK(moved == sites);
+  bool is_caught = false;
+  moved.clear();
+  try
+  {
+    Geodesics::geodesic_Lloyd_relaxation(mesh, sites, 1, std::back_inserter(moved));
+  }
+  catch(const Geodesics::Invalid_geodesic_input&)
+  {
+    is_caught = true;
+  }
+  CHECK(is_caught && moved.empty());
+}
+
 } // namespace
 
 int main()
 {
   const std::uint64_t seed = test_support::announce_seed(20260402);
   test_reports();
+  test_no_iterations();
   test_relaxation(seed);
   test_remeshing(seed);
   return test_result();
