@@ -24,12 +24,17 @@ the exception is passed on to the caller.
 class GeodesicPropagationVisitor
 {
 public:
-  /// is called once, before the propagation starts, with the number of vertices of the mesh.
+  /// is called once, before the propagation starts.
+  ///
+  /// \param number_of_vertices the number of vertices of the mesh
   void on_propagation_begin(std::size_t number_of_vertices);
 
-  /// is called from time to time (before each visit of a vertex by one thread, less often with several), with the
-  /// number of vertices that the wavefront has visited so far (a vertex may be visited more than once) and with a
-  /// distance, in the unit of the mesh, up to which all distances are final. Neither of the two ever decreases.
+  /// is called from time to time: before each visit of a vertex by one thread, less often with several. Neither of the
+  /// two numbers ever decreases during a propagation.
+  ///
+  /// \param number_of_visits the number of vertices that the wavefront has visited so far; a vertex may be visited more
+  ///        than once
+  /// \param distance_reached a distance, in the unit of the mesh, up to which all distances are final
   void on_progress(std::size_t number_of_visits, double distance_reached);
 
   /// is asked after each `on_progress()`. If it returns `false`, the propagation is cancelled: nothing is written to

@@ -72,17 +72,25 @@ public:
   }
 
   /// returns the largest violation of a condition, 0 if it is not violated.
+  ///
+  /// \param c the condition
   double worst_violation(Condition c) const { return entry(c).violation; }
 
   /// returns the site that is involved where a condition is violated most: the one whose distance is not as told, or
   /// whose cell has the boundary or the area. It is `null_site()` if the condition is not violated, or by no site
   /// alone.
+  ///
+  /// \param c the condition
   std::size_t worst_site(Condition c) const { return entry(c).site; }
 
   /// returns how many times a condition has been checked.
+  ///
+  /// \param c the condition
   std::size_t number_of_checks(Condition c) const { return entry(c).number_of_checks; }
 
   /// returns the name of a condition, such as "ARCS".
+  ///
+  /// \param c the condition
   static const char* name(Condition c)
   {
     constexpr const char* names[number_of_conditions]

@@ -82,17 +82,25 @@ public:
   }
 
   /// returns the largest violation of a condition, 0 if it is not violated.
+  ///
+  /// \param c the condition
   double worst_violation(Condition c) const { return entry(c).violation; }
 
   /// returns the vertex where a condition is violated most: for `EDGES` and `PAIRS_OF_FACES` the vertex whose distance
   /// is too long compared with that of another one, for `PROOF` a vertex of the face. It is the null vertex if the
   /// condition is not violated, or if it is at a source that is not a vertex.
+  ///
+  /// \param c the condition
   vertex_descriptor worst_vertex(Condition c) const { return entry(c).vertex; }
 
   /// returns how many times a condition has been checked.
+  ///
+  /// \param c the condition
   std::size_t number_of_checks(Condition c) const { return entry(c).number_of_checks; }
 
   /// returns the name of a condition, such as "PATHS".
+  ///
+  /// \param c the condition
   static const char* name(Condition c)
   {
     constexpr const char* names[number_of_conditions]
