@@ -8,7 +8,7 @@ if(NOT TARGET Eigen3::Eigen)
   message(STATUS "NOTICE: Eigen was not found: the programs that use it are left out.")
 endif()
 
-# Optional: programs that ask for CGAL_LINKED_WITH_TBB run in parallel with it.
+# Optional: programs that ask for CGAL_LINKED_WITH_TBB, or for what is parallel if available, are linked with it.
 find_package(TBB QUIET)
 if(TBB_FOUND)
   include(CGAL_TBB_support OPTIONAL)
@@ -39,8 +39,8 @@ function(surface_mesh_geodesics_leave_out list_of_sources)
   set(${list_of_sources} ${kept} PARENT_SCOPE)
 endfunction()
 
-# Adds a program named like its source file and notes the file for the checks with a second compiler. The headers that the
-# programs of a folder share are in include/ beside them.
+# Adds a program named like its source file and notes the file for the checks with a second compiler. The headers that
+# the programs of a folder share are in include/ beside them.
 function(surface_mesh_geodesics_add_program source)
   get_filename_component(folder "${source}" DIRECTORY)
   get_filename_component(name "${source}" NAME_WE)
@@ -52,7 +52,7 @@ function(surface_mesh_geodesics_add_program source)
     target_link_libraries(${name} PRIVATE Eigen3::Eigen)
     target_compile_definitions(${name} PRIVATE CGAL_EIGEN3_ENABLED)
   endif()
-  file(STRINGS "${source}" lines_with_tbb REGEX "CGAL_LINKED_WITH_TBB")
+  file(STRINGS "${source}" lines_with_tbb REGEX "CGAL_LINKED_WITH_TBB|Parallel_if_available_tag")
   if(lines_with_tbb AND TARGET CGAL::TBB_support)
     target_link_libraries(${name} PRIVATE CGAL::TBB_support)
   endif()

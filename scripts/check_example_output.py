@@ -3,14 +3,16 @@
 
 Usage: check_example_output.py MANUAL DATA_FOLDER PROGRAM | --self-test
 
-The program runs without arguments in an empty folder with data/ in it. In the manual, `\\cgalExample{.../NAME.cpp}` is
-followed by `\\verbatim`, the output, and `\\endverbatim`. Three dots stand for anything in a line, a line of three dots
-for any number of lines. Numbers with a point in them may differ by a part in ten thousand, all else is the same.
+In the manual, `\\cgalExample{.../NAME.cpp}` is followed by `\\verbatim`, the command `$ ../NAME [arguments]`, the
+output, and `\\endverbatim`. The program runs with these arguments in an empty folder with data/ in it. Three dots
+stand for anything in a line, a line of three dots for any number of lines. Numbers with a point in them may differ by
+a part in ten thousand, all else is the same.
 """
 
 import os
 import pathlib
 import re
+import shlex
 import subprocess
 import sys
 import tempfile
@@ -22,15 +24,19 @@ TOLERANCE = 1e-4
 PLACEHOLDER = re.compile(r"(\.\.\.|-?\d+\.\d+(?:e[-+]?\d+)?(?!\d*\.\.\.))")
 
 
-def shown_output(manual, name):
-    """The lines that the manual shows for an example, or None."""
+def shown_run(manual, name):
+    """The arguments and the lines of output that the manual shows for an example, or None."""
     place = manual.find(f"/{name}.cpp}}")
     if place < 0:
         return None
     end = manual.find("\\cgalExample", place)
     section = manual[place:end if end >= 0 else len(manual)]
     block = re.search(r"^\\verbatim\n(.*?)^\\endverbatim$", section, re.DOTALL | re.MULTILINE)
-    return block.group(1).splitlines() if block else None
+    if block is None:
+        return None
+    command, *output = block.group(1).splitlines() or [""]
+    words = shlex.split(command)
+    return (words[2:], output) if words[:2] == ["$", f"../{name}"] else None
 
 
 def line_matches(shown, printed):
@@ -66,10 +72,12 @@ def self_test():
         ("a", "a\nb", False), ("a\nb", "a", False), ("a (b)", "a (b)", True),
     ]
     failures = [case for case in cases if lines_match(case[0].split("\n"), case[1].split("\n")) != case[2]]
-    manual = "\\cgalExample{P/a.cpp}\n\\cgalExample{P/b.cpp}\n\n\\verbatim\nb 1\n\\endverbatim\n"
-    if shown_output(manual, "a") is not None or shown_output(manual, "b") != ["b 1"]:
-        failures.append("the place of the output")
-    return report(failures, f"self-test: {len(cases) + 1} cases")
+    manual = "\\cgalExample{P/a.cpp}\n\\cgalExample{P/b.cpp}\n\n\\verbatim\n$ ../b x 2\nb 1\n\\endverbatim\n"
+    if shown_run(manual, "a") is not None or shown_run(manual, "b") != (["x", "2"], ["b 1"]):
+        failures.append("the place of the command and the output")
+    if any(shown_run(manual.replace(old, new), "b") is not None for old, new in (("../b", "../a"), ("$ ", ""))):
+        failures.append("output without its command")
+    return report(failures, f"self-test: {len(cases) + 2} cases")
 
 
 def main(arguments):
@@ -79,17 +87,19 @@ def main(arguments):
         print(__doc__)
         return 2
     manual, data, program = (pathlib.Path(argument).resolve() for argument in arguments)
-    shown = shown_output(manual.read_text(encoding="utf-8"), program.stem)
-    if shown is None:
-        print(f"{manual}: no output is shown for {program.stem}")
+    run = shown_run(manual.read_text(encoding="utf-8"), program.stem)
+    if run is None:
+        print(f"{manual}: no command with its output is shown for {program.stem}")
         return 1
+    program_arguments, shown = run
     with tempfile.TemporaryDirectory() as folder:
         os.symlink(data, pathlib.Path(folder) / "data")
-        run = subprocess.run([str(program)], cwd=folder, capture_output=True, text=True, check=False)
-    printed = run.stdout.splitlines()
-    if run.returncode == 0 and lines_match(shown, printed):
+        process = subprocess.run([str(program), *program_arguments], cwd=folder, capture_output=True, text=True,
+                                 check=False)
+    printed = process.stdout.splitlines()
+    if process.returncode == 0 and lines_match(shown, printed):
         return 0
-    print(f"{program.stem} ends with {run.returncode} and prints", *printed, sep="\n")
+    print(f"{program.stem} ends with {process.returncode} and prints", *printed, sep="\n")
     print("\nthe manual shows", *shown, sep="\n")
     return 1
 

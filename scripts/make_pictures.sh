@@ -15,14 +15,14 @@ bash "$root/scripts/install_needs.sh" g++ cmake make libcgal-dev libcgal-demo li
 # The main job unpacks the scan, too.
 bash "$root/scripts/run_main_job.sh" > /dev/null
 scan=$build/cgal_data/data/meshes/bunny00.off
-programs=(distances_to_all_vertices paths_from_several_sources Voronoi_diagram_of_scan weighted_Voronoi_diagram
+programs=(distances_as_colored_mesh paths_from_several_sources Voronoi_diagram_of_scan weighted_Voronoi_diagram
   sampling_and_remeshing)
 cmake --build "$build" --parallel "${JOBS:-$(nproc)}" --target "${programs[@]}"
 
 mkdir -p "$work"
 cd "$work"
 ln -sfn "$root/examples/Surface_mesh_geodesics/data" data
-"$examples/distances_to_all_vertices" "$scan" --distances bands.csv --colored-mesh bands.ply
+"$examples/distances_as_colored_mesh" "$scan"
 "$examples/paths_from_several_sources"
 "$examples/Voronoi_diagram_of_scan" "$scan"
 "$examples/weighted_Voronoi_diagram"
@@ -35,9 +35,9 @@ render()
   shift
   /usr/bin/python3 "$root/scripts/render_picture.py" "$1" "$figures/$picture" --size 800x760 "${@:2}"
 }
-render bunny_bands.png bands.ply --view=-0.25,0.15,-1
-render bunny_bands_small.png bands.ply --view=-0.25,0.15,-1 --size 109x104
-render sphere_paths.png data/bumpy_sphere.off --lines paths.vtk --view=0.5,-0.9,0.2 --up 0,0,1
+render bunny_bands.png distances.ply --view=-0.25,0.15,-1
+render bunny_bands_small.png distances.ply --view=-0.25,0.15,-1 --size 109x104
+render sphere_paths.png data/bumpy_sphere.off --lines paths.polylines.txt --view=-0.1,-0.9,0 --up 0,0,1
 render bunny_Voronoi.png voronoi.vtk
 render weighted_Voronoi.png weighted_voronoi.vtk
 render bunny_remeshed.png remeshed.off --edges

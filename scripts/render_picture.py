@@ -1,9 +1,10 @@
 #!/usr/bin/python3
-"""Renders a mesh with coloured distances, as distances_to_all_vertices writes it, a mesh without colours, or the cells
+"""Renders a mesh with coloured distances, as distances_as_colored_mesh writes it, a mesh without colours, or the cells
 and arcs of a Voronoi diagram, as write_geodesic_Voronoi_diagram() does, to a PNG file without a screen.
 
 usage: render_picture.py mesh.ply|mesh.off|diagram.vtk picture.png [options]
-  --lines paths.vtk     paths on top of the mesh, as paths_from_several_sources writes them; a colour for each source
+  --lines paths.polylines.txt  paths on top of the mesh, as paths_from_several_sources writes them; those that end at one
+                        source have one colour
   --edges               the edges of a mesh without colours, and flat faces
   --size WIDTHxHEIGHT   size of the picture (900x900)
   --view X,Y,Z          direction from the mesh to the eye (0,0,1)
@@ -198,13 +199,21 @@ def read_poly_data(vtk, name):
 
 
 def make_path_actor(vtk, name):
-    """Paths, coloured by their sources."""
-    paths = read_poly_data(vtk, name)
-    source = paths.GetCellData().GetArray("source")
-    colors = vtk.vtkUnsignedCharArray()
+    """Paths, coloured by their sources, which are their last points."""
+    points, lines, colors = vtk.vtkPoints(), vtk.vtkCellArray(), vtk.vtkUnsignedCharArray()
     colors.SetNumberOfComponents(3)
-    for i in range(paths.GetNumberOfCells()):
-        colors.InsertNextTuple3(*PATH_COLORS[int(source.GetValue(i)) % len(PATH_COLORS)])
+    sources = []
+    with open(name, encoding="ascii") as file:
+        for line in file:
+            coordinates = [float(word) for word in line.split()[1:]]
+            path = list(zip(*[iter(coordinates)] * 3))
+            lines.InsertNextCell(len(path), [points.InsertNextPoint(point) for point in path])
+            if path[-1] not in sources:
+                sources.append(path[-1])
+            colors.InsertNextTuple3(*PATH_COLORS[sources.index(path[-1]) % len(PATH_COLORS)])
+    paths = vtk.vtkPolyData()
+    paths.SetPoints(points)
+    paths.SetLines(lines)
     paths.GetCellData().SetScalars(colors)
     return actor_of_lines(vtk, paths, 0.0035 * paths.GetLength())
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Exact distances from one vertex to all others on a scan of a rabbit with 75,000 faces, as numbers and as a coloured
 # mesh: installs what is needed, builds the example in Release mode and runs it. Everything it writes is below build/.
-# Arguments, if any, replace those of the example.
+# Arguments, if any, replace those of the example: a mesh, and the number of the source vertex.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=$root/build
@@ -12,7 +12,7 @@ data=$build/cgal_data
 cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release \
   -DSurface_mesh_geodesics_EXAMPLES=ON -DSurface_mesh_geodesics_TESTS=OFF -DSurface_mesh_geodesics_BENCHMARK=OFF \
   -DSurface_mesh_geodesics_PROGRAM=OFF
-cmake --build "$build" --target distances_to_all_vertices --parallel "${JOBS:-$(nproc)}"
+cmake --build "$build" --target distances_as_colored_mesh --parallel "${JOBS:-$(nproc)}"
 
 if [ ! -f "$data/data/meshes/bunny00.off" ]; then
   archive=/usr/share/doc/libcgal-dev/data.tar.gz
@@ -38,5 +38,5 @@ for argument in "$@"; do
 done
 mkdir -p "$build/main_job"
 cd "$build/main_job"
-"$build/examples/Surface_mesh_geodesics/distances_to_all_vertices" "${arguments[@]}"
+"$build/examples/Surface_mesh_geodesics/distances_as_colored_mesh" "${arguments[@]}"
 echo "The results are in $build/main_job"

@@ -1,3 +1,4 @@
+#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -21,9 +22,9 @@ int main(int argc, char* argv[])
 {
   const std::string filename = (argc > 1) ? argv[1] : "data/bumpy_sphere.off";
   Mesh mesh;
-  if(!CGAL::IO::read_polygon_mesh(filename, mesh) || mesh.number_of_faces() == 0)
+  if(!CGAL::IO::read_polygon_mesh(filename, mesh) || faces(mesh).empty() || !CGAL::is_triangle_mesh(mesh))
   {
-    std::cerr << "Cannot read a mesh from " << filename << std::endl;
+    std::cerr << "Cannot read a triangle mesh from " << filename << std::endl;
     return EXIT_FAILURE;
   }
 
@@ -40,7 +41,7 @@ int main(int argc, char* argv[])
   for(std::size_t i = 0; i < voronoi.number_of_sites(); ++i)
   {
     std::cout << "site " << i << ": area " << voronoi.area(i) << ", " << (voronoi.is_disk(i) ? "a disk" : "no disk")
-              << ", neighbors";
+              << ", neighbours";
     for(std::size_t j : voronoi.adjacent_sites(i))
     {
       std::cout << ' ' << j;
@@ -48,7 +49,7 @@ int main(int argc, char* argv[])
     std::cout << std::endl;
   }
 
-  // The same in files: colored cells and arcs for MeshLab and ParaView, arcs alone as polylines for Blender.
+  // The same in files: coloured cells and arcs for MeshLab and ParaView, arcs alone as polylines for Blender.
   const double tolerance = 1e-4 * std::sqrt(voronoi.area(0));
   for(const std::string name : {"voronoi.ply", "voronoi.vtk", "voronoi.obj"})
   {

@@ -1,8 +1,10 @@
+#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/Geodesic_distance_solver.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_distance_matrix.h>
+#include <CGAL/Surface_mesh_geodesics/geodesic_farthest_point_sampling.h>
 #include <CGAL/tags.h>
 
 #include <algorithm>
@@ -27,27 +29,19 @@ int main(int argc, char* argv[])
 {
   const std::string filename = (argc > 1) ? argv[1] : "data/bumpy_sphere.off";
   Mesh mesh;
-  if(!CGAL::IO::read_polygon_mesh(filename, mesh) || mesh.number_of_faces() == 0)
+  if(!CGAL::IO::read_polygon_mesh(filename, mesh) || faces(mesh).empty() || !CGAL::is_triangle_mesh(mesh))
   {
-    std::cerr << "Cannot read a mesh from " << filename << std::endl;
+    std::cerr << "Cannot read a triangle mesh from " << filename << std::endl;
     return EXIT_FAILURE;
   }
 
-  // The solver reads the mesh once and keeps its memory from one computation to the next.
-  Geodesics::Geodesic_distance_solver<Mesh> solver(mesh);
-
   // Twenty vertices, each as far as possible from those before.
-  std::vector<vertex_descriptor> samples{*vertices(mesh).begin()};
-  while(samples.size() < 20)
-  {
-    solver.compute_distances(samples);
-    std::vector<vertex_descriptor> reached;
-    solver.vertices_reached(std::back_inserter(reached));
-    samples.push_back(*std::max_element(reached.begin(), reached.end(), [&](vertex_descriptor v, vertex_descriptor w)
-                                        { return solver.distance(v) < solver.distance(w); }));
-  }
+  std::vector<vertex_descriptor> samples;
+  Geodesics::geodesic_farthest_point_sampling(mesh, 20, std::back_inserter(samples));
 
-  // All distances between them; row i has those from sample i to the samples i, i+1, ...
+  // All distances between them; row i has those from sample i to the samples i, i+1, ... The solver reads the mesh once
+  // and keeps its memory from one row to the next.
+  Geodesics::Geodesic_distance_solver<Mesh> solver(mesh);
   double largest = 0, smallest = std::numeric_limits<double>::infinity();
   Geodesics::symmetric_geodesic_distance_matrix<Concurrency_tag>(
     solver, samples, [&](std::size_t, const std::vector<double>& row)

@@ -1,14 +1,13 @@
 // Distances for programs that keep meshes in matrices, as those that use libigl do: in with V and F, out with D.
 
-#include <CGAL/IO/polygon_soup_io.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_distances.h>
 
 #include <Eigen/Core>
 
-#include <algorithm>
-#include <cstddef>
 #include <cstdlib>
 #include <iostream>
 #include <stdexcept>
@@ -18,7 +17,9 @@
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 using vertex_descriptor = boost::graph_traits<Mesh>::vertex_descriptor;
+using face_descriptor = boost::graph_traits<Mesh>::face_descriptor;
 
+int row_of_vertex(vertex_descriptor v) { return static_cast<int>(v.idx()); }
 vertex_descriptor vertex_of_row(int i) { return vertex_descriptor(static_cast<Mesh::size_type>(i)); }
 
 // The vertices of the mesh have the numbers of the rows of V.
@@ -30,10 +31,8 @@ Mesh mesh_of_matrices(const Eigen::MatrixXd& V, const Eigen::MatrixXi& F)
   if(F.size() > 0 && (F.minCoeff() < 0 || F.maxCoeff() >= V.rows()))
     throw std::invalid_argument("a face has a vertex that is not there");
   for(const auto& f : F.rowwise())
-  {
     if(mesh.add_face(vertex_of_row(f(0)), vertex_of_row(f(1)), vertex_of_row(f(2))) == Mesh::null_face())
       throw std::invalid_argument("the faces are not those of an oriented surface");
-  }
   return mesh;
 }
 
@@ -53,22 +52,24 @@ Eigen::VectorXd exact_distances(const Eigen::MatrixXd& V, const Eigen::MatrixXi&
 int main(int argc, char* argv[])
 {
   const std::string filename = (argc > 1) ? argv[1] : "data/bumpy_sphere.off";
-  std::vector<Point> points;
-  std::vector<std::vector<std::size_t>> triangles;
-  const auto is_triangle = [](const std::vector<std::size_t>& face) { return face.size() == 3; };
-  if(!CGAL::IO::read_polygon_soup(filename, points, triangles) || triangles.empty()
-     || !std::all_of(triangles.begin(), triangles.end(), is_triangle))
+  Mesh mesh;
+  if(!CGAL::IO::read_polygon_mesh(filename, mesh) || faces(mesh).empty() || !CGAL::is_triangle_mesh(mesh))
   {
-    std::cerr << "Cannot read triangles from " << filename << std::endl;
+    std::cerr << "Cannot read a triangle mesh from " << filename << std::endl;
     return EXIT_FAILURE;
   }
-  Eigen::MatrixXd V(points.size(), 3);
-  Eigen::MatrixXi F(triangles.size(), 3);
-  for(std::size_t i = 0; i < points.size(); ++i)
-    V.row(static_cast<Eigen::Index>(i)) << points[i].x(), points[i].y(), points[i].z();
-  for(std::size_t i = 0; i < triangles.size(); ++i)
-    for(std::size_t k = 0; k < 3; ++k)
-      F(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) = static_cast<int>(triangles[i][k]);
+
+  // The matrices, as igl::read_triangle_mesh() would fill them.
+  Eigen::MatrixXd V(mesh.number_of_vertices(), 3);
+  Eigen::MatrixXi F(mesh.number_of_faces(), 3);
+  for(vertex_descriptor v : vertices(mesh))
+    V.row(v.idx()) << mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z();
+  for(face_descriptor f : faces(mesh))
+  {
+    const auto h = halfedge(f, mesh);
+    F.row(f.idx()) << row_of_vertex(source(h, mesh)), row_of_vertex(target(h, mesh)),
+        row_of_vertex(target(next(h, mesh), mesh));
+  }
 
   const Eigen::VectorXd D = exact_distances(V, F, {0, 1});
   Eigen::Index farthest;

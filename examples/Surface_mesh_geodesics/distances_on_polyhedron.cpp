@@ -1,4 +1,5 @@
 #include <CGAL/boost/graph/graph_traits_Polyhedron_3.h>
+#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polyhedron_3.h>
@@ -6,6 +7,7 @@
 
 #include <boost/property_map/property_map.hpp>
 
+#include <cmath>
 #include <cstdlib>
 #include <iostream>
 #include <string>
@@ -21,9 +23,9 @@ int main(int argc, char* argv[])
 {
   const std::string filename = (argc > 1) ? argv[1] : "data/bumpy_sphere.off";
   Mesh mesh;
-  if(!CGAL::IO::read_polygon_mesh(filename, mesh) || mesh.empty())
+  if(!CGAL::IO::read_polygon_mesh(filename, mesh) || faces(mesh).empty() || !CGAL::is_triangle_mesh(mesh))
   {
-    std::cerr << "Cannot read a mesh from " << filename << std::endl;
+    std::cerr << "Cannot read a triangle mesh from " << filename << std::endl;
     return EXIT_FAILURE;
   }
 
@@ -34,12 +36,8 @@ int main(int argc, char* argv[])
 
   vertex_descriptor farthest = source;
   for(vertex_descriptor v : vertices(mesh))
-  {
-    if(distances[v] > distances[farthest])
-    {
+    if(distances[v] > distances[farthest] && std::isfinite(distances[v])) // not so where no path leads
       farthest = v;
-    }
-  }
   std::cout << "the point farthest from " << source->point() << " is " << farthest->point() << ", at the distance "
             << distances[farthest] << std::endl;
   return EXIT_SUCCESS;

@@ -8,6 +8,7 @@
 //
 // Here both are called, to see how far the estimates are from the distances.
 
+#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/Heat_method_3/Surface_mesh_geodesic_distances_3.h>
 #include <CGAL/Simple_cartesian.h>
@@ -51,9 +52,9 @@ int main(int argc, char* argv[])
 {
   const std::string filename = (argc > 1) ? argv[1] : "data/bumpy_sphere.off";
   Mesh mesh;
-  if(!CGAL::IO::read_polygon_mesh(filename, mesh) || mesh.number_of_faces() == 0)
+  if(!CGAL::IO::read_polygon_mesh(filename, mesh) || faces(mesh).empty() || !CGAL::is_triangle_mesh(mesh))
   {
-    std::cerr << "Cannot read a mesh from " << filename << std::endl;
+    std::cerr << "Cannot read a triangle mesh from " << filename << std::endl;
     return EXIT_FAILURE;
   }
   Distance_map exact = mesh.add_property_map<vertex_descriptor, double>("v:exact").first;

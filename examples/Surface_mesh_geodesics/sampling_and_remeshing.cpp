@@ -1,3 +1,5 @@
+// Arguments: a mesh, and the number of vertices of the coarse mesh.
+
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/Simple_cartesian.h>
@@ -5,9 +7,11 @@
 #include <CGAL/Surface_mesh_geodesics/geodesic_farthest_point_sampling.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_remeshing.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <iostream>
 #include <iterator>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -20,13 +24,19 @@ namespace Geodesics = CGAL::Surface_mesh_geodesics;
 int main(int argc, char* argv[])
 {
   const std::string filename = (argc > 1) ? argv[1] : "data/bumpy_sphere.off";
-  const std::size_t n = (argc > 2) ? std::stoul(argv[2]) : 100;
   Mesh mesh;
-  if(!CGAL::IO::read_polygon_mesh(filename, mesh) || mesh.number_of_faces() == 0)
+  if(!CGAL::IO::read_polygon_mesh(filename, mesh) || faces(mesh).empty() || !CGAL::is_triangle_mesh(mesh))
   {
-    std::cerr << "Cannot read a mesh from " << filename << std::endl;
+    std::cerr << "Cannot read a triangle mesh from " << filename << std::endl;
     return EXIT_FAILURE;
   }
+  std::size_t n = 100;
+  if(argc > 2 && !(std::istringstream(argv[2]) >> n))
+  {
+    std::cerr << argv[2] << " is no number of vertices" << std::endl;
+    return EXIT_FAILURE;
+  }
+  n = std::min<std::size_t>(n, mesh.number_of_vertices());
 
   // Each sample is the vertex that is farthest from those before. More of them make the holes between them smaller.
   std::vector<vertex_descriptor> samples;
@@ -38,7 +48,7 @@ int main(int argc, char* argv[])
     std::cout << samples.size() << " samples: no vertex is farther from them than " << radius << std::endl;
   }
 
-  // Samples, moved to the centers of their cells, are the vertices of a coarse mesh.
+  // Samples, moved to the centres of their cells, are the vertices of a coarse mesh.
   Mesh coarse;
   const Geodesics::Geodesic_dual_report report =
       Geodesics::geodesic_remeshing(mesh, n, coarse, CGAL::parameters::number_of_iterations(10));

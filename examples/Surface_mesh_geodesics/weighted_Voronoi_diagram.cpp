@@ -1,4 +1,6 @@
+#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_Voronoi_diagram.h>
@@ -6,6 +8,7 @@
 #include <CGAL/Surface_mesh_shortest_path.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <iostream>
 #include <string>
@@ -15,29 +18,29 @@ using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Traits = CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>;
 using Voronoi_diagram = CGAL::Surface_mesh_geodesic_Voronoi_diagram<Traits>;
 
+namespace PMP = CGAL::Polygon_mesh_processing;
+
 int main(int argc, char* argv[])
 {
   const std::string filename = (argc > 1) ? argv[1] : "data/bumpy_sphere.off";
   Mesh mesh;
-  if(!CGAL::IO::read_polygon_mesh(filename, mesh) || mesh.number_of_faces() == 0)
+  if(!CGAL::IO::read_polygon_mesh(filename, mesh) || faces(mesh).empty() || !CGAL::is_triangle_mesh(mesh))
   {
-    std::cerr << "Cannot read a mesh from " << filename << std::endl;
+    std::cerr << "Cannot read a triangle mesh from " << filename << std::endl;
     return EXIT_FAILURE;
   }
 
-  // Fire stations at four vertices: how far is it from the first one to the others?
-  const Mesh::size_type n = mesh.number_of_vertices();
+  // Fire stations at four vertices. The first one is quicker: its weight is subtracted from all distances from it. The
+  // second starts late, its weight is negative. The last one stands beside the first one, and is so slow that nobody is
+  // nearer to it.
+  const Mesh::size_type n = mesh.number_of_faces();
+  const auto corner = [&](Mesh::size_type f) { return target(halfedge(Mesh::Face_index(f), mesh), mesh); };
+  const double size = std::sqrt(PMP::area(mesh));
   Voronoi_diagram voronoi(mesh);
-  voronoi.add_site(Mesh::Vertex_index(0));
-  const double distance = voronoi.distance_to_nearest_site(Mesh::Vertex_index(n / 2));
-
-  // The first station is quicker: its weight is subtracted from all distances from it. The second starts late, its
-  // weight is negative. The last one stands in the cell of the first one, and is so slow that nobody is nearer to it.
-  voronoi.clear();
-  voronoi.add_site(Mesh::Vertex_index(0), 0.2 * distance);
-  voronoi.add_site(Mesh::Vertex_index(n / 2), -0.2 * distance);
-  voronoi.add_site(Mesh::Vertex_index(n / 4));
-  voronoi.add_site(target(halfedge(Mesh::Vertex_index(0), mesh), mesh), -distance);
+  voronoi.add_site(corner(0), 0.1 * size);
+  voronoi.add_site(corner(n / 2), -0.1 * size);
+  voronoi.add_site(corner(n / 4));
+  voronoi.add_site(source(halfedge(Mesh::Face_index(0), mesh), mesh), -size);
 
   std::size_t number_of_hyperbolas = 0;
   for(const Voronoi_diagram::Arc& arc : voronoi.arcs())
@@ -55,10 +58,10 @@ int main(int argc, char* argv[])
   // The cut mesh has one site for each face.
   Mesh cut;
   auto site = cut.add_property_map<Mesh::Face_index, std::size_t>("f:site").first;
-  voronoi.cut(cut, site, 1e-3 * distance);
+  voronoi.cut(cut, site, 1e-3 * size);
   std::cout << "the cut mesh has " << cut.number_of_faces() << " faces instead of " << mesh.number_of_faces() << ", "
             << std::count(site.begin(), site.end(), std::size_t(0)) << " of them in the cell of site 0" << std::endl;
-  if(!CGAL::Surface_mesh_geodesics::write_geodesic_Voronoi_diagram("weighted_voronoi.vtk", voronoi, 1e-3 * distance))
+  if(!CGAL::Surface_mesh_geodesics::write_geodesic_Voronoi_diagram("weighted_voronoi.vtk", voronoi, 1e-3 * size))
   {
     std::cerr << "Cannot write weighted_voronoi.vtk" << std::endl;
     return EXIT_FAILURE;

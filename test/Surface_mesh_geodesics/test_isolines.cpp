@@ -347,7 +347,7 @@ void test_values_of_vertices(const Indexed_mesh& indexed)
   }
 }
 
-// A square of two triangles: from a corner the line through the two neighbors is a border-to-border line of three
+// A square of two triangles: from a corner the line through the two neighbours is a border-to-border line of three
 // points; the corner at the other end is alone.
 void test_square()
 {

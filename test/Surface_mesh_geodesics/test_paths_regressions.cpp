@@ -601,7 +601,7 @@ void roll(Coordinates q, std::vector<Coordinates> centers, double x, double y, c
   {
     return;
   }
-  // centers: those of the faces that have lain on the plane, carried along with the cube
+  // centres: those of the faces that have lain on the plane, carried along with the cube
   for(std::size_t direction = 0; direction < 4; ++direction)
   {
     auto turn = [&](const Coordinates& c) -> Coordinates

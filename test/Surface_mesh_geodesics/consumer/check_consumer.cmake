@@ -37,24 +37,38 @@ endif()
 
 execute_process(COMMAND "${CMAKE_COMMAND}" --build "${consumer_build}" --config Release COMMAND_ERROR_IS_FATAL ANY)
 find_program(
-  consumer consumer
+  my_program my_program
   PATHS "${consumer_build}" "${consumer_build}/Release"
   NO_DEFAULT_PATH REQUIRED)
 execute_process(
-  COMMAND "${consumer}" "${CMAKE_CURRENT_LIST_DIR}/square.off"
+  COMMAND "${my_program}" "${CMAKE_CURRENT_LIST_DIR}/square.off"
   OUTPUT_VARIABLE output
   COMMAND_ERROR_IS_FATAL ANY)
 
 # The unit square, seen from one of its corners: two sides, the diagonal, half the diagonal.
 set(expected "v0 0\nv1 1\nv2 1.41421\nv3 1\nv4 0.707107\n")
 if(NOT output STREQUAL expected)
-  message(FATAL_ERROR "The consumer printed\n${output}instead of\n${expected}")
+  message(FATAL_ERROR "my_program printed\n${output}instead of\n${expected}")
 endif()
 
-# The README shows this very program: it cannot fall behind the interface.
-file(READ "${CMAKE_CURRENT_LIST_DIR}/main.cpp" program)
+# Without a mesh, or without triangles, it says so.
+file(WRITE "${work_folder}/quad.off" "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n")
+foreach(argument IN ITEMS "" "${work_folder}/missing.off" "${work_folder}/quad.off")
+  execute_process(COMMAND "${my_program}" ${argument} RESULT_VARIABLE result ERROR_VARIABLE message)
+  if(NOT result EQUAL 1 OR NOT message MATCHES "usage: my_program")
+    message(FATAL_ERROR "my_program ${argument} ended with ${result} and the message: ${message}")
+  endif()
+endforeach()
+
+# The README shows this very project: it cannot fall behind the interface.
 file(READ "${readme}" readme_text)
-string(FIND "${readme_text}" "```cpp\n${program}```" position)
-if(position EQUAL -1)
-  message(FATAL_ERROR "The program in ${readme} is not test/Surface_mesh_geodesics/consumer/main.cpp")
-endif()
+foreach(pair IN ITEMS "cpp|main.cpp" "cmake|CMakeLists.txt")
+  string(REPLACE "|" ";" pair "${pair}")
+  list(GET pair 0 language)
+  list(GET pair 1 name)
+  file(READ "${CMAKE_CURRENT_LIST_DIR}/${name}" text)
+  string(FIND "${readme_text}" "```${language}\n${text}```" position)
+  if(position EQUAL -1)
+    message(FATAL_ERROR "What ${readme} shows as ${name} is not test/Surface_mesh_geodesics/consumer/${name}")
+  endif()
+endforeach()
