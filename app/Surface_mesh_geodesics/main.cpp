@@ -2,6 +2,8 @@
 
 #include "Command.h"
 #include "Command_error.h"
+#include "Input_file.h"
+#include "Place_options.h"
 
 #include <fcntl.h>
 
@@ -113,7 +115,11 @@ void run(const Command& command, const std::vector<std::string>& words)
   }
   if(!has(arguments, "mesh"))
     throw Command_error(Exit_code::BAD_USAGE, "no mesh is given");
-  command.run(arguments, Console(has(arguments, "quiet")));
+  check_inputs_are_kept(arguments);
+  const Console console(has(arguments, "quiet"));
+  if(is_seed_unused(arguments))
+    console.note("--seed has no effect: no place is chosen at random");
+  command.run(arguments, console);
 }
 
 const Command& command_with_name(const std::string& name)
@@ -163,6 +169,11 @@ int checked_run(const std::vector<std::string>& words)
   catch(const Command_error& error)
   {
     return fail(error.code(), error.what());
+  }
+  catch(const po::too_many_positional_options_error&)
+  {
+    return fail(Exit_code::BAD_USAGE, "more than one mesh is given; an option has two dashes, and a name with blanks "
+                                      "stands in quotes");
   }
   catch(const po::error& error)
   {

@@ -63,7 +63,7 @@ for subcommand in $subcommands; do
   refuses 3 "none.off: there is no such file" "$subcommand" none.off "${arguments[@]}"
   refuses 3 "empty.off: the file is empty" "$subcommand" empty.off "${arguments[@]}"
   refuses 3 "no_last_faces.off: the file is damaged or incomplete" "$subcommand" no_last_faces.off "${arguments[@]}"
-  refuses 2 "too many positional options" "$subcommand" "$grid" "${arguments[@]}" another.off
+  refuses 2 "more than one mesh is given" "$subcommand" "$grid" "${arguments[@]}" another.off
 done
 refuses 3 ".: is a folder, not a file" info .
 refuses 3 "text.off: the file is damaged" info text.off
