@@ -72,7 +72,7 @@ std::vector<double> evenly_spaced(std::size_t n, double largest)
 {
   std::vector<double> result;
   for(std::size_t i = 1; i <= n && largest > 0; ++i)
-    result.push_back(largest * static_cast<double>(i) / static_cast<double>(n + 1));
+    result.push_back(largest * (static_cast<double>(i) / static_cast<double>(n + 1)));
   return result;
 }
 

@@ -65,6 +65,8 @@ Output_files::Output_files(const std::vector<std::string>& names, const std::vec
   std::vector<fs::path> places; // a file that is named twice is written once
   for(const std::string& name : names)
   {
+    if(name.empty())
+      throw Command_error(Exit_code::BAD_USAGE, "the name of an output is empty");
     std::error_code error;
     const fs::path place = name == "-" ? fs::path(name) : fs::weakly_canonical(fs::absolute(name, error), error);
     if(!error && std::find(places.begin(), places.end(), place) != places.end())

@@ -101,6 +101,7 @@ public:
     std::array<double, 3> x;
     if(!parse_point(coordinates, x))
       complain_of_point(where, code);
+    check_is_near(x, where, code);
     if(m_tree == nullptr)
       m_tree.reset(new Face_tree(m_mesh));
     places.push_back(location_place(m_tree->nearest_place(Point(x[0], x[1], x[2]))));
@@ -162,6 +163,17 @@ private:
       add_nearest_place(words, where, Exit_code::BAD_INPUT);
   }
 
+  // Rounding would choose the nearest place of a point that is very far away, which is a mistake in the unit.
+  void check_is_near(const std::array<double, 3>& x, const std::string& where, Exit_code code)
+  {
+    if(m_limit < 0)
+      m_limit = 1e6 * extent(m_mesh);
+    const Point p = m_mesh.point(*m_mesh.vertices().begin());
+    for(int k = 0; k < 3 && m_limit > 0; ++k)
+      if(!(std::abs(x[static_cast<std::size_t>(k)] - p[k]) <= m_limit))
+        throw Command_error(code, where + ": the point is more than a million times the size of the mesh away from it");
+  }
+
   void add_location(const std::vector<std::string>& words, const std::string& where)
   {
     std::size_t f = 0;
@@ -184,6 +196,7 @@ private:
 
   const Mesh& m_mesh;
   Place_options::Kind m_kind;
+  double m_limit = -1; // of the distances of points; not known yet
   std::unique_ptr<Face_tree> m_tree;
 };
 

@@ -172,9 +172,9 @@ Html_page page_of(const std::string& file_name, const Mesh& mesh, const std::vec
 // The number of points of a curve grows with the root of 1 / tolerance: a limit keeps it from filling the disk.
 double tolerance_of(const Arguments& arguments, const Mesh& mesh)
 {
-  const double size = extent(mesh), smallest = 1e-9 * size;
+  const double size = extent(mesh), smallest = 1e-9 * size, usual = 1e-4 * size;
   const double result
-    = positive_argument_or(arguments, "tolerance", size > 0 ? 1e-4 * size : 1); // at one place any tolerance will do
+    = positive_argument_or(arguments, "tolerance", usual > 0 ? usual : 1); // at one place any tolerance will do
   if(result < smallest)
   {
     std::ostringstream text;

@@ -119,7 +119,14 @@ void run(const Command& command, const std::vector<std::string>& words)
   const Console console(has(arguments, "quiet"));
   if(is_seed_unused(arguments))
     console.note("--seed has no effect: no place is chosen at random");
-  command.run(arguments, console);
+  try
+  {
+    command.run(arguments, console);
+  }
+  catch(const CGAL::Surface_mesh_geodesics::Invalid_geodesic_input& error)
+  {
+    throw Command_error(Exit_code::BAD_INPUT, mesh_argument(arguments) + ": " + error.what());
+  }
 }
 
 const Command& command_with_name(const std::string& name)
@@ -141,6 +148,10 @@ void run(std::vector<std::string> words)
   }
   const std::string first = words.front();
   words.erase(words.begin());
+  const std::size_t most_words = first == "help" ? 1 : 0;
+  if((first[0] == '-' || first == "help") && words.size() > most_words)
+    throw Command_error(Exit_code::BAD_USAGE, "'" + words.back() + "' after " + first
+                                                + " is one word too many; see surface_mesh_geodesics --help");
   if(first == "--version")
     std::cout << "surface_mesh_geodesics " SURFACE_MESH_GEODESICS_VERSION " with CGAL " CGAL_VERSION_STR << '\n';
   else if(first == "--help" || first == "-h" || (first == "help" && words.empty()))
@@ -155,7 +166,9 @@ void run(std::vector<std::string> words)
 
 int fail(Exit_code code, const std::string& message)
 {
-  std::cerr << "surface_mesh_geodesics: error: " << message << std::endl;
+  std::string line = message; // also that of a failed assertion, which has several
+  std::replace(line.begin(), line.end(), '\n', ' ');
+  std::cerr << "surface_mesh_geodesics: error: " << line << std::endl;
   return static_cast<int>(code);
 }
 
@@ -178,10 +191,6 @@ int checked_run(const std::vector<std::string>& words)
   catch(const po::error& error)
   {
     return fail(Exit_code::BAD_USAGE, error.what());
-  }
-  catch(const CGAL::Surface_mesh_geodesics::Invalid_geodesic_input& error)
-  {
-    return fail(Exit_code::BAD_INPUT, error.what());
   }
   catch(const std::bad_alloc&)
   {

@@ -228,12 +228,19 @@
     const geometry = new THREE.BufferGeometry();
     geometry.setAttribute("position", new THREE.BufferAttribute(xyz, 3));
     const material = new THREE.ShaderMaterial({
-      uniforms: { color: { value: new THREE.Color(color) }, size: { value: size * window.devicePixelRatio } },
+      uniforms: {
+        color: { value: new THREE.Color(color) },
+        size: { value: size * window.devicePixelRatio },
+        lift: { value: 0.0015 * size } // about the radius of a dot, so that no surface cuts it off
+      },
       vertexShader: `
-        uniform float size;
+        uniform float size, lift;
         void main() {
-          gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
-          gl_Position.z -= 0.004 * gl_Position.w;
+          vec4 p = modelViewMatrix * vec4(position, 1.0);
+          gl_Position = projectionMatrix * p;
+          p.xyz *= 1.0 - min(lift / length(p.xyz), 0.5);
+          vec4 q = projectionMatrix * p;
+          gl_Position.z = q.z / q.w * gl_Position.w;
           gl_PointSize = size;
         }`,
       fragmentShader: `

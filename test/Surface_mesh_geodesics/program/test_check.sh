@@ -88,7 +88,7 @@ refuses 3 "cut.csv, line 9: a value is missing" check "$grid" --source 0 --dista
 
 mkdir folder.csv
 refuses 3 "folder.csv: is a folder, not a file" check "$grid" --source 0 --distances folder.csv
-refuses 2 "the name of a file that is to be read is empty" check "$grid" --source 0 --distances=""
+refuses 2 "the name of a file that is to be read is empty" check "$grid" --source 0 --distances ""
 cp distances.csv read.csv
 refuses 2 "read.csv: the file is read by this command" check "$grid" --source 0 --distances read.csv -o ./read.csv
 cmp distances.csv read.csv

@@ -93,6 +93,11 @@ refuses 2 "'-1' is not the number of a vertex" distances "$grid" --source -1
 refuses 2 "'1.5' is not the number of a vertex" distances "$grid" --source 1.5
 refuses 2 "three finite numbers" distances "$grid" --source-point 1,2
 refuses 2 "three finite numbers" distances "$grid" --source-point nan,0,0
+refuses 2 "--source-point 0,1e7,0: the point is more than a million times the size of the mesh away from it" \
+  distances "$grid" --source-point 0,1e7,0
+refuses 2 "more than a million times" distances "$grid" --source-point -1e308,1e308,1e308
+is_silent distances "$grid" --source-point -1e6,-1e6,0 -o far.csv
+cmp <(cut -d, -f1,2 table.csv) <(cut -d, -f1,2 far.csv)
 refuses 2 "only 16 vertices" distances "$grid" --source-random 17
 refuses 2 "'inf' is not a positive number" distances "$grid" --source 0 --radius inf
 refuses 2 "cannot be given together" distances "$grid" --source 0 --isolines 3 --spacing 1 -o x.vtk
@@ -123,8 +128,9 @@ is_silent distances "$grid" --source 0 -o A.CSV -o A.Obj -o A.PLY
 cmp table.csv A.CSV
 is_silent distances A.PLY --source 0 -o B.CSV
 cmp <(head -n 17 B.CSV) table.csv
-is_silent info A.Obj > info.csv
-contains info.csv faces,18
+"$program" remesh "$grid" --number 16 --quiet -o C.OBJ
+is_silent info C.OBJ > info.csv
+contains info.csv vertices,16
 refuses 2 "the end of the name must be one of .csv, .ply, .vtk, .obj" distances "$grid" --source 0 -o x.txt
 refuses 2 "--nonsense" distances "$grid" --source 0 --nonsense
 [ ! -e x.vtk ]
