@@ -8,8 +8,8 @@
 
 namespace geodesics_app {
 
-// throws a Command_error that tells why a file cannot be read: it is not there, is a folder, or is protected. Nothing is
-// opened: that would take a pipe from its reader.
+// throws a Command_error that tells why a file cannot be read: it is not there, is a folder, or is protected. Nothing
+// is opened: that would take a pipe from its reader.
 void check_is_readable(const std::string& file_name);
 
 // opens a file that is not the mesh. Throws a Command_error if that is impossible.

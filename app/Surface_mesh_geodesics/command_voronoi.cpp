@@ -41,8 +41,8 @@ void declare(Option_descriptions& options)
      "a weight for each site, which is subtracted from the distances (default: 0)")
     ("vertices", "the table has a line for each vertex of the mesh, with its site")
     ("tolerance", positive_value("tolerance")->value_name("T"),
-     "how far the lines in files may be from the curves (default: 1e-4 times the diagonal of the bounding box; at least "
-     "1e-9 times)");
+     "how far the lines in files may be from the curves (default: 1e-4 times the diagonal of the bounding box; at "
+     "least 1e-9 times)");
   declare_html(options);
   declare_output(options, "a table .csv (default: to standard output); cells with colours and their boundaries .ply, "
                           ".vtk; boundaries alone .obj");

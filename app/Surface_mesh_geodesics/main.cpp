@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstddef>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -148,13 +149,14 @@ void run(std::vector<std::string> words)
   }
   const std::string first = words.front();
   words.erase(words.begin());
+  const bool is_help = first == "--help" || first == "-h";
   const std::size_t most_words = first == "help" ? 1 : 0;
-  if((first[0] == '-' || first == "help") && words.size() > most_words)
+  if((is_help || first == "help" || first == "--version") && words.size() > most_words)
     throw Command_error(Exit_code::BAD_USAGE, "'" + words.back() + "' after " + first
                                                 + " is one word too many; see surface_mesh_geodesics --help");
   if(first == "--version")
     std::cout << "surface_mesh_geodesics " SURFACE_MESH_GEODESICS_VERSION " with CGAL " CGAL_VERSION_STR << '\n';
-  else if(first == "--help" || first == "-h" || (first == "help" && words.empty()))
+  else if(is_help || (first == "help" && words.empty()))
     print_help(std::cout);
   else if(first == "help")
     print_help(command_with_name(words.front()), std::cout);
