@@ -160,6 +160,25 @@ equals "$status" 143
 equals "$(cat kept.csv)" old
 no_remains
 
+# And so does a signal while files are written: the first one is complete, and the second one, a pipe that nobody
+# empties, keeps the program waiting.
+mkfifo full_pipe.csv
+exec 9<> full_pipe.csv
+"$program" matrix "$data/grid9.off" --source all -o whole.csv -o full_pipe.csv &
+process=$!
+for _ in $(seq 100); do
+  [ -z "$(find . -name '.[0-9]*whole.csv' -size +64k)" ] || break
+  sleep 0.1
+done
+[ -n "$(find . -name '.[0-9]*whole.csv' -size +64k)" ]
+kill -TERM "$process"
+status=0
+wait "$process" || status=$?
+exec 9>&-
+equals "$status" 143
+[ ! -e whole.csv ]
+no_remains
+
 # a file that is named twice is written once
 for i in 1 2; do # new, and there already
   "$program" distances "$data/grid9.off" --source 0 -o twice.csv -o ./twice.csv -o twice.csv
