@@ -74,7 +74,7 @@ void test_wheel()
 // Each cell touches each other one: one color too few makes one conflict.
 void test_all_pairs()
 {
-  for(const std::size_t n : {12, 13})
+  for(const std::size_t n : {std::size_t(12), std::size_t(13)})
   {
     Neighbors neighbors(n);
     for(std::size_t i = 0; i < n; ++i)
