@@ -4,8 +4,11 @@
 #include <CGAL/Surface_mesh_geodesics/Geodesic_default_visitor.h>
 
 #include <chrono>
+#include <condition_variable>
 #include <cstddef>
+#include <mutex>
 #include <string>
+#include <thread>
 
 namespace geodesics_app {
 
@@ -29,7 +32,8 @@ private:
 class Progress_bar
 {
 public:
-  Progress_bar(const Console& console, const std::string& what);
+  // The clock is read at each `calls_per_look`-th call only: that costs more than a visit of a vertex.
+  Progress_bar(const Console& console, const std::string& what, unsigned int calls_per_look = 64);
   ~Progress_bar();
 
   Progress_bar(const Progress_bar&) = delete;
@@ -43,8 +47,29 @@ private:
 
   std::string m_what;
   bool m_is_on, m_has_drawn = false;
-  unsigned int m_number_of_calls = 0;
+  unsigned int m_calls_per_look, m_number_of_calls = 0;
   Clock::time_point m_next_drawing;
+};
+
+// For work whose length is not known: after half a second a terminal shows what is done, and for how long, until the
+// object goes.
+class Work_sign
+{
+public:
+  Work_sign(const Console& console, const std::string& what);
+  ~Work_sign();
+
+  Work_sign(const Work_sign&) = delete;
+  Work_sign& operator=(const Work_sign&) = delete;
+
+private:
+  void show();
+
+  std::string m_what;
+  std::mutex m_mutex;
+  std::condition_variable m_end;
+  bool m_is_done = false;
+  std::thread m_thread;
 };
 
 // Shows the progress of a propagation: the part of the vertices that the wavefront has visited.

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <iterator>
 #include <limits>
 
@@ -50,10 +51,15 @@ std::vector<Isoline> isolines_around(const Mesh& mesh, const std::vector<Place>&
     return result;
   Path_finder paths(mesh);
   add_sources(paths, sources);
-  Progress_visitor visitor(console, "isolines");
-  paths.build_sequence_tree_for_faces(visitor);
-  for(const double d : distances)
   {
+    Progress_visitor visitor(console, "distances in faces");
+    paths.build_sequence_tree_for_faces(visitor);
+  }
+  Progress_bar bar(console, "isolines", 1);
+  for(std::size_t i = 0; i < distances.size(); ++i)
+  {
+    const double d = distances[i];
+    bar.show(static_cast<double>(i) / static_cast<double>(distances.size()));
     std::vector<std::vector<Point>> lines;
     paths.isolines(d, std::back_inserter(lines));
     for(std::vector<Point>& line : lines)
@@ -66,7 +72,7 @@ std::vector<double> evenly_spaced(std::size_t n, double largest)
 {
   std::vector<double> result;
   for(std::size_t i = 1; i <= n && largest > 0; ++i)
-    result.push_back(largest * static_cast<double>(i) / static_cast<double>(n + 1));
+    result.push_back(largest * (static_cast<double>(i) / static_cast<double>(n + 1)));
   return result;
 }
 

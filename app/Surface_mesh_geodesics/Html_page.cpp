@@ -1,6 +1,7 @@
 #include "Html_page.h"
 
 #include "Command_error.h"
+#include "Output_files.h"
 
 #include <algorithm>
 #include <cmath>
@@ -104,6 +105,16 @@ void write_string(std::ostream& os, const std::string& text)
   os << '"';
 }
 
+// as style sheets have it: #rrggbb
+std::string hexadecimal(const CGAL::IO::Color& color)
+{
+  static const char* const digits = "0123456789abcdef";
+  std::string result = "#";
+  for(const unsigned char c : {color.red(), color.green(), color.blue()})
+    result += {digits[c >> 4], digits[c & 15]};
+  return result;
+}
+
 std::string escaped(const std::string& text)
 {
   static const std::map<char, std::string> names{{'<', "&lt;"}, {'>', "&gt;"}, {'&', "&amp;"}, {'"', "&quot;"}};
@@ -183,7 +194,7 @@ private:
     }
     m_os << ",\"cellColors\":[";
     for(std::size_t i = 0; i < m_page.cell_colors.size(); ++i)
-      m_os << (i == 0 ? "" : ",") << m_page.cell_colors[i];
+      m_os << (i == 0 ? "" : ",") << '"' << hexadecimal(m_page.cell_colors[i]) << '"';
     m_os << ']';
   }
 
@@ -337,7 +348,7 @@ std::vector<std::string> html_names(const Arguments& arguments)
   if(!names.empty())
     check_pages_are_available();
   for(const std::string& name : names)
-    if(name.size() < 6 || name.compare(name.size() - 5, 5, ".html") != 0)
+    if(!has_format(name, "html"))
       throw Command_error(Exit_code::BAD_USAGE, "--html: the end of the name '" + name + "' is not .html");
   return names;
 }

@@ -5,6 +5,8 @@
 #include "Place_options.h"
 #include "Program_mesh.h"
 
+#include <CGAL/IO/Color.h>
+
 #include <array>
 #include <cstddef>
 #include <functional>
@@ -42,7 +44,7 @@ struct Html_page
   std::string title, subtitle;
   Html_surface surface;
   std::vector<double> band_limits; // multiples of the first one
-  std::vector<std::size_t> cell_colors; // for each site the number of a color, different for neighbors
+  std::vector<CGAL::IO::Color> cell_colors; // of the sites of a Voronoi diagram; else empty
   std::vector<Html_lines> lines;
   std::vector<Html_dots> dots;
 };

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -24,20 +25,25 @@ namespace {
   throw Command_error(Exit_code::BAD_OUTPUT, name + ": cannot be written: " + reason);
 }
 
-bool ends_with(const std::string& text, const std::string& ending)
+char small_letter(char c)
 {
-  return text.size() > ending.size() && text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
+  return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+}
+
+std::string list_of(const std::vector<std::string>& formats)
+{
+  std::string list;
+  for(const std::string& format : formats)
+    list += (list.empty() ? "." : ", .") + format;
+  return list;
 }
 
 std::string format_of(const std::string& name, const std::vector<std::string>& formats)
 {
   for(const std::string& format : formats)
-    if(ends_with(name, "." + format))
+    if(has_format(name, format))
       return format;
-  std::string known;
-  for(const std::string& format : formats)
-    known += (known.empty() ? "." : ", .") + format;
-  throw Command_error(Exit_code::BAD_USAGE, name + ": the end of the name must be one of " + known);
+  throw Command_error(Exit_code::BAD_USAGE, name + ": the end of the name must be one of " + list_of(formats));
 }
 
 // Everything is written with all digits: reading the numbers again gives the same ones.
@@ -45,12 +51,22 @@ constexpr int number_of_digits = 17;
 
 } // namespace
 
+bool has_format(const std::string& name, const std::string& format)
+{
+  const std::string ending = "." + format;
+  return name.size() > ending.size()
+      && std::equal(ending.rbegin(), ending.rend(), name.rbegin(),
+                    [](char a, char b) { return small_letter(a) == small_letter(b); });
+}
+
 Output_files::Output_files(const std::vector<std::string>& names, const std::vector<std::string>& formats)
   : Output_files()
 {
   std::vector<fs::path> places; // a file that is named twice is written once
   for(const std::string& name : names)
   {
+    if(name.empty())
+      throw Command_error(Exit_code::BAD_USAGE, "the name of an output is empty");
     std::error_code error;
     const fs::path place = name == "-" ? fs::path(name) : fs::weakly_canonical(fs::absolute(name, error), error);
     if(!error && std::find(places.begin(), places.end(), place) != places.end())
@@ -110,6 +126,13 @@ bool Output_files::have(const std::vector<std::string>& formats) const
 {
   return std::any_of(m_files.begin(), m_files.end(), [&](const File& file)
                      { return std::find(formats.begin(), formats.end(), file.format) != formats.end(); });
+}
+
+void Output_files::remark_on_unused(const Arguments& arguments, const std::string& option,
+                                    const std::vector<std::string>& formats, const Console& console) const
+{
+  if(has(arguments, option) && !have(formats))
+    console.note("--" + option + " has no effect without an output " + list_of(formats));
 }
 
 void Output_files::write(const std::function<void(std::ostream&, const std::string&)>& write)

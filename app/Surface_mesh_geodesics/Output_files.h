@@ -12,6 +12,9 @@
 
 namespace geodesics_app {
 
+// whether the name of a file ends with a dot and the format, in small or in capital letters.
+bool has_format(const std::string& name, const std::string& format);
+
 // The files that a command writes. Each one is written beside its place, under another name, and gets its name when all
 // of them are complete: whoever finds a file with the name finds all of it. What is not complete is removed, also if
 // the program is interrupted. Pipes and devices are written directly.
@@ -30,6 +33,10 @@ public:
 
   // whether a file has one of the formats.
   bool have(const std::vector<std::string>& formats) const;
+
+  // tells that an option is given that matters for these formats only, if no file has one of them.
+  void remark_on_unused(const Arguments& arguments, const std::string& option,
+                        const std::vector<std::string>& formats, const Console& console) const;
 
   // calls write(stream, format) for each file, and gives the files their names. Throws a Command_error if a file
   // could not be written.

@@ -2,10 +2,13 @@
 
 #include "Command_error.h"
 #include "Face_tree.h"
+#include "Input_file.h"
 #include "number_arguments.h"
 
 #include <CGAL/boost/graph/helpers.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -32,11 +35,47 @@ Place location_place(const Face_location& location)
   return Place{Mesh::null_vertex(), location};
 }
 
+bool parse_point(const std::vector<std::string>& coordinates, std::array<double, 3>& x)
+{
+  bool is_point = coordinates.size() == 3;
+  for(std::size_t k = 0; is_point && k < 3; ++k)
+    is_point = parse_number(coordinates[k], x[k]);
+  return is_point;
+}
+
+[[noreturn]] void complain_of_vertex(const std::string& text, const std::string& where, Exit_code code)
+{
+  throw Command_error(code, where + ": '" + text + "' is not the number of a vertex");
+}
+
+[[noreturn]] void complain_of_point(const std::string& where, Exit_code code)
+{
+  throw Command_error(code, where + ": a point is three finite numbers");
+}
+
+// What can be said of values before there is a mesh.
+void check_vertices(const std::vector<std::string>& values, const std::string& option)
+{
+  std::size_t v = 0;
+  for(const std::string& value : values)
+    for(const std::string& text : split(value, ','))
+      if(text != "all" && !parse_index(text, v))
+        complain_of_vertex(text, option, Exit_code::BAD_USAGE);
+}
+
+void check_points(const std::vector<std::string>& values, const std::string& option)
+{
+  std::array<double, 3> x;
+  for(const std::string& value : values)
+    if(!parse_point(split(value, ','), x))
+      complain_of_point(option + " " + value, Exit_code::BAD_USAGE);
+}
+
 // Reads places from the command line and from files; `where` says in messages where a text stands.
 class Place_reader
 {
 public:
-  explicit Place_reader(const Mesh& mesh) : m_mesh(mesh) {}
+  Place_reader(const Mesh& mesh, Place_options::Kind kind) : m_mesh(mesh), m_kind(kind) {}
 
   std::vector<Place> places;
 
@@ -44,7 +83,7 @@ public:
   {
     std::size_t i = 0;
     if(!parse_index(text, i))
-      throw Command_error(code, where + ": '" + text + "' is not the number of a vertex");
+      complain_of_vertex(text, where, code);
     if(i >= m_mesh.number_of_vertices())
       throw Command_error(code, where + ": there is no vertex " + text + "; the vertices of the mesh are 0 to "
                                   + std::to_string(m_mesh.number_of_vertices() - 1));
@@ -59,12 +98,10 @@ public:
 
   void add_nearest_place(const std::vector<std::string>& coordinates, const std::string& where, Exit_code code)
   {
-    double x[3] = {0, 0, 0};
-    bool is_point = coordinates.size() == 3;
-    for(std::size_t k = 0; is_point && k < 3; ++k)
-      is_point = parse_number(coordinates[k], x[k]);
-    if(!is_point)
-      throw Command_error(code, where + ": a point is three finite numbers");
+    std::array<double, 3> x;
+    if(!parse_point(coordinates, x))
+      complain_of_point(where, code);
+    check_is_near(x, where, code);
     if(m_tree == nullptr)
       m_tree.reset(new Face_tree(m_mesh));
     places.push_back(location_place(m_tree->nearest_place(Point(x[0], x[1], x[2]))));
@@ -74,9 +111,7 @@ public:
   // numbers). What follows a # does not count.
   void add_file(const std::string& file_name)
   {
-    std::ifstream is(file_name);
-    if(!is)
-      throw Command_error(Exit_code::BAD_INPUT, file_name + ": the file cannot be opened");
+    std::ifstream is = opened_text_file(file_name);
     const std::size_t number_before = places.size();
     std::string line;
     for(std::size_t number = 1; std::getline(is, line); ++number)
@@ -120,10 +155,23 @@ private:
   {
     if(words.size() == 1)
       add_vertex(words[0], where, Exit_code::BAD_INPUT);
+    else if(m_kind == Place_options::Kind::VERTICES)
+      throw Command_error(Exit_code::BAD_INPUT, where + ": only the number of a vertex may stand here");
     else if(words.size() == 4)
       add_location(words, where);
     else
       add_nearest_place(words, where, Exit_code::BAD_INPUT);
+  }
+
+  // Rounding would choose the nearest place of a point that is very far away, which is a mistake in the unit.
+  void check_is_near(const std::array<double, 3>& x, const std::string& where, Exit_code code)
+  {
+    if(m_limit < 0)
+      m_limit = 1e6 * extent(m_mesh);
+    const Point p = m_mesh.point(*m_mesh.vertices().begin());
+    for(int k = 0; k < 3 && m_limit > 0; ++k)
+      if(!(std::abs(x[static_cast<std::size_t>(k)] - p[k]) <= m_limit))
+        throw Command_error(code, where + ": the point is more than a million times the size of the mesh away from it");
   }
 
   void add_location(const std::vector<std::string>& words, const std::string& where)
@@ -147,6 +195,8 @@ private:
   }
 
   const Mesh& m_mesh;
+  Place_options::Kind m_kind;
+  double m_limit = -1; // of the distances of points; not known yet
   std::unique_ptr<Face_tree> m_tree;
 };
 
@@ -156,20 +206,38 @@ void Place_options::declare(Option_descriptions& options) const
 {
   using Texts = std::vector<std::string>;
   const std::string point = m_role + "-point", file = m_role + "-file", random = m_role + "-random";
+  const bool are_vertices = m_kind == Kind::VERTICES;
   options.add_options()
-    (m_role.c_str(), po::value<Texts>()->value_name("V[,V...]")->composing(),
-     "vertices, by their numbers from 0, or 'all'")
-    (point.c_str(), po::value<Texts>()->value_name("X,Y,Z")->composing(),
-     "the place of the surface that is nearest to a point")
+    (m_role.c_str(),
+     po::value<Texts>()->value_name("V[,V...]")->composing()->notifier(
+       [option = "--" + m_role](const Texts& values) { check_vertices(values, option); }),
+     "vertices, by their numbers from 0, or 'all'");
+  if(!are_vertices)
+    options.add_options()
+      (point.c_str(),
+       po::value<Texts>()->value_name("X,Y,Z")->composing()->notifier(
+         [option = "--" + point](const Texts& values) { check_points(values, option); }),
+       "the place of the surface that is nearest to a point");
+  options.add_options()
     (file.c_str(), po::value<Texts>()->value_name("FILE")->composing(),
-     "a file with one place in each line: V, or X Y Z, or FACE B0 B1 B2 with barycentric coordinates")
-    (random.c_str(), po::value<std::string>()->value_name("N"), "N different vertices, chosen at random");
+     are_vertices ? "a file with the number of a vertex in each line"
+                  : "a file with one place in each line: V, or X Y Z, or FACE B0 B1 B2 with barycentric coordinates")
+    (random.c_str(), count_value(random, 1)->value_name("N"), "N different vertices, chosen at random");
 }
 
 void declare_seed(Option_descriptions& options)
 {
-  options.add_options()("seed", po::value<std::string>()->value_name("S")->default_value("0"),
+  options.add_options()("seed", count_value("seed", 0)->value_name("S")->default_value("0"),
                         "the number that random choices depend on");
+}
+
+bool is_seed_unused(const Arguments& arguments)
+{
+  const std::string ending = "-random";
+  return has(arguments, "seed") && !arguments["seed"].defaulted()
+      && std::none_of(arguments.begin(), arguments.end(), [&](const auto& option)
+         { return option.first.size() > ending.size()
+               && option.first.compare(option.first.size() - ending.size(), ending.size(), ending) == 0; });
 }
 
 bool Place_options::are_given(const Arguments& arguments) const
@@ -182,7 +250,7 @@ bool Place_options::are_given(const Arguments& arguments) const
 
 std::vector<Place> Place_options::places(const Arguments& arguments, const Mesh& mesh) const
 {
-  Place_reader reader(mesh);
+  Place_reader reader(mesh, m_kind);
   for(const std::string& value : all_values(arguments, m_role))
     for(const std::string& text : split(value, ','))
     {
@@ -197,9 +265,9 @@ std::vector<Place> Place_options::places(const Arguments& arguments, const Mesh&
     reader.add_file(file_name);
   if(has(arguments, m_role + "-random"))
   {
-    const std::size_t n = count_argument(m_role + "-random", arguments[m_role + "-random"].as<std::string>(), 1);
+    const std::size_t n = count_argument_or(arguments, m_role + "-random", 1);
     // Targets are not to be the sources: each role draws from a sequence of its own.
-    const std::uint64_t seed = count_argument("seed", arguments["seed"].as<std::string>(), 0);
+    const std::uint64_t seed = count_argument_or(arguments, "seed", 0);
     reader.add_random_vertices(n, m_role == "target" ? ~seed : seed, "--" + m_role + "-random");
   }
   return reader.places;
@@ -208,18 +276,15 @@ std::vector<Place> Place_options::places(const Arguments& arguments, const Mesh&
 std::vector<Place> Place_options::required_places(const Arguments& arguments, const Mesh& mesh) const
 {
   if(!are_given(arguments))
-    throw Command_error(Exit_code::BAD_USAGE, "no " + m_role + " is given; use --" + m_role + ", --" + m_role
-                                                + "-point, --" + m_role + "-file or --" + m_role + "-random");
+    throw Command_error(Exit_code::BAD_USAGE, "no " + m_role + " is given; use --" + m_role + ", "
+                                                + (m_kind == Kind::VERTICES ? "" : "--" + m_role + "-point, ")
+                                                + "--" + m_role + "-file or --" + m_role + "-random");
   return places(arguments, mesh);
 }
 
 std::vector<Vertex> Place_options::vertices(const Arguments& arguments, const Mesh& mesh) const
 {
-  const std::vector<Place> all = places(arguments, mesh);
-  const std::vector<Vertex> result = as_vertices(all);
-  if(result.size() != all.size())
-    throw Command_error(Exit_code::BAD_USAGE, "a " + m_role + " must be a vertex here");
-  return result;
+  return as_vertices(places(arguments, mesh));
 }
 
 Point point_of(const Place& place, const Mesh& mesh)

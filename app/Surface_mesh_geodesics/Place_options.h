@@ -19,11 +19,14 @@ struct Place
 };
 
 // The options that tell places: for the role "source" they are --source, --source-point, --source-file and
-// --source-random. All of them may be given, and all but the last one several times.
+// --source-random. All of them may be given, and all but the last one several times. Where places must be vertices,
+// there is no --source-point, and a file holds numbers of vertices.
 class Place_options
 {
 public:
-  explicit Place_options(const std::string& role) : m_role(role) {}
+  enum class Kind { ANY_PLACES, VERTICES };
+
+  explicit Place_options(const std::string& role, Kind kind = Kind::ANY_PLACES) : m_role(role), m_kind(kind) {}
 
   // adds the options. All roles of a command have the option --seed in common, which is not among them.
   void declare(Option_descriptions& options) const;
@@ -38,15 +41,19 @@ public:
   // does the same, where there must be at least one place.
   std::vector<Place> required_places(const Arguments& arguments, const Mesh& mesh) const;
 
-  // does the same, where all places must be vertices.
+  // does the same for the kind VERTICES.
   std::vector<Vertex> vertices(const Arguments& arguments, const Mesh& mesh) const;
 
 private:
   std::string m_role;
+  Kind m_kind;
 };
 
 // The option --seed of random places.
 void declare_seed(Option_descriptions& options);
+
+// whether a seed is given, but no place is chosen at random.
+bool is_seed_unused(const Arguments& arguments);
 
 // the point of a place.
 Point point_of(const Place& place, const Mesh& mesh);

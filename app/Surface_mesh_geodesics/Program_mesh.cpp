@@ -1,6 +1,7 @@
 #include "Program_mesh.h"
 
 #include "Command_error.h"
+#include "Input_file.h"
 #include "PLY_check.h"
 #include "Polygon_soup.h"
 
@@ -9,14 +10,10 @@
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/boost/graph/helpers.h>
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cctype>
-#include <cerrno>
 #include <cmath>
 #include <cstddef>
-#include <cstring>
 #include <exception>
 #include <filesystem>
 #include <system_error>
@@ -44,15 +41,9 @@ std::string ending_of(const std::string& file_name)
 void check_file(const std::string& file_name)
 {
   namespace fs = std::filesystem;
+  check_is_readable(file_name);
   std::error_code error;
-  const fs::file_status status = fs::status(file_name, error);
-  if(!fs::exists(status))
-    complain(file_name, "there is no such file");
-  if(fs::is_directory(status))
-    complain(file_name, "is a folder, not a file");
-  if(access(file_name.c_str(), R_OK) != 0) // opening a pipe would take it from the reader
-    complain(file_name, std::strerror(errno));
-  if(fs::is_regular_file(status) && fs::file_size(file_name, error) == 0)
+  if(fs::is_regular_file(file_name, error) && fs::file_size(file_name, error) == 0)
     complain(file_name, "the file is empty");
   const std::string ending = ending_of(file_name);
   static const std::vector<std::string> known{".off", ".obj", ".ply", ".stl", ".ts"};

@@ -3,6 +3,7 @@
 #include "Command.h"
 #include "Command_error.h"
 #include "Distance_field.h"
+#include "Input_file.h"
 #include "Output_files.h"
 #include "Place_options.h"
 #include "Program_mesh.h"
@@ -38,8 +39,8 @@ void declare(Option_descriptions& options)
   options.add_options()
     ("distances", po::value<std::string>()->value_name("FILE"),
      "a table with the columns 'vertex' and 'distance' (default: the distances that 'distances' computes)")
-    ("radius", po::value<std::string>()->value_name("R"), "the distances are those up to R, all others infinite")
-    ("tolerance", po::value<std::string>()->value_name("T"),
+    ("radius", positive_value("radius")->value_name("R"), "the distances are those up to R, all others infinite")
+    ("tolerance", positive_value("tolerance")->value_name("T"),
      "the largest violation, relative to distance and longest edge (default: 2^-40)");
   declare_output(options, "a table .csv (default: to standard output)");
 }
@@ -51,15 +52,13 @@ public:
   Distance_table(const std::string& file_name, std::size_t number_of_vertices)
     : m_file_name(file_name), m_distance(number_of_vertices, 0), m_is_known(number_of_vertices, false)
   {
-    std::ifstream is(file_name);
-    if(!is)
-      throw Command_error(Exit_code::BAD_INPUT, file_name + ": cannot be read");
+    std::ifstream is = opened_text_file(file_name);
     std::string line;
     std::getline(is, line);
-    read_names(without_return(line));
+    read_names(line);
     for(m_line = 2; std::getline(is, line); ++m_line)
-      if(!without_return(line).empty())
-        read_distance(split(without_return(line), ','));
+      if(!without_blanks(line).empty())
+        read_distance(row_of(line));
     const auto missing = std::find(m_is_known.begin(), m_is_known.end(), false);
     if(missing != m_is_known.end())
       throw Command_error(Exit_code::BAD_INPUT, file_name + ": there is no distance of vertex "
@@ -69,9 +68,20 @@ public:
   const std::vector<double>& distances() const { return m_distance; }
 
 private:
-  static std::string without_return(const std::string& line)
+  // without the blanks at both ends, the return at the end of lines from Windows among them
+  static std::string without_blanks(const std::string& text)
   {
-    return !line.empty() && line.back() == '\r' ? line.substr(0, line.size() - 1) : line;
+    static const char* const blanks = " \t\r";
+    const std::size_t first = text.find_first_not_of(blanks);
+    return first == std::string::npos ? std::string()
+                                      : text.substr(first, text.find_last_not_of(blanks) - first + 1);
+  }
+
+  static std::vector<std::string> row_of(const std::string& line)
+  {
+    std::vector<std::string> row = split(line, ',');
+    std::transform(row.begin(), row.end(), row.begin(), without_blanks);
+    return row;
   }
 
   [[noreturn]] void complain(const std::string& what) const
@@ -81,7 +91,7 @@ private:
 
   void read_names(const std::string& line)
   {
-    const std::vector<std::string> names = split(line, ',');
+    const std::vector<std::string> names = row_of(line);
     for(const auto& [name, column] : {std::make_pair("vertex", &m_vertex_column),
                                       std::make_pair("distance", &m_distance_column)})
     {
@@ -171,7 +181,11 @@ void run(const Arguments& arguments, const Console& console)
     = has(arguments, "distances")
         ? Distance_table(arguments["distances"].as<std::string>(), mesh.number_of_vertices()).distances()
         : distances_from(mesh, sources, radius, console).distance;
-  const Certificate certificate = certificate_of(mesh, distances, sources, radius);
+  const Certificate certificate = [&]
+  {
+    const Work_sign sign(console, "certificate");
+    return certificate_of(mesh, distances, sources, radius);
+  }();
   files.write([&](std::ostream& os, const std::string&) { write_table(os, certificate); });
   if(!certificate.is_certified(tolerance))
     throw Command_error(Exit_code::NO_RESULT, complaint(certificate));

@@ -9,56 +9,54 @@
 #include "Place_options.h"
 #include "number_arguments.h"
 
+#include <cstddef>
 #include <limits>
 #include <ostream>
+#include <sstream>
 #include <string>
 #include <vector>
 
 namespace geodesics_app {
 
-namespace po = boost::program_options;
-
 namespace {
 
 const Place_options source_options("source");
+
+// More lines than this would hide the surface and fill the disk: the largest mesh has some thousand points on each.
+constexpr std::size_t largest_number_of_isolines = 1000;
 
 void declare(Option_descriptions& options)
 {
   source_options.declare(options);
   declare_seed(options);
   options.add_options()
-    ("radius", po::value<std::string>()->value_name("R"), "only distances up to R")
-    ("isolines", po::value<std::string>()->value_name("N"),
-     "N lines of equal distance in files with geometry, evenly spaced up to the largest distance (default: 20)")
-    ("spacing", po::value<std::string>()->value_name("D"), "lines at the distances D, 2 D, 3 D, ... instead");
+    ("radius", positive_value("radius")->value_name("R"), "only distances up to R")
+    ("isolines", count_value("isolines", 0, largest_number_of_isolines)->value_name("N"),
+     "N lines of equal distance in files with geometry, evenly spaced up to the largest distance (default: 20; at "
+     "most 1000)")
+    ("spacing", positive_value("spacing")->value_name("D"),
+     "lines at the distances D, 2 D, 3 D, ... instead; at most 1000");
   declare_html(options);
   declare_output(options, "a table .csv (default: to standard output); the surface with colours and isolines .ply, "
                           ".vtk, .obj");
 }
 
-// More lines than this would hide the surface, and are a mistake in the spacing.
-constexpr double largest_number_of_isolines = 10000;
-
 std::vector<double> isoline_distances(const Arguments& arguments, double largest)
 {
-  std::vector<double> result;
-  if(has(arguments, "spacing"))
+  if(!has(arguments, "spacing"))
+    return evenly_spaced(count_argument_or(arguments, "isolines", 20), largest);
+  const double spacing = positive_argument_or(arguments, "spacing", largest);
+  if(largest / spacing > static_cast<double>(largest_number_of_isolines))
   {
-    if(has(arguments, "isolines"))
-      throw Command_error(Exit_code::BAD_USAGE, "--isolines and --spacing cannot be given together");
-    const double spacing = positive_argument("spacing", arguments["spacing"].as<std::string>());
-    if(largest / spacing > largest_number_of_isolines)
-      throw Command_error(Exit_code::BAD_USAGE, "--spacing: more than 10000 lines up to the largest distance "
-                                                  + std::to_string(largest));
-    for(int i = 1; i * spacing < largest; ++i)
-      result.push_back(i * spacing);
-    return result;
+    std::ostringstream text;
+    text << "--spacing: more than " << largest_number_of_isolines << " lines up to the largest distance, " << largest
+         << "; give " << largest / static_cast<double>(largest_number_of_isolines) << " or more";
+    throw Command_error(Exit_code::BAD_USAGE, text.str());
   }
-  const std::size_t n
-    = has(arguments, "isolines") ? count_argument("isolines", arguments["isolines"].as<std::string>(), 0) : 20;
-  if(static_cast<double>(n) > largest_number_of_isolines)
-    throw Command_error(Exit_code::BAD_USAGE, "--isolines: more than 10000 lines");
-  return evenly_spaced(n, largest);
+  std::vector<double> result;
+  for(int i = 1; i * spacing < largest; ++i)
+    result.push_back(i * spacing);
+  return result;
 }
 
 void write_table(std::ostream& os, const Distance_field& field)
@@ -110,7 +108,11 @@ Html_page page_of(const std::string& file_name, const Mesh& mesh, const std::vec
 void run(const Arguments& arguments, const Console& console)
 {
   const double radius = positive_argument_or(arguments, "radius", std::numeric_limits<double>::infinity());
+  if(has(arguments, "isolines") && has(arguments, "spacing"))
+    throw Command_error(Exit_code::BAD_USAGE, "--isolines and --spacing cannot be given together");
   Output_files files(output_names(arguments, html_names(arguments)), {"csv", "ply", "vtk", "obj", "html"});
+  for(const char* option : {"isolines", "spacing"})
+    files.remark_on_unused(arguments, option, {"ply", "vtk", "obj", "html"}, console);
   const Mesh mesh = read_mesh(mesh_argument(arguments), console);
   const std::vector<Place> sources = source_options.required_places(arguments, mesh);
   const Distance_field field = distances_from(mesh, sources, radius, console);

@@ -17,21 +17,19 @@
 
 namespace geodesics_app {
 
-namespace po = boost::program_options;
-
 namespace {
 
 using Solver = CGAL::Surface_mesh_geodesics::Geodesic_distance_solver<Mesh>;
 using Tag = CGAL::Parallel_if_available_tag; // rows are the same, whatever the tag is
 
-const Place_options source_options("source"), target_options("target");
+const Place_options source_options("source"), target_options("target", Place_options::Kind::VERTICES);
 
 void declare(Option_descriptions& options)
 {
   source_options.declare(options);
   target_options.declare(options);
   declare_seed(options);
-  options.add_options()("radius", po::value<std::string>()->value_name("R"),
+  options.add_options()("radius", positive_value("radius")->value_name("R"),
                         "only distances up to R: the table has a line for each, with the number of the source, "
                         "counted from 0, the target vertex, and the distance");
   declare_output(options, "a table .csv (default: to standard output)");
@@ -89,7 +87,7 @@ void write(const Arguments& arguments, const Mesh& mesh, const Sources& sources,
   const Solver solver(mesh);
   files.write([&](std::ostream& os, const std::string&)
   {
-    Progress_bar bar(console, "rows");
+    Progress_bar bar(console, "rows", 1);
     if(radius < std::numeric_limits<double>::infinity())
       write_near_pairs(os, solver, sources, targets, radius, bar);
     else

@@ -17,8 +17,6 @@
 
 namespace geodesics_app {
 
-namespace po = boost::program_options;
-
 namespace {
 
 const Place_options source_options("source"), target_options("target");
@@ -167,6 +165,7 @@ void run(const Arguments& arguments, const Console& console)
 {
   Output_files files(output_names(arguments, html_names(arguments)),
                      {"csv", "obj", "ply", "vtk", "polylines.txt", "html"});
+  files.remark_on_unused(arguments, "points", {"csv"}, console);
   const Mesh mesh = read_mesh(mesh_argument(arguments), console);
   const std::vector<Place> sources = source_options.required_places(arguments, mesh);
   const std::vector<Place> targets = target_options.required_places(arguments, mesh);

@@ -10,22 +10,19 @@
 #include <CGAL/Surface_mesh_geodesics/geodesic_remeshing.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
-#include <limits>
 #include <string>
 #include <vector>
 
 namespace geodesics_app {
-
-namespace po = boost::program_options;
 
 namespace {
 
 void declare(Option_descriptions& options)
 {
   options.add_options()
-    ("number,n", po::value<std::string>()->value_name("N")->required(), "the number of vertices of the new mesh")
-    ("iterations", po::value<std::string>()->value_name("K")->default_value("10"),
-     "how often, at most, the vertices are moved to the centres of their cells");
+    ("number,n", count_value("number", 3)->value_name("N")->required(), "the number of vertices of the new mesh")
+    ("iterations", count_value("iterations", 0, 1000000)->value_name("K")->default_value("10"),
+     "how often, at most, the vertices are moved to the centres of their cells; at most 1000000");
   declare_output(options, "the new mesh .off, .obj, .ply (default: OFF to standard output)");
 }
 
@@ -59,15 +56,17 @@ std::string reasons(const CGAL::Surface_mesh_geodesics::Geodesic_dual_report& re
 
 void run(const Arguments& arguments, const Console& console)
 {
-  const std::size_t n = count_argument("number", arguments["number"].as<std::string>(), 3);
-  const std::size_t iterations = count_argument("iterations", arguments["iterations"].as<std::string>(), 0);
-  if(iterations > (std::numeric_limits<unsigned int>::max)())
-    throw Command_error(Exit_code::BAD_USAGE, "--iterations: the number is too large");
+  const std::size_t n = count_argument_or(arguments, "number", 3);
+  const unsigned int iterations = static_cast<unsigned int>(count_argument_or(arguments, "iterations", 10));
   Output_files files(output_names(arguments), {"off", "obj", "ply"});
   const Mesh mesh = read_mesh(mesh_argument(arguments), console);
   Mesh coarse;
-  const CGAL::Surface_mesh_geodesics::Geodesic_dual_report report = CGAL::Surface_mesh_geodesics::geodesic_remeshing(
-    mesh, n, coarse, CGAL::parameters::number_of_iterations(static_cast<unsigned int>(iterations)));
+  const CGAL::Surface_mesh_geodesics::Geodesic_dual_report report = [&]
+  {
+    const Work_sign sign(console, "remeshing");
+    return CGAL::Surface_mesh_geodesics::geodesic_remeshing(mesh, n, coarse,
+                                                            CGAL::parameters::number_of_iterations(iterations));
+  }();
   if(!report.is_manifold())
     throw Command_error(Exit_code::NO_RESULT, "the triangles between " + std::to_string(n)
                                                 + " vertices make no mesh: " + reasons(report)

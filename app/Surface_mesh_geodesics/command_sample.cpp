@@ -17,17 +17,15 @@
 
 namespace geodesics_app {
 
-namespace po = boost::program_options;
-
 namespace {
 
-const Place_options first_options("first");
+const Place_options first_options("first", Place_options::Kind::VERTICES);
 
 void declare(Option_descriptions& options)
 {
   options.add_options()
-    ("number,n", po::value<std::string>()->value_name("N"), "the number of samples, the first ones included")
-    ("radius", po::value<std::string>()->value_name("R"),
+    ("number,n", count_value("number", 1)->value_name("N"), "the number of samples, the first ones included")
+    ("radius", positive_value("radius")->value_name("R"),
      "stop when no vertex is farther than R from its nearest sample");
   first_options.declare(options);
   declare_seed(options);
@@ -67,7 +65,7 @@ std::vector<Vertex> samples_of(const Mesh& mesh, std::size_t n, double radius, c
   std::vector<Vertex> samples = first;
   double covering_radius = 0;
   {
-    Progress_bar bar(console, "samples");
+    Progress_bar bar(console, "samples", 1);
     const auto output = boost::make_function_output_iterator([&](Vertex v)
     {
       samples.push_back(v);
@@ -88,9 +86,7 @@ void run(const Arguments& arguments, const Console& console)
   const double radius = positive_argument_or(arguments, "radius", 0);
   Output_files files(output_names(arguments), {"csv", "ply", "vtk", "obj"});
   const Mesh mesh = read_mesh(mesh_argument(arguments), console);
-  const std::size_t n = has(arguments, "number")
-                          ? count_argument("number", arguments["number"].as<std::string>(), 1)
-                          : mesh.number_of_vertices();
+  const std::size_t n = count_argument_or(arguments, "number", mesh.number_of_vertices());
   const std::vector<Vertex> first = first_options.vertices(arguments, mesh);
   if(first.size() > n)
     throw Command_error(Exit_code::BAD_USAGE, "there are more first samples than --number allows");

@@ -11,21 +11,20 @@
 #include "number_arguments.h"
 
 #include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_Voronoi_diagram.h>
+#include <CGAL/Surface_mesh_geodesics/geodesic_Voronoi_cell_colors.h>
 #include <CGAL/Surface_mesh_geodesics/write_geodesic_Voronoi_diagram.h>
 #include <CGAL/Surface_mesh_shortest_path/Surface_mesh_shortest_path_traits.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <iterator>
 #include <limits>
 #include <ostream>
+#include <sstream>
 #include <string>
 #include <vector>
 
 namespace geodesics_app {
-
-namespace po = boost::program_options;
 
 namespace {
 
@@ -38,11 +37,12 @@ void declare(Option_descriptions& options)
   site_options.declare(options);
   declare_seed(options);
   options.add_options()
-    ("weight", po::value<std::vector<std::string>>()->value_name("W[,W...]")->composing(),
+    ("weight", numbers_value("weight")->value_name("W[,W...]"),
      "a weight for each site, which is subtracted from the distances (default: 0)")
     ("vertices", "the table has a line for each vertex of the mesh, with its site")
-    ("tolerance", po::value<std::string>()->value_name("T"),
-     "how far the lines in files may be from the curves (default: 0.0001 times the diagonal of the bounding box)");
+    ("tolerance", positive_value("tolerance")->value_name("T"),
+     "how far the lines in files may be from the curves (default: 1e-4 times the diagonal of the bounding box; at "
+     "least 1e-9 times)");
   declare_html(options);
   declare_output(options, "a table .csv (default: to standard output); cells with colours and their boundaries .ply, "
                           ".vtk; boundaries alone .obj");
@@ -50,10 +50,7 @@ void declare(Option_descriptions& options)
 
 std::vector<double> weights(const Arguments& arguments, std::size_t number_of_sites)
 {
-  std::vector<double> result;
-  for(const std::string& value : all_values(arguments, "weight"))
-    for(const std::string& text : split(value, ','))
-      result.push_back(number_argument("weight", text));
+  std::vector<double> result = number_arguments(arguments, "weight");
   if(!result.empty() && result.size() != number_of_sites)
     throw Command_error(Exit_code::BAD_USAGE, "--weight: " + std::to_string(result.size()) + " weights for "
                                                 + std::to_string(number_of_sites) + " sites");
@@ -115,24 +112,6 @@ void write_geometry(std::ostream& os, const std::string& format, const Diagram& 
     Geodesics::write_geodesic_Voronoi_diagram_OBJ(os, diagram, tolerance);
 }
 
-// The smallest number that no neighbor with a smaller one has: a few numbers are enough, as on a map.
-std::vector<std::size_t> cell_colors(const Diagram& diagram)
-{
-  std::vector<std::size_t> colors;
-  for(std::size_t i = 0; i < diagram.number_of_sites(); ++i)
-  {
-    std::vector<std::size_t> taken;
-    for(const std::size_t j : diagram.adjacent_sites(i))
-      if(j < i)
-        taken.push_back(colors[j]);
-    std::size_t color = 0;
-    while(std::find(taken.begin(), taken.end(), color) != taken.end())
-      ++color;
-    colors.push_back(color);
-  }
-  return colors;
-}
-
 // The mesh cut along the arcs, with the distance from the nearest site at each point.
 Html_surface cut_surface(const Mesh& mesh, const Diagram& diagram, double tolerance)
 {
@@ -175,7 +154,7 @@ Html_page page_of(const std::string& file_name, const Mesh& mesh, const std::vec
   page.title = "Geodesic Voronoi diagram";
   page.subtitle = description_of(file_name, mesh);
   page.surface = cut_surface(mesh, diagram, tolerance);
-  page.cell_colors = cell_colors(diagram);
+  page.cell_colors = CGAL::Surface_mesh_geodesics::geodesic_Voronoi_cell_colors(diagram);
   Distance_field field;
   field.distance = page.surface.distances;
   page.band_limits = evenly_spaced(9, field.largest());
@@ -190,22 +169,32 @@ Html_page page_of(const std::string& file_name, const Mesh& mesh, const std::vec
   return page;
 }
 
+// The number of points of a curve grows with the root of 1 / tolerance: a limit keeps it from filling the disk.
 double tolerance_of(const Arguments& arguments, const Mesh& mesh)
 {
-  if(has(arguments, "tolerance"))
-    return positive_argument("tolerance", arguments["tolerance"].as<std::string>());
-  const double size = extent(mesh);
-  return size > 0 ? 1e-4 * size : 1; // all points at one place: any tolerance will do
+  const double size = extent(mesh), smallest = 1e-9 * size, usual = 1e-4 * size;
+  const double result
+    = positive_argument_or(arguments, "tolerance", usual > 0 ? usual : 1); // at one place any tolerance will do
+  if(result < smallest)
+  {
+    std::ostringstream text;
+    text << "--tolerance: " << result << " is too small for a mesh of this size; give " << smallest << " or more";
+    throw Command_error(Exit_code::BAD_USAGE, text.str());
+  }
+  return result;
 }
 
 void run(const Arguments& arguments, const Console& console)
 {
   Output_files files(output_names(arguments, html_names(arguments)), {"csv", "ply", "vtk", "obj", "html"});
+  files.remark_on_unused(arguments, "tolerance", {"ply", "vtk", "obj", "html"}, console);
+  files.remark_on_unused(arguments, "vertices", {"csv"}, console);
   const Mesh mesh = read_mesh(mesh_argument(arguments), console);
   const double tolerance = tolerance_of(arguments, mesh);
   const std::vector<Place> sites = site_options.required_places(arguments, mesh);
   Diagram diagram(mesh);
   add_sites(diagram, sites, weights(arguments, sites.size()));
+  const Work_sign sign(console, "diagram");
   diagram.build();
   files.write([&](std::ostream& os, const std::string& format)
   {

@@ -2,6 +2,8 @@
 
 #include "Command.h"
 #include "Command_error.h"
+#include "Input_file.h"
+#include "Place_options.h"
 
 #include <fcntl.h>
 
@@ -13,6 +15,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstddef>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -113,7 +116,18 @@ void run(const Command& command, const std::vector<std::string>& words)
   }
   if(!has(arguments, "mesh"))
     throw Command_error(Exit_code::BAD_USAGE, "no mesh is given");
-  command.run(arguments, Console(has(arguments, "quiet")));
+  check_inputs_are_kept(arguments);
+  const Console console(has(arguments, "quiet"));
+  if(is_seed_unused(arguments))
+    console.note("--seed has no effect: no place is chosen at random");
+  try
+  {
+    command.run(arguments, console);
+  }
+  catch(const CGAL::Surface_mesh_geodesics::Invalid_geodesic_input& error)
+  {
+    throw Command_error(Exit_code::BAD_INPUT, mesh_argument(arguments) + ": " + error.what());
+  }
 }
 
 const Command& command_with_name(const std::string& name)
@@ -135,9 +149,14 @@ void run(std::vector<std::string> words)
   }
   const std::string first = words.front();
   words.erase(words.begin());
+  const bool is_help = first == "--help" || first == "-h";
+  const std::size_t most_words = first == "help" ? 1 : 0;
+  if((is_help || first == "help" || first == "--version") && words.size() > most_words)
+    throw Command_error(Exit_code::BAD_USAGE, "'" + words.back() + "' after " + first
+                                                + " is one word too many; see surface_mesh_geodesics --help");
   if(first == "--version")
     std::cout << "surface_mesh_geodesics " SURFACE_MESH_GEODESICS_VERSION " with CGAL " CGAL_VERSION_STR << '\n';
-  else if(first == "--help" || first == "-h" || (first == "help" && words.empty()))
+  else if(is_help || (first == "help" && words.empty()))
     print_help(std::cout);
   else if(first == "help")
     print_help(command_with_name(words.front()), std::cout);
@@ -149,7 +168,9 @@ void run(std::vector<std::string> words)
 
 int fail(Exit_code code, const std::string& message)
 {
-  std::cerr << "surface_mesh_geodesics: error: " << message << std::endl;
+  std::string line = message; // also that of a failed assertion, which has several
+  std::replace(line.begin(), line.end(), '\n', ' ');
+  std::cerr << "surface_mesh_geodesics: error: " << line << std::endl;
   return static_cast<int>(code);
 }
 
@@ -164,13 +185,14 @@ int checked_run(const std::vector<std::string>& words)
   {
     return fail(error.code(), error.what());
   }
+  catch(const po::too_many_positional_options_error&)
+  {
+    return fail(Exit_code::BAD_USAGE, "more than one mesh is given; an option has two dashes, and a name with blanks "
+                                      "stands in quotes");
+  }
   catch(const po::error& error)
   {
     return fail(Exit_code::BAD_USAGE, error.what());
-  }
-  catch(const CGAL::Surface_mesh_geodesics::Invalid_geodesic_input& error)
-  {
-    return fail(Exit_code::BAD_INPUT, error.what());
   }
   catch(const std::bad_alloc&)
   {

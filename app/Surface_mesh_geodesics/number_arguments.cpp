@@ -8,6 +8,8 @@
 
 namespace geodesics_app {
 
+namespace po = boost::program_options;
+
 namespace {
 
 template <typename Number>
@@ -21,6 +23,14 @@ bool parse(const std::string& text, Number& value)
 [[noreturn]] void complain(const std::string& option, const std::string& text, const std::string& wanted)
 {
   throw Command_error(Exit_code::BAD_USAGE, "--" + option + ": '" + text + "' is not " + wanted);
+}
+
+std::string range_of_counts(std::size_t minimum, std::size_t maximum)
+{
+  const std::string first = std::to_string(minimum);
+  return maximum == (std::numeric_limits<std::size_t>::max)()
+           ? "a whole number of " + first + " or more"
+           : "a whole number from " + first + " to " + std::to_string(maximum);
 }
 
 } // namespace
@@ -48,33 +58,64 @@ std::vector<std::string> split(const std::string& text, char separator)
   return parts;
 }
 
-std::size_t count_argument(const std::string& option, const std::string& text, std::size_t minimum)
+Text_value* count_value(const std::string& option, std::size_t minimum, std::size_t maximum)
 {
-  std::size_t value = 0;
-  if(!parse_index(text, value) || value < minimum)
-    complain(option, text, "a number of " + std::to_string(minimum) + " or more");
-  return value;
+  return po::value<std::string>()->notifier([=](const std::string& text)
+  {
+    std::size_t value = 0;
+    if(!parse_index(text, value) || value < minimum || value > maximum)
+      complain(option, text, range_of_counts(minimum, maximum));
+  });
 }
 
-double positive_argument(const std::string& option, const std::string& text)
+Text_value* positive_value(const std::string& option)
 {
-  double value = 0;
-  if(!parse_number(text, value) || !(value > 0))
-    complain(option, text, "a positive number");
-  return value;
+  return po::value<std::string>()->notifier([=](const std::string& text)
+  {
+    double value = 0;
+    if(!parse_number(text, value) || !(value > 0))
+      complain(option, text, "a positive number, such as 0.5 or 1e-3");
+  });
 }
 
-double number_argument(const std::string& option, const std::string& text)
+Texts_value* numbers_value(const std::string& option)
 {
-  double value = 0;
-  if(!parse_number(text, value))
-    complain(option, text, "a number");
+  return po::value<std::vector<std::string>>()->composing()->notifier([=](const std::vector<std::string>& texts)
+  {
+    double value = 0;
+    for(const std::string& numbers : texts)
+      for(const std::string& text : split(numbers, ','))
+        if(!parse_number(text, value))
+          complain(option, text, "a number, such as -0.5 or 1e-3");
+  });
+}
+
+std::size_t count_argument_or(const Arguments& arguments, const std::string& option, std::size_t otherwise)
+{
+  std::size_t value = otherwise;
+  if(has(arguments, option))
+    parse_index(arguments[option].as<std::string>(), value);
   return value;
 }
 
 double positive_argument_or(const Arguments& arguments, const std::string& option, double otherwise)
 {
-  return has(arguments, option) ? positive_argument(option, arguments[option].as<std::string>()) : otherwise;
+  double value = otherwise;
+  if(has(arguments, option))
+    parse_number(arguments[option].as<std::string>(), value);
+  return value;
+}
+
+std::vector<double> number_arguments(const Arguments& arguments, const std::string& option)
+{
+  std::vector<double> result;
+  for(const std::string& numbers : all_values(arguments, option))
+    for(const std::string& text : split(numbers, ','))
+    {
+      result.push_back(0);
+      parse_number(text, result.back());
+    }
+  return result;
 }
 
 } // namespace geodesics_app

@@ -4,6 +4,7 @@
 #include "Command.h"
 
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -16,13 +17,22 @@ bool parse_number(const std::string& text, double& value);
 // the parts of `text` between the separators.
 std::vector<std::string> split(const std::string& text, char separator);
 
-// For the value of an option; a Command_error names the option if the text is not such a number.
-std::size_t count_argument(const std::string& option, const std::string& text, std::size_t minimum);
-double positive_argument(const std::string& option, const std::string& text);
-double number_argument(const std::string& option, const std::string& text);
+// Declarations of options with numbers. They are checked when the command line is read, before any work begins: a
+// Command_error names the option, and what it wants.
+using Text_value = boost::program_options::typed_value<std::string>;
+using Texts_value = boost::program_options::typed_value<std::vector<std::string>>;
 
-// the value of an option that may be left out.
+Text_value* count_value(const std::string& option, std::size_t minimum,
+                        std::size_t maximum = (std::numeric_limits<std::size_t>::max)());
+Text_value* positive_value(const std::string& option);
+
+// numbers with commas between them; the option may be given several times.
+Texts_value* numbers_value(const std::string& option);
+
+// The values of options that have been declared so, and may be left out.
+std::size_t count_argument_or(const Arguments& arguments, const std::string& option, std::size_t otherwise);
 double positive_argument_or(const Arguments& arguments, const std::string& option, double otherwise);
+std::vector<double> number_arguments(const Arguments& arguments, const std::string& option);
 
 } // namespace geodesics_app
 

@@ -56,8 +56,8 @@ for source in examples/Surface_mesh_shortest_path/*.cpp; do
   name=$(basename "$source" .cpp)
   case $name in *OpenMesh*) continue ;; esac
   examples+=("$name")
-  sed -e 's/std::ofstream output(.*);/&\n  output.precision(17);/' -e '/^int main(/{n;s/{/{ std::cout.precision(17);/}' \
-    "$source" > "before/$name.cpp"
+  sed -e 's/std::ofstream output(.*);/&\n  output.precision(17);/' \
+    -e '/^int main(/{n;s/{/{ std::cout.precision(17);/}' "$source" > "before/$name.cpp"
   sed -e 's|<CGAL/Surface_mesh_shortest_path.h>|<CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_paths.h>|' \
     -e 's/CGAL::Surface_mesh_shortest_path</CGAL::Surface_mesh_geodesic_paths</' \
     "before/$name.cpp" > "after/$name.cpp"
@@ -138,7 +138,8 @@ function read_path(fields, n, p,   i, k, d, c) {
 }
 END {
   if((getline other < second) > 0) { print "the first output ends before the second"; ++failures }
-  printf "%d lines, %d of them paths (%d along another way of the same length, %d with another number of points), %d failures\n",
+  printf "%d lines, %d of them paths (%d along another way of the same length, %d with another number of points), " \
+    "%d failures\n",
     lines, paths, other_paths, repeated, failures
   exit failures > 0 || lines == 0
 }

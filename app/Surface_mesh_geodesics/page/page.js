@@ -4,8 +4,6 @@
 
   // Dark violet to light yellow, ever lighter: the order is seen without telling red from green.
   const RAMP = [[76, 40, 140], [56, 96, 174], [30, 138, 160], [62, 178, 122], [168, 208, 70], [252, 232, 92]];
-  // Colors that all kinds of eyes tell apart. Cells with a common border have different ones.
-  const CELL_COLORS = ["#e69f00", "#56b4e9", "#009e73", "#f0e442", "#0072b2", "#d55e00", "#cc79a7"];
   const UNREACHED = "#9a9a9a";
   const ROLES = {
     isoline: { color: "#1a1a1a", width: 1.2, text: "lines of equal distance" },
@@ -16,6 +14,7 @@
     site: { color: "#ffffff", text: "sites" }
   };
   const NO_CELL = 0xffffffff;
+  const MOST_NUMBERS = 200; // more of them would hide the surface
 
   const data = JSON.parse(document.getElementById("data").textContent);
   const canvas = document.getElementById("surface");
@@ -75,10 +74,11 @@
     }
     return normals;
   }
+  const normals = smoothNormals();
 
   // Each triangle has corners of its own, since its color is that of a cell, or gray if one corner is not reached.
   function surfaceGeometry() {
-    const n = triangles.length, normals = smoothNormals();
+    const n = triangles.length;
     const position = new Float32Array(3 * n), normal = new Float32Array(3 * n);
     const distance = new Float32Array(n), color = new Float32Array(3 * n);
     const shade = new THREE.Color();
@@ -104,7 +104,7 @@
   }
 
   function cellColor(cell) {
-    return CELL_COLORS[data.cellColors[cell] % CELL_COLORS.length];
+    return data.cellColors[cell];
   }
 
   // The colors of all bands in a row: the texture is looked up by the number of the band.
@@ -228,12 +228,19 @@
     const geometry = new THREE.BufferGeometry();
     geometry.setAttribute("position", new THREE.BufferAttribute(xyz, 3));
     const material = new THREE.ShaderMaterial({
-      uniforms: { color: { value: new THREE.Color(color) }, size: { value: size * window.devicePixelRatio } },
+      uniforms: {
+        color: { value: new THREE.Color(color) },
+        size: { value: size * window.devicePixelRatio },
+        lift: { value: 0.0015 * size } // about the radius of a dot, so that no surface cuts it off
+      },
       vertexShader: `
-        uniform float size;
+        uniform float size, lift;
         void main() {
-          gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
-          gl_Position.z -= 0.004 * gl_Position.w;
+          vec4 p = modelViewMatrix * vec4(position, 1.0);
+          gl_Position = projectionMatrix * p;
+          p.xyz *= 1.0 - min(lift / length(p.xyz), 0.5);
+          vec4 q = projectionMatrix * p;
+          gl_Position.z = q.z / q.w * gl_Position.w;
           gl_PointSize = size;
         }`,
       fragmentShader: `
@@ -247,6 +254,44 @@
     });
     material.depthWrite = false;
     return inOrder(new THREE.Points(geometry, material));
+  }
+
+  // Dots with their numbers, from 0, which are read from a picture with all of them.
+  function numberedDots(xyz, color, size) {
+    const n = xyz.length / 3, columns = Math.ceil(Math.sqrt(n)), side = 64;
+    const picture = document.createElement("canvas");
+    picture.width = picture.height = columns * side;
+    const context = picture.getContext("2d");
+    context.textAlign = "center";
+    context.textBaseline = "middle";
+    const cell = new Float32Array(2 * n);
+    for (let i = 0; i < n; ++i) {
+      cell.set([i % columns, Math.floor(i / columns)], 2 * i);
+      context.font = "bold " + [44, 38, 28][String(i).length - 1] + "px sans-serif";
+      context.fillText(String(i), (cell[2 * i] + 0.5) * side, (cell[2 * i + 1] + 0.53) * side);
+    }
+    const texture = new THREE.CanvasTexture(picture);
+    texture.flipY = false;
+    texture.generateMipmaps = false;
+    texture.minFilter = THREE.LinearFilter;
+    const points = dots(xyz, color, size), material = points.material;
+    points.geometry.setAttribute("cell", new THREE.BufferAttribute(cell, 2));
+    Object.assign(material.uniforms, { numbers: { value: texture }, columns: { value: columns } });
+    material.vertexShader = "attribute vec2 cell; varying vec2 vCell;"
+      + material.vertexShader.replace("void main() {", "void main() { vCell = cell;");
+    material.fragmentShader = `
+      uniform vec3 color;
+      uniform sampler2D numbers;
+      uniform float columns;
+      varying vec2 vCell;
+      void main() {
+        float r = 2.0 * length(gl_PointCoord - vec2(0.5));
+        if(r > 1.0)
+          discard;
+        float ink = texture2D(numbers, (vCell + gl_PointCoord) / columns).a;
+        gl_FragColor = vec4(color * (1.0 - max(ink, smoothstep(0.82, 0.92, r))), 1.0);
+      }`;
+    return points;
   }
 
   // --- the scene -----------------------------------------------------------------------------------------------------
@@ -274,7 +319,9 @@
     turned.add(lineMesh(group, role.color, role.width));
   });
   data.dots.forEach((group) => {
-    turned.add(dots(decode(group.points, Float32Array), ROLES[group.role].color, 11));
+    const xyz = decode(group.points, Float32Array), color = ROLES[group.role].color;
+    turned.add(group.role === "site" && xyz.length <= 3 * MOST_NUMBERS ? numberedDots(xyz, color, 22)
+      : dots(xyz, color, 11));
   });
   const picked = dots(new Float32Array(3), "#ff2fd6", 13);
   picked.visible = false;
@@ -308,14 +355,67 @@
     drawSoon();
   }
 
-  // The whole surface, whichever side of the window is the shorter one.
-  function reset() {
+  // --- the view from which a place is seen ---------------------------------------------------------------------------
+
+  // The normal at a place of the surface: that of the points nearest to it, which may be the same for several triangles.
+  function normalAt(p) {
+    const q = new THREE.Vector3(), normal = new THREE.Vector3();
+    let nearest = Infinity;
+    for (let i = 0; i < points.length; i += 3)
+      nearest = Math.min(nearest, q.fromArray(points, i).distanceTo(p));
+    for (let i = 0; i < points.length; i += 3)
+      if (q.fromArray(points, i).distanceTo(p) <= nearest + 1e-5 * radius)
+        normal.add(q.fromArray(normals, i));
+    return normal.normalize();
+  }
+
+  // The turn that brings a direction to the viewer, with y upwards as far as possible.
+  function turnTo(direction) {
+    const up = Math.abs(direction.y) < 0.99 ? new THREE.Vector3(0, 1, 0)
+      : new THREE.Vector3(0, 0, -Math.sign(direction.y));
+    const axes = new THREE.Matrix4().lookAt(direction, new THREE.Vector3(), up);
+    return new THREE.Quaternion().setFromRotationMatrix(axes).conjugate();
+  }
+
+  // Whether nothing is before a place when the surface is turned so.
+  function isSeen(place, quaternion) {
+    turned.quaternion.copy(quaternion);
+    turned.updateMatrixWorld(true);
+    const p = surface.localToWorld(place.clone());
+    const direction = new THREE.Vector3(0, 0, view.distance).sub(p).normalize();
+    const ray = new THREE.Raycaster(p.addScaledVector(direction, 0.003), direction);
+    return ray.intersectObject(surface).length === 0;
+  }
+
+  // The turns in which a place may be seen, the best ones first: what is flat lies in the plane of the picture, a solid
+  // is looked at along the normal or a little from the side; then from all sides, if other parts are before it.
+  function turnsFor(place) {
+    const turns = isFlat ? [new THREE.Quaternion(), turnTo(new THREE.Vector3(0, 0, -1))] : [];
+    const normal = normalAt(place), directions = [normal, place.clone().normalize(), normal.clone().negate()];
+    for (let k = 0; k < 27; ++k)
+      directions.push(new THREE.Vector3(k % 3 - 1, Math.floor(k / 3) % 3 - 1, Math.floor(k / 9) - 1).normalize());
+    const aside = new THREE.Quaternion().setFromEuler(new THREE.Euler(0.25, -0.3, 0));
+    directions.filter((d) => d.length() > 0.5).forEach((d) => {
+      const turn = turnTo(d);
+      turns.push(aside.clone().multiply(turn), turn);
+    });
+    return turns;
+  }
+
+  // Turns the surface so that a place faces the viewer, with the whole of it in the window.
+  function show(place) {
     const wanted = 1.02 / Math.sin(camera.fov * Math.PI / 360);
-    // A solid shows three sides, what is flat lies in the plane of the picture.
-    if (isFlat) turned.quaternion.set(0, 0, 0, 1);
-    else turned.quaternion.setFromEuler(new THREE.Euler(0.35, -0.45, 0));
     Object.assign(view, { distance: wanted / Math.min(camera.aspect, 1), x: 0, y: 0 });
+    const turns = turnsFor(place);
+    turned.quaternion.copy(turns.find((turn) => isSeen(place, turn)) || turns[0]);
     drawSoon();
+  }
+
+  // The first view shows the first source or site.
+  const firstDots = data.dots.find((group) => group.role !== "target");
+  const firstPlace = new THREE.Vector3().fromArray(decode(firstDots.points, Float32Array));
+  function reset() {
+    show(firstPlace);
   }
 
   // --- mouse, fingers and keys ---------------------------------------------------------------------------------------
@@ -437,12 +537,13 @@
     return e;
   }
 
-  function key(parent, kind, color, text) {
-    const line = element("div", parent);
+  function key(parent, kind, color, text, tag) {
+    const line = element(tag || "div", parent);
     line.className = "key";
     const sign = element("span", line, "", kind === "line" ? { borderColor: color } : { background: color });
     sign.className = kind;
-    element("div", line, text);
+    element(tag ? "b" : "div", line, text);
+    return line;
   }
 
   function drawRamp(legend) {
@@ -459,11 +560,17 @@
   }
 
   function drawCells(legend) {
-    element("b", legend, "cells of the sites");
+    element("b", legend, "cells, with the numbers of their sites");
     const list = element("div", legend);
     list.id = "cells";
-    data.cellColors.slice(0, 60).forEach((_, i) => key(list, "", cellColor(i), String(i)));
-    if (data.cellColors.length > 60) element("div", list, "…");
+    const sites = decode(firstDots.points, Float32Array);
+    data.cellColors.slice(0, MOST_NUMBERS).forEach((_, i) => {
+      const entry = key(list, "", cellColor(i), String(i), "button");
+      entry.title = "show site " + i;
+      entry.addEventListener("click", () => show(new THREE.Vector3().fromArray(sites, 3 * i)));
+    });
+    if (data.cellColors.length > MOST_NUMBERS) element("div", list, "…");
+    element("p", legend, "A click on a number turns its cell to the front.", { margin: "4px 0 0" });
     if (limits.length > 0) element("p", legend, "shaded in bands of " + rounded(limits[0]), { margin: "4px 0 0" });
   }
 

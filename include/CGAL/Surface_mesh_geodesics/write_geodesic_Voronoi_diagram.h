@@ -13,13 +13,13 @@
 #include <CGAL/license/Surface_mesh_geodesics.h>
 
 #include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_Voronoi_diagram.h>
+#include <CGAL/Surface_mesh_geodesics/geodesic_Voronoi_cell_colors.h>
 
+#include <CGAL/IO/Color.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <fstream>
 #include <iterator>
@@ -91,22 +91,6 @@ struct Voronoi_drawing
   }
 };
 
-// A color for each site: hues that are far apart for numbers that are near to each other (by the golden ratio).
-inline std::array<int, 3> color_of_site(std::size_t i)
-{
-  std::array<int, 3> result{128, 128, 128};
-  if(i == (std::numeric_limits<std::size_t>::max)())
-    return result;
-  const double hue = 6 * std::fmod(static_cast<double>(i) * 0.61803398874989485, 1.);
-  for(int k = 0; k < 3; ++k)
-  {
-    const double away = std::abs(std::fmod(hue + 2. * k, 6.) - 3); // 3 at the hue of the channel, 0 opposite to it
-    const double x = (std::min)((std::max)(away - 1, 0.), 1.);
-    result[static_cast<std::size_t>(k)] = static_cast<int>(90 + 160 * x);
-  }
-  return result;
-}
-
 // Site numbers in files; -1 for none.
 inline long site_number(std::size_t i)
 {
@@ -161,7 +145,9 @@ bool write_geodesic_Voronoi_diagram_OBJ(std::ostream& os, const Diagram& diagram
 
 writes a geodesic Voronoi diagram in the PLY format (ASCII): the mesh, cut along the arcs as by
 `Surface_mesh_geodesic_Voronoi_diagram::cut()`, each face with a color and the number of its `site` (-1 for none); and
-the edges of the diagram as elements `edge`, one for each segment, with the sites on the left and on the right.
+the edges of the diagram as elements `edge`, one for each segment, with the sites on the left and on the right. The
+colors are those of `geodesic_Voronoi_cell_colors()`, and gray where no site reaches; the header has a comment with the
+color of each site.
 
 The precondition, the exception and thread safety are those of `write_geodesic_Voronoi_diagram_OBJ()`; the time is that
 of `Surface_mesh_geodesic_Voronoi_diagram::cut()`.
@@ -180,7 +166,17 @@ bool write_geodesic_Voronoi_diagram_PLY(std::ostream& os, const Diagram& diagram
   internal::Voronoi_drawing drawing;
   drawing.add_cells(diagram, tolerance);
   drawing.add_edges(diagram, tolerance);
-  os << "ply\nformat ascii 1.0\nelement vertex " << drawing.points.size()
+  const std::vector<IO::Color> colors = geodesic_Voronoi_cell_colors(diagram);
+  const auto write_color = [&](const IO::Color& c)
+  { os << int(c.red()) << ' ' << int(c.green()) << ' ' << int(c.blue()); };
+  os << "ply\nformat ascii 1.0\n";
+  for(std::size_t i = 0; i < colors.size(); ++i)
+  {
+    os << "comment site " << i << " color ";
+    write_color(colors[i]);
+    os << '\n';
+  }
+  os << "element vertex " << drawing.points.size()
      << "\nproperty double x\nproperty double y\nproperty double z\nelement face " << drawing.triangles.size()
      << "\nproperty list uchar int vertex_indices\nproperty uchar red\nproperty uchar green\nproperty uchar blue"
      << "\nproperty int site\nelement edge " << drawing.number_of_segments()
@@ -190,9 +186,10 @@ bool write_geodesic_Voronoi_diagram_PLY(std::ostream& os, const Diagram& diagram
   for(std::size_t i = 0; i < drawing.triangles.size(); ++i)
   {
     const std::array<std::size_t, 3>& t = drawing.triangles[i];
-    const std::array<int, 3> color = internal::color_of_site(drawing.site_of_triangle[i]);
-    os << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << ' ' << color[0] << ' ' << color[1] << ' ' << color[2] << ' '
-       << internal::site_number(drawing.site_of_triangle[i]) << '\n';
+    const std::size_t site = drawing.site_of_triangle[i];
+    os << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << ' ';
+    write_color(site < colors.size() ? colors[site] : IO::Color(128, 128, 128));
+    os << ' ' << internal::site_number(site) << '\n';
   }
   for(std::size_t i = 0; i < drawing.polylines.size(); ++i)
     for(std::size_t j = 1; j < drawing.polylines[i].size(); ++j)

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Runs the program on damaged OFF, OBJ and PLY files: truncated at every length, bytes and numbers replaced, counts that
-promise too much, indices out of range. Each run has to end with status 0, or with a documented one and one line of
+"""Runs the program on damaged OFF, OBJ and PLY files: truncated at every length, bytes and numbers replaced, counts
+that promise too much, indices out of range. Each run has to end with status 0, or with a documented one and one line of
 message, within ten seconds and one GB of memory. Prints how many runs ended how; a file on which a run went wrong is
 kept. Arguments: see --help."""
 

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # What the tests of the program have in common; each one begins with `source support.sh`.
 #
-# Usage of a test: test_x.sh <program> <folder with meshes> <work folder>. A failure ends the test and says in which line.
+# Usage of a test: test_x.sh <program> <folder with meshes> <work folder>. A failure ends the test and says in which
+# line.
 set -euo pipefail
 
 program=$1
@@ -42,7 +43,9 @@ differ() {
 
 # column <file> <name>: the values of a column of a table, below one another
 column() {
-  awk -F, -v name="$2" 'NR == 1 { for(i = 1; i <= NF; ++i) if($i == name) c = i; if(!c) exit 1; next } { print $c }' "$1"
+  awk -F, -v name="$2" '
+    NR == 1 { for(i = 1; i <= NF; ++i) if($i == name) c = i; if(!c) exit 1; next }
+    { print $c }' "$1"
 }
 
 # line <file> <number>: a line of a file, counted from 1
@@ -65,6 +68,13 @@ refuses() {
 is_silent() {
   "$program" "$@" 2> silent.err
   [ ! -s silent.err ] || fail "the program said: $(cat silent.err)"
+}
+
+# remarks <text of the remark> <arguments of the program>: success, and one line that says what the user may not expect
+remarks() {
+  "$program" "${@:2}" 2> remarks.err > remarks.out || fail "no success for: ${*:2}: $(cat remarks.err)"
+  [ "$(wc -l < remarks.err)" -eq 1 ] || fail "not one line of remark for: ${*:2}: $(cat remarks.err)"
+  contains remarks.err "$1"
 }
 
 # needs_pages: the test is skipped where the program writes no pages for browsers

@@ -15,8 +15,9 @@ if [ -z "$browser" ]; then
   exit 77
 fi
 
-# What the user does and sees. drag(): by some pixels, which answers nothing. click(): at a place told in parts of the width and the height of the picture; the answer
-# is added to an attribute. Then the number of colors of the picture is added, which can be read only just after drawing.
+# What the user does and sees. drag(): by some pixels, which answers nothing. click(): at a place told in parts of the
+# width and the height of the picture; the answer is added to an attribute. Then the number of colors of the picture is
+# added, which can be read only just after drawing. nearest(): the smallest distance that clicks in the middle answer.
 user='function drag(x, y) {
   const canvas = document.getElementById("surface"), event = { pointerId: 1, button: 0, clientX: 100, clientY: 100 };
   canvas.dispatchEvent(new PointerEvent("pointerdown", event));
@@ -24,11 +25,24 @@ user='function drag(x, y) {
   canvas.dispatchEvent(new PointerEvent("pointermove", event));
   canvas.dispatchEvent(new PointerEvent("pointerup", event));
 }
-function click(x, y) {
+function press(x, y) {
   const canvas = document.getElementById("surface"), box = canvas.getBoundingClientRect();
   const event = { pointerId: 1, button: 0, clientX: box.left + x * box.width, clientY: box.top + y * box.height };
   canvas.dispatchEvent(new PointerEvent("pointerdown", event));
   canvas.dispatchEvent(new PointerEvent("pointerup", event));
+  return document.getElementById("answer").innerText;
+}
+function nearest() {
+  let distance = Infinity;
+  for (let x = 0.3; x < 0.71; x += 0.05)
+    for (let y = 0.3; y < 0.71; y += 0.05) {
+      const found = press(x, y).match(/distance ([0-9.e-]+)/);
+      if (found) distance = Math.min(distance, Number(found[1]));
+    }
+  document.body.dataset.nearest = distance;
+}
+function click(x, y) {
+  const canvas = document.getElementById("surface"), answer = press(x, y);
   const copy = document.createElement("canvas");
   copy.width = canvas.width;
   copy.height = canvas.height;
@@ -37,7 +51,7 @@ function click(x, y) {
   const pixels = new Uint32Array(context.getImageData(0, 0, copy.width, copy.height).data.buffer);
   document.body.dataset.colors = new Set(pixels).size;
   document.body.dataset.answers = (document.body.dataset.answers || "") + "|"
-    + document.getElementById("answer").innerText.replace(/\n/g, ", ");
+    + answer.replace(/\n/g, ", ");
 }'
 
 # opened <page> <script>: the page after the script has run in it
@@ -58,7 +72,8 @@ number_of_colors() {
 
 # The middle of the square is half a diagonal away from its corner.
 is_silent distances "$grid" --source 0 --html distances.html
-opened distances.html "click(0.01, 0.01); click(0.5, 0.5); drag(100, 0); click(0.5, 0.5); click(0.6, 0.5);" > distances.dom
+opened distances.html \
+  "click(0.01, 0.01); click(0.5, 0.5); drag(100, 0); click(0.5, 0.5); click(0.6, 0.5);" > distances.dom
 contains distances.dom 'data-state="ready"'
 contains distances.dom '"|There is no surface at this place.|distance 0.70711, at (0.5, 0.5, 0)|'
 # turned around its middle by 0.8, the square is narrower: a click beside the middle is farther to the right on it
@@ -90,3 +105,26 @@ awk -v d="$first" 'BEGIN { exit !(d > 0.5 && d < 0.7) }'
 equals "$first" "$second"
 contains voronoi.dom '>boundaries of the cells</div>'
 [ "$(number_of_colors voronoi.dom)" -gt 4 ]
+contains voronoi.dom 'title="show site 1"'
+
+# The first site faces the viewer, though it is on the side of the sphere that a view along an axis does not show, and
+# another one when its number is clicked.
+sphere=$data/../../../examples/Surface_mesh_geodesics/data/bumpy_sphere.off
+is_silent voronoi "$sphere" --site-point -9,-9,-9 --site-point 9,9,9 --html sites.html
+opened sites.html \
+  "nearest(); click(0.5, 0.5); document.querySelector('[title=\"show site 1\"]').click(); click(0.5, 0.5);" > sites.dom
+distance=$(sed -n 's/.*data-nearest="\([^"]*\)".*/\1/p' sites.dom)
+awk -v d="$distance" 'BEGIN { exit !(d != "" && d < 0.15) }' || fail "the first site is not before the viewer"
+answers=$(sed -n 's/.*data-answers="\([^"]*\)".*/\1/p' sites.dom)
+equals "$(echo "$answers" | grep -o 'in the cell of site [0-9]*' | paste -sd ,)" \
+  "in the cell of site 0,in the cell of site 1"
+# A source is turned to a side where nothing is before it, as the middle one of three squares.
+printf 'OFF\n12 3 0\n' > squares.off
+for z in -1 0 1; do
+  printf '0 0 %d\n1 0 %d\n1 1 %d\n0 1 %d\n' $z $z $z $z >> squares.off
+done
+printf '4 0 1 2 3\n4 4 5 6 7\n4 8 9 10 11\n' >> squares.off
+is_silent distances squares.off --quiet --source-point 0.5,0.5,0 --html squares.html
+opened squares.html "click(0.5, 0.5);" > squares.dom
+distance=$(sed -n 's/.*data-answers="|distance \([^,]*\),.*/\1/p' squares.dom)
+awk -v d="$distance" 'BEGIN { exit !(d != "" && d < 1e-3) }'

@@ -3,8 +3,8 @@
 source "$(dirname "${BASH_SOURCE[0]}")/support.sh" "$@"
 grid=$data/grid4.off # the unit square, 16 vertices, 18 faces; vertex 4 i + j is (i, j) / 3
 
-# is_refuted <condition> <vertex> <arguments>: there is a table, in which the condition is violated by more than 1e-10 at
-# the vertex, and one line names the vertex, with the condition that is violated most
+# is_refuted <condition> <vertex> <arguments>: there is a table, in which the condition is violated by more than 1e-10
+# at the vertex, and one line names the vertex, with the condition that is violated most
 is_refuted() {
   local status=0
   "$program" check "${@:3}" > refuted.csv 2> refuted.err || status=$?
@@ -13,7 +13,9 @@ is_refuted() {
   contains refuted.err "surface_mesh_geodesics: error: the distances are not certified: "
   contains refuted.err " at vertex $2"
   equals "$(line refuted.csv 1)" condition,checks,worst_violation,vertex
-  awk -F, -v c="$1" -v v="$2" '$1 == c && ($3 == "inf" || $3 > 1e-10) && $4 == v { n = 1 } END { exit !n }' refuted.csv \
+  awk -F, -v c="$1" -v v="$2" '
+    $1 == c && ($3 == "inf" || $3 > 1e-10) && $4 == v { n = 1 }
+    END { exit !n }' refuted.csv \
     || fail "$1 is not violated at vertex $2: $(cat refuted.csv)"
 }
 
@@ -33,6 +35,11 @@ cmp check.csv same.csv
 awk -F, 'BEGIN { OFS = "," } NR == 1 { print "name", "distance", "vertex"; next } { print "x", $2, $1 }' distances.csv \
   | { read -r names; echo "$names"; sort -r; } | sed 's/$/\r/' > other_order.csv
 is_silent check "$grid" --source 0 --distances other_order.csv -o same.csv
+cmp check.csv same.csv
+
+# With blanks around names and numbers, and lines of blanks.
+sed 's/,/ ,\t/g; s/^/ /; $s/$/\n  \t/' distances.csv > blanks.csv
+is_silent check "$grid" --source 0 --distances blanks.csv -o same.csv
 cmp check.csv same.csv
 
 # Several sources, points inside faces, a radius, a part without a source.
@@ -63,7 +70,7 @@ changed 0 '0.1' > source.csv
 is_refuted SOURCES 0 "$grid" --source 0 --distances source.csv
 
 # Tables that are none.
-refuses 3 "there.csv: cannot be read" check "$grid" --source 0 --distances there.csv
+refuses 3 "there.csv: there is no such file" check "$grid" --source 0 --distances there.csv
 : > empty.csv
 refuses 3 "empty.csv, line 1: there is no column 'vertex'" check "$grid" --source 0 --distances empty.csv
 printf 'vertex,length\n0,0\n' > names.csv
@@ -79,7 +86,16 @@ refuses 3 "word.csv, line 9: 'far' is not a distance" check "$grid" --source 0 -
 sed 's/^7,.*/7/' distances.csv > cut.csv
 refuses 3 "cut.csv, line 9: a value is missing" check "$grid" --source 0 --distances cut.csv
 
+mkdir folder.csv
+refuses 3 "folder.csv: is a folder, not a file" check "$grid" --source 0 --distances folder.csv
+refuses 2 "the name of a file that is to be read is empty" check "$grid" --source 0 --distances ""
+cp distances.csv read.csv
+refuses 2 "read.csv: the file is read by this command" check "$grid" --source 0 --distances read.csv -o ./read.csv
+cmp distances.csv read.csv
+
 # What is wrong on the command line.
+refuses 2 "--tolerance: 'abc' is not a positive number" check none.off --tolerance abc
+refuses 2 "--radius: '1e400' is not a positive number" check none.off --source 0 --radius 1e400
 refuses 2 "no source is given" check "$grid"
 refuses 2 "'0' is not a positive number" check "$grid" --source 0 --tolerance 0
 refuses 2 "the end of the name must be one of .csv" check "$grid" --source 0 -o x.ply

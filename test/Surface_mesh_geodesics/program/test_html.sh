@@ -19,6 +19,12 @@ for page in distances path voronoi; do
   equals "$(grep -c '@TITLE@\|@DATA@\|@SCRIPT@\|@THREE@\|@LICENCE@' $page.html)" 0
 done
 
+# The colors of cells are those in PLY files.
+is_silent voronoi "$grid" --site all -o cells.ply --html CELLS.HTML
+colors=$(grep -o '"cellColors":\[[^]]*\]' CELLS.HTML | grep -o '#[0-9a-f]*')
+equals "$(echo "$colors" | wc -l)" 16
+equals "$colors" "$(awk '$1 == "comment" { printf "#%02x%02x%02x\n", $5, $6, $7 }' cells.ply)"
+
 # A name that is no HTML stays a name.
 cp "$grid" '<i>&"x".off'
 is_silent distances '<i>&"x".off' --source 0 --html name.html

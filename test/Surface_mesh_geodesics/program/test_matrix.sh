@@ -23,13 +23,24 @@ equals "$(line rows.csv 3)" "$(column from_point.csv distance | paste -sd ,)"
 is_silent matrix "$grid" --source all > all.csv
 is_silent matrix "$grid" --source all --radius 0.5 > pairs.csv
 equals "$(line pairs.csv 1)" source,target,distance
-cmp <(awk -F, 'NR > 1 { for(i = 1; i <= NF; ++i) if($i <= 0.5) print NR - 2 "," i - 1 "," $i }' all.csv) <(tail -n +2 pairs.csv)
+awk -F, 'NR > 1 { for(i = 1; i <= NF; ++i) if($i <= 0.5) print NR - 2 "," i - 1 "," $i }' all.csv > near.csv
+cmp near.csv <(tail -n +2 pairs.csv)
 
 is_silent matrix "$data/two_components.off" --source all > parts.csv
 contains parts.csv inf
 
 refuses 2 "no source is given" matrix "$grid"
 refuses 2 "use --target" matrix "$grid" --source-point 0,0,0
-refuses 2 "a target must be a vertex" matrix "$grid" --source 0 --target-point 0,0,0
+# targets are vertices: no option promises more
+refuses 2 "unrecognised option '--target-point" matrix "$grid" --source 0 --target-point 0,0,0
+"$program" matrix --help > help
+equals "$(grep -c -e --target-point help)" 0
+contains help "a file with the number of a vertex in each line"
+printf '3\n 15 # a corner\n' > vertices.txt
+is_silent matrix "$grid" --source 0 --target-file vertices.txt > from_file.csv
+equals "$(line from_file.csv 1)" 3,15
+printf '3\n1 0 0\n' > point.txt
+refuses 3 "point.txt, line 2: only the number of a vertex may stand here" \
+  matrix "$grid" --source 0 --target-file point.txt
 refuses 2 "'-2' is not a positive number" matrix "$grid" --source 0 --radius -2
 no_remains

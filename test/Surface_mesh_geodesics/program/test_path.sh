@@ -19,8 +19,9 @@ equals "$(line points.csv 1)" target,source,point,x,y,z
 awk -F, 'NR == 2 && ($4 - 1)^2 + ($5 - 0.2)^2 > 1e-24 { exit 1 }
   NR > 1 && (($5 - 0.2 * $4)^2 > 1e-24 || $6 != 0) { exit 1 }
   END { if($4^2 + $5^2 > 1e-24) exit 1 }' points.csv
-is_near "$(awk -F, 'NR > 2 { s += sqrt(($4 - x)^2 + ($5 - y)^2) } { x = $4; y = $5 } END { printf "%.17g", s }' points.csv)" \
-  1.0198039027185569
+length=$(awk -F, 'NR > 2 { s += sqrt(($4 - x)^2 + ($5 - y)^2) } { x = $4; y = $5 }
+  END { printf "%.17g", s }' points.csv)
+is_near "$length" 1.0198039027185569
 
 # Around the corner of the L, through its inner vertex.
 is_silent path "$data/L_shape.off" --source 0 --target all -o all.csv -o all.obj -o all.vtk -o all.ply \
@@ -37,7 +38,8 @@ contains all.ply "property double length"
 # lengths of the lines, summed up, are those of the table
 awk -F, 'NR > 2 { print $3 }' all.csv > lengths
 awk '{ s = 0; for(i = 5; i < NF; i += 3) s += sqrt(($i - $(i-3))^2 + ($(i+1) - $(i-2))^2 + ($(i+2) - $(i-1))^2)
-  getline length_in_table < "lengths"; if((s - length_in_table)^2 > 1e-24 || NF != 3 * $1 + 1) exit 1 }' all.polylines.txt
+  getline length_in_table < "lengths"
+  if((s - length_in_table)^2 > 1e-24 || NF != 3 * $1 + 1) exit 1 }' all.polylines.txt
 
 # A place that no source reaches.
 is_silent path "$data/two_components.off" --source 0 --target all > parts.csv
@@ -47,12 +49,18 @@ refuses 2 "no source is given" path "$grid" --target 0
 refuses 2 "no target is given" path "$grid" --source 0
 refuses 2 "there is no vertex 99" path "$grid" --source 0 --target 99
 printf '0\n1 2\n' > two_numbers.txt
-refuses 3 "two_numbers.txt, line 2: a point is three finite numbers" path "$grid" --source 0 --target-file two_numbers.txt
+refuses 3 "two_numbers.txt, line 2: a point is three finite numbers" \
+  path "$grid" --source 0 --target-file two_numbers.txt
 printf '40 0.2 0.2 0.6\n' > no_face.txt
 refuses 3 "'40' is not the number of a face" path "$grid" --source 0 --target-file no_face.txt
 printf '4 0.2 0.2 0.2\n' > no_sum.txt
 refuses 3 "the sum of the barycentric coordinates is not 1" path "$grid" --source 0 --target-file no_sum.txt
 printf '# nothing\n' > no_place.txt
 refuses 3 "there is no place in the file" path "$grid" --source 0 --target-file no_place.txt
-refuses 3 "cannot be opened" path "$grid" --source 0 --target-file none.txt
+refuses 3 "none.txt: there is no such file" path "$grid" --source 0 --target-file none.txt
+refuses 3 ".: is a folder, not a file" path "$grid" --source 0 --target-file .
+refuses 2 "--target: 'x' is not the number of a vertex" path none.off --source 0 --target 1,x
+refuses 2 "--target-point 0,1e400,0: a point is three finite numbers" path none.off --source 0 --target-point 0,1e400,0
+refuses 2 "--target-random: '0' is not a whole number of 1 or more" path none.off --source 0 --target-random 0
+remarks "--points has no effect without an output .csv" path "$grid" --source 0 --target 1 --points -o path.obj
 no_remains

@@ -34,6 +34,13 @@ equals "$status" 2
 [ ! -s no_arguments.out ]
 contains no_arguments.err "usage: "
 
+for word in --version --help; do
+  refuses 2 "'bogus' after $word is one word too many" $word bogus
+done
+refuses 2 "'extra' after help is one word too many" help info extra
+refuses 2 "there is no subcommand ''" ""
+refuses 2 "unrecognised option '--bogus'" info --help --bogus
+
 # --- input ------------------------------------------------------------------------------------------------------------
 
 : > empty.off
@@ -63,9 +70,20 @@ for subcommand in $subcommands; do
   refuses 3 "none.off: there is no such file" "$subcommand" none.off "${arguments[@]}"
   refuses 3 "empty.off: the file is empty" "$subcommand" empty.off "${arguments[@]}"
   refuses 3 "no_last_faces.off: the file is damaged or incomplete" "$subcommand" no_last_faces.off "${arguments[@]}"
-  refuses 2 "too many positional options" "$subcommand" "$grid" "${arguments[@]}" another.off
+  refuses 2 "more than one mesh is given" "$subcommand" "$grid" "${arguments[@]}" another.off
 done
 refuses 3 ".: is a folder, not a file" info .
+refuses 3 "/dev/null: the end of the name is none of .off" info /dev/null
+refuses 2 "the name of a file that is to be read is empty" info ""
+printf 'OFF\n3 1 0\n0 0 0\n1e308 0 0\n0 1e308 0\n3 0 1 2\n' > huge.off
+refuses 3 "huge.off: vertex 1 has a coordinate that is not finite, or too large" info huge.off
+# a mesh at one place, or nearly so, is one
+printf 'OFF\n3 1 0\n0 0 0\n0 0 0\n0 0 0\n3 0 1 2\n' > point.off
+printf 'OFF\n3 1 0\n0 0 0\n1e-320 0 0\n0 1e-320 0\n3 0 1 2\n' > tiny.off
+for mesh in point tiny; do
+  is_silent voronoi $mesh.off --site 0,1 -o $mesh.ply
+  is_silent distances $mesh.off --source-point 0,0,0 > $mesh.csv
+done
 refuses 3 "text.off: the file is damaged" info text.off
 refuses 3 "no_last_points.off: the file is damaged" info no_last_points.off
 refuses 3 "not_a_number.off: " info not_a_number.off
@@ -102,6 +120,22 @@ if [ "$(id -u)" -ne 0 ]; then # whoever may write everything cannot see this one
   equals "$(cat protected.csv)" old
 fi
 
+refuses 2 "the name of an output is empty" "${distances[@]}" -o ""
+refuses 2 "/dev/null: the end of the name must be one of" "${distances[@]}" -o /dev/null
+refuses 2 "option '--quiet' cannot be specified more than once" "${distances[@]}" --quiet --quiet
+refuses 2 "option '--seed' cannot be specified more than once" "${distances[@]}" --seed 1 --seed 2
+
+# What a command reads is not overwritten, whatever it is called.
+cp "$grid" mesh.off
+ln -s mesh.off link.off
+printf '0\n' > places.csv
+for arguments in "mesh.off -o mesh.off" "mesh.off -o link.off" "link.off -o $work/mesh.off"; do
+  refuses 2 "the file is read by this command; give the output another name" remesh --number 3 $arguments
+done
+refuses 2 "places.csv: the file is read by this command" distances mesh.off --source-file places.csv -o places.csv
+cmp "$grid" mesh.off
+equals "$(cat places.csv)" 0
+
 # An error leaves the old file as it was, and nothing beside it.
 echo old > kept.csv
 refuses 2 "there is no vertex 99" distances "$grid" --source 99 -o kept.csv
@@ -124,6 +158,25 @@ status=0
 wait "$process" || status=$?
 equals "$status" 143
 equals "$(cat kept.csv)" old
+no_remains
+
+# And so does a signal while files are written: the first one is complete, and the second one, a pipe that nobody
+# empties, keeps the program waiting.
+mkfifo full_pipe.csv
+exec 9<> full_pipe.csv
+"$program" matrix "$data/grid9.off" --source all -o whole.csv -o full_pipe.csv &
+process=$!
+for _ in $(seq 100); do
+  [ -z "$(find . -name '.[0-9]*whole.csv' -size +64k)" ] || break
+  sleep 0.1
+done
+[ -n "$(find . -name '.[0-9]*whole.csv' -size +64k)" ]
+kill -TERM "$process"
+status=0
+wait "$process" || status=$?
+exec 9>&-
+equals "$status" 143
+[ ! -e whole.csv ]
 no_remains
 
 # a file that is named twice is written once

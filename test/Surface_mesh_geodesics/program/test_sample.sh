@@ -21,6 +21,15 @@ awk -F, 'NR > 1 && $2 > 0.4 { exit 1 }' distances.csv
 is_silent distances "$grid" --source "${samples%,*}" > distances.csv
 awk -F, 'NR > 1 && $2 > 0.4 { found = 1 } END { exit !found }' distances.csv
 
+# The first samples are told in all the ways that vertices can be.
+printf '5\n10\n' > first.txt
+is_silent sample "$grid" --number 3 --first 0 --first-file first.txt --quiet > first.csv
+equals "$(column first.csv vertex | paste -sd ' ')" "0 5 10"
+is_silent sample "$grid" --number 2 --first-random 2 --seed 3 --quiet > random.csv
+equals "$(column random.csv vertex | sort -u | wc -l)" 2
+is_silent sample "$grid" --number 2 --first-random 2 --seed 4 --quiet > other.csv
+differ random.csv other.csv
+
 # All vertices, if more are wanted than there are.
 is_silent sample "$grid" --number 100 --quiet > all.csv
 equals "$(column all.csv vertex | sort -n | paste -sd ' ')" "0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15"
@@ -32,9 +41,9 @@ contains s.ply "element vertex 5"
 equals "$(grep -c '^p ' s.obj)" 5
 
 refuses 2 "neither --number nor --radius is given" sample "$grid"
-refuses 2 "'0' is not a number of 1 or more" sample "$grid" --number 0
-refuses 2 "'x' is not a number of 1 or more" sample "$grid" --number x
-refuses 2 "'-1' is not a positive number" sample "$grid" --radius -1
-refuses 2 "a first must be a vertex" sample "$grid" --number 3 --first-point 0.1,0.1,0
+refuses 2 "--number: '0' is not a whole number of 1 or more" sample none.off --number 0
+refuses 2 "--number: 'abc' is not a whole number of 1 or more" sample none.off --number abc
+refuses 2 "'-1' is not a positive number" sample none.off --radius -1
+refuses 2 "unrecognised option '--first-point" sample "$grid" --number 3 --first-point 0.1,0.1,0
 refuses 2 "more first samples than --number" sample "$grid" --number 1 --first 0,1
 no_remains

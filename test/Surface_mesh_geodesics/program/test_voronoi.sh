@@ -42,9 +42,29 @@ is_silent voronoi "$grid" --site 0,6,15 --weight 0,0.1,0 --tolerance 1e-2 -o coa
 is_silent voronoi "$grid" --site 0,6,15 --weight 0,0.1,0 --tolerance 1e-7 -o fine.obj
 [ "$(grep -c '^v ' fine.obj)" -gt "$(grep -c '^v ' coarse.obj)" ]
 
+# Colors: the same for all of a cell, as the head of the file tells, and different for neighbours.
+sphere=$data/../../../examples/Surface_mesh_geodesics/data/bumpy_sphere.off
+is_silent voronoi "$sphere" --site-random 40 -o colors.ply -o neighbours.csv
+tr -d '\r' < colors.ply | awk '
+  FNR == NR { if($1 == "comment") color[$3] = $5 " " $6 " " $7
+    if($1 == "3" && NF == 8) { if($5 " " $6 " " $7 != color[$8]) exit 1; ++faces }
+    next }
+  { split($0, field, ","); split(field[8], neighbour, " ")
+    for(i in neighbour) { ++pairs; if(color[field[1]] == color[neighbour[i]]) exit 1 } }
+  END { exit !(faces > 1000 && pairs > 150) }' - <(tail -n +2 neighbours.csv)
+
 refuses 2 "no site is given" voronoi "$grid"
 refuses 2 "2 weights for 1 sites" voronoi "$grid" --site 0 --weight 1,2
-refuses 2 "'x' is not a number" voronoi "$grid" --site 0 --weight x
-refuses 2 "'0' is not a positive number" voronoi "$grid" --site 0 --tolerance 0
+refuses 2 "--weight: 'abc' is not a number" voronoi none.off --site 0 --weight 1,abc
+refuses 2 "--weight: 'nan' is not a number" voronoi none.off --site 0 --weight nan
+refuses 2 "--weight: '1e400' is not a number" voronoi none.off --site 0 --weight 1e400
+refuses 2 "--weight: '' is not a number" voronoi none.off --site 0 --weight 1,
+refuses 2 "'0' is not a positive number" voronoi none.off --site 0 --tolerance 0
+refuses 2 "--tolerance: 1e-30 is too small for a mesh of this size; give 1.41421e-09 or more" \
+  voronoi "$grid" --site 0,15 --tolerance 1e-30 -o x.ply
+is_silent voronoi "$grid" --site 0,6,15 --weight 0,0.1,0 --tolerance 1.5e-9 -o finest.obj # a limit that can be borne
+[ "$(wc -c < finest.obj)" -lt 10000000 ]
+remarks "--tolerance has no effect without an output .ply, .vtk, .obj, .html" voronoi "$grid" --site 0 --tolerance 1
+remarks "--vertices has no effect without an output .csv" voronoi "$grid" --site 0,15 --vertices -o x.obj
 refuses 2 "the end of the name must be one of" voronoi "$grid" --site 0 -o x.stl
 no_remains

@@ -1,0 +1,82 @@
+#include "Input_file.h"
+
+#include "Command_error.h"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <system_error>
+#include <vector>
+
+namespace geodesics_app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+[[noreturn]] void complain(const std::string& file_name, const std::string& what)
+{
+  throw Command_error(Exit_code::BAD_INPUT, file_name + ": " + what);
+}
+
+bool ends_with(const std::string& text, const std::string& ending)
+{
+  return text.size() >= ending.size() && text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
+}
+
+// the files that the options name, and the mesh.
+std::vector<std::string> names_of_inputs(const Arguments& arguments)
+{
+  std::vector<std::string> names{mesh_argument(arguments)};
+  for(const auto& [option, value] : arguments)
+    if(ends_with(option, "-file"))
+      for(const std::string& name : all_values(arguments, option))
+        names.push_back(name);
+  if(has(arguments, "distances"))
+    names.push_back(arguments["distances"].as<std::string>());
+  return names;
+}
+
+} // namespace
+
+void check_is_readable(const std::string& file_name)
+{
+  if(file_name.empty())
+    throw Command_error(Exit_code::BAD_USAGE, "the name of a file that is to be read is empty");
+  std::error_code error;
+  const fs::file_status status = fs::status(file_name, error);
+  if(status.type() == fs::file_type::not_found)
+    complain(file_name, "there is no such file");
+  if(fs::is_directory(status))
+    complain(file_name, "is a folder, not a file");
+  if(access(file_name.c_str(), R_OK) != 0)
+    complain(file_name, std::string("cannot be read: ") + std::strerror(errno));
+}
+
+std::ifstream opened_text_file(const std::string& file_name)
+{
+  check_is_readable(file_name);
+  std::ifstream is(file_name);
+  if(!is)
+    complain(file_name, "cannot be opened");
+  return is;
+}
+
+void check_inputs_are_kept(const Arguments& arguments)
+{
+  std::vector<std::string> outputs = all_values(arguments, "output");
+  const std::vector<std::string> pages = all_values(arguments, "html");
+  outputs.insert(outputs.end(), pages.begin(), pages.end());
+  for(const std::string& input : names_of_inputs(arguments))
+    for(const std::string& output : outputs)
+    {
+      std::error_code error;
+      if(fs::is_regular_file(output, error) && fs::equivalent(input, output, error))
+        throw Command_error(Exit_code::BAD_USAGE,
+                            output + ": the file is read by this command; give the output another name");
+    }
+}
+
+} // namespace geodesics_app
