@@ -90,10 +90,13 @@ if [ -n "$owner" ]; then
   echo "$owner" > "$target/package_info/$package/copyright"
 fi
 
-# What the manual says of things that are in this repository only is between marks; the section Examples begins with how
-# they are built here.
+# What the manual says of things that are in this repository only is between marks, within a line or around lines.
+# Besides, the limits have an item about the program, and the section Examples begins with how they are built here.
 manual=$target/doc/$package/$package.txt
-sed -i '/^<!-- not in CGAL: begin -->$/,/^<!-- not in CGAL: end -->$/d' "$manual"
+begin='<!-- not in CGAL: begin -->'
+end='<!-- not in CGAL: end -->'
+perl -0pi -e "s/$begin(\n.*?$end\n|.*?$end)//gs" "$manual"
+sed -i '/^- <em>The program<\/em> for the command line/d' "$manual"
 sed -i "/^\\\\section ${package}_examples /,/^\\\\subsection /{//!d}" "$manual"
 sed -i "/^\\\\section ${package}_examples /r /dev/stdin" "$manual" <<'END'
 
