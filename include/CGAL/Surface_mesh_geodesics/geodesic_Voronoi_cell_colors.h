@@ -99,9 +99,16 @@ eyes that do not tell red from green, or yellow from blue, tell apart as well. C
 colors on every orientable surface with up to six handles, and cells share a color only if there are more than twelve.
 The colors do not depend on anything but the numbers of the sites and which cells are neighbors.
 
+Takes \cgalBigO{k \log n} time for \f$ n \f$ sites and \f$ k \f$ pairs of neighbors, besides building the diagram. The
+function may be called by several threads at once, on the same diagram as well.
+
 \tparam Diagram a specialization of `Surface_mesh_geodesic_Voronoi_diagram`
 
-Complexity: \cgalBigO{k \log n} for `n` sites and `k` pairs of neighbors, besides building the diagram.
+\param diagram the diagram, which is computed if that has not been done
+
+\return the colors, by the numbers of the sites; also for those with an empty cell
+
+\throws Invalid_geodesic_input if the diagram has to be computed, and the mesh or a site is invalid
 
 \sa `write_geodesic_Voronoi_diagram_PLY()`
 */
