@@ -125,6 +125,7 @@ public:
   {
     std::vector<Vertex_id> result;
     for(const vertex_descriptor v : range)
+      // NOLINTNEXTLINE(performance-inefficient-vector-operation): a range need not know its size
       result.push_back(checked_id(v, what, result.size()));
     return result;
   }

@@ -316,6 +316,7 @@ public:
                  [&](const std::vector<Isoline_point<double>>& points, bool is_closed)
     {
       std::vector<std::pair<face_descriptor, Coordinates>> located;
+      located.reserve(points.size());
       for(const Isoline_point<double>& p : points)
         located.push_back(user_location(p));
       line(located, is_closed);
