@@ -71,7 +71,7 @@ def error_bars(axes, x, rows, name, **style):
 
 
 def save(figure, path, lines):
-    """Writes a figure, with the table that it shows as its description. No date: the same bits from the same numbers."""
+    """Writes a figure, with the table that it shows as its description. The same numbers give the same bits."""
     figure.tight_layout()
     figure.savefig(path, metadata={"Date": None, "Description": "\n".join(lines)})
     plt.close(figure)
@@ -250,7 +250,8 @@ def speedups(rows, label, title, columns):
 
 def face_queries(rows):
     all_sources = groups(rows, "sources")
-    figure, all_axes = plt.subplots(1, len(all_sources), figsize=(3.2 * len(all_sources), 3), sharey=True, squeeze=False)
+    figure, all_axes = plt.subplots(1, len(all_sources), figsize=(3.2 * len(all_sources), 3),
+                                    sharey=True, squeeze=False)
     numbers = [1, 10, 100, 1000, 100000]
     for axes, (sources, of_sources) in zip(all_axes[0], all_sources.items()):
         for row in of_sources:
