@@ -219,6 +219,8 @@ void test_invalid_input()
     check_throws(Reason::INVALID_OFFSET, [&] { diagram.add_site(location_of_vertex(vertex(0), face(0), tm), w); });
   }
   CHECK_EQUAL(diagram.number_of_sites(), 0u);
+  diagram.add_site(boost::graph_traits<Mesh>::null_vertex());
+  check_throws(Reason::INVALID_DESCRIPTOR, [&] { diagram.build(); });
 
   const std::vector<std::pair<Reason, Weighted_site>> invalid = {
     {Reason::INVALID_DESCRIPTOR, Weighted_site(vertex(100))},

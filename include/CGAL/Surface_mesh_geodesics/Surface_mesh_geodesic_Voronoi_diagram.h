@@ -447,7 +447,7 @@ public:
   /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the weight is not finite
   Site_index add_site(vertex_descriptor v, const FT& weight = FT(0))
   {
-    return insert(Site{v, Face_location(), finite(weight)});
+    return insert(Site{true, v, Face_location(), finite(weight)});
   }
 
   /// adds a point of a face as a site. Whether it is one is checked by `build()`.
@@ -458,7 +458,7 @@ public:
   /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the weight is not finite
   Site_index add_site(const Face_location& location, const FT& weight = FT(0))
   {
-    return insert(Site{Graph_traits::null_vertex(), location, finite(weight)});
+    return insert(Site{false, Graph_traits::null_vertex(), location, finite(weight)});
   }
 
   /// adds all elements of a range as sites, with the weight 0.
@@ -529,8 +529,7 @@ public:
   {
     CGAL_precondition_msg(i < m_sites.size(), "there is no site with this number");
     const Site& s = m_sites[i];
-    return s.vertex == Graph_traits::null_vertex() ? s.location
-                                                   : Paths::face_location(s.vertex, m_tm, m_traits);
+    return s.is_vertex ? Paths::face_location(s.vertex, m_tm, m_traits) : s.location;
   }
 
   /// returns the weight of a site, in the unit of the mesh.
@@ -1011,7 +1010,8 @@ public:
 private:
   struct Site
   {
-    vertex_descriptor vertex; // the null vertex for a location
+    bool is_vertex; // or a location
+    vertex_descriptor vertex;
     Face_location location;
     FT weight;
   };
@@ -1067,7 +1067,7 @@ private:
     for(const Site& s : m_sites)
     {
       const double offset = m_largest_weight - CGAL::to_double(s.weight);
-      if(s.vertex != Graph_traits::null_vertex())
+      if(s.is_vertex)
         solver.add_source(s.vertex, offset);
       else
         solver.add_source_location(std::make_pair(s.location.first, weights(s.location.second)), offset);
