@@ -344,7 +344,7 @@ void declare_html(Option_descriptions& options)
 
 std::vector<std::string> html_names(const Arguments& arguments)
 {
-  const std::vector<std::string> names = all_values(arguments, "html");
+  std::vector<std::string> names = all_values(arguments, "html");
   if(!names.empty())
     check_pages_are_available();
   for(const std::string& name : names)

@@ -65,10 +65,10 @@ void check_vertices(const std::vector<std::string>& values, const std::string& o
 
 void check_points(const std::vector<std::string>& values, const std::string& option)
 {
-  std::array<double, 3> x;
+  std::array<double, 3> x{};
   for(const std::string& value : values)
     if(!parse_point(split(value, ','), x))
-      complain_of_point(option + " " + value, Exit_code::BAD_USAGE);
+      complain_of_point(std::string(option).append(" ").append(value), Exit_code::BAD_USAGE);
 }
 
 // Reads places from the command line and from files; `where` says in messages where a text stands.

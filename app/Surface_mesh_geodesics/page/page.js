@@ -274,8 +274,8 @@
     texture.flipY = false;
     texture.generateMipmaps = false;
     texture.minFilter = THREE.LinearFilter;
-    const points = dots(xyz, color, size), material = points.material;
-    points.geometry.setAttribute("cell", new THREE.BufferAttribute(cell, 2));
+    const object = dots(xyz, color, size), material = object.material;
+    object.geometry.setAttribute("cell", new THREE.BufferAttribute(cell, 2));
     Object.assign(material.uniforms, { numbers: { value: texture }, columns: { value: columns } });
     material.vertexShader = "attribute vec2 cell; varying vec2 vCell;"
       + material.vertexShader.replace("void main() {", "void main() { vCell = cell;");
@@ -291,7 +291,7 @@
         float ink = texture2D(numbers, (vCell + gl_PointCoord) / columns).a;
         gl_FragColor = vec4(color * (1.0 - max(ink, smoothstep(0.82, 0.92, r))), 1.0);
       }`;
-    return points;
+    return object;
   }
 
   // --- the scene -----------------------------------------------------------------------------------------------------
