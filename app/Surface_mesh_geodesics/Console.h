@@ -91,6 +91,25 @@ private:
   std::size_t m_number_of_vertices = 1;
 };
 
+// Shows the progress of work that propagates many times: the part of these runs that have begun.
+class Run_counting_visitor
+  : public CGAL::Surface_mesh_geodesics::Geodesic_default_visitor
+{
+public:
+  Run_counting_visitor(const Console& console, const std::string& what, std::size_t number_of_runs)
+    : m_bar(console, what, 1), m_number_of_runs(number_of_runs)
+  {}
+
+  void on_propagation_begin(std::size_t)
+  {
+    m_bar.show(static_cast<double>(m_number_begun++) / static_cast<double>(m_number_of_runs));
+  }
+
+private:
+  Progress_bar m_bar;
+  std::size_t m_number_of_runs, m_number_begun = 0;
+};
+
 } // namespace geodesics_app
 
 #endif // SURFACE_MESH_GEODESICS_APP_CONSOLE_H

@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_geodesics/geodesic_remeshing.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -63,9 +64,9 @@ void run(const Arguments& arguments, const Console& console)
   Mesh coarse;
   const CGAL::Surface_mesh_geodesics::Geodesic_dual_report report = [&]
   {
-    const Work_sign sign(console, "remeshing");
-    return CGAL::Surface_mesh_geodesics::geodesic_remeshing(mesh, n, coarse,
-                                                            CGAL::parameters::number_of_iterations(iterations));
+    Run_counting_visitor visitor(console, "remeshing", n + iterations + 1); // samples, iterations, the last diagram
+    const auto np = CGAL::parameters::number_of_iterations(iterations).visitor(std::ref(visitor));
+    return CGAL::Surface_mesh_geodesics::geodesic_remeshing(mesh, n, coarse, np);
   }();
   if(!report.is_manifold())
     throw Command_error(Exit_code::NO_RESULT, "the triangles between " + std::to_string(n)

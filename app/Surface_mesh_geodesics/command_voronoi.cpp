@@ -194,8 +194,11 @@ void run(const Arguments& arguments, const Console& console)
   const std::vector<Place> sites = site_options.required_places(arguments, mesh);
   Diagram diagram(mesh);
   add_sites(diagram, sites, weights(arguments, sites.size()));
-  const Work_sign sign(console, "diagram");
-  diagram.build();
+  {
+    Progress_visitor visitor(console, "diagram");
+    diagram.build(visitor);
+  }
+  const Work_sign sign(console, "output");
   files.write([&](std::ostream& os, const std::string& format)
   {
     if(format == "html")
