@@ -36,10 +36,13 @@ void distances_are_right(std::size_t number, std::uint64_t seed)
 // - source_with_offset: the certificate found no path, as the search for it forgot the offset of the source;
 // - source_with_offset_on_gluing: the same, where faces have nearly no height;
 // - crossed_twice, crossed_twice_b: shortest paths that cross a face twice, between which the way through other faces is
-//   shorter than through that face; the referee did not look for them.
+//   shorter than through that face; the referee did not look for them;
+// - gap_between_windows: two windows that should meet do not, by 4e-8 of the edge, behind vertices that are 4e-9 apart;
+//   the proof is no better there than that.
 void cases_of_the_past_are_right()
 {
-  for(const char* name : {"source_with_offset", "source_with_offset_on_gluing", "crossed_twice", "crossed_twice_b"})
+  for(const char* name : {"source_with_offset", "source_with_offset_on_gluing", "crossed_twice", "crossed_twice_b",
+                          "gap_between_windows"})
   {
     test_support::Scope scope(name);
     const Findings findings = examine(test_meshes::read_case(std::string("data/fuzzing/") + name));
