@@ -28,6 +28,13 @@ diff <(grep -v '^Not told: ' "$work/first.txt") "$work/second.txt"
 [ "$(grep -c "^$package " "$tree/Installation/include/CGAL/license/gpl_package_list.txt")" = 1 ] \
   || fail "the list of licences has not one line for the package"
 
+# A clone of this repository, which has the name of the package as well, is not replaced.
+clone=$work/above/$package
+mkdir -p "$clone/.git" "$clone/package_info/$package"
+status=0
+bash "$root/scripts/lay_out_in_cgal.sh" "$work/above" > /dev/null 2> "$work/refused.txt" || status=$?
+[ "$status" = 2 ] && [ -d "$clone/.git" ] || fail "a clone of the repository has been replaced"
+
 # All headers are there, and say whose they are.
 headers_below() { (cd "$1" && find . -name '*.h' | LC_ALL=C sort); }
 diff <(headers_below "$root/include") \

@@ -12,6 +12,11 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 package=Surface_mesh_geodesics
 title="Exact Geodesics on Triangulated Surface Meshes"
 
+usage()
+{
+  sed -n '/^# usage/,/^[^#]/s/^# \?//p' "${BASH_SOURCE[0]}"
+}
+
 owner=
 since=
 while [ $# -gt 1 ]; do
@@ -22,8 +27,13 @@ while [ $# -gt 1 ]; do
   esac
   shift 2
 done
-if [ $# -ne 1 ] || [ -z "$1" ]; then
-  sed -n '/^# usage/,/^[^#]/s/^# \?//p' "${BASH_SOURCE[0]}" >&2
+if [ "$*" = --help ]; then
+  usage
+  exit
+fi
+# A name that begins with a dash is a mistake: an option without its value, or one that there is not.
+if [ $# -ne 1 ] || [ -z "$1" ] || [[ "$1" = -* && "$1" != --list ]]; then
+  usage >&2
   exit 2
 fi
 
@@ -37,12 +47,19 @@ if [ "$1" = --list ]; then
 fi
 
 mkdir -p "$1"
-tree=$(cd "$1" && pwd)
-if [ "$tree" = "$root" ]; then
+tree=$(cd "$1" && pwd -P)
+target=$tree/$package
+if [ "$tree" = "$(cd "$root" && pwd -P)" ]; then
   echo "The tree must not be the folder of the package itself." >&2
   exit 2
 fi
-target=$tree/$package
+# What is replaced has been laid out by this script: no clone of this repository, as there is in the folder above it if
+# it has the name of the package, and nothing else that somebody keeps under this name.
+if [ -e "$target" ] && [ -n "$(ls -A "$target")" ] \
+  && { [ -e "$target/.git" ] || [ -e "$target/README.md" ] || [ ! -d "$target/package_info/$package" ]; }; then
+  echo "$target is there already, and nothing that this script has laid out: it is left as it is." >&2
+  exit 2
+fi
 rm -rf "$target"
 mkdir -p "$target"
 

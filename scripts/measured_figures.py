@@ -251,7 +251,7 @@ def growth(results):
 def anisotropy(results):
     return markdown(
         ["stretched", "faces", "run, ms", "windows", "windows per list", "ns per window"],
-        [[row["stretch"] + " times", plain(row["faces"], 0), rounded(row["run_ms"]), plain(row["windows"], 0),
+        [[row["stretch"] + " times", plain(row["faces"], 0), spread(row, "run_ms"), plain(row["windows"], 0),
           plain(float(row["windows"]) / float(row["lists"]), 1), plain(row["ns_per_window"], 1)]
          for row in results.rows("anisotropy")])
 
@@ -275,7 +275,7 @@ def reach(results):
 def rules(results):
     return markdown(
         ["mesh", "rules", "run, ms", "windows propagated", "windows per face", "windows at once"],
-        [[row["mesh"].rsplit(".", 1)[0], row["rules"], rounded(row["run_ms"]), plain(row["windows_propagated"], 0),
+        [[row["mesh"].rsplit(".", 1)[0], row["rules"], spread(row, "run_ms"), plain(row["windows_propagated"], 0),
           plain(row["windows_per_face"], 1), plain(row["windows_alive"], 0)] for row in results.rows("rules")],
         words=2)
 
@@ -283,7 +283,7 @@ def rules(results):
 def threads(results):
     return markdown(
         ["mesh", "faces", "threads", "run, ms", "speedup"],
-        [[mesh_name(row), plain(row["faces"], 0), row["threads"], rounded(row["run_ms"]), rounded(row["speedup"])]
+        [[mesh_name(row), plain(row["faces"], 0), row["threads"], spread(row, "run_ms"), rounded(row["speedup"])]
          for row in results.rows("threads")])
 
 

@@ -7,14 +7,16 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=$root/build
 data=$build/cgal_data
 
-"$root/scripts/install_needs.sh" g++ cmake make libcgal-dev libcgal-demo
+needs=(g++ cmake make libcgal-dev)
+[ $# -gt 0 ] || needs+=(libcgal-demo) # has the scan
+"$root/scripts/install_needs.sh" "${needs[@]}"
 
 cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release \
   -DSurface_mesh_geodesics_EXAMPLES=ON -DSurface_mesh_geodesics_TESTS=OFF -DSurface_mesh_geodesics_BENCHMARK=OFF \
   -DSurface_mesh_geodesics_PROGRAM=OFF
 cmake --build "$build" --target distances_as_colored_mesh --parallel "${JOBS:-$(nproc)}"
 
-if [ ! -f "$data/data/meshes/bunny00.off" ]; then
+if [ $# -eq 0 ] && [ ! -f "$data/data/meshes/bunny00.off" ]; then
   archive=/usr/share/doc/libcgal-dev/data.tar.gz
   if [ ! -f "$archive" ]; then
     # Slim images of Debian drop all of /usr/share/doc while they install: take the file out of the package itself.

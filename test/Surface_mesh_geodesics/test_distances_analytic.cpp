@@ -743,9 +743,10 @@ void flat_tori_are_minima_over_a_lattice(std::size_t m, std::size_t n, double a,
   };
   auto exact = [&](const Coordinates& p, const Coordinates& q) {
     double best = infinity;
-    for(int i = -6; i <= 6; ++i)
+    for(int j = -6; j <= 6; ++j)
     {
-      for(int j = -6; j <= 6; ++j)
+      const double nearest = -std::round((q[0] - p[0] + j * b) / a);
+      for(const double i : {nearest - 1., nearest, nearest + 1.})
       {
         best = (std::min)(best, length(q - p + Coordinates{i * a + j * b, j * c, 0.}));
       }
@@ -818,5 +819,9 @@ int main()
   flat_tori_are_minima_over_a_lattice(10, 7, 2., .3, .5);
   flat_tori_are_minima_over_a_lattice(12, 12, 1., .5, std::sqrt(3.) / 2.);
   flat_tori_are_minima_over_a_lattice(9, 11, 1., .25, 8.);
+  // Edges wind around the torus, so that shortest paths cross each of them again and again, and more faces than there
+  // are: this is the square torus of the first line.
+  flat_tori_are_minima_over_a_lattice(5, 5, 1., 12., 1.);
+  flat_tori_are_minima_over_a_lattice(3, 4, 1., 7., 1.);
   return test_result();
 }

@@ -11,8 +11,9 @@ functions, and as an argument to `CGAL::Surface_mesh_geodesic_paths::build_seque
 The functions are called in the order `on_propagation_begin()`, then any number of times `on_progress()` and
 `go_further()` in turn, then `on_propagation_end()`; all of them by the thread that has called the function of the
 package, also if that uses more threads. A function that propagates several times, such as
-`CGAL::Surface_mesh_geodesics::geodesic_remeshing()`, repeats all this each time. Invalid input is found earlier: then none of them is called. They should be
-fast, as they are called up to once for each visit of a vertex. They must not use the object that propagates.
+`CGAL::Surface_mesh_geodesics::geodesic_remeshing()`, repeats all this each time. Invalid input is found earlier: then
+none of them is called. They should be fast, as they are called up to once for each visit of a vertex. They must not use
+the object that propagates.
 
 They may throw: the propagation ends then as if it had been cancelled, but without a call of `on_propagation_end()`, and
 the exception is passed on to the caller.
