@@ -532,7 +532,7 @@ void lists_lose_stale_windows(Lane_choice choice, test_support::Random& random)
   }
 }
 
-// No shortest path crosses a face twice.
+// On a surface with points no shortest path crosses a face twice.
 void lists_lose_windows_that_have_crossed_too_many_faces(Lane_choice choice, test_support::Random& random)
 {
   One_face face(choice);

@@ -34,6 +34,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -199,7 +200,21 @@ public:
          + m_star_begin.capacity() * sizeof(std::uint32_t) + m_star.capacity() * sizeof(Halfedge_id);
   }
 
-  // Building: reset(), set_unit(), all members of all faces, finish().
+  // No shortest path crosses more faces.
+  //
+  // On a surface with points none crosses a face twice (thesis, lemma 3.2): the segment between two points of a face is
+  // the shortest way in space. If lengths are given, the way around through other faces may be shorter than that. Then,
+  // let h be the least height of a face. Between two crossings of an edge e a shortest path does not turn around
+  // one vertex only, as straight on around a vertex it is longer than along e. So it crosses three edges in a row without
+  // a common vertex, xv, vw, wy, the middle one at the part t: from the first to the middle one it is t times the height
+  // of w above xv at least, from there to the last one 1-t times that of v above wy; together h at least. All crossings of
+  // e are on a part of the path that is not longer than e, so there are 1 + |e|/h at most.
+  //
+  // This ends what else would never end: where faces have no area, paths may run around without growing.
+  std::size_t most_crossings() const { return m_most_crossings; }
+
+  // Building: reset(), set_unit(), all members of all faces, finish(). For lengths without points,
+  // bound_crossings_by_lengths().
   void reset(std::size_t number_of_faces) { m_faces.resize(number_of_faces); }
   void set_unit(const FT& unit) { m_unit = unit; }
 
@@ -215,6 +230,29 @@ public:
     find_kinds();
     for(const Face& f : m_faces)
       mark_degenerate(f);
+    m_crossings_by_lengths = 0;
+    count_most_crossings();
+  }
+
+  // lets shortest paths cross faces more than once; see most_crossings(). Where a face is so flat that the square of its
+  // angles is lost in rounding, there is no bound that would end the computation, and thin faces are left out.
+  void bound_crossings_by_lengths()
+  {
+    double height = std::numeric_limits<double>::infinity(), height_of_thick = height, sum = 0;
+    bool is_lost = false;
+    for(const Face& f : m_faces)
+    {
+      const double longest = static_cast<double>((std::max)(f.length[1], f.length[2]));
+      const double least_height = longest > 0 ? static_cast<double>(FT(f.apex_y * f.length[0])) / longest : 0.;
+      is_lost = is_lost || !(least_height > ratio_of_lost_face * longest);
+      height = (std::min)(height, least_height);
+      if(least_height > ratio_of_thick_face * longest)
+        height_of_thick = (std::min)(height_of_thick, least_height);
+      sum += static_cast<double>(FT(f.length[0] + f.length[1] + f.length[2]));
+    }
+    m_crossings_by_lengths = 3. * static_cast<double>(number_of_faces()) + sum / (is_lost ? height_of_thick : height);
+    m_number_of_faces_before = number_of_faces();
+    count_most_crossings();
   }
 
   // Refinement and its undoing, for the sources inside faces and on edges (Source_insertion.h).
@@ -228,6 +266,7 @@ public:
   Face_id add_face(const Face& f)
   {
     m_faces.push_back(f);
+    count_most_crossings();
     return static_cast<Face_id>(m_faces.size() - 1);
   }
 
@@ -236,6 +275,7 @@ public:
     m_vertex_halfedge.resize(number_of_vertices);
     m_vertex_kind.resize(number_of_vertices);
     m_faces.resize(number_of_faces);
+    count_most_crossings();
   }
 
   void set_halfedge(Vertex_id v, Halfedge_id h) { m_vertex_halfedge[v] = h; }
@@ -378,6 +418,22 @@ private:
       }
   }
 
+  // A face that has been divided by sources is crossed in not more parts than there are new faces, and one.
+  void count_most_crossings()
+  {
+    m_most_crossings = number_of_faces();
+    if(m_crossings_by_lengths > 0)
+    {
+      const double parts = static_cast<double>(number_of_faces() - m_number_of_faces_before + 1);
+      m_most_crossings = static_cast<std::size_t>((std::min)(parts * m_crossings_by_lengths, largest_crossings));
+    }
+  }
+
+  // Of the least height to the longest side.
+  static constexpr double ratio_of_lost_face = 0x1p-24, ratio_of_thick_face = 0x1p-12;
+
+  static constexpr double largest_crossings = 1 << 30; // (windows count them in 31 bits)
+
   std::vector<Face> m_faces;
   std::vector<Halfedge_id> m_vertex_halfedge;
   std::vector<unsigned char> m_vertex_kind;
@@ -385,6 +441,8 @@ private:
   std::vector<std::uint32_t> m_star_begin; // of the vertices of the mesh as it was built
   std::vector<Halfedge_id> m_star;
   FT m_unit = 1;
+  std::size_t m_most_crossings = 0, m_number_of_faces_before = 0; // before sources divided them
+  double m_crossings_by_lengths = 0;                              // 0 for a surface with points
 };
 
 } // namespace internal

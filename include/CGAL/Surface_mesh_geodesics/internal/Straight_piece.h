@@ -102,7 +102,7 @@ public:
     State s = first_state();
     if(m_end != null_id)
       return has_right_length() ? m_end : null_id;
-    for(std::size_t i = 0; i <= m_mesh.number_of_faces(); ++i)
+    for(std::size_t i = 0; i <= m_mesh.most_crossings(); ++i)
     {
       const Halfedge_id o = m_mesh.opposite(s.halfedge);
       if(o == null_id)

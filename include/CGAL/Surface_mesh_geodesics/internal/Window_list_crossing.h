@@ -67,9 +67,8 @@ public:
   void expect_stale_windows(bool are_expected) { m_has_stale_windows = are_expected; }
 
   // removes what is redundant on the edge itself: windows of a pseudo-source that has been improved
-  // since, windows beaten by a vertex, windows beaten by a neighbour. No shortest path crosses a face
-  // twice (thesis, lemma 3.2), so windows that have crossed more faces than there are go as well:
-  // where faces have no area, paths can run around them without ever growing.
+  // since, windows beaten by a vertex, windows beaten by a neighbour, and windows that have crossed more faces than
+  // any shortest path does (Intrinsic_mesh.h).
   //
   // All windows are trimmed against their neighbours as they are. What is not decided then, because a
   // window is redundant, is looked at window by window. No order of pruning does harm: what is removed
@@ -79,7 +78,7 @@ public:
   // kept are pruned on every second edge only.
   void prune(Window_list<FT>& list, const Crossing<FT>& c, const Corner_rivals<FT>& corners, bool is_kept)
   {
-    const bool is_unusual = list.may_be_marked() || list.number_of_crossings() > m_mesh.number_of_faces();
+    const bool is_unusual = list.may_be_marked() || list.number_of_crossings() > m_mesh.most_crossings();
     if(!is_kept && list.number_of_crossings() % 2 != 0 && !is_unusual && !m_has_stale_windows)
       return;
     const bool has_suspects = is_unusual || (m_has_stale_windows && has_stale_windows(list))
@@ -248,7 +247,7 @@ private:
       ++m_statistics.windows_removed_by_rules_2_and_3;
       return true;
     }
-    if(w.root_distance > m_distance[w.root] || w.number_of_crossings() > m_mesh.number_of_faces()
+    if(w.root_distance > m_distance[w.root] || w.number_of_crossings() > m_mesh.most_crossings()
        || (Rules::vertex_rule && is_beaten_by_vertices(w, length, left, right)))
     {
       ++m_statistics.windows_removed_by_vertices;

@@ -99,6 +99,8 @@ class Shape_from_points
   using Vector = std::array<FT, 3>;
 
 public:
+  static constexpr bool has_points = true;
+
   Shape_from_points(const TriangleMesh& tm, VertexPointMap vpm) : m_tm(tm), m_vpm(vpm) {}
 
   // reads the points; returns the exponent of the power of two by which lengths are divided. Isolated
@@ -204,6 +206,8 @@ class Shape_from_edge_lengths
   using edge_descriptor = typename boost::graph_traits<TriangleMesh>::edge_descriptor;
 
 public:
+  static constexpr bool has_points = false;
+
   Shape_from_edge_lengths(const TriangleMesh& tm, EdgeLengthMap elm) : m_tm(tm), m_elm(elm) {}
 
   template <typename Vertices>
@@ -284,6 +288,8 @@ public:
     mesh.set_unit(FT(std::ldexp(1., exponent)));
     set_faces(shape, mesh);
     mesh.finish(table.vertices.size());
+    if(!Shape::has_points)
+      mesh.bound_crossings_by_lengths();
     fill_face_tables(table);
   }
 
