@@ -364,6 +364,7 @@ def sentences_about_paths(results):
         (MANUAL, f"The distance of a point inside a face is found {column('ratio_face_query_us')} times faster;"),
         (MANUAL, f"paths from points inside faces {column('ratio_face_path_us')} times, paths from vertices "
                  f"{column('ratio_vertex_path_us')} times."),
+        (MANUAL, f"at worst {min(results.values('paths', 'ratio_vertex_path_us')):.2f} times as fast (armadillo)."),
     ]
 
 
