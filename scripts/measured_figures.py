@@ -350,7 +350,10 @@ def sentences_about_paths(results):
     def column(name):
         return on_bunny(results, name)
 
+    runs = results.comment("paths", r"medians of (\d+) runs of each")
     return [
+        (MANUAL, f"(`--no-standard --paths --paths-repetitions {runs}`; medians of {in_words(runs)} runs, ratios are "
+                 "medians of the ratios of neighbouring runs)"),
         (README, f"`Surface_mesh_geodesic_paths` is built {column('ratio_build_vertices_ms')} times faster for 1, 10 "
                  f"and 50 sources ({column('ratio_build_faces_ms')} times with what queries inside faces need), in "
                  f"{column('ratio_memory_vertices_mb')} times less memory ({column('ratio_memory_faces_mb')} times)."),
@@ -361,6 +364,7 @@ def sentences_about_paths(results):
         (MANUAL, f"The distance of a point inside a face is found {column('ratio_face_query_us')} times faster;"),
         (MANUAL, f"paths from points inside faces {column('ratio_face_path_us')} times, paths from vertices "
                  f"{column('ratio_vertex_path_us')} times."),
+        (MANUAL, f"at worst {min(results.values('paths', 'ratio_vertex_path_us')):.2f} times as fast (armadillo)."),
     ]
 
 
@@ -375,7 +379,10 @@ def sentences_about_face_queries(results):
     even = [row["break_even_queries"] for row in backward]
     percents = listed([f"{100 * (ratio - 1):.0f}" for ratio in ratios("build_ms")])
     differences = results.values("face_queries", "largest_relative_difference")
+    runs = results.comment("face_queries", r"medians of (\d+) runs of each")
     return [
+        (MANUAL, f"queries at random points inside faces: medians of {in_words(runs)} runs, as printed by "
+                 f"`benchmark_face_queries bunny00.off --repetitions {runs}`"),
         (MANUAL, f"The distances agree to {bound(differences, formula=True)} relative."),
         (MANUAL, f"from {even[0]} queries on with one source, from {even[1]} with ten and from {even[2]} with fifty"),
         (MANUAL, f"with {percents} percent more time for one, ten and fifty sources"),
@@ -386,7 +393,10 @@ def sentences_about_face_queries(results):
 def sentences_about_Voronoi_diagrams(results):
     arcs = [100 * share for share in results.values("Voronoi_diagram", "arcs_over_removal", sites=30)]
     naive = results.values("Voronoi_diagram", "naive_over_diagram", mesh="armadillo.off")[0]
+    runs = in_words(results.comment("Voronoi_diagram", r"(\d+) runs of each method \(the naive one once\)"))
     return [
+        (MANUAL, f"Times are medians of {runs} runs; that of bunny00 subdivided twice, and the naive way below, were "
+                 "run once:"),
         (MANUAL, f"With 30 sites they take {arcs[0]:.0f} and {arcs[1]:.0f} percent of the time of the propagation on "
                  f"bunny00 and armadillo, and {arcs[2]:.0f} percent on bunny00 subdivided twice"),
         (MANUAL, f"takes {naive:.0f} times the time of the diagram on armadillo."),
@@ -433,10 +443,25 @@ def sentences_about_certificates(results):
 def sentences_about_all_meshes(results):
     times = results.values("all_meshes", "time_ratio")
     memory = results.values("all_meshes", "memory_ratio")
+    runs = results.comment("all_meshes", r"(\d+) runs of each method")
     return [
+        (MANUAL, f"`run_benchmark.sh --all --no-standard --all-repetitions {runs}` measures all triangle meshes of "
+                 f"\\cgal's data with 5,000 faces and more, in {in_words(runs)} run{'' if runs == '1' else 's'} of "
+                 "each method."),
         (MANUAL, f"On {len(times)} meshes the ratio of times is {short(min(times))} to {short(max(times))}, with a median "
                  f"of {statistics.median(times):.1f}, and the ratio of memory {short(min(memory))} to "
                  f"{short(max(memory))}, with a median of {statistics.median(memory):.1f}."),
+    ]
+
+
+def sentences_about_questions(results):
+    questions = ("growth", "anisotropy", "sources", "reach", "rules", "threads", "matrix")
+    (runs,) = {results.comment(name, r"median, least and greatest of (\d+) runs") for name in questions}
+    rules = results.row("rules", mesh="bunny00.off", rules="all")
+    return [
+        (MANUAL, f"medians of {in_words(runs)} runs (`--questions-repetitions {runs}`)."),
+        (MANUAL, f"with all rules, the {in_words(runs)} runs on bunny00 took from {float(rules['run_ms_min']):.0f} to "
+                 f"{float(rules['run_ms_max']):.0f} ms."),
     ]
 
 
@@ -444,4 +469,5 @@ def sentences(results):
     """Pairs of a document and words that stand in it, wherever its lines end."""
     return (sentences_about_distances(results) + sentences_about_paths(results) + sentences_about_face_queries(results)
             + sentences_about_Voronoi_diagrams(results) + sentences_about_the_heat_method(results)
-            + sentences_about_certificates(results) + sentences_about_all_meshes(results))
+            + sentences_about_certificates(results) + sentences_about_all_meshes(results)
+            + sentences_about_questions(results))

@@ -195,12 +195,6 @@ markdown_of_paths()
       if ($2 > 0) name = name ", subdivided " ($2 == 1 ? "once" : $2 " times")
       return sprintf("| %s | %d |", name, value("sources"))
     }
-    function lowest(aim, name, at_least,   ratio) {
-      ratio = value("ratio_" name)
-      if (ratio != "")
-        printf "- %s, %d source%s: %s times, wanted: %s. %s\n", aim, value("sources"), (value("sources") > 1 ? "s" : ""), \
-               number(ratio, 2), at_least, (ratio + 0 >= at_least ? "Reached." : "NOT REACHED.")
-    }
     END {
       print "\n| mesh | sources | build: original, ms | ours for vertices, ms | ratio | ours for faces, ms | ratio | added memory: original, MB | ours for vertices, MB | ratio | ours for faces, MB | ratio |"
       print "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|"
@@ -216,16 +210,6 @@ markdown_of_paths()
         printf "%s%s%s%s%s %s, %s | %s |\n", mesh(), three("vertex_query_us", 3), three("face_query_us", 2), three("vertex_path_us", 1), \
                three("face_path_us", 1), value("points_per_vertex_path"), value("points_per_face_path"), \
                difference == "" ? "" : sprintf("%.1e, %.1e", difference, value("largest_path_length_difference"))
-      }
-      print ""
-      for (r = 1; r <= n; ++r) {
-        $0 = row[r]
-        if ($1 !~ /^bunny00/ || $2 > 0) continue
-        lowest("bunny00, build for queries at vertices", "build_vertices_ms", 35)
-        lowest("bunny00, build for queries in faces", "build_faces_ms", 15)
-        lowest("bunny00, query in a face", "face_query_us", 1)
-        lowest("bunny00, memory for queries at vertices", "memory_vertices_mb", 20)
-        lowest("bunny00, memory for queries in faces", "memory_faces_mb", 8)
       }
     }' "$1"
 }
