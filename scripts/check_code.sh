@@ -15,6 +15,7 @@ flags=(-std=c++17 -Iinclude -frounding-math)
 printf '%s\n' app/Surface_mesh_geodesics/*.cpp examples/Surface_mesh_geodesics/*.cpp \
   | xargs --max-procs="${JOBS:-1}" -I{} clang-tidy --quiet {} -- "${flags[@]}" \
     > "$work/clang_tidy.log" 2> "$work/clang_tidy.err"
+status_of_tidy=$? # not of what it finds, but of a run that has broken off
 of_tidy=$(grep -E '(warning|error): .*\[[a-zA-Z].*\]$' "$work/clang_tidy.log" | sort -u)
 
 grep -v "^#" scripts/cppcheck_suppressions.txt > "$work/suppressions.txt"
@@ -22,10 +23,13 @@ cppcheck --std=c++17 --language=c++ --enable=warning,performance,portability --i
   --suppressions-list="$work/suppressions.txt" \
   --template='{file}:{line}: {severity}: {message} [{id}]' \
   -j "${JOBS:-1}" -Iinclude include app/Surface_mesh_geodesics/*.cpp 2> "$work/cppcheck.log"
+status_of_cppcheck=$?
 of_cppcheck=$(grep -E ': (error|warning|performance|portability): ' "$work/cppcheck.log" | sort -u)
 
 number_of_lines() { [ -z "$1" ] && echo 0 || wc -l <<< "$1"; }
 [ -z "$of_tidy" ] || echo "$of_tidy"
 [ -z "$of_cppcheck" ] || echo "$of_cppcheck"
 echo "clang-tidy: $(number_of_lines "$of_tidy") findings; cppcheck: $(number_of_lines "$of_cppcheck") findings"
-[ -z "$of_tidy$of_cppcheck" ]
+[ $status_of_tidy -eq 0 ] || echo "clang-tidy failed, see $work/clang_tidy.err"
+[ $status_of_cppcheck -eq 0 ] || echo "cppcheck failed, see $work/cppcheck.log"
+[ -z "$of_tidy$of_cppcheck" ] && [ $status_of_tidy -eq 0 ] && [ $status_of_cppcheck -eq 0 ]

@@ -45,6 +45,7 @@ RULES = "test_pruning_rules"
 LANES = "test_numbers_of_lanes"
 NEEDLES = "test_needles_and_caps"
 OPTIONS = "test_options"
+INVALID = "test_invalid_input"
 SOLVER = "test_distance_solver"
 PARALLEL_TEST = "test_parallel_propagation"
 SAMPLING = "test_farthest_point_sampling"
@@ -225,6 +226,28 @@ MUTANTS = [
     ("angle_tolerance_wide", GEOMETRY,
      "static FT angle() { return 1024 * unit_roundoff(); }", "static FT angle() { return 1024e9 * unit_roundoff(); }",
      "no path bends at a slight saddle", (PLANE,)),
+    ("barycentric_tolerance_zero", GEOMETRY,
+     "static FT barycentric() { return 64 * input_roundoff(); }",
+     "static FT barycentric() { return 0 * input_roundoff(); }",
+     "a vertex whose coordinates are rounded is a place beside it", (INVALID,)),
+    ("barycentric_tolerance_wide", GEOMETRY,
+     "static FT barycentric() { return 64 * input_roundoff(); }",
+     "static FT barycentric() { return 64e6 * input_roundoff(); }",
+     "places near to a vertex are taken for the vertex", (INVALID,)),
+    ("location_tolerance_zero", GEOMETRY,
+     "return sqrt(input_roundoff()) / 16;", "return 0 * sqrt(input_roundoff());",
+     "locations are refused for their rounding", (INVALID,)),
+    ("location_tolerance_wide", GEOMETRY,
+     "return sqrt(input_roundoff()) / 16;", "return 1e6 * sqrt(input_roundoff());",
+     "locations outside their face are computed with", (INVALID,)),
+    ("triangle_inequality_tolerance_zero", GEOMETRY,
+     "static FT triangle_inequality() { return 64 * input_roundoff(); }",
+     "static FT triangle_inequality() { return 0 * input_roundoff(); }",
+     "flat faces are refused for the rounding of their lengths", (INVALID,)),
+    ("triangle_inequality_tolerance_wide", GEOMETRY,
+     "static FT triangle_inequality() { return 64 * input_roundoff(); }",
+     "static FT triangle_inequality() { return 64e6 * input_roundoff(); }",
+     "lengths that belong to no triangle are computed with", (INVALID,)),
     ("area_of_needles", GEOMETRY,
      "* ((a - (x - y)) / x) * ((a + (x - y)) / x) *", "* (((a + y) - x) / x) * (((a + x) - y) / x) *",
      "the area of needles is lost in rounding", (PLANE,)),

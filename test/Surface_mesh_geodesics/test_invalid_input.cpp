@@ -222,10 +222,13 @@ void bad_edge_lengths_are_refused()
   // the two faces at the edge break the inequality; either may be named
   refuse(10., Reason::TRIANGLE_INEQUALITY, "edge too long", any_element);
   refuse(good * 1e-3, Reason::TRIANGLE_INEQUALITY, "edge too short", any_element);
-  // 1e-3 of the length beyond equality is no rounding error
+  // beyond equality by more than the reference allows, which is 1.4e-14
   const auto h = halfedge(e, tm);
   const double sum = lengths[edge(next(h, tm), tm)] + lengths[edge(prev(h, tm), tm)];
-  refuse(sum * 1.001, Reason::TRIANGLE_INEQUALITY, "just too long", any_element);
+  for(const double excess : {1e-3, 1e-9, 1e-13})
+  {
+    refuse(sum * (1. + excess), Reason::TRIANGLE_INEQUALITY, "just too long", any_element);
+  }
   auto map = get(CGAL::dynamic_vertex_property_t<double>(), tm);
   CHECK(SMG::geodesic_distances_from_edge_lengths(tm, lengths, map, vertex(0)));
 }
@@ -263,6 +266,8 @@ void locations_outside_their_face_are_refused()
   const std::vector<std::array<double, 3>> bad_weights{{1.5, -.25, -.25},
                                                        {-.1, .6, .5},
                                                        {.5, -1e-3, .501},
+                                                       {.5, -1e-8, .5 + 1e-8},
+                                                       {.5, .25, .25 + 1e-8},
                                                        {.5, .5, .5},
                                                        {0., 0., 0.},
                                                        {.3, .3, .3},
@@ -284,6 +289,23 @@ void locations_outside_their_face_are_refused()
     expect_refusal_of_sources(tm, Reason::INVALID_LOCATION, 2, name + ", in a range",
                               std::vector<Face_location>{good, good, bad, good});
   }
+}
+
+// Coordinates that are nearly right are taken for right ones, and small ones for zero, by the numbers of the reference:
+// 9.3e-10 and 1.4e-14.
+void rounded_locations_are_allowed()
+{
+  const Mesh tm = to_face_graph(icosphere(1));
+  for(const double error : {1e-10, -1e-10})
+  {
+    CHECK_EQUAL(distances(tm, Face_location(face(5), {.5, .5, error})).size(), num_vertices(tm));
+    CHECK_EQUAL(distances(tm, Face_location(face(5), {.5, .25, .25 + error})).size(), num_vertices(tm));
+  }
+  const vertex_descriptor corner = corners_of_face(face(5), tm)[0];
+  const auto distance_of_corner = [&](double x)
+  { return distances(tm, Face_location(face(5), {1. - x, x, 0.}))[std::size_t(corner)]; };
+  CHECK_EQUAL(distance_of_corner(1e-14), 0.);
+  CHECK(distance_of_corner(1e-13) > 0.);
 }
 
 void null_and_foreign_descriptors_are_refused()
@@ -446,6 +468,7 @@ int main()
   bad_edge_lengths_are_refused();
   a_degenerate_triangle_is_allowed();
   locations_outside_their_face_are_refused();
+  rounded_locations_are_allowed();
   null_and_foreign_descriptors_are_refused();
   bad_offsets_are_refused();
   bad_radii_are_refused();

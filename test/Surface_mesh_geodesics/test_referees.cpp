@@ -1,5 +1,6 @@
 // Referees that share no rounding with the library: its own propagation with a hundred digits, with and without its
-// pruning rules, and a search of all edge sequences that is written from the definition. Small hostile meshes.
+// pruning rules, and a search of all edge sequences that is written from the definition. Small hostile meshes, whose
+// number, and the seed, may be given as arguments.
 
 #include "distance_test_helpers.h"
 #include "edge_sequence_search.h"
@@ -12,7 +13,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <cstdlib>
 #include <exception>
+#include <iostream>
 #include <limits>
 #include <string>
 #include <vector>
@@ -227,11 +231,12 @@ void the_search_is_right()
 
 } // namespace
 
-int main()
+int main(int argc, char* argv[])
 {
-  const std::uint64_t seed = test_support::announce_seed(20260703);
+  const std::size_t number = argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 200;
+  const std::uint64_t seed = test_support::announce_seed(argc > 2 ? std::strtoul(argv[2], nullptr, 10) : 20260703);
   the_search_is_right();
-  hostile_meshes_agree(200, seed);
+  hostile_meshes_agree(number, seed);
   random_metrics_agree(60, seed + 1);
   return test_result();
 }

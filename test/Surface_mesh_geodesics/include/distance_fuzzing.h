@@ -415,7 +415,8 @@ inline void report(const Distance_case& c, const Findings& findings, std::uint64
 
 struct Counts
 {
-  std::size_t surfaces = 0, no_surfaces = 0, compared = 0, with_digits = 0, certified = 0, faults = 0;
+  std::size_t surfaces = 0, no_surfaces = 0, sources = 0, distances = 0, compared = 0, with_digits = 0, certified = 0,
+              faults = 0;
   double worst_error = 0., worst_violation = 0.;
 };
 
@@ -441,9 +442,11 @@ inline Distance_case case_of_seed(std::uint64_t seed, const hostile_cases::Famil
   return c;
 }
 
-inline void count(const Findings& findings, Counts& counts)
+inline void count(const Distance_case& c, const Findings& findings, Counts& counts)
 {
   ++(findings.is_surface ? counts.surfaces : counts.no_surfaces);
+  counts.sources += findings.is_surface ? c.sources.size() : 0;
+  counts.distances += findings.is_compared ? c.surface.mesh.points.size() : 0;
   counts.compared += findings.is_compared;
   counts.with_digits += findings.needs_digits;
   counts.certified += findings.is_surface && findings.worst_violation <= Certificate::default_tolerance;
@@ -455,16 +458,25 @@ inline void count(const Findings& findings, Counts& counts)
 inline void print(const std::vector<Counts>& counts, const hostile_cases::Families& families)
 {
   std::cout << std::left << std::setw(18) << "family" << std::right << std::setw(10) << "surfaces" << std::setw(10)
-            << "none" << std::setw(10) << "compared" << std::setw(10) << "digits" << std::setw(10) << "certified"
-            << std::setw(10) << "faults" << std::setw(14) << "worst error" << std::setw(14) << "violation" << "\n";
+            << "none" << std::setw(10) << "sources" << std::setw(10) << "compared" << std::setw(10) << "distances"
+            << std::setw(10) << "digits" << std::setw(10) << "certified" << std::setw(10) << "faults"
+            << std::setw(14) << "worst error" << std::setw(14) << "violation" << "\n";
+  Counts sum;
   for(std::size_t i = 0; i < counts.size(); ++i)
   {
     const Counts& c = counts[i];
+    sum.surfaces += c.surfaces;
+    sum.sources += c.sources;
+    sum.distances += c.distances;
+    sum.faults += c.faults;
     std::cout << std::left << std::setw(18) << families[i].name << std::right << std::setw(10)
-              << c.surfaces << std::setw(10) << c.no_surfaces << std::setw(10) << c.compared << std::setw(10)
-              << c.with_digits << std::setw(10) << c.certified << std::setw(10) << c.faults << std::setw(14)
-              << c.worst_error << std::setw(14) << c.worst_violation << "\n";
+              << c.surfaces << std::setw(10) << c.no_surfaces << std::setw(10) << c.sources << std::setw(10)
+              << c.compared << std::setw(10) << c.distances << std::setw(10) << c.with_digits << std::setw(10)
+              << c.certified << std::setw(10) << c.faults << std::setw(14) << c.worst_error << std::setw(14)
+              << c.worst_violation << "\n";
   }
+  std::cout << sum.surfaces << " surfaces, " << sum.sources << " sources, " << sum.distances
+            << " distances compared with those of a referee, " << sum.faults << " faults" << std::endl;
 }
 
 // Surface number i depends on the seed plus i alone.
@@ -483,7 +495,7 @@ distances_on_hostile_surfaces(std::size_t number, std::uint64_t seed, const std:
     const Distance_case c = case_of_seed(s, families);
     const Findings findings = examine(c);
     ++test_support::state().number_of_checks;
-    count(findings, counts[s % counts.size()]);
+    count(c, findings, counts[s % counts.size()]);
     if(!findings.fault.empty())
     {
       report(c, findings, s, folder);

@@ -53,6 +53,8 @@ printf 'OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n' > no_faces.off
 printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 1\n' > vertex_twice.off
 printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n2 0 1\n' > two_corners.off
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 7\n' > no_vertex.obj
+printf '%s\n' OFF '5 5 0' '0 0 0' '1 0 0' '0 1 0' '0 0 1' '1 1 1' '3 0 1 2' '3 1 3 2' '3 2 3 4' '3 3 0 4' '3 4 0 1' \
+  > moebius.off # a strip without orientation
 "$program" distances "$grid" --source 0 --isolines 0 -o whole.ply
 head -c 700 whole.ply > half.ply
 header=$(($(grep --text --byte-offset --only-matching end_header whole.ply | cut -d: -f1) + 11)) # its bytes
@@ -96,6 +98,7 @@ refuses 3 "half.ply: " info half.ply
 refuses 3 "half.stl: " info half.stl
 refuses 3 "nan.ply: a coordinate of vertex" info nan.ply
 refuses 3 "$data/edge_three_faces.off: face 1 does not fit" info "$data/edge_three_faces.off"
+refuses 3 "moebius.off: face 4 does not fit" info moebius.off
 refuses 3 "none of .off, .obj, .ply, .stl, .ts" info "$man_page"
 
 # --- output -----------------------------------------------------------------------------------------------------------
