@@ -1,6 +1,5 @@
 // test_fuzz_distances.cpp with many more surfaces. Arguments: the number of surfaces, the seed, and the folder into
-// which cases that fail are written; or --case and the name of such a case, without .off, which is examined again. With
-// --no-height before them, the surfaces are such that many faces have no height.
+// which cases that fail are written; or --case and the name of such a case, without .off, which is examined again.
 
 #include "distance_fuzzing.h"
 #include "test_support.h"
@@ -31,15 +30,10 @@ int main(int argc, char** argv)
   {
     return examine_file(argv[2]);
   }
-  const bool has_no_height = argc > 1 && std::string(argv[1]) == "--no-height";
-  argc -= has_no_height;
-  argv += has_no_height;
   const std::size_t number = argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 100000;
   const std::uint64_t seed = test_support::announce_seed(argc > 2 ? std::strtoul(argv[2], nullptr, 10) : 1);
   const std::size_t number_not_oriented = (std::min)(number, std::size_t(1000));
   CHECK_EQUAL(distance_fuzzing::number_refused(number_not_oriented, seed), number_not_oriented);
-  distance_fuzzing::distances_on_hostile_surfaces(number, seed, argc > 3 ? argv[3] : ".",
-                                                  has_no_height ? hostile_cases::family_without_height()
-                                                                : hostile_cases::families());
+  distance_fuzzing::distances_on_hostile_surfaces(number, seed, argc > 3 ? argv[3] : ".");
   return test_result();
 }

@@ -45,7 +45,7 @@ using Condition = Certificate::Condition;
 using Lengths = Mesh::Property_map<Mesh::Edge_index, double>;
 
 // Relative to the distance: what double may err by. Points that are nearer to each other than a few units of rounding
-// of the extent of the surface are not told apart.
+// of the extent of the surface are not told apart; each source in a face rounds the places in it once more.
 const double tolerance = 1e-12;
 const double tolerance_of_extent = 8 * std::numeric_limits<double>::epsilon();
 
@@ -254,12 +254,34 @@ inline double relative_error(double number, double right, double extent)
   return std::isfinite(error) && right >= 0. ? (error > 0. ? error / right : 0.) : infinity;
 }
 
-// The distances, and those from the sources that are told to be the nearest ones, against a referee. Negative if there
+// Faces without height, given by lengths. The cones of the search by edge sequences have no width behind them, so that
+// it may miss paths.
+inline bool may_the_referee_miss_paths(const Distance_case& c)
+{
+  for(std::size_t f = 0; f < c.surface.edges.size() && !c.has_points; ++f)
+  {
+    double longest = 0., sum = 0.;
+    for(std::size_t k = 0; k < 3; ++k)
+    {
+      longest = (std::max)(longest, c.surface.length(f, k));
+      sum += c.surface.length(f, k);
+    }
+    if(!(sum - 2. * longest > 0x1p-40 * longest))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+// The distances, and those from the sources that are told to be the nearest ones, against a referee: where it may miss
+// paths, they are not to be longer than its own (that they are not too short, the certificate tells). Negative if there
 // is none.
 template <class FT>
 double error_against_referee(const Distance_case& c, const Input& input)
 {
   const double extent = extent_of(c);
+  const bool may_be_shorter = may_the_referee_miss_paths(c);
   std::vector<std::vector<FT>> from_source;
   for(const Numbered_source& s : c.sources)
   {
@@ -278,18 +300,18 @@ double error_against_referee(const Distance_case& c, const Input& input)
       right = (std::min)(right, FT(from_source[i][v] + FT(c.sources[i].offset)));
     }
     const double d = input.distance[vertex(v)], r = static_cast<double>(right);
-    worst = (std::max)(worst, relative_error(d, r, extent));
+    worst = (std::max)(worst, may_be_shorter && d < r ? 0. : relative_error(d, r, extent));
     const std::size_t nearest = input.options.nearest_source_map[vertex(v)];
-    if(std::isfinite(r))
+    if(!std::isfinite(r))
+    {
+      worst = nearest != input.options.no_source ? infinity : worst;
+    }
+    else if(!may_be_shorter)
     {
       const double from_nearest
         = nearest < c.sources.size() ? static_cast<double>(FT(from_source[nearest][v] + FT(c.sources[nearest].offset)))
                                      : infinity;
       worst = (std::max)(worst, relative_error(from_nearest, r, extent));
-    }
-    else if(nearest != input.options.no_source)
-    {
-      worst = infinity;
     }
   }
   return worst;

@@ -285,13 +285,8 @@ inline Families families()
           {"exact ties", exact_ties},             {"nearly flat", nearly_flat},
           {"pinched vertices", pinched_vertices}, {"holes", holes},
           {"components", several_components},     {"scales", any_scale},
-          {"random lengths", random_lengths},     {"random gluings", random_gluing}};
-}
-
-// Asked for by its name only: there, some paths cannot be traced, and the referee may err as well.
-inline Families family_without_height()
-{
-  return {{"no height", faces_without_height}};
+          {"random lengths", random_lengths},     {"random gluings", random_gluing},
+          {"no height", faces_without_height}};
 }
 
 // A rectangle whose sides are identified, one pair of them the wrong way round: a Moebius strip, a Klein bottle, or a
