@@ -379,6 +379,36 @@ void faults_of_many_vertices_are_found()
   }
 }
 
+// What is nothing beside one component may be all of another.
+void small_components_count()
+{
+  test_support::Scope scope("small component");
+  Indexed_mesh both = flat_patch(6, 6, .2, true, 3);
+  const Indexed_mesh other = flat_patch(6, 6, .2, true, 4);
+  const std::size_t n = both.points.size();
+  for(const Coordinates& p : other.points)
+  {
+    both.points.push_back(1e20 * (p + Coordinates{0., 0., 5.}));
+  }
+  for(const Triangle& t : other.faces)
+  {
+    both.faces.push_back({t[0] + n, t[1] + n, t[2] + n});
+  }
+  Mesh tm = to_face_graph(both);
+  Distance_map map = add_distances(tm);
+  SMG::geodesic_distances(tm, map, vertex(0));
+  check_certified(SMG::certify_geodesic_distances(tm, map, vertex(0)));
+  for(const double factor : {2., .5, 0.})
+  {
+    for(std::size_t v = 0; v < n; ++v)
+    {
+      map[vertex(v)] *= factor;
+    }
+    CHECK(!SMG::certify_geodesic_distances(tm, map, vertex(0)).is_certified());
+    SMG::geodesic_distances(tm, map, vertex(0));
+  }
+}
+
 void invalid_input_is_refused()
 {
   test_support::Scope scope("invalid input");
@@ -596,6 +626,7 @@ int main()
   hostile_meshes_are_certified(1000, seed);
   each_fault_is_found_where_it_is(seed);
   faults_of_many_vertices_are_found();
+  small_components_count();
   invalid_input_is_refused();
   bounds_that_are_too_long_are_no_bounds();
   missing_windows_are_missed();

@@ -31,8 +31,8 @@ violate each of several conditions, and where.
 
 A violation is relative: what a number is too large or too small by, divided by the sum of the right number and the
 longest edge of the faces around. It is infinite where a number is missing, infinite or not a number and must not be.
-What is too large or too small by less than \f$ 8 \epsilon \approx 1.8 \cdot 10^{-15} \f$ of the extent of the mesh is
-no violation, as points so near to each other are not told apart.
+What is too large or too small by less than \f$ 8 \epsilon \approx 1.8 \cdot 10^{-15} \f$ of the longest edge of the
+component is no violation, as points so near to each other are not told apart.
 
 An object holds numbers and descriptors; it is valid as long as the mesh does not change. All functions take constant
 time, throw nothing, and may be called by several threads at once.

@@ -123,14 +123,14 @@ private:
     result[CHECKED_LOWER_BOUNDS] = checks.check_lower_bounds(field.distance, limit);
     Lower_bound_check<FT> proof(m_surface.mesh(), field.distance, windows);
     result[CHECKED_PROOF] = proof.run();
-    result[CHECKED_PROOF].look_at(check_bounds_at_sources(field));
+    result[CHECKED_PROOF].look_at(check_bounds_at_sources(field, checks));
   }
 
-  Worst_violation<FT> check_bounds_at_sources(const Field& field) const
+  Worst_violation<FT> check_bounds_at_sources(const Field& field, const Distance_checks<FT>& checks) const
   {
     Worst_violation<FT> worst;
     for(const std::pair<Vertex_id, FT>& s : m_sources)
-      worst.look_at(field.distance[s.first] - s.second, field.distance[s.first], s.first);
+      worst.look_at(field.distance[s.first] - s.second, field.distance[s.first], checks.extent(s.first), s.first);
     return worst;
   }
 

@@ -22,6 +22,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/Straight_piece.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Worst_violation.h>
+#include <CGAL/Surface_mesh_geodesics/internal/component_extents.h>
 #include <CGAL/Surface_mesh_geodesics/internal/path_tracing.h>
 #include <CGAL/Surface_mesh_geodesics/internal/planar_geometry.h>
 
@@ -49,7 +50,8 @@ public:
   // sources at each vertex, or infinity. Both are set by the caller before any check.
   Distance_checks(const Mesh& mesh, std::size_t number_of_values)
     : values(mesh.number_of_vertices(), infinity()), offsets(mesh.number_of_vertices(), infinity()), m_mesh(mesh),
-      m_number_of_values(number_of_values), m_scale(mesh.number_of_vertices(), FT(0))
+      m_number_of_values(number_of_values), m_scale(mesh.number_of_vertices(), FT(0)),
+      m_extent(component_extents(mesh))
   {
     for(Face_id f = 0; f < mesh.number_of_faces(); ++f)
       for(const Vertex_id v : mesh.face(f).vertex)
@@ -64,7 +66,7 @@ public:
     Violation worst;
     for(Vertex_id v = 0; v < m_number_of_values; ++v)
       if(offsets[v] < infinity())
-        worst.look_at(values[v] - offsets[v], values[v] + m_scale[v], v);
+        worst.look_at(values[v] - offsets[v], values[v] + m_scale[v], m_extent[v], v);
     return worst;
   }
 
@@ -79,7 +81,7 @@ public:
       const bool is_finite = values[v] >= 0 && values[v] <= limit * (1 + Tolerance<FT>::path()) && !is_infinite;
       const bool is_right
         = is_connected[v] != 0 ? (is_finite || (is_infinite && limit < infinity())) : is_infinite;
-      worst.look_at(is_right ? FT(0) : infinity(), FT(1), v);
+      worst.look_at(is_right ? FT(0) : infinity(), FT(1), FT(1), v);
     }
     return worst;
   }
@@ -127,7 +129,7 @@ public:
     Violation worst;
     for(Vertex_id v = 0; v < m_number_of_values; ++v)
       if(!is_beyond(v, bounds[v], limit) && bounds[v] < infinity())
-        worst.look_at(values[v] - bounds[v], bounds[v] + m_scale[v], v);
+        worst.look_at(values[v] - bounds[v], bounds[v] + m_scale[v], m_extent[v], v);
     return worst;
   }
 
@@ -145,10 +147,13 @@ public:
       const FT length = tracer.trace_from_vertex(v, path) ? length_to_source(path) : infinity();
       if(is_beyond(v, length, limit))
         continue;
-      worst.look_at(length < values[v] ? FT(values[v] - length) : FT(length - values[v]), length + m_scale[v], v);
+      worst.look_at(length < values[v] ? FT(values[v] - length) : FT(length - values[v]), length + m_scale[v], m_extent[v], v);
     }
     return worst;
   }
+
+  // The longest edge of the component of a vertex.
+  const FT& extent(Vertex_id v) const { return m_extent[v]; }
 
   // The value of v against its distance from the sources, computed the other way round.
   void look_at_reverse(Vertex_id v, const Vertex_distance_field<FT>& field_of_v, const FT& limit,
@@ -160,7 +165,7 @@ public:
         reverse = (std::min)(reverse, FT(offsets[s] + field_of_v.distance[s]));
     if(is_beyond(v, reverse, limit) || (!(values[v] < infinity()) && !(reverse < infinity())))
       return;
-    worst.look_at(reverse < values[v] ? FT(values[v] - reverse) : FT(reverse - values[v]), reverse + m_scale[v], v);
+    worst.look_at(reverse < values[v] ? FT(values[v] - reverse) : FT(reverse - values[v]), reverse + m_scale[v], m_extent[v], v);
   }
 
   // The length of a path on the surface, from its first vertex to a source, and the offset of the source; infinity if
@@ -207,32 +212,17 @@ private:
     const FT value = value_on_the_way(from), d = value + length;
     if(to >= m_number_of_values || !(value >= 0 && value < infinity()) || is_beyond(to, d, limit))
       return;
-    worst.look_at(values[to] - d, d + m_scale[to], to);
+    worst.look_at(values[to] - d, d + m_scale[to], m_extent[to], to);
   }
 
   std::vector<char> vertices_connected_to_sources() const
   {
     std::vector<char> is_connected(m_mesh.number_of_vertices(), 0);
-    std::vector<Vertex_id> stack;
-    auto visit = [&](Vertex_id v)
-    {
-      if(is_connected[v] == 0)
-        stack.push_back(v);
-      is_connected[v] = 1;
-    };
+    std::vector<Vertex_id> sources;
     for(Vertex_id v = 0; v < offsets.size(); ++v)
       if(offsets[v] < infinity())
-        visit(v);
-    while(!stack.empty())
-    {
-      const Vertex_id v = stack.back();
-      stack.pop_back();
-      m_mesh.for_each_halfedge_around(v, [&](Halfedge_id h)
-      {
-        visit(m_mesh.target(h));
-        visit(m_mesh.source(previous_halfedge(h)));
-      });
-    }
+        sources.push_back(v);
+    for_each_connected_vertex(m_mesh, std::move(sources), is_connected, [](Vertex_id) {});
     return is_connected;
   }
 
@@ -267,7 +257,8 @@ private:
 
   const Mesh& m_mesh;
   std::size_t m_number_of_values;
-  std::vector<FT> m_scale; // the longest edge of the faces around a vertex
+  std::vector<FT> m_scale;  // the longest edge of the faces around a vertex
+  std::vector<FT> m_extent; // the longest edge of the component of a vertex
 };
 
 } // namespace internal

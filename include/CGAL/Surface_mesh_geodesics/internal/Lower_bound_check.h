@@ -29,6 +29,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/Edge_window_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Worst_violation.h>
+#include <CGAL/Surface_mesh_geodesics/internal/component_extents.h>
 
 #include <algorithm>
 #include <array>
@@ -52,7 +53,7 @@ public:
 
   // `distance` is that of all vertices.
   Lower_bound_check(const Mesh& mesh, const std::vector<FT>& distance, const Edge_window_field<FT>& windows)
-    : m_mesh(mesh), m_distance(distance), m_windows(windows)
+    : m_mesh(mesh), m_distance(distance), m_windows(windows), m_extent(component_extents(mesh))
   {
     make_functions();
   }
@@ -257,7 +258,10 @@ private:
 
   static FT abs_difference(const FT& a, const FT& b) { return a < b ? FT(b - a) : FT(a - b); }
 
-  void look_at(const FT& excess, const FT& value, Vertex_id v) { m_worst.look_at(excess, value + m_scale, v); }
+  void look_at(const FT& excess, const FT& value, Vertex_id v)
+  {
+    m_worst.look_at(excess, value + m_scale, m_extent[v], v);
+  }
 
   void check_pieces(const Line& side, Vertex_id near, Vertex_id far)
   {
@@ -340,7 +344,8 @@ private:
   std::vector<Piece> m_pieces;
   std::vector<std::size_t> m_begin, m_size; // by halfedge: the first one of an edge has its pieces
   std::vector<Piece> m_from, m_to;
-  FT m_scale = 0; // the longest edge of the face that is checked
+  std::vector<FT> m_extent; // the longest edge of the component of a vertex
+  FT m_scale = 0;           // the longest edge of the face that is checked
   Worst_violation<FT> m_worst;
 };
 

@@ -32,11 +32,11 @@ struct Worst_violation
   std::size_t number_of_checks = 0;
 
   // a condition that is violated by `excess` if that is positive, where lengths are about `scale`. What cannot be told
-  // from zero beside the extent of the mesh, which is about 1, is no violation.
-  void look_at(const FT& excess, const FT& scale, Vertex_id v)
+  // from zero beside the extent of the component is no violation.
+  void look_at(const FT& excess, const FT& scale, const FT& extent, Vertex_id v)
   {
     ++number_of_checks;
-    if(excess <= Tolerance<FT>::gap())
+    if(excess <= Tolerance<FT>::gap() * extent)
       return;
     const FT relative = excess / scale;
     // (also where the excess is not a number)
