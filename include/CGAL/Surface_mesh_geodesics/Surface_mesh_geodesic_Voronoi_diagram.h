@@ -521,7 +521,7 @@ public:
   std::size_t number_of_sites() const { return m_sites.size(); }
 
   /// returns the place of a site, in a face around it if it is a vertex; the face is the null face for a vertex without
-  /// faces.
+  /// faces, and for what is no vertex of the mesh.
   ///
   /// \param i the number of the site
   /// \pre `i < number_of_sites()`
@@ -529,7 +529,12 @@ public:
   {
     CGAL_precondition_msg(i < m_sites.size(), "there is no site with this number");
     const Site& s = m_sites[i];
-    return s.is_vertex ? Paths::face_location(s.vertex, m_tm, m_traits) : s.location;
+    if(!s.is_vertex)
+      return s.location;
+    // (What is no vertex is refused by build(), which need not have been called.)
+    return Surface_mesh_geodesics::internal::is_vertex_of(s.vertex, m_tm, m_vertex_index_map)
+             ? Paths::face_location(s.vertex, m_tm, m_traits)
+             : Face_location(Graph_traits::null_face(), coordinates({0., 0., 0.}));
   }
 
   /// returns the weight of a site, in the unit of the mesh.
@@ -857,7 +862,7 @@ public:
   {
     check(i);
     const std::array<double, 3> c = measures().centroid(cell_vertex(i));
-    return std::isfinite(c[0]) ? Point_3(c[0], c[1], c[2]) : point(site(i));
+    return std::isfinite(c[0]) ? Point_3(c[0], c[1], c[2]) : point_of_site(i);
   }
 
   /// returns the vertex of the mesh, among those in the cell, that is nearest in space to the centroid of the cell; the
@@ -1052,15 +1057,19 @@ private:
     m_edges.clear();
   }
 
-  // gives the mesh, unless it is known, and the sites to a solver.
+  // 0 without sites.
+  double largest_weight() const
+  {
+    double largest = m_sites.empty() ? 0. : CGAL::to_double(m_sites.front().weight);
+    for(const Site& s : m_sites)
+      largest = (std::max)(largest, CGAL::to_double(s.weight));
+    return largest;
+  }
+
+  // gives the mesh, unless it is known, and the sites to a solver; the largest weight is known. (It is not set here:
+  // other threads may read it while this one prepares the solver for distances.)
   void prepare(Solver& solver) const
   {
-    m_largest_weight = 0;
-    for(std::size_t i = 0; i < m_sites.size(); ++i)
-    {
-      const double w = CGAL::to_double(m_sites[i].weight);
-      m_largest_weight = i == 0 ? w : (std::max)(m_largest_weight, w);
-    }
     if(!solver.has_mesh())
       m_build_mesh(solver);
     solver.begin_sources();
@@ -1078,6 +1087,7 @@ private:
   template <typename Visitor>
   bool propagate_for_diagram(Visitor& visitor) const
   {
+    m_largest_weight = largest_weight();
     prepare(m_solver);
     Removal removal;
     const auto start = [&]
@@ -1290,6 +1300,13 @@ private:
     const vertex_descriptor user = m_solver.user_vertex(v);
     return user != Graph_traits::null_vertex() ? Point_3(get(m_vertex_point_map, user))
                                                : point(site(m_solver.source_at(v)));
+  }
+
+  // also of a vertex that is in no face.
+  Point_3 point_of_site(Site_index i) const
+  {
+    const Site& s = m_sites[i];
+    return s.is_vertex ? Point_3(get(m_vertex_point_map, s.vertex)) : point(s.location);
   }
 
   std::array<double, 3> weights(const Barycentric_coordinates& location) const
