@@ -229,6 +229,11 @@ void test_invalid_input()
     CHECK(diagram.site(i).first == boost::graph_traits<Mesh>::null_face());
   }
 
+  diagram.clear();
+  diagram.add_site(vertex(0), -1e308);
+  diagram.add_site(vertex(1), 1e308);
+  check_throws(Reason::INVALID_OFFSET, [&] { diagram.build(); });
+
   const std::vector<std::pair<Reason, Weighted_site>> invalid = {
     {Reason::INVALID_DESCRIPTOR, Weighted_site(vertex(100))},
     {Reason::INVALID_LOCATION, Weighted_site(Face_location(face(0), {2., -.5, -.5}))},

@@ -81,7 +81,9 @@ it is known that no curve crosses their face \cgalCite{qin2017voronoi}, and face
 the wavefront moves on. So the memory used is that of the wavefront and of the diagram itself.
 
 <b>Weights.</b> A site may have a weight \f$ w \f$: the distance of a point from it is the geodesic distance less
-\f$ w \f$, as in `Apollonius_graph_2`. A site in the cell of another site has an empty cell.
+\f$ w \f$, as in `Apollonius_graph_2`. A site in the cell of another site has an empty cell. Distances are propagated
+with the differences from the largest weight, and are exact relative to these: a very large weight in one component
+costs digits in the others. Differences have to be finite in `double`, also as multiples of the extent of the mesh.
 
 <b>Ties.</b> Of several sites with the same place and the same weight, the first one has the cell, and the others
 are empty. If two sites are equally far from a vertex at which shortest paths bend, whole regions may be equally far
@@ -1029,6 +1031,14 @@ private:
     return m_sites.size() - 1;
   }
 
+  static void check_offset(double offset, std::size_t i)
+  {
+    using Surface_mesh_geodesics::Invalid_geodesic_input;
+    if(!std::isfinite(offset))
+      throw Invalid_geodesic_input(Invalid_geodesic_input::Reason::INVALID_OFFSET,
+                                   "the weight of site " + std::to_string(i) + " is too far from the largest one", i);
+  }
+
   FT finite(const FT& weight) const
   {
     using Surface_mesh_geodesics::Invalid_geodesic_input;
@@ -1073,9 +1083,11 @@ private:
     if(!solver.has_mesh())
       m_build_mesh(solver);
     solver.begin_sources();
+    std::size_t i = 0;
     for(const Site& s : m_sites)
     {
       const double offset = m_largest_weight - CGAL::to_double(s.weight);
+      check_offset(offset / solver.unit(), i++);
       if(s.is_vertex)
         solver.add_source(s.vertex, offset);
       else
