@@ -8,6 +8,8 @@
 #include <CGAL/Polyhedron_items_with_id_3.h>
 #include <CGAL/boost/graph/helpers.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <thread>
 
@@ -220,7 +222,17 @@ void test_invalid_input()
   }
   CHECK_EQUAL(diagram.number_of_sites(), 0u);
   diagram.add_site(boost::graph_traits<Mesh>::null_vertex());
+  diagram.add_site(vertex(100));
   check_throws(Reason::INVALID_DESCRIPTOR, [&] { diagram.build(); });
+  for(std::size_t i = 0; i < 2; ++i)
+  {
+    CHECK(diagram.site(i).first == boost::graph_traits<Mesh>::null_face());
+  }
+
+  diagram.clear();
+  diagram.add_site(vertex(0), -1e308);
+  diagram.add_site(vertex(1), 1e308);
+  check_throws(Reason::INVALID_OFFSET, [&] { diagram.build(); });
 
   const std::vector<std::pair<Reason, Weighted_site>> invalid = {
     {Reason::INVALID_DESCRIPTOR, Weighted_site(vertex(100))},
@@ -288,6 +300,19 @@ void test_threads()
   {
     threads.emplace_back([&] { r = everything(diagram); });
   }
+  // distances at vertices are there earlier than those in faces, and do not change when these come
+  double largest_difference = 0;
+  threads.emplace_back([&]
+  {
+    for(int times = 0; times < 100; ++times)
+    {
+      for(const vertex_descriptor v : vertices(tm))
+      {
+        largest_difference = (std::max)(largest_difference, std::abs(diagram.distance_to_nearest_site(v)
+                                                                     - expected.distance_to_nearest_site(v)));
+      }
+    }
+  });
   for(std::thread& t : threads)
   {
     t.join();
@@ -296,6 +321,24 @@ void test_threads()
   {
     CHECK(r == values);
   }
+  CHECK_EQUAL(largest_difference, 0.);
+}
+
+// It has a cell without area, and no face to be in.
+void test_isolated_vertex()
+{
+  test_support::Scope scope("isolated vertex");
+  const Mesh tm = to_face_graph(two_components_and_an_isolated_vertex());
+  const vertex_descriptor isolated = vertex(num_vertices(tm) - 1);
+  Voronoi diagram(tm);
+  diagram.add_site(vertex(0));
+  diagram.add_site(isolated);
+  CHECK(diagram.site(1).first == boost::graph_traits<Mesh>::null_face());
+  CHECK_EQUAL(diagram.nearest_site(isolated), 1u);
+  CHECK_EQUAL(diagram.distance_to_nearest_site(isolated), 0.);
+  CHECK_EQUAL(diagram.area(1), 0.);
+  CHECK(diagram.centroid(1) == tm.point(isolated));
+  CHECK(diagram.central_vertex(1) == isolated);
 }
 
 // The same diagram with another class of meshes, another kernel, and maps of the user.
@@ -395,6 +438,7 @@ int main()
   test_parameters_of_arcs();
   test_invalid_input();
   test_threads();
+  test_isolated_vertex();
   test_maps();
   test_other_mesh<Kernel, CGAL::Polyhedron_3<Kernel, CGAL::Polyhedron_items_with_id_3>>("Polyhedron_3");
   using Exact_kernel = CGAL::Exact_predicates_exact_constructions_kernel;

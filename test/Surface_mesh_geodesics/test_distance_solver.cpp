@@ -88,6 +88,58 @@ struct Throwing_visitor : SMG::Geodesic_default_visitor
   int m_calls = 0;
 };
 
+struct Visitor_that_throws_at_an_end : SMG::Geodesic_default_visitor
+{
+  explicit Visitor_that_throws_at_an_end(bool is_first) : m_is_first(is_first) {}
+  void on_propagation_begin(std::size_t) const { throw_if(m_is_first); }
+  void on_propagation_end() const { throw_if(!m_is_first); }
+  static void throw_if(bool is_here)
+  {
+    if(is_here)
+    {
+      throw std::runtime_error("thrown at an end");
+    }
+  }
+  bool m_is_first;
+};
+
+// Whether anything has been computed before or not, nothing is known when the visitor has thrown.
+void visitors_throw_before_and_after_the_run()
+{
+  const Mesh tm = to_face_graph(icosphere(1));
+  for(const bool is_first : {true, false})
+  {
+    for(const bool has_results : {true, false})
+    {
+      Solver solver(tm);
+      if(has_results)
+      {
+        solver.compute_distances(vertex(3));
+      }
+      Visitor_that_throws_at_an_end visitor(is_first);
+      bool is_caught = false;
+      try
+      {
+        solver.compute_distances(vertex(0), Options(), visitor);
+      }
+      catch(const std::runtime_error&)
+      {
+        is_caught = true;
+      }
+      CHECK(is_caught);
+      CHECK(results(solver, tm) == std::vector<double>(num_vertices(tm), infinity));
+      check_vertices_reached(solver, tm);
+      for(const vertex_descriptor v : vertices(tm))
+      {
+        CHECK_EQUAL(solver.nearest_source(v), Options::no_source);
+      }
+      solver.compute_distances(vertex(1));
+      CHECK_EQUAL(solver.distance(vertex(1)), 0.);
+      CHECK_EQUAL(solver.nearest_source(vertex(2)), 0u);
+    }
+  }
+}
+
 // Computations that end in the middle, by a visitor or by bad input: nothing is known then.
 void check_broken_computations(Solver& solver, const Mesh& tm, test_support::Random& random)
 {
@@ -292,6 +344,7 @@ int main()
     check_many_computations(indexed, random);
   }
   work_depends_on_the_area_reached();
+  visitors_throw_before_and_after_the_run();
   other_maps_and_meshes(seed);
   return test_result();
 }

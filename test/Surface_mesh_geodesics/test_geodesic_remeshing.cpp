@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 #include <string>
 #include <vector>
@@ -188,6 +189,26 @@ void test_no_iterations()
   CHECK(is_caught && moved.empty());
 }
 
+// A site that is an isolated vertex stays there, and the scale of the mesh does not matter.
+void test_isolated_site()
+{
+  const Indexed_mesh indexed = two_components_and_an_isolated_vertex();
+  const vertex_descriptor isolated(static_cast<unsigned int>(indexed.points.size() - 1));
+  const std::vector<vertex_descriptor> sites = {vertex_descriptor(0), isolated, vertex_descriptor(50)};
+  std::vector<vertex_descriptor> expected;
+  for(const int exponent : {0, 600, -600})
+  {
+    test_support::Scope scope("isolated site, scale 2^" + std::to_string(exponent));
+    const Mesh mesh = to_face_graph(scaled(indexed, std::ldexp(1., exponent)));
+    std::vector<vertex_descriptor> moved;
+    Geodesics::geodesic_Lloyd_relaxation(mesh, sites, 3, std::back_inserter(moved));
+    CHECK(moved.size() == 3 && moved[1] == isolated);
+    if(exponent == 0)
+      expected = moved;
+    CHECK(moved == expected);
+  }
+}
+
 } // namespace
 
 int main()
@@ -195,6 +216,7 @@ int main()
   const std::uint64_t seed = test_support::announce_seed(20260402);
   test_reports();
   test_no_iterations();
+  test_isolated_site();
   test_relaxation(seed);
   test_remeshing(seed);
   return test_result();

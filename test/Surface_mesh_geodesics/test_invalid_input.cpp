@@ -371,6 +371,13 @@ void bad_offsets_are_refused()
   refuse({0., -infinity, 1.}, 1, "minus infinite offset");
   refuse({0., 1.}, any_element, "too few offsets");
   refuse({0., 1., 2., 3.}, any_element, "too many offsets");
+  const Mesh tiny = to_face_graph(scaled(icosphere(1), 1e-100));
+  expect_refusal(tiny, Reason::INVALID_OFFSET, 1, "offset that is infinite in the unit of the mesh",
+                 [&](auto distance_map, auto) {
+    Options options;
+    options.source_offsets = {0., 1e300, 1.};
+    SMG::geodesic_distances(tiny, distance_map, sources, options);
+  });
   expect_refusal(tm, Reason::INVALID_OFFSET, any_element, "offset of an empty range", [&](auto distance_map, auto) {
     Options options;
     options.source_offsets = {1.};

@@ -315,6 +315,21 @@ void print_table()
   std::cout << std::defaultfloat << std::setprecision(6);
 }
 
+// A flat mesh that is so far away that its distance, in the unit of the mesh, is no finite number: it is parallel to a
+// plane of the axes then.
+void flat_mesh_far_away(std::uint64_t seed)
+{
+  test_support::Scope scope("flat mesh far away");
+  const Indexed_mesh tiny = scaled(flat_patch(5, 7, .3, true, seed), std::ldexp(1., -700));
+  const Mesh near = to_face_graph(tiny);
+  const Mesh far = to_face_graph(transformed(tiny, "far", [](const Coordinates& p) {
+    return Coordinates{p[0], p[1], std::ldexp(-1., 700)};
+  }));
+  const std::vector<double> expected = distances(near, vertex(0));
+  CHECK(expected.back() > 0 && expected.back() < 1e-200);
+  CHECK(distances(far, vertex(0)) == expected);
+}
+
 } // namespace
 
 int main()
@@ -338,6 +353,7 @@ int main()
     });
     rounding_is_all(indexed, moved, 1., q, "moved by 1e6");
   }
+  flat_mesh_far_away(seed);
   print_table();
   return test_result();
 }

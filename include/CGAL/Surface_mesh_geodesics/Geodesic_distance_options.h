@@ -71,7 +71,8 @@ struct Geodesic_distance_options
   /// distances are computed.
   std::vector<vertex_descriptor> targets;
 
-  /// empty, or one number for each source, finite and not negative, in the unit of the mesh. It is
+  /// empty, or one number for each source, finite (also as a multiple of the extent of the mesh) and not negative, in
+  /// the unit of the mesh. It is
   /// added to all distances from that source. A source that another one reaches with a distance
   /// smaller than its own offset is the nearest source of no vertex.
   std::vector<double> source_offsets;

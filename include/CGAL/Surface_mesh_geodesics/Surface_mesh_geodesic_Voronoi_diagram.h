@@ -81,7 +81,9 @@ it is known that no curve crosses their face \cgalCite{qin2017voronoi}, and face
 the wavefront moves on. So the memory used is that of the wavefront and of the diagram itself.
 
 <b>Weights.</b> A site may have a weight \f$ w \f$: the distance of a point from it is the geodesic distance less
-\f$ w \f$, as in `Apollonius_graph_2`. A site in the cell of another site has an empty cell.
+\f$ w \f$, as in `Apollonius_graph_2`. A site in the cell of another site has an empty cell. Distances are propagated
+with the differences from the largest weight, and are exact relative to these: a very large weight in one component
+costs digits in the others. Differences have to be finite in `double`, also as multiples of the extent of the mesh.
 
 <b>Ties.</b> Of several sites with the same place and the same weight, the first one has the cell, and the others
 are empty. If two sites are equally far from a vertex at which shortest paths bend, whole regions may be equally far
@@ -521,7 +523,7 @@ public:
   std::size_t number_of_sites() const { return m_sites.size(); }
 
   /// returns the place of a site, in a face around it if it is a vertex; the face is the null face for a vertex without
-  /// faces.
+  /// faces, and for what is no vertex of the mesh.
   ///
   /// \param i the number of the site
   /// \pre `i < number_of_sites()`
@@ -529,7 +531,12 @@ public:
   {
     CGAL_precondition_msg(i < m_sites.size(), "there is no site with this number");
     const Site& s = m_sites[i];
-    return s.is_vertex ? Paths::face_location(s.vertex, m_tm, m_traits) : s.location;
+    if(!s.is_vertex)
+      return s.location;
+    // (What is no vertex is refused by build(), which need not have been called.)
+    return Surface_mesh_geodesics::internal::is_vertex_of(s.vertex, m_tm, m_vertex_index_map)
+             ? Paths::face_location(s.vertex, m_tm, m_traits)
+             : Face_location(Graph_traits::null_face(), coordinates({0., 0., 0.}));
   }
 
   /// returns the weight of a site, in the unit of the mesh.
@@ -857,7 +864,7 @@ public:
   {
     check(i);
     const std::array<double, 3> c = measures().centroid(cell_vertex(i));
-    return std::isfinite(c[0]) ? Point_3(c[0], c[1], c[2]) : point(site(i));
+    return std::isfinite(c[0]) ? Point_3(c[0], c[1], c[2]) : point_of_site(i);
   }
 
   /// returns the vertex of the mesh, among those in the cell, that is nearest in space to the centroid of the cell; the
@@ -1024,6 +1031,14 @@ private:
     return m_sites.size() - 1;
   }
 
+  static void check_offset(double offset, std::size_t i)
+  {
+    using Surface_mesh_geodesics::Invalid_geodesic_input;
+    if(!std::isfinite(offset))
+      throw Invalid_geodesic_input(Invalid_geodesic_input::Reason::INVALID_OFFSET,
+                                   "the weight of site " + std::to_string(i) + " is too far from the largest one", i);
+  }
+
   FT finite(const FT& weight) const
   {
     using Surface_mesh_geodesics::Invalid_geodesic_input;
@@ -1052,21 +1067,27 @@ private:
     m_edges.clear();
   }
 
-  // gives the mesh, unless it is known, and the sites to a solver.
+  // 0 without sites.
+  double largest_weight() const
+  {
+    double largest = m_sites.empty() ? 0. : CGAL::to_double(m_sites.front().weight);
+    for(const Site& s : m_sites)
+      largest = (std::max)(largest, CGAL::to_double(s.weight));
+    return largest;
+  }
+
+  // gives the mesh, unless it is known, and the sites to a solver; the largest weight is known. (It is not set here:
+  // other threads may read it while this one prepares the solver for distances.)
   void prepare(Solver& solver) const
   {
-    m_largest_weight = 0;
-    for(std::size_t i = 0; i < m_sites.size(); ++i)
-    {
-      const double w = CGAL::to_double(m_sites[i].weight);
-      m_largest_weight = i == 0 ? w : (std::max)(m_largest_weight, w);
-    }
     if(!solver.has_mesh())
       m_build_mesh(solver);
     solver.begin_sources();
+    std::size_t i = 0;
     for(const Site& s : m_sites)
     {
       const double offset = m_largest_weight - CGAL::to_double(s.weight);
+      check_offset(offset / solver.unit(), i++);
       if(s.is_vertex)
         solver.add_source(s.vertex, offset);
       else
@@ -1078,6 +1099,7 @@ private:
   template <typename Visitor>
   bool propagate_for_diagram(Visitor& visitor) const
   {
+    m_largest_weight = largest_weight();
     prepare(m_solver);
     Removal removal;
     const auto start = [&]
@@ -1290,6 +1312,13 @@ private:
     const vertex_descriptor user = m_solver.user_vertex(v);
     return user != Graph_traits::null_vertex() ? Point_3(get(m_vertex_point_map, user))
                                                : point(site(m_solver.source_at(v)));
+  }
+
+  // also of a vertex that is in no face.
+  Point_3 point_of_site(Site_index i) const
+  {
+    const Site& s = m_sites[i];
+    return s.is_vertex ? Point_3(get(m_vertex_point_map, s.vertex)) : point(s.location);
   }
 
   std::array<double, 3> weights(const Barycentric_coordinates& location) const

@@ -85,7 +85,9 @@ Lengths and distances have the unit of the coordinates of the points, or of the 
 - <em>Numbers.</em> All is computed in `double`, whatever the number type of the traits is: coordinates are rounded
   with `CGAL::to_double()`, and results are numbers of type `double`, converted to `FT`. The points of a path are
   constructed with the traits. `locate()` returns a point of the longest side for a face whose height is lost in
-  rounding, instead of coordinates that are not numbers.
+  rounding, instead of coordinates that are not numbers. As it computes with the trees and the kernel of \cgal, which
+  multiply four lengths, it needs faces between some \f$ 10^{-75} \f$ and \f$ 10^{75} \f$ in size, unlike all else:
+  its answers are wrong for others. Scale such a mesh by a power of two, which changes no bit of a location.
 - <em>Iterators to source points</em> stay valid when the structure is built again, unless their point has been
   removed. Their types `pointer` and `reference` are those of constants, as the operators return them, and there is a
   `difference_type`. `add_source_points()` takes input iterators, and returns `source_points_end()` for an empty

@@ -90,6 +90,9 @@ public:
     return true;
   }
 
+  // From now on no vertex has been reached.
+  void forget() { m_limit = -1; }
+
   // The distance of a vertex, infinity if it was not reached or is not final.
   FT distance(Vertex_id v) const
   {

@@ -115,7 +115,13 @@ public:
                                    std::to_string(offsets.size()) + " offsets for "
                                      + std::to_string(set.vertices.size()) + " sources");
     for(const double offset : offsets)
+    {
       set.offsets.push_back(FT(FT(offset) / unit()));
+      if(!(set.offsets.back() < Vertex_distance_field<FT>::infinity()))
+        throw Invalid_geodesic_input(Invalid_geodesic_input::Reason::INVALID_OFFSET,
+                                     "the offset of source " + std::to_string(set.offsets.size() - 1)
+                                       + " is too large for a mesh of this extent", set.offsets.size() - 1);
+    }
     return set;
   }
 
@@ -194,6 +200,7 @@ public:
     limits.first_target = targets.data();
     limits.last_target = targets.data() + targets.size();
 
+    Unfinished_run unfinished{&m_runner};
     const double unit = static_cast<double>(m_surface.unit());
     const bool is_complete = visited_run(visitor, m_surface.number_of_vertices(), [&](auto go_on)
     {
@@ -207,6 +214,7 @@ public:
       add_statistics(statistics, *options.statistics);
     }
     find_positions_of_sources(set);
+    unfinished.runner = nullptr;
     return is_complete;
   }
 
@@ -234,6 +242,20 @@ public:
   }
 
 private:
+  using Runner = Distance_runner<Propagation>;
+
+  // No vertex has been reached if a run is left by an exception, whatever part of it or of the visitor throws.
+  struct Unfinished_run
+  {
+    Runner* runner;
+
+    ~Unfinished_run()
+    {
+      if(runner != nullptr)
+        runner->forget();
+    }
+  };
+
   // Of the sources at one vertex, the first of those with the smallest offset counts.
   void find_positions_of_sources(const Source_set<FT>& set)
   {
@@ -252,7 +274,7 @@ private:
 
   Surface m_surface;
   Source_insertion<FT> m_insertion;
-  Distance_runner<Propagation> m_runner;
+  Runner m_runner;
   std::vector<std::pair<Vertex_id, std::size_t>> m_positions; // of sources, sorted by vertex
 };
 

@@ -124,9 +124,11 @@ public:
     }
     const int exponent = scaling_exponent(largest);
     const double factor = std::ldexp(1., -exponent);
+    // A coordinate that overflows is that of all vertices in faces: the next larger number would be farther away than
+    // the extent. Then any number does.
     for(std::array<double, 3>& p : m_points)
       for(double& x : p)
-        x *= factor;
+        x = std::isfinite(x * factor) ? x * factor : 0.;
     return exponent;
   }
 
