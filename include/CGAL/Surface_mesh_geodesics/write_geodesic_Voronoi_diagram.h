@@ -272,8 +272,8 @@ writes a geodesic Voronoi diagram to a file, with 17 digits, in the format that 
 
 \pre `tolerance > 0` and finite
 
-\throws Invalid_geodesic_input if the diagram has to be computed, and the mesh or a site is invalid. The file is empty
-        then.
+\throws Invalid_geodesic_input if the diagram has to be computed, and the mesh or a site is invalid. The file is not
+        touched then.
 
 \sa `write_geodesic_Voronoi_diagram_OBJ()`, `write_geodesic_Voronoi_diagram_PLY()`,
     `write_geodesic_Voronoi_diagram_VTK()`
@@ -285,6 +285,7 @@ bool write_geodesic_Voronoi_diagram(const std::string& filename, const Diagram& 
   const std::string end = n < 4 ? std::string() : filename.substr(n - 4);
   if(end != ".obj" && end != ".ply" && end != ".vtk")
     return false;
+  diagram.build(); // or throws, before the file is opened
   std::ofstream os(filename);
   os.precision(17);
   if(end == ".obj")
