@@ -243,7 +243,7 @@ inline double tolerance_of_proof(const Distance_case& c)
   return (std::min)((std::max)(usual_tolerance_of_proof, angle), largest_tolerance_of_proof);
 }
 
-// by how much a number is wrong, relative to the right one, beyond what the extent allows
+// by how much a number is wrong, relative to the right one, beyond what the extent (times the sources) allows
 inline double relative_error(double number, double right, double extent)
 {
   if(number == right)
@@ -280,7 +280,7 @@ inline bool may_the_referee_miss_paths(const Distance_case& c)
 template <class FT>
 double error_against_referee(const Distance_case& c, const Input& input)
 {
-  const double extent = extent_of(c);
+  const double extent = static_cast<double>(c.sources.size()) * extent_of(c);
   const bool may_be_shorter = may_the_referee_miss_paths(c);
   std::vector<std::vector<FT>> from_source;
   for(const Numbered_source& s : c.sources)
