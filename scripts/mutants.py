@@ -33,6 +33,8 @@ LOCATOR = INTERNAL + "Cell_locator.h"
 MEASURES = INTERNAL + "Voronoi_cell_measures.h"
 FACE_CUT = INTERNAL + "Voronoi_face_cut.h"
 CHECKS = INTERNAL + "Distance_checks.h"
+VIOLATION = INTERNAL + "Worst_violation.h"
+FROM_GRAPH = INTERNAL + "intrinsic_mesh_from_face_graph.h"
 LOWER_BOUND = INTERNAL + "Lower_bound_check.h"
 EDGE_FUNCTION = INTERNAL + "Edge_distance_function.h"
 
@@ -184,9 +186,12 @@ MUTANTS = [
      "if(w.number_of_crossings()",
      "windows of a pseudo-source that has been improved since are propagated", (WINDOWS,)),
     ("runs_around_for_ever", LIST_CROSSING,
-     "if(w.root_distance > m_distance[w.root] || w.number_of_crossings() > m_mesh.number_of_faces()\n       || (Rules",
+     "if(w.root_distance > m_distance[w.root] || w.number_of_crossings() > m_mesh.most_crossings()\n       || (Rules",
      "if(w.root_distance > m_distance[w.root] || (Rules",
      "paths around faces without area never end", (WINDOWS,)),
+    ("lengths_cross_faces_once", FROM_GRAPH,
+     "    if(!Shape::has_points)\n      mesh.bound_crossings_by_lengths();\n", "",
+     "paths between lengths that cross a face more than once are lost", (ANALYTIC,)),
 
     # --- stars, where windows start, the wavefront ---
     ("first_window_mirrored", FIRST_WINDOW,
@@ -331,9 +336,13 @@ MUTANTS = [
      "        static_cast<void>(limit);\n",
      "values that are too large beyond an edge are certified", (CERTIFICATION,)),
     ("certificate_ignores_short_paths", CHECKS,
-     "worst.look_at(length < values[v] ? FT(values[v] - length) : FT(length - values[v]), length + m_scale[v], v);",
-     "worst.look_at(FT(values[v] - length), length + m_scale[v], v);",
+     "worst.look_at(length < values[v] ? FT(values[v] - length) : FT(length - values[v]), length + m_scale[v], "
+     "m_extent[v], v);",
+     "worst.look_at(FT(values[v] - length), length + m_scale[v], m_extent[v], v);",
      "values that no path attains are certified", (CERTIFICATION,)),
+    ("certificate_forgives_small_components", VIOLATION,
+     "if(excess <= Tolerance<FT>::gap() * extent)", "if(excess <= Tolerance<FT>::gap())",
+     "what is nothing beside the largest component is nothing for all", (CERTIFICATION,)),
     ("lower_bound_one_side", LOWER_BOUND,
      "      check_pieces(right_side(c), c.target, c.apex);\n", "",
      "a bound that is too large on right sides is believed", (CERTIFICATION,)),
