@@ -1053,6 +1053,40 @@ void removed_elements_are_refused()
   CHECK(number >= 6);
 }
 
+// Points of space are located right, or not at all.
+void points_are_located_or_refused(std::uint64_t seed)
+{
+  test_support::Scope scope("locate");
+  const Indexed_mesh indexed = rough_terrain(6, .5, seed);
+  const Mesh tm = to_face_graph(indexed);
+  for(const int exponent : {-800, -300, -240, -100, 0, 100, 240, 300, 480})
+  {
+    test_support::Scope exponent_scope("2^" + std::to_string(exponent));
+    const double unit = std::ldexp(1., exponent);
+    const Mesh other = to_face_graph(transformed(indexed, "scaled", [unit](const Coordinates& c) { return unit * c; }));
+    const Geodesic_paths paths(other);
+    for(const face_descriptor f : faces(tm))
+    {
+      const Kernel::Point_3 p = CGAL::centroid(tm.point(tm.source(tm.halfedge(f))), tm.point(tm.target(tm.halfedge(f))),
+                                         tm.point(tm.target(tm.next(tm.halfedge(f)))));
+      const Kernel::Point_3 q(unit * p.x(), unit * p.y(), unit * p.z());
+      bool is_refused = false;
+      try
+      {
+        const Face_location location = paths.locate<AABB_traits>(q);
+        const Kernel::Point_3 found = paths.point(location.first, location.second);
+        CHECK(std::abs(found.x() - q.x()) <= 1e-12 * unit && std::abs(found.y() - q.y()) <= 1e-12 * unit
+              && std::abs(found.z() - q.z()) <= 1e-12 * unit);
+      }
+      catch(const SMG::Invalid_geodesic_input& e)
+      {
+        is_refused = e.reason() == SMG::Invalid_geodesic_input::Reason::NON_FINITE_POINT;
+      }
+      CHECK_EQUAL(is_refused, std::abs(exponent) > 260);
+    }
+  }
+}
+
 } // namespace
 
 int main()
@@ -1073,5 +1107,6 @@ int main()
   further_members();
   points_of_flat_faces_are_located();
   removed_elements_are_refused();
+  points_are_located_or_refused(seed);
   return test_result();
 }

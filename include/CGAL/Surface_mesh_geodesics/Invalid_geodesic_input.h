@@ -35,7 +35,7 @@ public:
   enum class Reason
   {
     NOT_A_TRIANGLE,      ///< a face does not have three edges
-    NON_FINITE_POINT,    ///< a coordinate of a vertex is infinite or not a number
+    NON_FINITE_POINT,    ///< a coordinate of a vertex is infinite, not a number or too large
     NON_FINITE_LENGTH,   ///< an edge length is infinite or not a number
     NEGATIVE_LENGTH,     ///< an edge length is negative
     TRIANGLE_INEQUALITY, ///< an edge is longer than the two others of a face, beyond rounding

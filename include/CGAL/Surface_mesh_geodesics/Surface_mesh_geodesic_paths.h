@@ -86,8 +86,10 @@ Lengths and distances have the unit of the coordinates of the points, or of the 
   with `CGAL::to_double()`, and results are numbers of type `double`, converted to `FT`. The points of a path are
   constructed with the traits. `locate()` returns a point of the longest side for a face whose height is lost in
   rounding, instead of coordinates that are not numbers. As it computes with the trees and the kernel of \cgal, which
-  multiply four lengths, it needs faces between some \f$ 10^{-75} \f$ and \f$ 10^{75} \f$ in size, unlike all else:
-  its answers are wrong for others. Scale such a mesh by a power of two, which changes no bit of a location.
+  multiply four lengths, it needs a mesh whose size is between \f$ 10^{-75} \f$ and \f$ 10^{75} \f$, and a point
+  that is not farther away, unlike all else; it throws `Surface_mesh_geodesics::Invalid_geodesic_input` otherwise, if
+  the number type of the kernel is a floating point type. Scale such a mesh by a power of two, which changes no bit of
+  a location.
 - <em>Iterators to source points</em> stay valid when the structure is built again, unless their point has been
   removed. Their types `pointer` and `reference` are those of constants, as the operators return them, and there is a
   `difference_type`. `add_source_points()` takes input iterators, and returns `source_points_end()` for an empty

@@ -15,10 +15,12 @@
 // Points of the surface in the user's terms: vertices, positions on halfedges, coordinates in faces, points of space,
 // and how one becomes another. There is no state here, the functions are static.
 
+#include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Source_insertion.h>
 #include <CGAL/Surface_mesh_geodesics/internal/cgal_compatibility.h>
 
 #include <CGAL/AABB_tree.h>
+#include <CGAL/Bbox_3.h>
 #include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -27,6 +29,7 @@
 #include <array>
 #include <cstddef>
 #include <iterator>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -136,6 +139,7 @@ struct Surface_locations
   static Face_location locate(const Point_3& p, const AABB_tree<AABBTraits>& tree, const Triangle_mesh& tm,
                               VertexPointMap vertex_point_map, const Traits& traits)
   {
+    check_size(tree, p);
     const auto nearest = tree.closest_point_and_primitive(p);
     return location_of_point(nearest.second, nearest.first, tm, vertex_point_map, traits);
   }
@@ -145,6 +149,7 @@ struct Surface_locations
   static Face_location locate(const Ray_3& ray, const AABB_tree<AABBTraits>& tree, const Triangle_mesh& tm,
                               VertexPointMap vertex_point_map, const Traits& traits)
   {
+    check_size(tree, ray.source());
     using Intersection = typename AABB_tree<AABBTraits>::template Intersection_and_primitive_id<Ray_3>::Type;
     std::vector<Intersection> intersections;
     tree.all_intersections(ray, std::back_inserter(intersections));
@@ -168,6 +173,26 @@ struct Surface_locations
   }
 
 private:
+  // CGAL's trees and kernels multiply four lengths, which overflow or vanish in `double`: throws then, as the location
+  // would be wrong.
+  template <typename AABBTraits>
+  static void check_size(const AABB_tree<AABBTraits>& tree, const Point_3& p)
+  {
+    if(!std::is_floating_point<FT>::value || tree.empty())
+      return;
+    const Bbox_3 mesh = tree.bbox(), all = mesh + p.bbox();
+    if(!(largest_span(all) <= largest_size) || (largest_span(mesh) > 0 && largest_span(mesh) < 1 / largest_size))
+      throw Invalid_geodesic_input(Invalid_geodesic_input::Reason::NON_FINITE_POINT,
+                                   "the mesh, or its distance from the point to be located, is too large or too small");
+  }
+
+  static double largest_span(const Bbox_3& box)
+  {
+    return (std::max)(box.xmax() - box.xmin(), (std::max)(box.ymax() - box.ymin(), box.zmax() - box.zmin()));
+  }
+
+  static constexpr double largest_size = 1e75;
+
   static Triangle_3 triangle(face_descriptor f, const Triangle_mesh& tm, VertexPointMap vertex_point_map,
                              const Traits& traits)
   {
