@@ -457,11 +457,8 @@ def sentences_about_all_meshes(results):
 def sentences_about_questions(results):
     questions = ("growth", "anisotropy", "sources", "reach", "rules", "threads", "matrix")
     (runs,) = {results.comment(name, r"median, least and greatest of (\d+) runs") for name in questions}
-    rules = results.row("rules", mesh="bunny00.off", rules="all")
     return [
         (MANUAL, f"medians of {in_words(runs)} runs (`--questions-repetitions {runs}`),"),
-        (MANUAL, f"with all rules, the {in_words(runs)} runs on bunny00 took from {float(rules['run_ms_min']):.0f} to "
-                 f"{float(rules['run_ms_max']):.0f} ms."),
     ]
 
 
