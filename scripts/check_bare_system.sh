@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Tries README's two commands as they stand in a Debian 12 without anything: makes its root with debootstrap, copies what
-# git has committed into it, runs both there, and prints how long each took, with the installation of what it needs.
+# Tries README's two commands as they stand in a Debian 12 without anything: makes its root with debootstrap, copies
+# what git has committed into it, runs both there, and prints how long each took, with the installation of what it
+# needs.
 # Needs root, debootstrap and the network; an hour at most. Everything is below build/bare_system, or WORK_FOLDER.
 # JOBS is the number of jobs at once.
 set -euo pipefail

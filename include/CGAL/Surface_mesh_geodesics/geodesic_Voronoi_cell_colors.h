@@ -39,8 +39,8 @@ inline const std::array<IO::Color, 12>& colors_of_cells()
 
 using Neighbors_of_cells = std::vector<std::vector<std::size_t>>;
 
-// Takes away, again and again, a cell with the fewest neighbors that are left; the order in which they go, from the last
-// one on. A cell has few neighbors before it then: at most five where the surface has no handles.
+// Takes away, again and again, a cell with the fewest neighbours that are left; the order in which they go, from the
+// last one on. A cell has few neighbours before it then: at most five where the surface has no handles.
 inline std::vector<std::size_t> coloring_order(const Neighbors_of_cells& neighbors)
 {
   std::set<std::pair<std::size_t, std::size_t>> left; // the number of neighbors that are left, and the cell

@@ -230,7 +230,8 @@ inline double extent_of(const Distance_case& c)
 
 // Places on edges are rounded relative to the lengths of edges. Seen from a vertex that is as near to its neighbour as
 // the shortest edge is long, that is an angle, and as wide may the gap be between two windows that should meet; the
-// function of the proof is too large there. (No vertex is in the gap: then its distance would be wrong, and found to be.)
+// function of the proof is too large there. (No vertex is in the gap: then its distance would be wrong, and found to
+// be.)
 inline double tolerance_of_proof(const Distance_case& c)
 {
   const Glued_surface<double> surface = with_digits<double>(c);

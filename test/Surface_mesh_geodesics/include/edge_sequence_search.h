@@ -12,8 +12,8 @@
 //
 // There are no windows, no frames of edges and no tolerances of distances here: every vertex may bend paths, unless it
 // is clearly convex, and a ray through a vertex counts for that vertex. A sequence ends where nothing is seen any more,
-// where it would come back to a face once too often, or where it is farther than every distance that is still in question (which are
-// bounded by paths along edges).
+// where it would come back to a face once too often, or where it is farther than every distance that is still in
+// question (which are bounded by paths along edges).
 
 #include "test_meshes.h"
 

@@ -147,7 +147,8 @@ public:
       const FT length = tracer.trace_from_vertex(v, path) ? length_to_source(path) : infinity();
       if(is_beyond(v, length, limit))
         continue;
-      worst.look_at(length < values[v] ? FT(values[v] - length) : FT(length - values[v]), length + m_scale[v], m_extent[v], v);
+      worst.look_at(length < values[v] ? FT(values[v] - length) : FT(length - values[v]), length + m_scale[v],
+                    m_extent[v], v);
     }
     return worst;
   }
@@ -165,7 +166,8 @@ public:
         reverse = (std::min)(reverse, FT(offsets[s] + field_of_v.distance[s]));
     if(is_beyond(v, reverse, limit) || (!(values[v] < infinity()) && !(reverse < infinity())))
       return;
-    worst.look_at(reverse < values[v] ? FT(values[v] - reverse) : FT(reverse - values[v]), reverse + m_scale[v], m_extent[v], v);
+    worst.look_at(reverse < values[v] ? FT(values[v] - reverse) : FT(reverse - values[v]), reverse + m_scale[v],
+                  m_extent[v], v);
   }
 
   // The length of a path on the surface, from its first vertex to a source, and the offset of the source; infinity if

@@ -205,10 +205,10 @@ public:
   // On a surface with points none crosses a face twice (thesis, lemma 3.2): the segment between two points of a face is
   // the shortest way in space. If lengths are given, the way around through other faces may be shorter than that. Then,
   // let h be the least height of a face. Between two crossings of an edge e a shortest path does not turn around
-  // one vertex only, as straight on around a vertex it is longer than along e. So it crosses three edges in a row without
-  // a common vertex, xv, vw, wy, the middle one at the part t: from the first to the middle one it is t times the height
-  // of w above xv at least, from there to the last one 1-t times that of v above wy; together h at least. All crossings of
-  // e are on a part of the path that is not longer than e, so there are 1 + |e|/h at most.
+  // one vertex only, as straight on around a vertex it is longer than along e. So it crosses three edges in a row
+  // without a common vertex, xv, vw, wy, the middle one at the part t: from the first to the middle one it is t times
+  // the height of w above xv at least, from there to the last one 1-t times that of v above wy; together h at least.
+  // All crossings of e are on a part of the path that is not longer than e, so there are 1 + |e|/h at most.
   //
   // This ends what else would never end: where faces have no area, paths may run around without growing.
   std::size_t most_crossings() const { return m_most_crossings; }
@@ -234,8 +234,8 @@ public:
     count_most_crossings();
   }
 
-  // lets shortest paths cross faces more than once; see most_crossings(). Where a face is so flat that the square of its
-  // angles is lost in rounding, there is no bound that would end the computation, and thin faces are left out.
+  // lets shortest paths cross faces more than once; see most_crossings(). Where a face is so flat that the square of
+  // its angles is lost in rounding, there is no bound that would end the computation, and thin faces are left out.
   void bound_crossings_by_lengths()
   {
     double height = std::numeric_limits<double>::infinity(), height_of_thick = height, sum = 0;

@@ -238,8 +238,8 @@ public:
   // where the curve ends, at infinity; behind it point() is on the other branch.
   FT end() const { return denominator().positive_roots()[0]; }
 
-  // The parameters lose their digits far away from the focus, where all are near to the end, and when the curve has gone
-  // half round it: it is to be described anew from here. Infinity if the curve does not come here.
+  // The parameters lose their digits far away from the focus, where all are near to the end, and when the curve has
+  // gone half round it: it is to be described anew from here. Infinity if the curve does not come here.
   FT end_of_precision() const
   {
     if(m_is_straight)

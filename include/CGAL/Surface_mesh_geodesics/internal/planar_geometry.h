@@ -96,7 +96,8 @@ struct Tolerance
   // Relative to the size of a face: where a curve touches a line, its place is known to the square root of rounding.
   static FT touching() { return 64 * closeness(); }
 
-  // Relative to what is integrated along a curve, if its chord were all of it: below, intervals are not halved any more.
+  // Relative to what is integrated along a curve, if its chord were all of it: below, intervals are not halved any
+  // more.
   static FT quadrature() { return 512 * unit_roundoff(); }
 
   // Relative to the length of an edge: how exactly the crossings of isolines are found.
