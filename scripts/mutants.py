@@ -376,9 +376,8 @@ MUTANTS = [
      "        static_cast<void>(limit);\n",
      "values that are too large beyond an edge are certified", (CERTIFICATION,)),
     ("certificate_ignores_short_paths", CHECKS,
-     "worst.look_at(length < values[v] ? FT(values[v] - length) : FT(length - values[v]), length + m_scale[v],\n"
-     "                    m_extent[v], v);",
-     "worst.look_at(FT(values[v] - length), length + m_scale[v], m_extent[v], v);",
+     "look_at(length < values[v] ? FT(values[v] - length) : FT(length - values[v]), length, v, worst);",
+     "look_at(FT(values[v] - length), length, v, worst);",
      "values that no path attains are certified", (CERTIFICATION,)),
     ("certificate_forgives_small_components", VIOLATION,
      "if(excess <= Tolerance<FT>::gap() * extent)", "if(excess <= Tolerance<FT>::gap())",

@@ -1,6 +1,7 @@
 #include "Input_file.h"
 
 #include "Command_error.h"
+#include "number_arguments.h"
 
 #include <unistd.h>
 
@@ -19,11 +20,6 @@ namespace {
 [[noreturn]] void complain(const std::string& file_name, const std::string& what)
 {
   throw Command_error(Exit_code::BAD_INPUT, file_name + ": " + what);
-}
-
-bool ends_with(const std::string& text, const std::string& ending)
-{
-  return text.size() >= ending.size() && text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
 }
 
 // the files that the options name, and the mesh.

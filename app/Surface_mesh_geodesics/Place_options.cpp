@@ -233,11 +233,9 @@ void declare_seed(Option_descriptions& options)
 
 bool is_seed_unused(const Arguments& arguments)
 {
-  const std::string ending = "-random";
   return has(arguments, "seed") && !arguments["seed"].defaulted()
-      && std::none_of(arguments.begin(), arguments.end(), [&](const auto& option)
-         { return option.first.size() > ending.size()
-               && option.first.compare(option.first.size() - ending.size(), ending.size(), ending) == 0; });
+      && std::none_of(arguments.begin(), arguments.end(),
+                      [](const auto& option) { return ends_with(option.first, "-random"); });
 }
 
 bool Place_options::are_given(const Arguments& arguments) const

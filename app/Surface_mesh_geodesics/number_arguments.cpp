@@ -58,6 +58,11 @@ std::vector<std::string> split(const std::string& text, char separator)
   return parts;
 }
 
+bool ends_with(const std::string& text, const std::string& ending)
+{
+  return text.size() >= ending.size() && text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
+}
+
 Text_value* count_value(const std::string& option, std::size_t minimum, std::size_t maximum)
 {
   return po::value<std::string>()->notifier([=](const std::string& text)

@@ -16,6 +16,7 @@ bool parse_number(const std::string& text, double& value);
 
 // the parts of `text` between the separators.
 std::vector<std::string> split(const std::string& text, char separator);
+bool ends_with(const std::string& text, const std::string& ending);
 
 // Declarations of options with numbers. They are checked when the command line is read, before any work begins: a
 // Command_error names the option, and what it wants.

@@ -9,6 +9,7 @@
 
 #include <CGAL/Surface_mesh_geodesics/certify_geodesic_distances.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_distances.h>
+#include <CGAL/Surface_mesh_geodesics/internal/component_extents.h>
 
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/graph_traits_Polyhedron_3.h>
@@ -490,17 +491,22 @@ struct Witness
       propagation.add_source(v, 0.);
     }
     propagation.run([](std::size_t, double) { return true; });
+    extents = SMGI::component_extents(mesh);
   }
 
   SMGI::Vertex_id id(std::size_t v) const { return table.vertex_of_index[v]; }
 
-  double violation() const { return SMGI::Lower_bound_check<double>(mesh, field.distance, windows).run().size; }
+  double violation() const
+  {
+    return SMGI::Lower_bound_check<double>(mesh, field.distance, extents, windows).run().size;
+  }
 
   Mesh tm;
   SMGI::Intrinsic_mesh<double> mesh;
   SMGI::Face_graph_correspondence<Mesh> table;
   SMGI::Vertex_distance_field<double> field;
   SMGI::Edge_window_field<double> windows;
+  std::vector<double> extents;
 };
 
 void bounds_that_are_too_long_are_no_bounds()

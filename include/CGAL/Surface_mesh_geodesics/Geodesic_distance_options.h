@@ -66,21 +66,19 @@ struct Geodesic_distance_options
   /// propagation. Not negative; infinite by default.
   double maximum_distance = std::numeric_limits<double>::infinity();
 
-  /// if not empty, the computation stops as soon as the distances of all these vertices are final.
-  /// Vertices whose distances are not final then get infinity. If one of them cannot be reached, all
-  /// distances are computed.
+  /// if not empty, the computation stops as soon as the distances of all these vertices are final. Vertices whose
+  /// distances are not final then get infinity. If one of them cannot be reached, all distances are computed.
   std::vector<vertex_descriptor> targets;
 
   /// empty, or one number for each source, finite (also as a multiple of the extent of the mesh) and not negative, in
-  /// the unit of the mesh. It is
-  /// added to all distances from that source. A source that another one reaches with a distance
-  /// smaller than its own offset is the nearest source of no vertex.
+  /// the unit of the mesh. It is added to all distances from that source. A source that another one reaches with a
+  /// distance smaller than its own offset is the nearest source of no vertex.
   std::vector<double> source_offsets;
 
   /// gets, for each vertex, the position in the range of sources, counted from 0, of a source from which its
-  /// distance is measured, or `no_source`. If several sources have this distance, any of
-  /// them is taken; if they are at the same place with the same offset, the first. Nothing is put into the map if
-  /// the visitor cancels or the input is invalid.
+  /// distance is measured, or `no_source`. If several sources have this distance, any of them is taken; if they are at
+  /// the same place with the same offset, the first. Nothing is put into the map if the visitor cancels or the input
+  /// is invalid.
   NearestSourceMap nearest_source_map = NearestSourceMap();
 
   /// if not null, what the computation did is <em>added to</em> `*statistics`, also if the visitor cancelled it. The

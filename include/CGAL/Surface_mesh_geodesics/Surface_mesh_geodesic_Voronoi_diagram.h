@@ -23,6 +23,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi_cell_measures.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi_complex.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi_cut_mesh.h>
+#include <CGAL/Surface_mesh_geodesics/internal/distance_in_space.h>
 #include <CGAL/Surface_mesh_geodesics/internal/intrinsic_mesh_from_face_graph.h>
 #include <CGAL/Surface_mesh_geodesics/internal/visited_run.h>
 
@@ -881,9 +882,8 @@ public:
     for(vertex_descriptor v : Surface_mesh_geodesics::internal::vertices_of(m_tm))
       if(nearest_site(v) == i)
       {
-        const Point_3 p = get(m_vertex_point_map, v);
-        const double d = std::hypot(CGAL::to_double(p.x() - c.x()), CGAL::to_double(p.y() - c.y()),
-                                    CGAL::to_double(p.z() - c.z()));
+        const double d
+          = Surface_mesh_geodesics::internal::distance_in_space<Point_3>(c, get(m_vertex_point_map, v));
         if(d < best_distance)
         {
           best = v;

@@ -108,9 +108,8 @@ Lengths and distances have the unit of the coordinates of the points, or of the 
 keeps no windows. The first query at a point that is not a vertex computes what such queries need: the windows of each
 edge are kept then, in some 40 bytes each. Call `build_sequence_tree_for_faces()` if such queries will come. Both take
 the time of one propagation, which grows with the number of windows, in the worst case with the square of the number of
-vertices; see
-\ref Surface_mesh_geodesics_performance. A build, and so a
-query that builds, throws what `build_sequence_tree()` throws.
+vertices; see \ref Surface_mesh_geodesics_performance. A build, and so a query that builds, throws what
+`build_sequence_tree()` throws.
 
 <b>Thread safety.</b> Member functions of a `const` object, and static ones, may be called from several threads at
 once. A query of a `const` object does not compute anything first: it throws `std::logic_error` if

@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_geodesics/Geodesic_Voronoi_certificate.h>
 #include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_Voronoi_diagram.h>
 #include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_paths.h>
+#include <CGAL/Surface_mesh_geodesics/internal/distance_in_space.h>
 #include <CGAL/Surface_mesh_geodesics/internal/planar_geometry.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -23,6 +24,7 @@
 #include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <array>
@@ -519,13 +521,9 @@ certify_geodesic_Voronoi_diagram(const Surface_mesh_geodesic_Voronoi_diagram<Tra
   const auto& tm = diagram.triangle_mesh();
   auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
                               get_const_property_map(CGAL::vertex_point, tm));
+  using Point = typename boost::property_traits<decltype(vpm)>::value_type;
   const auto length = [&](halfedge_descriptor h)
-  {
-    const auto& p = get(vpm, source(h, tm));
-    const auto& q = get(vpm, target(h, tm));
-    return std::hypot(CGAL::to_double(q.x()) - CGAL::to_double(p.x()), CGAL::to_double(q.y()) - CGAL::to_double(p.y()),
-                      CGAL::to_double(q.z()) - CGAL::to_double(p.z()));
-  };
+  { return internal::distance_in_space<Point>(get(vpm, source(h, tm)), get(vpm, target(h, tm))); };
   using Diagram = Surface_mesh_geodesic_Voronoi_diagram<Traits, VIM, HIM, FIM, VPM>;
   const internal::Separation_in_space<Diagram, decltype(vpm)> separation(diagram, vpm);
   return internal::certify_Voronoi_diagram<Traits>(diagram, length, separation, [](auto&) {}, np);

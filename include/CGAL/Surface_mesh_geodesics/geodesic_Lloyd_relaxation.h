@@ -14,17 +14,16 @@
 
 #include <CGAL/Surface_mesh_geodesics/Geodesic_default_visitor.h>
 #include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_Voronoi_diagram.h>
+#include <CGAL/Surface_mesh_geodesics/internal/distance_in_space.h>
 
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Surface_mesh_shortest_path/Surface_mesh_shortest_path_traits.h>
 #include <CGAL/boost/graph/named_params_helper.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -75,10 +74,7 @@ public:
       const std::size_t i = m_diagram.nearest_site(v);
       if(i == Diagram::null_site())
         continue;
-      const Point p = get(m_vpm, v);
-      // (Squares may overflow, or become zero.)
-      const double d = std::hypot(CGAL::to_double(p.x() - center[i].x()), CGAL::to_double(p.y() - center[i].y()),
-                                  CGAL::to_double(p.z() - center[i].z()));
+      const double d = distance_in_space<Point>(center[i], get(m_vpm, v));
       if(d < smallest[i])
       {
         smallest[i] = d;

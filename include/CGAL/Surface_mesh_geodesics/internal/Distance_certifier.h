@@ -121,7 +121,7 @@ private:
     propagation.run([](std::size_t, const FT&) { return true; });
     result[CHECKED_PATHS] = checks.check_paths(field, limit);
     result[CHECKED_LOWER_BOUNDS] = checks.check_lower_bounds(field.distance, limit);
-    Lower_bound_check<FT> proof(m_surface.mesh(), field.distance, windows);
+    Lower_bound_check<FT> proof(m_surface.mesh(), field.distance, checks.extents(), windows);
     result[CHECKED_PROOF] = proof.run();
     result[CHECKED_PROOF].look_at(check_bounds_at_sources(field, checks));
   }
@@ -130,7 +130,7 @@ private:
   {
     Worst_violation<FT> worst;
     for(const std::pair<Vertex_id, FT>& s : m_sources)
-      worst.look_at(field.distance[s.first] - s.second, field.distance[s.first], checks.extent(s.first), s.first);
+      worst.look_at(field.distance[s.first] - s.second, field.distance[s.first], checks.extents()[s.first], s.first);
     return worst;
   }
 

@@ -51,7 +51,7 @@ public:
   Distance_checks(const Mesh& mesh, std::size_t number_of_values)
     : values(mesh.number_of_vertices(), infinity()), offsets(mesh.number_of_vertices(), infinity()), m_mesh(mesh),
       m_number_of_values(number_of_values), m_scale(mesh.number_of_vertices(), FT(0)),
-      m_extent(component_extents(mesh))
+      m_extents(component_extents(mesh))
   {
     for(Face_id f = 0; f < mesh.number_of_faces(); ++f)
       for(const Vertex_id v : mesh.face(f).vertex)
@@ -66,7 +66,7 @@ public:
     Violation worst;
     for(Vertex_id v = 0; v < m_number_of_values; ++v)
       if(offsets[v] < infinity())
-        worst.look_at(values[v] - offsets[v], values[v] + m_scale[v], m_extent[v], v);
+        look_at(values[v] - offsets[v], values[v], v, worst);
     return worst;
   }
 
@@ -129,7 +129,7 @@ public:
     Violation worst;
     for(Vertex_id v = 0; v < m_number_of_values; ++v)
       if(!is_beyond(v, bounds[v], limit) && bounds[v] < infinity())
-        worst.look_at(values[v] - bounds[v], bounds[v] + m_scale[v], m_extent[v], v);
+        look_at(values[v] - bounds[v], bounds[v], v, worst);
     return worst;
   }
 
@@ -147,14 +147,13 @@ public:
       const FT length = tracer.trace_from_vertex(v, path) ? length_to_source(path) : infinity();
       if(is_beyond(v, length, limit))
         continue;
-      worst.look_at(length < values[v] ? FT(values[v] - length) : FT(length - values[v]), length + m_scale[v],
-                    m_extent[v], v);
+      look_at(length < values[v] ? FT(values[v] - length) : FT(length - values[v]), length, v, worst);
     }
     return worst;
   }
 
-  // The longest edge of the component of a vertex.
-  const FT& extent(Vertex_id v) const { return m_extent[v]; }
+  // For each vertex, the longest edge of its component.
+  const std::vector<FT>& extents() const { return m_extents; }
 
   // The value of v against its distance from the sources, computed the other way round.
   void look_at_reverse(Vertex_id v, const Vertex_distance_field<FT>& field_of_v, const FT& limit,
@@ -166,8 +165,7 @@ public:
         reverse = (std::min)(reverse, FT(offsets[s] + field_of_v.distance[s]));
     if(is_beyond(v, reverse, limit) || (!(values[v] < infinity()) && !(reverse < infinity())))
       return;
-    worst.look_at(reverse < values[v] ? FT(values[v] - reverse) : FT(reverse - values[v]), reverse + m_scale[v],
-                  m_extent[v], v);
+    look_at(reverse < values[v] ? FT(values[v] - reverse) : FT(reverse - values[v]), reverse, v, worst);
   }
 
   // The length of a path on the surface, from its first vertex to a source, and the offset of the source; infinity if
@@ -209,12 +207,18 @@ private:
     return v < m_number_of_values ? values[v] : offsets[v];
   }
 
+  // a condition on the value of v, where the right number is `number`.
+  void look_at(const FT& excess, const FT& number, Vertex_id v, Violation& worst) const
+  {
+    worst.look_at(excess, number + m_scale[v], m_extents[v], v);
+  }
+
   void look_at_way(Vertex_id from, Vertex_id to, const FT& length, const FT& limit, Violation& worst) const
   {
     const FT value = value_on_the_way(from), d = value + length;
     if(to >= m_number_of_values || !(value >= 0 && value < infinity()) || is_beyond(to, d, limit))
       return;
-    worst.look_at(values[to] - d, d + m_scale[to], m_extent[to], to);
+    look_at(values[to] - d, d, to, worst);
   }
 
   std::vector<char> vertices_connected_to_sources() const
@@ -259,8 +263,8 @@ private:
 
   const Mesh& m_mesh;
   std::size_t m_number_of_values;
-  std::vector<FT> m_scale;  // the longest edge of the faces around a vertex
-  std::vector<FT> m_extent; // the longest edge of the component of a vertex
+  std::vector<FT> m_scale;   // the longest edge of the faces around a vertex
+  std::vector<FT> m_extents; // the longest edge of the component of a vertex
 };
 
 } // namespace internal

@@ -29,7 +29,6 @@
 #include <CGAL/Surface_mesh_geodesics/internal/Edge_window_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Worst_violation.h>
-#include <CGAL/Surface_mesh_geodesics/internal/component_extents.h>
 
 #include <algorithm>
 #include <array>
@@ -51,9 +50,10 @@ public:
   using Mesh = Intrinsic_mesh<FT>;
   using Piece = Distance_piece<FT>;
 
-  // `distance` is that of all vertices.
-  Lower_bound_check(const Mesh& mesh, const std::vector<FT>& distance, const Edge_window_field<FT>& windows)
-    : m_mesh(mesh), m_distance(distance), m_windows(windows), m_extent(component_extents(mesh))
+  // `distance` and `extents`, the longest edges of components, are those of all vertices. Nothing is copied.
+  Lower_bound_check(const Mesh& mesh, const std::vector<FT>& distance, const std::vector<FT>& extents,
+                    const Edge_window_field<FT>& windows)
+    : m_mesh(mesh), m_distance(distance), m_extents(extents), m_windows(windows)
   {
     make_functions();
   }
@@ -260,7 +260,7 @@ private:
 
   void look_at(const FT& excess, const FT& value, Vertex_id v)
   {
-    m_worst.look_at(excess, value + m_scale, m_extent[v], v);
+    m_worst.look_at(excess, value + m_scale, m_extents[v], v);
   }
 
   void check_pieces(const Line& side, Vertex_id near, Vertex_id far)
@@ -340,12 +340,12 @@ private:
 
   const Mesh& m_mesh;
   const std::vector<FT>& m_distance;
+  const std::vector<FT>& m_extents;
   const Edge_window_field<FT>& m_windows;
   std::vector<Piece> m_pieces;
   std::vector<std::size_t> m_begin, m_size; // by halfedge: the first one of an edge has its pieces
   std::vector<Piece> m_from, m_to;
-  std::vector<FT> m_extent; // the longest edge of the component of a vertex
-  FT m_scale = 0;           // the longest edge of the face that is checked
+  FT m_scale = 0; // the longest edge of the face that is checked
   Worst_violation<FT> m_worst;
 };
 
