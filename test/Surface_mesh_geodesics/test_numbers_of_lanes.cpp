@@ -95,6 +95,10 @@ void check_all_numbers_of_lanes(const Intrinsic_mesh& mesh, const Sources& sourc
     check_same(propagate<Rules>(mesh, sources, internal::Lane_choice::COMPILED), expected);
   }
   {
+    test_support::Scope scope("at most four lanes");
+    check_same(propagate<Rules>(mesh, sources, internal::Lane_choice::FOUR), expected);
+  }
+  {
     test_support::Scope scope("the lanes of the processor");
     check_same(propagate<Rules>(mesh, sources, internal::Lane_choice::BEST), expected);
   }
@@ -123,9 +127,12 @@ void print_lanes()
   const auto lanes = [](internal::Lane_choice choice)
   { return internal::window_list_loops<double, internal::All_pruning_rules>(choice).lanes; };
   std::cout << "lanes of the compilation: " << lanes(internal::Lane_choice::COMPILED)
+            << ", at most four: " << lanes(internal::Lane_choice::FOUR)
             << ", of the processor: " << lanes(internal::Lane_choice::BEST) << std::endl;
   CHECK_EQUAL(lanes(internal::Lane_choice::ONE), std::size_t(1));
-  CHECK(lanes(internal::Lane_choice::BEST) >= lanes(internal::Lane_choice::COMPILED));
+  CHECK(lanes(internal::Lane_choice::FOUR) >= lanes(internal::Lane_choice::COMPILED)
+        || lanes(internal::Lane_choice::COMPILED) > std::size_t(4));
+  CHECK(lanes(internal::Lane_choice::BEST) >= lanes(internal::Lane_choice::FOUR));
 }
 
 } // namespace

@@ -693,7 +693,7 @@ int main()
   test_support::Random random(test_support::announce_seed(20261121));
   pairs_are_pruned_by_definition(random);
   ties_are_left_alone();
-  for(const Lane_choice choice : {Lane_choice::ONE, Lane_choice::COMPILED, Lane_choice::BEST})
+  for(const Lane_choice choice : {Lane_choice::ONE, Lane_choice::COMPILED, Lane_choice::FOUR, Lane_choice::BEST})
   {
     lists_are_trimmed_like_pairs(choice, random);
     ties_in_lists_are_left_alone(choice);

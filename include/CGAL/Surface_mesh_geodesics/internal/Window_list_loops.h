@@ -133,7 +133,7 @@ struct Window_list_loops
 #include <CGAL/Surface_mesh_geodesics/internal/lanes/all.h>
 #endif
 
-#ifdef CGAL_SURFACE_MESH_GEODESICS_HAS_AVX2_CODE
+#ifdef CGAL_SURFACE_MESH_GEODESICS_HAS_WIDE_CODE
 #ifdef __clang__
 #pragma clang attribute push(__attribute__((target("avx2"))), apply_to = function)
 #else
@@ -148,22 +148,45 @@ struct Window_list_loops
 #else
 #pragma GCC pop_options
 #endif
+
+// (AVX-512 has fused operations, unlike AVX2: they would change last digits.)
+#ifdef __clang__
+#pragma float_control(push)
+#pragma clang fp contract(off)
+#pragma clang attribute push(__attribute__((target("avx512f,avx512bw,avx512dq,avx512vl"))), apply_to = function)
+#else
+#pragma GCC push_options
+#pragma GCC target("avx512f,avx512bw,avx512dq,avx512vl")
+#pragma GCC optimize("fp-contract=off")
+#endif
+#define CGAL_SURFACE_MESH_GEODESICS_LANES 8
+#define CGAL_SURFACE_MESH_GEODESICS_LANES_NAMESPACE avx512_lanes
+#include <CGAL/Surface_mesh_geodesics/internal/lanes/all.h>
+#ifdef __clang__
+#pragma clang attribute pop
+#pragma float_control(pop)
+#else
+#pragma GCC pop_options
+#endif
 #endif
 
 namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// Which loops?
-enum class Lane_choice { BEST, ONE, COMPILED };
+// Which loops? Those with the most lanes that are of use, with at most four, with those of the compilation, or one.
+enum class Lane_choice { BEST, FOUR, COMPILED, ONE };
 
 template <typename FT, typename Rules>
 Window_list_loops<FT> window_list_loops(Lane_choice choice = Lane_choice::BEST)
 {
   if constexpr(std::is_same<FT, double>::value)
   {
-#ifdef CGAL_SURFACE_MESH_GEODESICS_HAS_AVX2_CODE
-    if(choice == Lane_choice::BEST && __builtin_cpu_supports("avx2"))
+#ifdef CGAL_SURFACE_MESH_GEODESICS_HAS_WIDE_CODE
+    // (The first processors with AVX-512 lower their clock where it is used. They do not have its extension VBMI2.)
+    if(choice == Lane_choice::BEST && __builtin_cpu_supports("avx512vbmi2"))
+      return avx512_lanes::List_loops<FT, Rules>::table();
+    if((choice == Lane_choice::BEST || choice == Lane_choice::FOUR) && __builtin_cpu_supports("avx2"))
       return avx2_lanes::List_loops<FT, Rules>::table();
 #endif
 #if CGAL_SURFACE_MESH_GEODESICS_COMPILED_LANES > 1

@@ -51,10 +51,10 @@
 #define CGAL_SURFACE_MESH_GEODESICS_COMPILED_LANES 1
 #endif
 
-// May code for AVX2 stand beside code for SSE2? (Stacks on Windows are not aligned for it.)
+// May code for AVX2 and AVX-512 stand beside code for SSE2? (Stacks on Windows are not aligned for it.)
 #if CGAL_SURFACE_MESH_GEODESICS_COMPILED_LANES == 2 && defined(__x86_64__) && !defined(_WIN32) \
   && !defined(__EDG__)
-#define CGAL_SURFACE_MESH_GEODESICS_HAS_AVX2_CODE
+#define CGAL_SURFACE_MESH_GEODESICS_HAS_WIDE_CODE
 #endif
 
 #include <cmath>
