@@ -441,7 +441,7 @@ struct One_face
 
   explicit One_face(Lane_choice choice)
     : distance(3, std::numeric_limits<double>::infinity()),
-      crossing(mesh, distance, statistics, internal::window_list_loops<double, internal::All_pruning_rules>(choice))
+      crossing(mesh, distance, statistics, choice)
   {
     mesh.reset(1);
     internal::Intrinsic_face<double>& face = mesh.face(0);

@@ -67,7 +67,7 @@ public:
   Star_propagation(const Mesh& mesh, const std::vector<FT>& distance, Keeper keeper = Keeper(),
                    Lane_choice lanes = Lane_choice::BEST)
     : m_mesh(mesh), m_keeper(keeper),
-      m_crossing(mesh, distance, m_statistics, window_list_loops<FT, Rules>(lanes)), m_sector(mesh),
+      m_crossing(mesh, distance, m_statistics, lanes), m_sector(mesh),
       m_maximum_distance(Vertex_distance_field<FT>::infinity())
   {}
 

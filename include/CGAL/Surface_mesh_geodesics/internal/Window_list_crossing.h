@@ -45,7 +45,7 @@ struct Corner_rivals
 template <typename FT, typename Rules>
 class Window_list_crossing
 {
-  using Loops = Window_list_loops<FT>;
+  using Loops = Loops_by_length<FT, Rules>;
 
 public:
   // The path to C that is the shortest of those through the list.
@@ -59,8 +59,8 @@ public:
   };
 
   Window_list_crossing(const Intrinsic_mesh<FT>& mesh, const std::vector<FT>& distance,
-                       Propagation_statistics& statistics, const Window_list_loops<FT>& loops)
-    : m_mesh(mesh), m_distance(distance), m_statistics(statistics), m_loops(loops)
+                       Propagation_statistics& statistics, Lane_choice lanes = Lane_choice::BEST)
+    : m_mesh(mesh), m_distance(distance), m_statistics(statistics), m_loops(lanes)
   {}
 
   // Has the distance of a pseudo-source shrunk whose windows had been made?
@@ -91,9 +91,9 @@ public:
   // finds the shortest path to C through a list that is not empty; the first one if several tie.
   Apex_path find_apex_path(const Window_list<FT>& list, const Crossing<FT>& c)
   {
-    if(m_abscissa.size() < list.size + m_loops.lanes)
-      m_abscissa.resize(2 * list.size + m_loops.lanes);
-    const Nearest_window<FT> nearest = m_loops.find_nearest(list.columns, list.size, c, m_abscissa.data());
+    if(m_abscissa.size() < list.size + m_loops.lanes())
+      m_abscissa.resize(2 * list.size + m_loops.lanes());
+    const Nearest_window<FT> nearest = m_loops(list.size).find_nearest(list.columns, list.size, c, m_abscissa.data());
     m_has_close_images = nearest.has_close_images;
     Apex_path best;
     best.index = nearest.index;
@@ -118,10 +118,10 @@ public:
     Edge_cut<FT> to_left{corners.origin, corners.apex, s, path.index};
     Edge_cut<FT> to_right{corners.apex, corners.target, s, path.index};
     if(Rules::rule_1 && !list.may_be_marked() && !m_has_close_images
-       && m_loops.is_split_by(list.columns, list.size, path.index, s))
+       && m_loops(list.size).is_split_by(list.columns, list.size, path.index, s))
     {
-      cross(m_loops.cross_left, list, 0, path.index + 1, c, to_left, m_left);
-      cross(m_loops.cross_right, list, path.index, list.size, c, to_right, m_right);
+      cross(&Window_list_loops<FT>::cross_left, list, 0, path.index + 1, c, to_left, m_left);
+      cross(&Window_list_loops<FT>::cross_right, list, path.index, list.size, c, to_right, m_right);
       return;
     }
     // A window keeps both sides if its place with respect to the best one is not known, or if it lies
@@ -138,9 +138,9 @@ public:
       to_left.cut = keeps_both ? c.length : s;
       to_right.cut = keeps_both ? FT(0) : s;
       if(keeps_both || i < path.index)
-        cross(m_loops.cross_left, list, i, i + 1, c, to_left, m_left);
+        cross(&Window_list_loops<FT>::cross_left, list, i, i + 1, c, to_left, m_left);
       if(keeps_both || i > path.index)
-        cross(m_loops.cross_right, list, i, i + 1, c, to_right, m_right);
+        cross(&Window_list_loops<FT>::cross_right, list, i, i + 1, c, to_right, m_right);
     }
   }
 
@@ -193,7 +193,8 @@ private:
   {
     if(m_suspects.size() < list.size / suspects_in_word + 1)
       m_suspects.resize(2 * list.size / suspects_in_word + 1);
-    return m_loops.trim(list.columns, list.size, c.length, corners.origin, corners.target, m_suspects.data());
+    return m_loops(list.size).trim(list.columns, list.size, c.length, corners.origin, corners.target,
+                                   m_suspects.data());
   }
 
   // the first suspect from i on among the first n windows, n if there is none.
@@ -290,11 +291,12 @@ private:
   }
 
   // puts the children of the windows [first, last) on one edge, if there is room.
-  void cross(typename Loops::Cross loop, const Window_list<FT>& list, std::size_t first, std::size_t last,
-             const Crossing<FT>& c, const Edge_cut<FT>& edge, Window_batch<FT>& batch)
+  void cross(typename Window_list_loops<FT>::Cross Window_list_loops<FT>::*loop, const Window_list<FT>& list,
+             std::size_t first, std::size_t last, const Crossing<FT>& c, const Edge_cut<FT>& edge,
+             Window_batch<FT>& batch)
   {
     if(batch.has_room())
-      loop(list.columns, first, last, c, edge, m_abscissa.data(), batch, m_statistics);
+      (m_loops(last - first).*loop)(list.columns, first, last, c, edge, m_abscissa.data(), batch, m_statistics);
   }
 
   const Intrinsic_mesh<FT>& m_mesh;

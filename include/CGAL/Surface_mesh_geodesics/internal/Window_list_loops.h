@@ -198,6 +198,32 @@ Window_list_loops<FT> window_list_loops(Lane_choice choice = Lane_choice::BEST)
   return one_lane::List_loops<FT, Rules>::table();
 }
 
+// The loops for lists of any length. A list of one window pays for the width of vectors and gains nothing, nor does one
+// of four windows gain from eight lanes. With many sources, most lists are as short as that.
+template <typename FT, typename Rules>
+class Loops_by_length
+{
+  using Loops = Window_list_loops<FT>;
+
+public:
+  explicit Loops_by_length(Lane_choice choice)
+    : m_many(window_list_loops<FT, Rules>(choice)),
+      m_few(choice == Lane_choice::BEST ? window_list_loops<FT, Rules>(Lane_choice::FOUR) : m_many),
+      m_one(window_list_loops<FT, Rules>(Lane_choice::ONE))
+  {}
+
+  const Loops& operator()(std::size_t number_of_windows) const
+  {
+    return number_of_windows > 4 ? m_many : number_of_windows > 1 ? m_few : m_one;
+  }
+
+  // the most lanes there are.
+  std::size_t lanes() const { return m_many.lanes; }
+
+private:
+  const Loops m_many, m_few, m_one;
+};
+
 } // namespace internal
 } // namespace Surface_mesh_geodesics
 } // namespace CGAL
