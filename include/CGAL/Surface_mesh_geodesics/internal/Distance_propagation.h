@@ -99,7 +99,11 @@ public:
       m_star.surround(m_mesh, m_wavefront.queue().top());
       m_wavefront.queue().pop();
       m_wavefront.take(m_star);
+      // The vertex that will probably be next is far from this one if there are many sources.
+      const Vertex_id next = m_wavefront.queue().empty() ? m_star.vertex : m_wavefront.queue().top();
+      m_mesh.prefetch_star(next);
       m_stars.propagate(m_star);
+      m_mesh.prefetch_faces_of_star(next);
       m_wavefront.put_back(m_star, m_stars.pool());
     }
     m_end.set_complete();

@@ -29,6 +29,7 @@
 
 #include <CGAL/Surface_mesh_geodesics/internal/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/planar_geometry.h>
+#include <CGAL/Surface_mesh_geodesics/internal/prefetch.h>
 
 #include <algorithm>
 #include <array>
@@ -129,6 +130,19 @@ public:
   const Halfedge_id* star_begin(Vertex_id v) const { return m_star.data() + m_star_begin[v]; }
   const Halfedge_id* star_end(Vertex_id v) const { return m_star.data() + m_star_begin[v + 1]; }
   bool has_star(Vertex_id v) const { return (m_vertex_kind[v] & (PINCHED | REFINED)) == 0; }
+
+  // ask for the memory of these halfedges; and, when it has come, for that of their faces.
+  void prefetch_star(Vertex_id v) const
+  {
+    if(has_star(v))
+      prefetch(star_begin(v));
+  }
+  void prefetch_faces_of_star(Vertex_id v) const
+  {
+    if(has_star(v))
+      for(const Halfedge_id* h = star_begin(v); h != star_end(v); ++h)
+        prefetch(&face(face_of(*h)));
+  }
 
   // calls visit(h) for one halfedge h of each umbrella of v, the first one if it has a border.
   template <typename Visitor>

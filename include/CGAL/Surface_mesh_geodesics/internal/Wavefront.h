@@ -30,6 +30,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/Vertex_front_queue.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Vertex_star.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Window_lists.h>
+#include <CGAL/Surface_mesh_geodesics/internal/prefetch.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -206,15 +207,6 @@ private:
       m_emission[v] |= MUST_EMIT;
       m_queue.push_or_decrease(v, link.distance);
     }
-  }
-
-  static void prefetch(const void* p)
-  {
-#ifdef __GNUC__
-    __builtin_prefetch(p);
-#else
-    static_cast<void>(p);
-#endif
   }
 
   const Mesh& m_mesh;
