@@ -315,8 +315,8 @@ MUTANTS = [
 
     # --- parallel propagation, sampling ---
     ("neighbours_at_the_same_time", PARALLEL,
-     "for(const Link_vertex<FT>& link : star.links)\n"
-     "      obstacle = (std::max)(obstacle, m_flight_of_vertex[link.vertex]);",
+     "for(const Link_vertex<FT>& link : f.star.links)\n"
+     "        m_last_visit_near[link.vertex] = i + 1;",
      "",
      "stars that share faces are worked on at the same time", (PARALLEL_TEST,),
      "what comes to a star that is out waits for its next visit: there are more visits, and the same distances"),

@@ -95,7 +95,7 @@ public:
   Parallel_distance_propagation(const Mesh& mesh, Field& field,
                                 std::size_t number_of_stars = default_number_of_stars, const Team& team = Team())
     : m_mesh(mesh), m_field(field), m_team(team), m_wavefront(mesh, field), m_flights(number_of_stars),
-      m_flight_of_vertex(mesh.number_of_vertices(), 0), m_maximum_distance(Field::infinity())
+      m_last_visit_near(mesh.number_of_vertices(), 0), m_maximum_distance(Field::infinity())
   {
     m_workers.push_back(std::make_unique<Worker>(mesh, field.distance));
   }
@@ -108,13 +108,11 @@ public:
   {
     for(; m_first != m_last; ++m_first)
       abandon(flight(m_first));
-    for(Flight& f : m_flights)
-      f.done = 0;
-    m_first = m_last = m_published = m_claimed = 0;
+    m_begin = m_published = m_claimed = m_last; // numbers are not used again: those of vertices need not be cleared
     m_wavefront.restart(m_workers.front()->pool());
     for(const std::unique_ptr<Worker>& worker : m_workers)
       worker->restart();
-    m_flight_of_vertex.resize(m_mesh.number_of_vertices(), 0);
+    m_last_visit_near.resize(m_mesh.number_of_vertices(), 0);
     m_maximum_distance = Field::infinity();
     m_end = Run_end<FT>();
   }
@@ -152,7 +150,8 @@ public:
         if(i > 0)
           help(*m_workers[i]);
         else
-          is_complete = conduct([&]() { return go_on(static_cast<std::size_t>(m_first), reached_distance()); });
+          is_complete
+            = conduct([&]() { return go_on(static_cast<std::size_t>(m_first - m_begin), reached_distance()); });
       }
       catch(...)
       {
@@ -188,7 +187,7 @@ public:
 
 private:
   using Worker = Star_propagation<FT, Rules>;
-  using Number = std::uint64_t; // of a visit, from the first one on
+  using Number = std::uint64_t; // of a visit, from the first one of all runs on
 
   // Ends the work of the conductor when another thread has failed.
   struct Interruption
@@ -211,7 +210,7 @@ private:
   {
     for(;;)
     {
-      while(m_last - m_first < m_flights.size() && take_out(flight(m_last)))
+      while(m_last - m_first < m_flights.size() && take_out(m_last))
       {
         ++m_last;
         m_published.store(m_last, std::memory_order_release);
@@ -223,7 +222,7 @@ private:
         m_end.go_back_to(m_wavefront.queue().top_key());
         continue;
       }
-      if(m_first % visits_between_checks == 0)
+      if((m_first - m_begin) % visits_between_checks == 0)
       {
         if(m_end.is_reached_at(nearest_key(), m_field.distance))
           return true;
@@ -237,35 +236,32 @@ private:
     return true;
   }
 
-  // takes the star of the nearest vertex out that is not next to one whose star is out. Returns false if
+  // takes the star of the nearest vertex out that is not next to one whose star is out, as visit i. Returns false if
   // there is none.
-  bool take_out(Flight& f)
+  bool take_out(Number i)
   {
     Vertex_front_queue<FT>& queue = m_wavefront.queue();
     while(!queue.empty())
     {
-      f.key = queue.top_key();
-      f.star.surround(m_mesh, queue.top());
+      const Vertex_id v = queue.top();
+      const FT key = queue.top_key();
       queue.pop();
-      Flight* const obstacle = find_obstacle(f.star);
-      if(obstacle == nullptr)
+      const Number last = m_last_visit_near[v];
+      if(last > m_first) // visits end in their order: if this one has ended, all near to v have
       {
-        m_wavefront.take(f.star);
-        m_flight_of_vertex[f.star.vertex] = static_cast<std::uint32_t>(&f - m_flights.data()) + 1;
-        return true;
+        flight(last - 1).deferred.emplace_back(key, v);
+        continue;
       }
-      obstacle->deferred.emplace_back(f.key, f.star.vertex);
+      Flight& f = flight(i);
+      f.key = key;
+      f.star.surround(m_mesh, v);
+      m_wavefront.take(f.star);
+      m_last_visit_near[v] = i + 1;
+      for(const Link_vertex<FT>& link : f.star.links)
+        m_last_visit_near[link.vertex] = i + 1;
+      return true;
     }
     return false;
-  }
-
-  // A star that is out, of the vertex itself or of a neighbour; or null.
-  Flight* find_obstacle(const Vertex_star<FT>& star)
-  {
-    std::uint32_t obstacle = m_flight_of_vertex[star.vertex];
-    for(const Link_vertex<FT>& link : star.links)
-      obstacle = (std::max)(obstacle, m_flight_of_vertex[link.vertex]);
-    return obstacle == 0 ? nullptr : &m_flights[obstacle - 1];
   }
 
   void put_back(Number i)
@@ -282,7 +278,6 @@ private:
   // lets the neighbours of a star that is not out any more be visited.
   void release(Flight& f)
   {
-    m_flight_of_vertex[f.star.vertex] = 0;
     for(const auto& neighbour : f.deferred)
       m_wavefront.queue().push_or_decrease(neighbour.second, neighbour.first);
     f.deferred.clear();
@@ -363,10 +358,13 @@ private:
   Wavefront<FT> m_wavefront;
   std::vector<std::unique_ptr<Worker>> m_workers; // the first one is the conductor's
   std::vector<Flight> m_flights;
-  std::vector<std::uint32_t> m_flight_of_vertex; // plus 1; 0 if the star of the vertex is not out
+  // For each vertex, the number plus 1 of the last visit of it or of a neighbour; the star of that visit is out if this
+  // is greater than m_first.
+  std::vector<Number> m_last_visit_near;
   Run_end<FT> m_end;
   FT m_maximum_distance;
   Number m_first = 0, m_last = 0; // of the stars that are out
+  Number m_begin = 0;             // of this run
   alignas(64) std::atomic<Number> m_published{0};
   alignas(64) std::atomic<Number> m_claimed{0};
   alignas(64) std::atomic<bool> m_is_over{false};
