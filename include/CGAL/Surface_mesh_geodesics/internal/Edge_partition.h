@@ -106,6 +106,8 @@ public:
   const std::vector<Breakpoint>& breakpoints() const { return m_breakpoints; }
   const std::vector<Edge_interval<FT>>& intervals() const { return m_intervals; }
 
+  const Generator& generator(std::size_t i) const { return m_generators[i]; }
+
 private:
   static bool is_nearer(const FT& a, const FT& b) { return a < b * (1 - 4 * Tolerance<FT>::distance()); }
 

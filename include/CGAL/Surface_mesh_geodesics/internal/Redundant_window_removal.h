@@ -356,22 +356,48 @@ private:
     });
   }
 
-  // The windows that are nearest somewhere, in the order along the edge.
+  // Keeps the parts of windows that are nearest. A path that runs along the edge may cross it or not, as far as numbers
+  // tell, so that a window ties with one that leaves its face. Each of them is kept for the face that it enters: the
+  // other one comes to that face by another edge, where it may have been removed because of this one.
   void replace_windows(Halfedge_id h, Halfedge_id o, const FT& length)
   {
     m_windows.release(h);
     if(o != null_id)
       m_windows.release(o);
-    for(const Edge_interval<FT>& i : m_edge.intervals())
+    for(std::size_t i = 0; i < m_candidates.size(); ++i)
     {
-      if(i.generator < 2 || i.generator - 2 >= m_candidates.size() || !(i.begin < i.end))
+      const Halfedge_id side = m_candidates[i].first;
+      Face_window<FT> w = m_candidates[i].second;
+      FT begin = length, end = 0; // of what is kept, as seen from h
+      for(const Edge_interval<FT>& part : m_edge.intervals())
+      {
+        const Edge_generator<FT>& g = m_edge.generator(i + 2);
+        const FT first = (std::max)(g.begin, part.begin), last = (std::min)(g.end, part.end);
+        if(!(first < last) || !is_nearest(i + 2, side, part.generator, first + (last - first) / 2))
+          continue;
+        begin = (std::min)(begin, first);
+        end = (std::max)(end, last);
+      }
+      if(!(begin < end))
         continue;
-      const Halfedge_id side = m_candidates[i.generator - 2].first;
-      Face_window<FT> w = m_candidates[i.generator - 2].second;
-      w.begin = (std::max)(w.begin, side == h ? i.begin : FT(length - i.end));
-      w.end = (std::min)(w.end, side == h ? i.end : FT(length - i.begin));
+      w.begin = (std::max)(w.begin, side == h ? begin : FT(length - end));
+      w.end = (std::min)(w.end, side == h ? end : FT(length - begin));
       m_windows.add(side, w);
     }
+  }
+
+  // Is a generator, a window of `side`, nearest at x? `nearest` is the generator that is so. Of the windows of one side
+  // that tie it is enough.
+  bool is_nearest(std::size_t generator, Halfedge_id side, std::size_t nearest, const FT& x) const
+  {
+    if(generator == nearest)
+      return true;
+    if(nearest < 2) // a corner of both faces
+      return false;
+    if(nearest - 2 < m_candidates.size() && m_candidates[nearest - 2].first == side)
+      return false;
+    const FT d = m_edge.generator(nearest).distance_at(x);
+    return m_edge.generator(generator).distance_at(x) <= d + Tolerance<FT>::tie() * d;
   }
 
   const Mesh* m_mesh = nullptr;
