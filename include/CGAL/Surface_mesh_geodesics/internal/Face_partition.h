@@ -455,7 +455,7 @@ private:
     const std::size_t l = nearest_of(g.left, g.p), r = nearest_of(g.right, g.p);
     if(l == none || r == none)
       return false;
-    const Weighted_bisector<FT> curve(m_generators[l].image, m_generators[r].image, g.p);
+    const Weighted_bisector<FT> curve(image_towards(m_generators[l], g.p), image_towards(m_generators[r], g.p), g.p);
     if(!curve.is_valid() && !curve.is_ray())
       return false;
     const Point t = curve.tangent();
@@ -497,8 +497,8 @@ private:
     const std::size_t l = nearest_of(f.left, middle), r = nearest_of(f.right, middle);
     Piece piece;
     if(l != none)
-      piece.left = m_generators[l].image;
-    piece.right = r != none ? m_generators[r].image : piece.left;
+      piece.left = image_towards(m_generators[l], middle);
+    piece.right = r != none ? image_towards(m_generators[r], middle) : piece.left;
     if(l == none)
       piece.left = piece.right;
     const FT at_left = piece.left.distance_to(middle), at_right = piece.right.distance_to(middle);
@@ -524,6 +524,9 @@ private:
     if(f.last_left == none || f.last_right == none)
       return;
     m_bends.clear();
+    for(std::size_t* last : {&f.last_left, &f.last_right})
+      if(!m_generators[*last].sees(f.p, width()))
+        *last = add_bend(*last, f.p);
     m_slack = width();
     m_left_here.clear();
     std::size_t steps = 4 * m_generators.size() + 64, steps_here = 0;
@@ -897,12 +900,29 @@ private:
     }
     if(best != none)
       return best;
-    Generator bend;
+    return add_bend(i, p);
+  }
+
+  // Paths from a generator to points beyond its cone bend at the end of the interval that is nearer to p.
+  static Generator bend(const Generator& g, const Point& p)
+  {
+    Generator result;
     const Point& q = g.left(p) < g.right(p) ? g.left_end : g.right_end;
-    bend.image = Weighted_point<FT>{q.x, q.y, g.image.distance_to(q)};
-    bend.site = g.site;
-    m_bends.push_back(bend);
+    result.image = Weighted_point<FT>{q.x, q.y, g.image.distance_to(q)};
+    result.site = g.site;
+    return result;
+  }
+
+  std::size_t add_bend(std::size_t i, const Point& p)
+  {
+    m_bends.push_back(bend(generator(i), p));
     return m_generators.size() + m_bends.size() - 1;
+  }
+
+  // the image of the shortest paths from a generator to p.
+  Weighted_point<FT> image_towards(const Generator& g, const Point& p) const
+  {
+    return g.sees(p, width()) ? g.image : bend(g, p).image;
   }
 
   const Generator& generator(std::size_t i) const
