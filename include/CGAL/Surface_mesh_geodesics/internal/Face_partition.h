@@ -684,6 +684,12 @@ private:
     for(std::size_t i = 0; i < n; ++i)
       if(m_margins[i] >= -event.extent && may_take_over(f, i))
         be_taken_over(curve, left, m_generators[i], i, event);
+    // the paths around the end of the last cone: what goes on may only seem to tie with them there
+    if(!m_bends.empty() && may_take_over(f, n + m_bends.size() - 1))
+    {
+      const Generator last = m_bends.back();
+      be_taken_over(curve, left, last, n + m_bends.size() - 1, event);
+    }
     if(event.kind == Event::NOTHING)
       return false;
     // Cones end where cells end on the border. What is beyond the end of a cone, that near to the border, is
@@ -729,13 +735,13 @@ private:
 
   bool is_third_site(const Front& f, std::size_t index) const
   {
-    const Vertex_id site = m_generators[index].site;
+    const Vertex_id site = generator(index).site;
     return site != f.left && site != f.right;
   }
 
   void meet(Front& f, std::size_t index)
   {
-    const Vertex_id site = m_generators[index].site;
+    const Vertex_id site = generator(index).site;
     if(!is_third_site(f, index))
     {
       std::size_t& last = site == f.left ? f.last_left : f.last_right;
@@ -786,7 +792,7 @@ private:
 
   bool may_take_over(const Front& f, std::size_t i) const
   {
-    return i != f.last_left && i != f.last_right && has_front(m_generators[i].site);
+    return i != f.last_left && i != f.last_right && has_front(generator(i).site);
   }
 
   // The same for the half-plane in front of the end: a front that starts outside enters it first.
@@ -898,9 +904,8 @@ private:
         best_distance = d;
       }
     }
-    if(best != none)
-      return best;
-    return add_bend(i, p);
+    const std::size_t at_end = add_bend(i, p);
+    return best != none ? best : at_end;
   }
 
   // Paths from a generator to points beyond its cone bend at the end of the interval that is nearer to p.
