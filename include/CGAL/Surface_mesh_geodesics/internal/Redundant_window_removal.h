@@ -380,8 +380,6 @@ private:
       }
       if(!(begin < end))
         continue;
-      w.begin = (std::max)(w.begin, side == h ? begin : FT(length - end));
-      w.end = (std::min)(w.end, side == h ? end : FT(length - begin));
       m_windows.add(side, w);
     }
   }
