@@ -356,46 +356,54 @@ private:
     });
   }
 
-  // Keeps the parts of windows that are nearest. A path that runs along the edge may cross it or not, as far as numbers
-  // tell, so that a window ties with one that leaves its face. Each of them is kept for the face that it enters: the
-  // other one comes to that face by another edge, where it may have been removed because of this one.
+  // Keeps the windows that are nearest somewhere. All of their intervals are kept: the places where others take over are
+  // known up to rounding only, and differ from those on the other edges of a face.
   void replace_windows(Halfedge_id h, Halfedge_id o, const FT& length)
   {
     m_windows.release(h);
     if(o != null_id)
       m_windows.release(o);
     for(std::size_t i = 0; i < m_candidates.size(); ++i)
-    {
-      const Halfedge_id side = m_candidates[i].first;
-      Face_window<FT> w = m_candidates[i].second;
-      FT begin = length, end = 0; // of what is kept, as seen from h
-      for(const Edge_interval<FT>& part : m_edge.intervals())
-      {
-        const Edge_generator<FT>& g = m_edge.generator(i + 2);
-        const FT first = (std::max)(g.begin, part.begin), last = (std::min)(g.end, part.end);
-        if(!(first < last) || !is_nearest(i + 2, side, part.generator, first + (last - first) / 2))
-          continue;
-        begin = (std::min)(begin, first);
-        end = (std::max)(end, last);
-      }
-      if(!(begin < end))
-        continue;
-      m_windows.add(side, w);
-    }
+      if(is_nearest_somewhere(i + 2, length))
+        m_windows.add(m_candidates[i].first, m_candidates[i].second);
   }
 
-  // Is a generator, a window of `side`, nearest at x? `nearest` is the generator that is so. Of the windows of one side
-  // that tie it is enough.
-  bool is_nearest(std::size_t generator, Halfedge_id side, std::size_t nearest, const FT& x) const
+  // Is a window nearest on a part of its edge? If its image is on the edge itself, it may be so there only.
+  bool is_nearest_somewhere(std::size_t window, const FT& length) const
   {
-    if(generator == nearest)
+    const Edge_generator<FT>& g = m_edge.generator(window);
+    const FT foot = (std::min)((std::max)(g.image_x, g.begin), g.end);
+    const bool is_on_edge = g.depth <= Tolerance<FT>::closeness() * length;
+    for(const Edge_interval<FT>& i : m_edge.intervals())
+    {
+      const FT first = (std::max)(g.begin, i.begin), last = (std::min)(g.end, i.end);
+      if((first < last && is_nearest(window, i.generator, first + (last - first) / 2))
+         || (is_on_edge && i.begin <= foot && foot <= i.end && ties(window, i.generator, foot)))
+        return true;
+    }
+    return false;
+  }
+
+  // Is a window nearest at x? `nearest` is the generator that is so.
+  //
+  // A path that runs along the edge may cross it or not, as far as numbers tell, so that a window ties with one that
+  // leaves its face. Each of them is kept for the face that it enters: the other one comes to that face by another edge,
+  // where it may have been removed because of this one. Of the windows of one side that tie it is enough.
+  bool is_nearest(std::size_t window, std::size_t nearest, const FT& x) const
+  {
+    if(window == nearest)
       return true;
     if(nearest < 2) // a corner of both faces
       return false;
-    if(nearest - 2 < m_candidates.size() && m_candidates[nearest - 2].first == side)
+    if(nearest - 2 < m_candidates.size() && m_candidates[nearest - 2].first == m_candidates[window - 2].first)
       return false;
+    return ties(window, nearest, x);
+  }
+
+  bool ties(std::size_t window, std::size_t nearest, const FT& x) const
+  {
     const FT d = m_edge.generator(nearest).distance_at(x);
-    return m_edge.generator(generator).distance_at(x) <= d + Tolerance<FT>::tie() * d;
+    return m_edge.generator(window).distance_at(x) <= d + Tolerance<FT>::tie() * d;
   }
 
   const Mesh* m_mesh = nullptr;
