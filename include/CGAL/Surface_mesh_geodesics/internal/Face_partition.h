@@ -692,12 +692,7 @@ private:
     }
     if(event.kind == Event::NOTHING)
       return false;
-    // Cones end where cells end on the border. What is beyond the end of a cone, that near to the border, is
-    // wrong by the square of this length only.
-    const bool is_cone = event.kind == Event::LEFT_CONE || event.kind == Event::RIGHT_CONE;
-    if(at_border.kind == Event::BORDER
-       && distance(curve.point(at_border.t), curve.point(event.t))
-            <= (is_cone ? FT(Tolerance<FT>::closeness() * m_size) : width()))
+    if(at_border.kind == Event::BORDER && distance(curve.point(at_border.t), curve.point(event.t)) <= width())
       event = at_border;
     Point p = curve.point(event.t);
     if(!(event.t > 0))
