@@ -563,20 +563,29 @@ private:
   }
 
   // Where several generators of a source tie, rounding may have led to one that is not the nearest ahead. Is there a
-  // pair of them, of both sources, with a curve into the face?
+  // pair of them, of both sources, with a curve into the face? The one that leads farthest is taken. It has to lead
+  // somewhere else, but where the front begins any way is one.
   bool find_way_ahead(Front& f)
   {
     m_slack = touching();
     const std::vector<std::size_t> left = tied_generators(f.left, f.end), right = tied_generators(f.right, f.end);
+    FT farthest = distance(f.p, f.end) <= width() ? width() : near();
+    bool is_found = false;
+    const std::size_t last_left = f.last_left, last_right = f.last_right;
     for(std::size_t l : left)
       for(std::size_t r : right)
-        if((l != f.last_left || r != f.last_right) && is_way_ahead(f.end, l, r, left, right))
-        {
-          f.last_left = l;
-          f.last_right = r;
-          return true;
-        }
-    return false;
+      {
+        if(l == last_left && r == last_right)
+          continue;
+        const FT reach = way_ahead(f.end, l, r, left, right);
+        if(!(reach > farthest))
+          continue;
+        farthest = reach;
+        is_found = true;
+        f.last_left = l;
+        f.last_right = r;
+      }
+    return is_found;
   }
 
   // the generators of a source that are as near to p as the nearest one.
@@ -594,14 +603,14 @@ private:
     return result;
   }
 
-  // Does the curve of two generators lead from p into the face, and is none of the others nearer there?
-  bool is_way_ahead(const Point& p, std::size_t l, std::size_t r, const std::vector<std::size_t>& left,
-                    const std::vector<std::size_t>& right) const
+  // How far does the curve of two generators lead from p into the face, as long as none of the others is nearer?
+  FT way_ahead(const Point& p, std::size_t l, std::size_t r, const std::vector<std::size_t>& left,
+               const std::vector<std::size_t>& right) const
   {
     const Generator &gl = m_generators[l], &gr = m_generators[r];
     const Weighted_bisector<FT> curve(gl.image, gr.image, p);
     if(!leads_on(curve, gl, gr))
-      return false;
+      return 0;
     Event event;
     event.t = curve.end();
     for(const Half_plane<FT>& side : m_side)
@@ -612,15 +621,15 @@ private:
         leave(curve, g->left, Event::LEFT_CONE, 0, event);
         leave(curve, g->right, Event::RIGHT_CONE, 0, event);
       }
-    if(event.kind == Event::NOTHING || !(distance(curve.point(event.t), p) > near()))
-      return false;
+    if(event.kind == Event::NOTHING)
+      return 0;
     const Point ahead = curve.point((std::min)(FT(event.t / 2), FT(1) / 1024));
     const auto is_nearest = [&](const Generator& g, const std::vector<std::size_t>& others)
     {
       return std::none_of(others.begin(), others.end(), [&](std::size_t i)
       { return m_generators[i].sees(ahead) && is_nearer(m_generators[i], g, ahead); });
     };
-    return is_nearest(gl, left) && is_nearest(gr, right);
+    return is_nearest(gl, left) && is_nearest(gr, right) ? distance(curve.point(event.t), p) : FT(0);
   }
 
   // What ends a piece.
