@@ -439,12 +439,26 @@ private:
     Half_plane<FT> before_end;
     const bool has_direction = !is_leaf(g) && line_in_front_of(g, before_end);
     trace(f, has_direction ? &before_end : nullptr);
+    if(!(distance(f.end, g.p) <= touching()))
+      end_at(f, g.p);
     const FT gap = distance(f.end, g.p);
     if(f.stop == Stop::LOST || !(gap <= near()))
       ++m_number_of_joints;
     if(!(gap <= touching()))
       f.stop = Stop::LOST;
     finish(f, g.p, g.node);
+  }
+
+  // A curve along the border may have passed its end.
+  void end_at(Front& f, const Point& p) const
+  {
+    const auto piece = std::find_if(f.pieces.begin(), f.pieces.end(),
+                                    [&](const Piece& q) { return distance(q.end, p) <= touching(); });
+    if(piece == f.pieces.end())
+      return;
+    f.pieces.erase(piece + 1, f.pieces.end());
+    f.end = piece->end;
+    f.stop = Stop::OUTSIDE;
   }
 
   bool is_leaf(const Front& f) const { return f.node < m_leaves.size(); }
@@ -549,15 +563,17 @@ private:
       }
       else if(++steps_here > m_generators.size() + 8) // rounding goes round in circles
         return;
-      if(f.stop == Stop::OUTSIDE && !ends_at_leaf(f) && find_way_ahead(f)) // the curve touches the border only
+      if(f.stop == Stop::OUTSIDE && !ends_at_leaf(f, near()) && find_way_ahead(f)) // the curve touches the border only
         f.stop = Stop::LOST;
+      else if(f.stop == Stop::LOST && ends_at_leaf(f, width())) // it runs along the border from here on
+        f.stop = Stop::OUTSIDE;
     }
   }
 
-  bool ends_at_leaf(const Front& f) const
+  bool ends_at_leaf(const Front& f, const FT& tolerance) const
   {
     for(const Leaf& l : m_leaves)
-      if(l.left == f.right && l.right == f.left && distance(l.p, f.end) <= near())
+      if(l.left == f.right && l.right == f.left && distance(l.p, f.end) <= tolerance)
         return true;
     return false;
   }
