@@ -372,6 +372,28 @@ private:
     return true;
   }
 
+  // Where two sources nearly tie, a front may have met a third cell behind the vertex: it ends where it passes that.
+  static void cut_at(Front& f, const Point& v)
+  {
+    using std::abs;
+    Point from = f.p;
+    for(std::size_t i = 0; i < f.pieces.size(); ++i)
+    {
+      const Piece& piece = f.pieces[i];
+      const Weighted_bisector<FT> curve(piece.left, piece.right, v);
+      const FT at_left = piece.left.distance_to(v), at_right = piece.right.distance_to(v);
+      const Point u = curve.tangent();
+      const auto along = [&](const Point& p) { return (p.x - v.x) * u.x + (p.y - v.y) * u.y; };
+      if(curve.is_valid() && abs(FT(at_left - at_right)) <= Tolerance<FT>::tie() * at_left
+         && along(from) <= 0 && along(piece.end) > 0)
+      {
+        f.pieces.resize(i + 1);
+        return;
+      }
+      from = piece.end;
+    }
+  }
+
   // Nothing agrees: the neighbours whose ends are nearest to each other are joined.
   void join_nearest(std::vector<Front>& fronts)
   {
@@ -408,6 +430,8 @@ private:
       v = f.stop == Stop::SITE ? f.end : g.end;
     const std::size_t node = m_nodes.size();
     m_nodes.push_back(Node{v, {f.left, f.right, g.right}, true});
+    cut_at(f, v);
+    cut_at(g, v);
     finish(f, v, node);
     finish(g, v, node);
     const Front joined = front(f.left, g.right, v, node);
@@ -442,11 +466,24 @@ private:
     if(!(distance(f.end, g.p) <= touching()))
       end_at(f, g.p);
     const FT gap = distance(f.end, g.p);
+    if(!(gap <= touching()) && comes_back(g, f))
+      return finish(g, f.p, f.node);
     if(f.stop == Stop::LOST || !(gap <= near()))
       ++m_number_of_joints;
     if(!(gap <= touching()))
       f.stop = Stop::LOST;
     finish(f, g.p, g.node);
+  }
+
+  // Does the way from g lead to the beginning of f?
+  bool comes_back(Front& g, const Front& f)
+  {
+    Half_plane<FT> before_end;
+    const bool has_direction = !is_leaf(f) && line_in_front_of(f, before_end);
+    trace(g, has_direction ? &before_end : nullptr);
+    if(!(distance(g.end, f.p) <= touching()))
+      end_at(g, f.p);
+    return distance(g.end, f.p) <= touching();
   }
 
   // A curve along the border may have passed its end.
