@@ -201,7 +201,25 @@ private:
       }
       from = to;
     }
-    return false;
+    // Roots that are near to each other are known to the square root of rounding: g may be nearer between them only.
+    const FT foot = (std::min)((std::max)(g.image_x, first), last);
+    if(!is_nearer(g.distance_at(foot), c.distance_at(foot)))
+      return false;
+    start = crossing(g, c, first, foot);
+    return true;
+  }
+
+  // where g becomes nearer than c between two places, at the second of which it is so.
+  static FT crossing(const Generator& g, const Generator& c, FT from, FT to)
+  {
+    if(!(c.distance_at(from) < g.distance_at(from)))
+      return from;
+    for(int i = 0; i < 64; ++i)
+    {
+      const FT middle = from + (to - from) / 2;
+      (c.distance_at(middle) < g.distance_at(middle) ? from : to) = middle;
+    }
+    return to;
   }
 
   // where the distances of two generators are the same, in ascending order; infinity for what is not there.

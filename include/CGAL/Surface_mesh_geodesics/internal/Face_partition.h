@@ -616,8 +616,8 @@ private:
   }
 
   // Where several generators of a source tie, rounding may have led to one that is not the nearest ahead. Is there a
-  // pair of them, of both sources, with a curve into the face? The one that leads farthest is taken. It has to lead
-  // somewhere else, but where the front begins any way is one.
+  // pair of them, of both sources, with a curve into the face that does not turn back? The one that leads farthest is
+  // taken. It has to lead somewhere else, but where the front begins any way is one.
   bool find_way_ahead(Front& f)
   {
     m_slack = touching();
@@ -631,7 +631,7 @@ private:
         if(l == last_left && r == last_right)
           continue;
         const FT reach = way_ahead(f.end, l, r, left, right);
-        if(!(reach > farthest))
+        if(!(reach > farthest) || turns_back(f, l, r))
           continue;
         farthest = reach;
         is_found = true;
@@ -639,6 +639,16 @@ private:
         f.last_right = r;
       }
     return is_found;
+  }
+
+  // Does the curve of two generators at the end of f lead to where f comes from?
+  bool turns_back(const Front& f, std::size_t l, std::size_t r) const
+  {
+    if(f.pieces.empty())
+      return false;
+    const Point& from = f.pieces.size() > 1 ? f.pieces[f.pieces.size() - 2].end : f.p;
+    const Point u = Weighted_bisector<FT>(m_generators[l].image, m_generators[r].image, f.end).tangent();
+    return (f.end.x - from.x) * u.x + (f.end.y - from.y) * u.y < 0;
   }
 
   // the generators of a source that are as near to p as the nearest one.
