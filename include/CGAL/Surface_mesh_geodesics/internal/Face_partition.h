@@ -280,6 +280,8 @@ private:
   {
     while(fronts.size() > 2)
     {
+      if(connect_touching(fronts))
+        continue;
       find_sites(fronts);
       for(Front& f : fronts)
         if(f.stop == Stop::NOT_TRACED)
@@ -307,6 +309,20 @@ private:
     for(const Front& f : fronts)
       m_sites.push_back(f.left);
     std::sort(m_sites.begin(), m_sites.end());
+  }
+
+  // Where a cell has no width between two fronts, nothing is to be traced.
+  bool connect_touching(std::vector<Front>& fronts)
+  {
+    for(std::size_t i = 0; i < fronts.size(); ++i)
+      for(std::size_t j = i + 1; j < fronts.size(); ++j)
+        if(fronts[i].left == fronts[j].right && fronts[i].right == fronts[j].left
+           && distance(fronts[i].p, fronts[j].p) <= width())
+        {
+          split_at(fronts, i, j);
+          return true;
+        }
+    return false;
   }
 
   // a front that leaves the face at the beginning of another one with the same sites is connected with it.
