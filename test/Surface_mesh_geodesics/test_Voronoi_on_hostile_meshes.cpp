@@ -1,7 +1,7 @@
 // Diagrams of weighted and of equal sites on meshes with needles, caps, nearly equal points and vertices of all scales.
 // Where sites tie, or faces are thinner, within rounding, the certificate may find a fault; more than two diagrams of a
-// thousand are more than is known of. Those with faults are printed. The number of meshes, and the seed, may be given as
-// arguments.
+// thousand are more than is known of. Those with faults are printed. The number of meshes, and the seed, may be given
+// as arguments.
 
 #include "Voronoi_test_helpers.h"
 #include "hostile_meshes.h"
@@ -43,7 +43,8 @@ bool is_right(const Mesh& tm, const Weighted_sites& sites, const std::string& na
     if(certificate.worst_violation(condition) > tolerance_of(condition))
     {
       is_right = false;
-      std::cout << name << ": " << Certificate::name(condition) << " " << certificate.worst_violation(condition) << "\n";
+      std::cout << name << ": " << Certificate::name(condition) << " " << certificate.worst_violation(condition)
+                << "\n";
     }
   }
   return is_right;

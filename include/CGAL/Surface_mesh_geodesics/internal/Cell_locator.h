@@ -225,7 +225,8 @@ private:
   }
 
   // Else the arc is the segment between its ends, or cannot be told from it; the parameters of a hyperbola that is
-  // nearly a ray are too small to tell its ends, and if its generators are nearly one, rounding moves it away from them.
+  // nearly a ray are too small to tell its ends, and if its generators are nearly one, rounding moves it away from
+  // them.
   bool is_curved(const Arc& a, const Weighted_bisector<FT>& curve) const
   {
     using std::abs;

@@ -28,9 +28,10 @@
 // farther than (d(A) + d(B) + l) / 2. Faces wait in a queue by a first guess, and again by the bound that is
 // known then (5.2.2).
 //
-// When the faces on both sides of an edge are inactive, its windows are trimmed to the intervals where they
-// are nearest (the trimming rule of 5.2, for all windows of an edge at once). That tells where cells begin
-// and end on the edge. Far more faces become redundant then: those that windows of another source
+// When the faces on both sides of an edge are inactive, the intervals where its windows are nearest are found (the
+// trimming rule of 5.2, for all windows of an edge at once), and those that are so nowhere are removed; the others
+// keep their intervals whole. That tells where cells begin and end on the edge.
+// Far more faces become redundant then: those that windows of another source
 // have entered, but nowhere as the nearest ones. A face that does lie in several cells is given to a consumer
 // when all of its edges have been trimmed, and its windows are removed after that.
 
@@ -300,7 +301,7 @@ private:
     return false;
   }
 
-  // trims the windows of both sides, and finds the breakpoints of the edge.
+  // removes windows of both sides that are nearest nowhere, and finds the breakpoints of the edge.
   void trim_edge(Halfedge_id h, Halfedge_id o)
   {
     const Vertex_id a = m_mesh->source(h), b = m_mesh->target(h);
@@ -356,8 +357,8 @@ private:
     });
   }
 
-  // Keeps the windows that are nearest somewhere. All of their intervals are kept: the places where others take over are
-  // known up to rounding only, and differ from those on the other edges of a face.
+  // Keeps the windows that are nearest somewhere. All of their intervals are kept: the places where others take over
+  // are known up to rounding only, and differ from those on the other edges of a face.
   void replace_windows(Halfedge_id h, Halfedge_id o, const FT& length)
   {
     m_windows.release(h);
@@ -387,8 +388,8 @@ private:
   // Is a window nearest at x? `nearest` is the generator that is so.
   //
   // A path that runs along the edge may cross it or not, as far as numbers tell, so that a window ties with one that
-  // leaves its face. Each of them is kept for the face that it enters: the other one comes to that face by another edge,
-  // where it may have been removed because of this one. Of the windows of one side that tie it is enough.
+  // leaves its face. Each of them is kept for the face that it enters: the other one comes to that face by another
+  // edge, where it may have been removed because of this one. Of the windows of one side that tie one is enough.
   bool is_nearest(std::size_t window, std::size_t nearest, const FT& x) const
   {
     if(window == nearest)
