@@ -1,19 +1,22 @@
 // Diagrams of weighted and of equal sites on meshes with needles, caps, nearly equal points and vertices of all scales.
-// Where sites tie, or faces are thinner, within rounding, the certificate may find a fault; more than one diagram of a
-// hundred is more than is known of. Those with faults are printed. The number of meshes, and the seed, may be given as
-// arguments.
+// Where sites tie, or faces are thinner, within rounding, the certificate may find a fault; more than two diagrams of a
+// thousand are more than is known of. Those with faults are printed. The number of meshes, and the seed, may be given
+// as arguments.
 
 #include "Voronoi_test_helpers.h"
 #include "hostile_meshes.h"
 
 #include <CGAL/Surface_mesh_geodesics/certify_geodesic_Voronoi_diagram.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <iostream>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace {
 
@@ -40,21 +43,26 @@ bool is_right(const Mesh& tm, const Weighted_sites& sites, const std::string& na
     if(certificate.worst_violation(condition) > tolerance_of(condition))
     {
       is_right = false;
-      std::cout << name << ": " << Certificate::name(condition) << " " << certificate.worst_violation(condition) << "\n";
+      std::cout << name << ": " << Certificate::name(condition) << " " << certificate.worst_violation(condition)
+                << "\n";
     }
   }
   return is_right;
 }
 
-} // namespace
-
-int main(int argc, char* argv[])
+// The diagrams whose numbers are asked for, of those that follow from a seed; of all others only the random numbers are
+// drawn.
+struct Faults
 {
-  const std::size_t number = argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 600;
-  const std::uint64_t seed = argc > 2 ? std::strtoul(argv[2], nullptr, 10) : 8;
+  std::size_t number_of_diagrams = 0, number_with_faults = 0;
+};
+
+template <typename IsAsked>
+Faults check_diagrams(std::size_t number, std::uint64_t seed, IsAsked is_asked)
+{
   std::cout << "seed " << seed << "\n";
   test_support::Random random(seed);
-  std::size_t number_of_diagrams = 0, number_with_faults = 0;
+  Faults faults;
   for(std::size_t i = 0; i < number; ++i)
   {
     const Indexed_mesh mesh = hostile_meshes::hostile_mesh(random);
@@ -69,11 +77,49 @@ int main(int argc, char* argv[])
       continue;
     }
     const Weighted_sites sites = random_sites(tm, 4, largest_weight, random);
-    number_with_faults += is_right(tm, sites, mesh.name + ", number " + std::to_string(i)) ? 0 : 1;
-    ++number_of_diagrams;
+    if(!is_asked(i))
+    {
+      continue;
+    }
+    faults.number_with_faults += is_right(tm, sites, mesh.name + ", number " + std::to_string(i)) ? 0 : 1;
+    ++faults.number_of_diagrams;
   }
-  std::cout << number_of_diagrams << " diagrams, " << number_with_faults << " with faults\n";
-  CHECK(number_of_diagrams > number / 2);
-  CHECK(100 * number_with_faults <= number_of_diagrams);
+  std::cout << faults.number_of_diagrams << " diagrams, " << faults.number_with_faults << " with faults\n";
+  return faults;
+}
+
+// Diagrams that once had faults, by seed: windows that tie with others across their edge, images on edges and very near
+// to the ends of intervals, cones narrower than what they are looked at with, fronts along the border, fronts that meet
+// behind a vertex, sites that are nearly equal.
+void test_former_faults()
+{
+  const std::vector<std::pair<std::uint64_t, std::vector<std::size_t>>> numbers{
+    {9, {51, 139, 443, 534, 1861, 2160, 2430, 2629, 2734, 2753, 3088, 3341, 4136, 4432, 4619, 4747}},
+    {10, {372, 588, 1005, 1079, 1394, 1656, 1845, 1921, 2022, 2217, 2729, 3205, 3223, 3395, 4240, 4330, 4960}},
+    {11, {655, 1041, 1222, 1448, 1723, 2149, 2255, 2263, 2345, 2602, 2694, 2738, 3031, 3899, 4114}},
+    {12, {3, 93, 146, 370, 420, 568, 1133, 1581, 2177, 2307, 3001, 3298, 3665, 4183, 4350, 4503, 4872, 4955}}};
+  for(const auto& of_seed : numbers)
+  {
+    const std::vector<std::size_t>& asked = of_seed.second;
+    const Faults faults = check_diagrams(asked.back() + 1, of_seed.first, [&](std::size_t i)
+    { return std::binary_search(asked.begin(), asked.end(), i); });
+    CHECK_EQUAL(faults.number_of_diagrams, asked.size());
+    CHECK_EQUAL(faults.number_with_faults, 0u);
+  }
+}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+  const std::size_t number = argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 2000;
+  const std::uint64_t seed = argc > 2 ? std::strtoul(argv[2], nullptr, 10) : 8;
+  if(argc == 1)
+  {
+    test_former_faults();
+  }
+  const Faults faults = check_diagrams(number, seed, [](std::size_t) { return true; });
+  CHECK(faults.number_of_diagrams > number / 2);
+  CHECK(500 * faults.number_with_faults <= faults.number_of_diagrams);
   return test_result();
 }

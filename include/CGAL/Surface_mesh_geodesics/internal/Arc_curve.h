@@ -20,6 +20,7 @@
 
 #include <boost/math/quadrature/gauss.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -62,7 +63,7 @@ public:
     m_is_segment = !a.is_bisector || !m_curve.is_curved()
                 || abs(a.left.weight - a.right.weight) <= 4 * Tolerance<double>::distance() * d;
     m_end = m_is_segment ? 0 : m_curve.angle(a.last);
-    m_is_segment = m_is_segment || !(m_end > 0);
+    m_is_segment = m_is_segment || !(m_end > 0) || !is_better_than_segment(a);
   }
 
   bool is_segment() const { return m_is_segment; }
@@ -75,7 +76,7 @@ public:
       return m_last;
     if(!m_is_segment)
       return m_curve.point_at_angle(t * m_end);
-    return Point{m_first.x + t * (m_last.x - m_first.x), m_first.y + t * (m_last.y - m_first.y)};
+    return point_of_segment(t);
   }
 
   double length() const
@@ -126,6 +127,31 @@ public:
   }
 
 private:
+  // Where the generators are so near to each other that rounding moves the curve as a whole, it may end before the last
+  // point. Then the segment may be nearer to where the distances are equal.
+  bool is_better_than_segment(const Arc& a) const
+  {
+    const double chord = distance(m_first, m_last);
+    if(distance(m_curve.point_at_angle(m_end), m_last) <= Tolerance<double>::touching() * chord)
+      return true;
+    double of_curve = 0, of_segment = 0;
+    for(const double t : {0.125, 0.5, 0.875})
+    {
+      const Point on_curve = m_curve.point_at_angle(t * m_end), on_segment = point_of_segment(t);
+      if(!(distance(m_first, on_curve) <= 2 * chord))
+        return false;
+      of_curve = (std::max)(of_curve, std::abs(a.left.distance_to(on_curve) - a.right.distance_to(on_curve)));
+      of_segment = (std::max)(of_segment,
+                              std::abs(a.left.distance_to(on_segment) - a.right.distance_to(on_segment)));
+    }
+    return of_curve < of_segment;
+  }
+
+  Point point_of_segment(double t) const
+  {
+    return Point{m_first.x + t * (m_last.x - m_first.x), m_first.y + t * (m_last.y - m_first.y)};
+  }
+
   // by the angle
   Point derivative(double angle) const
   {

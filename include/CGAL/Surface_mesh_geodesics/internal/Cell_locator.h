@@ -225,14 +225,18 @@ private:
   }
 
   // Else the arc is the segment between its ends, or cannot be told from it; the parameters of a hyperbola that is
-  // nearly a ray are too small to tell its ends.
+  // nearly a ray are too small to tell its ends, and if its generators are nearly one, rounding moves it away from
+  // them.
   bool is_curved(const Arc& a, const Weighted_bisector<FT>& curve) const
   {
     using std::abs;
     if(!a.is_bisector || !curve.is_curved())
       return false;
-    const Point middle = curve.point_at_angle(curve.angle(a.last) / 2);
-    return abs(Half_plane<FT>::left_of(a.first, a.last)(middle)) > near() || !(distance(a.first, a.last) > near());
+    const FT end = curve.angle(a.last), chord = distance(a.first, a.last);
+    if(!(distance(curve.point_at_angle(end), a.last) <= Tolerance<FT>::touching() * chord))
+      return false;
+    const Point middle = curve.point_at_angle(end / 2);
+    return abs(Half_plane<FT>::left_of(a.first, a.last)(middle)) > near() || !(chord > near());
   }
 
   static FT distance_from_segment(const Point& x, const Point& p, const Point& q)

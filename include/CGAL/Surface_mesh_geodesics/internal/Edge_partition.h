@@ -106,6 +106,8 @@ public:
   const std::vector<Breakpoint>& breakpoints() const { return m_breakpoints; }
   const std::vector<Edge_interval<FT>>& intervals() const { return m_intervals; }
 
+  const Generator& generator(std::size_t i) const { return m_generators[i]; }
+
 private:
   static bool is_nearer(const FT& a, const FT& b) { return a < b * (1 - 4 * Tolerance<FT>::distance()); }
 
@@ -119,9 +121,8 @@ private:
     {
       const Generator& g = m_generators[j];
       FT start;
-      if(j == m_current || g.begin > x || !takes_over(g, m_generators[m_current], x, start))
-        continue;
-      if(!(start > m_x) && has_been_left_here(j))
+      const FT from = has_been_left_here(j) ? FT(m_x + width()) : m_x;
+      if(j == m_current || g.begin > x || !takes_over(g, m_generators[m_current], from, x, start))
         continue;
       const FT slope = g.slope_at(start);
       if(start < x || (start == x && next != m_current && slope < next_slope))
@@ -150,17 +151,20 @@ private:
   }
 
   // Near to a source, distances are smaller than the rounding of places: two generators may each seem to be nearer
-  // than the other one where they take over. There, none comes back.
+  // than the other one where they take over. One that has been left comes back a bit farther on at the earliest.
   bool has_been_left_here(std::size_t generator) const
   {
     return std::find(m_left_here.begin(), m_left_here.end(), generator) != m_left_here.end();
   }
 
-  // Is g nearer than c somewhere from m_x on, before c ends, and not only behind `until`? Then `start` is where that
+  // Parts of the edge that are not longer are products of rounding.
+  FT width() const { return Tolerance<FT>::interval() * m_length; }
+
+  // Is g nearer than c somewhere from `x` on, before c ends, and not only behind `until`? Then `start` is where that
   // begins.
-  bool takes_over(const Generator& g, const Generator& c, const FT& until, FT& start) const
+  bool takes_over(const Generator& g, const Generator& c, const FT& x, const FT& until, FT& start) const
   {
-    const FT first = (std::max)(m_x, g.begin), last = (std::min)(c.end, g.end);
+    const FT first = (std::max)(x, g.begin), last = (std::min)(c.end, g.end);
     if(!(first < last))
       return false;
     // both distances grow and shrink with x at most
@@ -185,15 +189,37 @@ private:
         const FT middle = from + (to - from) / 2;
         if(is_nearer(g.distance_at(middle), c.distance_at(middle)))
         {
-          start = i > 0 ? polished(g, c, from) : from;
-          if(!(start >= first && start <= last))
-            start = from;
+          start = from;
+          if(from > first || g.distance_at(from) > c.distance_at(from)) // (else it is nearer from the beginning)
+          {
+            const FT equal = polished(g, c, from);
+            if(equal >= first && equal <= last)
+              start = equal;
+          }
           return true;
         }
       }
       from = to;
     }
-    return false;
+    // Roots that are near to each other are known to the square root of rounding: g may be nearer between them only.
+    const FT foot = (std::min)((std::max)(g.image_x, first), last);
+    if(!is_nearer(g.distance_at(foot), c.distance_at(foot)))
+      return false;
+    start = crossing(g, c, first, foot);
+    return true;
+  }
+
+  // where g becomes nearer than c between two places, at the second of which it is so.
+  static FT crossing(const Generator& g, const Generator& c, FT from, FT to)
+  {
+    if(!(c.distance_at(from) < g.distance_at(from)))
+      return from;
+    for(int i = 0; i < 64; ++i)
+    {
+      const FT middle = from + (to - from) / 2;
+      (c.distance_at(middle) < g.distance_at(middle) ? from : to) = middle;
+    }
+    return to;
   }
 
   // where the distances of two generators are the same, in ascending order; infinity for what is not there.
@@ -264,8 +290,7 @@ private:
     const Vertex_id before = m_breakpoints.empty() ? m_generators[0].site : m_breakpoints.back().after;
     if(site == before)
       return;
-    const FT width = Tolerance<FT>::interval() * m_length;
-    if(!m_breakpoints.empty() && x - m_breakpoints.back().x <= width)
+    if(!m_breakpoints.empty() && x - m_breakpoints.back().x <= width())
     {
       m_breakpoints.back().after = site;
       if(m_breakpoints.back().before == site)

@@ -280,6 +280,8 @@ private:
   {
     while(fronts.size() > 2)
     {
+      if(connect_touching(fronts))
+        continue;
       find_sites(fronts);
       for(Front& f : fronts)
         if(f.stop == Stop::NOT_TRACED)
@@ -307,6 +309,20 @@ private:
     for(const Front& f : fronts)
       m_sites.push_back(f.left);
     std::sort(m_sites.begin(), m_sites.end());
+  }
+
+  // Where a cell has no width between two fronts, nothing is to be traced.
+  bool connect_touching(std::vector<Front>& fronts)
+  {
+    for(std::size_t i = 0; i < fronts.size(); ++i)
+      for(std::size_t j = i + 1; j < fronts.size(); ++j)
+        if(fronts[i].left == fronts[j].right && fronts[i].right == fronts[j].left
+           && distance(fronts[i].p, fronts[j].p) <= width())
+        {
+          split_at(fronts, i, j);
+          return true;
+        }
+    return false;
   }
 
   // a front that leaves the face at the beginning of another one with the same sites is connected with it.
@@ -372,6 +388,28 @@ private:
     return true;
   }
 
+  // Where two sources nearly tie, a front may have met a third cell behind the vertex: it ends where it passes that.
+  static void cut_at(Front& f, const Point& v)
+  {
+    using std::abs;
+    Point from = f.p;
+    for(std::size_t i = 0; i < f.pieces.size(); ++i)
+    {
+      const Piece& piece = f.pieces[i];
+      const Weighted_bisector<FT> curve(piece.left, piece.right, v);
+      const FT at_left = piece.left.distance_to(v), at_right = piece.right.distance_to(v);
+      const Point u = curve.tangent();
+      const auto along = [&](const Point& p) { return (p.x - v.x) * u.x + (p.y - v.y) * u.y; };
+      if(curve.is_valid() && abs(FT(at_left - at_right)) <= Tolerance<FT>::tie() * at_left
+         && along(from) <= 0 && along(piece.end) > 0)
+      {
+        f.pieces.resize(i + 1);
+        return;
+      }
+      from = piece.end;
+    }
+  }
+
   // Nothing agrees: the neighbours whose ends are nearest to each other are joined.
   void join_nearest(std::vector<Front>& fronts)
   {
@@ -408,6 +446,8 @@ private:
       v = f.stop == Stop::SITE ? f.end : g.end;
     const std::size_t node = m_nodes.size();
     m_nodes.push_back(Node{v, {f.left, f.right, g.right}, true});
+    cut_at(f, v);
+    cut_at(g, v);
     finish(f, v, node);
     finish(g, v, node);
     const Front joined = front(f.left, g.right, v, node);
@@ -439,12 +479,39 @@ private:
     Half_plane<FT> before_end;
     const bool has_direction = !is_leaf(g) && line_in_front_of(g, before_end);
     trace(f, has_direction ? &before_end : nullptr);
+    if(!(distance(f.end, g.p) <= touching()))
+      end_at(f, g.p);
     const FT gap = distance(f.end, g.p);
+    if(!(gap <= touching()) && comes_back(g, f))
+      return finish(g, f.p, f.node);
     if(f.stop == Stop::LOST || !(gap <= near()))
       ++m_number_of_joints;
     if(!(gap <= touching()))
       f.stop = Stop::LOST;
     finish(f, g.p, g.node);
+  }
+
+  // Does the way from g lead to the beginning of f?
+  bool comes_back(Front& g, const Front& f)
+  {
+    Half_plane<FT> before_end;
+    const bool has_direction = !is_leaf(f) && line_in_front_of(f, before_end);
+    trace(g, has_direction ? &before_end : nullptr);
+    if(!(distance(g.end, f.p) <= touching()))
+      end_at(g, f.p);
+    return distance(g.end, f.p) <= touching();
+  }
+
+  // A curve along the border may have passed its end.
+  void end_at(Front& f, const Point& p) const
+  {
+    const auto piece = std::find_if(f.pieces.begin(), f.pieces.end(),
+                                    [&](const Piece& q) { return distance(q.end, p) <= touching(); });
+    if(piece == f.pieces.end())
+      return;
+    f.pieces.erase(piece + 1, f.pieces.end());
+    f.end = piece->end;
+    f.stop = Stop::OUTSIDE;
   }
 
   bool is_leaf(const Front& f) const { return f.node < m_leaves.size(); }
@@ -455,7 +522,7 @@ private:
     const std::size_t l = nearest_of(g.left, g.p), r = nearest_of(g.right, g.p);
     if(l == none || r == none)
       return false;
-    const Weighted_bisector<FT> curve(m_generators[l].image, m_generators[r].image, g.p);
+    const Weighted_bisector<FT> curve(image_towards(m_generators[l], g.p), image_towards(m_generators[r], g.p), g.p);
     if(!curve.is_valid() && !curve.is_ray())
       return false;
     const Point t = curve.tangent();
@@ -497,8 +564,8 @@ private:
     const std::size_t l = nearest_of(f.left, middle), r = nearest_of(f.right, middle);
     Piece piece;
     if(l != none)
-      piece.left = m_generators[l].image;
-    piece.right = r != none ? m_generators[r].image : piece.left;
+      piece.left = image_towards(m_generators[l], middle);
+    piece.right = r != none ? image_towards(m_generators[r], middle) : piece.left;
     if(l == none)
       piece.left = piece.right;
     const FT at_left = piece.left.distance_to(middle), at_right = piece.right.distance_to(middle);
@@ -524,6 +591,9 @@ private:
     if(f.last_left == none || f.last_right == none)
       return;
     m_bends.clear();
+    for(std::size_t* last : {&f.last_left, &f.last_right})
+      if(!m_generators[*last].sees(f.p, width()))
+        *last = add_bend(*last, f.p);
     m_slack = width();
     m_left_here.clear();
     std::size_t steps = 4 * m_generators.size() + 64, steps_here = 0;
@@ -546,34 +616,55 @@ private:
       }
       else if(++steps_here > m_generators.size() + 8) // rounding goes round in circles
         return;
-      if(f.stop == Stop::OUTSIDE && !ends_at_leaf(f) && find_way_ahead(f)) // the curve touches the border only
+      if(f.stop == Stop::OUTSIDE && !ends_at_leaf(f, near()) && find_way_ahead(f)) // the curve touches the border only
         f.stop = Stop::LOST;
+      else if(f.stop == Stop::LOST && ends_at_leaf(f, width())) // it runs along the border from here on
+        f.stop = Stop::OUTSIDE;
     }
   }
 
-  bool ends_at_leaf(const Front& f) const
+  bool ends_at_leaf(const Front& f, const FT& tolerance) const
   {
     for(const Leaf& l : m_leaves)
-      if(l.left == f.right && l.right == f.left && distance(l.p, f.end) <= near())
+      if(l.left == f.right && l.right == f.left && distance(l.p, f.end) <= tolerance)
         return true;
     return false;
   }
 
   // Where several generators of a source tie, rounding may have led to one that is not the nearest ahead. Is there a
-  // pair of them, of both sources, with a curve into the face?
+  // pair of them, of both sources, with a curve into the face that does not turn back? The one that leads farthest is
+  // taken. It has to lead somewhere else, but where the front begins any way is one.
   bool find_way_ahead(Front& f)
   {
     m_slack = touching();
     const std::vector<std::size_t> left = tied_generators(f.left, f.end), right = tied_generators(f.right, f.end);
+    FT farthest = distance(f.p, f.end) <= width() ? width() : near();
+    bool is_found = false;
+    const std::size_t last_left = f.last_left, last_right = f.last_right;
     for(std::size_t l : left)
       for(std::size_t r : right)
-        if((l != f.last_left || r != f.last_right) && is_way_ahead(f.end, l, r, left, right))
-        {
-          f.last_left = l;
-          f.last_right = r;
-          return true;
-        }
-    return false;
+      {
+        if(l == last_left && r == last_right)
+          continue;
+        const FT reach = way_ahead(f.end, l, r, left, right);
+        if(!(reach > farthest) || turns_back(f, l, r))
+          continue;
+        farthest = reach;
+        is_found = true;
+        f.last_left = l;
+        f.last_right = r;
+      }
+    return is_found;
+  }
+
+  // Does the curve of two generators at the end of f lead to where f comes from?
+  bool turns_back(const Front& f, std::size_t l, std::size_t r) const
+  {
+    if(f.pieces.empty())
+      return false;
+    const Point& from = f.pieces.size() > 1 ? f.pieces[f.pieces.size() - 2].end : f.p;
+    const Point u = Weighted_bisector<FT>(m_generators[l].image, m_generators[r].image, f.end).tangent();
+    return (f.end.x - from.x) * u.x + (f.end.y - from.y) * u.y < 0;
   }
 
   // the generators of a source that are as near to p as the nearest one.
@@ -591,14 +682,14 @@ private:
     return result;
   }
 
-  // Does the curve of two generators lead from p into the face, and is none of the others nearer there?
-  bool is_way_ahead(const Point& p, std::size_t l, std::size_t r, const std::vector<std::size_t>& left,
-                    const std::vector<std::size_t>& right) const
+  // How far does the curve of two generators lead from p into the face, as long as none of the others is nearer?
+  FT way_ahead(const Point& p, std::size_t l, std::size_t r, const std::vector<std::size_t>& left,
+               const std::vector<std::size_t>& right) const
   {
     const Generator &gl = m_generators[l], &gr = m_generators[r];
     const Weighted_bisector<FT> curve(gl.image, gr.image, p);
     if(!leads_on(curve, gl, gr))
-      return false;
+      return 0;
     Event event;
     event.t = curve.end();
     for(const Half_plane<FT>& side : m_side)
@@ -609,15 +700,15 @@ private:
         leave(curve, g->left, Event::LEFT_CONE, 0, event);
         leave(curve, g->right, Event::RIGHT_CONE, 0, event);
       }
-    if(event.kind == Event::NOTHING || !(distance(curve.point(event.t), p) > near()))
-      return false;
+    if(event.kind == Event::NOTHING)
+      return 0;
     const Point ahead = curve.point((std::min)(FT(event.t / 2), FT(1) / 1024));
     const auto is_nearest = [&](const Generator& g, const std::vector<std::size_t>& others)
     {
       return std::none_of(others.begin(), others.end(), [&](std::size_t i)
       { return m_generators[i].sees(ahead) && is_nearer(m_generators[i], g, ahead); });
     };
-    return is_nearest(gl, left) && is_nearest(gr, right);
+    return is_nearest(gl, left) && is_nearest(gr, right) ? distance(curve.point(event.t), p) : FT(0);
   }
 
   // What ends a piece.
@@ -681,14 +772,15 @@ private:
     for(std::size_t i = 0; i < n; ++i)
       if(m_margins[i] >= -event.extent && may_take_over(f, i))
         be_taken_over(curve, left, m_generators[i], i, event);
+    // the paths around the end of the last cone: what goes on may only seem to tie with them there
+    if(!m_bends.empty() && may_take_over(f, n + m_bends.size() - 1))
+    {
+      const Generator last = m_bends.back();
+      be_taken_over(curve, left, last, n + m_bends.size() - 1, event);
+    }
     if(event.kind == Event::NOTHING)
       return false;
-    // Cones end where cells end on the border. What is beyond the end of a cone, that near to the border, is
-    // wrong by the square of this length only.
-    const bool is_cone = event.kind == Event::LEFT_CONE || event.kind == Event::RIGHT_CONE;
-    if(at_border.kind == Event::BORDER
-       && distance(curve.point(at_border.t), curve.point(event.t))
-            <= (is_cone ? FT(Tolerance<FT>::closeness() * m_size) : width()))
+    if(at_border.kind == Event::BORDER && distance(curve.point(at_border.t), curve.point(event.t)) <= width())
       event = at_border;
     Point p = curve.point(event.t);
     if(!(event.t > 0))
@@ -726,13 +818,13 @@ private:
 
   bool is_third_site(const Front& f, std::size_t index) const
   {
-    const Vertex_id site = m_generators[index].site;
+    const Vertex_id site = generator(index).site;
     return site != f.left && site != f.right;
   }
 
   void meet(Front& f, std::size_t index)
   {
-    const Vertex_id site = m_generators[index].site;
+    const Vertex_id site = generator(index).site;
     if(!is_third_site(f, index))
     {
       std::size_t& last = site == f.left ? f.last_left : f.last_right;
@@ -783,7 +875,7 @@ private:
 
   bool may_take_over(const Front& f, std::size_t i) const
   {
-    return i != f.last_left && i != f.last_right && has_front(m_generators[i].site);
+    return i != f.last_left && i != f.last_right && has_front(generator(i).site);
   }
 
   // The same for the half-plane in front of the end: a front that starts outside enters it first.
@@ -895,14 +987,30 @@ private:
         best_distance = d;
       }
     }
-    if(best != none)
-      return best;
-    Generator bend;
+    const std::size_t at_end = add_bend(i, p);
+    return best != none ? best : at_end;
+  }
+
+  // Paths from a generator to points beyond its cone bend at the end of the interval that is nearer to p.
+  static Generator bend(const Generator& g, const Point& p)
+  {
+    Generator result;
     const Point& q = g.left(p) < g.right(p) ? g.left_end : g.right_end;
-    bend.image = Weighted_point<FT>{q.x, q.y, g.image.distance_to(q)};
-    bend.site = g.site;
-    m_bends.push_back(bend);
+    result.image = Weighted_point<FT>{q.x, q.y, g.image.distance_to(q)};
+    result.site = g.site;
+    return result;
+  }
+
+  std::size_t add_bend(std::size_t i, const Point& p)
+  {
+    m_bends.push_back(bend(generator(i), p));
     return m_generators.size() + m_bends.size() - 1;
+  }
+
+  // the image of the shortest paths from a generator to p.
+  Weighted_point<FT> image_towards(const Generator& g, const Point& p) const
+  {
+    return g.sees(p, width()) ? g.image : bend(g, p).image;
   }
 
   const Generator& generator(std::size_t i) const

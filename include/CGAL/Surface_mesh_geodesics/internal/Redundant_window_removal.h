@@ -28,9 +28,10 @@
 // farther than (d(A) + d(B) + l) / 2. Faces wait in a queue by a first guess, and again by the bound that is
 // known then (5.2.2).
 //
-// When the faces on both sides of an edge are inactive, its windows are trimmed to the intervals where they
-// are nearest (the trimming rule of 5.2, for all windows of an edge at once). That tells where cells begin
-// and end on the edge. Far more faces become redundant then: those that windows of another source
+// When the faces on both sides of an edge are inactive, the intervals where its windows are nearest are found (the
+// trimming rule of 5.2, for all windows of an edge at once), and those that are so nowhere are removed; the others
+// keep their intervals whole. That tells where cells begin and end on the edge.
+// Far more faces become redundant then: those that windows of another source
 // have entered, but nowhere as the nearest ones. A face that does lie in several cells is given to a consumer
 // when all of its edges have been trimmed, and its windows are removed after that.
 
@@ -300,7 +301,7 @@ private:
     return false;
   }
 
-  // trims the windows of both sides, and finds the breakpoints of the edge.
+  // removes windows of both sides that are nearest nowhere, and finds the breakpoints of the edge.
   void trim_edge(Halfedge_id h, Halfedge_id o)
   {
     const Vertex_id a = m_mesh->source(h), b = m_mesh->target(h);
@@ -356,22 +357,54 @@ private:
     });
   }
 
-  // The windows that are nearest somewhere, in the order along the edge.
+  // Keeps the windows that are nearest somewhere. All of their intervals are kept: the places where others take over
+  // are known up to rounding only, and differ from those on the other edges of a face.
   void replace_windows(Halfedge_id h, Halfedge_id o, const FT& length)
   {
     m_windows.release(h);
     if(o != null_id)
       m_windows.release(o);
+    for(std::size_t i = 0; i < m_candidates.size(); ++i)
+      if(is_nearest_somewhere(i + 2, length))
+        m_windows.add(m_candidates[i].first, m_candidates[i].second);
+  }
+
+  // Is a window nearest on a part of its edge? If its image is on the edge itself, it may be so there only.
+  bool is_nearest_somewhere(std::size_t window, const FT& length) const
+  {
+    const Edge_generator<FT>& g = m_edge.generator(window);
+    const FT foot = (std::min)((std::max)(g.image_x, g.begin), g.end);
+    const bool is_on_edge = g.depth <= Tolerance<FT>::closeness() * length;
     for(const Edge_interval<FT>& i : m_edge.intervals())
     {
-      if(i.generator < 2 || i.generator - 2 >= m_candidates.size() || !(i.begin < i.end))
-        continue;
-      const Halfedge_id side = m_candidates[i.generator - 2].first;
-      Face_window<FT> w = m_candidates[i.generator - 2].second;
-      w.begin = (std::max)(w.begin, side == h ? i.begin : FT(length - i.end));
-      w.end = (std::min)(w.end, side == h ? i.end : FT(length - i.begin));
-      m_windows.add(side, w);
+      const FT first = (std::max)(g.begin, i.begin), last = (std::min)(g.end, i.end);
+      if((first < last && is_nearest(window, i.generator, first + (last - first) / 2))
+         || (is_on_edge && i.begin <= foot && foot <= i.end && ties(window, i.generator, foot)))
+        return true;
     }
+    return false;
+  }
+
+  // Is a window nearest at x? `nearest` is the generator that is so.
+  //
+  // A path that runs along the edge may cross it or not, as far as numbers tell, so that a window ties with one that
+  // leaves its face. Each of them is kept for the face that it enters: the other one comes to that face by another
+  // edge, where it may have been removed because of this one. Of the windows of one side that tie one is enough.
+  bool is_nearest(std::size_t window, std::size_t nearest, const FT& x) const
+  {
+    if(window == nearest)
+      return true;
+    if(nearest < 2) // a corner of both faces
+      return false;
+    if(nearest - 2 < m_candidates.size() && m_candidates[nearest - 2].first == m_candidates[window - 2].first)
+      return false;
+    return ties(window, nearest, x);
+  }
+
+  bool ties(std::size_t window, std::size_t nearest, const FT& x) const
+  {
+    const FT d = m_edge.generator(nearest).distance_at(x);
+    return m_edge.generator(window).distance_at(x) <= d + Tolerance<FT>::tie() * d;
   }
 
   const Mesh* m_mesh = nullptr;

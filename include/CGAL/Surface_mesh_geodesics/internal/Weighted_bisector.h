@@ -63,7 +63,13 @@ struct Half_plane
   // the points on the left of the line from p to q; the value is the distance from the line.
   static Half_plane left_of(const Planar_point<FT>& p, const Planar_point<FT>& q)
   {
-    const FT dx = q.x - p.x, dy = q.y - p.y, n = norm(dx, dy);
+    return along(FT(q.x - p.x), FT(q.y - p.y), p);
+  }
+
+  // the points on the left of the line through p in the direction (dx, dy).
+  static Half_plane along(const FT& dx, const FT& dy, const Planar_point<FT>& p)
+  {
+    const FT n = norm(dx, dy);
     const FT a = n > 0 ? FT(-dy / n) : FT(0), b = n > 0 ? FT(dx / n) : FT(0);
     return Half_plane{a, b, FT(-(a * p.x + b * p.y))};
   }

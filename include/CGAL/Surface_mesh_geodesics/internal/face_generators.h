@@ -62,8 +62,11 @@ void for_each_face_generator(const Intrinsic_mesh<FT>& mesh, const Vertex_distan
       g.has_cone = true;
       g.left_end = place(w.begin, 0);
       g.right_end = place(w.end, 0);
-      g.left = Half_plane<FT>::left_of(g.left_end, image);
-      g.right = Half_plane<FT>::left_of(image, g.right_end);
+      // The directions as seen from the edge: an image that is very near to an end is not there in the layout.
+      const auto side = [&](const FT& x, const FT& y, const Point& end)
+      { return Half_plane<FT>::along(FT(x * tx - y * ty), FT(x * ty + y * tx), end); };
+      g.left = side(w.image_x - w.begin, -w.image_depth, g.left_end);
+      g.right = side(w.end - w.image_x, w.image_depth, g.right_end);
       visit(g);
     });
   }
