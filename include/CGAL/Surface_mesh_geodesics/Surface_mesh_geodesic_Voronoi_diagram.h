@@ -482,7 +482,14 @@ public:
   void clear()
   {
     m_sites.clear();
-    m_solver.forget();
+    forget_mesh();
+  }
+
+  /// removes all sites, and keeps what has been read of the mesh, which must not have changed: for other sites on the
+  /// same mesh, without the time to read it once more.
+  void remove_all_sites()
+  {
+    m_sites.clear();
     m_distance_solver.reset();
     forget_diagram();
   }
@@ -1056,11 +1063,15 @@ private:
     forget_diagram();
   }
 
+  // (Nothing is done for each of the sites that are added to a diagram that is not built: emptying tables takes time
+  // that depends on their size of old.)
   void forget_diagram()
   {
+    m_has_distances = false;
+    if(!m_is_built)
+      return;
     m_is_built = false;
     m_has_measures = false;
-    m_has_distances = false;
     m_complex.clear();
     m_vertices.clear();
     m_arcs.clear();
