@@ -149,12 +149,12 @@ private:
     return result;
   }
 
-  // adds the integrals from one angle to another by Gauss' formula. All values are taken at once: the curve costs
-  // more than they do.
+  // adds the integrals from one angle to another by Gauss' formula. Most curves bend so little that few points are
+  // enough. All values are taken at once: the curve costs more than they do.
   template <typename Function, std::size_t n>
   void add_Gauss_sums(Function f, double from, double to, Values<n>& sum) const
   {
-    using Gauss = boost::math::quadrature::gauss<double, 15>;
+    using Gauss = boost::math::quadrature::gauss<double, 7>;
     const double middle = (from + to) / 2, scale = (to - from) / 2;
     Values<n> part{};
     const auto add = [&](double weight, const Values<n>& a, const Values<n>& b)
