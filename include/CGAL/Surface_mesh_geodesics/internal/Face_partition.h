@@ -680,7 +680,8 @@ private:
         be_taken_over(curve, left, at_start, m_generators[i], i, event);
     m_cones.find_margins(f.end, m_margins);
     for(std::size_t i = 0; i < n; ++i)
-      if(m_margins[i] >= -event.extent && may_take_over(f, i))
+      if(m_margins[i] >= -event.extent && !is_beside(i, f.last_left) && !is_beside(i, f.last_right)
+         && may_take_over(f, i))
         be_taken_over(curve, left, at_start, m_generators[i], i, event);
     if(event.kind == Event::NOTHING)
       return false;
@@ -783,6 +784,8 @@ private:
       from = to;
     }
   }
+
+  static bool is_beside(std::size_t i, std::size_t j) { return i + 1 - j <= 2; } // or the same
 
   bool may_take_over(const Front& f, std::size_t i) const
   {
