@@ -36,6 +36,7 @@
 
 #include <CGAL/Surface_mesh_geodesics/internal/Edge_partition.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Face_windows.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Index_table.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Window_lists.h>
@@ -47,7 +48,6 @@
 #include <cstdint>
 #include <functional>
 #include <queue>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -162,8 +162,8 @@ public:
   Breakpoint_range breakpoints(Halfedge_id h) const
   {
     const Halfedge_id o = m_mesh->opposite(h);
-    const auto it = m_range_of_edge.find(o != null_id && o < h ? o : h);
-    return it == m_range_of_edge.end() ? Breakpoint_range{0, 0} : it->second;
+    const Breakpoint_range* const range = m_range_of_edge.find(o != null_id && o < h ? o : h);
+    return range == nullptr ? Breakpoint_range{0, 0} : *range;
   }
 
   const Edge_breakpoint<FT>& breakpoint(std::uint32_t i) const { return m_breakpoints[i]; }
@@ -330,8 +330,8 @@ private:
   {
     if(found.empty())
       return;
-    m_range_of_edge.emplace(h, Breakpoint_range{static_cast<std::uint32_t>(m_breakpoints.size()),
-                                                static_cast<std::uint32_t>(found.size())});
+    m_range_of_edge.insert(h, Breakpoint_range{static_cast<std::uint32_t>(m_breakpoints.size()),
+                                               static_cast<std::uint32_t>(found.size())});
     m_breakpoints.insert(m_breakpoints.end(), found.begin(), found.end());
   }
 
@@ -375,7 +375,7 @@ private:
   std::vector<Vertex_id> m_root; // of the windows that have entered a face, if it is one
   Face_windows<FT> m_windows;
   std::vector<Edge_breakpoint<FT>> m_breakpoints;
-  std::unordered_map<Halfedge_id, Breakpoint_range> m_range_of_edge;
+  Index_table<Breakpoint_range> m_range_of_edge;
   Queue m_queue;
   std::size_t m_number_of_kept = 0;
   Edge_partition<FT> m_edge;
