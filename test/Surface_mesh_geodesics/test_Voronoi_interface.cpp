@@ -62,6 +62,70 @@ void test_life_of_diagram()
   CHECK(diagram.arcs().empty() && diagram.edges().empty() && diagram.vertices().empty());
 }
 
+// The points of a mesh, and how often they have been asked for.
+struct Counting_point_map
+{
+  using key_type = vertex_descriptor;
+  using value_type = Mesh::Point;
+  using reference = Mesh::Point;
+  using category = boost::readable_property_map_tag;
+
+  const Mesh* tm;
+  std::size_t* count;
+
+  friend Mesh::Point get(const Counting_point_map& map, vertex_descriptor v)
+  {
+    ++*map.count;
+    return map.tm->point(v);
+  }
+};
+
+// Other sites on the same mesh, as in each iteration of Lloyd's method: the mesh is not read once more, and what is
+// left of the sites before changes nothing.
+void test_other_sites()
+{
+  test_support::Scope scope("other sites on the same mesh");
+  const Mesh tm = to_face_graph(noisy_sphere(2, .1, 3));
+  std::size_t count = 0;
+  using Traits = CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>;
+  using CGAL::Default;
+  CGAL::Surface_mesh_geodesic_Voronoi_diagram<Traits, Default, Default, Default, Counting_point_map> diagram(
+    tm, get(boost::vertex_index, tm), get(boost::halfedge_index, tm), get(boost::face_index, tm),
+    Counting_point_map{&tm, &count});
+  test_support::Random random(14);
+  bool is_read = false;
+  for(const std::size_t n : {40u, 7u, 1u, 0u, 20u})
+  {
+    diagram.remove_all_sites();
+    CHECK_EQUAL(diagram.number_of_sites(), 0u);
+    CHECK(!diagram.is_built());
+    const Weighted_sites sites = random_sites(tm, n, n == 7 ? .1 : 0., random);
+    add_sites(diagram, sites);
+    count = 0;
+    diagram.build();
+    CHECK(is_read ? count == 0 : count >= num_vertices(tm));
+    is_read = true;
+    Voronoi fresh(tm);
+    add_sites(fresh, sites);
+    CHECK_EQUAL(diagram.arcs().size(), fresh.arcs().size());
+    for(std::size_t i = 0; i < fresh.arcs().size(); ++i)
+    {
+      CHECK(diagram.arcs()[i].sites() == fresh.arcs()[i].sites());
+      CHECK(diagram.arcs()[i].point(.5) == fresh.arcs()[i].point(.5));
+    }
+    for(std::size_t i = 0; i < n; ++i)
+    {
+      CHECK_EQUAL(diagram.area(i), fresh.area(i));
+      CHECK(diagram.adjacent_sites(i) == fresh.adjacent_sites(i));
+    }
+    for(const vertex_descriptor v : vertices(tm))
+    {
+      CHECK_EQUAL(diagram.nearest_site(v), fresh.nearest_site(v));
+      CHECK_EQUAL(diagram.distance_to_nearest_site(v), fresh.distance_to_nearest_site(v));
+    }
+  }
+}
+
 void test_elements()
 {
   test_support::Scope scope("elements");
@@ -433,6 +497,7 @@ void test_maps()
 int main()
 {
   test_life_of_diagram();
+  test_other_sites();
   test_elements();
   test_absent_places();
   test_parameters_of_arcs();

@@ -482,7 +482,14 @@ public:
   void clear()
   {
     m_sites.clear();
-    m_solver.forget();
+    forget_mesh();
+  }
+
+  /// removes all sites, and keeps what has been read of the mesh, which must not have changed: for other sites on the
+  /// same mesh, without the time to read it once more.
+  void remove_all_sites()
+  {
+    m_sites.clear();
     m_distance_solver.reset();
     forget_diagram();
   }
@@ -756,10 +763,9 @@ public:
     build();
     std::vector<Arc> result;
     const std::size_t key = static_cast<std::size_t>(get(m_face_index_map, f));
-    auto it = std::lower_bound(m_arcs_by_face.begin(), m_arcs_by_face.end(),
-                               std::make_pair(key, std::size_t(0)));
-    for(; it != m_arcs_by_face.end() && it->first == key; ++it)
-      result.push_back(m_arcs[it->second]);
+    auto it = std::lower_bound(m_arcs_by_face.begin(), m_arcs_by_face.end(), Arcs_of_face{key, 0, 0});
+    for(; it != m_arcs_by_face.end() && it->face_index == key; ++it)
+      result.insert(result.end(), m_arcs.begin() + it->first, m_arcs.begin() + it->last);
     return result;
   }
 
@@ -1023,6 +1029,18 @@ private:
     FT weight;
   };
 
+  // Arcs that follow each other in a face. (A face with sites in it may have several.)
+  struct Arcs_of_face
+  {
+    std::size_t face_index;
+    std::ptrdiff_t first, last;
+
+    bool operator<(const Arcs_of_face& other) const
+    {
+      return face_index != other.face_index ? face_index < other.face_index : first < other.first;
+    }
+  };
+
   Site_index insert(const Site& s)
   {
     m_sites.push_back(s);
@@ -1056,11 +1074,15 @@ private:
     forget_diagram();
   }
 
+  // (Nothing is done for each of the sites that are added to a diagram that is not built: emptying tables takes time
+  // that depends on their size of old.)
   void forget_diagram()
   {
+    m_has_distances = false;
+    if(!m_is_built)
+      return;
     m_is_built = false;
     m_has_measures = false;
-    m_has_distances = false;
     m_complex.clear();
     m_vertices.clear();
     m_arcs.clear();
@@ -1141,9 +1163,12 @@ private:
       if(m_complex.has_length(arcs[a]))
       {
         arc_of[a] = m_arcs.size();
-        m_arcs_by_face.emplace_back(
-          static_cast<std::size_t>(get(m_face_index_map, m_solver.user_face(arcs[a].face))), m_arcs.size());
+        if(m_arcs.empty() || arcs[a].face != arcs[m_arc_ids.back()].face)
+          m_arcs_by_face.push_back(
+            Arcs_of_face{static_cast<std::size_t>(get(m_face_index_map, m_solver.user_face(arcs[a].face))),
+                         static_cast<std::ptrdiff_t>(m_arcs.size()), 0});
         m_arcs.push_back(Arc(this, m_arcs.size()));
+        m_arcs_by_face.back().last = static_cast<std::ptrdiff_t>(m_arcs.size());
         m_arc_ids.push_back(a);
       }
     std::sort(m_arcs_by_face.begin(), m_arcs_by_face.end());
@@ -1355,7 +1380,7 @@ private:
   mutable std::vector<std::vector<Site_index>> m_vertex_sites;
   mutable std::vector<Arc> m_arcs;
   mutable std::vector<std::size_t> m_arc_ids;                          // in the complex
-  mutable std::vector<std::pair<std::size_t, std::size_t>> m_arcs_by_face; // index of the face, arc
+  mutable std::vector<Arcs_of_face> m_arcs_by_face;                    // sorted
   mutable std::vector<Edge> m_edges;
   mutable std::vector<std::size_t> m_chain_ids, m_edge_of_chain;       // in the complex
   mutable std::vector<std::vector<std::pair<Arc, bool>>> m_edge_arcs;

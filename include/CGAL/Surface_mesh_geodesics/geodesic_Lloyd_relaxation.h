@@ -53,7 +53,7 @@ public:
   template <typename Sites>
   void set_sites(const Sites& sites)
   {
-    m_diagram.clear();
+    m_diagram.remove_all_sites();
     m_diagram.add_sites(sites);
   }
 
@@ -120,7 +120,8 @@ is, and none leaves its component. The relaxation ends when no site moves, or
 after the largest number of iterations. (It need not come to rest by itself: sites may move between few vertices that
 are about equally good.)
 
-<b>Complexity.</b> Each iteration takes the time and the memory of one diagram, and time linear in the size of the mesh.
+<b>Complexity.</b> The mesh is read once. Each iteration takes the time and the memory of one diagram, and time linear in
+the size of the mesh.
 
 <b>Thread safety.</b> The function uses one thread, and may be called by several threads at once, on the same mesh as
 well, if each call writes to an output of its own; see `geodesic_distances()`.

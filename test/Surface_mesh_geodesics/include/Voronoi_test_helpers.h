@@ -49,7 +49,8 @@ struct Weighted_site
 
 using Weighted_sites = std::vector<Weighted_site>;
 
-inline void add_sites(Voronoi& diagram, const Weighted_sites& sites)
+template <typename Diagram>
+void add_sites(Diagram& diagram, const Weighted_sites& sites)
 {
   for(const Weighted_site& s : sites)
   {

@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace CGAL {
 namespace Surface_mesh_geodesics {
@@ -83,11 +84,8 @@ public:
   {
     if(m_is_segment)
       return distance(m_first, m_last);
-    return integral([this](double t)
-    {
-      const Point d = derivative(t);
-      return norm(d.x, d.y);
-    }, distance(m_first, m_last));
+    return integrals_of<1>([](const Point&, const Point& d) { return Values<1>{norm(d.x, d.y)}; },
+                           {distance(m_first, m_last)})[0];
   }
 
   // All are taken from the first point, so that no digits are lost.
@@ -98,18 +96,12 @@ public:
     // the segment, and what is between it and the curve
     Border_integrals result = segment_integrals(m_first, m_last);
     const double chord = distance(m_first, m_last);
-    const auto moment = [&](auto weight, double scale)
+    const Values<3> moments = integrals_of<3>([this](const Point& p, const Point& d)
     {
-      return integral([&](double t)
-      {
-        const Point p = m_curve.point_at_angle(t), d = derivative(t);
-        const double x = p.x - m_first.x, y = p.y - m_first.y;
-        return weight(x, y) * (x * d.y - y * d.x);
-      }, scale);
-    };
-    const double area = moment([](double, double) { return 0.5; }, chord * chord);
-    const double x = moment([](double px, double) { return px / 3; }, chord * chord * chord);
-    const double y = moment([](double, double py) { return py / 3; }, chord * chord * chord);
+      const double x = p.x - m_first.x, y = p.y - m_first.y, cross = x * d.y - y * d.x;
+      return Values<3>{0.5 * cross, x / 3 * cross, y / 3 * cross};
+    }, {chord * chord, chord * chord * chord, chord * chord * chord});
+    const double area = moments[0], x = moments[1], y = moments[2];
     result.area += area;
     result.x += x + area * m_first.x;
     result.y += y + area * m_first.y;
@@ -152,30 +144,64 @@ private:
     return Point{m_first.x + t * (m_last.x - m_first.x), m_first.y + t * (m_last.y - m_first.y)};
   }
 
-  // by the angle
-  Point derivative(double angle) const
+  template <std::size_t n>
+  using Values = std::array<double, n>;
+
+  // The integrals over the curve of values at its points and derivatives by the angle, with errors that are small in
+  // comparison with the scales: what is integrated may be nothing but rounding. The intervals are halved until the
+  // sums do not change.
+  template <std::size_t n, typename Function>
+  Values<n> integrals_of(Function f, const Values<n>& scale) const
+  {
+    Values<n> result{};
+    std::array<bool, n> is_known{};
+    for(int parts = 1; parts <= 1024; parts *= 2)
+    {
+      Values<n> sum{};
+      for(int i = 0; i < parts; ++i)
+        add_Gauss_sums(f, m_end * i / parts, m_end * (i + 1) / parts, sum);
+      bool are_all_known = parts > 1;
+      for(std::size_t k = 0; k < n; ++k)
+      {
+        if(is_known[k])
+          continue;
+        is_known[k] = parts > 1 && std::abs(sum[k] - result[k]) <= Tolerance<double>::quadrature() * scale[k];
+        result[k] = sum[k];
+        are_all_known = are_all_known && is_known[k];
+      }
+      if(are_all_known)
+        break;
+    }
+    return result;
+  }
+
+  // adds the integrals from one angle to another by Gauss' formula. Most curves bend so little that few points are
+  // enough. All values are taken at once: the curve costs more than they do.
+  template <typename Function, std::size_t n>
+  void add_Gauss_sums(Function f, double from, double to, Values<n>& sum) const
+  {
+    using Gauss = boost::math::quadrature::gauss<double, 7>;
+    const double middle = (from + to) / 2, scale = (to - from) / 2;
+    Values<n> part{};
+    const auto add = [&](double weight, const Values<n>& a, const Values<n>& b)
+    {
+      for(std::size_t k = 0; k < n; ++k)
+        part[k] += (a[k] + b[k]) * weight;
+    };
+    add(Gauss::weights()[0], values_at(f, middle), Values<n>{});
+    for(std::size_t i = 1; i < Gauss::weights().size(); ++i)
+      add(Gauss::weights()[i], values_at(f, middle + scale * Gauss::abscissa()[i]),
+          values_at(f, middle - scale * Gauss::abscissa()[i]));
+    for(std::size_t k = 0; k < n; ++k)
+      sum[k] += scale * part[k];
+  }
+
+  template <typename Function>
+  auto values_at(Function f, double angle) const
   {
     const double t = std::tan(angle);
     const Point d = m_curve.derivative(t);
-    return Point{(1 + t * t) * d.x, (1 + t * t) * d.y};
-  }
-
-  // The integral over the curve, with an error that is small in comparison with `scale`: what is integrated may be
-  // nothing but rounding. The intervals are halved until the sum does not change.
-  template <typename Function>
-  double integral(Function f, double scale) const
-  {
-    double previous = 0;
-    for(int n = 1; n <= 1024; n *= 2)
-    {
-      double sum = 0;
-      for(int i = 0; i < n; ++i)
-        sum += boost::math::quadrature::gauss<double, 15>::integrate(f, m_end * i / n, m_end * (i + 1) / n);
-      if(n > 1 && std::abs(sum - previous) <= Tolerance<double>::quadrature() * scale)
-        return sum;
-      previous = sum;
-    }
-    return previous;
+    return f(m_curve.point(t), Point{(1 + t * t) * d.x, (1 + t * t) * d.y});
   }
 
   template <typename Visitor>

@@ -737,7 +737,7 @@ private:
   // follows one piece; false if that is impossible.
   bool step(Front& f, const Half_plane<FT>* until)
   {
-    const Generator left = generator(f.last_left), right = generator(f.last_right);
+    const Generator &left = generator(f.last_left), &right = generator(f.last_right);
     const Weighted_bisector<FT> curve(left.image, right.image, f.end);
     if(!leads_on(curve, left, right))
       return false;
@@ -764,19 +764,21 @@ private:
     if(event.t < std::numeric_limits<FT>::infinity())
       event.extent = curve.extent(event.t);
     const std::size_t n = m_generators.size();
+    const FT at_start = left.image.distance_to(f.end);
     const std::array<std::size_t, 4> beside{f.last_left - 1, f.last_left + 1, f.last_right - 1, f.last_right + 1};
     for(std::size_t i : beside)
       if(i < n && may_take_over(f, i))
-        be_taken_over(curve, left, m_generators[i], i, event);
+        be_taken_over(curve, left, at_start, m_generators[i], i, event);
     m_cones.find_margins(f.end, m_margins);
     for(std::size_t i = 0; i < n; ++i)
-      if(m_margins[i] >= -event.extent && may_take_over(f, i))
-        be_taken_over(curve, left, m_generators[i], i, event);
+      if(m_margins[i] >= -event.extent && !is_beside(i, f.last_left) && !is_beside(i, f.last_right)
+         && may_take_over(f, i))
+        be_taken_over(curve, left, at_start, m_generators[i], i, event);
     // the paths around the end of the last cone: what goes on may only seem to tie with them there
     if(!m_bends.empty() && may_take_over(f, n + m_bends.size() - 1))
     {
       const Generator last = m_bends.back();
-      be_taken_over(curve, left, last, n + m_bends.size() - 1, event);
+      be_taken_over(curve, left, at_start, last, n + m_bends.size() - 1, event);
     }
     if(event.kind == Event::NOTHING)
       return false;
@@ -844,6 +846,8 @@ private:
              std::size_t index, Event& event) const
   {
     const Quadratic<FT> q = curve.side(h);
+    if(event.t < std::numeric_limits<FT>::infinity() && q.is_positive_until(event.t))
+      return;
     const std::array<FT, 2> root = q.positive_roots();
     FT from = 0;
     for(unsigned int i = 0; i < 3; ++i)
@@ -873,6 +877,8 @@ private:
     }
   }
 
+  static bool is_beside(std::size_t i, std::size_t j) { return i + 1 - j <= 2; } // or the same
+
   bool may_take_over(const Front& f, std::size_t i) const
   {
     return i != f.last_left && i != f.last_right && has_front(generator(i).site);
@@ -891,24 +897,27 @@ private:
     event.line = until;
   }
 
-  // Is g nearer somewhere ahead, where it sees the curve?
-  void be_taken_over(const Weighted_bisector<FT>& curve, const Generator& left, const Generator& g,
+  // Is g nearer somewhere ahead, where it sees the curve? `at_start` is the distance by `left` at the start.
+  void be_taken_over(const Weighted_bisector<FT>& curve, const Generator& left, const FT& at_start, const Generator& g,
                      std::size_t index, Event& event)
   {
     // first what can be told from the start p of the curve
     const Point& p = curve.start();
-    if(g.image.distance_to(p) > left.image.distance_to(p) + 2 * event.extent)
+    const FT to_g = norm<FT>(p.x - g.image.x, p.y - g.image.y);
+    if(g.image.weight + to_g > at_start + 2 * event.extent)
       return;
     Quadratic<FT> in_left{}, in_right{};
     const bool is_bounded = event.t < std::numeric_limits<FT>::infinity();
     if(g.has_cone)
     {
       in_left = curve.side(g.left);
+      if(is_bounded && in_left.is_negative_until(event.t))
+        return;
       in_right = curve.side(g.right);
-      if(is_bounded && (in_left.is_negative_until(event.t) || in_right.is_negative_until(event.t)))
+      if(is_bounded && in_right.is_negative_until(event.t))
         return;
     }
-    const Quadratic<FT> nearer = curve.nearer(g.image);
+    const Quadratic<FT> nearer = curve.nearer(g.image, to_g);
     if(is_bounded && nearer.is_negative_until(event.t))
       return;
     m_roots.clear();
@@ -952,6 +961,8 @@ private:
 
   void add_roots(const Quadratic<FT>& q, const FT& before)
   {
+    if(before < std::numeric_limits<FT>::infinity() && q.is_positive_until(before))
+      return;
     for(const FT& r : q.positive_roots())
       if(r < before)
         m_roots.push_back(r);
@@ -974,14 +985,16 @@ private:
     m_left_here.push_back(i);
     const Generator g = generator(i);
     const FT at_p = g.image.distance_to(p);
+    const FT tolerance = width();
     std::size_t best = none;
     FT best_distance = at_p + at_p * Tolerance<FT>::tie();
     for(std::size_t j = 0; j < m_generators.size(); ++j)
     {
-      if(j == i || j == other || m_generators[j].site != g.site || has_been_left_here(j))
+      const Generator& next = m_generators[j];
+      if(j == i || j == other || next.site != g.site || !next.sees(p, tolerance))
         continue;
-      const FT d = m_generators[j].image.distance_to(p);
-      if(d < best_distance && m_generators[j].sees(p, width()))
+      const FT d = next.image.distance_to(p);
+      if(d < best_distance && !has_been_left_here(j))
       {
         best = j;
         best_distance = d;

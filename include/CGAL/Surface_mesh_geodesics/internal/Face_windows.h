@@ -17,6 +17,7 @@
 
 #include <CGAL/Surface_mesh_geodesics/internal/Index_types.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -48,17 +49,25 @@ public:
 
   void add(Halfedge_id h, const Face_window<FT>& w)
   {
+    add(h, 1, [&](std::size_t) { return w; });
+  }
+
+  // adds window(i) for i < n.
+  template <typename Window_at>
+  void add(Halfedge_id h, std::size_t n, Window_at window)
+  {
     std::uint32_t& first = m_first_chunk[entry(h)];
-    if(first == null_id || m_chunks[first].size == Chunk::capacity)
+    for(std::size_t i = 0; i < n;)
     {
-      const std::uint32_t c = new_chunk();
-      m_chunks[c].size = 0;
-      m_chunks[c].next = first;
-      first = c;
+      if(first == null_id || m_chunks[first].size == Chunk::capacity)
+        add_chunk(first);
+      Chunk& chunk = m_chunks[first];
+      const std::size_t end = (std::min)(n, i + (Chunk::capacity - chunk.size));
+      for(; i < end; ++i)
+        chunk.window[chunk.size++] = window(i);
     }
-    m_chunks[first].window[m_chunks[first].size++] = w;
-    if(++m_size > m_maximum_size)
-      m_maximum_size = m_size;
+    m_size += n;
+    m_maximum_size = (std::max)(m_maximum_size, m_size);
   }
 
   // gives the windows of h back.
@@ -84,6 +93,16 @@ public:
         visit(m_chunks[c].window[i]);
   }
 
+  // does predicate(window) hold for all windows of h?
+  template <typename Predicate>
+  bool all_of(Halfedge_id h, Predicate predicate) const
+  {
+    for(std::uint32_t c = m_first_chunk[entry(h)]; c != null_id; c = m_chunks[c].next)
+      if(!std::all_of(m_chunks[c].window, m_chunks[c].window + m_chunks[c].size, predicate))
+        return false;
+    return true;
+  }
+
   // how many windows there are, and have been at most at a time.
   std::size_t size() const { return m_size; }
   std::size_t maximum_size() const { return m_maximum_size; }
@@ -104,6 +123,15 @@ private:
   };
 
   static std::size_t entry(Halfedge_id h) { return 3 * std::size_t(face_of(h)) + place_in_face(h); }
+
+  // puts an empty chunk before the first one.
+  void add_chunk(std::uint32_t& first)
+  {
+    const std::uint32_t c = new_chunk();
+    m_chunks[c].size = 0;
+    m_chunks[c].next = first;
+    first = c;
+  }
 
   std::uint32_t new_chunk()
   {

@@ -37,6 +37,7 @@
 
 #include <CGAL/Surface_mesh_geodesics/internal/Edge_partition.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Face_windows.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Index_table.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Window_lists.h>
@@ -48,7 +49,6 @@
 #include <cstdint>
 #include <functional>
 #include <queue>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -83,7 +83,7 @@ public:
     m_state.assign(mesh.number_of_faces(), UNTOUCHED);
     m_open_edges.assign(mesh.number_of_faces(), 3);
     m_owner.assign(mesh.number_of_vertices(), null_id);
-    m_source.assign(mesh.number_of_faces(), null_id);
+    m_root.assign(mesh.number_of_faces(), null_id);
     m_windows.reset(mesh.number_of_faces());
     m_breakpoints.clear();
     m_range_of_edge.clear();
@@ -97,28 +97,20 @@ public:
     const Face_id f = face_of(h);
     if(is_inactive(f)) // these windows come too late
       return;
-    FT nearest = Field::infinity();
-    Vertex_id source = m_source[f], last_root = null_id;
-    for(std::size_t i = 0; i < list.size; ++i)
+    Vertex_id& root = m_root[f];
+    const auto& columns = list.columns;
+    m_windows.add(h, list.size, [&](std::size_t i)
     {
-      const Window<FT> w = list.columns.get(i);
-      nearest = (std::min)(nearest, w.minimum_distance());
-      m_windows.add(h, Face_window<FT>{w.begin, w.end, w.image_x, w.image_depth, w.root});
-      if(w.root != last_root && source != several_sources)
-      {
-        last_root = w.root;
-        const Vertex_id s = current_owner(last_root);
-        source = source == null_id || source == s ? s : several_sources;
-      }
-    }
-    m_source[f] = source;
+      const Vertex_id r = static_cast<Vertex_id>(columns.history()[i]);
+      root = root == null_id || root == r ? r : several_roots;
+      return Face_window<FT>{columns.begin()[i], columns.end()[i], columns.image_x()[i], columns.image_depth()[i], r};
+    });
     m_number_of_kept += list.size;
-    if(m_state[f] == UNTOUCHED && m_is_early)
-    {
-      const FT longest = longest_edge(f);
-      m_queue.push(Entry{nearest + longest / 2, nearest + longest, f});
-    }
+    if(m_state[f] == ACTIVE)
+      return;
     m_state[f] = ACTIVE;
+    if(m_is_early)
+      wait(f, list);
   }
 
   // The wavefront has reached a distance: the inactive region grows (thesis, algorithm 4, step 4).
@@ -166,22 +158,13 @@ public:
     return owner;
   }
 
-  // The source by which a vertex has been reached so far. Nothing is remembered: a vertex sends windows before
-  // it is known that its distance is final.
-  Vertex_id current_owner(Vertex_id v) const
-  {
-    while(m_owner[v] == null_id && m_field->arrival[v].root != null_id && m_field->arrival[v].root != v)
-      v = m_field->arrival[v].root;
-    return m_owner[v] == null_id ? m_field->arrival[v].root : m_owner[v];
-  }
-
   // where cells begin and end on the edge of h, in the order of the one of its halfedges that has the smaller
   // number.
   Breakpoint_range breakpoints(Halfedge_id h) const
   {
     const Halfedge_id o = m_mesh->opposite(h);
-    const auto it = m_range_of_edge.find(o != null_id && o < h ? o : h);
-    return it == m_range_of_edge.end() ? Breakpoint_range{0, 0} : it->second;
+    const Breakpoint_range* const range = m_range_of_edge.find(o != null_id && o < h ? o : h);
+    return range == nullptr ? Breakpoint_range{0, 0} : *range;
   }
 
   const Edge_breakpoint<FT>& breakpoint(std::uint32_t i) const { return m_breakpoints[i]; }
@@ -192,11 +175,11 @@ public:
   std::size_t memory() const
   {
     return m_windows.memory() + m_state.capacity() + m_open_edges.capacity()
-         + (m_owner.capacity() + m_source.capacity()) * sizeof(Vertex_id);
+         + (m_owner.capacity() + m_root.capacity()) * sizeof(Vertex_id);
   }
 
 private:
-  static constexpr Vertex_id several_sources = null_id - 1;
+  static constexpr Vertex_id several_roots = null_id - 1;
 
   // An INACTIVE face waits for its neighbours, a DONE one has no windows any more.
   enum State : unsigned char { UNTOUCHED, ACTIVE, INACTIVE, DONE };
@@ -213,6 +196,16 @@ private:
   };
 
   using Queue = std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>>;
+
+  // The first list has entered a face.
+  void wait(Face_id f, const Window_list<FT>& list)
+  {
+    FT nearest = Field::infinity();
+    for(std::size_t i = 0; i < list.size; ++i)
+      nearest = (std::min)(nearest, list.columns.get(i).minimum_distance());
+    const FT longest = longest_edge(f);
+    m_queue.push(Entry{nearest + longest / 2, nearest + longest, f});
+  }
 
   FT longest_edge(Face_id f) const
   {
@@ -254,14 +247,12 @@ private:
     const Vertex_id source = owner(corner[0]);
     if(owner(corner[1]) != source || owner(corner[2]) != source)
       return false;
-    if(m_source[f] != source)
-      return m_source[f] == null_id;
-    // a root may have been reached by another source after its windows had been kept
-    bool is_one = true;
-    for(unsigned int k = 0; k < 3 && is_one; ++k)
-      m_windows.for_each(halfedge_of(f, k), [&](const Face_window<FT>& w)
-      { is_one = is_one && owner(w.root) == source; });
-    return is_one;
+    if(m_root[f] != several_roots)
+      return m_root[f] == null_id || owner(m_root[f]) == source;
+    for(unsigned int k = 0; k < 3; ++k)
+      if(!m_windows.all_of(halfedge_of(f, k), [&](const Face_window<FT>& w) { return owner(w.root) == source; }))
+        return false;
+    return true;
   }
 
   void remove_windows(Face_id f)
@@ -340,8 +331,8 @@ private:
   {
     if(found.empty())
       return;
-    m_range_of_edge.emplace(h, Breakpoint_range{static_cast<std::uint32_t>(m_breakpoints.size()),
-                                                static_cast<std::uint32_t>(found.size())});
+    m_range_of_edge.insert(h, Breakpoint_range{static_cast<std::uint32_t>(m_breakpoints.size()),
+                                               static_cast<std::uint32_t>(found.size())});
     m_breakpoints.insert(m_breakpoints.end(), found.begin(), found.end());
   }
 
@@ -414,10 +405,10 @@ private:
   std::vector<State> m_state;
   std::vector<unsigned char> m_open_edges; // of each face: whose other side is not inactive
   std::vector<Vertex_id> m_owner;
-  std::vector<Vertex_id> m_source; // of the windows that have entered a face, as known then, if it is one
+  std::vector<Vertex_id> m_root; // of the windows that have entered a face, if it is one
   Face_windows<FT> m_windows;
   std::vector<Edge_breakpoint<FT>> m_breakpoints;
-  std::unordered_map<Halfedge_id, Breakpoint_range> m_range_of_edge;
+  Index_table<Breakpoint_range> m_range_of_edge;
   Queue m_queue;
   std::size_t m_number_of_kept = 0;
   Edge_partition<FT> m_edge;

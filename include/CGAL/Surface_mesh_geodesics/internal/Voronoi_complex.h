@@ -21,6 +21,7 @@
 // result; they are marked, and those who show the complex leave them out.
 
 #include <CGAL/Surface_mesh_geodesics/internal/Face_partition.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Index_table.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Redundant_window_removal.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Vertex_distance_field.h>
@@ -157,8 +158,8 @@ public:
   // the numbers of the arcs in a face are first, ..., last - 1.
   std::pair<std::uint32_t, std::uint32_t> arcs_of_face(Face_id f) const
   {
-    const auto it = m_arcs_of_face.find(f);
-    return it == m_arcs_of_face.end() ? std::pair<std::uint32_t, std::uint32_t>(0, 0) : it->second;
+    const std::pair<std::uint32_t, std::uint32_t>* const arcs = m_arcs_of_face.find(f);
+    return arcs == nullptr ? std::pair<std::uint32_t, std::uint32_t>(0, 0) : *arcs;
   }
 
   // The nodes on the edge of a halfedge, in the order from its source to its target: node(i) for i < number.
@@ -175,11 +176,11 @@ public:
     const Halfedge_id o = m_mesh->opposite(h);
     Nodes_on_edge result;
     result.is_reversed = o != null_id && o < h;
-    const auto it = m_edge_nodes.find(result.is_reversed ? o : h);
-    if(it != m_edge_nodes.end())
+    const Breakpoint_range* const nodes = m_edge_nodes.find(result.is_reversed ? o : h);
+    if(nodes != nullptr)
     {
-      result.first = it->second.first;
-      result.number = it->second.size;
+      result.first = nodes->first;
+      result.number = nodes->size;
     }
     return result;
   }
@@ -187,7 +188,7 @@ public:
   // the nearest source of a face that no arc runs through.
   Vertex_id owner_of_undivided(Face_id f) const { return m_owner[m_mesh->face(f).vertex[0]]; }
 
-  bool has_one_cell(Face_id f) const { return m_arcs_of_face.find(f) == m_arcs_of_face.end(); }
+  bool has_one_cell(Face_id f) const { return m_arcs_of_face.find(f) == nullptr; }
 
   Voronoi_cell_elements cell(Vertex_id site) const
   {
@@ -321,21 +322,21 @@ private:
   // the number of the first node of an edge, whose halfedge with the smaller number is h.
   std::uint32_t first_node(Halfedge_id h, const Breakpoint_range& breakpoints)
   {
-    const auto added = m_edge_nodes.emplace(
-      h, Breakpoint_range{static_cast<std::uint32_t>(m_nodes.size()), breakpoints.size});
-    if(added.second)
-      for(std::uint32_t i = 0; i < breakpoints.size; ++i)
-      {
-        const Edge_breakpoint<FT>& e = m_removal->breakpoint(breakpoints.first + i);
-        Node node;
-        node.face = face_of(h);
-        node.point = point_on_edge(h, e.x);
-        node.place = e.x;
-        node.distance = 0; // set with the arcs
-        node.sites = {e.before, e.after, null_id};
-        m_nodes.push_back(node);
-      }
-    return added.first->second.first;
+    const std::uint32_t first = static_cast<std::uint32_t>(m_nodes.size());
+    if(!m_edge_nodes.insert(h, Breakpoint_range{first, breakpoints.size}))
+      return m_edge_nodes.find(h)->first;
+    for(std::uint32_t i = 0; i < breakpoints.size; ++i)
+    {
+      const Edge_breakpoint<FT>& e = m_removal->breakpoint(breakpoints.first + i);
+      Node node;
+      node.face = face_of(h);
+      node.point = point_on_edge(h, e.x);
+      node.place = e.x;
+      node.distance = 0; // set with the arcs
+      node.sites = {e.before, e.after, null_id};
+      m_nodes.push_back(node);
+    }
+    return first;
   }
 
   // the point at x of the edge of h, in the layout of the face of h.
@@ -410,7 +411,8 @@ private:
   {
     m_number_of_joints += m_partition.number_of_joints();
     const auto& nodes = m_partition.nodes();
-    std::vector<std::uint32_t> node_of(m_leaf_nodes.begin(), m_leaf_nodes.end());
+    std::vector<std::uint32_t>& node_of = m_node_of;
+    node_of.assign(m_leaf_nodes.begin(), m_leaf_nodes.end());
     for(std::size_t i = node_of.size(); i < nodes.size(); ++i)
     {
       node_of.push_back(static_cast<std::uint32_t>(m_nodes.size()));
@@ -432,7 +434,7 @@ private:
       m_nodes[node_of[a.first_node]].distance = a.left.distance_to(a.first);
       m_nodes[node_of[a.last_node]].distance = a.left.distance_to(a.last);
     }
-    m_arcs_of_face.emplace(f, std::make_pair(first, static_cast<std::uint32_t>(m_arcs.size())));
+    m_arcs_of_face.insert(f, std::make_pair(first, static_cast<std::uint32_t>(m_arcs.size())));
     count_regions();
   }
 
@@ -451,7 +453,8 @@ private:
   void count_regions()
   {
     const std::size_t n = m_leaf_nodes.size();
-    std::vector<char> is_seen(n, 0);
+    std::vector<char>& is_seen = m_is_seen;
+    is_seen.assign(n, 0);
     for(std::size_t start = 0; start < n; ++start)
     {
       if(is_seen[start])
@@ -551,18 +554,19 @@ private:
   const Field* m_field = nullptr;
   Removal* m_removal = nullptr; // until the complex is finished
   std::vector<Vertex_id> m_owner;
-  std::unordered_map<Halfedge_id, Breakpoint_range> m_edge_nodes; // of divided edges
+  Index_table<Breakpoint_range> m_edge_nodes; // of divided edges
   std::unordered_map<Vertex_id, std::vector<std::pair<std::uint32_t, bool>>> m_chains_of_cell;
   std::vector<Node> m_nodes;
   std::vector<Arc> m_arcs;
   std::vector<Chain> m_chains;
-  std::unordered_map<Face_id, std::pair<std::uint32_t, std::uint32_t>> m_arcs_of_face;
+  Index_table<std::pair<std::uint32_t, std::uint32_t>> m_arcs_of_face;
   std::unordered_map<Vertex_id, Voronoi_cell_elements> m_cells;
   Vertex_id m_last_site = null_id;
   Voronoi_cell_elements* m_last_elements = nullptr;
   std::size_t m_number_of_joints = 0;
   Face_partition<FT> m_partition;
-  std::vector<std::uint32_t> m_leaf_nodes;
+  std::vector<std::uint32_t> m_leaf_nodes, m_node_of; // of the face that is added
+  std::vector<char> m_is_seen;
 };
 
 } // namespace internal

@@ -92,6 +92,15 @@ struct Quadratic
     return c0 < 0 && b1 < 0 && b1 + t * (c1 + c2 * t) < 0;
   }
 
+  // is it positive from 0 to t, and so by more than rounding?
+  bool is_positive_until(const FT& t) const
+  {
+    using std::abs;
+    const FT rounding = 16 * Tolerance<FT>::unit_roundoff() * (abs(c0) + t * (2 * abs(c1) + t * abs(c2)));
+    const FT b1 = c0 + c1 * t;
+    return c0 > rounding && b1 > rounding && b1 + t * (c1 + c2 * t) > rounding;
+  }
+
   // its positive roots, in ascending order; infinity for those that do not exist.
   std::array<FT, 2> positive_roots() const
   {
@@ -168,6 +177,9 @@ public:
       m_b = -m_b;
       set_tangent();
     }
+    const FT rho = 1 / r;
+    m_denominator = Quadratic<FT>{rho, m_b, FT(rho - 2 * m_a)};
+    m_bend = 1 - m_a * r;
   }
 
   const Point& start() const { return m_p; }
@@ -186,7 +198,7 @@ public:
   {
     if(m_is_straight)
       return Point{FT(m_p.x + t * m_tx), FT(m_p.y + t * m_ty)};
-    const FT factor = 2 * t / denominator()(t), g = t * (1 - m_a * m_radius);
+    const FT factor = 2 * t / m_denominator(t), g = t * m_bend;
     return Point{FT(m_p.x + factor * (m_tx - g * m_ux)), FT(m_p.y + factor * (m_ty - g * m_uy))};
   }
 
@@ -196,11 +208,11 @@ public:
     using std::abs;
     if(m_is_straight)
       return t;
-    const Quadratic<FT> w = denominator();
+    const Quadratic<FT>& w = m_denominator;
     const FT smallest = (std::min)({w.c0, FT(w.c0 + w.c1 * t), w(t)});
     if(!(smallest > 0))
       return std::numeric_limits<FT>::infinity();
-    return 2 * t * (norm(m_tx, m_ty) + t * abs(FT(1 - m_a * m_radius))) / smallest;
+    return 2 * t * (norm(m_tx, m_ty) + t * abs(m_bend)) / smallest;
   }
 
   // Is it a curve that bends? Those that are straight, as far as one can tell, have no angles and no derivative.
@@ -225,21 +237,15 @@ public:
   Point derivative(const FT& t) const
   {
     // p - p0 = n / w
-    const Quadratic<FT> w = denominator();
-    const FT g = 1 - m_a * m_radius, wt = w(t), dw = 2 * (w.c1 + t * w.c2), square = wt * wt;
+    const Quadratic<FT>& w = m_denominator;
+    const FT g = m_bend, wt = w(t), dw = 2 * (w.c1 + t * w.c2), square = wt * wt;
     const FT nx = 2 * t * (m_tx - t * g * m_ux), ny = 2 * t * (m_ty - t * g * m_uy);
     const FT mx = 2 * m_tx - 4 * t * g * m_ux, my = 2 * m_ty - 4 * t * g * m_uy;
     return Point{FT((mx * wt - nx * dw) / square), FT((my * wt - ny * dw) / square)};
   }
 
   // is positive where the curve exists.
-  Quadratic<FT> denominator() const
-  {
-    if(m_is_straight)
-      return Quadratic<FT>{1, 0, 0};
-    const FT rho = 1 / m_radius;
-    return Quadratic<FT>{rho, m_b, FT(rho - 2 * m_a)};
-  }
+  const Quadratic<FT>& denominator() const { return m_denominator; }
 
   // where the curve ends, at infinity; behind it point() is on the other branch.
   FT end() const { return denominator().positive_roots()[0]; }
@@ -262,23 +268,23 @@ public:
     const FT h0 = h(m_p);
     if(m_is_straight)
       return Quadratic<FT>{h0, FT((h.a * m_tx + h.b * m_ty) / 2), 0};
-    const Quadratic<FT> w = denominator();
+    const Quadratic<FT>& w = m_denominator;
     const FT along_tangent = h.a * m_tx + h.b * m_ty, along_u = h.a * m_ux + h.b * m_uy;
     return Quadratic<FT>{FT(h0 * w.c0), FT(h0 * w.c1 + along_tangent),
-                         FT(h0 * w.c2 - 2 * (1 - m_a * m_radius) * along_u)};
+                         FT(h0 * w.c2 - 2 * m_bend * along_u)};
   }
 
-  // is positive where a third generator is nearer than the two, except if it never is.
-  Quadratic<FT> nearer(const Generator& g) const
+  // is positive where a third generator is nearer than the two, except if it never is. `to_g` is the distance of its
+  // point from the start.
+  Quadratic<FT> nearer(const Generator& g, const FT& to_g) const
   {
     if(m_is_straight)
-      return nearer_on_line(g);
+      return nearer_on_line(g, to_g);
     const FT dx = g.x - m_focus.x, dy = g.y - m_focus.y, d = norm(dx, dy);
     const FT s = m_focus.weight - g.weight;
     if(s <= -d)
       return Quadratic<FT>{-1, 0, -1};
     const FT k = (d - s) * (d + s) / 2;
-    const FT to_g = norm<FT>(m_p.x - g.x, m_p.y - g.y);
     const FT gain = (m_radius - to_g) + s; // at p0
     const FT g0 = gain * (to_g + gain / 2) / m_radius;
     const FT du = dx * m_ux + dy * m_uy, dv = dx * m_vx + dy * m_vy;
@@ -324,9 +330,9 @@ private:
   }
 
   // see nearer(): |p + t (tx, ty) - g| < s + t, or s - t on the way to the focus, squared.
-  Quadratic<FT> nearer_on_line(const Generator& g) const
+  Quadratic<FT> nearer_on_line(const Generator& g, const FT& d) const
   {
-    const FT dx = m_p.x - g.x, dy = m_p.y - g.y, d = norm(dx, dy), s = m_focus.weight + m_radius - g.weight;
+    const FT dx = m_p.x - g.x, dy = m_p.y - g.y, s = m_focus.weight + m_radius - g.weight;
     if(s <= -d)
       return Quadratic<FT>{-1, 0, 0};
     return Quadratic<FT>{FT((s - d) * (s + d)), FT((m_is_outward ? s : FT(-s)) - (dx * m_tx + dy * m_ty)), 0};
@@ -347,6 +353,8 @@ private:
   FT m_vx = 0, m_vy = 0;          // across, to the side of growing parameters
   FT m_a = 0, m_b = 0;            // d / K along u and v
   FT m_tx = 0, m_ty = 0;
+  Quadratic<FT> m_denominator{1, 0, 0};
+  FT m_bend = 1;
 };
 
 } // namespace internal
