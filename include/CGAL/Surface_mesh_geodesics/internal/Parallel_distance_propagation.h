@@ -89,7 +89,8 @@ public:
   using Mesh = Intrinsic_mesh<FT>;
   using Field = Vertex_distance_field<FT>;
 
-  static constexpr std::size_t default_number_of_stars = 32;
+  // Few enough that what is out stays in the nearest cache, and more than the threads that one conductor can keep busy.
+  static constexpr std::size_t default_number_of_stars = 8;
 
   // The field is reset; it holds the result.
   Parallel_distance_propagation(const Mesh& mesh, Field& field,

@@ -118,8 +118,8 @@ struct Lanes<double>
 #if CGAL_SURFACE_MESH_GEODESICS_LANES == 8
     // (By halves: the masks of AVX-512 have eight bits, in wider registers, and GCC 12 takes what is behind these bits
     // for zero when it is not.)
-    const int lower = _mm256_movemask_pd(_mm512_castpd512_pd256((__m512d)m)),
-              upper = _mm256_movemask_pd(_mm512_extractf64x4_pd((__m512d)m, 1));
+    const int lower = _mm256_movemask_pd((__m256d)__builtin_shufflevector(m, m, 0, 1, 2, 3)),
+              upper = _mm256_movemask_pd((__m256d)__builtin_shufflevector(m, m, 4, 5, 6, 7));
     return static_cast<unsigned int>(lower | upper << 4);
 #elif CGAL_SURFACE_MESH_GEODESICS_LANES == 4
     return static_cast<unsigned int>(_mm256_movemask_pd((__m256d)m));
