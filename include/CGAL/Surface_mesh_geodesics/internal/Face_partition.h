@@ -789,7 +789,7 @@ private:
       p = f.end;
     else if(event.kind == Event::NEARER && is_third_site(f, event.index))
     {
-      const Point q = polished_vertex(left.image, right.image, m_generators[event.index].image, p);
+      const Point q = polished_vertex(left.image, right.image, generator(event.index).image, p);
       p = is_in_face(q) ? q : curve.point((std::min)(event.t, at_border.t));
     }
     else if(event.kind == Event::NEARER || event.kind == Event::IMPRECISE)
