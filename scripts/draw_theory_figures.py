@@ -215,7 +215,7 @@ def wavefront():
         arc = [(radius * math.cos(math.radians(t)), radius * math.sin(math.radians(t))) for t in steps]
         picture.curve(arc, colour, 2, arrow=True)
     picture.dot(center, "black", 6)
-    picture.text(center, "v", shift=(-0.2, 0.12))
+    picture.text(center, "v", shift=(0.14, 0.2))
     words = (("lists that wait on the edges of v", PURPLE), ("carried counterclockwise", BLUE),
              ("carried clockwise", ORANGE), ("lists that wait afterwards", GREEN),
              ("faces that were reached before", GREY))

@@ -485,8 +485,10 @@ public:
     forget_mesh();
   }
 
-  /// removes all sites, and keeps what has been read of the mesh, which must not have changed: for other sites on the
-  /// same mesh, without the time to read it once more.
+  /// removes all sites, and keeps what has been read of the mesh: for other sites on the same mesh, without the time to
+  /// read it once more. Iterators and descriptors of the diagram become invalid. Takes time linear in what had been
+  /// computed.
+  /// \pre The mesh, its points and its lengths have not changed since they were read; call `clear()` otherwise.
   void remove_all_sites()
   {
     m_sites.clear();
