@@ -264,7 +264,7 @@ Html_dots dots_at(const std::string& role, const std::vector<Place>& places, con
 std::string description_of(const std::string& file_name, const Mesh& mesh)
 {
   return std::filesystem::path(file_name).filename().string() + ": " + std::to_string(mesh.number_of_vertices())
-       + " vertices, " + std::to_string(mesh.number_of_faces()) + " faces";
+       + " vertices, " + counted_faces(mesh.number_of_faces());
 }
 
 bool is_refined(std::size_t number_of_triangles)

@@ -136,11 +136,16 @@ void triangulate(const std::string& file_name, Mesh& mesh, const Console& consol
     complain(file_name, "a face that is not a triangle cannot be cut into triangles");
   if(mesh.has_garbage())
     mesh.collect_garbage();
-  console.note(file_name + ": not all faces are triangles; " + std::to_string(before) + " faces have been cut into "
+  console.note(file_name + ": not all faces are triangles; cut " + counted_faces(before) + " into "
                + std::to_string(mesh.number_of_faces()) + " triangles");
 }
 
 } // namespace
+
+std::string counted_faces(std::size_t n)
+{
+  return std::to_string(n) + (n == 1 ? " face" : " faces");
+}
 
 Mesh read_mesh(const std::string& file_name, const Console& console)
 {

@@ -7,6 +7,7 @@
 #include <CGAL/Surface_mesh.h>
 
 #include <array>
+#include <cstddef>
 #include <string>
 #include <utility>
 
@@ -23,6 +24,9 @@ using Face_location = std::pair<Face, std::array<double, 3>>; // with barycentri
 // faces keep the numbers that they have in the file (faces as long as all are triangles). A Command_error tells what is
 // wrong with a file that does not hold a surface.
 Mesh read_mesh(const std::string& file_name, const Console& console);
+
+// "1 face", "2 faces", and so on.
+std::string counted_faces(std::size_t n);
 
 // the length of the diagonal of the bounding box.
 double extent(const Mesh& mesh);

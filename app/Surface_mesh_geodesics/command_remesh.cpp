@@ -73,8 +73,7 @@ void run(const Arguments& arguments, const Console& console)
                                                 + " vertices make no mesh: " + reasons(report)
                                                 + "; a larger --number helps");
   console.note("from " + std::to_string(mesh.number_of_vertices()) + " to "
-               + std::to_string(coarse.number_of_vertices()) + " vertices, " + std::to_string(coarse.number_of_faces())
-               + " faces");
+               + std::to_string(coarse.number_of_vertices()) + " vertices, " + counted_faces(coarse.number_of_faces()));
   files.write([&](std::ostream& os, const std::string& format) { write_mesh(os, format, coarse); });
 }
 

@@ -80,7 +80,7 @@ cmp table.csv old.csv
 # Faces that are no triangles.
 printf 'OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n' > square.off
 "$program" distances square.off --source 0 > square.csv 2> note
-contains note "1 faces have been cut into 2 triangles"
+contains note "cut 1 face into 2 triangles"
 is_near "$(column square.csv distance | line /dev/stdin 3)" 1.4142135623730951
 is_silent distances square.off --source 0 --quiet > quiet.csv
 cmp square.csv quiet.csv
