@@ -12,6 +12,8 @@
 #include <CGAL/Polyhedron_3.h>
 
 #include <algorithm>
+#include <cmath>
+#include <ctime>
 #include <functional>
 #include <iterator>
 #include <set>
@@ -266,6 +268,42 @@ void work_depends_on_the_area_reached()
   CHECK(reached.size() >= 2);
 }
 
+// Runs on one of n components, each a square, up to the farthest corner: the processor time of the best of some tries.
+double time_on_one_component(std::size_t n)
+{
+  Mesh tm;
+  for(std::size_t i = 0; i < n; ++i)
+  {
+    const double x = 2 * static_cast<double>(i);
+    const vertex_descriptor a = tm.add_vertex(Kernel::Point_3(x, 0, 0));
+    const vertex_descriptor b = tm.add_vertex(Kernel::Point_3(x + 1, 0, 0));
+    const vertex_descriptor c = tm.add_vertex(Kernel::Point_3(x + 1, 1, 0));
+    const vertex_descriptor d = tm.add_vertex(Kernel::Point_3(x, 1, 0));
+    tm.add_face(a, b, d);
+    tm.add_face(b, c, d);
+  }
+  Solver solver(tm);
+  std::clock_t least = 0;
+  for(std::size_t k = 0; k < 10; ++k)
+  {
+    const std::clock_t start = std::clock();
+    for(std::size_t i = 0; i < 100; ++i)
+    {
+      CHECK_CLOSE(solver.compute_distance(vertex(4 * i), vertex(4 * i + 2)), std::sqrt(2.), 1e-15);
+    }
+    const std::clock_t time = std::clock() - start;
+    least = k == 0 ? time : (std::min)(least, time);
+  }
+  return static_cast<double>(least) / CLOCKS_PER_SEC;
+}
+
+// No run looks at components that have no source. (It did, 200 times as long here, at all faces.)
+void work_does_not_depend_on_other_components()
+{
+  test_support::Scope scope("many components");
+  CHECK(time_on_one_component(100000) < 20 * time_on_one_component(100) + .005);
+}
+
 void other_maps_and_meshes(std::uint64_t seed)
 {
   test_support::Scope scope("other maps and meshes");
@@ -344,6 +382,7 @@ int main()
     check_many_computations(indexed, random);
   }
   work_depends_on_the_area_reached();
+  work_does_not_depend_on_other_components();
   visitors_throw_before_and_after_the_run();
   other_maps_and_meshes(seed);
   return test_result();

@@ -160,26 +160,20 @@ public:
 
   // To be called when nothing waits any more. A vertex without a distance next to one that has one cannot be: in
   // faces thinner than rounding, each of two paths may have been taken for the longer one. Windows start at such
-  // reached neighbours, as if paths could bend there. Returns whether there are any.
+  // reached neighbours, as if paths could bend there. Returns whether there are any. (They are looked for where the run
+  // has been: with many components, all other faces would cost more than the run.)
   bool start_beside_unreached_vertices()
   {
     const std::size_t reached = m_field.reached.size();
     if(reached == m_mesh.number_of_vertices() || reached == m_reached_at_last_start)
       return false;
     m_reached_at_last_start = reached;
-    const auto is_reached = [this](Vertex_id v) { return m_field.distance[v] < Field::infinity(); };
-    for(Face_id f = 0; f < m_mesh.number_of_faces(); ++f)
-    {
-      const auto& corner = m_mesh.face(f).vertex;
-      if(is_reached(corner[0]) == is_reached(corner[1]) && is_reached(corner[1]) == is_reached(corner[2]))
-        continue;
-      for(const Vertex_id v : corner)
-        if(is_reached(v))
-        {
-          m_emission[v] |= MUST_EMIT;
-          m_queue.push_or_decrease(v, m_field.distance[v]);
-        }
-    }
+    for(const Vertex_id v : m_field.reached)
+      if(is_beside_unreached_vertex(v))
+      {
+        m_emission[v] |= MUST_EMIT;
+        m_queue.push_or_decrease(v, m_field.distance[v]);
+      }
     return !m_queue.empty();
   }
 
@@ -189,6 +183,17 @@ public:
 private:
   // Windows have to start at a vertex when it is visited; they have started there before.
   enum Emission : unsigned char { MUST_EMIT = 1, HAS_EMITTED = 2 };
+
+  bool is_beside_unreached_vertex(Vertex_id v) const
+  {
+    bool is_beside = false;
+    m_mesh.for_each_halfedge_around(v, [&](Halfedge_id h)
+    {
+      for(const Vertex_id corner : m_mesh.face(face_of(h)).vertex)
+        is_beside = is_beside || !(m_field.distance[corner] < Field::infinity());
+    });
+    return is_beside;
+  }
 
   void improve(const Link_vertex<FT>& link)
   {
