@@ -325,6 +325,8 @@ if [ "$certify" = yes ]; then
     | tee "$build/certified_meshes.csv" || echo "some meshes are not certified, see $build/certified_meshes.csv" >&2
 fi
 
+# Nothing else is drawn.
+[ "$all$questions" != nono ] || exit 0
 for python in python3 /usr/bin/python3; do
   if "$python" -c 'import matplotlib' 2> /dev/null; then
     "$python" "$here/plot_benchmark.py" "$build" "$build/plots"
