@@ -224,6 +224,27 @@ void runs_that_are_broken_off(std::uint64_t seed)
   }
 }
 
+// Threads hand blocks of memory to each other: that must not make new ones necessary in each run.
+void memory_of_many_runs()
+{
+  test_support::Scope scope("memory of many runs");
+  const Intrinsic_mesh mesh = intrinsic_mesh(to_face_graph(rough_terrain(60, .5, 1)));
+  Task task;
+  task.sources = {0};
+  Field field;
+  Parallel_propagation propagation(mesh, field, Parallel_propagation::default_number_of_stars, Thread_team(5));
+  const std::vector<double> expected = run(propagation, field, task);
+  const std::size_t first = propagation.statistics().maximum_window_bytes;
+  std::size_t greatest = 0;
+  for(std::size_t k = 0; k < 300; ++k)
+  {
+    CHECK(run(propagation, field, task) == expected);
+    greatest = (std::max)(greatest, propagation.statistics().maximum_window_bytes);
+  }
+  std::cout << "memory of windows in the first run: " << first << ", in 300 more: " << greatest << std::endl;
+  CHECK(greatest < 10 * first + (std::size_t(1) << 20));
+}
+
 #ifdef CGAL_LINKED_WITH_TBB
 
 template <class Call>
@@ -284,6 +305,7 @@ int main()
     check_mesh(indexed, random);
   }
   runs_that_are_broken_off(seed);
+  memory_of_many_runs();
 #ifdef CGAL_LINKED_WITH_TBB
   public_functions(seed, random);
 #else

@@ -113,6 +113,7 @@ public:
     m_wavefront.restart(m_workers.front()->pool());
     for(const std::unique_ptr<Worker>& worker : m_workers)
       worker->restart();
+    release_surplus();
     m_last_visit_near.resize(m_mesh.number_of_vertices(), 0);
     m_maximum_distance = Field::infinity();
     m_end = Run_end<FT>();
@@ -292,6 +293,22 @@ private:
     release(f);
   }
 
+  // Blocks of windows wander from pool to pool, and more of them to some than back: the others would ask for new memory
+  // in each run, without end. So all is given back when it is more than twice that of a run. No block is in use.
+  void release_surplus()
+  {
+    std::size_t memory = 0;
+    for(const std::unique_ptr<Worker>& worker : m_workers)
+      memory += worker->memory();
+    if(m_memory_of_run == 0)
+      m_memory_of_run = memory;
+    if(memory <= 2 * m_memory_of_run + least_surplus)
+      return;
+    for(const std::unique_ptr<Worker>& worker : m_workers)
+      worker->pool().clear();
+    m_memory_of_run = 0;
+  }
+
   // works until the visit i is done.
   void wait_for(Number i)
   {
@@ -352,6 +369,7 @@ private:
   }
 
   static constexpr Number visits_between_checks = 16;
+  static constexpr std::size_t least_surplus = std::size_t(1) << 18; // bytes
 
   const Mesh& m_mesh;
   Field& m_field;
@@ -364,6 +382,7 @@ private:
   std::vector<Number> m_last_visit_near;
   Run_end<FT> m_end;
   FT m_maximum_distance;
+  std::size_t m_memory_of_run = 0; // the first one since all memory was given back, in bytes
   Number m_first = 0, m_last = 0; // of the stars that are out
   Number m_begin = 0;             // of this run
   alignas(64) std::atomic<Number> m_published{0};

@@ -216,6 +216,18 @@ public:
     release(other);
   }
 
+  // gives all memory back; no block is in use, here or elsewhere.
+  void clear()
+  {
+    m_numbers.clear();
+    m_words.clear();
+    for(std::vector<Columns>& free_blocks : m_free_blocks)
+      free_blocks.clear();
+    m_slab = Columns();
+    m_slab_rest = 0;
+    m_number_of_rows = 0;
+  }
+
   std::size_t memory() const
   {
     return m_number_of_rows
