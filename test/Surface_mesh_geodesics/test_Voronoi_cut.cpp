@@ -282,6 +282,23 @@ void test_tolerance()
   CHECK(error < 1e-4);
 }
 
+// Three sites tie at the middle of an edge of a hole: a triangle there has no area, whatever the tolerance is, and the
+// number of vertices does not grow beyond what the tolerance asks for by much.
+void test_tie_at_hole()
+{
+  const Mesh mesh = to_face_graph(square_with_holes(1));
+  for(const double tolerance : {1e-2, 1e-3, 1e-4, 1e-5})
+  {
+    Voronoi voronoi(mesh);
+    for(const Mesh::size_type v : {43u, 0u, 41u})
+      voronoi.add_site(vertex_descriptor(v));
+    const Cut cut = cut_of(voronoi, tolerance);
+    CHECK(CGAL::is_valid_polygon_mesh(cut.mesh));
+    CHECK_CLOSE(area_of(cut.mesh), area_of(mesh), 1e-9);
+    CHECK(num_faces(cut.mesh) < 5000);
+  }
+}
+
 // Parts that no site reaches, no sites at all, a point map, a Polyhedron_3.
 void test_interface()
 {
@@ -318,6 +335,7 @@ int main()
   const std::uint64_t seed = test_support::announce_seed(20260331);
   test_arc_along_edge();
   test_tolerance();
+  test_tie_at_hole();
   test_interface();
   test_symmetric();
   test_collection(seed);

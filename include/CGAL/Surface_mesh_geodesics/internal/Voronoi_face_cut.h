@@ -132,15 +132,20 @@ public:
       triangulate(all, m_complex.owner(m_mesh.face(f).vertex[0]));
       return;
     }
+    // Closer polylines help where curves cross; a triangle may have no area at any tolerance, and each attempt has up
+    // to four times the vertices of the one before, in cubic time.
     const int number_of_attempts = 6;
+    const std::size_t many = 256;
     cut_divided(tolerance);
-    for(int i = 1; i < number_of_attempts && m_badness > 0; ++i)
+    std::size_t number_of_vertices = m_points.size();
+    for(int i = 1; i < number_of_attempts && m_badness > 0 && number_of_vertices <= many; ++i)
     {
       const std::vector<Point> points = m_points;
       const std::vector<Triangle> triangles = m_triangles;
       const std::uint64_t badness = m_badness;
       tolerance /= 16;
       cut_divided(tolerance);
+      number_of_vertices = m_points.size();
       if(m_badness < badness)
         continue;
       m_points = points;
