@@ -272,9 +272,17 @@ void test_tolerance()
     CHECK(num_faces(cut.mesh) > number_of_faces);
     number_of_faces = num_faces(cut.mesh);
     double area = 0;
+    Coordinates sum{};
     for(const face_descriptor f : faces(cut.mesh))
       if(cut.site[f] == 0)
-        area += area_of(cut.mesh, f);
+      {
+        const double a = area_of(cut.mesh, f);
+        area += a;
+        for(const vertex_descriptor v : vertices_around_face(halfedge(f, cut.mesh), cut.mesh))
+          sum = sum + a / 3 * Coordinates{cut.mesh.point(v).x(), cut.mesh.point(v).y(), cut.mesh.point(v).z()};
+      }
+    const auto c = voronoi.centroid(0);
+    CHECK_NEAR(length(1 / area * sum - Coordinates{c.x(), c.y(), c.z()}), 0., 10 * tolerance);
     const double e = std::abs(area - CGAL::to_double(voronoi.area(0)));
     CHECK(e < error);
     error = e;

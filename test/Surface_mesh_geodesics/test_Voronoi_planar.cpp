@@ -183,6 +183,43 @@ void test_Apollonius(const Mesh& tm, double size, std::size_t number, test_suppo
     expected.emplace_back(s.point(), corners);
   }
   check_vertices(diagram, expected, size);
+
+  // Edges of the plane with a vertex inside the square are adjacencies of the surface; and those are Apollonius edges.
+  std::set<std::pair<std::size_t, std::size_t>> edges, needed, found;
+  for(auto e = graph.finite_edges_begin(); e != graph.finite_edges_end(); ++e)
+  {
+    const auto f = e->first, g = f->neighbor(e->second);
+    const std::pair<std::size_t, std::size_t> pair
+      = std::minmax(site_of(f->vertex(Apollonius::Triangulation_data_structure::cw(e->second))->site()),
+                    site_of(f->vertex(Apollonius::Triangulation_data_structure::ccw(e->second))->site()));
+    edges.insert(pair);
+    std::vector<Point_2> ends;
+    for(const auto& side : {f, g})
+    {
+      if(!graph.is_infinite(side))
+      {
+        Apollonius::Site_2 center;
+        CHECK(CGAL::assign(center, graph.dual(side)));
+        ends.push_back(center.point());
+      }
+    }
+    const bool has_length = ends.size() == 1
+                         || (ends.size() == 2 && std::sqrt(CGAL::squared_distance(ends[0], ends[1])) > 1e-9 * size);
+    if(has_length && std::any_of(ends.begin(), ends.end(),
+                                 [&](const Point_2& p) { return is_inside(p, size, 1e-9 * size); }))
+    {
+      needed.insert(pair);
+    }
+  }
+  for(std::size_t i = 0; i < sites.size(); ++i)
+  {
+    for(const std::size_t j : diagram.adjacent_sites(i))
+    {
+      found.insert(std::minmax(i, j));
+    }
+  }
+  CHECK(std::includes(edges.begin(), edges.end(), found.begin(), found.end()));
+  CHECK(std::includes(found.begin(), found.end(), needed.begin(), needed.end()));
 }
 
 void test_mesh(const Mesh& tm, double size, const std::string& name, test_support::Random& random)

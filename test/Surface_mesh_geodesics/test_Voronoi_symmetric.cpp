@@ -74,10 +74,67 @@ void test_mesh(const Indexed_mesh& indexed, double weight)
   }
 }
 
+// Two sites at opposite points of a sphere: one closed edge, and cells that are alike.
+void test_antipodal_sites()
+{
+  test_support::Scope scope("antipodal sites");
+  const Mesh tm = to_face_graph(icosphere(3));
+  const vertex_descriptor first(0);
+  const vertex_descriptor last = *std::max_element(vertices(tm).begin(), vertices(tm).end(), [&](auto v, auto w)
+  { return CGAL::squared_distance(tm.point(first), tm.point(v)) < CGAL::squared_distance(tm.point(first), tm.point(w)); });
+  Voronoi diagram(tm);
+  diagram.add_site(first);
+  diagram.add_site(last);
+  CHECK_EQUAL(diagram.edges().size(), 1u);
+  CHECK(diagram.edges()[0].is_closed() && diagram.vertices().empty());
+  CHECK_CLOSE(diagram.area(0), diagram.area(1), 1e-11);
+  CHECK(diagram.is_disk(0) && diagram.is_disk(1));
+}
+
+// All vertices, and thousands of points of faces: each site has its place, cells cover the sphere, and the diagram is
+// one of a sphere.
+void test_many_sites()
+{
+  test_support::Scope scope("many sites");
+  const Mesh tm = to_face_graph(noisy_sphere(4, .02, 1));
+  double area = 0.;
+  for(const face_descriptor f : faces(tm))
+  {
+    const auto corner = corners_of_face(f, tm);
+    const Coordinates p = coordinates(corner[0], tm);
+    area += length(cross(coordinates(corner[1], tm) - p, coordinates(corner[2], tm) - p)) / 2.;
+  }
+  test_support::Random random(11);
+  for(const bool is_at_vertices : {true, false})
+  {
+    Voronoi diagram(tm);
+    if(is_at_vertices)
+    {
+      diagram.add_sites(vertices(tm));
+    }
+    for(int i = 0; i < 5000 && !is_at_vertices; ++i)
+    {
+      diagram.add_site(random_location(tm, random));
+    }
+    double sum = 0.;
+    for(std::size_t i = 0; i < diagram.number_of_sites(); ++i)
+    {
+      CHECK_EQUAL(diagram.nearest_site(diagram.site(i)), i);
+      CHECK(diagram.is_disk(i));
+      sum += diagram.area(i);
+    }
+    CHECK_CLOSE(sum, area, 1e-10);
+    CHECK_EQUAL(static_cast<long>(diagram.vertices().size()) - static_cast<long>(diagram.edges().size())
+                  + static_cast<long>(diagram.number_of_sites()), 2);
+  }
+}
+
 } // namespace
 
 int main()
 {
+  test_antipodal_sites();
+  test_many_sites();
   for(const Indexed_mesh& indexed :
       {cube_grid(1), cube_grid(2), cube_grid(3), regular_tetrahedron(), octahedron(), icosahedron(), icosphere(1),
        flat_patch(4, 4, 0., false, 1), genus_2_polycube(), torus(2., 1., 6, 8), square_with_holes(1)})
