@@ -56,7 +56,7 @@ void test_polyhedra()
       CHECK_CLOSE(c.diagram.area(0), solid.second / static_cast<double>(n), 1e-12);
     }
   }
-  // opposite corners of the octahedron: the equator is one closed edge
+  // one site: its cell is the whole octahedron
   Case c(octahedron(), {vertex(0)});
   CHECK(c.diagram.arcs().empty() && c.diagram.edges().empty());
   CHECK_EQUAL(c.diagram.Euler_characteristic(0), 2);

@@ -902,7 +902,7 @@ public:
   }
 
   /// returns the Euler characteristic of the cell with its boundary; 0 if it is empty. The boundary is taken as a
-  /// curve that does not touch itself.
+  /// curve that does not touch itself; but a vertex at which the mesh is pinched counts once.
   ///
   /// \param i the number of the site
   /// \pre `i < number_of_sites()`
@@ -913,7 +913,8 @@ public:
     return has_cell(i) ? m_complex.Euler_characteristic(m_solver.source_vertex(i)) : 0;
   }
 
-  /// returns whether the cell is a topological disk; `false` if it is empty.
+  /// returns whether the cell is a topological disk, as its Euler characteristic is 1; `false` if it is empty. (A cell
+  /// with a vertex at which the mesh is pinched, and one that is a vertex without faces, may have 1, too.)
   ///
   /// \param i the number of the site
   /// \pre `i < number_of_sites()`
