@@ -80,8 +80,9 @@ void test_antipodal_sites()
   test_support::Scope scope("antipodal sites");
   const Mesh tm = to_face_graph(icosphere(3));
   const vertex_descriptor first(0);
-  const vertex_descriptor last = *std::max_element(vertices(tm).begin(), vertices(tm).end(), [&](auto v, auto w)
-  { return CGAL::squared_distance(tm.point(first), tm.point(v)) < CGAL::squared_distance(tm.point(first), tm.point(w)); });
+  const auto gap = [&](vertex_descriptor v) { return CGAL::squared_distance(tm.point(first), tm.point(v)); };
+  const vertex_descriptor last = *std::max_element(vertices(tm).begin(), vertices(tm).end(),
+                                                   [&](auto v, auto w) { return gap(v) < gap(w); });
   Voronoi diagram(tm);
   diagram.add_site(first);
   diagram.add_site(last);
