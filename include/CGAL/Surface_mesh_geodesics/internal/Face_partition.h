@@ -161,6 +161,7 @@ public:
     m_nodes.clear();
     m_arcs.clear();
     m_number_of_joints = 0;
+    m_number_of_traces = 0;
     for(unsigned int k = 0; k < 3; ++k)
       m_side[k] = Half_plane<FT>::left_of(corner[k], corner[(k + 1) % 3]);
     m_size = (std::max)({distance(corner[0], corner[1]), distance(corner[1], corner[2]),
@@ -202,6 +203,9 @@ public:
 
   // how many fronts had to be joined where the numbers did not tell how.
   std::size_t number_of_joints() const { return m_number_of_joints; }
+
+  // how often a front has been traced.
+  std::size_t number_of_traces() const { return m_number_of_traces; }
 
   // the generator of a source that is nearest to p, `none` if there is none. Of several that tie one that sees
   // p is preferred.
@@ -354,10 +358,14 @@ private:
     std::vector<Front> inner(all + first + 1, all + last);
     std::vector<Front> outer(all + last + 1, all + fronts.size());
     outer.insert(outer.end(), all, all + first);
-    // what the two parts meet may be different now
+    // a front may have met a cell that is not in its part
     for(std::vector<Front>* part : {&inner, &outer})
+    {
+      find_sites(*part);
       for(Front& f : *part)
-        f.stop = Stop::NOT_TRACED;
+        if(f.stop == Stop::LOST || (f.stop == Stop::SITE && !has_front(f.third)))
+          f.stop = Stop::NOT_TRACED;
+    }
     fronts = std::move(outer);
     if(!inner.empty())
       m_waiting.push_back(std::move(inner));
@@ -450,11 +458,12 @@ private:
     cut_at(g, v);
     finish(f, v, node);
     finish(g, v, node);
+    const Vertex_id closed = f.right;
     const Front joined = front(f.left, g.right, v, node);
     fronts[i] = joined;
     fronts.erase(fronts.begin() + static_cast<std::ptrdiff_t>(next));
     for(Front& h : fronts) // the cell between is closed: what met it there has to look again
-      if(h.stop != Stop::OUTSIDE)
+      if(h.stop == Stop::LOST || (h.stop == Stop::SITE && h.third == closed))
         h.stop = Stop::NOT_TRACED;
   }
 
@@ -579,6 +588,7 @@ private:
   // follows f until it meets a third cell, leaves the face, or leaves the half-plane given.
   void trace(Front& f, const Half_plane<FT>* until)
   {
+    ++m_number_of_traces;
     f.pieces.clear();
     f.pieces.reserve(32);
     f.end = f.p;
@@ -1152,6 +1162,7 @@ private:
   std::vector<Front> m_fronts;
   std::vector<std::vector<Front>> m_waiting;
   std::size_t m_number_of_joints = 0;
+  std::size_t m_number_of_traces = 0;
 };
 
 } // namespace internal

@@ -1,0 +1,135 @@
+// The curves in a face that many cells meet in: fronts are not traced again and again.
+
+#include "test_support.h"
+
+#include <CGAL/Surface_mesh_geodesics/internal/Face_partition.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string>
+
+namespace {
+
+namespace internal = CGAL::Surface_mesh_geodesics::internal;
+using Partition = internal::Face_partition<double>;
+using Point = Partition::Point;
+using Site = internal::Vertex_id;
+
+const std::array<Point, 3> corner{Point{0., 0.}, Point{1., 0.}, Point{.5, 1.}};
+
+Partition::Generator image(double x, double y, Site site)
+{
+  Partition::Generator g;
+  g.image = internal::Weighted_point<double>{x, y, 0.};
+  g.site = site;
+  return g;
+}
+
+// Images in a row below the first side: parallel curves, each from the first side to one of the others.
+void test_parallel_curves(std::size_t n)
+{
+  test_support::Scope scope(std::to_string(n) + " parallel curves");
+  Partition partition;
+  partition.start(corner);
+  const double step = 1. / static_cast<double>(n + 1);
+  for(std::size_t i = 0; i <= n; ++i)
+  {
+    partition.add(image((static_cast<double>(i) + .5) * step, -.5, static_cast<Site>(i)));
+  }
+  const auto place = [&](std::size_t i) { return static_cast<double>(i) * step; };
+  for(std::size_t i = 1; i <= n; ++i)
+  {
+    partition.add(Partition::Leaf{Point{place(i), 0.}, static_cast<Site>(i - 1), static_cast<Site>(i)});
+  }
+  for(std::size_t i = n; i > 0; --i)
+  {
+    const double y = 2. * (std::min)(place(i), 1. - place(i));
+    partition.add(Partition::Leaf{Point{place(i), y}, static_cast<Site>(i), static_cast<Site>(i - 1)});
+  }
+  partition.build();
+  CHECK_EQUAL(partition.arcs().size(), n);
+  CHECK_EQUAL(partition.nodes().size(), 2 * n);
+  CHECK_EQUAL(partition.number_of_joints(), 0u);
+  CHECK(partition.number_of_traces() <= 3 * n);
+}
+
+// An image above the face, whose cell is beyond a row of small ones: curves between these end at its border.
+void test_row_of_cells(std::size_t n)
+{
+  test_support::Scope scope("a row of " + std::to_string(n) + " cells");
+  Partition partition;
+  partition.start(corner);
+  const double step = 1. / static_cast<double>(n);
+  const auto place = [&](std::size_t i) { return static_cast<double>(i) * step; };
+  const double depth = .125, height = 1.125;
+  for(std::size_t i = 0; i < n; ++i)
+  {
+    partition.add(image(place(i) + step / 2, -depth, static_cast<Site>(i)));
+  }
+  const Site last = static_cast<Site>(n);
+  partition.add(image(.5, height, last));
+  for(std::size_t i = 1; i < n; ++i)
+  {
+    partition.add(Partition::Leaf{Point{place(i), 0.}, static_cast<Site>(i - 1), static_cast<Site>(i)});
+  }
+  // along the other sides the nearest image of the row, or the one above, which is found by walking in small steps
+  const auto nearest = [&](const Point& p)
+  {
+    Site best = 0;
+    double smallest = 1e300;
+    for(const Partition::Generator& g : partition.generators())
+    {
+      const double d = g.image.distance_to(p);
+      if(d < smallest)
+      {
+        best = g.site;
+        smallest = d;
+      }
+    }
+    return best;
+  };
+  for(unsigned int side = 1; side < 3; ++side)
+  {
+    const auto on_side = [&](double t)
+    {
+      const Point &a = corner[side], &b = corner[(side + 1) % 3];
+      return Point{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
+    };
+    const std::size_t steps = 64 * n;
+    for(std::size_t i = 0; i < steps; ++i)
+    {
+      double from = static_cast<double>(i) / static_cast<double>(steps);
+      double to = static_cast<double>(i + 1) / static_cast<double>(steps);
+      const Site before = nearest(on_side(from)), after = nearest(on_side(to));
+      if(before == after)
+      {
+        continue;
+      }
+      for(int k = 0; k < 60; ++k)
+      {
+        const double middle = (from + to) / 2.;
+        (nearest(on_side(middle)) == before ? from : to) = middle;
+      }
+      partition.add(Partition::Leaf{on_side(to), before, after});
+    }
+  }
+  partition.build();
+  const std::size_t vertices = static_cast<std::size_t>(
+    std::count_if(partition.nodes().begin(), partition.nodes().end(), [](const auto& node) { return node.is_vertex; }));
+  CHECK(2 * vertices >= n / 2);
+  CHECK_EQUAL(partition.number_of_joints(), 0u);
+  CHECK(partition.number_of_traces() <= 8 * n);
+}
+
+} // namespace
+
+int main()
+{
+  for(std::size_t n : {4u, 32u, 256u})
+  {
+    test_parallel_curves(n);
+    test_row_of_cells(n);
+  }
+  return test_result();
+}
