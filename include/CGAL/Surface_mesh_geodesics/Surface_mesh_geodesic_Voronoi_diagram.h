@@ -646,7 +646,8 @@ public:
     return site_at(m_complex.owner(m_solver.query(v).vertex));
   }
 
-  /// returns the site whose cell holds a point of a face. Takes time linear in the number of arcs in the face.
+  /// returns the site whose cell holds a point of a face. Takes time linear in the number of arcs in the face if these
+  /// are few, as is usual; in the worst case quadratic.
   ///
   /// \param f a face of the mesh
   /// \param location the coordinates of the point in `f`

@@ -136,7 +136,7 @@ private:
     m_complex.for_each_border_interval(m_face, [&](Vertex_id site, const Point& from, const Point& to)
     {
       const Point q{FT(from.x + t * (to.x - from.x)), FT(from.y + t * (to.y - from.y))};
-      add_target(Target{q, site, clearance_of(q, nullptr)}, best);
+      add_target(q, site, nullptr, best);
     });
   }
 
@@ -146,25 +146,30 @@ private:
     const Point q = is_curved(a, curve) ? curve.point_at_angle(t * curve.angle(a.last))
                                         : Point{FT(a.first.x + t * (a.last.x - a.first.x)),
                                                 FT(a.first.y + t * (a.last.y - a.first.y))};
-    add_target(Target{q, site_towards_p(a, curve, q), clearance_of(q, &a)}, best);
+    add_target(q, site_towards_p(a, curve, q), &a, best);
   }
 
-  static void add_target(const Target& target, Target& best)
+  void add_target(const Point& q, Vertex_id site, const Arc* own, Target& best) const
   {
-    if(target.clearance > best.clearance)
-      best = target;
+    const FT clearance = clearance_of(q, own, best.clearance);
+    if(clearance > best.clearance)
+      best = Target{q, site, clearance};
   }
 
-  // the smallest distance of an end of an arc from the way to q, or of q from an arc that it is not meant to be on.
-  FT clearance_of(const Point& q, const Arc* own) const
+  // the smallest distance of an end of an arc from the way to q, or of q from an arc that it is not meant to be on; or
+  // less, as soon as it is known to be not larger than `bound`: most targets need a look at few arcs only.
+  FT clearance_of(const Point& q, const Arc* own, const FT& bound) const
   {
     FT smallest = std::numeric_limits<FT>::infinity();
-    for_each_arc([&](const Arc& a)
+    for(std::uint32_t a = m_range.first; a < m_range.second && smallest > bound; ++a)
     {
-      smallest = (std::min)({smallest, distance_from_segment(a.first, m_p, q), distance_from_segment(a.last, m_p, q)});
-      if(&a != own)
-        smallest = (std::min)(smallest, distance_from_arc(q, a));
-    });
+      const Arc& arc = m_complex.arcs()[a];
+      smallest
+        = (std::min)({smallest, distance_from_segment(arc.first, m_p, q), distance_from_segment(arc.last, m_p, q)});
+    }
+    for(std::uint32_t a = m_range.first; a < m_range.second && smallest > bound; ++a)
+      if(&m_complex.arcs()[a] != own)
+        smallest = (std::min)(smallest, distance_from_arc(q, m_complex.arcs()[a]));
     return smallest;
   }
 
