@@ -21,10 +21,13 @@
 // either side, and its edge sequence tells on which side only if the source is a vertex.
 
 #include <CGAL/Surface_mesh_geodesics/internal/Intrinsic_mesh.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Place_in_part.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -205,56 +208,25 @@ private:
     return static_cast<unsigned int>(std::max_element(b.begin(), b.end()) - b.begin());
   }
 
-  // The area of the triangle c, p, q, but for a factor, from the coordinates other than `without`.
-  static FT area(const Barycentric& c, const Barycentric& p, const Barycentric& q, unsigned int without)
-  {
-    const unsigned int i = next_place(without), j = previous_place(without);
-    return (p[i] - c[i]) * (q[j] - c[j]) - (p[j] - c[j]) * (q[i] - c[i]);
-  }
-
-  // The coordinates of b in a triangle with corners c; false if it has no area. Two corners may be very near
-  // to each other. Then all is measured from one of them, without its largest coordinate: the differences of
-  // the others are accurate relative to the distance of the two.
-  static bool local_coordinates(const std::array<Barycentric, 3>& c, const Barycentric& b,
-                                Barycentric& local)
-  {
-    unsigned int k = 0;
-    for(unsigned int i = 1; i < 3; ++i)
-      if(extent(c[i], c[next_place(i)]) < extent(c[k], c[next_place(k)]))
-        k = i;
-    const unsigned int k1 = next_place(k), k2 = previous_place(k), without = position_of_one(c[k]);
-    const FT whole = area(c[k], c[k1], c[k2], without);
-    if(whole == 0)
-      return false;
-    local[k1] = area(c[k], b, c[k2], without) / whole;
-    local[k2] = area(c[k], c[k1], b, without) / whole;
-    local[k] = 1 - local[k1] - local[k2];
-    return true;
-  }
-
-  static FT extent(const Barycentric& a, const Barycentric& b)
-  {
-    using std::abs;
-    return abs(FT(a[0] - b[0])) + abs(FT(a[1] - b[1])) + abs(FT(a[2] - b[2]));
-  }
-
-  // the part that holds the point b, and the coordinates of b in it.
+  // the part that holds the point b, and the coordinates of b in it. A point that lies in several parts, as far as one
+  // can tell, is put into the one where it is known best.
   Face_id find_part(const std::vector<Face_id>& parts, const Barycentric& b, Barycentric& local) const
   {
     Face_id best = parts.front();
-    FT best_minimum = -1;
+    FT best_minimum = -std::numeric_limits<FT>::infinity(), best_rounding = -best_minimum;
     for(Face_id s : parts)
     {
-      Barycentric l;
-      if(!local_coordinates(m_part_of.at(s).corner, b, l))
+      Place_in_part<FT> place(m_part_of.at(s).corner, b);
+      if(!place.is_known())
         continue;
-      const FT minimum = (std::min)((std::min)(l[0], l[1]), l[2]);
-      if(minimum > best_minimum)
-      {
-        best_minimum = minimum;
-        best = s;
-        local = l;
-      }
+      place.snap();
+      const FT minimum = (std::min)(FT(0), place.least_coordinate());
+      if(!(minimum > best_minimum || (minimum == best_minimum && place.rounding() < best_rounding)))
+        continue;
+      best_minimum = minimum;
+      best_rounding = place.rounding();
+      best = s;
+      local = place.coordinates();
     }
     return best;
   }

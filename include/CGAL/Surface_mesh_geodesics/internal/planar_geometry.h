@@ -108,6 +108,10 @@ struct Tolerance
   // most this part of the longest edge of its face.
   static FT barycentric() { return 64 * input_roundoff(); }
 
+  // Relative to barycentric coordinates: how far a point may be from where they put it, by the rounding of its
+  // coordinates, and of those of the corners of a part of its face.
+  static FT placement() { return 4 * input_roundoff(); }
+
   // Relative to 1: how far barycentric coordinates may be from coordinates of a point of the face.
   static FT location()
   {
