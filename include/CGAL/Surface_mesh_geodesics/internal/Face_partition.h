@@ -329,25 +329,43 @@ private:
     return false;
   }
 
-  // a front that leaves the face at the beginning of another one with the same sites is connected with it.
+  // a front that leads to the beginning of another one with the same sites is connected with it.
   bool split(std::vector<Front>& fronts)
   {
     for(std::size_t i = 0; i < fronts.size(); ++i)
     {
-      if(fronts[i].stop != Stop::OUTSIDE)
+      const std::size_t j = other_end(fronts, i);
+      if(j == none)
         continue;
-      std::size_t best = none;
-      for(std::size_t j = 0; j < fronts.size(); ++j)
-        if(j != i && fronts[j].left == fronts[i].right && fronts[j].right == fronts[i].left
-           && (best == none
-               || distance(fronts[i].end, fronts[j].p) < distance(fronts[i].end, fronts[best].p)))
-          best = j;
-      if(best == none || !(distance(fronts[i].end, fronts[best].p) <= near()))
-        continue;
-      split_at(fronts, i, best);
+      split_at(fronts, i, j);
       return true;
     }
     return false;
+  }
+
+  // the front through whose beginning the front i goes first; else the one at whose beginning it leaves the face.
+  std::size_t other_end(const std::vector<Front>& fronts, std::size_t i) const
+  {
+    const Front& f = fronts[i];
+    std::size_t first = none, nearest = none;
+    FT way = std::numeric_limits<FT>::infinity(), gap = near();
+    for(std::size_t j = 0; j < fronts.size(); ++j)
+    {
+      const Front& g = fronts[j];
+      if(j == i || g.left != f.right || g.right != f.left)
+        continue;
+      if(distance(f.p, g.p) < way && piece_through(f, g.p) != none)
+      {
+        first = j;
+        way = distance(f.p, g.p);
+      }
+      if(f.stop == Stop::OUTSIDE && distance(f.end, g.p) <= gap)
+      {
+        nearest = j;
+        gap = distance(f.end, g.p);
+      }
+    }
+    return first != none ? first : nearest;
   }
 
   void split_at(std::vector<Front>& fronts, std::size_t i, std::size_t j)
@@ -380,8 +398,7 @@ private:
     for(std::size_t i = 0; i < n; ++i)
     {
       const Front &f = fronts[i], &g = fronts[(i + 1) % n];
-      if(f.stop != Stop::SITE || g.stop != Stop::SITE || f.third != g.right || g.third != f.left
-         || f.left == g.right)
+      if(!agree(f, g) || f.left == g.right)
         continue;
       const FT d = distance(f.end, g.end);
       if(d < gap)
@@ -396,8 +413,107 @@ private:
     return true;
   }
 
+  // Does each of two neighbours meet the other cell of the other one?
+  static bool agree(const Front& f, const Front& g)
+  {
+    return f.stop == Stop::SITE && g.stop == Stop::SITE && f.third == g.right && g.third == f.left;
+  }
+
+  // where two fronts meet that agree.
+  Point common_end(const Front& f, const Front& g) const
+  {
+    const Point middle{FT((f.end.x + g.end.x) / 2), FT((f.end.y + g.end.y) / 2)};
+    return vertex_in_face(f, g, equidistant_point(f, middle));
+  }
+
+  // do the cells of two neighbours tie at v, and is no other site nearer?
+  bool is_vertex(const Front& f, const Front& g, const Point& v) const
+  {
+    return excess_at(v, {f.left, f.right, g.right}) <= width() + Tolerance<FT>::tie() * distance_from(f.right, v);
+  }
+
+  // Of the points on the ways of two neighbours that do not meet, the one that is best for a vertex of their cells: no
+  // site is nearer there than the farthest of the three, and the other way leads there, too, or both as nearly as can be.
+  Point best_vertex(const Front& f, const Front& g) const
+  {
+    Point best = f.p;
+    FT smallest = std::numeric_limits<FT>::infinity();
+    const auto look_at = [&](const Point& p)
+    {
+      const FT cost = excess_at(p, {f.left, f.right, g.right}) + distance_from_way(f, p) + distance_from_way(g, p);
+      if(!(cost < smallest))
+        return;
+      best = p;
+      smallest = cost;
+    };
+    for(const Front* way : {&f, &g})
+    {
+      look_at(way->end);
+      for(const Piece& piece : way->pieces)
+        look_at(piece.end);
+      look_at(way->p);
+    }
+    return best;
+  }
+
+  // how far p is from the nearest end of a piece of a front, zero if the front leads through p.
+  static FT distance_from_way(const Front& f, const Point& p)
+  {
+    return piece_through(f, p) != none ? FT(0) : nearest_end(f, p).second;
+  }
+
+  // how many pieces lead to the end of a piece that is nearest to p, and how far that is from p.
+  static std::pair<std::size_t, FT> nearest_end(const Front& f, const Point& p)
+  {
+    std::pair<std::size_t, FT> nearest(0, distance(f.p, p));
+    for(std::size_t i = 0; i < f.pieces.size(); ++i)
+    {
+      const FT d = distance(f.pieces[i].end, p);
+      if(d < nearest.second)
+        nearest = std::make_pair(i + 1, d);
+    }
+    return nearest;
+  }
+
+  // how much farther the farthest of some sources is from p than the nearest one.
+  FT excess_at(const Point& p, const std::array<Vertex_id, 3>& sites) const
+  {
+    FT nearest = std::numeric_limits<FT>::infinity(), farthest = 0;
+    for(const Generator& g : m_generators)
+      nearest = (std::min)(nearest, g.distance_to(p));
+    for(const Vertex_id site : sites)
+      farthest = (std::max)(farthest, distance_from(site, p));
+    return farthest - nearest;
+  }
+
+  FT distance_from(Vertex_id site, const Point& p) const
+  {
+    const std::size_t i = nearest_of(site, p);
+    return i != none ? m_generators[i].distance_to(p) : std::numeric_limits<FT>::infinity();
+  }
+
+  // makes a front that has not found its way to v go straight to it from the place where it was nearest.
+  void lead_to(Front& f, const Point& v) const
+  {
+    const std::pair<std::size_t, FT> nearest = nearest_end(f, v);
+    f.pieces.resize(nearest.first);
+    if(!(nearest.second <= touching()))
+      f.stop = Stop::LOST;
+  }
+
   // Where two sources nearly tie, a front may have met a third cell behind the vertex: it ends where it passes that.
-  static void cut_at(Front& f, const Point& v)
+  static bool cut_at(Front& f, const Point& v)
+  {
+    const std::size_t i = piece_through(f, v);
+    if(i == none)
+      return false;
+    f.pieces.resize(i + 1);
+    f.stop = Stop::OUTSIDE; // and is not lost
+    return true;
+  }
+
+  // the piece of the way of a front that leads through v, `none` if there is none.
+  static std::size_t piece_through(const Front& f, const Point& v)
   {
     using std::abs;
     Point from = f.p;
@@ -410,12 +526,10 @@ private:
       const auto along = [&](const Point& p) { return (p.x - v.x) * u.x + (p.y - v.y) * u.y; };
       if(curve.is_valid() && abs(FT(at_left - at_right)) <= Tolerance<FT>::tie() * at_left
          && along(from) <= 0 && along(piece.end) > 0)
-      {
-        f.pieces.resize(i + 1);
-        return;
-      }
+        return i;
       from = piece.end;
     }
+    return none;
   }
 
   // Nothing agrees: the neighbours whose ends are nearest to each other are joined.
@@ -447,15 +561,16 @@ private:
     const std::size_t next = (i + 1) % fronts.size();
     Front& f = fronts[i];
     Front& g = fronts[next];
-    Point v{FT((f.end.x + g.end.x) / 2), FT((f.end.y + g.end.y) / 2)};
-    if(f.stop == Stop::SITE && g.stop == Stop::SITE)
-      v = vertex_in_face(f, g, equidistant_point(f, v));
-    else if(f.stop == Stop::SITE || g.stop == Stop::SITE)
-      v = f.stop == Stop::SITE ? f.end : g.end;
+    const bool do_agree = agree(f, g);
+    Point v = do_agree ? common_end(f, g) : f.p;
+    const bool do_meet = do_agree && (distance(f.end, g.end) <= touching() || is_vertex(f, g, v));
+    if(!do_meet)
+      v = best_vertex(f, g);
     const std::size_t node = m_nodes.size();
     m_nodes.push_back(Node{v, {f.left, f.right, g.right}, true});
-    cut_at(f, v);
-    cut_at(g, v);
+    for(Front* way : {&f, &g})
+      if(!cut_at(*way, v) && !do_meet)
+        lead_to(*way, v);
     finish(f, v, node);
     finish(g, v, node);
     const Vertex_id closed = f.right;
@@ -495,8 +610,8 @@ private:
       return finish(g, f.p, f.node);
     if(f.stop == Stop::LOST || !(gap <= near()))
       ++m_number_of_joints;
-    if(!(gap <= touching()))
-      f.stop = Stop::LOST;
+    if(!(gap <= touching()) && !cut_at(f, g.p))
+      lead_to(f, g.p);
     finish(f, g.p, g.node);
   }
 
@@ -944,7 +1059,8 @@ private:
                       ? event.t
                       : FT(m_roots.empty() ? FT(1) : FT(2 * m_roots.back() + 1));
     m_roots.push_back(last);
-    const bool has_been_left = has_been_left_here(index); // at the start rounding only may lead back
+    // at the start rounding may lead away from a generator, and once back
+    const bool has_been_left = std::count(m_left_here.begin(), m_left_here.end(), index) > 1;
     FT from = 0;
     for(const FT& to : m_roots)
     {

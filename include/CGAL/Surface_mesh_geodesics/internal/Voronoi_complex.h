@@ -31,6 +31,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -284,16 +285,36 @@ public:
     const typename Mesh::Face& face = m_mesh->face(f);
     if(has_no_height(face))
       return coordinates_on_edge(f, face.length[1] < face.length[2] ? 2 : 1, p);
-    // The first side is the shortest one. What rounding does along it must not move the point along the others.
     std::array<FT, 3> b;
-    b[2] = (std::min)((std::max)(FT(p.y / face.apex_y), FT(0)), FT(1));
-    const FT rest = 1 - b[2];
-    b[1] = (std::min)((std::max)(FT((p.x - b[2] * face.apex_x) / face.length[0]), FT(0)), rest);
-    b[0] = rest - b[1];
-    return b;
+    b[2] = p.y / face.apex_y;
+    b[1] = (p.x - b[2] * face.apex_x) / face.length[0];
+    b[0] = 1 - b[1] - b[2];
+    return b[0] >= 0 && b[1] >= 0 && b[2] >= 0 ? b : coordinates_on_border(f, p);
   }
 
 private:
+  // of the point of the border that is nearest to p, which is outside by rounding. (In a narrow face, to cut negative
+  // coordinates off would move the point along the face.)
+  std::array<FT, 3> coordinates_on_border(Face_id f, const Point& p) const
+  {
+    const std::array<Point, 3> corner = layout(f);
+    std::array<FT, 3> best{};
+    FT smallest = std::numeric_limits<FT>::infinity();
+    for(unsigned int k = 0; k < 3; ++k)
+    {
+      const std::array<FT, 3> b = coordinates_on_edge(f, k, p);
+      const Point q{FT(b[0] * corner[0].x + b[1] * corner[1].x + b[2] * corner[2].x),
+                    FT(b[0] * corner[0].y + b[1] * corner[1].y + b[2] * corner[2].y)};
+      const FT d = distance(p, q);
+      if(d < smallest)
+      {
+        best = b;
+        smallest = d;
+      }
+    }
+    return best;
+  }
+
   // of the point of edge k that is nearest to p: in a face without height, that is p itself.
   std::array<FT, 3> coordinates_on_edge(Face_id f, unsigned int k, const Point& p) const
   {
