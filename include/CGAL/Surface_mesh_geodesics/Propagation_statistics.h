@@ -72,7 +72,7 @@ struct Propagation_statistics
   /// memory of the windows, in bytes.
   std::size_t maximum_window_bytes = 0;
 
-  /// memory of the intrinsic mesh and of the results, in bytes.
+  /// memory of the intrinsic mesh, of the results, and of what else there is for each vertex and each edge, in bytes.
   std::size_t intrinsic_mesh_bytes = 0;
 };
 

@@ -104,7 +104,7 @@ public:
     if(options.statistics != nullptr)
     {
       *options.statistics = propagation.statistics();
-      options.statistics->intrinsic_mesh_bytes = m_mesh.memory() + m_table.memory() + m_field.memory();
+      options.statistics->intrinsic_mesh_bytes += m_mesh.memory() + m_table.memory() + m_field.memory();
     }
     return radius;
   }

@@ -118,6 +118,7 @@ public:
     Propagation_statistics s = m_stars.statistics();
     s.maximum_windows_alive = m_wavefront.maximum_windows_alive();
     s.maximum_window_bytes = m_stars.memory() + m_wavefront.memory();
+    s.intrinsic_mesh_bytes = m_wavefront.table_memory(); // those of the mesh and of the results are added elsewhere
     return s;
   }
 

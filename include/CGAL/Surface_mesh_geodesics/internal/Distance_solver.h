@@ -210,7 +210,7 @@ public:
     if(options.statistics != nullptr)
     {
       Propagation_statistics statistics = m_runner.statistics();
-      statistics.intrinsic_mesh_bytes = m_surface.memory() + m_runner.field_memory();
+      statistics.intrinsic_mesh_bytes += m_surface.memory() + m_runner.field_memory();
       add_statistics(statistics, *options.statistics);
     }
     find_positions_of_sources(set);

@@ -400,7 +400,7 @@ private:
     const bool is_complete = propagation.run(
       [&](std::size_t visits, double reached) { return go_on(visits, unit * reached); });
     m_statistics = propagation.statistics();
-    m_statistics.intrinsic_mesh_bytes = m_mesh.memory() + m_table.memory() + m_field.memory();
+    m_statistics.intrinsic_mesh_bytes += m_mesh.memory() + m_table.memory() + m_field.memory();
     m_statistics.maximum_window_bytes += keeps(keeper) ? m_windows.memory() : 0;
     return is_complete;
   }

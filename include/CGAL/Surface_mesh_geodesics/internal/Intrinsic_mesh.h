@@ -229,7 +229,13 @@ public:
 
   // Building: reset(), set_unit(), all members of all faces, finish(). For lengths without points,
   // bound_crossings_by_lengths().
-  void reset(std::size_t number_of_faces) { m_faces.resize(number_of_faces); }
+  //
+  // There is room for the faces that a few sources inside faces need: else the first one would double the memory.
+  void reset(std::size_t number_of_faces)
+  {
+    m_faces.reserve(number_of_faces + 64);
+    m_faces.resize(number_of_faces);
+  }
   void set_unit(const FT& unit) { m_unit = unit; }
 
   Face& face(Face_id f) { return m_faces[f]; }

@@ -184,6 +184,7 @@ public:
     }
     sum.maximum_windows_alive = m_wavefront.maximum_windows_alive();
     sum.maximum_window_bytes += m_wavefront.memory();
+    sum.intrinsic_mesh_bytes = m_wavefront.table_memory(); // those of the mesh and of the results are added elsewhere
     return sum;
   }
 

@@ -70,6 +70,9 @@ public:
       sift_down(last);
   }
 
+  // of what there is for each vertex of the mesh.
+  std::size_t table_memory() const { return m_place.capacity() * sizeof(m_place[0]); }
+
 private:
   struct Entry
   {

@@ -180,6 +180,12 @@ public:
   std::size_t maximum_windows_alive() const { return m_maximum_windows_alive; }
   std::size_t memory() const { return m_lists.memory(); }
 
+  // of what there is for each vertex and halfedge of the mesh.
+  std::size_t table_memory() const
+  {
+    return m_lists.table_memory() + m_queue.table_memory() + m_emission.capacity();
+  }
+
 private:
   // Windows have to start at a vertex when it is visited; they have started there before.
   enum Emission : unsigned char { MUST_EMIT = 1, HAS_EMITTED = 2 };

@@ -75,11 +75,11 @@ public:
   // is longer than some path on the surface.
   //
   // Most windows that are removed later instead cost less than to look for them on each edge: lists that are not
-  // kept are pruned on every second edge only.
+  // kept are pruned on every fourth edge only.
   void prune(Window_list<FT>& list, const Crossing<FT>& c, const Corner_rivals<FT>& corners, bool is_kept)
   {
     const bool is_unusual = list.may_be_marked() || list.number_of_crossings() > m_mesh.most_crossings();
-    if(!is_kept && list.number_of_crossings() % 2 != 0 && !is_unusual && !m_has_stale_windows)
+    if(!is_kept && list.number_of_crossings() % edges_for_pruning != 0 && !is_unusual && !m_has_stale_windows)
       return;
     const bool has_suspects = is_unusual || (m_has_stale_windows && has_stale_windows(list))
                                 ? suspect_all(list)
@@ -148,6 +148,8 @@ public:
   const Window_batch<FT>& right() const { return m_right; }
 
 private:
+  static constexpr std::uint32_t edges_for_pruning = 4;
+
   bool has_stale_windows(const Window_list<FT>& list) const
   {
     for(std::size_t i = 0; i < list.size; ++i)

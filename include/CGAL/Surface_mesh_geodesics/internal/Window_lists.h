@@ -422,6 +422,9 @@ public:
 
   std::size_t memory() const { return m_lists.capacity() * (sizeof(List) + sizeof(Halfedge_id)); }
 
+  // of what there is for each halfedge of the mesh, whether a list waits or not.
+  std::size_t table_memory() const { return m_slot_of_halfedge.capacity() * sizeof(std::uint32_t); }
+
 private:
   static std::size_t entry(Halfedge_id h)
   {
