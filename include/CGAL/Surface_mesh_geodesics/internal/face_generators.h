@@ -12,11 +12,11 @@
 
 // level: 4 (propagation)
 //
-// The generators of a face (Face_partition.h) from its corners and the windows that entered it, in the layout
+// The generators of a face (Face_generator.h) from its corners and the windows that entered it, in the layout
 // of the face: corners 0, 1 and 2 at (0,0), (length[0],0) and (apex_x, apex_y).
 
 #include <CGAL/Surface_mesh_geodesics/internal/Edge_partition.h>
-#include <CGAL/Surface_mesh_geodesics/internal/Face_partition.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Face_generator.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Face_windows.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Vertex_distance_field.h>
