@@ -732,7 +732,7 @@ public:
 
   /// \name Elements of the Diagram
   /// The diagram is computed if that has not been done. References are valid until it is forgotten. Ranges of elements
-  /// take constant time.
+  /// take constant time; their order is not specified (a mesh of another size may have another one).
   /// @{
 
   /// returns the vertices of the diagram.
