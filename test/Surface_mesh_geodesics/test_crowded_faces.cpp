@@ -32,8 +32,8 @@ struct Kite
 
   explicit Kite(double height)
   {
-    const vertex_descriptor a = mesh.add_vertex(Mesh::Point(0, 0, 0)), b = mesh.add_vertex(Mesh::Point(1, 0, 0)),
-                            c = mesh.add_vertex(Mesh::Point(.45, -.6, 0)), d = mesh.add_vertex(Mesh::Point(.5, height, 0));
+    const auto vertex_at = [this](double x, double y) { return mesh.add_vertex(Mesh::Point(x, y, 0)); };
+    const vertex_descriptor a = vertex_at(0, 0), b = vertex_at(1, 0), c = vertex_at(.45, -.6), d = vertex_at(.5, height);
     other = mesh.add_face(a, b, d);
     crowded = mesh.add_face(b, a, c);
   }
@@ -183,6 +183,26 @@ void check(const Pattern& pattern, std::size_t n, double height, double largest_
   CHECK_CLOSE(area, (height + .6) / 2, 1e-10);
 }
 
+// Of two sites that numbers hardly tell apart the first has the cell.
+void test_equal_sites()
+{
+  Kite kite(.9);
+  Voronoi diagram(kite.mesh);
+  const double x = .4, y = -.1, little = 2e-15;
+  for(const Point_2& p : {Point_2{x, y}, Point_2{x + little, y - little}, Point_2{.5, -.2}, Point_2{x, y + little}})
+  {
+    diagram.add_site(kite.location(kite.crowded, p));
+  }
+  CHECK(!diagram.is_empty(0));
+  CHECK(diagram.is_empty(1));
+  CHECK(!diagram.is_empty(2));
+  CHECK(diagram.is_empty(3));
+  CHECK_EQUAL(diagram.edges().size(), 1u);
+  CHECK_EQUAL(diagram.nearest_site(kite.location(kite.crowded, Point_2{.39, -.1})), 0u);
+  CHECK_CLOSE(diagram.area(0) + diagram.area(2), .75, 1e-10);
+  CHECK(CGAL::Surface_mesh_geodesics::certify_geodesic_Voronoi_diagram(diagram).is_certified());
+}
+
 } // namespace
 
 // The number of rounds may be given as an argument. (Of 40, with 3240 diagrams, one has two arcs with a wrong end: a
@@ -190,6 +210,7 @@ void check(const Pattern& pattern, std::size_t n, double height, double largest_
 int main(int argc, char* argv[])
 {
   const std::size_t number = argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 4;
+  test_equal_sites();
   check(patterns()[6], 31, 3., 0., 0); // was put into parts of a face without width
   check(patterns()[3], 16, .9, .01, 17); // fronts passed each other
   check(patterns()[4], 59, 3., 0., 13); // fronts went round from one point to the same

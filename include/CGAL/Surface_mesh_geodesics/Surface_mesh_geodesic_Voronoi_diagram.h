@@ -87,8 +87,10 @@ with the differences from the largest weight, and are exact relative to these: a
 costs digits in the others. Differences have to be finite in `double`, also as multiples of the extent of the mesh.
 
 <b>Ties.</b> Of several sites with the same place and the same weight, the first one has the cell, and the others
-are empty. If two sites are equally far from a vertex at which shortest paths bend, whole regions may be equally far
-from both; such a region belongs to one of the two, as decided at that vertex. The curves around it
+are empty. (If the distance of two sites and the difference of their weights are less than about
+\f$ 6 \cdot 10^{-14} \f$ of the extent of the mesh together, they may be treated so as well: no distance tells which
+of them is nearer.) If two sites are equally far from a vertex at which shortest paths bend, whole regions may be
+equally far from both; such a region belongs to one of the two, as decided at that vertex. The curves around it
 are then those along which the other site's paths, too, are no longer equally short. Where the diagram is
 symmetric, arcs may run along edges and through vertices of the mesh, and more than three cells may meet.
 
@@ -793,8 +795,8 @@ public:
   /// number of edges around the cell.
   /// @{
 
-  /// returns whether no point is nearest to the site: another one has the same place, or hides it by its weight. Takes
-  /// constant time.
+  /// returns whether no point is nearest to the site: another one has the same place, or nearly, or hides it by its
+  /// weight. Takes constant time.
   ///
   /// \param i the number of the site
   /// \pre `i < number_of_sites()`
@@ -1131,6 +1133,7 @@ private:
     const auto start = [&]
     {
       removal.reset(m_solver.mesh(), m_solver.field(), m_complex);
+      m_solver.for_each_equal_source([&](Vertex_id v, Vertex_id first) { removal.unite(v, first); });
       m_complex.start(m_solver.mesh(), m_solver.field(), removal);
       return Surface_mesh_geodesics::internal::Redundant_window_remover<Removal>(removal);
     };

@@ -22,6 +22,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/Path_thinning.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Source_insertion.h>
 #include <CGAL/Surface_mesh_geodesics/internal/distance_at_location.h>
+#include <CGAL/Surface_mesh_geodesics/internal/equal_sources.h>
 #include <CGAL/Surface_mesh_geodesics/internal/intrinsic_mesh_from_face_graph.h>
 #include <CGAL/Surface_mesh_geodesics/internal/isoline_tracing.h>
 #include <CGAL/Surface_mesh_geodesics/internal/path_tracing.h>
@@ -163,6 +164,16 @@ public:
   // the mesh with the sources as vertices, and what is known of its vertices.
   const Intrinsic_mesh<double>& mesh() const { return m_mesh; }
   const Vertex_distance_field<double>& field() const { return m_field; }
+
+  // calls visit(v, u) for vertices v of sources that tie everywhere with an earlier one, at u.
+  template <typename Visitor>
+  void for_each_equal_source(Visitor visit) const
+  {
+    std::vector<double> offset;
+    for(const double x : m_source_offsets)
+      offset.push_back(x / m_mesh.unit());
+    internal::for_each_equal_source(m_mesh, m_source_vertices, offset, visit);
+  }
 
   // the vertex at which source i is, and the number of the first source at a vertex.
   Vertex_id source_vertex(std::size_t i) const { return m_source_vertices[i]; }

@@ -49,6 +49,7 @@
 #include <cstdint>
 #include <functional>
 #include <queue>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -83,6 +84,7 @@ public:
     m_state.assign(mesh.number_of_faces(), UNTOUCHED);
     m_open_edges.assign(mesh.number_of_faces(), 3);
     m_owner.assign(mesh.number_of_vertices(), null_id);
+    m_first_of_equal.clear();
     m_root.assign(mesh.number_of_faces(), null_id);
     m_windows.reset(mesh.number_of_faces());
     m_breakpoints.clear();
@@ -90,6 +92,10 @@ public:
     m_queue = Queue();
     m_number_of_kept = 0;
   }
+
+  // Two sources that tie everywhere, as far as numbers tell, have one cell: that of `first`, unless it is nowhere the
+  // nearest one itself. (Which of them is nearer along an edge would be told by rounding, for each edge anew.)
+  void unite(Vertex_id source, Vertex_id first) { m_first_of_equal[source] = first; }
 
   // is called by the propagation with each list that it carries across h.
   void keep(Halfedge_id h, const Window_list<FT>& list)
@@ -149,7 +155,7 @@ public:
       if(root == null_id)
         return null_id;
       if(root == last)
-        m_owner[last] = last;
+        m_owner[last] = first_of_equal(last);
       last = root;
     }
     const Vertex_id owner = m_owner[last];
@@ -179,6 +185,12 @@ public:
   }
 
 private:
+  Vertex_id first_of_equal(Vertex_id source) const
+  {
+    const auto it = m_first_of_equal.find(source);
+    return it != m_first_of_equal.end() && m_field->is_source(it->second) ? it->second : source;
+  }
+
   static constexpr Vertex_id several_roots = null_id - 1;
 
   // An INACTIVE face waits for its neighbours, a DONE one has no windows any more.
@@ -405,6 +417,7 @@ private:
   std::vector<State> m_state;
   std::vector<unsigned char> m_open_edges; // of each face: whose other side is not inactive
   std::vector<Vertex_id> m_owner;
+  std::unordered_map<Vertex_id, Vertex_id> m_first_of_equal;
   std::vector<Vertex_id> m_root; // of the windows that have entered a face, if it is one
   Face_windows<FT> m_windows;
   std::vector<Edge_breakpoint<FT>> m_breakpoints;

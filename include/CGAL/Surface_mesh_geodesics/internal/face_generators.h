@@ -81,7 +81,15 @@ bool generator_on_edge(const Intrinsic_mesh<FT>& mesh, Halfedge_id h, const Face
   const Planar_point<FT> a = corner[place_in_face(h)], b = corner[next_place(place_in_face(h))];
   const FT length = mesh.length(h), tx = (b.x - a.x) / length, ty = (b.y - a.y) / length;
   FT first = 0, last = length;
-  if(g.has_cone)
+  if(g.has_cone && has_no_height(mesh.face(face_of(h))))
+  {
+    // all is on one line, where cones mean nothing: the paths lead to the places of the interval
+    const auto place = [&](const Planar_point<FT>& p)
+    { return (std::min)((std::max)(FT((p.x - a.x) * tx + (p.y - a.y) * ty), FT(0)), length); };
+    first = (std::min)(place(g.left_end), place(g.right_end));
+    last = (std::max)(place(g.left_end), place(g.right_end));
+  }
+  else if(g.has_cone)
     for(const Half_plane<FT>* side : {&g.left, &g.right})
     {
       // the part of the edge in the half-plane

@@ -90,7 +90,7 @@ struct Tolerance
   }
 
   // Relative to a distance: two images of one source tie, of which each errs by some units for each face that the path
-  // has crossed.
+  // has crossed. Relative to the extent of the mesh: so do all images of two sources that are as near to each other.
   static FT tie() { return 64 * distance(); }
 
   // Relative to the size of a face: where a curve touches a line, its place is known to the square root of rounding.
