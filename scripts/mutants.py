@@ -26,6 +26,7 @@ STRAIGHT = INTERNAL + "Straight_piece.h"
 ISOLINES = INTERNAL + "isoline_tracing.h"
 FACE_WINDOWS = INTERNAL + "Face_windows.h"
 REMOVAL = INTERNAL + "Redundant_window_removal.h"
+BOUND_QUEUE = INTERNAL + "Bound_queue.h"
 BISECTOR = INTERNAL + "Weighted_bisector.h"
 EDGE_PARTITION = INTERNAL + "Edge_partition.h"
 COMPLEX = INTERNAL + "Voronoi_complex.h"
@@ -55,6 +56,7 @@ PATHS = "test_paths_interface"
 HOSTILE_PATHS = "test_paths_on_hostile_meshes"
 ISOLINE_TEST = "test_isolines"
 BY_HAND = "test_Voronoi_by_hand"
+BOUNDS = "test_bound_queue"
 PLANAR = "test_Voronoi_planar"
 SYMMETRIC = "test_Voronoi_symmetric"
 RANDOM_DIAGRAMS = "test_Voronoi_random"
@@ -344,6 +346,15 @@ MUTANTS = [
     ("chunk_of_windows_lost", FACE_WINDOWS,
      "m_chunks[c].next = first;", "m_chunks[c].next = null_id;",
      "of many windows of an edge only the last ones are remembered", (CUT, PLANAR, RANDOM_DIAGRAMS)),
+    ("bound_rounded_down", BOUND_QUEUE,
+     "static_cast<double>(x) * (1 + rounding)", "static_cast<double>(x) * (1 - rounding)",
+     "a face is said to be done before the wavefront has passed it", (BOUNDS,)),
+    ("waiting_bucket_not_opened", BOUND_QUEUE,
+     "for(std::size_t i = 0; i <= last; ++i)", "for(std::size_t i = 0; i < last; ++i)",
+     "faces that are done wait on", (BOUNDS,)),
+    ("face_done_too_early", REMOVAL,
+     "FT(nearest + longest / 2), FT(nearest + longest)", "FT(nearest + longest / 2), FT(nearest + longest / 2)",
+     "windows that come to a face after the first ones are left out", (BY_HAND, RANDOM_DIAGRAMS, CUT)),
     ("one_corner_is_enough", REMOVAL,
      "if(owner(corner[1]) != source || owner(corner[2]) != source)", "if(owner(corner[1]) != source)",
      "a face is said to be in one cell by two of its corners", (BY_HAND, CUT)),

@@ -18,6 +18,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/Index_types.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -64,7 +65,7 @@ public:
       Chunk& chunk = m_chunks[first];
       const std::size_t end = (std::min)(n, i + (Chunk::capacity - chunk.size));
       for(; i < end; ++i)
-        chunk.window[chunk.size++] = window(i);
+        chunk.put(window(i));
     }
     m_size += n;
     m_maximum_size = (std::max)(m_maximum_size, m_size);
@@ -90,16 +91,22 @@ public:
   {
     for(std::uint32_t c = m_first_chunk[entry(h)]; c != null_id; c = m_chunks[c].next)
       for(std::uint32_t i = 0; i < m_chunks[c].size; ++i)
-        visit(m_chunks[c].window[i]);
+        visit(m_chunks[c].get(i));
   }
 
-  // does predicate(window) hold for all windows of h?
+  // does predicate(root) hold for the roots of all windows of h?
   template <typename Predicate>
-  bool all_of(Halfedge_id h, Predicate predicate) const
+  bool all_roots_of(Halfedge_id h, Predicate predicate) const
   {
+    Vertex_id last = null_id; // (neighbours often have the same)
     for(std::uint32_t c = m_first_chunk[entry(h)]; c != null_id; c = m_chunks[c].next)
-      if(!std::all_of(m_chunks[c].window, m_chunks[c].window + m_chunks[c].size, predicate))
-        return false;
+      for(std::uint32_t i = 0; i < m_chunks[c].size; ++i)
+      {
+        const Vertex_id root = m_chunks[c].root[i];
+        if(root != last && !predicate(root))
+          return false;
+        last = root;
+      }
     return true;
   }
 
@@ -113,13 +120,25 @@ public:
   }
 
 private:
-  // Some windows of a halfedge, and the chunk of those before them.
+  // Some windows of a halfedge, and the chunk of those before them. (What is asked for most often lies together.)
   struct Chunk
   {
     static constexpr std::uint32_t capacity = 6;
-    Face_window<FT> window[capacity];
     std::uint32_t size;
     std::uint32_t next;
+    std::array<Vertex_id, capacity> root;
+    std::array<std::array<FT, 4>, capacity> place;
+
+    Face_window<FT> get(std::uint32_t i) const
+    {
+      return Face_window<FT>{place[i][0], place[i][1], place[i][2], place[i][3], root[i]};
+    }
+
+    void put(const Face_window<FT>& w)
+    {
+      root[size] = w.root;
+      place[size++] = {w.begin, w.end, w.image_x, w.image_depth};
+    }
   };
 
   static std::size_t entry(Halfedge_id h) { return 3 * std::size_t(face_of(h)) + place_in_face(h); }

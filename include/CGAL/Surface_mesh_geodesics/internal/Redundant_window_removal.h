@@ -35,6 +35,7 @@
 // have entered, but nowhere as the nearest ones. A face that does lie in several cells is given to a consumer
 // when all of its edges have been trimmed, and its windows are removed after that.
 
+#include <CGAL/Surface_mesh_geodesics/internal/Bound_queue.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Edge_partition.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Face_windows.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Index_table.h>
@@ -47,8 +48,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
-#include <queue>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -81,15 +80,13 @@ public:
     m_mesh = &mesh;
     m_field = &field;
     m_is_early = is_early;
-    m_state.assign(mesh.number_of_faces(), UNTOUCHED);
-    m_open_edges.assign(mesh.number_of_faces(), 3);
+    m_faces.assign(mesh.number_of_faces(), Face_record{null_id, UNTOUCHED, 3});
     m_owner.assign(mesh.number_of_vertices(), null_id);
     m_first_of_equal.clear();
-    m_root.assign(mesh.number_of_faces(), null_id);
     m_windows.reset(mesh.number_of_faces());
     m_breakpoints.clear();
     m_range_of_edge.clear();
-    m_queue = Queue();
+    m_queue.clear();
     m_number_of_kept = 0;
   }
 
@@ -103,7 +100,8 @@ public:
     const Face_id f = face_of(h);
     if(is_inactive(f)) // these windows come too late
       return;
-    Vertex_id& root = m_root[f];
+    Face_record& record = m_faces[f];
+    Vertex_id root = record.root;
     const auto& columns = list.columns;
     m_windows.add(h, list.size, [&](std::size_t i)
     {
@@ -111,10 +109,11 @@ public:
       root = root == null_id || root == r ? r : several_roots;
       return Face_window<FT>{columns.begin()[i], columns.end()[i], columns.image_x()[i], columns.image_depth()[i], r};
     });
+    record.root = root;
     m_number_of_kept += list.size;
-    if(m_state[f] == ACTIVE)
+    if(record.state == ACTIVE)
       return;
-    m_state[f] = ACTIVE;
+    record.state = ACTIVE;
     if(m_is_early)
       wait(f, list);
   }
@@ -123,23 +122,21 @@ public:
   void advance(const FT& reached)
   {
     const FT below = reached * (1 - 16 * Tolerance<FT>::distance());
-    while(!m_queue.empty() && m_queue.top().key < below)
+    m_queue.advance(below, [&](Face_id f, const FT& limit)
     {
-      Entry e = m_queue.top();
-      m_queue.pop();
-      e.key = (std::min)(e.bound, bound_by_corners(e.face));
-      if(e.key < below)
-        deactivate(e.face);
+      const FT bound = (std::min)(limit, bound_by_corners(f));
+      if(bound < below)
+        deactivate(f);
       else
-        m_queue.push(e);
-    }
+        m_queue.push(f, bound, bound);
+    });
   }
 
   // The propagation has ended: all faces are inactive.
   void finish()
   {
-    m_queue = Queue();
-    for(Face_id f = 0; f < m_state.size(); ++f)
+    m_queue.clear();
+    for(Face_id f = 0; f < m_faces.size(); ++f)
       if(!is_inactive(f))
         deactivate(f);
   }
@@ -180,8 +177,8 @@ public:
 
   std::size_t memory() const
   {
-    return m_windows.memory() + m_state.capacity() + m_open_edges.capacity()
-         + (m_owner.capacity() + m_root.capacity()) * sizeof(Vertex_id);
+    return m_windows.memory() + m_queue.memory() + m_faces.capacity() * sizeof(Face_record)
+         + m_owner.capacity() * sizeof(Vertex_id);
   }
 
 private:
@@ -196,18 +193,12 @@ private:
   // An INACTIVE face waits for its neighbours, a DONE one has no windows any more.
   enum State : unsigned char { UNTOUCHED, ACTIVE, INACTIVE, DONE };
 
-  struct Entry
+  struct Face_record
   {
-    FT key, bound;
-    Face_id face;
-
-    bool operator>(const Entry& other) const
-    {
-      return other.key < key || (!(key < other.key) && other.face < face);
-    }
+    Vertex_id root; // of the windows that have entered the face, if it is one
+    State state;
+    unsigned char open_edges; // whose other side is not inactive
   };
-
-  using Queue = std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>>;
 
   // The first list has entered a face.
   void wait(Face_id f, const Window_list<FT>& list)
@@ -216,7 +207,7 @@ private:
     for(std::size_t i = 0; i < list.size; ++i)
       nearest = (std::min)(nearest, list.columns.get(i).minimum_distance());
     const FT longest = longest_edge(f);
-    m_queue.push(Entry{nearest + longest / 2, nearest + longest, f});
+    m_queue.push(f, FT(nearest + longest / 2), FT(nearest + longest));
   }
 
   FT longest_edge(Face_id f) const
@@ -235,12 +226,12 @@ private:
     return bound;
   }
 
-  bool is_inactive(Face_id f) const { return m_state[f] == INACTIVE || m_state[f] == DONE; }
+  bool is_inactive(Face_id f) const { return m_faces[f].state == INACTIVE || m_faces[f].state == DONE; }
 
   // procedure 3 of the thesis, for a face that has become inactive.
   void deactivate(Face_id f)
   {
-    m_state[f] = INACTIVE;
+    m_faces[f].state = INACTIVE;
     if(has_one_source(f))
       remove_windows(f);
     for(unsigned int k = 0; k < 3; ++k)
@@ -259,17 +250,17 @@ private:
     const Vertex_id source = owner(corner[0]);
     if(owner(corner[1]) != source || owner(corner[2]) != source)
       return false;
-    if(m_root[f] != several_roots)
-      return m_root[f] == null_id || owner(m_root[f]) == source;
+    if(m_faces[f].root != several_roots)
+      return m_faces[f].root == null_id || owner(m_faces[f].root) == source;
     for(unsigned int k = 0; k < 3; ++k)
-      if(!m_windows.all_of(halfedge_of(f, k), [&](const Face_window<FT>& w) { return owner(w.root) == source; }))
+      if(!m_windows.all_roots_of(halfedge_of(f, k), [&](Vertex_id root) { return owner(root) == source; }))
         return false;
     return true;
   }
 
   void remove_windows(Face_id f)
   {
-    m_state[f] = DONE;
+    m_faces[f].state = DONE;
     for(unsigned int k = 0; k < 3; ++k)
       m_windows.release(halfedge_of(f, k));
   }
@@ -280,7 +271,7 @@ private:
     if(o != null_id && o < h) // of a face that has this edge twice
       return;
     const Face_id f = face_of(h), g = o == null_id ? f : face_of(o);
-    if(m_state[f] == INACTIVE && m_state[g] == INACTIVE) // else the edge is in one cell
+    if(m_faces[f].state == INACTIVE && m_faces[g].state == INACTIVE) // else the edge is in one cell
       trim_edge(h, o);
     close_side(f);
     if(o != null_id)
@@ -289,7 +280,7 @@ private:
 
   void close_side(Face_id f)
   {
-    if(--m_open_edges[f] != 0 || m_state[f] != INACTIVE)
+    if(--m_faces[f].open_edges != 0 || m_faces[f].state != INACTIVE)
       return;
     if(is_divided(f))
       m_consumer->add_divided_face(f);
@@ -378,8 +369,12 @@ private:
     const Edge_generator<FT>& g = m_edge.generator(window);
     const FT foot = (std::min)((std::max)(g.image_x, g.begin), g.end);
     const bool is_on_edge = g.depth <= Tolerance<FT>::closeness() * length;
-    for(const Edge_interval<FT>& i : m_edge.intervals())
+    const std::vector<Edge_interval<FT>>& intervals = m_edge.intervals();
+    const auto ends_before = [](const Edge_interval<FT>& i, const FT& x) { return i.end < x; };
+    for(auto it = std::lower_bound(intervals.begin(), intervals.end(), g.begin, ends_before);
+        it != intervals.end() && it->begin <= g.end; ++it)
     {
+      const Edge_interval<FT>& i = *it;
       const FT first = (std::max)(g.begin, i.begin), last = (std::min)(g.end, i.end);
       if((first < last && is_nearest(window, i.generator, first + (last - first) / 2))
          || (is_on_edge && i.begin <= foot && foot <= i.end && ties(window, i.generator, foot)))
@@ -414,15 +409,13 @@ private:
   const Field* m_field = nullptr;
   Consumer* m_consumer = nullptr;
   bool m_is_early = true;
-  std::vector<State> m_state;
-  std::vector<unsigned char> m_open_edges; // of each face: whose other side is not inactive
+  std::vector<Face_record> m_faces;
   std::vector<Vertex_id> m_owner;
   std::unordered_map<Vertex_id, Vertex_id> m_first_of_equal;
-  std::vector<Vertex_id> m_root; // of the windows that have entered a face, if it is one
   Face_windows<FT> m_windows;
   std::vector<Edge_breakpoint<FT>> m_breakpoints;
   Index_table<Breakpoint_range> m_range_of_edge;
-  Queue m_queue;
+  Bound_queue m_queue;
   std::size_t m_number_of_kept = 0;
   Edge_partition<FT> m_edge;
   std::vector<std::pair<Halfedge_id, Face_window<FT>>> m_candidates;

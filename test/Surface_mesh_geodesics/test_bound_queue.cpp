@@ -1,0 +1,81 @@
+// What waits for a distance leaves when that has been reached, never before, and not much later; for distances of any
+// size.
+
+#include "test_support.h"
+
+#include <CGAL/Surface_mesh_geodesics/internal/Bound_queue.h>
+
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace internal = CGAL::Surface_mesh_geodesics::internal;
+using internal::Face_id;
+
+// Entries come at any time, and some wait once more when they are called.
+void entries_leave_in_time(test_support::Random& random, double scale)
+{
+  const double never = std::numeric_limits<double>::infinity();
+  internal::Bound_queue queue;
+  std::vector<double> waits_for;
+  std::vector<char> was_put_off;
+  double reached = 0;
+  for(int round = 0; round < 500; ++round)
+  {
+    for(std::size_t n = random.index(4); n-- > 0;)
+    {
+      const double distance = reached + scale * random.uniform(0., 1.);
+      queue.push(static_cast<Face_id>(waits_for.size()), distance, 2 * distance);
+      waits_for.push_back(distance);
+      was_put_off.push_back(0);
+    }
+    reached += scale * random.uniform(0., .01) * static_cast<double>(random.index(3));
+    queue.advance(reached, [&](Face_id f, double limit)
+    {
+      CHECK(waits_for[f] < reached);
+      if(was_put_off[f] != 0)
+      {
+        waits_for[f] = never;
+        return;
+      }
+      CHECK(limit >= 2 * waits_for[f]);
+      was_put_off[f] = 1;
+      waits_for[f] = reached + scale * random.uniform(0., .1);
+      queue.push(f, waits_for[f], waits_for[f]);
+    });
+    for(const double distance : waits_for)
+      CHECK(reached <= distance * (1 + 1e-6) + 1e-37);
+  }
+}
+
+void an_empty_queue_is_silent()
+{
+  internal::Bound_queue queue;
+  queue.push(7, 1., 1.);
+  queue.clear();
+  queue.advance(2., [](Face_id, double) { CHECK(false); });
+  // what is not larger than what has been reached leaves as soon as it grows
+  queue.push(8, 1., 1.);
+  std::size_t called = 0;
+  queue.advance(1.5, [&](Face_id, double) { ++called; });
+  CHECK_EQUAL(called, std::size_t(0));
+  queue.advance(2.5, [&](Face_id, double) { ++called; });
+  CHECK_EQUAL(called, std::size_t(1));
+}
+
+} // namespace
+
+int main()
+{
+  test_support::Random random(test_support::announce_seed(20261122));
+  for(const double scale : {1., 1e-3, 1e6, 1e-30, 1e-60})
+  {
+    const test_support::Scope scope("distances of " + std::to_string(scale));
+    entries_leave_in_time(random, scale);
+  }
+  an_empty_queue_is_silent();
+  return test_support::test_result();
+}
