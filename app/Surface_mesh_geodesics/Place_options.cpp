@@ -71,6 +71,16 @@ void check_points(const std::vector<std::string>& values, const std::string& opt
       complain_of_point(std::string(option).append(" ").append(value), Exit_code::BAD_USAGE);
 }
 
+// the numbers of the vertices from places[first] on, or of the first of them.
+std::string list_of_vertices(const std::vector<Place>& places, std::size_t first)
+{
+  const std::size_t most = 20, n = places.size() - first;
+  std::string text = n == 1 ? "vertex " : "vertices ";
+  for(std::size_t i = 0; i < (std::min)(n, most); ++i)
+    text += (i == 0 ? "" : ", ") + std::to_string(places[first + i].vertex.idx());
+  return n > most ? text + " and " + std::to_string(n - most) + " more" : text;
+}
+
 // Reads places from the command line and from files; `where` says in messages where a text stands.
 class Place_reader
 {
@@ -246,7 +256,7 @@ bool Place_options::are_given(const Arguments& arguments) const
   return false;
 }
 
-std::vector<Place> Place_options::places(const Arguments& arguments, const Mesh& mesh) const
+std::vector<Place> Place_options::places(const Arguments& arguments, const Mesh& mesh, const Console& console) const
 {
   Place_reader reader(mesh, m_kind);
   for(const std::string& value : all_values(arguments, m_role))
@@ -266,23 +276,26 @@ std::vector<Place> Place_options::places(const Arguments& arguments, const Mesh&
     const std::size_t n = count_argument_or(arguments, m_role + "-random", 1);
     // Targets are not to be the sources: each role draws from a sequence of its own.
     const std::uint64_t seed = count_argument_or(arguments, "seed", 0);
+    const std::size_t first = reader.places.size();
     reader.add_random_vertices(n, m_role == "target" ? ~seed : seed, "--" + m_role + "-random");
+    console.note("--" + m_role + "-random: " + list_of_vertices(reader.places, first));
   }
   return reader.places;
 }
 
-std::vector<Place> Place_options::required_places(const Arguments& arguments, const Mesh& mesh) const
+std::vector<Place> Place_options::required_places(const Arguments& arguments, const Mesh& mesh,
+                                                  const Console& console) const
 {
   if(!are_given(arguments))
     throw Command_error(Exit_code::BAD_USAGE, "no " + m_role + " is given; use --" + m_role + ", "
                                                 + (m_kind == Kind::VERTICES ? "" : "--" + m_role + "-point, ")
                                                 + "--" + m_role + "-file or --" + m_role + "-random");
-  return places(arguments, mesh);
+  return places(arguments, mesh, console);
 }
 
-std::vector<Vertex> Place_options::vertices(const Arguments& arguments, const Mesh& mesh) const
+std::vector<Vertex> Place_options::vertices(const Arguments& arguments, const Mesh& mesh, const Console& console) const
 {
-  return as_vertices(places(arguments, mesh));
+  return as_vertices(places(arguments, mesh, console));
 }
 
 Point point_of(const Place& place, const Mesh& mesh)

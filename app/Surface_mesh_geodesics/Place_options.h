@@ -2,6 +2,7 @@
 #define SURFACE_MESH_GEODESICS_APP_PLACE_OPTIONS_H
 
 #include "Command.h"
+#include "Console.h"
 #include "Program_mesh.h"
 
 #include <string>
@@ -35,14 +36,15 @@ public:
   bool are_given(const Arguments& arguments) const;
 
   // returns the places in this order: vertices, points, those in files, random ones; and within each in the order of
-  // the command line. Throws a Command_error for a place that the mesh does not have.
-  std::vector<Place> places(const Arguments& arguments, const Mesh& mesh) const;
+  // the command line. Throws a Command_error for a place that the mesh does not have. The user is told which vertices
+  // have been chosen at random.
+  std::vector<Place> places(const Arguments& arguments, const Mesh& mesh, const Console& console) const;
 
   // does the same, where there must be at least one place.
-  std::vector<Place> required_places(const Arguments& arguments, const Mesh& mesh) const;
+  std::vector<Place> required_places(const Arguments& arguments, const Mesh& mesh, const Console& console) const;
 
   // does the same for the kind VERTICES.
-  std::vector<Vertex> vertices(const Arguments& arguments, const Mesh& mesh) const;
+  std::vector<Vertex> vertices(const Arguments& arguments, const Mesh& mesh, const Console& console) const;
 
 private:
   std::string m_role;

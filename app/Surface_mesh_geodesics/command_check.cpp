@@ -176,7 +176,7 @@ void run(const Arguments& arguments, const Console& console)
   const double tolerance = positive_argument_or(arguments, "tolerance", Certificate::default_tolerance);
   Output_files files(output_names(arguments), {"csv"});
   Mesh mesh = read_mesh(mesh_argument(arguments), console);
-  const std::vector<Place> sources = source_options.required_places(arguments, mesh);
+  const std::vector<Place> sources = source_options.required_places(arguments, mesh, console);
   const std::vector<double> distances
     = has(arguments, "distances")
         ? Distance_table(arguments["distances"].as<std::string>(), mesh.number_of_vertices()).distances()

@@ -114,7 +114,7 @@ void run(const Arguments& arguments, const Console& console)
   for(const char* option : {"isolines", "spacing"})
     files.remark_on_unused(arguments, option, {"ply", "vtk", "obj", "html"}, console);
   const Mesh mesh = read_mesh(mesh_argument(arguments), console);
-  const std::vector<Place> sources = source_options.required_places(arguments, mesh);
+  const std::vector<Place> sources = source_options.required_places(arguments, mesh, console);
   const Distance_field field = distances_from(mesh, sources, radius, console);
   const std::vector<double> limits = isoline_distances(arguments, field.largest());
   Drawing drawing;

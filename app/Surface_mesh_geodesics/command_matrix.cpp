@@ -36,10 +36,11 @@ void declare(Option_descriptions& options)
 }
 
 // Targets are vertices; if none are given, the sources are the targets.
-std::vector<Vertex> targets(const Arguments& arguments, const Mesh& mesh, const std::vector<Place>& sources)
+std::vector<Vertex> targets(const Arguments& arguments, const Mesh& mesh, const std::vector<Place>& sources,
+                            const Console& console)
 {
   if(target_options.are_given(arguments))
-    return target_options.vertices(arguments, mesh);
+    return target_options.vertices(arguments, mesh, console);
   const std::vector<Vertex> result = as_vertices(sources);
   if(result.empty())
     throw Command_error(Exit_code::BAD_USAGE, "sources that are not vertices cannot be the targets: use --target");
@@ -99,8 +100,8 @@ void run(const Arguments& arguments, const Console& console)
 {
   Output_files files(output_names(arguments), {"csv"});
   const Mesh mesh = read_mesh(mesh_argument(arguments), console);
-  const std::vector<Place> sources = source_options.required_places(arguments, mesh);
-  const std::vector<Vertex> target_vertices = targets(arguments, mesh, sources);
+  const std::vector<Place> sources = source_options.required_places(arguments, mesh, console);
+  const std::vector<Vertex> target_vertices = targets(arguments, mesh, sources, console);
   const std::vector<Vertex> source_vertices = as_vertices(sources);
   if(!source_vertices.empty())
     write(arguments, mesh, source_vertices, target_vertices, files, console);

@@ -167,8 +167,8 @@ void run(const Arguments& arguments, const Console& console)
                      {"csv", "obj", "ply", "vtk", "polylines.txt", "html"});
   files.remark_on_unused(arguments, "points", {"csv"}, console);
   const Mesh mesh = read_mesh(mesh_argument(arguments), console);
-  const std::vector<Place> sources = source_options.required_places(arguments, mesh);
-  const std::vector<Place> targets = target_options.required_places(arguments, mesh);
+  const std::vector<Place> sources = source_options.required_places(arguments, mesh, console);
+  const std::vector<Place> targets = target_options.required_places(arguments, mesh, console);
   const std::vector<Path> paths = find_paths(mesh, sources, targets, console);
   const Drawing drawing = drawing_of(paths);
   files.write([&](std::ostream& os, const std::string& format)

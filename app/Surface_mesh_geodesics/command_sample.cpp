@@ -87,7 +87,7 @@ void run(const Arguments& arguments, const Console& console)
   Output_files files(output_names(arguments), {"csv", "ply", "vtk", "obj"});
   const Mesh mesh = read_mesh(mesh_argument(arguments), console);
   const std::size_t n = count_argument_or(arguments, "number", mesh.number_of_vertices());
-  const std::vector<Vertex> first = first_options.vertices(arguments, mesh);
+  const std::vector<Vertex> first = first_options.vertices(arguments, mesh, console);
   if(first.size() > n)
     throw Command_error(Exit_code::BAD_USAGE, "there are more first samples than --number allows");
   const std::vector<Vertex> samples = samples_of(mesh, n, radius, first, console);

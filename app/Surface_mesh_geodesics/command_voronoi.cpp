@@ -191,7 +191,7 @@ void run(const Arguments& arguments, const Console& console)
   files.remark_on_unused(arguments, "vertices", {"csv"}, console);
   const Mesh mesh = read_mesh(mesh_argument(arguments), console);
   const double tolerance = tolerance_of(arguments, mesh);
-  const std::vector<Place> sites = site_options.required_places(arguments, mesh);
+  const std::vector<Place> sites = site_options.required_places(arguments, mesh, console);
   Diagram diagram(mesh);
   add_sites(diagram, sites, weights(arguments, sites.size()));
   {

@@ -43,7 +43,7 @@ is_silent check "$grid" --source 0 --distances blanks.csv -o same.csv
 cmp check.csv same.csv
 
 # Several sources, points inside faces, a radius, a part without a source.
-is_silent check "$grid" --source 0 --source-point 0.5,0.5,0 --source-random 2 > several.csv
+is_silent check "$grid" --source 0 --source-point 0.5,0.5,0 --source-random 2 --quiet > several.csv
 is_silent check "$grid" --source 0 --radius 0.5 > near.csv
 is_silent distances "$grid" --source 0 --radius 0.5 -o near_distances.csv
 is_silent check "$grid" --source 0 --radius 0.5 --distances near_distances.csv > same.csv

@@ -30,12 +30,17 @@ is_silent distances "$grid" --source-point -3,0,0 -o negative.csv
 cmp <(cut -d, -f1,2 table.csv) <(cut -d, -f1,2 negative.csv)
 
 # Random sources depend on the seed, and on nothing else.
-is_silent distances "$grid" --source-random 3 --seed 5 > first.csv
-is_silent distances "$grid" --source-random 3 --seed 5 > again.csv
-is_silent distances "$grid" --source-random 3 --seed 6 > other.csv
+is_silent distances "$grid" --source-random 3 --seed 5 --quiet > first.csv
+is_silent distances "$grid" --source-random 3 --seed 5 --quiet > again.csv
+is_silent distances "$grid" --source-random 3 --seed 6 --quiet > other.csv
 cmp first.csv again.csv
 differ first.csv other.csv
 equals "$(column first.csv distance | grep -c '^0$')" 3
+# A remark tells which they are, in their order.
+remarks "--source-random: vertices " distances "$grid" --source-random 3 --seed 5
+cmp remarks.out first.csv
+chosen=$(sed 's/.*vertices //; s/,//g' remarks.err)
+equals "$(for v in $chosen; do line first.csv $((v + 2)); done)" "$(i=0; for v in $chosen; do echo "$v,0,$((i++))"; done)"
 
 # A radius, and a surface in two parts.
 is_silent distances "$grid" --source 0 --radius 0.5 > near.csv

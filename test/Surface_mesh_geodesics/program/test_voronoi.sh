@@ -44,7 +44,7 @@ is_silent voronoi "$grid" --site 0,6,15 --weight 0,0.1,0 --tolerance 1e-7 -o fin
 
 # Colors: the same for all of a cell, as the head of the file tells, and different for neighbours.
 sphere=$data/../../../examples/Surface_mesh_geodesics/data/bumpy_sphere.off
-is_silent voronoi "$sphere" --site-random 40 -o colors.ply -o neighbours.csv
+is_silent voronoi "$sphere" --site-random 40 --quiet -o colors.ply -o neighbours.csv
 tr -d '\r' < colors.ply | awk '
   FNR == NR { if($1 == "comment") color[$3] = $5 " " $6 " " $7
     if($1 == "3" && NF == 8) { if($5 " " $6 " " $7 != color[$8]) exit 1; ++faces }
