@@ -433,9 +433,9 @@ private:
   // makes arcs of the pieces of f, the last of which ends at p.
   void finish(Front& f, const Point& p, std::size_t node)
   {
-    const bool is_lost = f.pieces.empty() || f.stop == Stop::LOST;
-    if(is_lost)
-      f.pieces.push_back(straight_piece(f, f.pieces.empty() ? f.p : f.pieces.back().end, p));
+    const std::size_t number_traced = f.pieces.size();
+    if(f.pieces.empty() || f.stop == Stop::LOST)
+      add_straight_pieces(f, f.pieces.empty() ? f.p : f.pieces.back().end, p);
     Point from = f.p;
     std::size_t from_node = f.node;
     for(std::size_t i = 0; i < f.pieces.size(); ++i)
@@ -450,10 +450,53 @@ private:
         m_nodes.push_back(Node{to, {f.left, f.right, null_id}, false});
       }
       m_arcs.push_back(Arc{f.left, f.right, piece.left, piece.right, from, to, from_node, to_node,
-                           !is_lost || !is_last});
+                           i < number_traced});
       from = to;
       from_node = to_node;
     }
+  }
+
+  // appends the segment pq to f, divided where other paths become the shortest ones: it is halved until its pieces are
+  // right at both ends, and those of the same paths are joined again.
+  void add_straight_pieces(Front& f, const Point& p, const Point& q) const
+  {
+    std::size_t halvings = 8 * m_tracer.generators().size() + 64; // rounding must not let it halve for ever
+    std::vector<Point> ends{q};
+    const std::size_t number_traced = f.pieces.size();
+    for(Point from = p; !ends.empty();)
+    {
+      const Point to = ends.back();
+      const Piece piece = straight_piece(f, from, to);
+      if(halvings > 0 && distance(from, to) > m_tracer.width()
+         && !(is_nearest_at(f, piece, from) && is_nearest_at(f, piece, to)))
+      {
+        --halvings;
+        ends.push_back(Point{FT((from.x + to.x) / 2), FT((from.y + to.y) / 2)});
+        continue;
+      }
+      ends.pop_back();
+      from = to;
+      if(f.pieces.size() > number_traced && are_same(f.pieces.back(), piece))
+        f.pieces.back().end = to;
+      else
+        f.pieces.push_back(piece);
+    }
+  }
+
+  // Does a straight piece tell the length of the shortest path of the two cells to x? (Behind the end of a cone
+  // it is less.)
+  bool is_nearest_at(const Front& f, const Piece& piece, const Point& x) const
+  {
+    using std::abs;
+    const FT nearest = (std::min)(distance_from(f.left, x), distance_from(f.right, x));
+    return abs(FT(piece.left.distance_to(x) - nearest)) <= Tolerance<FT>::tie() * nearest + m_tracer.width();
+  }
+
+  static bool are_same(const Piece& a, const Piece& b)
+  {
+    const auto same = [](const Weighted_point<FT>& v, const Weighted_point<FT>& w)
+    { return v.x == w.x && v.y == w.y && v.weight == w.weight; };
+    return same(a.left, b.left) && same(a.right, b.right);
   }
 
   // The segment pq as a piece of f. Where two cells meet along an edge, paths of one of them may come from the other
@@ -463,6 +506,7 @@ private:
     const Point middle{FT((p.x + q.x) / 2), FT((p.y + q.y) / 2)};
     const std::size_t l = m_tracer.nearest_of(f.left, middle), r = m_tracer.nearest_of(f.right, middle);
     Piece piece;
+    piece.end = q;
     if(l != none)
       piece.left = m_tracer.image_towards(m_tracer.generators()[l], middle);
     piece.right = r != none ? m_tracer.image_towards(m_tracer.generators()[r], middle) : piece.left;
