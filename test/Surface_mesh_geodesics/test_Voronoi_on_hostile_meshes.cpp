@@ -1,6 +1,6 @@
 // Diagrams of weighted and of equal sites on meshes with needles, caps, nearly equal points and vertices of all scales.
-// Where sites tie, or faces are thinner, within rounding, the certificate may find a fault; more than two diagrams of a
-// thousand are more than is known of. Those with faults are printed. The number of meshes, and the seed, may be given
+// Where sites tie, or faces are thinner, within rounding, the certificate may find a fault; more than one diagram of a
+// thousand is more than is known of. Those with faults are printed. The number of meshes, and the seed, may be given
 // as arguments.
 
 #include "Voronoi_test_helpers.h"
@@ -94,12 +94,12 @@ Faults check_diagrams(std::size_t number, std::uint64_t seed, IsAsked is_asked)
 void test_former_faults()
 {
   const std::vector<std::pair<std::uint64_t, std::vector<std::size_t>>> numbers{
-    {8, {1177}},
+    {8, {995, 1177}},
     {9, {51, 139, 443, 534, 1861, 2160, 2430, 2629, 2734, 2753, 3088, 3341, 4136, 4432, 4619, 4747}},
     {10, {372, 588, 1005, 1079, 1394, 1656, 1845, 1921, 2022, 2217, 2729, 3205, 3223, 3395, 4240, 4330, 4960}},
     {11, {655, 1041, 1222, 1448, 1723, 2149, 2255, 2263, 2345, 2602, 2694, 2738, 3031, 3673, 3899, 4114}},
-    {12, {3, 93, 146, 370, 420, 568, 1133, 1581, 2177, 2307, 3001, 3236, 3298, 3665, 4183, 4350, 4503, 4872, 4955}},
-    {13, {3867}},
+    {12, {3, 93, 146, 370, 420, 568, 1133, 1554, 1581, 2177, 2307, 3001, 3236, 3298, 3665, 4183, 4350, 4503, 4872, 4955}},
+    {13, {203, 3867}},
     {22, {2818}},
     {77, {4601}}};
   for(const auto& of_seed : numbers)
@@ -124,6 +124,6 @@ int main(int argc, char* argv[])
   }
   const Faults faults = check_diagrams(number, seed, [](std::size_t) { return true; });
   CHECK(faults.number_of_diagrams > number / 2);
-  CHECK(500 * faults.number_with_faults <= faults.number_of_diagrams);
+  CHECK(1000 * faults.number_with_faults <= faults.number_of_diagrams);
   return test_result();
 }
