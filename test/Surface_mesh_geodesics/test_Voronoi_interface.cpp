@@ -204,6 +204,34 @@ void check_throws(Invalid_geodesic_input::Reason reason, Function function)
   CHECK(has_thrown);
 }
 
+// Handles are equal if and only if they refer to the same element of the same diagram.
+template <typename Element, typename Elements_of>
+void check_handles(const Voronoi& diagram, const Voronoi& other, Elements_of elements)
+{
+  Element element;
+  CHECK(element == Element());
+  CHECK(elements(diagram).size() > 1);
+  CHECK(element != elements(diagram)[0]);
+  element = elements(diagram)[0];
+  CHECK(element == elements(diagram)[0]);
+  CHECK(element != elements(diagram)[1]);
+  CHECK(element != elements(other)[0]);
+}
+
+void test_handles()
+{
+  test_support::Scope scope("handles");
+  const Mesh tm = to_face_graph(noisy_sphere(2, .1, 5));
+  test_support::Random random(6);
+  const Weighted_sites sites = random_sites(tm, 8, .1, random);
+  Voronoi diagram(tm), other(tm);
+  add_sites(diagram, sites);
+  add_sites(other, sites);
+  check_handles<Voronoi::Vertex>(diagram, other, [](const Voronoi& d) { return d.vertices(); });
+  check_handles<Voronoi::Arc>(diagram, other, [](const Voronoi& d) { return d.arcs(); });
+  check_handles<Voronoi::Edge>(diagram, other, [](const Voronoi& d) { return d.edges(); });
+}
+
 // Places that are not in the mesh are refused where there is a site; where there is none, nothing is near to them.
 void test_absent_places()
 {
@@ -499,6 +527,7 @@ int main()
   test_life_of_diagram();
   test_other_sites();
   test_elements();
+  test_handles();
   test_absent_places();
   test_parameters_of_arcs();
   test_invalid_input();

@@ -203,6 +203,17 @@ public:
   class Vertex
   {
   public:
+    /// constructs a handle of no vertex, which can be assigned to and compared, and nothing else.
+    Vertex() = default;
+
+    /// returns whether two handles refer to the same vertex of the same diagram.
+    friend bool operator==(const Vertex& a, const Vertex& b)
+    {
+      return a.m_diagram == b.m_diagram && a.m_index == b.m_index;
+    }
+    /// returns whether they do not.
+    friend bool operator!=(const Vertex& a, const Vertex& b) { return !(a == b); }
+
     /// returns the place of the vertex.
     Face_location location() const { return m_diagram->location_of_node(node()); }
 
@@ -224,8 +235,8 @@ public:
 
     std::size_t node() const { return m_diagram->m_node_of_vertex[m_index]; }
 
-    const Surface_mesh_geodesic_Voronoi_diagram* m_diagram;
-    std::size_t m_index;
+    const Surface_mesh_geodesic_Voronoi_diagram* m_diagram = nullptr;
+    std::size_t m_index = 0;
   };
 
   /*!
@@ -236,6 +247,17 @@ public:
   class Arc
   {
   public:
+    /// constructs a handle of no arc, which can be assigned to and compared, and nothing else.
+    Arc() = default;
+
+    /// returns whether two handles refer to the same arc of the same diagram.
+    friend bool operator==(const Arc& a, const Arc& b)
+    {
+      return a.m_diagram == b.m_diagram && a.m_index == b.m_index;
+    }
+    /// returns whether they do not.
+    friend bool operator!=(const Arc& a, const Arc& b) { return !(a == b); }
+
     /// returns the face of the mesh that holds the arc.
     face_descriptor face() const { return m_diagram->m_solver.user_face(arc().face); }
 
@@ -304,8 +326,8 @@ public:
 
     const Internal_arc& arc() const { return m_diagram->m_complex.arcs()[m_diagram->m_arc_ids[m_index]]; }
 
-    const Surface_mesh_geodesic_Voronoi_diagram* m_diagram;
-    std::size_t m_index;
+    const Surface_mesh_geodesic_Voronoi_diagram* m_diagram = nullptr;
+    std::size_t m_index = 0;
   };
 
   /*!
@@ -315,6 +337,17 @@ public:
   class Edge
   {
   public:
+    /// constructs a handle of no edge, which can be assigned to and compared, and nothing else.
+    Edge() = default;
+
+    /// returns whether two handles refer to the same edge of the same diagram.
+    friend bool operator==(const Edge& a, const Edge& b)
+    {
+      return a.m_diagram == b.m_diagram && a.m_index == b.m_index;
+    }
+    /// returns whether they do not.
+    friend bool operator!=(const Edge& a, const Edge& b) { return !(a == b); }
+
     /// returns the two sites: the one whose cell is on the left of the edge, and the other.
     std::pair<Site_index, Site_index> sites() const
     {
@@ -387,8 +420,8 @@ public:
 
     const Chain& chain() const { return m_diagram->m_complex.chains()[m_diagram->m_chain_ids[m_index]]; }
 
-    const Surface_mesh_geodesic_Voronoi_diagram* m_diagram;
-    std::size_t m_index;
+    const Surface_mesh_geodesic_Voronoi_diagram* m_diagram = nullptr;
+    std::size_t m_index = 0;
   };
 
   /// A part of the boundary of a cell: edges one behind the other, with the cell on their left. It is valid as long as
