@@ -51,7 +51,7 @@ void entries_leave_in_time(test_support::Random& random, double scale)
   }
 }
 
-void an_empty_queue_is_silent()
+void odd_calls()
 {
   internal::Bound_queue queue;
   queue.push(7, 1., 1.);
@@ -64,6 +64,11 @@ void an_empty_queue_is_silent()
   CHECK_EQUAL(called, std::size_t(0));
   queue.advance(2.5, [&](Face_id, double) { ++called; });
   CHECK_EQUAL(called, std::size_t(1));
+  // what is too large for single precision
+  const double infinity = std::numeric_limits<double>::infinity();
+  queue.push(9, 1e200, infinity);
+  queue.advance(1e100, [&](Face_id, double) { CHECK(false); });
+  queue.advance(infinity, [&](Face_id, double) { CHECK(false); });
 }
 
 } // namespace
@@ -76,6 +81,6 @@ int main()
     const test_support::Scope scope("distances of " + std::to_string(scale));
     entries_leave_in_time(random, scale);
   }
-  an_empty_queue_is_silent();
+  odd_calls();
   return test_support::test_result();
 }

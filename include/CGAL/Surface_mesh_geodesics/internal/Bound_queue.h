@@ -18,10 +18,11 @@
 // nothing is compared on the way. (A binary heap took a tenth of the time of a diagram.)
 //
 // Distances are kept in single precision, rounded so that no entry leaves too early; it may leave too late, by a
-// millionth of its distance.
+// millionth of its distance. Distances that are too large for that wait until clear().
 
 #include <CGAL/Surface_mesh_geodesics/internal/Index_types.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -68,7 +69,7 @@ public:
   template <typename FT, typename Leave>
   void advance(const FT& distance, Leave leave)
   {
-    const std::uint32_t reached = bits(static_cast<float>(static_cast<double>(distance) * (1 - rounding)));
+    const std::uint32_t reached = bits(single(static_cast<double>(distance) * (1 - rounding)));
     if(reached <= m_reached)
       return;
     const std::size_t last = bucket_of(reached);
@@ -107,11 +108,17 @@ private:
 
   static constexpr double rounding = 0x1p-22;
 
+  // What is too large for single precision waits until the end.
+  static float single(double x)
+  {
+    return static_cast<float>((std::min)(x, static_cast<double>((std::numeric_limits<float>::max)())));
+  }
+
   // (The smallest number is more than what is lost below it.)
   template <typename FT>
   static float rounded_up(const FT& x)
   {
-    return static_cast<float>(static_cast<double>(x) * (1 + rounding)) + (std::numeric_limits<float>::min)();
+    return single(static_cast<double>(x) * (1 + rounding)) + (std::numeric_limits<float>::min)();
   }
 
   static std::uint32_t bits(float x)
