@@ -59,6 +59,8 @@ BY_HAND = "test_Voronoi_by_hand"
 BOUNDS = "test_bound_queue"
 PLANAR = "test_Voronoi_planar"
 SYMMETRIC = "test_Voronoi_symmetric"
+CROWDED = "test_crowded_faces"
+HOSTILE_DIAGRAMS = "test_Voronoi_on_hostile_meshes"
 RANDOM_DIAGRAMS = "test_Voronoi_random"
 CUT = "test_Voronoi_cut"
 CERTIFICATION = "test_certification_of_distances"
@@ -279,7 +281,7 @@ MUTANTS = [
     ("tie_tolerance_zero", GEOMETRY,
      "static FT tie() { return 64 * distance(); }",
      "static FT tie() { return 0 * distance(); }",
-     "images that tie take turns", (RANDOM_DIAGRAMS,)),
+     "images that tie take turns", (RANDOM_DIAGRAMS, HOSTILE_DIAGRAMS, CROWDED)),
     ("touching_tolerance_zero", GEOMETRY,
      "static FT touching() { return 64 * closeness(); }",
      "static FT touching() { return 0 * closeness(); }",
