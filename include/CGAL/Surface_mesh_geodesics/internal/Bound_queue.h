@@ -21,6 +21,7 @@
 // millionth of its distance. Distances that are too large for that wait until clear().
 
 #include <CGAL/Surface_mesh_geodesics/internal/Index_types.h>
+#include <CGAL/Surface_mesh_geodesics/internal/bit_counting.h>
 
 #include <algorithm>
 #include <array>
@@ -33,19 +34,6 @@
 namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
-
-// The number of bits of a word up to the highest one that is set; the word is not 0.
-inline std::size_t number_of_bits(std::uint32_t word)
-{
-#ifdef __GNUC__
-  return 32 - static_cast<std::size_t>(__builtin_clz(word));
-#else
-  std::size_t n = 0;
-  for(; word != 0; word >>= 1)
-    ++n;
-  return n;
-#endif
-}
 
 class Bound_queue
 {
@@ -134,9 +122,7 @@ private:
   // or are below.
   std::size_t bucket_of(std::uint32_t key) const
   {
-    if(key <= m_reached)
-      return 0;
-    return number_of_bits(key ^ m_reached);
+    return key <= m_reached ? 0 : number_of_bits(key ^ m_reached);
   }
 
   void insert(const Entry& e) { m_bucket[bucket_of(e.key)].push_back(e); }

@@ -261,8 +261,7 @@ private:
   // where two fronts meet that agree.
   Point common_end(const Front& f, const Front& g) const
   {
-    const Point middle{FT((f.end.x + g.end.x) / 2), FT((f.end.y + g.end.y) / 2)};
-    return vertex_in_face(f, g, middle);
+    return vertex_in_face(f, g, midpoint(f.end, g.end));
   }
 
   // do the cells of two neighbours tie at v, and is no other site nearer?
@@ -471,7 +470,7 @@ private:
          && !(is_nearest_at(f, piece, from) && is_nearest_at(f, piece, to)))
       {
         --halvings;
-        ends.push_back(Point{FT((from.x + to.x) / 2), FT((from.y + to.y) / 2)});
+        ends.push_back(midpoint(from, to));
         continue;
       }
       ends.pop_back();
@@ -503,7 +502,7 @@ private:
   // face only; what is nearest along the segment stands for both then.
   Piece straight_piece(const Front& f, const Point& p, const Point& q) const
   {
-    const Point middle{FT((p.x + q.x) / 2), FT((p.y + q.y) / 2)};
+    const Point middle = midpoint(p, q);
     const std::size_t l = m_tracer.nearest_of(f.left, middle), r = m_tracer.nearest_of(f.right, middle);
     Piece piece;
     piece.end = q;

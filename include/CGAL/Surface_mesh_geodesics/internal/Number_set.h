@@ -15,6 +15,8 @@
 // A set of small numbers that is gone through in ascending order, as a bit for each. Which numbers are in a set cannot
 // be predicted, so asking for each of them takes longer than all that is done with those that are.
 
+#include <CGAL/Surface_mesh_geodesics/internal/bit_counting.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -23,19 +25,6 @@
 namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
-
-// The number of zeros below the lowest bit that is set; the word is not 0.
-inline std::size_t trailing_zeros(std::uint64_t word)
-{
-#ifdef __GNUC__
-  return static_cast<std::size_t>(__builtin_ctzll(word));
-#else
-  std::size_t n = 0;
-  for(; (word & 1) == 0; word >>= 1)
-    ++n;
-  return n;
-#endif
-}
 
 class Number_set
 {

@@ -45,7 +45,6 @@
 #include <CGAL/Surface_mesh_geodesics/internal/face_generators.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <unordered_map>

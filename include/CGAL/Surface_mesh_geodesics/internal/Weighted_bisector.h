@@ -43,6 +43,12 @@ FT distance(const Planar_point<FT>& p, const Planar_point<FT>& q)
   return norm<FT>(p.x - q.x, p.y - q.y);
 }
 
+template <typename FT>
+Planar_point<FT> midpoint(const Planar_point<FT>& p, const Planar_point<FT>& q)
+{
+  return {FT((p.x + q.x) / 2), FT((p.y + q.y) / 2)};
+}
+
 // The distance of a point from it is `weight` plus the distance in the plane.
 template <typename FT>
 struct Weighted_point

@@ -20,10 +20,10 @@
 
 #include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Intrinsic_mesh.h>
-#include <CGAL/Surface_mesh_geodesics/internal/Number_set.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Pruning_rules.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Window_list_loops.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Window_lists.h>
+#include <CGAL/Surface_mesh_geodesics/internal/bit_counting.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window_pruning.h>
 
 #include <algorithm>

@@ -22,6 +22,7 @@
 
 #include <CGAL/Surface_mesh_geodesics/internal/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Window.h>
+#include <CGAL/Surface_mesh_geodesics/internal/bit_counting.h>
 #include <CGAL/Surface_mesh_geodesics/internal/simd.h>
 
 #include <algorithm>
@@ -280,14 +281,7 @@ private:
   // The smallest class of blocks with room for n > 0 windows.
   static std::uint32_t size_class_for(std::size_t n)
   {
-#ifdef __GNUC__
-    return 61u - static_cast<std::uint32_t>(__builtin_clzll((n - 1) | 7)); // a loop is hard to predict
-#else
-    std::uint32_t size_class = 0;
-    while((std::size_t(8) << size_class) < n)
-      ++size_class;
-    return size_class;
-#endif
+    return static_cast<std::uint32_t>(number_of_bits((n - 1) | 7) - 3);
   }
 
   static constexpr std::size_t slab_rows = 1024;
