@@ -27,6 +27,7 @@ ISOLINES = INTERNAL + "isoline_tracing.h"
 FACE_WINDOWS = INTERNAL + "Face_windows.h"
 REMOVAL = INTERNAL + "Redundant_window_removal.h"
 BOUND_QUEUE = INTERNAL + "Bound_queue.h"
+SINGLE_PRECISION = INTERNAL + "single_precision.h"
 BISECTOR = INTERNAL + "Weighted_bisector.h"
 EDGE_PARTITION = INTERNAL + "Edge_partition.h"
 COMPLEX = INTERNAL + "Voronoi_complex.h"
@@ -57,6 +58,7 @@ HOSTILE_PATHS = "test_paths_on_hostile_meshes"
 ISOLINE_TEST = "test_isolines"
 BY_HAND = "test_Voronoi_by_hand"
 BOUNDS = "test_bound_queue"
+KEPT_WINDOWS = "test_face_windows"
 PLANAR = "test_Voronoi_planar"
 SYMMETRIC = "test_Voronoi_symmetric"
 CROWDED = "test_crowded_faces"
@@ -346,9 +348,12 @@ MUTANTS = [
 
     # --- Voronoi diagrams ---
     ("chunk_of_windows_lost", FACE_WINDOWS,
-     "m_chunks[c].next = first;", "m_chunks[c].next = null_id;",
-     "of many windows of an edge only the last ones are remembered", (CUT, PLANAR, RANDOM_DIAGRAMS)),
-    ("bound_rounded_down", BOUND_QUEUE,
+     "std::swap(m_chunks[c].next, m_chunks[last].next);", "",
+     "of many windows of an edge only the last ones are remembered", (KEPT_WINDOWS,)),
+    ("chunks_not_released", FACE_WINDOWS,
+     "    std::swap(chunk.next, m_first_free);\n", "",
+     "the memory of windows that have been released is not used again", (KEPT_WINDOWS,)),
+    ("bound_rounded_down", SINGLE_PRECISION,
      "static_cast<double>(x) * (1 + rounding)", "static_cast<double>(x) * (1 - rounding)",
      "a face is said to be done before the wavefront has passed it", (BOUNDS,)),
     ("waiting_bucket_not_opened", BOUND_QUEUE,
@@ -358,8 +363,27 @@ MUTANTS = [
      "FT(nearest + longest / 2), FT(nearest + longest)", "FT(nearest + longest / 2), FT(nearest + longest / 2)",
      "windows that come to a face after the first ones are left out", (BY_HAND, RANDOM_DIAGRAMS, CUT)),
     ("one_corner_is_enough", REMOVAL,
-     "if(owner(corner[1]) != source || owner(corner[2]) != source)", "if(owner(corner[1]) != source)",
+     "owner(corner[1]) == source && owner(corner[2]) == source\n", "owner(corner[1]) == source\n",
      "a face is said to be in one cell by two of its corners", (BY_HAND, CUT)),
+    ("last_windows_tell_the_source", REMOVAL,
+     "record.source = record.source == null_id || record.source == source ? source : several_sources;",
+     "record.source = source;",
+     "a face is said to be in one cell by the windows that have entered last", (BY_HAND, CUT, RANDOM_DIAGRAMS)),
+    ("source_known_for_ever", REMOVAL,
+     "return m_source[v].distance == m_field->distance[v];", "return m_source[v].vertex != null_id;",
+     "a pseudo-source that is reached from another source later still belongs to the first one",
+     (RANDOM_DIAGRAMS, HOSTILE_DIAGRAMS)),
+    ("gaps_between_windows_not_bounded", REMOVAL,
+     "        bound = (std::max)(bound, bound_between(at_x, at_begin, FT(begin - x)));\n", "        bound = bound;\n",
+     "a face is said to be done though there are larger distances between its windows",
+     (RANDOM_DIAGRAMS, CUT, HOSTILE_DIAGRAMS)),
+    ("end_of_edge_not_bounded", REMOVAL,
+     "    if(x < length)\n      bound =", "    if(x > length)\n      bound =",
+     "a face is said to be done though there are larger distances behind its last window",
+     (RANDOM_DIAGRAMS, CUT, HOSTILE_DIAGRAMS)),
+    ("edge_bounded_by_its_ends", REMOVAL,
+     "return FT((at_first + at_last + length) / 2);", "return (std::max)(at_first, at_last);",
+     "a face is said to be done when its corners are", (RANDOM_DIAGRAMS, CUT, HOSTILE_DIAGRAMS)),
     ("bisector_turned", BISECTOR,
      "    if(m_tx * ny - m_ty * nx < 0)\n", "    if(m_tx * ny - m_ty * nx > 0)\n",
      "curves run backwards", (CUT,)),

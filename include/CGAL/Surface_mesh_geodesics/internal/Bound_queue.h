@@ -22,6 +22,7 @@
 
 #include <CGAL/Surface_mesh_geodesics/internal/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/bit_counting.h>
+#include <CGAL/Surface_mesh_geodesics/internal/single_precision.h>
 
 #include <algorithm>
 #include <array>
@@ -49,7 +50,7 @@ public:
   template <typename FT>
   void push(Face_id f, const FT& distance, const FT& limit)
   {
-    insert(Entry{bits(rounded_up(distance)), rounded_up(limit), f});
+    insert(Entry{bits(Single_precision::not_less(distance)), Single_precision::not_less(limit), f});
   }
 
   // calls leave(f, limit) for all that wait for less than the distance that is reached; it may let f wait again, but
@@ -57,7 +58,7 @@ public:
   template <typename FT, typename Leave>
   void advance(const FT& distance, Leave leave)
   {
-    const std::uint32_t reached = bits(single(static_cast<double>(distance) * (1 - rounding)));
+    const std::uint32_t reached = bits(Single_precision::not_more(distance));
     if(reached <= m_reached)
       return;
     const std::size_t last = bucket_of(reached);
@@ -93,21 +94,6 @@ private:
     float limit;
     Face_id face;
   };
-
-  static constexpr double rounding = 0x1p-22;
-
-  // What is too large for single precision waits until the end.
-  static float single(double x)
-  {
-    return static_cast<float>((std::min)(x, static_cast<double>((std::numeric_limits<float>::max)())));
-  }
-
-  // (The smallest number is more than what is lost below it.)
-  template <typename FT>
-  static float rounded_up(const FT& x)
-  {
-    return single(static_cast<double>(x) * (1 + rounding)) + (std::numeric_limits<float>::min)();
-  }
 
   static std::uint32_t bits(float x)
   {

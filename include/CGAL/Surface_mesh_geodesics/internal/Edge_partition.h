@@ -122,7 +122,7 @@ private:
       const Generator& g = m_generators[j];
       FT start;
       const FT from = has_been_left_here(j) ? FT(m_x + width()) : m_x;
-      if(j == m_current || g.begin > x || !takes_over(g, m_generators[m_current], from, x, start))
+      if(j == m_current || g.begin > x || g.end <= from || !takes_over(g, m_generators[m_current], from, x, start))
         continue;
       const FT slope = g.slope_at(start);
       if(start < x || (start == x && next != m_current && slope < next_slope))

@@ -21,6 +21,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -42,7 +43,7 @@ class Face_windows
 public:
   void reset(std::size_t number_of_faces)
   {
-    m_first_chunk.assign(3 * number_of_faces, null_id);
+    m_last_chunk.assign(3 * number_of_faces, null_id);
     m_chunks.clear();
     m_first_free = null_id;
     m_size = m_maximum_size = 0;
@@ -57,57 +58,49 @@ public:
   template <typename Window_at>
   void add(Halfedge_id h, std::size_t n, Window_at window)
   {
-    std::uint32_t& first = m_first_chunk[entry(h)];
+    std::uint32_t& last = m_last_chunk[entry(h)];
     for(std::size_t i = 0; i < n;)
     {
-      if(first == null_id || m_chunks[first].size == Chunk::capacity)
-        add_chunk(first);
-      Chunk& chunk = m_chunks[first];
-      const std::size_t end = (std::min)(n, i + (Chunk::capacity - chunk.size));
+      if(last == null_id || m_chunks[last].is_full())
+        add_chunk(last);
+      Chunk& chunk = m_chunks[last];
+      std::uint32_t place = chunk.number % Chunk::capacity;
+      const std::size_t end = (std::min)(n, i + (Chunk::capacity - place));
+      chunk.number += static_cast<std::uint32_t>(end - i);
       for(; i < end; ++i)
-        chunk.put(window(i));
+        chunk.put(place++, window(i));
     }
     m_size += n;
     m_maximum_size = (std::max)(m_maximum_size, m_size);
   }
 
-  // gives the windows of h back.
+  // gives the windows of h back, in constant time: of the chunks only the last one is looked at.
   void release(Halfedge_id h)
   {
-    std::uint32_t& first = m_first_chunk[entry(h)];
-    while(first != null_id)
-    {
-      const std::uint32_t c = first;
-      first = m_chunks[c].next;
-      m_size -= m_chunks[c].size;
-      m_chunks[c].next = m_first_free;
-      m_first_free = c;
-    }
+    std::uint32_t& last = m_last_chunk[entry(h)];
+    if(last == null_id)
+      return;
+    Chunk& chunk = m_chunks[last];
+    m_size -= chunk.number;
+    std::swap(chunk.next, m_first_free);
+    last = null_id;
   }
 
-  // calls visit(window) for the windows of h.
+  // calls visit(window) for the windows of h, in the order in which they were added.
   template <typename Visitor>
   void for_each(Halfedge_id h, Visitor visit) const
   {
-    for(std::uint32_t c = m_first_chunk[entry(h)]; c != null_id; c = m_chunks[c].next)
-      for(std::uint32_t i = 0; i < m_chunks[c].size; ++i)
+    const std::uint32_t last = m_last_chunk[entry(h)];
+    if(last == null_id)
+      return;
+    for(std::uint32_t c = m_chunks[last].next;; c = m_chunks[c].next)
+    {
+      const std::uint32_t size = c == last ? m_chunks[c].size() : Chunk::capacity;
+      for(std::uint32_t i = 0; i < size; ++i)
         visit(m_chunks[c].get(i));
-  }
-
-  // does predicate(root) hold for the roots of all windows of h?
-  template <typename Predicate>
-  bool all_roots_of(Halfedge_id h, Predicate predicate) const
-  {
-    Vertex_id last = null_id; // (neighbours often have the same)
-    for(std::uint32_t c = m_first_chunk[entry(h)]; c != null_id; c = m_chunks[c].next)
-      for(std::uint32_t i = 0; i < m_chunks[c].size; ++i)
-      {
-        const Vertex_id root = m_chunks[c].root[i];
-        if(root != last && !predicate(root))
-          return false;
-        last = root;
-      }
-    return true;
+      if(c == last)
+        return;
+    }
   }
 
   // how many windows there are, and have been at most at a time.
@@ -116,40 +109,49 @@ public:
 
   std::size_t memory() const
   {
-    return m_chunks.capacity() * sizeof(Chunk) + m_first_chunk.capacity() * sizeof(std::uint32_t);
+    return m_chunks.capacity() * sizeof(Chunk) + m_last_chunk.capacity() * sizeof(std::uint32_t);
   }
 
 private:
-  // Some windows of a halfedge, and the chunk of those before them. (What is asked for most often lies together.)
+  // Some windows of a halfedge. Its chunks are a ring, from the first one to the last one, in which there may be room.
   struct Chunk
   {
     static constexpr std::uint32_t capacity = 6;
-    std::uint32_t size;
+    std::uint32_t number; // of the windows here and in the chunks before
     std::uint32_t next;
     std::array<Vertex_id, capacity> root;
     std::array<std::array<FT, 4>, capacity> place;
+
+    // of a last chunk; not zero
+    std::uint32_t size() const { return (number - 1) % capacity + 1; }
+    bool is_full() const { return number % capacity == 0; }
 
     Face_window<FT> get(std::uint32_t i) const
     {
       return Face_window<FT>{place[i][0], place[i][1], place[i][2], place[i][3], root[i]};
     }
 
-    void put(const Face_window<FT>& w)
+    void put(std::uint32_t i, const Face_window<FT>& w)
     {
-      root[size] = w.root;
-      place[size++] = {w.begin, w.end, w.image_x, w.image_depth};
+      root[i] = w.root;
+      place[i] = {w.begin, w.end, w.image_x, w.image_depth};
     }
   };
 
   static std::size_t entry(Halfedge_id h) { return 3 * std::size_t(face_of(h)) + place_in_face(h); }
 
-  // puts an empty chunk before the first one.
-  void add_chunk(std::uint32_t& first)
+  // puts an empty chunk behind the last one.
+  void add_chunk(std::uint32_t& last)
   {
     const std::uint32_t c = new_chunk();
-    m_chunks[c].size = 0;
-    m_chunks[c].next = first;
-    first = c;
+    m_chunks[c].number = 0;
+    m_chunks[c].next = c;
+    if(last != null_id)
+    {
+      m_chunks[c].number = m_chunks[last].number;
+      std::swap(m_chunks[c].next, m_chunks[last].next);
+    }
+    last = c;
   }
 
   std::uint32_t new_chunk()
@@ -164,9 +166,9 @@ private:
     return c;
   }
 
-  std::vector<std::uint32_t> m_first_chunk; // by halfedge
+  std::vector<std::uint32_t> m_last_chunk; // by halfedge
   std::vector<Chunk> m_chunks;
-  std::uint32_t m_first_free = null_id;
+  std::uint32_t m_first_free = null_id; // of the chunks that are free, each of which knows the next one
   std::size_t m_size = 0, m_maximum_size = 0;
 };
 

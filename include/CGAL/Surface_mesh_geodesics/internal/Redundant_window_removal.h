@@ -23,10 +23,10 @@
 //
 // A face is inactive (proposition 5.1) when all points of its border have distances below the distance reached
 // by the wavefront: no window that comes later can matter in it. A bound of these distances is the smallest
-// distance of the windows that enter first, which is taken at some point, plus the longest edge; another
-// one, often smaller, comes from the distances of the corners: a point of the edge AB of length l is not
-// farther than (d(A) + d(B) + l) / 2. Faces wait in a queue by a first guess, and again by the bound that is
-// known then (5.2.2).
+// distance of the windows that enter first, which is taken at some point, plus the longest edge. Another one, often
+// smaller, is found edge by edge: a point of the edge AB of length l is not farther than (d(A) + d(B) + l) / 2, and
+// where windows cross the edge, it is not farther than by them. Faces wait in a queue by a first guess, and again by
+// the bound that is known then (5.2.2).
 //
 // When the faces on both sides of an edge are inactive, the intervals where its windows are nearest are found (the
 // trimming rule of 5.2, for all windows of an edge at once), and those that are so nowhere are removed; the others
@@ -43,10 +43,12 @@
 #include <CGAL/Surface_mesh_geodesics/internal/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Window_lists.h>
 #include <CGAL/Surface_mesh_geodesics/internal/face_generators.h>
+#include <CGAL/Surface_mesh_geodesics/internal/single_precision.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -80,9 +82,10 @@ public:
     m_field = &field;
     m_is_early = is_early;
     m_faces.assign(mesh.number_of_faces(), Face_record{null_id, UNTOUCHED, 3});
-    m_owner.assign(mesh.number_of_vertices(), null_id);
+    m_source.assign(mesh.number_of_vertices(), Known_source{FT(-1), null_id});
     m_first_of_equal.clear();
     m_windows.reset(mesh.number_of_faces());
+    m_bound_by_windows.assign(3 * mesh.number_of_faces(), std::numeric_limits<float>::infinity());
     m_breakpoints.clear();
     m_range_of_edge.clear();
     m_queue.clear();
@@ -100,16 +103,19 @@ public:
     if(is_inactive(f)) // these windows come too late
       return;
     Face_record& record = m_faces[f];
-    Vertex_id root = record.root;
     const auto& columns = list.columns;
+    Vertex_id last = null_id; // (neighbours often have the same root)
     m_windows.add(h, list.size, [&](std::size_t i)
     {
-      const Vertex_id r = static_cast<Vertex_id>(columns.history()[i]);
-      root = root == null_id || root == r ? r : several_roots;
-      return Face_window<FT>{columns.begin()[i], columns.end()[i], columns.image_x()[i], columns.image_depth()[i], r};
+      const Vertex_id root = static_cast<Vertex_id>(columns.history()[i]);
+      if(root != last)
+        add_source_of(root, record);
+      last = root;
+      return Face_window<FT>{columns.begin()[i], columns.end()[i], columns.image_x()[i], columns.image_depth()[i],
+                             root};
     });
-    record.root = root;
     m_number_of_kept += list.size;
+    bound_by_windows(h, list);
     if(record.state == ACTIVE)
       return;
     record.state = ACTIVE;
@@ -117,17 +123,18 @@ public:
       wait(f, list);
   }
 
-  // The wavefront has reached a distance: the inactive region grows (thesis, algorithm 4, step 4).
+  // The wavefront has reached a distance: the inactive region grows (thesis, algorithm 4, step 4). A face whose bound
+  // is far away is looked at again half-way, as bounds shrink.
   void advance(const FT& reached)
   {
     const FT below = reached * (1 - 16 * Tolerance<FT>::distance());
     m_queue.advance(below, [&](Face_id f, const FT& limit)
     {
-      const FT bound = (std::min)(limit, bound_by_corners(f));
-      if(bound < below)
+      const FT last = (std::min)(limit, bound(f));
+      if(last < below)
         deactivate(f);
       else
-        m_queue.push(f, bound, bound);
+        m_queue.push(f, last - below < longest_edge(f) / 4 ? last : FT(below + (last - below) / 2), last);
     });
   }
 
@@ -140,24 +147,11 @@ public:
         deactivate(f);
   }
 
-  // The nearest source of a vertex whose distance is final; null_id if none reaches it. It is remembered, as
-  // the way to it may be long.
+  // The nearest source of a vertex whose distance is final; null_id if none reaches it.
   Vertex_id owner(Vertex_id v)
   {
-    Vertex_id last = v;
-    while(m_owner[last] == null_id)
-    {
-      const Vertex_id root = m_field->arrival[last].root;
-      if(root == null_id)
-        return null_id;
-      if(root == last)
-        m_owner[last] = first_of_equal(last);
-      last = root;
-    }
-    const Vertex_id owner = m_owner[last];
-    for(; m_owner[v] == null_id; v = m_field->arrival[v].root)
-      m_owner[v] = owner;
-    return owner;
+    const Vertex_id source = source_of(v), first = first_of_equal(source);
+    return first != source && m_field->is_source(first) ? first : source;
   }
 
   // where cells begin and end on the edge of h, in the order of the one of its halfedges that has the smaller
@@ -177,34 +171,76 @@ public:
   std::size_t memory() const
   {
     return m_windows.memory() + m_queue.memory() + m_faces.capacity() * sizeof(Face_record)
-         + m_owner.capacity() * sizeof(Vertex_id);
+         + m_bound_by_windows.capacity() * sizeof(float) + m_source.capacity() * sizeof(Known_source);
   }
 
 private:
   Vertex_id first_of_equal(Vertex_id source) const
   {
+    if(m_first_of_equal.empty())
+      return source;
     const auto it = m_first_of_equal.find(source);
-    return it != m_first_of_equal.end() && m_field->is_source(it->second) ? it->second : source;
+    return it != m_first_of_equal.end() ? it->second : source;
   }
 
-  static constexpr Vertex_id several_roots = null_id - 1;
+  // The source from which a vertex is reached by the distance that it has now.
+  struct Known_source
+  {
+    FT distance;
+    Vertex_id vertex;
+  };
+
+  bool is_source_known(Vertex_id v) const { return m_source[v].distance == m_field->distance[v]; }
+
+  // null_id if there is none. It is remembered, as the way to it may be long, until the distance shrinks.
+  Vertex_id source_of(Vertex_id v)
+  {
+    Vertex_id last = v;
+    while(!is_source_known(last))
+    {
+      const Vertex_id root = m_field->arrival[last].root;
+      if(root == null_id)
+        return null_id;
+      if(root == last)
+        m_source[last] = Known_source{m_field->distance[last], last};
+      last = root;
+    }
+    const Vertex_id source = m_source[last].vertex;
+    for(; !is_source_known(v); v = m_field->arrival[v].root)
+      m_source[v] = Known_source{m_field->distance[v], source};
+    return source;
+  }
+
+  static constexpr Vertex_id several_sources = null_id - 1;
 
   // An INACTIVE face waits for its neighbours, a DONE one has no windows any more.
   enum State : unsigned char { UNTOUCHED, ACTIVE, INACTIVE, DONE };
 
+  // Of equal sources the first one stands for all of them.
   struct Face_record
   {
-    Vertex_id root; // of the windows that have entered the face, if it is one
+    Vertex_id source; // of all windows that have entered the face, if it is one
     State state;
     unsigned char open_edges; // whose other side is not inactive
   };
 
+  // Windows of a pseudo-source have entered a face. (Should it be reached from another source later, by a distance that
+  // is clearly less, its windows are made once more, and those that still matter come again.)
+  void add_source_of(Vertex_id root, Face_record& record)
+  {
+    if(record.source == several_sources)
+      return;
+    const Vertex_id source = first_of_equal(source_of(root));
+    record.source = record.source == null_id || record.source == source ? source : several_sources;
+  }
+
   // The first list has entered a face.
   void wait(Face_id f, const Window_list<FT>& list)
   {
-    FT nearest = Field::infinity();
-    for(std::size_t i = 0; i < list.size; ++i)
-      nearest = (std::min)(nearest, list.columns.get(i).minimum_distance());
+    const FT *const at_begin = list.columns.begin_distance(), *const at_end = list.columns.end_distance();
+    FT nearest = (std::min)(at_begin[0], at_end[0]);
+    for(std::size_t i = 1; i < list.size; ++i)
+      nearest = (std::min)({nearest, at_begin[i], at_end[i]});
     const FT longest = longest_edge(f);
     m_queue.push(f, FT(nearest + longest / 2), FT(nearest + longest));
   }
@@ -215,15 +251,56 @@ private:
     return (std::max)({length[0], length[1], length[2]});
   }
 
-  FT bound_by_corners(Face_id f) const
+  // No point of the border of a face has a larger distance.
+  FT bound(Face_id f) const
   {
     const typename Mesh::Face& face = m_mesh->face(f);
     FT bound = 0;
     for(unsigned int k = 0; k < 3; ++k)
-      bound = (std::max)(bound, FT((m_field->distance[face.vertex[k]]
-                                    + m_field->distance[face.vertex[next_place(k)]] + face.length[k]) / 2));
+    {
+      const FT by_ends = bound_between(m_field->distance[face.vertex[k]], m_field->distance[face.vertex[next_place(k)]],
+                                       face.length[k]);
+      bound = (std::max)(bound, (std::min)(by_ends, FT(m_bound_by_windows[entry(halfedge_of(f, k))])));
+    }
     return bound;
   }
+
+  // No point between two points on an edge has a larger distance.
+  static FT bound_between(const FT& at_first, const FT& at_last, const FT& length)
+  {
+    return FT((at_first + at_last + length) / 2);
+  }
+
+  // takes over what a list tells of the distances on its edge. That of a window is convex: it is nowhere larger than at
+  // both ends of the interval.
+  void bound_by_windows(Halfedge_id h, const Window_list<FT>& list)
+  {
+    const auto& columns = list.columns;
+    FT bound = 0, x = 0, at_x = m_field->distance[m_mesh->source(h)]; // x is as far as windows have come
+    for(std::size_t i = 0; i < list.size; ++i)
+    {
+      const FT &begin = columns.begin()[i], &end = columns.end()[i];
+      const FT &at_begin = columns.begin_distance()[i], &at_end = columns.end_distance()[i];
+      if(x < begin)
+        bound = (std::max)(bound, bound_between(at_x, at_begin, FT(begin - x)));
+      bound = (std::max)({bound, at_begin, at_end});
+      if(x < end)
+      {
+        x = end;
+        at_x = at_end;
+      }
+    }
+    const FT& length = m_mesh->length(h);
+    if(x < length)
+      bound = (std::max)(bound, bound_between(at_x, m_field->distance[m_mesh->target(h)], FT(length - x)));
+    float& known = m_bound_by_windows[entry(h)];
+    known = (std::min)(known, Single_precision::not_less(bound));
+    const Halfedge_id o = m_mesh->opposite(h);
+    if(o != null_id)
+      m_bound_by_windows[entry(o)] = known;
+  }
+
+  static std::size_t entry(Halfedge_id h) { return 3 * std::size_t(face_of(h)) + place_in_face(h); }
 
   bool is_inactive(Face_id f) const { return m_faces[f].state == INACTIVE || m_faces[f].state == DONE; }
 
@@ -247,14 +324,8 @@ private:
   {
     const auto& corner = m_mesh->face(f).vertex;
     const Vertex_id source = owner(corner[0]);
-    if(owner(corner[1]) != source || owner(corner[2]) != source)
-      return false;
-    if(m_faces[f].root != several_roots)
-      return m_faces[f].root == null_id || owner(m_faces[f].root) == source;
-    for(unsigned int k = 0; k < 3; ++k)
-      if(!m_windows.all_roots_of(halfedge_of(f, k), [&](Vertex_id root) { return owner(root) == source; }))
-        return false;
-    return true;
+    return owner(corner[1]) == source && owner(corner[2]) == source
+        && (m_faces[f].source == null_id || m_faces[f].source == first_of_equal(source));
   }
 
   void remove_windows(Face_id f)
@@ -409,7 +480,8 @@ private:
   Consumer* m_consumer = nullptr;
   bool m_is_early = true;
   std::vector<Face_record> m_faces;
-  std::vector<Vertex_id> m_owner;
+  std::vector<Known_source> m_source; // by vertex
+  std::vector<float> m_bound_by_windows; // by halfedge
   std::unordered_map<Vertex_id, Vertex_id> m_first_of_equal;
   Face_windows<FT> m_windows;
   std::vector<Edge_breakpoint<FT>> m_breakpoints;
