@@ -348,10 +348,10 @@ MUTANTS = [
 
     # --- Voronoi diagrams ---
     ("chunk_of_windows_lost", FACE_WINDOWS,
-     "std::swap(m_chunks[c].next, m_chunks[last].next);", "",
+     "std::swap(m_links[c].next, m_links[last].next);", "",
      "of many windows of an edge only the last ones are remembered", (KEPT_WINDOWS,)),
     ("chunks_not_released", FACE_WINDOWS,
-     "    std::swap(chunk.next, m_first_free);\n", "",
+     "    std::swap(m_links[last].next, m_first_free);\n", "",
      "the memory of windows that have been released is not used again", (KEPT_WINDOWS,)),
     ("bound_rounded_down", SINGLE_PRECISION,
      "static_cast<double>(x) * (1 + rounding)", "static_cast<double>(x) * (1 - rounding)",

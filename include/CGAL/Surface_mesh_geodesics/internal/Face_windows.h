@@ -14,6 +14,9 @@
 //
 // Windows that are kept for the face that they have entered, by the halfedge across which they came. Those of
 // a halfedge can be given back, and their memory is used again.
+//
+// Windows lie in chunks. How chunks hang together is written in a place of its own, which is small enough for the
+// caches: on large meshes, a chunk that is used again is in none.
 
 #include <CGAL/Surface_mesh_geodesics/internal/Index_types.h>
 
@@ -45,6 +48,7 @@ public:
   {
     m_last_chunk.assign(3 * number_of_faces, null_id);
     m_chunks.clear();
+    m_links.clear();
     m_first_free = null_id;
     m_size = m_maximum_size = 0;
   }
@@ -61,28 +65,26 @@ public:
     std::uint32_t& last = m_last_chunk[entry(h)];
     for(std::size_t i = 0; i < n;)
     {
-      if(last == null_id || m_chunks[last].is_full())
+      if(last == null_id || m_links[last].number % Chunk::capacity == 0)
         add_chunk(last);
-      Chunk& chunk = m_chunks[last];
-      std::uint32_t place = chunk.number % Chunk::capacity;
+      std::uint32_t place = m_links[last].number % Chunk::capacity;
       const std::size_t end = (std::min)(n, i + (Chunk::capacity - place));
-      chunk.number += static_cast<std::uint32_t>(end - i);
-      for(; i < end; ++i)
+      m_links[last].number += static_cast<std::uint32_t>(end - i);
+      for(Chunk& chunk = m_chunks[last]; i < end; ++i)
         chunk.put(place++, window(i));
     }
     m_size += n;
     m_maximum_size = (std::max)(m_maximum_size, m_size);
   }
 
-  // gives the windows of h back, in constant time: of the chunks only the last one is looked at.
+  // gives the windows of h back, in constant time.
   void release(Halfedge_id h)
   {
     std::uint32_t& last = m_last_chunk[entry(h)];
     if(last == null_id)
       return;
-    Chunk& chunk = m_chunks[last];
-    m_size -= chunk.number;
-    std::swap(chunk.next, m_first_free);
+    m_size -= m_links[last].number;
+    std::swap(m_links[last].next, m_first_free);
     last = null_id;
   }
 
@@ -93,9 +95,9 @@ public:
     const std::uint32_t last = m_last_chunk[entry(h)];
     if(last == null_id)
       return;
-    for(std::uint32_t c = m_chunks[last].next;; c = m_chunks[c].next)
+    for(std::uint32_t c = m_links[last].next;; c = m_links[c].next)
     {
-      const std::uint32_t size = c == last ? m_chunks[c].size() : Chunk::capacity;
+      const std::uint32_t size = c == last ? (m_links[c].number - 1) % Chunk::capacity + 1 : Chunk::capacity;
       for(std::uint32_t i = 0; i < size; ++i)
         visit(m_chunks[c].get(i));
       if(c == last)
@@ -109,22 +111,16 @@ public:
 
   std::size_t memory() const
   {
-    return m_chunks.capacity() * sizeof(Chunk) + m_last_chunk.capacity() * sizeof(std::uint32_t);
+    return m_chunks.capacity() * sizeof(Chunk) + m_links.capacity() * sizeof(Link) + m_last_chunk.capacity() * sizeof(std::uint32_t);
   }
 
 private:
-  // Some windows of a halfedge. Its chunks are a ring, from the first one to the last one, in which there may be room.
+  // Some windows of a halfedge.
   struct Chunk
   {
     static constexpr std::uint32_t capacity = 6;
-    std::uint32_t number; // of the windows here and in the chunks before
-    std::uint32_t next;
     std::array<Vertex_id, capacity> root;
     std::array<std::array<FT, 4>, capacity> place;
-
-    // of a last chunk; not zero
-    std::uint32_t size() const { return (number - 1) % capacity + 1; }
-    bool is_full() const { return number % capacity == 0; }
 
     Face_window<FT> get(std::uint32_t i) const
     {
@@ -138,18 +134,24 @@ private:
     }
   };
 
+  // The chunks of a halfedge are a ring, from the first one to the last one, in which there may be room.
+  struct Link
+  {
+    std::uint32_t number; // of the windows in the chunk and in those before it
+    std::uint32_t next;
+  };
+
   static std::size_t entry(Halfedge_id h) { return 3 * std::size_t(face_of(h)) + place_in_face(h); }
 
   // puts an empty chunk behind the last one.
   void add_chunk(std::uint32_t& last)
   {
     const std::uint32_t c = new_chunk();
-    m_chunks[c].number = 0;
-    m_chunks[c].next = c;
+    m_links[c] = Link{0, c};
     if(last != null_id)
     {
-      m_chunks[c].number = m_chunks[last].number;
-      std::swap(m_chunks[c].next, m_chunks[last].next);
+      m_links[c].number = m_links[last].number;
+      std::swap(m_links[c].next, m_links[last].next);
     }
     last = c;
   }
@@ -159,15 +161,17 @@ private:
     if(m_first_free == null_id)
     {
       m_chunks.emplace_back();
+      m_links.emplace_back();
       return static_cast<std::uint32_t>(m_chunks.size() - 1);
     }
     const std::uint32_t c = m_first_free;
-    m_first_free = m_chunks[c].next;
+    m_first_free = m_links[c].next;
     return c;
   }
 
   std::vector<std::uint32_t> m_last_chunk; // by halfedge
   std::vector<Chunk> m_chunks;
+  std::vector<Link> m_links; // by chunk
   std::uint32_t m_first_free = null_id; // of the chunks that are free, each of which knows the next one
   std::size_t m_size = 0, m_maximum_size = 0;
 };

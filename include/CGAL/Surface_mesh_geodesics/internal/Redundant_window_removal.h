@@ -46,6 +46,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/single_precision.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -81,11 +82,11 @@ public:
     m_mesh = &mesh;
     m_field = &field;
     m_is_early = is_early;
-    m_faces.assign(mesh.number_of_faces(), Face_record{null_id, UNTOUCHED, 3});
+    const float unknown = std::numeric_limits<float>::infinity();
+    m_faces.assign(mesh.number_of_faces(), Face_record{null_id, UNTOUCHED, 3, {unknown, unknown, unknown}});
     m_source.assign(mesh.number_of_vertices(), Known_source{FT(-1), null_id});
     m_first_of_equal.clear();
     m_windows.reset(mesh.number_of_faces());
-    m_bound_by_windows.assign(3 * mesh.number_of_faces(), std::numeric_limits<float>::infinity());
     m_breakpoints.clear();
     m_range_of_edge.clear();
     m_queue.clear();
@@ -171,7 +172,7 @@ public:
   std::size_t memory() const
   {
     return m_windows.memory() + m_queue.memory() + m_faces.capacity() * sizeof(Face_record)
-         + m_bound_by_windows.capacity() * sizeof(float) + m_source.capacity() * sizeof(Known_source);
+         + m_source.capacity() * sizeof(Known_source);
   }
 
 private:
@@ -222,6 +223,7 @@ private:
     Vertex_id source; // of all windows that have entered the face, if it is one
     State state;
     unsigned char open_edges; // whose other side is not inactive
+    std::array<float, 3> bound; // of the distances on each edge, by the windows that have crossed it
   };
 
   // Windows of a pseudo-source have entered a face. (Should it be reached from another source later, by a distance that
@@ -260,7 +262,7 @@ private:
     {
       const FT by_ends = bound_between(m_field->distance[face.vertex[k]], m_field->distance[face.vertex[next_place(k)]],
                                        face.length[k]);
-      bound = (std::max)(bound, (std::min)(by_ends, FT(m_bound_by_windows[entry(halfedge_of(f, k))])));
+      bound = (std::max)(bound, (std::min)(by_ends, FT(m_faces[f].bound[k])));
     }
     return bound;
   }
@@ -293,14 +295,12 @@ private:
     const FT& length = m_mesh->length(h);
     if(x < length)
       bound = (std::max)(bound, bound_between(at_x, m_field->distance[m_mesh->target(h)], FT(length - x)));
-    float& known = m_bound_by_windows[entry(h)];
+    float& known = m_faces[face_of(h)].bound[place_in_face(h)];
     known = (std::min)(known, Single_precision::not_less(bound));
     const Halfedge_id o = m_mesh->opposite(h);
     if(o != null_id)
-      m_bound_by_windows[entry(o)] = known;
+      m_faces[face_of(o)].bound[place_in_face(o)] = known;
   }
-
-  static std::size_t entry(Halfedge_id h) { return 3 * std::size_t(face_of(h)) + place_in_face(h); }
 
   bool is_inactive(Face_id f) const { return m_faces[f].state == INACTIVE || m_faces[f].state == DONE; }
 
@@ -481,7 +481,6 @@ private:
   bool m_is_early = true;
   std::vector<Face_record> m_faces;
   std::vector<Known_source> m_source; // by vertex
-  std::vector<float> m_bound_by_windows; // by halfedge
   std::unordered_map<Vertex_id, Vertex_id> m_first_of_equal;
   Face_windows<FT> m_windows;
   std::vector<Edge_breakpoint<FT>> m_breakpoints;

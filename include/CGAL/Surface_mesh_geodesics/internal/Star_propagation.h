@@ -35,7 +35,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -217,7 +216,7 @@ private:
              typename List_crossing::Apex_path& path)
   {
     ++m_statistics.window_lists;
-    m_crossing.prune(list, c, corners, !std::is_same<Keeper, No_window_keeper>::value);
+    m_crossing.prune(list, c, corners);
     if(list.size == 0)
       return false;
     m_statistics.windows_propagated += list.size;

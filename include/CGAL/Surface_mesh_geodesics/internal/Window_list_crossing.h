@@ -74,12 +74,12 @@ public:
   // window is redundant, is looked at window by window. No order of pruning does harm: what is removed
   // is longer than some path on the surface.
   //
-  // Most windows that are removed later instead cost less than to look for them on each edge: lists that are not
-  // kept are pruned on every fourth edge only.
-  void prune(Window_list<FT>& list, const Crossing<FT>& c, const Corner_rivals<FT>& corners, bool is_kept)
+  // Most windows that are removed later instead cost less than to look for them on each edge: lists are pruned on every
+  // fourth edge only.
+  void prune(Window_list<FT>& list, const Crossing<FT>& c, const Corner_rivals<FT>& corners)
   {
     const bool is_unusual = list.may_be_marked() || list.number_of_crossings() > m_mesh.most_crossings();
-    if(!is_kept && list.number_of_crossings() % edges_for_pruning != 0 && !is_unusual && !m_has_stale_windows)
+    if(list.number_of_crossings() % edges_for_pruning != 0 && !is_unusual && !m_has_stale_windows)
       return;
     const bool has_suspects = is_unusual || (m_has_stale_windows && has_stale_windows(list))
                                 ? suspect_all(list)
