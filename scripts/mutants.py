@@ -31,6 +31,8 @@ SINGLE_PRECISION = INTERNAL + "single_precision.h"
 BISECTOR = INTERNAL + "Weighted_bisector.h"
 EDGE_PARTITION = INTERNAL + "Edge_partition.h"
 COMPLEX = INTERNAL + "Voronoi_complex.h"
+PATH_THINNING = INTERNAL + "Path_thinning.h"
+DIAGRAM_CERTIFICATE = "CGAL/Surface_mesh_geodesics/certify_geodesic_Voronoi_diagram.h"
 LOCATOR = INTERNAL + "Cell_locator.h"
 MEASURES = INTERNAL + "Voronoi_cell_measures.h"
 FACE_CUT = INTERNAL + "Voronoi_face_cut.h"
@@ -66,6 +68,8 @@ HOSTILE_DIAGRAMS = "test_Voronoi_on_hostile_meshes"
 RANDOM_DIAGRAMS = "test_Voronoi_random"
 CUT = "test_Voronoi_cut"
 CERTIFICATION = "test_certification_of_distances"
+DIAGRAM_CERTIFICATION = "test_certification_of_Voronoi_diagrams"
+SMALL = "test_small_components"
 FUZZ = "test_fuzz_distances"
 
 MUTANTS = [
@@ -280,6 +284,15 @@ MUTANTS = [
      "static FT gap() { return 8 * unit_roundoff(); }",
      "static FT gap() { return 8e6 * unit_roundoff(); }",
      "points of paths that are apart are one", (HOSTILE_PATHS,)),
+    ("length_tolerance_zero", GEOMETRY,
+     "return sqrt(unit_roundoff()) / 1024;", "return 0 * sqrt(unit_roundoff());",
+     "faces that are lost in rounding have directions", (PLANE,)),
+    ("length_tolerance_wide", GEOMETRY,
+     "return sqrt(unit_roundoff()) / 1024;", "return 1024 * sqrt(unit_roundoff());",
+     "needles are taken for faces that are lost in rounding", (PLANE,)),
+    ("closeness_tolerance_zero", GEOMETRY,
+     "return sqrt(unit_roundoff()) / 16;", "return 0 * sqrt(unit_roundoff());",
+     "windows are trimmed whose image is too near to tell directions", (FUZZ,)),
     ("tie_tolerance_zero", GEOMETRY,
      "static FT tie() { return 64 * distance(); }",
      "static FT tie() { return 0 * distance(); }",
@@ -296,6 +309,15 @@ MUTANTS = [
      "static FT crossing() { return 4096 * unit_roundoff(); }",
      "static FT crossing() { return 4096e6 * unit_roundoff(); }",
      "isolines are beside their places", (ISOLINE_TEST,)),
+    ("place_of_a_path_relative_to_the_mesh", PATH_THINNING,
+     "m_place(Tolerance<FT>::gap() * extent)", "m_place(Tolerance<FT>::gap())",
+     "all points of a path on a small component are one", (SMALL,)),
+    ("small_components_accepted", FROM_GRAPH,
+     "if(longest < smallest_component())", "if(longest < 0)",
+     "lengths of a component that is too small underflow", (SMALL,)),
+    ("diagram_violations_relative_to_the_mesh", DIAGRAM_CERTIFICATE,
+     "{ return m_component[get(m_vertex_index_map, v)]; }", "{ return 0 * m_component[get(m_vertex_index_map, v)]; }",
+     "what is wrong on a small component is not seen beside a large one", (DIAGRAM_CERTIFICATION,)),
     ("depth_zero", GEOMETRY,
      "    return e * e;\n", "    return 0 * e;\n",
      "an image that lies on its edge has no depth", (FUZZ,)),

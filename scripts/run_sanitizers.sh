@@ -42,7 +42,8 @@ list() {
   for name in "${programs[@]}"; do
     printf '%s\0address_undefined\0-fsanitize=address,undefined -fno-sanitize=shift-base -fno-sanitize-recover=undefined\0' "$name"
     case "$name" in
-      test_paths_from_threads | test_distance_matrix | test_parallel_propagation | test_Voronoi_interface)
+      test_paths_from_threads | test_distance_matrix | test_parallel_propagation | test_Voronoi_interface \
+        | test_fine_subdivisions)
         printf '%s\0thread\0-fsanitize=thread\0' "$name" ;;
     esac
   done

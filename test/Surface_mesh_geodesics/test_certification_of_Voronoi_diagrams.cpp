@@ -55,7 +55,7 @@ void right_diagrams_are_certified(std::uint64_t seed)
       check_certified(c);
       CHECK_EQUAL(c.number_of_checks(Condition::ARCS), 14 * diagram.arcs().size());
       CHECK(c.number_of_checks(Condition::OWNERS) >= num_faces(tm) / 4);
-      CHECK_EQUAL(c.number_of_checks(Condition::AREAS), diagram.number_of_sites() + 1);
+      CHECK(c.number_of_checks(Condition::AREAS) >= diagram.number_of_sites() + 1);
       worst = (std::max)(worst, c.worst_violation());
       ++number_of_diagrams;
     }
@@ -171,8 +171,10 @@ Certificate certificate_of(const Wrong_diagram& diagram, const Mesh& tm)
   { return std::sqrt((tm.point(target(h, tm)) - tm.point(source(h, tm))).squared_length()); };
   using Point_map = Mesh::Property_map<vertex_descriptor, Kernel::Point_3>;
   using Separation = SMG::internal::Separation_in_space<Wrong_diagram, Point_map>;
-  SMG::internal::Voronoi_certifier<Wrong_diagram, Geodesic_paths, decltype(length), Separation> certifier(
-    diagram, length, Separation(diagram, tm.points()));
+  const auto vertex_index_map = get(boost::vertex_index, tm);
+  SMG::internal::Voronoi_certifier<Wrong_diagram, Geodesic_paths, decltype(vertex_index_map), decltype(length),
+                                   Separation>
+    certifier(diagram, vertex_index_map, length, Separation(diagram, tm.points()));
   return certifier.run([&] { return std::make_unique<Geodesic_paths>(tm); });
 }
 
@@ -253,5 +255,7 @@ int main()
   each_fault_is_found(icosphere(2), seed);
   each_fault_is_found(saddle_patch(10), seed + 1);
   each_fault_is_found(torus(2., 1., 12, 8), seed + 2);
+  // what is wrong in a component that is small beside the other one
+  each_fault_is_found(side_by_side(icosphere(2), scaled(regular_tetrahedron(), 1e9), "small and large"), seed + 3);
   return test_result();
 }

@@ -132,6 +132,22 @@ void triangles_without_area()
   CHECK_EQUAL(needle.apex_x, 2.);
 }
 
+// A triangle whose height cannot be told from rounding is as good as a segment, in any unit; others are not.
+void heights_that_are_lost_in_rounding()
+{
+  for(const double longest : {1e-70, 1., 1e70})
+  {
+    for(const double height : {0., 1e-16, 1e-12})
+    {
+      CHECK(internal::is_without_height(height * longest * longest, longest));
+    }
+    for(const double height : {1e-10, 1e-6, 1.})
+    {
+      CHECK(!internal::is_without_height(height * longest * longest, longest));
+    }
+  }
+}
+
 // --- comparison ------------------------------------------------------------------------------------------------------
 
 void rounding_does_not_decide()
@@ -158,6 +174,7 @@ int main()
   right_angles();
   triangles_have_their_sides(random);
   triangles_without_area();
+  heights_that_are_lost_in_rounding();
   rounding_does_not_decide();
   return test_support::test_result();
 }

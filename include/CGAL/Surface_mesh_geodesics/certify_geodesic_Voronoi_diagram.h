@@ -32,6 +32,7 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -43,7 +44,7 @@ namespace internal {
 // Checks a diagram by what its members tell, against distances from one site at a time. `Paths` computes these;
 // `length(h)` is the length of a halfedge, `separation(a, b)` is how far two locations are apart, and
 // `separation.from_border(a)` how far a location is from the border.
-template <typename Diagram, typename Paths, typename Length, typename Separation>
+template <typename Diagram, typename Paths, typename VertexIndexMap, typename Length, typename Separation>
 class Voronoi_certifier
 {
   using Triangle_mesh = typename Diagram::Triangle_mesh;
@@ -56,8 +57,9 @@ class Voronoi_certifier
   using Condition = Certificate::Condition;
 
 public:
-  Voronoi_certifier(const Diagram& diagram, Length length, Separation separation)
-    : m_diagram(diagram), m_tm(diagram.triangle_mesh()), m_length(length), m_separation(separation)
+  Voronoi_certifier(const Diagram& diagram, VertexIndexMap vertex_index_map, Length length, Separation separation)
+    : m_diagram(diagram), m_tm(diagram.triangle_mesh()), m_vertex_index_map(vertex_index_map), m_length(length),
+      m_separation(separation)
   {}
 
   // make_paths() makes an object of shortest paths without sources, behind a pointer.
@@ -65,12 +67,13 @@ public:
   Certificate run(MakePaths make_paths)
   {
     m_certificate = Certificate();
-    m_longest_edge = 0;
-    for(const face_descriptor f : faces(m_tm))
-      m_longest_edge = (std::max)(m_longest_edge, longest_edge(f));
+    find_components();
     if(m_diagram.number_of_sites() == 0)
       return m_certificate;
     collect_samples();
+    m_largest_weight = 0;
+    for(std::size_t i = 0; i < m_diagram.number_of_sites(); ++i)
+      m_largest_weight = (std::max)(m_largest_weight, std::abs(CGAL::to_double(m_diagram.weight(i))));
     for(std::size_t i = 0; i < m_diagram.number_of_sites(); ++i)
       check_distances_from(i, make_paths);
     check_boundaries();
@@ -88,10 +91,49 @@ private:
     std::size_t first_site, number_of_sites; // in m_sites
     double distance;
     Condition condition;
+    double extent; // of the component
   };
 
   static constexpr std::size_t null_site() { return Certificate::null_site(); }
   static double infinity() { return std::numeric_limits<double>::infinity(); }
+
+  // --- components ---
+
+  // What lengths are relative to is the longest edge of a component, as the others may be far larger. A component has
+  // the index of one of its vertices.
+  void find_components()
+  {
+    m_component.resize(num_vertices(m_tm));
+    std::iota(m_component.begin(), m_component.end(), std::size_t(0));
+    const auto root = [this](std::size_t v)
+    {
+      while(m_component[v] != v)
+        v = m_component[v] = m_component[m_component[v]];
+      return v;
+    };
+    for(const face_descriptor f : faces(m_tm))
+      for(const vertex_descriptor v : CGAL::vertices_around_face(halfedge(f, m_tm), m_tm))
+        m_component[root(get(m_vertex_index_map, v))] = root(get(m_vertex_index_map, corner(f)));
+    for(std::size_t v = 0; v < m_component.size(); ++v)
+      m_component[v] = root(v);
+    m_longest_edge.assign(m_component.size(), 0.);
+    for(const face_descriptor f : faces(m_tm))
+    {
+      double& longest = m_longest_edge[component_of(f)];
+      longest = (std::max)(longest, longest_edge(f));
+    }
+  }
+
+  vertex_descriptor corner(face_descriptor f) const { return target(halfedge(f, m_tm), m_tm); }
+
+  std::size_t component_of(vertex_descriptor v) const { return m_component[get(m_vertex_index_map, v)]; }
+  std::size_t component_of(face_descriptor f) const { return component_of(corner(f)); }
+
+  double extent_around(vertex_descriptor v) const { return m_longest_edge[component_of(v)]; }
+  double extent_around(face_descriptor f) const { return extent_around(corner(f)); }
+
+  // (A component may have no lengths.)
+  static double relative(double excess, double scale) { return excess == 0 ? 0. : excess / scale; }
 
   // --- samples ---
 
@@ -109,6 +151,7 @@ private:
         add_sample(Face_location(), {m_diagram.nearest_site(v)},
                    CGAL::to_double(m_diagram.distance_to_nearest_site(v)), Condition::OWNERS);
         m_samples.back().vertex = v;
+        m_samples.back().extent = extent_around(v);
       }
     for(const face_descriptor f : faces(m_tm))
       add_samples_in_face(f);
@@ -138,7 +181,8 @@ private:
 
   void add_sample(const Face_location& l, const std::vector<std::size_t>& sites, double distance, Condition condition)
   {
-    m_samples.push_back({Graph_traits::null_vertex(), l, m_sites.size(), sites.size(), distance, condition});
+    m_samples.push_back({Graph_traits::null_vertex(), l, m_sites.size(), sites.size(), distance, condition,
+                         l.first == Graph_traits::null_face() ? 0. : extent_around(l.first)});
     m_sites.insert(m_sites.end(), sites.begin(), sites.end());
   }
 
@@ -176,16 +220,20 @@ private:
     }
   }
 
+  // In a component that is small beside the weights, differences of distances and weights are rounded more than lengths.
   void check_sample(const Sample& s, std::size_t i, double distance, double weight)
   {
+    const double rounding = Tolerance<double>::gap() * (distance + m_largest_weight);
     const auto first = m_sites.begin() + static_cast<std::ptrdiff_t>(s.first_site);
     const auto last = first + static_cast<std::ptrdiff_t>(s.number_of_sites);
     if(std::find(first, last, i) != last)
-      m_certificate.look_at(s.condition, std::abs(distance - weight - s.distance) / (distance + m_longest_edge), i);
+      m_certificate.look_at(s.condition, 
+                            relative(std::abs(distance - weight - s.distance) - rounding, distance + s.extent), i);
     else if(distance < infinity() && *first == null_site())
       m_certificate.look_at(Condition::NEAREST, infinity(), i);
     else if(distance < infinity())
-      m_certificate.look_at(Condition::NEAREST, (s.distance - distance + weight) / (distance + m_longest_edge), i);
+      m_certificate.look_at(Condition::NEAREST,
+                            relative(s.distance - distance + weight - rounding, distance + s.extent), i);
   }
 
   // --- boundaries ---
@@ -245,27 +293,39 @@ private:
   }
 
   // how far two locations are apart, relative to the longest edge.
-  double gap(const Face_location& a, const Face_location& b) const { return m_separation(a, b) / m_longest_edge; }
+  double gap(const Face_location& a, const Face_location& b) const
+  {
+    return relative(m_separation(a, b), extent_around(a.first));
+  }
 
   // how far a location is from the border of the mesh, relative to the longest edge.
-  double gap_to_border(const Face_location& l) const { return m_separation.from_border(l) / m_longest_edge; }
+  double gap_to_border(const Face_location& l) const
+  {
+    return relative(m_separation.from_border(l), extent_around(l.first));
+  }
 
   // --- areas ---
 
+  // A cell is in the component of its site.
   void check_areas()
   {
-    double expected = 0, sum = 0;
+    std::vector<double> expected(m_longest_edge.size(), 0.), sum(expected);
     for(const face_descriptor f : faces(m_tm))
       if(m_diagram.nearest_site(source(halfedge(f, m_tm), m_tm)) != null_site())
-        expected += area(f);
-    const double scale = expected + m_longest_edge * m_longest_edge;
+        expected[component_of(f)] += area(f);
+    const auto scale = [&](std::size_t c) { return expected[c] + m_longest_edge[c] * m_longest_edge[c]; };
     for(std::size_t i = 0; i < m_diagram.number_of_sites(); ++i)
     {
+      const face_descriptor f = m_diagram.site(i).first;
+      if(f == Graph_traits::null_face())
+        continue;
       const double a = CGAL::to_double(m_diagram.area(i));
-      sum += a;
-      m_certificate.look_at(Condition::AREAS, -a / scale, i);
+      sum[component_of(f)] += a;
+      m_certificate.look_at(Condition::AREAS, relative(-a, scale(component_of(f))), i);
     }
-    m_certificate.look_at(Condition::AREAS, std::abs(sum - expected) / scale, null_site());
+    for(std::size_t c = 0; c < sum.size(); ++c)
+      if(m_longest_edge[c] > 0)
+        m_certificate.look_at(Condition::AREAS, relative(std::abs(sum[c] - expected[c]), scale(c)), null_site());
   }
 
   double area(face_descriptor f) const
@@ -289,9 +349,12 @@ private:
 
   const Diagram& m_diagram;
   const Triangle_mesh& m_tm;
+  VertexIndexMap m_vertex_index_map;
   Length m_length;
   Separation m_separation;
-  double m_longest_edge = 0;
+  std::vector<std::size_t> m_component; // by the index of a vertex
+  std::vector<double> m_longest_edge;   // by component
+  double m_largest_weight = 0;
   std::array<double, 2> m_sequence{{0.5, 0.5}};
   std::vector<Sample> m_samples;
   std::vector<std::size_t> m_sites; // of the samples
@@ -442,7 +505,8 @@ Geodesic_Voronoi_certificate certify_Voronoi_diagram(const Diagram& diagram, Len
     prepare(*paths);
     return paths;
   };
-  return Voronoi_certifier<Diagram, Paths, Length, Separation>(diagram, length, separation).run(make_paths);
+  return Voronoi_certifier<Diagram, Paths, decltype(vim), Length, Separation>(diagram, vim, length, separation)
+    .run(make_paths);
 }
 
 } // namespace internal

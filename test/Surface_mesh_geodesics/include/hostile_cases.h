@@ -131,10 +131,12 @@ inline Distance_case holes(Random& random)
   return case_of_mesh(cut.faces.empty() ? mesh : cut);
 }
 
+// (of sizes that may differ much)
 inline Distance_case several_components(Random& random)
 {
   Indexed_mesh mesh = hostile_meshes::hostile_mesh(random);
-  join(mesh, hostile_meshes::hostile_mesh(random), 0, no_source);
+  const double factor = random.index(2) == 0 ? 1. : of_any_scale(-40., 40., random);
+  join(mesh, scaled(hostile_meshes::hostile_mesh(random), factor), 0, no_source);
   mesh.points.push_back({1., 2., 3.}); // an isolated vertex
   mesh.name = "several components";
   return case_of_mesh(mesh);
@@ -218,7 +220,7 @@ inline bool is_glued_to_itself(const std::vector<std::size_t>& sides, std::size_
 // several edges.
 inline Distance_case random_gluing(Random& random)
 {
-  const std::size_t n = 2 * (1 + random.index(5));
+  const std::size_t n = 2 * (1 + random.index(random.index(4) == 0 ? 20 : 5)); // genus n / 4 or so
   std::vector<std::size_t> sides(3 * n), vertex_of_corner(3 * n);
   std::iota(sides.begin(), sides.end(), std::size_t(0));
   std::iota(vertex_of_corner.begin(), vertex_of_corner.end(), std::size_t(0));

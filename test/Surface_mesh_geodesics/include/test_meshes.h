@@ -786,18 +786,24 @@ inline Indexed_mesh square_with_holes(std::size_t n = 1)
   return plane_cells("square with holes", {"#######", "#.###.#", "###.###", "#.###.#", "#######"}, n);
 }
 
-inline Indexed_mesh two_components_and_an_isolated_vertex()
+// Two meshes as one, which has no vertex that both share.
+inline Indexed_mesh side_by_side(const Indexed_mesh& first, const Indexed_mesh& second, const std::string& name)
 {
-  Indexed_mesh mesh = icosphere(1);
-  const Indexed_mesh other = saddle_patch(4);
+  Indexed_mesh mesh = first;
   const std::size_t shift = mesh.points.size();
-  mesh.points.insert(mesh.points.end(), other.points.begin(), other.points.end());
-  for(const Triangle& t : other.faces)
+  mesh.points.insert(mesh.points.end(), second.points.begin(), second.points.end());
+  for(const Triangle& t : second.faces)
   {
     mesh.faces.push_back({t[0] + shift, t[1] + shift, t[2] + shift});
   }
+  mesh.name = name;
+  return mesh;
+}
+
+inline Indexed_mesh two_components_and_an_isolated_vertex()
+{
+  Indexed_mesh mesh = side_by_side(icosphere(1), saddle_patch(4), "two components and an isolated vertex");
   mesh.points.push_back({9, 9, 9});
-  mesh.name = "two components and an isolated vertex";
   return mesh;
 }
 

@@ -111,7 +111,8 @@ public:
 
   std::size_t memory() const
   {
-    return m_chunks.capacity() * sizeof(Chunk) + m_links.capacity() * sizeof(Link) + m_last_chunk.capacity() * sizeof(std::uint32_t);
+    return m_chunks.capacity() * sizeof(Chunk) + m_links.capacity() * sizeof(Link)
+         + m_last_chunk.capacity() * sizeof(std::uint32_t);
   }
 
 private:

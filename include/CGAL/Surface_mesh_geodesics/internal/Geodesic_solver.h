@@ -309,7 +309,7 @@ public:
       else
         sink.source(source_number(a));
     };
-    Path_thinning<double, decltype(tell_item)> thinning(m_mesh, m_insertion, tell_item);
+    Path_thinning<double, decltype(tell_item)> thinning(m_mesh, m_insertion, extent_around(steps), tell_item);
     if(q.is_location)
       thinning.begin_behind(place(q));
     for(const Path_step<double>& step : steps)
@@ -335,6 +335,14 @@ public:
   }
 
 private:
+  // The extent of the component where a path runs; of no path without faces there is more than one point.
+  double extent_around(const Path_steps<double>& steps) const
+  {
+    const auto it = std::find_if(steps.begin(), steps.end(),
+                                 [](const Path_step<double>& step) { return step.face != null_id; });
+    return it == steps.end() ? 1 : m_mesh.extent_around(m_insertion.whole(it->face));
+  }
+
   std::pair<face_descriptor, Coordinates> user_location(const Isoline_point<double>& p) const
   {
     Coordinates b{};

@@ -100,6 +100,13 @@ public:
     REFINED = 8        // its faces have changed since the mesh was built
   };
 
+  // The faces from `first` on to those of the next component are connected over edges.
+  struct Component
+  {
+    Face_id first;
+    FT longest_edge;
+  };
+
   std::size_t number_of_vertices() const { return m_vertex_halfedge.size(); }
   std::size_t number_of_faces() const { return m_faces.size(); }
 
@@ -227,7 +234,18 @@ public:
   // This ends what else would never end: where faces have no area, paths may run around without growing.
   std::size_t most_crossings() const { return m_most_crossings; }
 
-  // Building: reset(), set_unit(), all members of all faces, finish(). For lengths without points,
+  // What lengths around a face are relative to. It tells components of very different sizes apart: those of a mesh that
+  // has one component are relative to its unit.
+  FT extent_around(Face_id f) const
+  {
+    if(m_components.empty())
+      return 1;
+    const auto next = std::upper_bound(m_components.begin(), m_components.end(), f,
+                                       [](Face_id g, const Component& c) { return g < c.first; });
+    return (next - 1)->longest_edge;
+  }
+
+  // Building: reset(), set_unit(), all members of all faces, set_components(), finish(). For lengths without points,
   // bound_crossings_by_lengths().
   //
   // There is room for the faces that a few sources inside faces need: else the first one would double the memory.
@@ -235,8 +253,11 @@ public:
   {
     m_faces.reserve(number_of_faces + 64);
     m_faces.resize(number_of_faces);
+    m_components.clear();
   }
   void set_unit(const FT& unit) { m_unit = unit; }
+  // (if there are several)
+  void set_components(const std::vector<Component>& components) { m_components = components; }
 
   Face& face(Face_id f) { return m_faces[f]; }
 
@@ -460,6 +481,7 @@ private:
   std::vector<std::pair<Vertex_id, Halfedge_id>> m_other_umbrellas; // sorted
   std::vector<std::uint32_t> m_star_begin; // of the vertices of the mesh as it was built
   std::vector<Halfedge_id> m_star;
+  std::vector<Component> m_components; // empty if there is one
   FT m_unit = 1;
   std::size_t m_most_crossings = 0, m_number_of_faces_before = 0; // before sources divided them
   double m_crossings_by_lengths = 0;                              // 0 for a surface with points

@@ -45,8 +45,9 @@ public:
   using Mesh = Intrinsic_mesh<FT>;
   using Item = Path_item<FT>;
 
-  Path_thinning(const Mesh& mesh, const Source_insertion<FT>& insertion, Tell tell)
-    : m_mesh(mesh), m_insertion(insertion), m_tell(tell)
+  // `extent` is that of the component (Intrinsic_mesh.h): points that are nearer to each other than it tells are one.
+  Path_thinning(const Mesh& mesh, const Source_insertion<FT>& insertion, const FT& extent, Tell tell)
+    : m_mesh(mesh), m_insertion(insertion), m_tell(tell), m_place(Tolerance<FT>::gap() * extent)
   {}
 
   // begins with a point that need not be told: a vertex, or a point of local_halfedge, or one inside a face.
@@ -79,7 +80,7 @@ public:
   // tells the last item, unless it is the first one.
   void finish()
   {
-    if(m_has_pending && !(m_last_is_first && m_to_pending <= Tolerance<FT>::gap()))
+    if(m_has_pending && !(m_last_is_first && m_to_pending <= m_place))
       m_tell(m_pending);
     m_has_pending = false;
   }
@@ -115,13 +116,13 @@ private:
     FT to_item = gap, at_place = 0;
     if(m_has_pending)
     {
-      if(m_at_place + gap <= Tolerance<FT>::gap() && touches(item, m_pending.face))
+      if(m_at_place + gap <= m_place && touches(item, m_pending.face))
       {
         item.face = m_pending.face;
         to_item = m_to_pending + gap;
         at_place = m_at_place + gap;
       }
-      else if(m_to_pending <= Tolerance<FT>::gap() && touches(m_last, item.face))
+      else if(m_to_pending <= m_place && touches(m_last, item.face))
         to_item = m_to_pending + gap;
       else
       {
@@ -139,6 +140,7 @@ private:
   const Mesh& m_mesh;
   const Source_insertion<FT>& m_insertion;
   Tell m_tell;
+  FT m_place; // how far a place reaches
   Item m_last, m_pending; // the last one that has been told, and the next one
   bool m_has_last = false, m_last_is_first = false, m_has_pending = false;
   FT m_to_pending = 0; // the length from the last item that has been told

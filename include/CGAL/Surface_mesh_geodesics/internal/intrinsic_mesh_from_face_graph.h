@@ -44,6 +44,9 @@ namespace internal {
 // The largest length for which distances, which are sums of lengths, stay finite.
 inline double largest_extent() { return std::ldexp(1., 960); }
 
+// The smallest component, relative to the unit of its mesh: products of four of its lengths do not underflow.
+inline double smallest_component() { return std::ldexp(1., -200); }
+
 // The exponent of a power of two that is about as large as the extent of a mesh, and whose inverse is
 // finite.
 inline int scaling_exponent(double extent)
@@ -155,6 +158,14 @@ public:
     return shift;
   }
 
+  // has an edge a length before lengths are divided, and rounded?
+  bool has_length(halfedge_descriptor h) const
+  {
+    const auto& p = get(m_vpm, source(h, m_tm));
+    const auto& q = get(m_vpm, target(h, m_tm));
+    return p.x() != q.x() || p.y() != q.y() || p.z() != q.z();
+  }
+
 private:
   // throws for the first vertex whose point is not finite or too far away from that of the first.
   [[noreturn]] void refuse_point() const
@@ -256,6 +267,9 @@ public:
     return shift;
   }
 
+  // has an edge a length before lengths are divided, and rounded?
+  bool has_length(halfedge_descriptor h) const { return CGAL::to_double(get(m_elm, edge(h, m_tm))) > 0; }
+
 private:
   const TriangleMesh& m_tm;
   EdgeLengthMap m_elm;
@@ -289,6 +303,7 @@ public:
     const int exponent = shape.prepare(table.vertices, number_in_faces);
     mesh.set_unit(FT(std::ldexp(1., exponent)));
     set_faces(shape, mesh);
+    set_components(shape, mesh);
     mesh.finish(table.vertices.size());
     if(!Shape::has_points)
       mesh.bound_crossings_by_lengths();
@@ -371,6 +386,8 @@ private:
     for(std::uint32_t first = 0; first < n; ++first)
     {
       append(first, end);
+      if(next < end)
+        m_first_of_component.push_back(static_cast<Face_id>(next));
       for(; next < end; ++next)
         for(const Halfedge_id o : m_neighbours[m_order[next]])
           if(o != null_id)
@@ -473,6 +490,45 @@ private:
     }
   }
 
+  // finds the sizes of components, if there are several. Throws if one of them would get lost beside the others: all
+  // lengths have one unit.
+  template <typename Shape>
+  void set_components(const Shape& shape, Intrinsic_mesh<FT>& mesh) const
+  {
+    const std::size_t n = m_first_of_component.size();
+    if(n < 2)
+      return;
+    std::vector<typename Intrinsic_mesh<FT>::Component> components;
+    components.reserve(n);
+    for(std::size_t i = 0; i < n; ++i)
+    {
+      const Face_id first = m_first_of_component[i],
+                    last = i + 1 < n ? m_first_of_component[i + 1] : static_cast<Face_id>(m_faces.size());
+      FT longest = 0;
+      for(Face_id f = first; f < last; ++f)
+      {
+        const std::array<FT, 3>& length = mesh.face(f).length;
+        longest = (std::max)({longest, length[0], length[1], length[2]});
+      }
+      if(longest < smallest_component())
+        refuse_lengths(shape, first, last);
+      components.push_back({first, longest});
+    }
+    mesh.set_components(components);
+  }
+
+  // (A component may have no lengths at all.)
+  template <typename Shape>
+  void refuse_lengths(const Shape& shape, Face_id first, Face_id last) const
+  {
+    for(Face_id i = first; i < last; ++i)
+      for(const halfedge_descriptor h : m_halfedges[m_order[i]])
+        if(shape.has_length(h))
+          throw Invalid_geodesic_input(Reason::TOO_SMALL,
+                                       "face " + std::to_string(m_order[i]) + " is in a component that is too small "
+                                         + "beside the mesh", m_order[i]);
+  }
+
   // the halfedge of the intrinsic mesh, from a position and the place in the user's face.
   Halfedge_id renumbered(Halfedge_id h) const
   {
@@ -504,6 +560,7 @@ private:
   std::vector<std::uint32_t> m_position_of_index;
   std::vector<std::array<Halfedge_id, 3>> m_neighbours;
   std::vector<std::uint32_t> m_order; // the position of a face of the intrinsic mesh
+  std::vector<Face_id> m_first_of_component;
   std::vector<std::uint32_t> m_name;  // its inverse; in the end see set_faces()
 };
 

@@ -55,7 +55,7 @@ struct Tolerance
     return sqrt(unit_roundoff()) / 1024;
   }
 
-  // Relative to the extent of the mesh: points of a path that are nearer to each other are one.
+  // Relative to the extent of a component: points of a path that are nearer to each other are one.
   static FT gap() { return 8 * unit_roundoff(); }
 
   // Relative to the length of an edge: a narrower interval is a product of rounding (a ray that
