@@ -1,5 +1,5 @@
 // Diagrams whose cells are known without computing: polyhedra, a flat torus given by lengths, coincident and hidden
-// sites, closed edges, cells that are not disks, several components.
+// sites, closed edges, cells that are not disks, several components, regions where sites tie.
 
 #include "Voronoi_test_helpers.h"
 
@@ -61,6 +61,92 @@ void test_polyhedra()
   CHECK(c.diagram.arcs().empty() && c.diagram.edges().empty());
   CHECK_EQUAL(c.diagram.Euler_characteristic(0), 2);
   c.check_all();
+}
+
+// the middles of the faces of a polyhedron, in ascending order
+std::vector<Coordinates> middles_of_faces(const Indexed_mesh& mesh)
+{
+  std::vector<Coordinates> middles;
+  for(const Triangle& t : mesh.faces)
+  {
+    middles.push_back(1. / 3. * (mesh.points[t[0]] + mesh.points[t[1]] + mesh.points[t[2]]));
+  }
+  return middles;
+}
+
+// The vertices of the diagram are those given, in any order.
+void check_places_of_vertices(const Voronoi& diagram, std::vector<Coordinates> expected)
+{
+  CHECK_EQUAL(diagram.vertices().size(), expected.size());
+  for(const Voronoi::Vertex& v : diagram.vertices())
+  {
+    const Coordinates p = to_coordinates(v.point());
+    const auto found = std::find_if(expected.begin(), expected.end(),
+                                    [&](const Coordinates& q) { return length(p - q) <= 1e-14; });
+    if(CHECK(found != expected.end()))
+    {
+      expected.erase(found); // no two vertices are at one place
+    }
+  }
+}
+
+// The vertices have `degree` sites each, that is as many edges, and are `distance` away from them.
+void check_degrees(const Voronoi& diagram, std::size_t degree, double distance)
+{
+  std::vector<std::size_t> ends(diagram.vertices().size(), 0);
+  for(const Voronoi::Edge& e : diagram.edges())
+  {
+    if(CHECK(e.source_vertex() != null_site && e.target_vertex() != null_site))
+    {
+      ++ends[e.source_vertex()];
+      ++ends[e.target_vertex()];
+    }
+  }
+  for(const Voronoi::Vertex& v : diagram.vertices())
+  {
+    CHECK_EQUAL(v.sites().size(), degree);
+    CHECK_EQUAL(ends[v.index()], degree);
+    CHECK_CLOSE(v.distance(), distance, 1e-14);
+  }
+}
+
+// Each edge of the diagram joins the middles of two sides and halves the edge of the cube between them.
+void test_corners_of_cube()
+{
+  test_support::Scope scope("corners of a cube");
+  Case c(cube(), all_vertices(8));
+  check_places_of_vertices(c.diagram, {{.5, .5, 0.}, {.5, .5, 1.}, {.5, 0., .5}, {.5, 1., .5}, {0., .5, .5},
+                                       {1., .5, .5}});
+  check_degrees(c.diagram, 4, std::sqrt(.5));
+  CHECK_EQUAL(c.diagram.edges().size(), 12u);
+  for(const Voronoi::Edge& e : c.diagram.edges())
+  {
+    CHECK_CLOSE(e.length(), 1., 1e-14);
+  }
+  for(std::size_t i = 0; i < 8; ++i)
+  {
+    CHECK_EQUAL(c.diagram.adjacent_sites(i).size(), 3u);
+    CHECK_CLOSE(c.diagram.area(i), .75, 1e-14);
+  }
+}
+
+// The edges of the tetrahedron have length sqrt(8), the middle of a side is sqrt(8 / 3) away from its corners.
+void test_corners_of_tetrahedron()
+{
+  test_support::Scope scope("corners of a regular tetrahedron");
+  Case c(regular_tetrahedron(), all_vertices(4));
+  check_places_of_vertices(c.diagram, middles_of_faces(regular_tetrahedron()));
+  check_degrees(c.diagram, 3, std::sqrt(8. / 3.));
+  CHECK_EQUAL(c.diagram.edges().size(), 6u);
+  for(const Voronoi::Edge& e : c.diagram.edges())
+  {
+    CHECK_CLOSE(e.length(), std::sqrt(8. / 3.), 1e-14); // twice the radius of the circle in a side
+  }
+  for(std::size_t i = 0; i < 4; ++i)
+  {
+    CHECK_EQUAL(c.diagram.adjacent_sites(i).size(), 3u);
+    CHECK_CLOSE(c.diagram.area(i), 2. * std::sqrt(3.), 1e-14); // that of one side
+  }
 }
 
 void test_one_site_and_none()
@@ -137,6 +223,127 @@ void test_components()
   CHECK(unreached > 1);
 }
 
+double area_of_face(const Mesh& tm, face_descriptor f)
+{
+  const auto corner = corners_of_face(f, tm);
+  const Coordinates p = coordinates(corner[0], tm);
+  return length(cross(coordinates(corner[1], tm) - p, coordinates(corner[2], tm) - p)) / 2.;
+}
+
+// Sites in both components: each one owns nothing but a part of its own component, even if it has a weight that makes
+// it the nearest one by far.
+void test_sites_in_both_components()
+{
+  test_support::Scope scope("sites in both components");
+  const std::size_t size_of_sphere = icosphere(1).points.size();
+  for(const double weight : {0., .1, 50.})
+  {
+    test_support::Scope scope_of_weight("weight " + std::to_string(weight));
+    Case c(two_components_and_an_isolated_vertex(),
+           {vertex(0), vertex(size_of_sphere), Weighted_site(vertex(9), weight), vertex(size_of_sphere + 13),
+            vertex(30), vertex(size_of_sphere + 21)}); // in turn
+    c.check_all();
+    double sums[2] = {0., 0.};
+    test_support::Random random(2);
+    for(const face_descriptor f : faces(c.tm))
+    {
+      const std::size_t component = std::size_t(corners_of_face(f, c.tm)[0]) < size_of_sphere ? 0 : 1;
+      sums[component] += area_of_face(c.tm, f);
+      for(const Voronoi::Arc& a : c.diagram.arcs(f))
+      {
+        CHECK(a.sites().first % 2 == component && a.sites().second % 2 == component);
+      }
+      Face_location l = random_location(c.tm, random);
+      l.first = f;
+      CHECK_EQUAL(c.diagram.nearest_site(l) % 2, component);
+    }
+    for(std::size_t component = 0; component < 2; ++component)
+    {
+      const double sum = c.diagram.area(component) + c.diagram.area(component + 2) + c.diagram.area(component + 4);
+      CHECK_CLOSE(sum, sums[component], 1e-12);
+    }
+    for(std::size_t i = 0; i < 6; ++i)
+    {
+      CHECK_EQUAL(c.diagram.is_empty(i), weight == 50. && (i == 0 || i == 4));
+    }
+    CHECK(weight == 50. || !c.diagram.vertices().empty());
+  }
+}
+
+// Six right angles around vertex 0, one behind the other in six octants: all numbers are exact.
+Indexed_mesh saddle_of_six_right_angles()
+{
+  return {"saddle of six right angles",
+          {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}},
+          {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 5, 6}, {0, 6, 1}}};
+}
+
+// Is a point in the octant between the negative axes of x and y, behind the saddle vertex for the ends of the positive
+// ones?
+bool is_behind_saddle(const Coordinates& p)
+{
+  return p[0] <= 0. && p[1] <= 0. && p[2] == 0.;
+}
+
+// Two sites beside each other tie at the saddle vertex, and so in all the triangle behind it: its owner is that of the
+// saddle vertex. The other parts of the two cells, halves of the rest, are alike.
+void test_tie_behind_saddle_vertex()
+{
+  test_support::Scope scope("tie behind a saddle vertex");
+  for(std::size_t times = 0; times < 4; ++times)
+  {
+    for(const bool is_swapped : {false, true})
+    {
+      test_support::Scope scope_of_case(std::to_string(times) + " subdivisions" + (is_swapped ? ", swapped" : ""));
+      const std::size_t first = is_swapped ? 2 : 1;
+      Case c(midpoint_subdivision(saddle_of_six_right_angles(), times), {vertex(first), vertex(3 - first)});
+      const std::size_t owner = c.diagram.nearest_site(vertex(0));
+      if(!CHECK(owner < 2))
+      {
+        continue;
+      }
+      test_support::Random random(3);
+      std::size_t number_of_faces = 0;
+      for(const face_descriptor f : faces(c.tm))
+      {
+        Face_location l = random_location(c.tm, random);
+        l.first = f;
+        if(is_behind_saddle(coordinates(l, c.tm)))
+        {
+          CHECK_EQUAL(c.diagram.nearest_site(l), owner);
+          ++number_of_faces;
+        }
+      }
+      CHECK_EQUAL(number_of_faces, std::size_t(1) << (2 * times));
+      // The side of the triangle may move by the root of an error of distances: the paths of the other site bend at the
+      // saddle vertex on one hand, and are straight on the other, without a kink in their lengths in between.
+      CHECK_NEAR(c.diagram.area(owner), 1.75, 1e-7);
+      CHECK_NEAR(c.diagram.area(0) + c.diagram.area(1), 3., 1e-14);
+      double sum = 0.;
+      for(const Voronoi::Edge& e : c.diagram.edges())
+      {
+        sum += e.length();
+      }
+      CHECK_NEAR(sum, std::sqrt(.5) + 1., 1e-7); // to the saddle vertex, and along one side of the triangle
+      CHECK(c.diagram.vertices().empty());
+      c.check_all();
+    }
+  }
+}
+
+// the middles of the diagonals of the squares at (i, j) of a torus with n vertices in each column, in space
+std::vector<Coordinates> middles_of_diagonals(const Mesh& tm, const std::vector<std::array<std::size_t, 2>>& squares,
+                                              std::size_t n)
+{
+  std::vector<Coordinates> middles;
+  for(const std::array<std::size_t, 2>& s : squares)
+  {
+    middles.push_back(.5 * (coordinates(vertex(s[0] * n + s[1]), tm)
+                            + coordinates(vertex((s[0] + 1) * n + s[1] + 1), tm)));
+  }
+  return middles;
+}
+
 // n x n squares, glued into a torus; the embedding is that of a torus of revolution, the lengths are flat.
 void test_flat_torus()
 {
@@ -170,8 +377,18 @@ void test_flat_torus()
   {
     CHECK_CLOSE(diagram.area(i), 9., 1e-12);
     CHECK(diagram.is_disk(i));
-    CHECK_EQUAL(diagram.adjacent_sites(i).size() >= 2, true);
+    // the next ones in the row and in the column, on both sides; the fourth one is met at the corners only
+    CHECK(diagram.adjacent_sites(i) == (std::vector<std::size_t>{(std::min)(i ^ 1, i ^ 2), (std::max)(i ^ 1, i ^ 2)}));
   }
+  // four corners, where all cells meet, and two sides of length 3 for each of them
+  CHECK_EQUAL(diagram.vertices().size(), 4u);
+  check_degrees(diagram, 4, 1.5 * std::sqrt(2.));
+  CHECK_EQUAL(diagram.edges().size(), 8u);
+  for(const Voronoi::Edge& e : diagram.edges())
+  {
+    CHECK_CLOSE(e.length(), 3., 1e-13);
+  }
+  check_places_of_vertices(diagram, middles_of_diagonals(tm, {{1, 1}, {1, 4}, {4, 1}, {4, 4}}, n));
   CHECK_CLOSE(diagram.distance_to_nearest_site(vertex(n + 1)), std::sqrt(2.), 1e-14);
 }
 
@@ -207,10 +424,14 @@ void test_grid()
 int main()
 {
   test_polyhedra();
+  test_corners_of_cube();
+  test_corners_of_tetrahedron();
   test_one_site_and_none();
   test_coincident_and_hidden_sites();
   test_tube();
   test_components();
+  test_sites_in_both_components();
+  test_tie_behind_saddle_vertex();
   test_flat_torus();
   test_grid();
   return test_result();

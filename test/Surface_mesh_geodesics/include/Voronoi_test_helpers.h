@@ -441,6 +441,7 @@ public:
       CHECK(std::is_sorted(v.sites().begin(), v.sites().end()));
       check_equidistant(v.sites(), Place(v.location()), v.distance());
     }
+    check_places_of_vertices();
     std::vector<std::array<std::size_t, 3>> triangles;
     m_diagram.dual(std::back_inserter(triangles));
     for(const std::array<std::size_t, 3>& t : triangles)
@@ -450,6 +451,20 @@ public:
         return std::all_of(t.begin(), t.end(), [&](std::size_t s)
         { return std::binary_search(v.sites().begin(), v.sites().end(), s); });
       }));
+    }
+  }
+
+  // Where more than three cells meet is one vertex: no two of them are at one place.
+  void check_places_of_vertices()
+  {
+    number_places();
+    std::map<std::size_t, std::size_t> first_at; // of a place
+    for(const Voronoi::Vertex& v : m_diagram.vertices())
+    {
+      const auto inserted = first_at.insert({m_numbers.of(v.location()), v.index()});
+      test_support::Scope scope("vertices " + std::to_string(inserted.first->second) + " and "
+                                + std::to_string(v.index()) + " at " + description(Place(v.location())));
+      CHECK(inserted.second);
     }
   }
 
@@ -708,46 +723,87 @@ public:
     }
   }
 
-  // The cells without the curves, and the curves, add up to what is reached.
+  // The cells without the curves, and the curves, add up to what is reached, in each component of the mesh.
   void check_Euler()
   {
     test_support::Scope scope("Euler's formula");
-    long expected = 0, sum = static_cast<long>(m_diagram.vertices().size());
-    for(const vertex_descriptor v : vertices(m_tm))
+    Disjoint_sets components; // of the vertices, by the numbers of their places
+    for(std::size_t i = 0; i < num_vertices(m_tm); ++i)
     {
-      expected += m_diagram.nearest_site(v) != null_site ? 1 : 0;
+      components.add();
     }
     for(const Mesh::Edge_index e : edges(m_tm))
     {
-      expected -= m_diagram.nearest_site(source(halfedge(e, m_tm), m_tm)) != null_site ? 1 : 0;
+      const halfedge_descriptor h = halfedge(e, m_tm);
+      components.join(m_numbers.of(source(h, m_tm)), m_numbers.of(target(h, m_tm)));
     }
-    for(const face_descriptor f : faces(m_tm))
+    const auto component_of = [&](const Place& p)
+    { return components.root(m_numbers.of(p.is_vertex() ? p.vertex : corners_of_face(p.location.first, m_tm)[0])); };
+    std::map<std::size_t, long> sums = characteristics_of_diagram(component_of);
+    for(const auto& of_component : characteristics_of_mesh(component_of))
     {
-      expected += is_reached(f) ? 1 : 0;
-    }
-    for(const Voronoi::Edge& e : m_diagram.edges())
-    {
-      if(!e.is_closed())
-      {
-        sum += (e.source_vertex() == null_site ? 1 : 0) + (e.target_vertex() == null_site ? 1 : 0) - 1;
-      }
+      CHECK_EQUAL(sums[of_component.first], of_component.second);
     }
     for(std::size_t i = 0; i < m_sites.size(); ++i)
     {
-      sum += m_diagram.Euler_characteristic(i);
       CHECK_EQUAL(m_diagram.is_disk(i), m_diagram.Euler_characteristic(i) == 1);
-      for(const Voronoi::Boundary& b : m_diagram.boundary(i))
-      {
-        sum -= b.is_closed ? 0 : 1;
-      }
     }
-    CHECK_EQUAL(sum, expected);
   }
 
   Distances_of_sites& distances() { return m_distances; }
 
 private:
   Place place_of(std::size_t i) const { return m_sites[i].place; }
+
+  // Euler's characteristic of what is reached, by component
+  template <class Component_of>
+  std::map<std::size_t, long> characteristics_of_mesh(const Component_of& component_of) const
+  {
+    std::map<std::size_t, long> result;
+    for(const vertex_descriptor v : vertices(m_tm))
+    {
+      result[component_of(v)] += m_diagram.nearest_site(v) != null_site ? 1 : 0;
+    }
+    for(const Mesh::Edge_index e : edges(m_tm))
+    {
+      const vertex_descriptor v = source(halfedge(e, m_tm), m_tm);
+      result[component_of(v)] -= m_diagram.nearest_site(v) != null_site ? 1 : 0;
+    }
+    for(const face_descriptor f : faces(m_tm))
+    {
+      result[component_of(corners_of_face(f, m_tm)[0])] += is_reached(f) ? 1 : 0;
+    }
+    return result;
+  }
+
+  // the same from cells, edges and vertices of the diagram
+  template <class Component_of>
+  std::map<std::size_t, long> characteristics_of_diagram(const Component_of& component_of) const
+  {
+    std::map<std::size_t, long> result;
+    for(const Voronoi::Vertex& v : m_diagram.vertices())
+    {
+      ++result[component_of(v.location())];
+    }
+    for(const Voronoi::Edge& e : m_diagram.edges())
+    {
+      if(!e.is_closed())
+      {
+        result[component_of(start_of(e))]
+          += (e.source_vertex() == null_site ? 1 : 0) + (e.target_vertex() == null_site ? 1 : 0) - 1;
+      }
+    }
+    for(std::size_t i = 0; i < m_sites.size(); ++i)
+    {
+      long& sum = result[component_of(place_of(i))];
+      sum += m_diagram.Euler_characteristic(i);
+      for(const Voronoi::Boundary& b : m_diagram.boundary(i))
+      {
+        sum -= b.is_closed ? 0 : 1;
+      }
+    }
+    return result;
+  }
 
   double length_of_edge(halfedge_descriptor h) const
   {
