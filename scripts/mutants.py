@@ -30,6 +30,7 @@ BOUND_QUEUE = INTERNAL + "Bound_queue.h"
 SINGLE_PRECISION = INTERNAL + "single_precision.h"
 BISECTOR = INTERNAL + "Weighted_bisector.h"
 EDGE_PARTITION = INTERNAL + "Edge_partition.h"
+FACE_PARTITION = INTERNAL + "Face_partition.h"
 COMPLEX = INTERNAL + "Voronoi_complex.h"
 PATH_THINNING = INTERNAL + "Path_thinning.h"
 DIAGRAM_CERTIFICATE = "CGAL/Surface_mesh_geodesics/certify_geodesic_Voronoi_diagram.h"
@@ -406,6 +407,9 @@ MUTANTS = [
     ("edge_bounded_by_its_ends", REMOVAL,
      "return FT((at_first + at_last + length) / 2);", "return (std::max)(at_first, at_last);",
      "a face is said to be done when its corners are", (RANDOM_DIAGRAMS, CUT, HOSTILE_DIAGRAMS)),
+    ("curve_drawn_on_to_its_end", FACE_PARTITION,
+     "    if(is_taken_over_before(f, p))\n      lead_back(f, p);\n", "",
+     "a curve that ends near its end goes on with paths that are not the shortest ones", (RANDOM_DIAGRAMS,)),
     ("bisector_turned", BISECTOR,
      "    if(m_tx * ny - m_ty * nx < 0)\n", "    if(m_tx * ny - m_ty * nx > 0)\n",
      "curves run backwards", (CUT,)),

@@ -12,5 +12,8 @@ int main(int argc, char* argv[])
   {
     test_meshes::test_random_diagram(first + i);
   }
+  // A curve along an edge at a vertex, found to end at the vertex: from there it was drawn on to its other end with the
+  // paths through the vertex, though others are shorter.
+  test_meshes::test_random_diagram(20274790);
   return test_result();
 }

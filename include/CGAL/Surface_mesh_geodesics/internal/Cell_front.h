@@ -118,6 +118,7 @@ struct Cell_front
     if(i == none)
       return false;
     pieces.resize(i + 1);
+    pieces.back().end = v;
     stop = Front_stop::OUTSIDE; // and is not lost
     return true;
   }

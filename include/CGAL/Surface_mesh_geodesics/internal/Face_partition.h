@@ -432,6 +432,8 @@ private:
   // makes arcs of the pieces of f, the last of which ends at p.
   void finish(Front& f, const Point& p, std::size_t node)
   {
+    if(is_taken_over_before(f, p))
+      lead_back(f, p);
     const std::size_t number_traced = f.pieces.size();
     if(f.pieces.empty() || f.stop == Stop::LOST)
       add_straight_pieces(f, f.pieces.empty() ? f.p : f.pieces.back().end, p);
@@ -455,6 +457,27 @@ private:
     }
   }
 
+  // The last piece is drawn on to p, though it may have ended at some distance: places are known to the square root of
+  // rounding only. Do other paths become the shortest ones in between, or where it touches the border and turns?
+  bool is_taken_over_before(const Front& f, const Point& p) const
+  {
+    if(f.pieces.empty())
+      return false;
+    const Piece& last = f.pieces.back();
+    return distance(last.end, p) > m_tracer.width()
+        && !(is_nearest_at(f, last.left, p) && is_nearest_at(f, last.right, p));
+  }
+
+  // makes a front that ends near p, but not with the shortest paths to it, go straight from there.
+  void lead_back(Front& f, const Point& p) const
+  {
+    const std::pair<std::size_t, FT> nearest = f.nearest_end(p);
+    if(!(nearest.second <= m_tracer.touching()))
+      return;
+    f.pieces.resize(nearest.first);
+    f.stop = Stop::LOST;
+  }
+
   // appends the segment pq to f, divided where other paths become the shortest ones: it is halved until its pieces are
   // right at both ends, and those of the same paths are joined again.
   void add_straight_pieces(Front& f, const Point& p, const Point& q) const
@@ -467,7 +490,7 @@ private:
       const Point to = ends.back();
       const Piece piece = straight_piece(f, from, to);
       if(halvings > 0 && distance(from, to) > m_tracer.width()
-         && !(is_nearest_at(f, piece, from) && is_nearest_at(f, piece, to)))
+         && !(is_nearest_at(f, piece.left, from) && is_nearest_at(f, piece.left, to)))
       {
         --halvings;
         ends.push_back(midpoint(from, to));
@@ -482,13 +505,12 @@ private:
     }
   }
 
-  // Does a straight piece tell the length of the shortest path of the two cells to x? (Behind the end of a cone
-  // it is less.)
-  bool is_nearest_at(const Front& f, const Piece& piece, const Point& x) const
+  // Does an image tell the length of the shortest path of the two cells to x? (Behind the end of a cone it is less.)
+  bool is_nearest_at(const Front& f, const Weighted_point<FT>& image, const Point& x) const
   {
     using std::abs;
     const FT nearest = (std::min)(distance_from(f.left, x), distance_from(f.right, x));
-    return abs(FT(piece.left.distance_to(x) - nearest)) <= Tolerance<FT>::tie() * nearest + m_tracer.width();
+    return abs(FT(image.distance_to(x) - nearest)) <= Tolerance<FT>::tie() * nearest + m_tracer.width();
   }
 
   static bool are_same(const Piece& a, const Piece& b)
