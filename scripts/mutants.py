@@ -315,7 +315,7 @@ MUTANTS = [
      "all points of a path on a small component are one", (SMALL,)),
     ("small_components_accepted", FROM_GRAPH,
      "if(longest < smallest_component())", "if(longest < 0)",
-     "lengths of a component that is too small underflow", (SMALL,)),
+     "lengths of a component that is too small underflow", (INVALID,)),
     ("diagram_violations_relative_to_the_mesh", DIAGRAM_CERTIFICATE,
      "{ return m_component[get(m_vertex_index_map, v)]; }", "{ return 0 * m_component[get(m_vertex_index_map, v)]; }",
      "what is wrong on a small component is not seen beside a large one", (DIAGRAM_CERTIFICATION,)),

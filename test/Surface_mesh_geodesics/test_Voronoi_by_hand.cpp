@@ -63,7 +63,7 @@ void test_polyhedra()
   c.check_all();
 }
 
-// the middles of the faces of a polyhedron, in ascending order
+// the middles of the faces of a polyhedron
 std::vector<Coordinates> middles_of_faces(const Indexed_mesh& mesh)
 {
   std::vector<Coordinates> middles;
@@ -221,13 +221,6 @@ void test_components()
     }
   }
   CHECK(unreached > 1);
-}
-
-double area_of_face(const Mesh& tm, face_descriptor f)
-{
-  const auto corner = corners_of_face(f, tm);
-  const Coordinates p = coordinates(corner[0], tm);
-  return length(cross(coordinates(corner[1], tm) - p, coordinates(corner[2], tm) - p)) / 2.;
 }
 
 // Sites in both components: each one owns nothing but a part of its own component, even if it has a weight that makes

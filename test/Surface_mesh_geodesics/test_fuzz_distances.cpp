@@ -1,5 +1,5 @@
-// Distances on more than 500 small random surfaces of the worst kinds, each checked by the certificate and by referees. Many
-// more of them: fuzz_distances.cpp.
+// Distances on more than 500 small random surfaces of the worst kinds, each checked by the certificate and by referees.
+// Many more of them: fuzz_distances.cpp.
 
 #include "distance_fuzzing.h"
 #include "test_support.h"

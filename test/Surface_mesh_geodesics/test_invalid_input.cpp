@@ -233,6 +233,30 @@ void bad_edge_lengths_are_refused()
   CHECK(SMG::geodesic_distances_from_edge_lengths(tm, lengths, map, vertex(0)));
 }
 
+// Their lengths would underflow beside the other component; some become zero on the way.
+void components_that_are_too_small_are_refused()
+{
+  const Indexed_mesh large = flat_patch(1, 1, 0., false, 1), small = flat_patch(3, 2, .1, false, 2);
+  Mesh of_one_size = to_face_graph(side_by_side(large, small, "both"));
+  const auto lengths_of_one_size = add_edge_lengths(of_one_size);
+  for(const double unit : {1e-61, 1e-80, 1e-150, 1e-170, 1e-300})
+  {
+    test_support::Scope scope("unit " + std::to_string(std::log10(unit)));
+    Mesh tm = to_face_graph(side_by_side(large, scaled(small, unit), "both"));
+    expect_refusal_of_sources(tm, Reason::TOO_SMALL, large.faces.size(), "points", vertex(0));
+    auto lengths = add_edge_lengths(tm);
+    for(const auto e : edges(tm))
+    {
+      const bool is_small = source(halfedge(e, tm), tm).idx() >= large.points.size();
+      lengths[e] = lengths_of_one_size[e] * (is_small ? unit : 1.);
+    }
+    expect_refusal(tm, Reason::TOO_SMALL, large.faces.size(), "lengths", [&](auto distance_map, auto nearest_map) {
+      SMG::geodesic_distances_from_edge_lengths(tm, lengths, distance_map, vertex(0),
+                                                SMG::make_geodesic_distance_options<Mesh>(nearest_map));
+    });
+  }
+}
+
 // Equality, also when it is missed by rounding, is a face of area zero and allowed.
 void a_degenerate_triangle_is_allowed()
 {
@@ -473,6 +497,7 @@ int main()
   faces_that_make_no_surface_are_refused();
   points_that_are_not_finite_are_refused();
   bad_edge_lengths_are_refused();
+  components_that_are_too_small_are_refused();
   a_degenerate_triangle_is_allowed();
   locations_outside_their_face_are_refused();
   rounded_locations_are_allowed();

@@ -34,6 +34,7 @@
 #include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
+#include <boost/pending/disjoint_sets.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
@@ -1231,18 +1232,13 @@ private:
   void collect_vertices() const
   {
     const auto& nodes = m_complex.nodes();
-    std::vector<std::size_t> parent(nodes.size());
+    std::vector<std::size_t> rank(nodes.size()), parent(nodes.size());
+    boost::disjoint_sets<std::size_t*, std::size_t*> sets(rank.data(), parent.data());
     for(std::size_t n = 0; n < nodes.size(); ++n)
-      parent[n] = n;
-    const auto root = [&](std::size_t n)
-    {
-      while(parent[n] != n)
-        n = parent[n] = parent[parent[n]];
-      return n;
-    };
+      sets.make_set(n);
     for(const Chain& c : m_complex.chains())
       if(!c.has_length && nodes[c.first_node].is_vertex() && nodes[c.last_node].is_vertex())
-        parent[root(c.last_node)] = root(c.first_node);
+        sets.union_set(c.first_node, c.last_node);
     m_vertices.clear();
     m_node_of_vertex.clear();
     m_vertex_sites.clear();
@@ -1251,7 +1247,7 @@ private:
     {
       if(!nodes[n].is_vertex())
         continue;
-      std::size_t& v = m_vertex_of_node[root(n)];
+      std::size_t& v = m_vertex_of_node[sets.find_set(n)];
       if(v == null_site())
       {
         v = m_vertices.size();

@@ -24,6 +24,8 @@
 #include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
+#include <boost/iterator/counting_iterator.hpp>
+#include <boost/pending/disjoint_sets.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
@@ -32,7 +34,6 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -91,7 +92,6 @@ private:
     std::size_t first_site, number_of_sites; // in m_sites
     double distance;
     Condition condition;
-    double extent; // of the component
   };
 
   static constexpr std::size_t null_site() { return Certificate::null_site(); }
@@ -103,20 +103,17 @@ private:
   // the index of one of its vertices.
   void find_components()
   {
-    m_component.resize(num_vertices(m_tm));
-    std::iota(m_component.begin(), m_component.end(), std::size_t(0));
-    const auto root = [this](std::size_t v)
-    {
-      while(m_component[v] != v)
-        v = m_component[v] = m_component[m_component[v]];
-      return v;
-    };
+    const std::size_t n = num_vertices(m_tm);
+    m_component.resize(n);
+    std::vector<std::size_t> rank(n);
+    boost::disjoint_sets<std::size_t*, std::size_t*> sets(rank.data(), m_component.data());
+    for(std::size_t v = 0; v < n; ++v)
+      sets.make_set(v);
     for(const face_descriptor f : faces(m_tm))
       for(const vertex_descriptor v : CGAL::vertices_around_face(halfedge(f, m_tm), m_tm))
-        m_component[root(get(m_vertex_index_map, v))] = root(get(m_vertex_index_map, corner(f)));
-    for(std::size_t v = 0; v < m_component.size(); ++v)
-      m_component[v] = root(v);
-    m_longest_edge.assign(m_component.size(), 0.);
+        sets.union_set(std::size_t(get(m_vertex_index_map, corner(f))), std::size_t(get(m_vertex_index_map, v)));
+    sets.compress_sets(boost::counting_iterator<std::size_t>(0), boost::counting_iterator<std::size_t>(n));
+    m_longest_edge.assign(n, 0.);
     for(const face_descriptor f : faces(m_tm))
     {
       double& longest = m_longest_edge[component_of(f)];
@@ -151,7 +148,6 @@ private:
         add_sample(Face_location(), {m_diagram.nearest_site(v)},
                    CGAL::to_double(m_diagram.distance_to_nearest_site(v)), Condition::OWNERS);
         m_samples.back().vertex = v;
-        m_samples.back().extent = extent_around(v);
       }
     for(const face_descriptor f : faces(m_tm))
       add_samples_in_face(f);
@@ -181,8 +177,7 @@ private:
 
   void add_sample(const Face_location& l, const std::vector<std::size_t>& sites, double distance, Condition condition)
   {
-    m_samples.push_back({Graph_traits::null_vertex(), l, m_sites.size(), sites.size(), distance, condition,
-                         l.first == Graph_traits::null_face() ? 0. : extent_around(l.first)});
+    m_samples.push_back({Graph_traits::null_vertex(), l, m_sites.size(), sites.size(), distance, condition});
     m_sites.insert(m_sites.end(), sites.begin(), sites.end());
   }
 
@@ -220,20 +215,21 @@ private:
     }
   }
 
-  // In a component that is small beside the weights, differences of distances and weights are rounded more than lengths.
+  // In a component that is small beside the weights, differences of distances and weights are rounded more than
+  // lengths.
   void check_sample(const Sample& s, std::size_t i, double distance, double weight)
   {
     const double rounding = Tolerance<double>::gap() * (distance + m_largest_weight);
+    const double scale = distance + (s.vertex != Graph_traits::null_vertex() ? extent_around(s.vertex)
+                                                                            : extent_around(s.location.first));
     const auto first = m_sites.begin() + static_cast<std::ptrdiff_t>(s.first_site);
     const auto last = first + static_cast<std::ptrdiff_t>(s.number_of_sites);
     if(std::find(first, last, i) != last)
-      m_certificate.look_at(s.condition, 
-                            relative(std::abs(distance - weight - s.distance) - rounding, distance + s.extent), i);
+      m_certificate.look_at(s.condition, relative(std::abs(distance - weight - s.distance) - rounding, scale), i);
     else if(distance < infinity() && *first == null_site())
       m_certificate.look_at(Condition::NEAREST, infinity(), i);
     else if(distance < infinity())
-      m_certificate.look_at(Condition::NEAREST,
-                            relative(s.distance - distance + weight - rounding, distance + s.extent), i);
+      m_certificate.look_at(Condition::NEAREST, relative(s.distance - distance + weight - rounding, scale), i);
   }
 
   // --- boundaries ---

@@ -65,6 +65,13 @@ void add_sites(Diagram& diagram, const Weighted_sites& sites)
   }
 }
 
+inline double area_of_face(const Mesh& tm, face_descriptor f)
+{
+  const auto corner = corners_of_face(f, tm);
+  const Coordinates p = coordinates(corner[0], tm);
+  return length(cross(coordinates(corner[1], tm) - p, coordinates(corner[2], tm) - p)) / 2.;
+}
+
 // The distances from each site alone, less its weight: by Surface_mesh_geodesic_paths, and for sites at vertices by
 // Surface_mesh_shortest_path as well, if that is wanted.
 class Distances_of_sites
@@ -825,9 +832,7 @@ private:
   {
     if(m_lengths == nullptr)
     {
-      const auto corner = corners_of_face(f, m_tm);
-      const Coordinates p = coordinates(corner[0], m_tm);
-      return length(cross(coordinates(corner[1], m_tm) - p, coordinates(corner[2], m_tm) - p)) / 2.;
+      return test_meshes::area_of_face(m_tm, f);
     }
     const halfedge_descriptor h = halfedge(f, m_tm);
     const double a = length_of_edge(h), b = length_of_edge(next(h, m_tm)), c = length_of_edge(prev(h, m_tm));

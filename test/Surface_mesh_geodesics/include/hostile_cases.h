@@ -90,18 +90,6 @@ inline Distance_case nearly_flat(Random& random)
   return case_of_mesh(mesh);
 }
 
-// adds a mesh to another one; vertex i of `common` becomes vertex `of` of the first.
-inline void join(Indexed_mesh& mesh, const Indexed_mesh& other, std::size_t of, std::size_t common)
-{
-  const std::size_t shift = mesh.points.size();
-  const auto number = [&](std::size_t i) { return i == common ? of : i + shift; };
-  mesh.points.insert(mesh.points.end(), other.points.begin(), other.points.end());
-  for(const Triangle& t : other.faces)
-  {
-    mesh.faces.push_back({number(t[0]), number(t[1]), number(t[2])});
-  }
-}
-
 // Parts that meet in single vertices. (What was vertex `common` is left over, isolated.)
 inline Distance_case pinched_vertices(Random& random)
 {
@@ -136,7 +124,7 @@ inline Distance_case several_components(Random& random)
 {
   Indexed_mesh mesh = hostile_meshes::hostile_mesh(random);
   const double factor = random.index(2) == 0 ? 1. : of_any_scale(-40., 40., random);
-  join(mesh, scaled(hostile_meshes::hostile_mesh(random), factor), 0, no_source);
+  join(mesh, scaled(hostile_meshes::hostile_mesh(random), factor));
   mesh.points.push_back({1., 2., 3.}); // an isolated vertex
   mesh.name = "several components";
   return case_of_mesh(mesh);

@@ -16,6 +16,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -786,16 +787,24 @@ inline Indexed_mesh square_with_holes(std::size_t n = 1)
   return plane_cells("square with holes", {"#######", "#.###.#", "###.###", "#.###.#", "#######"}, n);
 }
 
+// adds a mesh to another one; its vertex `common`, if it has one of this number, becomes vertex `of` of the first.
+inline void join(Indexed_mesh& mesh, const Indexed_mesh& other, std::size_t of = 0,
+                 std::size_t common = (std::numeric_limits<std::size_t>::max)())
+{
+  const std::size_t shift = mesh.points.size();
+  const auto number = [&](std::size_t i) { return i == common ? of : i + shift; };
+  mesh.points.insert(mesh.points.end(), other.points.begin(), other.points.end());
+  for(const Triangle& t : other.faces)
+  {
+    mesh.faces.push_back({number(t[0]), number(t[1]), number(t[2])});
+  }
+}
+
 // Two meshes as one, which has no vertex that both share.
 inline Indexed_mesh side_by_side(const Indexed_mesh& first, const Indexed_mesh& second, const std::string& name)
 {
   Indexed_mesh mesh = first;
-  const std::size_t shift = mesh.points.size();
-  mesh.points.insert(mesh.points.end(), second.points.begin(), second.points.end());
-  for(const Triangle& t : second.faces)
-  {
-    mesh.faces.push_back({t[0] + shift, t[1] + shift, t[2] + shift});
-  }
+  join(mesh, second);
   mesh.name = name;
   return mesh;
 }

@@ -55,7 +55,7 @@ public:
   {
     for(Face_id f = 0; f < mesh.number_of_faces(); ++f)
       for(const Vertex_id v : mesh.face(f).vertex)
-        m_scale[v] = (std::max)(m_scale[v], longest_side(f));
+        m_scale[v] = (std::max)(m_scale[v], longest_side(m_mesh.face(f)));
   }
 
   std::vector<FT> values, offsets;
@@ -188,12 +188,6 @@ public:
 
 private:
   static FT infinity() { return std::numeric_limits<FT>::infinity(); }
-
-  FT longest_side(Face_id f) const
-  {
-    const Intrinsic_face<FT>& face = m_mesh.face(f);
-    return (std::max)(face.length[0], (std::max)(face.length[1], face.length[2]));
-  }
 
   // is there rightly no value for a vertex at this distance?
   bool is_beyond(Vertex_id v, const FT& distance, const FT& limit) const

@@ -65,11 +65,18 @@ std::array<Planar_point<FT>, 3> layout_of_face(const Intrinsic_face<FT>& face)
           Planar_point<FT>{face.apex_x, face.apex_y}};
 }
 
-// A face whose corners are on one line as far as numbers tell. (Its first side is the shortest one.)
+// (Its first side is the shortest one.)
+template <typename FT>
+FT longest_side(const Intrinsic_face<FT>& f)
+{
+  return (std::max)(f.length[1], f.length[2]);
+}
+
+// A face whose corners are on one line as far as numbers tell.
 template <typename FT>
 bool has_no_height(const Intrinsic_face<FT>& f)
 {
-  return is_without_height<FT>(f.apex_y * f.length[0], (std::max)(f.length[1], f.length[2]));
+  return is_without_height<FT>(f.apex_y * f.length[0], longest_side(f));
 }
 
 // The face on the left of a halfedge AB in the frame of the halfedge: A = (0,0), B = (length,0) and
@@ -283,7 +290,7 @@ public:
     bool is_lost = false;
     for(const Face& f : m_faces)
     {
-      const double longest = static_cast<double>((std::max)(f.length[1], f.length[2]));
+      const double longest = static_cast<double>(longest_side(f));
       const double least_height = longest > 0 ? static_cast<double>(FT(f.apex_y * f.length[0])) / longest : 0.;
       is_lost = is_lost || !(least_height > ratio_of_lost_face * longest);
       height = (std::min)(height, least_height);

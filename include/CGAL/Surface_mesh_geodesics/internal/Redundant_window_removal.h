@@ -135,7 +135,7 @@ public:
       if(last < below)
         deactivate(f);
       else
-        m_queue.push(f, last - below < longest_edge(f) / 4 ? last : FT(below + (last - below) / 2), last);
+        m_queue.push(f, last - below < longest_side(m_mesh->face(f)) / 4 ? last : FT(below + (last - below) / 2), last);
     });
   }
 
@@ -243,28 +243,22 @@ private:
     FT nearest = (std::min)(at_begin[0], at_end[0]);
     for(std::size_t i = 1; i < list.size; ++i)
       nearest = (std::min)({nearest, at_begin[i], at_end[i]});
-    const FT longest = longest_edge(f);
+    const FT longest = longest_side(m_mesh->face(f));
     m_queue.push(f, FT(nearest + longest / 2), FT(nearest + longest));
-  }
-
-  FT longest_edge(Face_id f) const
-  {
-    const auto& length = m_mesh->face(f).length;
-    return (std::max)({length[0], length[1], length[2]});
   }
 
   // No point of the border of a face has a larger distance.
   FT bound(Face_id f) const
   {
     const typename Mesh::Face& face = m_mesh->face(f);
-    FT bound = 0;
+    FT largest = 0;
     for(unsigned int k = 0; k < 3; ++k)
     {
       const FT by_ends = bound_between(m_field->distance[face.vertex[k]], m_field->distance[face.vertex[next_place(k)]],
                                        face.length[k]);
-      bound = (std::max)(bound, (std::min)(by_ends, FT(m_faces[f].bound[k])));
+      largest = (std::max)(largest, (std::min)(by_ends, FT(m_faces[f].bound[k])));
     }
-    return bound;
+    return largest;
   }
 
   // No point between two points on an edge has a larger distance.

@@ -565,7 +565,7 @@ public:
   bool has_length(const Arc& a) const
   {
     const typename Mesh::Face& face = m_mesh->face(a.face);
-    const FT size = (std::max)({face.length[0], face.length[1], face.length[2]});
+    const FT size = longest_side(face);
     return distance(a.first, a.last)
          > Tolerance<FT>::interval() * (size + m_nodes[a.first_node].distance / 8);
   }

@@ -506,10 +506,7 @@ private:
                     last = i + 1 < n ? m_first_of_component[i + 1] : static_cast<Face_id>(m_faces.size());
       FT longest = 0;
       for(Face_id f = first; f < last; ++f)
-      {
-        const std::array<FT, 3>& length = mesh.face(f).length;
-        longest = (std::max)({longest, length[0], length[1], length[2]});
-      }
+        longest = (std::max)(longest, longest_side(mesh.face(f)));
       if(longest < smallest_component())
         refuse_lengths(shape, first, last);
       components.push_back({first, longest});
