@@ -2,7 +2,7 @@
 
 #include "test_support.h"
 
-#include <CGAL/Surface_mesh_geodesics/internal/Face_partition.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Face_partition.h>
 
 #include <algorithm>
 #include <array>

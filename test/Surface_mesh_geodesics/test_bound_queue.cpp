@@ -3,7 +3,7 @@
 
 #include "test_support.h"
 
-#include <CGAL/Surface_mesh_geodesics/internal/Bound_queue.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Bound_queue.h>
 
 #include <cstddef>
 #include <limits>

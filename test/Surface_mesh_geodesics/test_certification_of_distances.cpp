@@ -9,7 +9,7 @@
 
 #include <CGAL/Surface_mesh_geodesics/certify_geodesic_distances.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_distances.h>
-#include <CGAL/Surface_mesh_geodesics/internal/component_extents.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/component_extents.h>
 
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/graph_traits_Polyhedron_3.h>

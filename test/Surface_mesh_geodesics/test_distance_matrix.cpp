@@ -8,7 +8,7 @@
 #include <CGAL/Surface_mesh_geodesics/Geodesic_distance_solver.h>
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_distance_matrix.h>
-#include <CGAL/Surface_mesh_geodesics/internal/Ordered_rows.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/Ordered_rows.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>

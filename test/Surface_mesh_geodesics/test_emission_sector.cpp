@@ -5,7 +5,7 @@
 #include "test_meshes.h"
 #include "test_support.h"
 
-#include <CGAL/Surface_mesh_geodesics/internal/Distance_propagation.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_propagation.h>
 
 #include <array>
 #include <cmath>

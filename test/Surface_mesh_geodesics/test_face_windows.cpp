@@ -3,7 +3,7 @@
 
 #include "test_support.h"
 
-#include <CGAL/Surface_mesh_geodesics/internal/Face_windows.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/Face_windows.h>
 
 #include <algorithm>
 #include <cstddef>

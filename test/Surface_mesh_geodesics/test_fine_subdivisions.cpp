@@ -9,8 +9,8 @@
 #include "thread_team.h"
 
 #include <CGAL/Surface_mesh_geodesics/certify_geodesic_distances.h>
-#include <CGAL/Surface_mesh_geodesics/internal/Distance_propagation.h>
-#include <CGAL/Surface_mesh_geodesics/internal/Parallel_distance_propagation.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_propagation.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/Parallel_distance_propagation.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <algorithm>

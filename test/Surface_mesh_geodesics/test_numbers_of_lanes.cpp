@@ -6,8 +6,8 @@
 #include "test_meshes.h"
 #include "test_support.h"
 
-#include <CGAL/Surface_mesh_geodesics/internal/Distance_propagation.h>
-#include <CGAL/Surface_mesh_geodesics/internal/Window_list_loops.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_propagation.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/Window_list_loops.h>
 
 #include <cmath>
 #include <cstddef>

@@ -10,8 +10,8 @@
 #include <CGAL/Surface_mesh_geodesics/Geodesic_default_visitor.h>
 #include <CGAL/Surface_mesh_geodesics/Geodesic_distance_solver.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_distances.h>
-#include <CGAL/Surface_mesh_geodesics/internal/Distance_propagation.h>
-#include <CGAL/Surface_mesh_geodesics/internal/Parallel_distance_propagation.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_propagation.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/Parallel_distance_propagation.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>

@@ -3,8 +3,8 @@
 
 #include "hostile_meshes.h"
 
-#include <CGAL/Surface_mesh_geodesics/internal/Geodesic_solver.h>
-#include <CGAL/Surface_mesh_geodesics/internal/Path_search.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/Geodesic_solver.h>
+#include <CGAL/Surface_mesh_geodesics/internal/paths/Path_search.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -3,7 +3,7 @@
 
 #include "test_support.h"
 
-#include <CGAL/Surface_mesh_geodesics/internal/planar_geometry.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
 
 #include <algorithm>
 #include <cmath>

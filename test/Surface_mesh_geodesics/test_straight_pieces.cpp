@@ -5,8 +5,8 @@
 #include "test_meshes.h"
 #include "test_support.h"
 
-#include <CGAL/Surface_mesh_geodesics/internal/Distance_propagation.h>
-#include <CGAL/Surface_mesh_geodesics/internal/Straight_piece.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_propagation.h>
+#include <CGAL/Surface_mesh_geodesics/internal/paths/Straight_piece.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -5,14 +5,14 @@
 #include "test_support.h"
 
 #include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
-#include <CGAL/Surface_mesh_geodesics/internal/Intrinsic_mesh.h>
-#include <CGAL/Surface_mesh_geodesics/internal/Pruning_rules.h>
-#include <CGAL/Surface_mesh_geodesics/internal/Star_propagation.h>
-#include <CGAL/Surface_mesh_geodesics/internal/Window.h>
-#include <CGAL/Surface_mesh_geodesics/internal/Window_list_crossing.h>
-#include <CGAL/Surface_mesh_geodesics/internal/Window_list_loops.h>
-#include <CGAL/Surface_mesh_geodesics/internal/Window_lists.h>
-#include <CGAL/Surface_mesh_geodesics/internal/window_pruning.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/Pruning_rules.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/Star_propagation.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/Window.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/Window_list_crossing.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/Window_list_loops.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/Window_lists.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/window_pruning.h>
 
 #include <algorithm>
 #include <cmath>

@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesics.h>
 
-#include <CGAL/Surface_mesh_geodesics/internal/Distance_certifier.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/Distance_certifier.h>
 
 #include <boost/graph/graph_traits.hpp>
 

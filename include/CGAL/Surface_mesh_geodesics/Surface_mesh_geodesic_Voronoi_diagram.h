@@ -16,16 +16,16 @@
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
 #include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_paths.h>
-#include <CGAL/Surface_mesh_geodesics/internal/Arc_curve.h>
-#include <CGAL/Surface_mesh_geodesics/internal/Cell_locator.h>
-#include <CGAL/Surface_mesh_geodesics/internal/Geodesic_solver.h>
-#include <CGAL/Surface_mesh_geodesics/internal/Redundant_window_removal.h>
-#include <CGAL/Surface_mesh_geodesics/internal/Voronoi_cell_measures.h>
-#include <CGAL/Surface_mesh_geodesics/internal/Voronoi_complex.h>
-#include <CGAL/Surface_mesh_geodesics/internal/Voronoi_cut_mesh.h>
-#include <CGAL/Surface_mesh_geodesics/internal/distance_in_space.h>
-#include <CGAL/Surface_mesh_geodesics/internal/intrinsic_mesh_from_face_graph.h>
-#include <CGAL/Surface_mesh_geodesics/internal/visited_run.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Arc_curve.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Cell_locator.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/Geodesic_solver.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Redundant_window_removal.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Voronoi_cell_measures.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Voronoi_complex.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/Voronoi_cut_mesh.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/distance_in_space.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/intrinsic_mesh_from_face_graph.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/visited_run.h>
 
 #include <CGAL/Default.h>
 #include <CGAL/Named_function_parameters.h>

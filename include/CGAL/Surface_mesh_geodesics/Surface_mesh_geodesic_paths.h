@@ -15,10 +15,10 @@
 #include <CGAL/Surface_mesh_geodesics/Geodesic_default_visitor.h>
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
-#include <CGAL/Surface_mesh_geodesics/internal/Lazy_path_structure.h>
-#include <CGAL/Surface_mesh_geodesics/internal/Surface_locations.h>
-#include <CGAL/Surface_mesh_geodesics/internal/path_visitors.h>
-#include <CGAL/Surface_mesh_geodesics/internal/planar_geometry.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/Lazy_path_structure.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/Surface_locations.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/path_visitors.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
 
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Default.h>

@@ -15,8 +15,8 @@
 #include <CGAL/Surface_mesh_geodesics/Geodesic_Voronoi_certificate.h>
 #include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_Voronoi_diagram.h>
 #include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_paths.h>
-#include <CGAL/Surface_mesh_geodesics/internal/distance_in_space.h>
-#include <CGAL/Surface_mesh_geodesics/internal/planar_geometry.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/distance_in_space.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/helpers.h>

@@ -14,7 +14,7 @@
 
 #include <CGAL/Surface_mesh_geodesics/Geodesic_default_visitor.h>
 #include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_Voronoi_diagram.h>
-#include <CGAL/Surface_mesh_geodesics/internal/distance_in_space.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/distance_in_space.h>
 
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Named_function_parameters.h>

@@ -15,11 +15,11 @@
 #include <CGAL/Surface_mesh_geodesics/Geodesic_default_visitor.h>
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
-#include <CGAL/Surface_mesh_geodesics/internal/Distance_propagation.h>
-#include <CGAL/Surface_mesh_geodesics/internal/Farthest_vertex_queue.h>
-#include <CGAL/Surface_mesh_geodesics/internal/intrinsic_mesh_from_face_graph.h>
-#include <CGAL/Surface_mesh_geodesics/internal/source_range.h>
-#include <CGAL/Surface_mesh_geodesics/internal/visited_run.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_propagation.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Farthest_vertex_queue.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/intrinsic_mesh_from_face_graph.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/source_range.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/visited_run.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>

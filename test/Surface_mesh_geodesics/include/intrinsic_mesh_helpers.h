@@ -5,8 +5,8 @@
 
 #include "test_meshes.h"
 
-#include <CGAL/Surface_mesh_geodesics/internal/Intrinsic_mesh.h>
-#include <CGAL/Surface_mesh_geodesics/internal/intrinsic_mesh_from_face_graph.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/intrinsic_mesh_from_face_graph.h>
 
 #include <type_traits>
 

@@ -1,7 +1,7 @@
 #ifndef SURFACE_MESH_GEODESICS_THREAD_TEAM_H
 #define SURFACE_MESH_GEODESICS_THREAD_TEAM_H
 
-// A team of threads (internal/Worker_team.h) made of std::thread: it needs no library, and the thread sanitizer
+// A team of threads (internal/propagation/Worker_team.h) made of std::thread: it needs no library, and the thread sanitizer
 // understands it.
 
 #include <cstddef>

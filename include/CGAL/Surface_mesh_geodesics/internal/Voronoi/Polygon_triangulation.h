@@ -1,0 +1,136 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_POLYGON_TRIANGULATION_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_POLYGON_TRIANGULATION_H
+
+// Triangulation of a small polygon whose sides and vertices must be kept, whatever rounding has made of its shape:
+// by dynamic programming over the diagonals (G. T. Klincsek, Minimal triangulations of polygonal domains, 1980). Each
+// triangulation of the sequence of vertices is a candidate, the one with the fewest triangles that are not
+// counterclockwise is taken, and the best shaped of these. For a simple polygon none is clockwise, so the triangles
+// do not overlap; for any other one there is still a result with the right combinatorics.
+
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Weighted_bisector.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+class Polygon_triangulation
+{
+public:
+  using Point = Planar_point<double>;
+  using Triangle = std::array<std::uint32_t, 3>;
+
+  // Positions 0, 1, ... of the vertices, counterclockwise. is_allowed(i, j) tells whether a diagonal is;
+  // one that is not counts for more than all triangles that are not counterclockwise. Takes cubic time.
+  template <typename IsAllowed>
+  void build(const std::vector<Point>& polygon, IsAllowed is_allowed)
+  {
+    m_triangles.clear();
+    m_badness = 0;
+    const std::size_t n = polygon.size();
+    if(n < 3)
+      return;
+    // of the part between the diagonal (i, j) and the sides i, ..., j
+    m_cost.assign(n * n, Cost());
+    m_apex.assign(n * n, 0);
+    for(std::size_t width = 2; width < n; ++width)
+      for(std::size_t i = 0; i + width < n; ++i)
+      {
+        const std::size_t j = i + width;
+        Cost best;
+        best.badness = (std::numeric_limits<std::uint64_t>::max)();
+        for(std::size_t k = i + 1; k < j; ++k)
+        {
+          Cost c = m_cost[i * n + k];
+          c.add(m_cost[k * n + j]);
+          if(!c.is_less(best))
+            continue;
+          c.add(cost(polygon[i], polygon[k], polygon[j]));
+          if(c.is_less(best))
+          {
+            best = c;
+            m_apex[i * n + j] = static_cast<std::uint32_t>(k);
+          }
+        }
+        if(width + 1 < n && !is_allowed(i, j))
+          best.badness += FORBIDDEN;
+        m_cost[i * n + j] = best;
+      }
+    m_badness = m_cost[n - 1].badness;
+    collect(0, static_cast<std::uint32_t>(n - 1), n);
+  }
+
+  const std::vector<Triangle>& triangles() const { return m_triangles; }
+
+  // 0 if all triangles are counterclockwise and all diagonals allowed.
+  std::uint64_t badness() const { return m_badness; }
+
+private:
+  static constexpr std::uint64_t FORBIDDEN = std::uint64_t(1) << 32;
+
+  struct Cost
+  {
+    std::uint64_t badness = 0;
+    double shape = 0;
+
+    void add(const Cost& other)
+    {
+      badness += other.badness;
+      shape += other.shape;
+    }
+
+    bool is_less(const Cost& other) const
+    {
+      return badness != other.badness ? badness < other.badness : shape < other.shape;
+    }
+  };
+
+  // The squares of the sides over the area: small if the sides are about the same.
+  static Cost cost(const Point& a, const Point& b, const Point& c)
+  {
+    const double ux = b.x - a.x, uy = b.y - a.y, vx = c.x - a.x, vy = c.y - a.y, wx = c.x - b.x, wy = c.y - b.y;
+    const double squares = ux * ux + uy * uy + vx * vx + vy * vy + wx * wx + wy * wy;
+    const double area = ux * vy - uy * vx;
+    Cost result;
+    if(area > 4 * Tolerance<double>::unit_roundoff() * squares)
+      result.shape = squares / area;
+    else
+      result.badness = 1;
+    return result;
+  }
+
+  void collect(std::uint32_t i, std::uint32_t j, std::size_t n)
+  {
+    if(j < i + 2)
+      return;
+    const std::uint32_t k = m_apex[i * n + j];
+    m_triangles.push_back(Triangle{i, k, j});
+    collect(i, k, n);
+    collect(k, j, n);
+  }
+
+  std::vector<Cost> m_cost;
+  std::vector<std::uint32_t> m_apex;
+  std::vector<Triangle> m_triangles;
+  std::uint64_t m_badness = 0;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_POLYGON_TRIANGULATION_H

@@ -1,0 +1,136 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_VORONOI_CELL_MEASURES_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_VORONOI_CELL_MEASURES_H
+
+// Areas and centroids of cells. Each face adds to the cells in it; a face in several cells by integrals along the
+// borders of their parts: along the border of the face from breakpoint to breakpoint, and along each arc once
+// for both of its sides. So the areas add up to that of the mesh.
+
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Arc_curve.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Voronoi_complex.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+class Voronoi_cell_measures
+{
+public:
+  using Space_point = std::array<double, 3>;
+
+  void clear()
+  {
+    m_sums.clear();
+    m_last_sum = nullptr;
+  }
+
+  // adds a face whose corners are at the points given.
+  void add_face(const Voronoi_complex<double>& complex, Face_id f, const std::array<Space_point, 3>& corner)
+  {
+    const auto layout = complex.layout(f);
+    m_parts.clear();
+    complex.for_each_border_interval(
+      f, [&](Vertex_id site, const Planar_point<double>& p, const Planar_point<double>& q)
+    { part(site).add(segment_integrals(p, q)); });
+    const auto arcs = complex.arcs_of_face(f);
+    for(std::uint32_t a = arcs.first; a < arcs.second; ++a)
+    {
+      const Voronoi_arc<double>& arc = complex.arcs()[a];
+      const Border_integrals i = Arc_curve(arc).integrals();
+      part(arc.left_site).add(i);
+      part(arc.right_site).add(i, -1);
+    }
+    for(const Part& p : m_parts)
+      add_part(sum(p.site), p.integrals, layout, corner);
+  }
+
+  double area(Vertex_id site) const
+  {
+    const auto it = m_sums.find(site);
+    return it == m_sums.end() ? 0 : it->second.area;
+  }
+
+  // is not finite if the cell has no area.
+  Space_point centroid(Vertex_id site) const
+  {
+    Sum s;
+    const auto it = m_sums.find(site);
+    if(it != m_sums.end())
+      s = it->second;
+    for(double& x : s.moment)
+      x /= s.area;
+    return s.moment;
+  }
+
+private:
+  struct Sum
+  {
+    double area = 0;
+    Space_point moment{};
+  };
+
+  // What a cell has of a face.
+  struct Part
+  {
+    Vertex_id site;
+    Border_integrals integrals;
+  };
+
+  // There are few in a face, mostly one.
+  Border_integrals& part(Vertex_id site)
+  {
+    for(Part& p : m_parts)
+      if(p.site == site)
+        return p.integrals;
+    m_parts.push_back(Part{site, Border_integrals()});
+    return m_parts.back().integrals;
+  }
+
+  // is mostly that of the face before.
+  Sum& sum(Vertex_id site)
+  {
+    if(m_last_sum == nullptr || m_last_site != site)
+    {
+      m_last_sum = &m_sums[site];
+      m_last_site = site;
+    }
+    return *m_last_sum;
+  }
+
+  static void add_part(Sum& s, const Border_integrals& i, const std::array<Planar_point<double>, 3>& layout,
+                       const std::array<Space_point, 3>& corner)
+  {
+    s.area += i.area;
+    if(!(layout[1].x > 0) || !(layout[2].y > 0))
+      return;
+    // the integrals of the barycentric coordinates
+    const double b2 = i.y / layout[2].y, b1 = (i.x - b2 * layout[2].x) / layout[1].x, b0 = i.area - b1 - b2;
+    for(unsigned int k = 0; k < 3; ++k)
+      s.moment[k] += b0 * corner[0][k] + b1 * corner[1][k] + b2 * corner[2][k];
+  }
+
+  std::unordered_map<Vertex_id, Sum> m_sums;
+  Vertex_id m_last_site = null_id;
+  Sum* m_last_sum = nullptr;
+  std::vector<Part> m_parts; // of a face
+};
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_VORONOI_CELL_MEASURES_H

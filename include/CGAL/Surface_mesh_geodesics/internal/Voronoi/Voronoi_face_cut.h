@@ -1,0 +1,537 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_VORONOI_FACE_CUT_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_VORONOI_FACE_CUT_H
+
+// A face cut along the arcs in it, in its layout: triangles that belong to one cell each.
+//
+// The complex is generic, the cut is not: what has no length there becomes one vertex here. Nodes on an edge that are
+// nearer to a vertex of the mesh, or to each other, than rounding can tell are the same; this is decided for the
+// edge, so that both of its faces do the same (Edge_contraction). Inside a face, nodes are contracted along arcs
+// without length. All else is combinatorics: the pieces of cells are closed walks along the border and along curves,
+// each of them is divided into cycles without repeated vertices, and cycles of two vertices (arcs along an edge) are
+// left out. So the cut fits together whatever numbers are.
+//
+// Curves are sampled. If segments cross where curves are near to each other, the face is sampled more finely.
+
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Arc_curve.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Polygon_triangulation.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Voronoi_complex.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <set>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+// The vertices of a cut edge, from the source of a halfedge: 0 is its source, last() its target, and the nodes
+// between are at 1, ..., last() - 1.
+class Edge_contraction
+{
+public:
+  using Complex = Voronoi_complex<double>;
+  using Mesh = Intrinsic_mesh<double>;
+
+  Edge_contraction(const Mesh& mesh, const Complex& complex, Halfedge_id h) : m_nodes(complex.nodes_on_edge(h))
+  {
+    // as the halfedge with the smaller number sees it
+    const double length = mesh.length(h);
+    const auto is_near = [&](std::uint32_t node, double gap)
+    { return gap <= Tolerance<double>::interval() * (length + complex.nodes()[node].distance / 8); };
+    m_position.resize(m_nodes.number);
+    double place = 0; // of the vertex at m_last
+    for(std::uint32_t i = 0; i < m_nodes.number; ++i)
+    {
+      const std::uint32_t node = m_nodes.first + i;
+      const double x = complex.nodes()[node].place;
+      if(is_near(node, length - x) && length - x < x)
+      {
+        m_position[i] = null_id;
+        continue;
+      }
+      if(!is_near(node, x - place))
+      {
+        ++m_last;
+        place = x;
+        m_first_node.push_back(node);
+      }
+      m_position[i] = m_last;
+    }
+    ++m_last;
+    std::replace(m_position.begin(), m_position.end(), std::uint32_t(null_id), m_last);
+  }
+
+  std::uint32_t last() const { return m_last; }
+  std::uint32_t number_of_nodes() const { return m_nodes.number; }
+
+  // the i-th node from the source of the halfedge, and the position at which it is.
+  std::uint32_t node(std::uint32_t i) const { return m_nodes.node(i); }
+  std::uint32_t position(std::uint32_t i) const
+  {
+    return m_nodes.is_reversed ? m_last - m_position[m_nodes.number - 1 - i] : m_position[i];
+  }
+
+  // a node at a position between the ends.
+  std::uint32_t node_at(std::uint32_t position) const
+  {
+    return m_first_node[m_nodes.is_reversed ? m_last - position - 1 : position - 1];
+  }
+
+private:
+  typename Complex::Nodes_on_edge m_nodes;
+  std::vector<std::uint32_t> m_position, m_first_node;
+  std::uint32_t m_last = 0;
+};
+
+class Voronoi_face_cut
+{
+public:
+  using Complex = Voronoi_complex<double>;
+  using Mesh = Intrinsic_mesh<double>;
+  using Point = Planar_point<double>;
+
+  struct Triangle
+  {
+    std::array<std::uint32_t, 3> vertex;
+    Vertex_id site;
+  };
+
+  Voronoi_face_cut(const Mesh& mesh, const Complex& complex) : m_mesh(mesh), m_complex(complex) {}
+
+  // cuts face f; the segments are not farther from the arcs than `tolerance`, in units of the mesh.
+  void cut(Face_id f, double tolerance)
+  {
+    m_face = f;
+    collect_border();
+    if(m_leaves.empty() || m_complex.has_one_cell(f))
+    {
+      start();
+      std::vector<std::uint32_t> all(m_points.size());
+      for(std::uint32_t i = 0; i < all.size(); ++i)
+        all[i] = i;
+      triangulate(all, m_complex.owner(m_mesh.face(f).vertex[0]));
+      return;
+    }
+    // Closer polylines help where curves cross; a triangle may have no area at any tolerance, and each attempt has up
+    // to four times the vertices of the one before, in cubic time.
+    const int number_of_attempts = 6;
+    const std::size_t many = 256;
+    cut_divided(tolerance);
+    std::size_t number_of_vertices = m_points.size();
+    for(int i = 1; i < number_of_attempts && m_badness > 0 && number_of_vertices <= many; ++i)
+    {
+      const std::vector<Point> points = m_points;
+      const std::vector<Triangle> triangles = m_triangles;
+      const std::uint64_t badness = m_badness;
+      tolerance /= 16;
+      cut_divided(tolerance);
+      number_of_vertices = m_points.size();
+      if(m_badness < badness)
+        continue;
+      m_points = points;
+      m_triangles = triangles;
+      m_badness = badness;
+    }
+  }
+
+  // The vertices: first those on the border, counterclockwise from corner 0, then those inside.
+  const std::vector<Point>& points() const { return m_points; }
+  std::size_t number_of_border_vertices() const { return m_border_points.size(); }
+
+  const std::vector<Triangle>& triangles() const { return m_triangles; }
+
+  // 0 if no triangle is degenerate or clockwise in the layout of the face.
+  std::uint64_t badness() const { return m_badness; }
+
+private:
+  // A node on the border, and the vertex at which it is, in the order of the border. For nodes at the end of the last
+  // side, which is corner 0, `place` is the number of border vertices.
+  struct Leaf
+  {
+    std::uint32_t node, place;
+  };
+
+  // A curve from vertex to vertex of the cut, through nodes of two cells only.
+  struct Strand
+  {
+    Vertex_id left_site, right_site;
+    std::uint32_t first_node, last_node;
+    std::vector<std::uint32_t> vertices;
+  };
+
+  // --- the border ---
+
+  void collect_border()
+  {
+    const std::array<Point, 3> corner = m_complex.layout(m_face);
+    m_border_points.clear();
+    m_sides.clear();
+    m_leaves.clear();
+    for(unsigned int k = 0; k < 3; ++k)
+    {
+      const unsigned char side = static_cast<unsigned char>(1u << k);
+      const Halfedge_id h = halfedge_of(m_face, k);
+      const Edge_contraction edge(m_mesh, m_complex, h);
+      const std::uint32_t first = static_cast<std::uint32_t>(m_border_points.size());
+      m_border_points.push_back(corner[k]);
+      m_sides.push_back(static_cast<unsigned char>(side | (1u << previous_place(k))));
+      const Point a = corner[k], b = corner[next_place(k)];
+      for(std::uint32_t i = 1; i < edge.last(); ++i)
+      {
+        const double x = m_complex.nodes()[edge.node_at(i)].place / m_mesh.length(h);
+        const double t = m_complex.nodes_on_edge(h).is_reversed ? 1 - x : x;
+        m_border_points.push_back(Point{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)});
+        m_sides.push_back(side);
+      }
+      for(std::uint32_t i = 0; i < edge.number_of_nodes(); ++i)
+        m_leaves.push_back(Leaf{edge.node(i), first + edge.position(i)});
+    }
+  }
+
+  // --- curves ---
+
+  void start()
+  {
+    m_points = m_border_points;
+    m_sides.resize(m_points.size());
+    m_triangles.clear();
+    m_diagonals.clear();
+    m_badness = 0;
+  }
+
+  void cut_divided(double tolerance)
+  {
+    start();
+    find_vertices_of_nodes();
+    collect_strands(tolerance);
+    collect_regions();
+  }
+
+  // The nodes of the face: those on the border have vertices already; an inner node where three cells meet shares the
+  // vertex of its neighbour along an arc without length, if it has one.
+  void find_vertices_of_nodes()
+  {
+    m_vertex_of_node.clear();
+    for(const Leaf& leaf : m_leaves)
+      m_vertex_of_node.emplace(leaf.node, leaf.place % static_cast<std::uint32_t>(m_border_points.size()));
+    const std::pair<std::uint32_t, std::uint32_t> range = m_complex.arcs_of_face(m_face);
+    for(bool has_changed = true; has_changed;)
+    {
+      has_changed = false;
+      for(std::uint32_t a = range.first; a < range.second; ++a)
+      {
+        const Complex::Arc& arc = m_complex.arcs()[a];
+        if(!m_complex.has_length(arc))
+          has_changed = share_vertex(arc.first_node, arc.last_node) || has_changed;
+      }
+    }
+    for(std::uint32_t a = range.first; a < range.second; ++a)
+      for(std::uint32_t node : {m_complex.arcs()[a].first_node, m_complex.arcs()[a].last_node})
+        if(m_complex.nodes()[node].is_vertex() && m_vertex_of_node.find(node) == m_vertex_of_node.end())
+        {
+          const std::uint32_t vertex = add_vertex(m_complex.nodes()[node].point);
+          m_vertex_of_node.emplace(node, vertex);
+          spread(node, vertex);
+        }
+  }
+
+  // gives one of two nodes the vertex of the other, if only that one has one.
+  bool share_vertex(std::uint32_t a, std::uint32_t b)
+  {
+    const auto at_a = m_vertex_of_node.find(a), at_b = m_vertex_of_node.find(b);
+    const bool has_a = at_a != m_vertex_of_node.end(), has_b = at_b != m_vertex_of_node.end();
+    if(has_a == has_b)
+      return false;
+    const std::uint32_t vertex = has_a ? at_a->second : at_b->second;
+    m_vertex_of_node.emplace(has_a ? b : a, vertex);
+    return true;
+  }
+
+  // gives the vertex of a node to all that arcs without length connect with it.
+  void spread(std::uint32_t node, std::uint32_t vertex)
+  {
+    std::vector<std::uint32_t> waiting{node};
+    const std::pair<std::uint32_t, std::uint32_t> range = m_complex.arcs_of_face(m_face);
+    while(!waiting.empty())
+    {
+      const std::uint32_t n = waiting.back();
+      waiting.pop_back();
+      for(std::uint32_t a = range.first; a < range.second; ++a)
+      {
+        const Complex::Arc& arc = m_complex.arcs()[a];
+        if(m_complex.has_length(arc) || (arc.first_node != n && arc.last_node != n))
+          continue;
+        const std::uint32_t other = arc.first_node == n ? arc.last_node : arc.first_node;
+        if(m_vertex_of_node.emplace(other, vertex).second)
+          waiting.push_back(other);
+      }
+    }
+  }
+
+  std::uint32_t add_vertex(const Point& p)
+  {
+    m_points.push_back(p);
+    m_sides.push_back(0);
+    return static_cast<std::uint32_t>(m_points.size() - 1);
+  }
+
+  bool ends_strand(std::uint32_t node) const
+  {
+    return m_complex.nodes()[node].is_vertex() || is_leaf(node);
+  }
+
+  bool is_leaf(std::uint32_t node) const
+  {
+    return std::any_of(m_leaves.begin(), m_leaves.end(), [node](const Leaf& l) { return l.node == node; });
+  }
+
+  void collect_strands(double tolerance)
+  {
+    m_strands.clear();
+    const std::pair<std::uint32_t, std::uint32_t> range = m_complex.arcs_of_face(m_face);
+    std::vector<char> is_used(range.second - range.first, 0);
+    for(std::uint32_t a = range.first; a < range.second; ++a)
+      for(std::uint32_t node : {m_complex.arcs()[a].first_node, m_complex.arcs()[a].last_node})
+        if(is_used[a - range.first] == 0 && ends_strand(node))
+          add_strand(a, node, tolerance, is_used);
+  }
+
+  // the strand that leaves a node by an arc.
+  void add_strand(std::uint32_t arc, std::uint32_t node, double tolerance, std::vector<char>& is_used)
+  {
+    const std::pair<std::uint32_t, std::uint32_t> range = m_complex.arcs_of_face(m_face);
+    Strand strand;
+    const Complex::Arc& begin = m_complex.arcs()[arc];
+    const bool starts_backwards = begin.first_node != node;
+    strand.left_site = starts_backwards ? begin.right_site : begin.left_site;
+    strand.right_site = starts_backwards ? begin.left_site : begin.right_site;
+    strand.first_node = node;
+    m_samples.clear();
+    m_samples.push_back(starts_backwards ? begin.last : begin.first);
+    while(true)
+    {
+      const Complex::Arc& a = m_complex.arcs()[arc];
+      is_used[arc - range.first] = 1;
+      sample(a, a.first_node != node, tolerance / 2);
+      node = a.first_node == node ? a.last_node : a.first_node;
+      if(ends_strand(node))
+        break;
+      const auto& next = m_complex.nodes()[node].arc;
+      arc = next[0] == arc ? next[1] : next[0];
+      if(arc == null_id || is_used[arc - range.first] != 0)
+        break;
+    }
+    strand.last_node = node;
+    const std::uint32_t first = m_vertex_of_node.at(strand.first_node), last = m_vertex_of_node.at(node);
+    m_samples.front() = m_points[first];
+    m_samples.back() = m_points[last];
+    strand.vertices.push_back(first);
+    if(first != last)
+      simplify(0, m_samples.size() - 1, tolerance / 2, has_to_leave_side(first, last), strand.vertices);
+    strand.vertices.push_back(last);
+    m_strands.push_back(std::move(strand));
+  }
+
+  void sample(const Complex::Arc& a, bool is_backwards, double tolerance)
+  {
+    const std::size_t first = m_samples.size();
+    const Arc_curve curve(a);
+    curve.sample(tolerance, [&](const Point& p) { m_samples.push_back(p); });
+    if(m_samples.size() == first + 1) // so that there is something inside if that is needed
+      m_samples.insert(m_samples.end() - 1, curve.point(0.5));
+    if(!is_backwards)
+      return;
+    std::reverse(m_samples.begin() + static_cast<std::ptrdiff_t>(first), m_samples.end() - 1);
+    m_samples.back() = a.first;
+  }
+
+  // A curve between vertices of one side must not be replaced by the segment if there are others between them.
+  bool has_to_leave_side(std::uint32_t a, std::uint32_t b) const
+  {
+    const std::uint32_t n = static_cast<std::uint32_t>(m_border_points.size());
+    return (m_sides[a] & m_sides[b]) != 0 && (a + 1) % n != b && (b + 1) % n != a;
+  }
+
+  // adds vertices for those samples between i and j that are needed (D. H. Douglas, T. K. Peucker).
+  void simplify(std::size_t i, std::size_t j, double tolerance, bool is_forced, std::vector<std::uint32_t>& vertices)
+  {
+    std::size_t best = i;
+    double largest = -1;
+    for(std::size_t k = i + 1; k < j; ++k)
+    {
+      const double d = distance_to_segment(m_samples[k], m_samples[i], m_samples[j]);
+      if(d > largest)
+      {
+        best = k;
+        largest = d;
+      }
+    }
+    if(best == i || (!is_forced && largest <= tolerance))
+      return;
+    simplify(i, best, tolerance, false, vertices);
+    vertices.push_back(add_vertex(m_samples[best]));
+    simplify(best, j, tolerance, false, vertices);
+  }
+
+  static double distance_to_segment(const Point& p, const Point& a, const Point& b)
+  {
+    const double dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;
+    double t = square > 0 ? ((p.x - a.x) * dx + (p.y - a.y) * dy) / square : 0;
+    t = (std::min)((std::max)(t, 0.), 1.);
+    return distance(p, Point{a.x + t * dx, a.y + t * dy});
+  }
+
+  // --- pieces of cells ---
+
+  // Each piece is run around once: along the border from leaf to leaf, and along the strands back to the border.
+  void collect_regions()
+  {
+    const std::size_t n = m_leaves.size();
+    std::vector<char> is_seen(n, 0);
+    std::vector<std::uint32_t> walk;
+    for(std::size_t start = 0; start < n; ++start)
+    {
+      if(is_seen[start])
+        continue;
+      const Vertex_id site = site_behind(start);
+      walk.clear();
+      std::size_t i = start;
+      while(!is_seen[i])
+      {
+        is_seen[i] = 1;
+        walk_along_border(i, (i + 1) % n, walk);
+        i = walk_along_strands((i + 1) % n, site, walk);
+      }
+      divide_into_cycles(walk, site);
+    }
+  }
+
+  // the cell on the border behind a leaf, as this face sees it.
+  Vertex_id site_behind(std::size_t leaf) const
+  {
+    const std::uint32_t node = m_leaves[leaf].node;
+    for(const Strand& s : m_strands)
+      if(s.first_node == node)
+        return s.right_site;
+      else if(s.last_node == node)
+        return s.left_site;
+    return m_complex.nodes()[node].sites[1];
+  }
+
+  void walk_along_border(std::size_t from, std::size_t to, std::vector<std::uint32_t>& walk) const
+  {
+    const std::uint32_t n = static_cast<std::uint32_t>(m_border_points.size());
+    const std::uint32_t end = m_leaves[to].place + (to > from ? 0 : n);
+    for(std::uint32_t i = m_leaves[from].place; i <= end; ++i)
+      walk.push_back(i % n);
+  }
+
+  // along the strands with the cell on the left, from a leaf to the next leaf, which is returned.
+  std::size_t walk_along_strands(std::size_t leaf, Vertex_id site, std::vector<std::uint32_t>& walk) const
+  {
+    std::uint32_t node = m_leaves[leaf].node;
+    for(std::size_t steps = 0; steps <= m_strands.size(); ++steps)
+    {
+      const auto it = std::find_if(m_strands.begin(), m_strands.end(), [&](const Strand& s)
+      { return (s.first_node == node && s.left_site == site) || (s.last_node == node && s.right_site == site); });
+      if(it == m_strands.end())
+        break;
+      if(it->first_node == node && it->left_site == site)
+      {
+        walk.insert(walk.end(), it->vertices.begin(), it->vertices.end());
+        node = it->last_node;
+      }
+      else
+      {
+        walk.insert(walk.end(), it->vertices.rbegin(), it->vertices.rend());
+        node = it->first_node;
+      }
+      for(std::size_t i = 0; i < m_leaves.size(); ++i)
+        if(m_leaves[i].node == node)
+          return i;
+    }
+    CGAL_assertion_msg(false, "a curve in a face has no end");
+    return leaf;
+  }
+
+  // A vertex that is met twice cuts off what is between.
+  void divide_into_cycles(const std::vector<std::uint32_t>& walk, Vertex_id site)
+  {
+    std::vector<std::uint32_t> open;
+    for(std::uint32_t v : walk)
+    {
+      const auto it = std::find(open.begin(), open.end(), v);
+      if(it == open.end())
+      {
+        open.push_back(v);
+        continue;
+      }
+      triangulate(std::vector<std::uint32_t>(it, open.end()), site);
+      open.erase(it + 1, open.end());
+    }
+    triangulate(open, site);
+  }
+
+  void triangulate(const std::vector<std::uint32_t>& cycle, Vertex_id site)
+  {
+    if(cycle.size() < 3)
+      return;
+    m_polygon.clear();
+    for(std::uint32_t v : cycle)
+      m_polygon.push_back(m_points[v]);
+    // A diagonal along a side of the face, or one that is there already, would be a second edge of its vertices.
+    m_triangulation.build(m_polygon, [&](std::size_t i, std::size_t j)
+    {
+      const std::uint32_t a = cycle[i], b = cycle[j];
+      return (m_sides[a] & m_sides[b]) == 0 && m_diagonals.count(std::minmax(a, b)) == 0;
+    });
+    m_badness += m_triangulation.badness();
+    for(const Polygon_triangulation::Triangle& t : m_triangulation.triangles())
+    {
+      m_triangles.push_back(Triangle{{cycle[t[0]], cycle[t[1]], cycle[t[2]]}, site});
+      for(unsigned int k = 0; k < 3; ++k)
+      {
+        const std::uint32_t a = cycle[t[k]], b = cycle[t[next_place(k)]];
+        m_diagonals.insert(std::minmax(a, b));
+      }
+    }
+  }
+
+  const Mesh& m_mesh;
+  const Complex& m_complex;
+  Face_id m_face = null_id;
+  std::vector<Point> m_border_points, m_points;
+  std::vector<unsigned char> m_sides; // the sides on which a vertex is, one bit for each
+  std::vector<Leaf> m_leaves;
+  std::vector<Triangle> m_triangles;
+  std::uint64_t m_badness = 0;
+  std::unordered_map<std::uint32_t, std::uint32_t> m_vertex_of_node;
+  std::vector<Strand> m_strands;
+  std::vector<Point> m_samples, m_polygon;
+  std::set<std::pair<std::uint32_t, std::uint32_t>> m_diagonals;
+  Polygon_triangulation m_triangulation;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_VORONOI_FACE_CUT_H

@@ -1,0 +1,41 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_AVAILABLE_TAG_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_AVAILABLE_TAG_H
+
+// What a concurrency tag of the user means in this compilation.
+
+#include <CGAL/tags.h>
+
+#include <type_traits>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+// Parallel_tag or Sequential_tag.
+template <typename ConcurrencyTag>
+struct Available_tag
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  using type = std::conditional_t<std::is_convertible<ConcurrencyTag, Parallel_tag>::value, Parallel_tag,
+                                  Sequential_tag>;
+#else
+  static_assert(!std::is_convertible<ConcurrencyTag, Parallel_tag>::value,
+                "Parallel_tag is enabled but TBB is unavailable.");
+  using type = Sequential_tag;
+#endif
+};
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_AVAILABLE_TAG_H

@@ -1,0 +1,167 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_DISTANCE_CERTIFIER_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_DISTANCE_CERTIFIER_H
+
+// Checks the distances of a user: the witnesses, which are paths and windows, come from a propagation of its own; what
+// they say is checked by Distance_checks and Lower_bound_check, which know nothing of it.
+
+#include <CGAL/Surface_mesh_geodesics/internal/certificate/Distance_checks.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_propagation.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/Distance_solver.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/Edge_window_field.h>
+#include <CGAL/Surface_mesh_geodesics/internal/certificate/Lower_bound_check.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/Pruning_rules.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Source_insertion.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
+#include <CGAL/Surface_mesh_geodesics/internal/certificate/Worst_violation.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/source_range.h>
+
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+// In the order of Geodesic_distance_certificate::Condition.
+enum Checked_condition : unsigned int
+{
+  CHECKED_REACH,
+  CHECKED_SOURCES,
+  CHECKED_EDGES,
+  CHECKED_PAIRS_OF_FACES,
+  CHECKED_PATHS,
+  CHECKED_LOWER_BOUNDS,
+  CHECKED_PROOF,
+  CHECKED_REVERSE,
+  NUMBER_OF_CHECKED_CONDITIONS
+};
+
+template <typename FT>
+using Checked_conditions = std::array<Worst_violation<FT>, NUMBER_OF_CHECKED_CONDITIONS>;
+
+template <typename FT, typename TriangleMesh, typename VertexIndexMap, typename FaceIndexMap>
+class Distance_certifier
+{
+public:
+  using Surface = Intrinsic_surface<FT, TriangleMesh, VertexIndexMap, FaceIndexMap>;
+  using Field = Vertex_distance_field<FT>;
+
+  template <typename Shape>
+  Distance_certifier(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim, Shape shape)
+    : m_surface(tm, vim, fim, std::move(shape)), m_insertion(m_surface.mesh())
+  {}
+
+  Distance_certifier(const Distance_certifier&) = delete;
+  Distance_certifier& operator=(const Distance_certifier&) = delete;
+
+  const Surface& surface() const { return m_surface; }
+
+  // is to be called once, before run().
+  template <typename Sources>
+  void set_sources(const Sources& sources, const std::vector<double>& offsets)
+  {
+    Source_set<FT> set = m_surface.source_set(sources, offsets);
+    insert_located_sources(set.located, m_insertion, set.vertices);
+    for(std::size_t i = 0; i < set.vertices.size(); ++i)
+      m_sources.emplace_back(set.vertices[i], set.offsets.empty() ? FT(0) : set.offsets[i]);
+  }
+
+  // `value(v)` is the distance of a vertex descriptor v, in the unit of the user; there are no distances beyond
+  // `limit`.
+  template <typename Value>
+  Checked_conditions<FT> run(Value value, const FT& user_limit, std::size_t number_of_reverse_runs)
+  {
+    const FT limit = user_limit / m_surface.unit();
+    Distance_checks<FT> checks(m_surface.mesh(), m_surface.number_of_vertices());
+    for(Vertex_id v = 0; v < m_surface.number_of_vertices(); ++v)
+      checks.values[v] = FT(value(m_surface.descriptor(v))) / m_surface.unit();
+    for(const std::pair<Vertex_id, FT>& s : m_sources)
+      checks.offsets[s.first] = (std::min)(checks.offsets[s.first], s.second);
+
+    Checked_conditions<FT> result;
+    result[CHECKED_REACH] = checks.check_reach(limit);
+    result[CHECKED_SOURCES] = checks.check_sources();
+    result[CHECKED_EDGES] = checks.check_edges(limit);
+    result[CHECKED_PAIRS_OF_FACES] = checks.check_pairs_of_faces(limit);
+    check_with_witness(checks, limit, result);
+    result[CHECKED_REVERSE] = check_reverse(checks, limit, number_of_reverse_runs);
+    return result;
+  }
+
+private:
+  void check_with_witness(const Distance_checks<FT>& checks, const FT& limit, Checked_conditions<FT>& result) const
+  {
+    Edge_window_field<FT> windows;
+    windows.reset(m_surface.mesh().number_of_faces());
+    Field field;
+    field.keeps_images = true;
+    Distance_propagation<FT, All_pruning_rules, Window_keeper<FT>> propagation(m_surface.mesh(), field,
+                                                                              Window_keeper<FT>(windows));
+    for(const std::pair<Vertex_id, FT>& s : m_sources)
+      propagation.add_source(s.first, s.second);
+    propagation.run([](std::size_t, const FT&) { return true; });
+    result[CHECKED_PATHS] = checks.check_paths(field, limit);
+    result[CHECKED_LOWER_BOUNDS] = checks.check_lower_bounds(field.distance, limit);
+    Lower_bound_check<FT> proof(m_surface.mesh(), field.distance, checks.extents(), windows);
+    result[CHECKED_PROOF] = proof.run();
+    result[CHECKED_PROOF].look_at(check_bounds_at_sources(field, checks));
+  }
+
+  Worst_violation<FT> check_bounds_at_sources(const Field& field, const Distance_checks<FT>& checks) const
+  {
+    Worst_violation<FT> worst;
+    for(const std::pair<Vertex_id, FT>& s : m_sources)
+      worst.look_at(field.distance[s.first] - s.second, field.distance[s.first], checks.extents()[s.first], s.first);
+    return worst;
+  }
+
+  // from vertices here and there to the sources.
+  Worst_violation<FT> check_reverse(const Distance_checks<FT>& checks, const FT& limit, std::size_t number) const
+  {
+    std::vector<Vertex_id> targets;
+    for(const std::pair<Vertex_id, FT>& s : m_sources)
+      targets.push_back(s.first);
+    Field field;
+    Distance_propagation<FT> propagation(m_surface.mesh(), field);
+    Worst_violation<FT> worst;
+    const std::size_t n = m_surface.number_of_vertices();
+    for(std::size_t i = 0; i < (std::min)(number, n); ++i)
+    {
+      // (near the ends and in between: numbers grow with the distance from some face)
+      const Vertex_id v = static_cast<Vertex_id>(number > 1 ? (n - 1) * i / (number - 1) : n / 2);
+      propagation.restart();
+      propagation.add_source(v, FT(0));
+      propagation.set_targets(targets.data(), targets.data() + targets.size());
+      propagation.run([](std::size_t, const FT&) { return true; });
+      checks.look_at_reverse(v, field, limit, worst);
+    }
+    return worst;
+  }
+
+  Surface m_surface;
+  Source_insertion<FT> m_insertion;
+  std::vector<std::pair<Vertex_id, FT>> m_sources; // with offsets
+};
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_DISTANCE_CERTIFIER_H

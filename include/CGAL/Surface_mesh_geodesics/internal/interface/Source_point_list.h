@@ -1,0 +1,157 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_SOURCE_POINT_LIST_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_SOURCE_POINT_LIST_H
+
+// The source points of the class of shortest paths, in the order in which they were added, and the iterators to them.
+// Queries answer with the source points as they were when the structure was built: those that have been removed
+// since are kept until it has been built again.
+
+#include <CGAL/assertions.h>
+
+#include <cstddef>
+#include <iterator>
+#include <list>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+// A source point as it was given; `vertex` is the null vertex unless it was given as a vertex.
+template <typename FaceLocation, typename VertexDescriptor>
+struct Source_point
+{
+  FaceLocation location;
+  VertexDescriptor vertex;
+  bool is_removed = false; // it is kept until the structure is built again
+};
+
+template <typename FaceLocation, typename VertexDescriptor>
+class Source_point_list;
+
+// The iterator of the user: it shows the location only.
+template <typename FaceLocation, typename VertexDescriptor>
+class Source_point_iterator
+{
+  using Underlying = typename std::list<Source_point<FaceLocation, VertexDescriptor>>::const_iterator;
+
+public:
+  using iterator_category = std::bidirectional_iterator_tag;
+  using value_type = FaceLocation;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const FaceLocation*;
+  using reference = const FaceLocation&;
+
+  Source_point_iterator() = default;
+
+  reference operator*() const { return m_iterator->location; }
+  pointer operator->() const { return &m_iterator->location; }
+
+  Source_point_iterator& operator++()
+  {
+    ++m_iterator;
+    return *this;
+  }
+
+  Source_point_iterator operator++(int) { return Source_point_iterator(m_iterator++); }
+
+  Source_point_iterator& operator--()
+  {
+    --m_iterator;
+    return *this;
+  }
+
+  Source_point_iterator operator--(int) { return Source_point_iterator(m_iterator--); }
+
+  bool operator==(const Source_point_iterator& other) const { return m_iterator == other.m_iterator; }
+  bool operator!=(const Source_point_iterator& other) const { return m_iterator != other.m_iterator; }
+
+private:
+  friend class Source_point_list<FaceLocation, VertexDescriptor>;
+
+  explicit Source_point_iterator(Underlying iterator) : m_iterator(iterator) {}
+
+  Underlying m_iterator{};
+};
+
+template <typename FaceLocation, typename VertexDescriptor>
+class Source_point_list
+{
+public:
+  using Source = Source_point<FaceLocation, VertexDescriptor>;
+  using Iterator = Source_point_iterator<FaceLocation, VertexDescriptor>;
+
+  Iterator begin() const { return Iterator(m_sources.begin()); }
+  Iterator end() const { return Iterator(m_sources.end()); }
+  std::size_t size() const { return m_sources.size(); }
+  const std::list<Source>& sources() const { return m_sources; }
+
+  Iterator add(const Source& source)
+  {
+    const Iterator added(m_sources.insert(m_sources.end(), source));
+    m_has_changed = true;
+    return added;
+  }
+
+  // A source point that has been removed already stays removed.
+  void remove(Iterator it)
+  {
+    CGAL_precondition_msg(!it.m_iterator->is_removed, "the source point has been removed already");
+    if(it.m_iterator->is_removed)
+      return;
+    m_removed.splice(m_removed.begin(), m_sources, it.m_iterator);
+    m_removed.front().is_removed = true;
+    m_has_changed = true;
+  }
+
+  void remove_all()
+  {
+    while(!m_sources.empty())
+      remove(begin());
+  }
+
+  void clear()
+  {
+    m_sources.clear();
+    m_removed.clear();
+    m_by_number.clear();
+    m_has_changed = false;
+  }
+
+  // since the structure was built
+  bool has_changed() const { return m_has_changed; }
+  void mark_changed() { m_has_changed = true; }
+
+  // is to be called when the structure has been built: numbers the source points, and forgets those removed.
+  void mark_built()
+  {
+    m_by_number.clear();
+    for(auto it = m_sources.cbegin(); it != m_sources.cend(); ++it)
+      m_by_number.push_back(Iterator(it));
+    m_removed.clear();
+    m_has_changed = false;
+  }
+
+  // the source point with a number that the structure knows
+  Iterator by_number(std::size_t number) const { return m_by_number[number]; }
+
+private:
+  std::list<Source> m_sources;
+  std::list<Source> m_removed; // since the structure was built
+  std::vector<Iterator> m_by_number;
+  bool m_has_changed = false;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_SOURCE_POINT_LIST_H

@@ -1,0 +1,265 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_SURFACE_LOCATIONS_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_SURFACE_LOCATIONS_H
+
+// Points of the surface in the user's terms: vertices, positions on halfedges, coordinates in faces, points of space,
+// and how one becomes another. There is no state here, the functions are static.
+
+#include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Source_insertion.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/cgal_compatibility.h>
+
+#include <CGAL/AABB_tree.h>
+#include <CGAL/Bbox_3.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+template <typename Traits, typename VertexPointMap>
+struct Surface_locations
+{
+  using Triangle_mesh = typename Traits::Triangle_mesh;
+  using Graph_traits = boost::graph_traits<Triangle_mesh>;
+  using vertex_descriptor = typename Graph_traits::vertex_descriptor;
+  using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
+  using face_descriptor = typename Graph_traits::face_descriptor;
+  using FT = typename Traits::FT;
+  using Point_3 = typename Traits::Point_3;
+  using Ray_3 = typename Traits::Ray_3;
+  using Triangle_3 = typename Traits::Triangle_3;
+  using Barycentric_coordinates = typename Traits::Barycentric_coordinates;
+  using Face_location = std::pair<face_descriptor, Barycentric_coordinates>;
+  using Coordinates = std::array<double, 3>;
+
+  // --- coordinates ---
+
+  static Coordinates weights(const Barycentric_coordinates& location, const Traits& traits)
+  {
+    auto weight = traits.construct_barycentric_coordinates_weight_object();
+    return {CGAL::to_double(weight(location, 0)), CGAL::to_double(weight(location, 1)),
+            CGAL::to_double(weight(location, 2))};
+  }
+
+  static Barycentric_coordinates coordinates(const Coordinates& b, const Traits& traits)
+  {
+    return traits.construct_barycentric_coordinates_object()(FT(b[0]), FT(b[1]), FT(b[2]));
+  }
+
+  // what stands for "nowhere"
+  static Face_location null_location(const Traits& traits)
+  {
+    return Face_location(Graph_traits::null_face(), coordinates({0., 0., 0.}, traits));
+  }
+
+  // --- points ---
+
+  static Point_3 point(face_descriptor f, const Barycentric_coordinates& location, const Triangle_mesh& tm,
+                       VertexPointMap vertex_point_map, const Traits& traits)
+  {
+    const Triangle_3 t = triangle(f, tm, vertex_point_map, traits);
+    auto weight = traits.construct_barycentric_coordinates_weight_object();
+    auto vertex = traits.construct_vertex_3_object();
+    return traits.construct_barycenter_3_object()(vertex(t, 0), weight(location, 0), vertex(t, 1), weight(location, 1),
+                                                  vertex(t, 2), weight(location, 2));
+  }
+
+  static Point_3 point(halfedge_descriptor he, const FT& t, const Triangle_mesh& tm, VertexPointMap vertex_point_map,
+                       const Traits& traits)
+  {
+    return traits.construct_barycenter_3_object()(get(vertex_point_map, target(he, tm)), t,
+                                                  get(vertex_point_map, source(he, tm)));
+  }
+
+  // --- locations ---
+
+  // a halfedge with a face that leads to v, or the null halfedge if v is in no face.
+  static halfedge_descriptor halfedge_in_face(vertex_descriptor v, const Triangle_mesh& tm)
+  {
+    const halfedge_descriptor first = halfedge(v, tm);
+    halfedge_descriptor h = first;
+    while(h != Graph_traits::null_halfedge() && is_border(h, tm))
+    {
+      h = opposite(next(h, tm), tm);
+      if(h == first) // edges may have no face on either side
+        return Graph_traits::null_halfedge();
+    }
+    return h;
+  }
+
+  // the null location if v is in no face.
+  static Face_location location(vertex_descriptor v, const Triangle_mesh& tm, const Traits& traits)
+  {
+    const halfedge_descriptor h = halfedge_in_face(v, tm);
+    return h == Graph_traits::null_halfedge() ? null_location(traits)
+                                              : location_in_face(next(h, tm), FT(0), tm, traits);
+  }
+
+  // the null location if the edge is in no face.
+  static Face_location location(halfedge_descriptor he, const FT& t, const Triangle_mesh& tm, const Traits& traits)
+  {
+    if(!is_border(he, tm))
+      return location_in_face(he, t, tm, traits);
+    const halfedge_descriptor other = opposite(he, tm);
+    return is_border(other, tm) ? null_location(traits) : location_in_face(other, FT(FT(1) - t), tm, traits);
+  }
+
+  // --- locations of points of space ---
+
+  template <typename AABBTraits>
+  static void build_tree(const Triangle_mesh& tm, AABB_tree<AABBTraits>& tree, VertexPointMap vertex_point_map)
+  {
+    const auto range = faces(tm);
+    tree.rebuild(range.begin(), range.end(), tm, vertex_point_map);
+    tree.build();
+  }
+
+  template <typename AABBTraits>
+  static Face_location locate(const Point_3& p, const AABB_tree<AABBTraits>& tree, const Triangle_mesh& tm,
+                              VertexPointMap vertex_point_map, const Traits& traits)
+  {
+    check_size(tree, p);
+    const auto nearest = tree.closest_point_and_primitive(p);
+    return location_of_point(nearest.second, nearest.first, tm, vertex_point_map, traits);
+  }
+
+  // the null location if the ray meets no face in a point.
+  template <typename AABBTraits>
+  static Face_location locate(const Ray_3& ray, const AABB_tree<AABBTraits>& tree, const Triangle_mesh& tm,
+                              VertexPointMap vertex_point_map, const Traits& traits)
+  {
+    check_size(tree, ray.source());
+    using Intersection = typename AABB_tree<AABBTraits>::template Intersection_and_primitive_id<Ray_3>::Type;
+    std::vector<Intersection> intersections;
+    tree.all_intersections(ray, std::back_inserter(intersections));
+
+    auto squared_distance = traits.compute_squared_distance_3_object();
+    const Point_3* nearest = nullptr;
+    face_descriptor nearest_face = Graph_traits::null_face();
+    for(const Intersection& i : intersections)
+    {
+      const Point_3* p = held_value<Point_3>(i.first);
+      if(p == nullptr)
+        continue;
+      if(nearest == nullptr || squared_distance(*p, ray.source()) < squared_distance(*nearest, ray.source()))
+      {
+        nearest = p;
+        nearest_face = i.second;
+      }
+    }
+    return nearest == nullptr ? null_location(traits)
+                              : location_of_point(nearest_face, *nearest, tm, vertex_point_map, traits);
+  }
+
+private:
+  // CGAL's trees and kernels multiply four lengths, which overflow or vanish in `double`: throws then, as the location
+  // would be wrong.
+  template <typename AABBTraits>
+  static void check_size(const AABB_tree<AABBTraits>& tree, const Point_3& p)
+  {
+    if(!std::is_floating_point<FT>::value || tree.empty())
+      return;
+    const Bbox_3 mesh = tree.bbox(), all = mesh + p.bbox();
+    if(!(largest_span(all) <= largest_size) || (largest_span(mesh) > 0 && largest_span(mesh) < 1 / largest_size))
+      throw Invalid_geodesic_input(Invalid_geodesic_input::Reason::NON_FINITE_POINT,
+                                   "the mesh, or its distance from the point to be located, is too large or too small");
+  }
+
+  static double largest_span(const Bbox_3& box)
+  {
+    return (std::max)(box.xmax() - box.xmin(), (std::max)(box.ymax() - box.ymin(), box.zmax() - box.zmin()));
+  }
+
+  static constexpr double largest_size = 1e75;
+
+  static Triangle_3 triangle(face_descriptor f, const Triangle_mesh& tm, VertexPointMap vertex_point_map,
+                             const Traits& traits)
+  {
+    const halfedge_descriptor h = halfedge(f, tm);
+    return traits.construct_triangle_3_object()(get(vertex_point_map, source(h, tm)),
+                                                get(vertex_point_map, target(h, tm)),
+                                                get(vertex_point_map, target(next(h, tm), tm)));
+  }
+
+  // the location at t of a halfedge with a face.
+  static Face_location location_in_face(halfedge_descriptor he, const FT& t, const Triangle_mesh& tm,
+                                        const Traits& traits)
+  {
+    const face_descriptor f = face(he, tm);
+    std::size_t k = 0;
+    for(halfedge_descriptor h = halfedge(f, tm); h != he; h = next(h, tm))
+      ++k;
+    std::array<FT, 3> c = {FT(0), FT(0), FT(0)};
+    c[k] = FT(1) - t;
+    c[(k + 1) % 3] = t;
+    return Face_location(f, traits.construct_barycentric_coordinates_object()(c[0], c[1], c[2]));
+  }
+
+  static Face_location location_of_point(face_descriptor f, const Point_3& p, const Triangle_mesh& tm,
+                                         VertexPointMap vertex_point_map, const Traits& traits)
+  {
+    const Face_location location(f, traits.construct_barycentric_coordinates_in_triangle_3_object()(
+                                      triangle(f, tm, vertex_point_map, traits), p));
+    // A face with nearly no height: its coordinates are lost in rounding, and the point is on its longest side.
+    return Source_insertion<double>::is_valid(weights(location.second, traits))
+             ? location
+             : location_on_longest_side(f, p, tm, vertex_point_map, traits);
+  }
+
+  static Face_location location_on_longest_side(face_descriptor f, const Point_3& p, const Triangle_mesh& tm,
+                                                VertexPointMap vertex_point_map, const Traits& traits)
+  {
+    halfedge_descriptor longest = halfedge(f, tm), h = longest;
+    double squared_length = -1., t = 0.;
+    for(int k = 0; k < 3; ++k, h = next(h, tm))
+    {
+      const Point_3 a = get(vertex_point_map, source(h, tm));
+      const Coordinates side = difference(get(vertex_point_map, target(h, tm)), a);
+      const double l = scalar_product(side, side);
+      if(l > squared_length)
+      {
+        longest = h;
+        squared_length = l;
+        t = scalar_product(side, difference(p, a));
+      }
+    }
+    t = squared_length > 0 ? (std::min)((std::max)(t / squared_length, 0.), 1.) : 0.;
+    return location_in_face(longest, FT(t), tm, traits);
+  }
+
+  static Coordinates difference(const Point_3& p, const Point_3& q)
+  {
+    return {CGAL::to_double(p.x()) - CGAL::to_double(q.x()), CGAL::to_double(p.y()) - CGAL::to_double(q.y()),
+            CGAL::to_double(p.z()) - CGAL::to_double(q.z())};
+  }
+
+  static double scalar_product(const Coordinates& u, const Coordinates& v)
+  {
+    return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+  }
+};
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_SURFACE_LOCATIONS_H

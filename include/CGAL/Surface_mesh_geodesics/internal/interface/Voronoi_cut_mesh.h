@@ -1,0 +1,253 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_VORONOI_CUT_MESH_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_VORONOI_CUT_MESH_H
+
+// The cut faces as a mesh of the user. The connectivity is that of the intrinsic mesh: each of its edges becomes a
+// chain of edges that both faces share, and each face is filled with its triangles. Halfedges are linked one
+// by one, as a mesh may have what Euler operations refuse: pinched vertices, two edges with the same ends.
+
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Voronoi_complex.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Voronoi_face_cut.h>
+
+#include <CGAL/assertions.h>
+#include <CGAL/boost/graph/properties.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+template <typename OutputMesh, typename VertexPointMap>
+class Voronoi_cut_mesh
+{
+  using Graph_traits = boost::graph_traits<OutputMesh>;
+  using vertex_descriptor = typename Graph_traits::vertex_descriptor;
+  using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
+  using face_descriptor = typename Graph_traits::face_descriptor;
+  using Mesh = Intrinsic_mesh<double>;
+  using Complex = Voronoi_complex<double>;
+
+public:
+  Voronoi_cut_mesh(const Mesh& mesh, const Complex& complex, OutputMesh& output, VertexPointMap vpm)
+    : m_mesh(mesh), m_complex(complex), m_output(output), m_vpm(vpm)
+  {}
+
+  // adds the cut surface to the output. point_of_vertex(v) gives the point of a vertex of the mesh,
+  // point_in_face(f, p) that at the point p of the layout of a face; set_site(f, s) is called for each new face.
+  template <typename PointOfVertex, typename PointInFace, typename SetSite>
+  void build(double tolerance, PointOfVertex point_of_vertex, PointInFace point_in_face, SetSite set_site)
+  {
+    for(Vertex_id v = 0; v < m_mesh.number_of_vertices(); ++v)
+      m_vertices.push_back(new_vertex(point_of_vertex(v)));
+    m_first_piece.assign(4 * m_mesh.number_of_faces(), null_id);
+    for(Face_id f = 0; f < m_mesh.number_of_faces(); ++f)
+      for(unsigned int k = 0; k < 3; ++k)
+        if(is_first(halfedge_of(f, k)))
+          add_edge_pieces(halfedge_of(f, k), point_in_face);
+    Voronoi_face_cut cut(m_mesh, m_complex);
+    for(Face_id f = 0; f < m_mesh.number_of_faces(); ++f)
+    {
+      cut.cut(f, tolerance);
+      fill_face(f, cut, point_in_face, set_site);
+    }
+    for(Vertex_id v = 0; v < m_mesh.number_of_vertices(); ++v)
+      link_border_at(v);
+    link_border_inside_edges();
+  }
+
+private:
+  bool is_first(Halfedge_id h) const
+  {
+    const Halfedge_id o = m_mesh.opposite(h);
+    return o == null_id || h < o;
+  }
+
+  template <typename Point>
+  vertex_descriptor new_vertex(const Point& p)
+  {
+    const vertex_descriptor v = add_vertex(m_output);
+    put(m_vpm, v, p);
+    set_halfedge(v, Graph_traits::null_halfedge(), m_output);
+    return v;
+  }
+
+  halfedge_descriptor new_edge(vertex_descriptor from, vertex_descriptor to)
+  {
+    const halfedge_descriptor h = halfedge(add_edge(m_output), m_output), o = opposite(h, m_output);
+    set_target(h, to, m_output);
+    set_target(o, from, m_output);
+    set_face(h, Graph_traits::null_face(), m_output);
+    set_face(o, Graph_traits::null_face(), m_output);
+    return h;
+  }
+
+  template <typename PointInFace>
+  void add_edge_pieces(Halfedge_id h, PointInFace point_in_face)
+  {
+    const Edge_contraction edge(m_mesh, m_complex, h);
+    const auto corner = m_complex.layout(face_of(h));
+    const Planar_point<double> a = corner[place_in_face(h)], b = corner[next_place(place_in_face(h))];
+    vertex_descriptor from = m_vertices[m_mesh.source(h)];
+    m_first_piece[h] = static_cast<std::uint32_t>(m_pieces.size());
+    for(std::uint32_t i = 1; i <= edge.last(); ++i)
+    {
+      vertex_descriptor to = m_vertices[m_mesh.target(h)];
+      if(i < edge.last())
+      {
+        const double t = m_complex.nodes()[edge.node_at(i)].place / m_mesh.length(h);
+        to = new_vertex(point_in_face(face_of(h),
+                                      Planar_point<double>{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)}));
+      }
+      m_pieces.push_back(new_edge(from, to));
+      from = to;
+    }
+    m_pieces.push_back(Graph_traits::null_halfedge()); // the end
+  }
+
+  // adds the halfedges of the border of a face along the halfedge h.
+  void collect_border(Halfedge_id h)
+  {
+    const bool is_reversed = !is_first(h);
+    const std::size_t begin = m_border.size();
+    for(std::size_t i = m_first_piece[is_reversed ? m_mesh.opposite(h) : h];
+        m_pieces[i] != Graph_traits::null_halfedge(); ++i)
+      m_border.push_back(is_reversed ? opposite(m_pieces[i], m_output) : m_pieces[i]);
+    if(is_reversed)
+      std::reverse(m_border.begin() + static_cast<std::ptrdiff_t>(begin), m_border.end());
+  }
+
+  template <typename PointInFace, typename SetSite>
+  void fill_face(Face_id f, const Voronoi_face_cut& cut, PointInFace point_in_face, SetSite set_site)
+  {
+    m_border.clear();
+    for(unsigned int k = 0; k < 3; ++k)
+      collect_border(halfedge_of(f, k));
+    const std::uint32_t n = static_cast<std::uint32_t>(m_border.size());
+    CGAL_assertion(n == cut.number_of_border_vertices());
+    m_local.clear();
+    m_open.clear();
+    for(std::uint32_t i = 0; i < n; ++i)
+    {
+      m_local.push_back(source(m_border[i], m_output));
+      m_open[std::make_pair(i, (i + 1) % n)] = m_border[i];
+    }
+    for(std::size_t i = n; i < cut.points().size(); ++i)
+      m_local.push_back(new_vertex(point_in_face(f, cut.points()[i])));
+    for(const Voronoi_face_cut::Triangle& t : cut.triangles())
+      set_site(add_triangle(t.vertex), t.site);
+    CGAL_assertion_msg(m_open.empty(), "a face is not filled");
+  }
+
+  // a halfedge between vertices of the face of which the triangle on the left is still to be made.
+  halfedge_descriptor take_halfedge(std::uint32_t from, std::uint32_t to)
+  {
+    const auto it = m_open.find(std::make_pair(from, to));
+    if(it != m_open.end())
+    {
+      const halfedge_descriptor h = it->second;
+      m_open.erase(it);
+      return h;
+    }
+    const halfedge_descriptor h = new_edge(m_local[from], m_local[to]);
+    m_open[std::make_pair(to, from)] = opposite(h, m_output);
+    return h;
+  }
+
+  face_descriptor add_triangle(const std::array<std::uint32_t, 3>& vertex)
+  {
+    const face_descriptor f = add_face(m_output);
+    std::array<halfedge_descriptor, 3> h;
+    for(unsigned int k = 0; k < 3; ++k)
+      h[k] = take_halfedge(vertex[k], vertex[next_place(k)]);
+    for(unsigned int k = 0; k < 3; ++k)
+    {
+      set_face(h[k], f, m_output);
+      set_next(h[k], h[next_place(k)], m_output);
+      set_halfedge(target(h[k], m_output), h[k], m_output);
+    }
+    set_halfedge(f, h[0], m_output);
+    return f;
+  }
+
+  halfedge_descriptor first_piece(Halfedge_id h) const
+  {
+    return m_pieces[m_first_piece[h]];
+  }
+
+  halfedge_descriptor last_piece(Halfedge_id h) const
+  {
+    std::size_t i = m_first_piece[h];
+    while(m_pieces[i + 1] != Graph_traits::null_halfedge())
+      ++i;
+    return m_pieces[i];
+  }
+
+  // The halfedges without a face at a vertex: the one that leads to it along one umbrella is followed by the one that
+  // leaves it along the next umbrella, so that a walk around the vertex meets all of them.
+  void link_border_at(Vertex_id v)
+  {
+    std::vector<halfedge_descriptor> entering, leaving;
+    m_mesh.for_each_halfedge_around(v, [&](Halfedge_id h)
+    {
+      if(m_mesh.opposite(h) == null_id)
+        entering.push_back(opposite(first_piece(h), m_output));
+      if(m_mesh.opposite(previous_halfedge(h)) == null_id)
+        leaving.push_back(opposite(last_piece(previous_halfedge(h)), m_output));
+    });
+    for(std::size_t i = 0; i < entering.size(); ++i)
+    {
+      set_next(entering[i], leaving[(i + 1) % leaving.size()], m_output);
+      set_halfedge(m_vertices[v], entering[i], m_output);
+    }
+  }
+
+  void link_border_inside_edges()
+  {
+    for(Halfedge_id h = 0; h < m_first_piece.size(); ++h)
+    {
+      if(m_first_piece[h] == null_id || m_mesh.opposite(h) != null_id)
+        continue;
+      for(std::size_t i = m_first_piece[h]; m_pieces[i + 1] != Graph_traits::null_halfedge(); ++i)
+      {
+        const halfedge_descriptor entering = opposite(m_pieces[i + 1], m_output);
+        set_next(entering, opposite(m_pieces[i], m_output), m_output);
+        set_halfedge(target(entering, m_output), entering, m_output);
+      }
+    }
+  }
+
+  const Mesh& m_mesh;
+  const Complex& m_complex;
+  OutputMesh& m_output;
+  VertexPointMap m_vpm;
+  std::vector<vertex_descriptor> m_vertices;   // of vertices of the mesh
+  std::vector<std::uint32_t> m_first_piece;    // of a halfedge, in m_pieces
+  std::vector<halfedge_descriptor> m_pieces;   // of an edge from its source on, and the null halfedge
+  std::vector<halfedge_descriptor> m_border;   // of a face
+  std::vector<vertex_descriptor> m_local;      // the vertices in a face
+  std::map<std::pair<std::uint32_t, std::uint32_t>, halfedge_descriptor> m_open;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_VORONOI_CUT_MESH_H

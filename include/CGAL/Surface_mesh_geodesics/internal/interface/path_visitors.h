@@ -1,0 +1,158 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_PATH_VISITORS_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_PATH_VISITORS_H
+
+// Who is told of a path: from the elements that the solver tells to the calls of a SurfaceMeshShortestPathVisitor,
+// and two such visitors, which write points.
+
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Source_insertion.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <array>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+// The points of the elements of a path, one after the other, which `paths.point()` gives.
+template <typename Paths>
+class Path_points
+{
+public:
+  using Point_3 = typename Paths::Point_3;
+
+  explicit Path_points(const Paths& paths) : m_paths(paths) {}
+
+  // goes on to a vertex, a halfedge and a parameter, or a face and coordinates. Returns false if rounding makes the
+  // point equal to the one before.
+  template <typename... Element>
+  bool next(const Element&... element)
+  {
+    const Point_3 p = m_paths.point(element...);
+    const bool is_new = m_is_first || p != m_point;
+    m_is_first = false;
+    m_point = p;
+    return is_new;
+  }
+
+  const Point_3& point() const { return m_point; }
+
+private:
+  const Paths& m_paths;
+  bool m_is_first = true;
+  Point_3 m_point = Point_3();
+};
+
+// Writes the points of a path.
+template <typename Paths, typename OutputIterator>
+class Path_point_writer
+{
+public:
+  Path_point_writer(const Paths& paths, OutputIterator output) : m_points(paths), m_output(output) {}
+
+  template <typename... Element>
+  void operator()(const Element&... element)
+  {
+    if(m_points.next(element...))
+      *m_output++ = m_points.point();
+  }
+
+private:
+  Path_points<Paths> m_points;
+  OutputIterator m_output;
+};
+
+// Writes the points of a path, each with the face of the segment that leads to it, which enter() tells.
+template <typename Paths, typename OutputIterator>
+class Path_polyline_writer
+{
+public:
+  using face_descriptor = typename Paths::face_descriptor;
+
+  Path_polyline_writer(const Paths& paths, OutputIterator output) : m_points(paths), m_output(output) {}
+
+  void enter(face_descriptor f) { m_face = f; }
+
+  template <typename... Element>
+  void operator()(const Element&... element)
+  {
+    if(m_points.next(element...))
+      *m_output++ = std::make_pair(m_points.point(), m_face);
+  }
+
+private:
+  Path_points<Paths> m_points;
+  OutputIterator m_output;
+  face_descriptor m_face = boost::graph_traits<typename Paths::Triangle_mesh>::null_face();
+};
+
+template <typename Visitor>
+struct Wants_faces_of_segments : std::false_type
+{};
+
+template <typename Paths, typename OutputIterator>
+struct Wants_faces_of_segments<Path_polyline_writer<Paths, OutputIterator>> : std::true_type
+{};
+
+// From what the solver tells of a path to the calls of the visitor. `structure` knows the source points.
+template <typename Structure, typename Visitor>
+class Path_sequence_sink
+{
+public:
+  using FT = typename Structure::FT;
+  using vertex_descriptor = typename Structure::vertex_descriptor;
+  using halfedge_descriptor = typename Structure::halfedge_descriptor;
+  using face_descriptor = typename Structure::face_descriptor;
+
+  static constexpr bool wants_faces = Wants_faces_of_segments<Visitor>::value;
+
+  Path_sequence_sink(const Structure& structure, Visitor& visitor) : m_structure(structure), m_visitor(visitor) {}
+
+  void vertex(vertex_descriptor v) { m_visitor(v); }
+  void edge(halfedge_descriptor he, double t) { m_visitor(he, FT(t)); }
+
+  void face(face_descriptor f)
+  {
+    static_cast<void>(f);
+    if constexpr(wants_faces)
+      m_visitor.enter(f);
+  }
+
+  // a source point that is not a vertex
+  void source(std::size_t number)
+  {
+    const typename Structure::Face_location& location = *m_structure.sources().by_number(number);
+    std::array<double, 3> b = m_structure.weights(location.second);
+    Source_insertion<double>::snap(b);
+    halfedge_descriptor h = halfedge(location.first, m_structure.mesh());
+    for(std::size_t k = 0; k < 3; ++k, h = next(h, m_structure.mesh()))
+      if(b[(k + 2) % 3] == 0)
+      {
+        m_visitor(h, FT(b[(k + 1) % 3]));
+        return;
+      }
+    m_visitor(location.first, location.second);
+  }
+
+private:
+  const Structure& m_structure;
+  Visitor& m_visitor;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_PATH_VISITORS_H

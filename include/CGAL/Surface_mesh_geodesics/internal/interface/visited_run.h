@@ -1,0 +1,64 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_VISITED_RUN_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_VISITED_RUN_H
+
+// The order in which the functions of a visitor are called (concept GeodesicPropagationVisitor).
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+// calls run(go_on), a propagation that asks go_on(number of visits, distance in the user's unit) at each visit and
+// returns whether the answer was always yes; returns the same.
+template <typename Visitor, typename Run>
+bool visited_run(Visitor& visitor, std::size_t number_of_vertices, Run run)
+{
+  visitor.on_propagation_begin(number_of_vertices);
+  const bool is_complete = run([&visitor](std::size_t number_of_visits, double distance)
+  {
+    visitor.on_progress(number_of_visits, distance);
+    return visitor.go_further();
+  });
+  visitor.on_propagation_end();
+  return is_complete;
+}
+
+// For a function that propagates several times: the visitor of the user, asked nothing more once it has cancelled.
+template <typename Visitor>
+class Visitor_of_several_runs
+{
+public:
+  explicit Visitor_of_several_runs(Visitor& visitor) : m_visitor(visitor) {}
+
+  void on_propagation_begin(std::size_t number_of_vertices) { m_visitor.on_propagation_begin(number_of_vertices); }
+  void on_progress(std::size_t number_of_visits, double distance) { m_visitor.on_progress(number_of_visits, distance); }
+  void on_propagation_end() { m_visitor.on_propagation_end(); }
+
+  bool go_further()
+  {
+    m_is_cancelled = m_is_cancelled || !m_visitor.go_further();
+    return !m_is_cancelled;
+  }
+
+  bool is_cancelled() const { return m_is_cancelled; }
+
+private:
+  Visitor& m_visitor;
+  bool m_is_cancelled = false;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_VISITED_RUN_H

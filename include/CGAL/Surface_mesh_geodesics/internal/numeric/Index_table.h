@@ -1,0 +1,97 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_INDEX_TABLE_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_INDEX_TABLE_H
+
+// What is known of few of the many faces or halfedges of a mesh: a hash table without an allocation for each entry.
+
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+template <typename Value>
+class Index_table
+{
+public:
+  // keeps the memory.
+  void clear()
+  {
+    if(m_size == 0)
+      return;
+    std::fill(m_keys.begin(), m_keys.end(), null_id);
+    m_size = 0;
+  }
+
+  // the value of a key, null if there is none; until the next insertion.
+  const Value* find(std::uint32_t key) const
+  {
+    if(m_size == 0)
+      return nullptr;
+    const std::size_t i = place(key);
+    return m_keys[i] == key ? &m_values[i] : nullptr;
+  }
+
+  // gives a key a value unless it has one; returns whether it had none. The key is not null_id.
+  bool insert(std::uint32_t key, const Value& value)
+  {
+    if(2 * (m_size + 1) > m_keys.size())
+      grow();
+    const std::size_t i = place(key);
+    if(m_keys[i] == key)
+      return false;
+    m_keys[i] = key;
+    m_values[i] = value;
+    ++m_size;
+    return true;
+  }
+
+private:
+  // where the key is, or where it would be. There is a free place.
+  std::size_t place(std::uint32_t key) const
+  {
+    const std::size_t mask = m_keys.size() - 1;
+    std::size_t i = static_cast<std::size_t>((key * std::uint64_t(0x9E3779B97F4A7C15)) >> 32) & mask;
+    while(m_keys[i] != key && m_keys[i] != null_id)
+      i = (i + 1) & mask;
+    return i;
+  }
+
+  void grow()
+  {
+    const std::size_t n = (std::max)(std::size_t(16), 2 * m_keys.size());
+    const std::vector<std::uint32_t> keys = std::exchange(m_keys, std::vector<std::uint32_t>(n, null_id));
+    const std::vector<Value> values = std::exchange(m_values, std::vector<Value>(n));
+    for(std::size_t j = 0; j < keys.size(); ++j)
+      if(keys[j] != null_id)
+      {
+        const std::size_t i = place(keys[j]);
+        m_keys[i] = keys[j];
+        m_values[i] = values[j];
+      }
+  }
+
+  std::vector<std::uint32_t> m_keys; // null_id at free places; as many as a power of two
+  std::vector<Value> m_values;
+  std::size_t m_size = 0;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_INDEX_TABLE_H

@@ -1,0 +1,92 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_NUMBER_SET_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_NUMBER_SET_H
+
+// A set of small numbers that is gone through in ascending order, as a bit for each. Which numbers are in a set cannot
+// be predicted, so asking for each of them takes longer than all that is done with those that are.
+
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/bit_counting.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+class Number_set
+{
+public:
+  static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
+
+  // empties the set, for the numbers 0 .. n-1.
+  void reset(std::size_t n)
+  {
+    m_first = 0;
+    if(n > bits)
+      m_others.assign((n - 1) / bits, 0);
+    else if(!m_others.empty())
+      m_others.clear();
+  }
+
+  // inserts i, if it is to be.
+  void insert(std::size_t i, bool is_to_be = true)
+  {
+    word(i) |= static_cast<std::uint64_t>(is_to_be) << i % bits;
+  }
+
+  void remove(std::size_t i) { word(i) &= ~(std::uint64_t(1) << i % bits); }
+
+  bool empty() const { return next(0) == none; }
+
+  // the smallest number of the set that is not less than i, or `none`.
+  std::size_t next(std::size_t i) const
+  {
+    if(i < bits)
+    {
+      const std::uint64_t rest = m_first >> i;
+      if(rest != 0)
+        return i + trailing_zeros(rest);
+      i = bits;
+    }
+    for(; i / bits <= m_others.size(); i = (i / bits + 1) * bits)
+    {
+      const std::uint64_t rest = m_others[i / bits - 1] >> i % bits;
+      if(rest != 0)
+        return i + trailing_zeros(rest);
+    }
+    return none;
+  }
+
+  // calls visit(i) for the numbers of the set in ascending order. What it inserts behind i is visited as well.
+  template <typename Visit>
+  void for_each(Visit visit) const
+  {
+    for(std::size_t i = next(0); i != none; i = next(i + 1))
+      visit(i);
+  }
+
+private:
+  static constexpr std::size_t bits = 64;
+
+  std::uint64_t& word(std::size_t i) { return i < bits ? m_first : m_others[i / bits - 1]; }
+
+  std::uint64_t m_first = 0;
+  std::vector<std::uint64_t> m_others; // only where there are more than 64 numbers
+};
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_NUMBER_SET_H

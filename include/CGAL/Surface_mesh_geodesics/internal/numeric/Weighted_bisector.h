@@ -1,0 +1,368 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_WEIGHTED_BISECTOR_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_WEIGHTED_BISECTOR_H
+
+// Curves of equal distance from two weighted points of a plane: branches of hyperbolas, or lines.
+//
+// Let F be one of the two points (a focus), d the vector to the other one, s the weight of F less that of
+// the other one, and u the direction from F to a point of the curve at distance r. Squaring
+// r + s = |r u - d| gives 1/r = (s + u d) / K with 2 K = d^2 - s^2: an affine function of u. This stays
+// so for the curves of a third point against F, and for lines; so "which generator is nearer", and "on which
+// side of a line", are linear inequalities in u along the curve.
+//
+// Directions are measured from that of a point p0 of the curve, by the tangent t of half the angle: u is a
+// quotient of polynomials in t of degree two, the point of the curve as well, and each inequality becomes one
+// for such a polynomial. All is written as a difference from p0, so that no digits are lost where the
+// foci are far away in comparison with the piece of the curve that matters.
+
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+template <typename FT>
+FT distance(const Planar_point<FT>& p, const Planar_point<FT>& q)
+{
+  return norm<FT>(p.x - q.x, p.y - q.y);
+}
+
+template <typename FT>
+Planar_point<FT> midpoint(const Planar_point<FT>& p, const Planar_point<FT>& q)
+{
+  return {FT((p.x + q.x) / 2), FT((p.y + q.y) / 2)};
+}
+
+// The distance of a point from it is `weight` plus the distance in the plane.
+template <typename FT>
+struct Weighted_point
+{
+  FT x = 0, y = 0, weight = 0;
+
+  FT distance_to(const Planar_point<FT>& p) const { return weight + norm<FT>(p.x - x, p.y - y); }
+};
+
+// The side of a line: a x + b y + c >= 0.
+template <typename FT>
+struct Half_plane
+{
+  FT a, b, c;
+
+  FT operator()(const Planar_point<FT>& p) const { return a * p.x + b * p.y + c; }
+
+  // the points on the left of the line from p to q; the value is the distance from the line.
+  static Half_plane left_of(const Planar_point<FT>& p, const Planar_point<FT>& q)
+  {
+    return along(FT(q.x - p.x), FT(q.y - p.y), p);
+  }
+
+  // the points on the left of the line through p in the direction (dx, dy).
+  static Half_plane along(const FT& dx, const FT& dy, const Planar_point<FT>& p)
+  {
+    const FT n = norm(dx, dy);
+    const FT a = n > 0 ? FT(-dy / n) : FT(0), b = n > 0 ? FT(dx / n) : FT(0);
+    return Half_plane{a, b, FT(-(a * p.x + b * p.y))};
+  }
+
+  Half_plane opposite() const { return Half_plane{FT(-a), FT(-b), FT(-c)}; }
+};
+
+// c0 + 2 c1 t + c2 t^2
+template <typename FT>
+struct Quadratic
+{
+  FT c0, c1, c2;
+
+  FT operator()(const FT& t) const { return c0 + t * (2 * c1 + t * c2); }
+
+  // is it negative from 0 to t beyond doubt? (Its coefficients in Bernstein form are.)
+  bool is_negative_until(const FT& t) const
+  {
+    const FT b1 = c0 + c1 * t;
+    return c0 < 0 && b1 < 0 && b1 + t * (c1 + c2 * t) < 0;
+  }
+
+  // is it positive from 0 to t, and so by more than rounding?
+  bool is_positive_until(const FT& t) const
+  {
+    using std::abs;
+    const FT rounding = 16 * Tolerance<FT>::unit_roundoff() * (abs(c0) + t * (2 * abs(c1) + t * abs(c2)));
+    const FT b1 = c0 + c1 * t;
+    return c0 > rounding && b1 > rounding && b1 + t * (c1 + c2 * t) > rounding;
+  }
+
+  // its positive roots, in ascending order; infinity for those that do not exist.
+  std::array<FT, 2> positive_roots() const
+  {
+    using std::sqrt;
+    const FT infinity = std::numeric_limits<FT>::infinity();
+    std::array<FT, 2> r{infinity, infinity};
+    const FT discriminant = c1 * c1 - c0 * c2;
+    if(!(discriminant >= 0))
+      return r;
+    const FT q = -(c1 + (c1 < 0 ? FT(-sqrt(discriminant)) : FT(sqrt(discriminant))));
+    if(c2 != 0 && q / c2 > 0)
+      r[0] = q / c2;
+    if(q != 0 && c0 / q > 0)
+      r[1] = c0 / q;
+    if(r[1] < r[0])
+      std::swap(r[0], r[1]);
+    return r;
+  }
+};
+
+template <typename FT_>
+class Weighted_bisector
+{
+public:
+  using FT = FT_;
+  using Point = Planar_point<FT>;
+  using Generator = Weighted_point<FT>;
+
+  // The curve of equal distance from `left` and `right` that starts at p, which is on it but for rounding,
+  // with the points nearer to `left` on its left.
+  Weighted_bisector(const Generator& left, const Generator& right, const Point& p)
+    : m_p(p)
+  {
+    const FT to_left = norm<FT>(p.x - left.x, p.y - left.y);
+    const FT to_right = norm<FT>(p.x - right.x, p.y - right.y);
+    // the nearer focus, unless the curve starts there
+    m_is_left_focus = to_left > 0 && (to_left <= to_right || !(to_right > 0));
+    m_focus = m_is_left_focus ? left : right;
+    const Generator& other = m_is_left_focus ? right : left;
+    const FT r = m_is_left_focus ? to_left : to_right;
+    const FT dx = other.x - m_focus.x, dy = other.y - m_focus.y;
+    const FT d = norm(dx, dy), s = m_focus.weight - other.weight;
+    const FT k = (d - s) * (d + s) / 2;
+    // where one generator is on the way from the other one, the curve is a ray
+    const FT rounding = relative_rounding() * (m_focus.weight + r);
+    m_is_valid = r > 0 && k > 4 * Tolerance<FT>::distance() * d * d && d - s > rounding && d + s > rounding;
+    if(!m_is_valid)
+    {
+      find_ray(left, right);
+      return;
+    }
+    m_radius = r;
+    m_ux = (p.x - m_focus.x) / r;
+    m_uy = (p.y - m_focus.y) / r;
+    if(d <= Tolerance<FT>::closeness() * r)
+    {
+      find_line(left, right);
+      return;
+    }
+    m_vx = -m_uy;
+    m_vy = m_ux;
+    m_a = (dx * m_ux + dy * m_uy) / k;
+    m_b = (dx * m_vx + dy * m_vy) / k;
+    set_tangent();
+    // the gradient of the difference of the distances points to the side of `left`
+    const FT nx = (to_right > 0 ? FT((p.x - right.x) / to_right) : FT(0))
+                - (to_left > 0 ? FT((p.x - left.x) / to_left) : FT(0));
+    const FT ny = (to_right > 0 ? FT((p.y - right.y) / to_right) : FT(0))
+                - (to_left > 0 ? FT((p.y - left.y) / to_left) : FT(0));
+    if(m_tx * ny - m_ty * nx < 0)
+    {
+      m_vx = -m_vx;
+      m_vy = -m_vy;
+      m_b = -m_b;
+      set_tangent();
+    }
+    const FT rho = 1 / r;
+    m_denominator = Quadratic<FT>{rho, m_b, FT(rho - 2 * m_a)};
+    m_bend = 1 - m_a * r;
+  }
+
+  const Point& start() const { return m_p; }
+
+  // false where the two distances do not differ in their precision, or no curve exists.
+  bool is_valid() const { return m_is_valid; }
+
+  // Paths from one generator bend at the other one, and the points of the ray behind it are as far from both. The other
+  // functions are then those of the ray, as far as they exist, and the parameter is the length.
+  bool is_ray() const { return m_is_straight && !m_is_valid; }
+
+  // Is it `left` by whose distances the curve is described? At a ray it is the one where paths bend.
+  bool is_left_focus() const { return m_is_left_focus; }
+
+  Point point(const FT& t) const
+  {
+    if(m_is_straight)
+      return Point{FT(m_p.x + t * m_tx), FT(m_p.y + t * m_ty)};
+    const FT factor = 2 * t / m_denominator(t), g = t * m_bend;
+    return Point{FT(m_p.x + factor * (m_tx - g * m_ux)), FT(m_p.y + factor * (m_ty - g * m_uy))};
+  }
+
+  // No point of the curve from 0 to t is farther from its start than this.
+  FT extent(const FT& t) const
+  {
+    using std::abs;
+    if(m_is_straight)
+      return t;
+    const Quadratic<FT>& w = m_denominator;
+    const FT smallest = (std::min)({w.c0, FT(w.c0 + w.c1 * t), w(t)});
+    if(!(smallest > 0))
+      return std::numeric_limits<FT>::infinity();
+    return 2 * t * (norm(m_tx, m_ty) + t * abs(m_bend)) / smallest;
+  }
+
+  // Is it a curve that bends? Those that are straight, as far as one can tell, have no angles and no derivative.
+  bool is_curved() const { return m_is_valid && !m_is_straight; }
+
+  // the arc tangent of the parameter of a point.
+  FT angle(const Point& p) const
+  {
+    using std::atan2;
+    const FT x = p.x - m_focus.x, y = p.y - m_focus.y;
+    const FT along = x * m_ux + y * m_uy, across = x * m_vx + y * m_vy;
+    return atan2(across, FT(norm(along, across) + along));
+  }
+
+  Point point_at_angle(const FT& angle) const
+  {
+    using std::tan;
+    return point(tan(angle));
+  }
+
+  // dp/dt
+  Point derivative(const FT& t) const
+  {
+    // p - p0 = n / w
+    const Quadratic<FT>& w = m_denominator;
+    const FT g = m_bend, wt = w(t), dw = 2 * (w.c1 + t * w.c2), square = wt * wt;
+    const FT nx = 2 * t * (m_tx - t * g * m_ux), ny = 2 * t * (m_ty - t * g * m_uy);
+    const FT mx = 2 * m_tx - 4 * t * g * m_ux, my = 2 * m_ty - 4 * t * g * m_uy;
+    return Point{FT((mx * wt - nx * dw) / square), FT((my * wt - ny * dw) / square)};
+  }
+
+  // is positive where the curve exists.
+  const Quadratic<FT>& denominator() const { return m_denominator; }
+
+  // where the curve ends, at infinity; behind it point() is on the other branch.
+  FT end() const { return denominator().positive_roots()[0]; }
+
+  // The parameters lose their digits far away from the focus, where all are near to the end, and when the curve has
+  // gone half round it: it is to be described anew from here. Infinity if the curve does not come here.
+  FT end_of_precision() const
+  {
+    if(m_is_straight)
+      return std::numeric_limits<FT>::infinity();
+    const FT far = FT(1 << 20); // times the distance of p from the focus
+    const FT t = Quadratic<FT>{FT(1 - far), FT(-far * m_radius * m_b), FT(1 - far + 2 * far * m_a * m_radius)}
+                   .positive_roots()[0];
+    return (std::min)(t, FT(4));
+  }
+
+  // is positive where the curve is in the half-plane.
+  Quadratic<FT> side(const Half_plane<FT>& h) const
+  {
+    const FT h0 = h(m_p);
+    if(m_is_straight)
+      return Quadratic<FT>{h0, FT((h.a * m_tx + h.b * m_ty) / 2), 0};
+    const Quadratic<FT>& w = m_denominator;
+    const FT along_tangent = h.a * m_tx + h.b * m_ty, along_u = h.a * m_ux + h.b * m_uy;
+    return Quadratic<FT>{FT(h0 * w.c0), FT(h0 * w.c1 + along_tangent),
+                         FT(h0 * w.c2 - 2 * m_bend * along_u)};
+  }
+
+  // is positive where a third generator is nearer than the two, except if it never is. `to_g` is the distance of its
+  // point from the start.
+  Quadratic<FT> nearer(const Generator& g, const FT& to_g) const
+  {
+    if(m_is_straight)
+      return nearer_on_line(g, to_g);
+    const FT dx = g.x - m_focus.x, dy = g.y - m_focus.y, d = norm(dx, dy);
+    const FT s = m_focus.weight - g.weight;
+    if(s <= -d)
+      return Quadratic<FT>{-1, 0, -1};
+    const FT k = (d - s) * (d + s) / 2;
+    const FT gain = (m_radius - to_g) + s; // at p0
+    const FT g0 = gain * (to_g + gain / 2) / m_radius;
+    const FT du = dx * m_ux + dy * m_uy, dv = dx * m_vx + dy * m_vy;
+    return Quadratic<FT>{g0, FT(dv - k * m_b), FT(g0 - 2 * du + 2 * k * m_a)};
+  }
+
+  // the direction of the curve at its start.
+  Point tangent() const
+  {
+    const FT n = norm(m_tx, m_ty);
+    return n > 0 ? Point{FT(m_tx / n), FT(m_ty / n)} : Point();
+  }
+
+private:
+  // of distances of generators
+  static FT relative_rounding() { return 16 * Tolerance<FT>::distance(); }
+
+  // the ray behind the generator with the larger weight, if that is on the way from the other one.
+  void find_ray(const Generator& left, const Generator& right)
+  {
+    m_is_left_focus = right.weight < left.weight;
+    m_focus = m_is_left_focus ? left : right;
+    const Generator& other = m_is_left_focus ? right : left;
+    const FT dx = m_focus.x - other.x, dy = m_focus.y - other.y, d = norm(dx, dy);
+    m_radius = norm<FT>(m_p.x - m_focus.x, m_p.y - m_focus.y);
+    const FT detour = other.weight + d - m_focus.weight, size = m_focus.weight + m_radius;
+    const FT rounding = relative_rounding() * size;
+    if(!(d > Tolerance<FT>::closeness() * size) || !(detour <= rounding && -detour <= rounding))
+      return;
+    m_tx = dx / d;
+    m_ty = dy / d;
+    const FT along = (m_p.x - m_focus.x) * m_tx + (m_p.y - m_focus.y) * m_ty;
+    m_is_straight = m_radius <= rounding || along >= m_radius / 2;
+  }
+
+  // Seen from p the foci are one: the curve is the line through them, as exactly as distances are known.
+  void find_line(const Generator& left, const Generator& right)
+  {
+    m_is_straight = true;
+    m_is_outward = m_ux * (right.y - left.y) - m_uy * (right.x - left.x) < 0;
+    m_tx = m_is_outward ? m_ux : FT(-m_ux);
+    m_ty = m_is_outward ? m_uy : FT(-m_uy);
+  }
+
+  // see nearer(): |p + t (tx, ty) - g| < s + t, or s - t on the way to the focus, squared.
+  Quadratic<FT> nearer_on_line(const Generator& g, const FT& d) const
+  {
+    const FT dx = m_p.x - g.x, dy = m_p.y - g.y, s = m_focus.weight + m_radius - g.weight;
+    if(s <= -d)
+      return Quadratic<FT>{-1, 0, 0};
+    return Quadratic<FT>{FT((s - d) * (s + d)), FT((m_is_outward ? s : FT(-s)) - (dx * m_tx + dy * m_ty)), 0};
+  }
+
+  void set_tangent()
+  {
+    m_tx = m_vx - m_b * m_radius * m_ux;
+    m_ty = m_vy - m_b * m_radius * m_uy;
+  }
+
+  Point m_p;
+  Generator m_focus;
+  bool m_is_left_focus = true, m_is_valid = false, m_is_straight = false;
+  bool m_is_outward = true;       // a straight curve goes away from the focus
+  FT m_radius = 0;                // from the focus to p0
+  FT m_ux = 0, m_uy = 0;          // the direction from the focus to p0
+  FT m_vx = 0, m_vy = 0;          // across, to the side of growing parameters
+  FT m_a = 0, m_b = 0;            // d / K along u and v
+  FT m_tx = 0, m_ty = 0;
+  Quadratic<FT> m_denominator{1, 0, 0};
+  FT m_bend = 1;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_WEIGHTED_BISECTOR_H

@@ -1,0 +1,53 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_BIT_COUNTING_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_BIT_COUNTING_H
+
+// Where the bits of a word begin and end, by one instruction where there is one: how often a loop would go round cannot
+// be predicted.
+
+#include <cstddef>
+#include <cstdint>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+// The number of zeros below the lowest bit that is set; the word is not 0.
+inline std::size_t trailing_zeros(std::uint64_t word)
+{
+#ifdef __GNUC__
+  return static_cast<std::size_t>(__builtin_ctzll(word));
+#else
+  std::size_t n = 0;
+  for(; (word & 1) == 0; word >>= 1)
+    ++n;
+  return n;
+#endif
+}
+
+// The number of bits up to the highest one that is set; the word is not 0.
+inline std::size_t number_of_bits(std::uint64_t word)
+{
+#ifdef __GNUC__
+  return 64 - static_cast<std::size_t>(__builtin_clzll(word));
+#else
+  std::size_t n = 0;
+  for(; word != 0; word >>= 1)
+    ++n;
+  return n;
+#endif
+}
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_BIT_COUNTING_H

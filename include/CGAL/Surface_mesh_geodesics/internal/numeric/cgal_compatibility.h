@@ -1,0 +1,42 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_CGAL_COMPATIBILITY_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_CGAL_COMPATIBILITY_H
+
+// What differs between the versions 5.5 and 6 of CGAL, and nothing else.
+
+#include <CGAL/config.h>
+
+#if CGAL_VERSION_NR >= CGAL_VERSION_NUMBER(6, 0, 0)
+#  include <variant>
+#else
+#  include <boost/variant/get.hpp>
+#endif
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+// the value of type T that a variant holds, or null.
+template <typename T, typename Variant>
+const T* held_value(const Variant& v)
+{
+#if CGAL_VERSION_NR >= CGAL_VERSION_NUMBER(6, 0, 0)
+  return std::get_if<T>(&v);
+#else
+  return boost::get<T>(&v);
+#endif
+}
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_CGAL_COMPATIBILITY_H

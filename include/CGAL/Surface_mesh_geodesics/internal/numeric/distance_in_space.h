@@ -1,0 +1,32 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_DISTANCE_IN_SPACE_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_DISTANCE_IN_SPACE_H
+
+#include <CGAL/number_utils.h>
+
+#include <cmath>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+// The distance of two points of any kernel, straight through space. No square overflows or vanishes.
+template <typename Point>
+double distance_in_space(const Point& p, const Point& q)
+{
+  return std::hypot(CGAL::to_double(q.x() - p.x()), CGAL::to_double(q.y() - p.y()), CGAL::to_double(q.z() - p.z()));
+}
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_DISTANCE_IN_SPACE_H

@@ -1,0 +1,105 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_POLISHED_POINTS_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_POLISHED_POINTS_H
+
+// Points of a face that are given by conditions on distances, and known nearly: the vertex of three cells, the crossing
+// of a curve and a line. Newton's method makes the most of what numbers tell.
+
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Weighted_bisector.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
+
+#include <array>
+#include <cmath>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+// Newton's method for f(p) = g(p) = 0, as long as it helps; `size` is that of the face. f is the difference of
+// the distances from two generators. If they are near to each other, f tells nothing about the place on a line that
+// points away from them, and g decides it alone.
+template <typename FT, typename Residuals>
+Planar_point<FT> polished_point(Planar_point<FT> p, const FT& size_of_distances, const FT& size, Residuals residuals)
+{
+  using std::abs;
+  const FT precision = Tolerance<FT>::unit_roundoff() * (size_of_distances + size);
+  std::array<FT, 6> r = residuals(p); // the values, and their gradients
+  for(int i = 0; i < 4 && abs(r[0]) + abs(r[1]) > precision; ++i)
+  {
+    const FT n = norm<FT>(r[2], r[3]);
+    if(!(n > 0))
+      return p;
+    const Planar_point<FT> across{FT(r[2] / n), FT(r[3] / n)}, along{FT(-across.y), across.x};
+    const FT slope = r[4] * along.x + r[5] * along.y;
+    if(!(abs(slope) > Tolerance<FT>::angle()))
+      return p;
+    const FT x = n > Tolerance<FT>::closeness() ? FT(-r[0] / n) : FT(0);
+    const FT y = -(r[1] + x * (r[4] * across.x + r[5] * across.y)) / slope;
+    const Planar_point<FT> q{FT(p.x + x * across.x + y * along.x), FT(p.y + x * across.y + y * along.y)};
+    const std::array<FT, 6> s = residuals(q);
+    if(!(abs(s[0]) + abs(s[1]) < abs(r[0]) + abs(r[1])) || distance(p, q) > size / (1 << 20))
+      return p;
+    p = q;
+    r = s;
+  }
+  return p;
+}
+
+// the direction to a point.
+template <typename FT>
+Planar_point<FT> direction_from(const Weighted_point<FT>& from, const Planar_point<FT>& to)
+{
+  const FT dx = to.x - from.x, dy = to.y - from.y, n = norm(dx, dy);
+  return n > 0 ? Planar_point<FT>{FT(dx / n), FT(dy / n)} : Planar_point<FT>();
+}
+
+// the point near to p that is as far from a as from b and c.
+template <typename FT>
+Planar_point<FT> polished_vertex(const Weighted_point<FT>& a, const Weighted_point<FT>& b,
+                                 const Weighted_point<FT>& c, const Planar_point<FT>& p, const FT& size)
+{
+  return polished_point<FT>(p, a.distance_to(p), size, [&](const Planar_point<FT>& q)
+  {
+    const Planar_point<FT> ua = direction_from(a, q), ub = direction_from(b, q), uc = direction_from(c, q);
+    const FT d = a.distance_to(q);
+    return std::array<FT, 6>{FT(d - b.distance_to(q)), FT(d - c.distance_to(q)), FT(ua.x - ub.x),
+                             FT(ua.y - ub.y), FT(ua.x - uc.x), FT(ua.y - uc.y)};
+  });
+}
+
+// the point near to p on the line of h that is as far from a as from b.
+template <typename FT>
+Planar_point<FT> polished_crossing(const Weighted_point<FT>& a, const Weighted_point<FT>& b,
+                                   const Half_plane<FT>& h, const Planar_point<FT>& p, const FT& size)
+{
+  return polished_point<FT>(p, a.distance_to(p), size, [&](const Planar_point<FT>& q)
+  {
+    const Planar_point<FT> ua = direction_from(a, q), ub = direction_from(b, q);
+    return std::array<FT, 6>{FT(a.distance_to(q) - b.distance_to(q)), h(q), FT(ua.x - ub.x),
+                             FT(ua.y - ub.y), h.a, h.b};
+  });
+}
+
+// the line through p across the curve of two generators.
+template <typename FT>
+Half_plane<FT> line_across(const Weighted_point<FT>& a, const Weighted_point<FT>& b, const Planar_point<FT>& p)
+{
+  const Planar_point<FT> ua = direction_from(a, p), ub = direction_from(b, p);
+  const FT x = ua.y - ub.y, y = ub.x - ua.x, n = norm(x, y);
+  return n > 0 ? Half_plane<FT>{FT(x / n), FT(y / n), FT(-(x * p.x + y * p.y) / n)}
+               : Half_plane<FT>{FT(0), FT(0), FT(0)};
+}
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_POLISHED_POINTS_H

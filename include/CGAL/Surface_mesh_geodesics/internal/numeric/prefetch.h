@@ -1,0 +1,31 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_PREFETCH_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_PREFETCH_H
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+// asks for the memory at p, which will be read soon. Nothing is read, so that p may be any address.
+inline void prefetch(const void* p)
+{
+#ifdef __GNUC__
+  __builtin_prefetch(p);
+#else
+  static_cast<void>(p);
+#endif
+}
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_PREFETCH_H

@@ -1,0 +1,216 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_DISTANCE_MATRIX_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_DISTANCE_MATRIX_H
+
+// Distances from many sources, one by one: a run of the propagation for each row, on one intrinsic mesh.
+
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_propagation.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_runner.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/Ordered_rows.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/Pruning_rules.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Source_insertion.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <memory>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+// What a thread has for itself. Sources in faces change the mesh for the time of a run: the thread has a
+// copy then.
+template <typename FT>
+class Matrix_worker
+{
+public:
+  using Mesh = Intrinsic_mesh<FT>;
+  using Runner = Distance_runner<Distance_propagation<FT, All_pruning_rules>>;
+
+  Matrix_worker(const Mesh& mesh, bool needs_copy)
+  {
+    if(needs_copy)
+    {
+      m_mesh = std::make_unique<Mesh>(mesh);
+      m_insertion = std::make_unique<Source_insertion<FT>>(*m_mesh);
+      m_runner = std::make_unique<Runner>(*m_mesh, *m_insertion);
+    }
+    else
+      m_runner = std::make_unique<Runner>(mesh);
+  }
+
+  // runs from one source, unless it is stopped, in which case no distances are known.
+  const Runner& run(Vertex_id vertex, const Located_source<FT>* location, const Run_limits<FT>& limits,
+                    const Stop_flag& stop)
+  {
+    m_source.vertices.assign(1, vertex);
+    m_source.located.clear();
+    if(location != nullptr)
+      m_source.located.push_back(Located_source<FT>{location->face, location->coordinates, 0});
+    m_runner->run(m_source, limits,
+                  [&stop](std::size_t, const FT&) { return !stop.load(std::memory_order_relaxed); });
+    return *m_runner;
+  }
+
+private:
+  std::unique_ptr<Mesh> m_mesh;
+  std::unique_ptr<Source_insertion<FT>> m_insertion;
+  std::unique_ptr<Runner> m_runner;
+  Source_set<FT> m_source;
+};
+
+// What the user's function for the output of rows says: whether to go on.
+template <typename Output, typename Row>
+bool put_row(Output& output, std::size_t i, const Row& row)
+{
+  if constexpr(std::is_void<decltype(output(i, row))>::value)
+  {
+    output(i, row);
+    return true;
+  }
+  else
+    return static_cast<bool>(output(i, row));
+}
+
+template <typename FT>
+class Distance_matrix
+{
+public:
+  using Mesh = Intrinsic_mesh<FT>;
+  using Worker = Matrix_worker<FT>;
+  using Runner = typename Worker::Runner;
+  using Dense_row = std::vector<double>;
+  using Sparse_row = std::vector<std::pair<std::size_t, double>>; // positions of targets, and distances
+
+  Distance_matrix(const Mesh& mesh, Source_set<FT> sources)
+    : m_mesh(mesh), m_sources(std::move(sources)), m_location(m_sources.vertices.size(), nullptr)
+  {
+    for(const Located_source<FT>& s : m_sources.located)
+      m_location[s.position] = &s;
+  }
+
+  Distance_matrix(const Distance_matrix&) = delete;
+  Distance_matrix& operator=(const Distance_matrix&) = delete;
+
+  template <typename Tag, typename Output>
+  bool put_dense_rows(Tag tag, const std::vector<Vertex_id>& targets, Output& output) const
+  {
+    return put_rows<Dense_row>(tag, output, [&](Worker& worker, std::size_t i, Dense_row& row, const Stop_flag& stop)
+    {
+      run_to(worker, i, targets.data(), targets.data() + targets.size(), row, stop);
+    });
+  }
+
+  // Row i has the distances of the sources i, i+1, ..., which are vertices.
+  template <typename Tag, typename Output>
+  bool put_triangular_rows(Tag tag, Output& output) const
+  {
+    const std::vector<Vertex_id>& v = m_sources.vertices;
+    return put_rows<Dense_row>(tag, output, [&](Worker& worker, std::size_t i, Dense_row& row, const Stop_flag& stop)
+    {
+      run_to(worker, i, v.data() + i, v.data() + v.size(), row, stop);
+    });
+  }
+
+  // Row i has those of the targets whose distance is not greater than the maximum, in their order.
+  template <typename Tag, typename Output>
+  bool put_sparse_rows(Tag tag, const std::vector<Vertex_id>& targets, double maximum_distance,
+                       Output& output) const
+  {
+    const Target_positions positions(targets, m_mesh.number_of_vertices());
+    return put_rows<Sparse_row>(tag, output, [&](Worker& worker, std::size_t i, Sparse_row& row, const Stop_flag& stop)
+    {
+      row.clear();
+      if(targets.empty())
+        return;
+      Run_limits<FT> limits;
+      limits.maximum_distance = FT(maximum_distance) / m_mesh.unit();
+      limits.first_target = targets.data();
+      limits.last_target = targets.data() + targets.size();
+      const Runner& runner = worker.run(m_sources.vertices[i], m_location[i], limits, stop);
+      for(const Vertex_id v : runner.vertices_reached())
+        if(runner.distance(v) <= limits.maximum_distance)
+          positions.for_each(v, [&](std::size_t j) { row.emplace_back(j, distance(runner, v)); });
+      std::sort(row.begin(), row.end());
+    });
+  }
+
+private:
+  // The positions of each vertex in a range of targets, which may be there more than once.
+  class Target_positions
+  {
+  public:
+    Target_positions(const std::vector<Vertex_id>& targets, std::size_t number_of_vertices)
+      : m_first(number_of_vertices, none), m_next(targets.size())
+    {
+      for(std::size_t j = 0; j < targets.size(); ++j)
+      {
+        m_next[j] = m_first[targets[j]];
+        m_first[targets[j]] = j;
+      }
+    }
+
+    template <typename Visit>
+    void for_each(Vertex_id v, Visit visit) const
+    {
+      if(v < m_first.size()) // not an inserted source
+        for(std::size_t j = m_first[v]; j != none; j = m_next[j])
+          visit(j);
+    }
+
+  private:
+    static constexpr std::size_t none = static_cast<std::size_t>(-1);
+    std::vector<std::size_t> m_first, m_next;
+  };
+
+  double distance(const Runner& runner, Vertex_id v) const
+  {
+    return static_cast<double>(FT(runner.distance(v) * m_mesh.unit()));
+  }
+
+  void run_to(Worker& worker, std::size_t i, const Vertex_id* first, const Vertex_id* last, Dense_row& row,
+              const Stop_flag& stop) const
+  {
+    row.clear();
+    if(first == last)
+      return;
+    Run_limits<FT> limits;
+    limits.first_target = first;
+    limits.last_target = last;
+    const Runner& runner = worker.run(m_sources.vertices[i], m_location[i], limits, stop);
+    for(; first != last; ++first)
+      row.push_back(distance(runner, *first));
+  }
+
+  template <typename Row, typename Tag, typename Output, typename Compute>
+  bool put_rows(Tag tag, Output& output, Compute compute) const
+  {
+    const bool needs_copies = !m_sources.located.empty();
+    return for_each_ordered_row<Row>(
+      tag, m_sources.vertices.size(), [&]() { return std::make_unique<Worker>(m_mesh, needs_copies); }, compute,
+      [&](std::size_t i, const Row& row) { return put_row(output, i, row); });
+  }
+
+  const Mesh& m_mesh;
+  Source_set<FT> m_sources;
+  std::vector<const Located_source<FT>*> m_location; // by position
+};
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_DISTANCE_MATRIX_H

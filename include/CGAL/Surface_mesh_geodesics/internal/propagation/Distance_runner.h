@@ -1,0 +1,133 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_DISTANCE_RUNNER_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_DISTANCE_RUNNER_H
+
+// Runs of the propagation, one after the other, on the same mesh: the buffers stay, and a run costs what
+// it reaches (see Distance_propagation::restart()). Here is all that a thread needs for itself to compute
+// distances; it knows nothing of the user's mesh.
+
+#include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Source_insertion.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/source_range.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+// Sources as vertices and places of the intrinsic mesh.
+template <typename FT>
+struct Source_set
+{
+  std::vector<Vertex_id> vertices;         // by position; null_id for those in faces
+  std::vector<Located_source<FT>> located; // those in faces
+  std::vector<FT> offsets;                 // none, or one for each source
+};
+
+// Where a run may end early. No targets: nowhere but at the maximum distance.
+template <typename FT>
+struct Run_limits
+{
+  FT maximum_distance = Vertex_distance_field<FT>::infinity();
+  const Vertex_id* first_target = nullptr;
+  const Vertex_id* last_target = nullptr;
+};
+
+// `Propagation` is Distance_propagation or Parallel_distance_propagation.
+template <typename Propagation>
+class Distance_runner
+{
+public:
+  using FT = typename Propagation::FT;
+  using Mesh = Intrinsic_mesh<FT>;
+  using Field = Vertex_distance_field<FT>;
+
+  // On a mesh that others may read at the same time: all sources have to be vertices.
+  explicit Distance_runner(const Mesh& mesh)
+    : m_mesh(mesh), m_insertion(nullptr), m_propagation(mesh, m_field)
+  {}
+
+  // On a mesh that nobody else reads during a run: sources are inserted, and removed at the end.
+  Distance_runner(const Mesh& mesh, Source_insertion<FT>& insertion)
+    : m_mesh(mesh), m_insertion(&insertion), m_propagation(mesh, m_field)
+  {}
+
+  // propagates; returns false, and knows nothing then, if go_on(number of visits, distance) does. The
+  // vertices of the sources in faces are set.
+  //
+  // The locations are inserted in the order of their places, so that the result does not depend on the order
+  // of the range.
+  template <typename GoOn>
+  bool run(Source_set<FT>& sources, const Run_limits<FT>& limits, GoOn go_on)
+  {
+    m_limit = -1;
+    Removal_of_sources removal{m_insertion};
+    if(m_insertion != nullptr)
+      insert_located_sources(sources.located, *m_insertion, sources.vertices);
+    m_propagation.restart();
+    for(std::size_t i = 0; i < sources.vertices.size(); ++i)
+      m_propagation.add_source(sources.vertices[i], sources.offsets.empty() ? FT(0) : sources.offsets[i]);
+    m_propagation.set_maximum_distance(limits.maximum_distance);
+    if(limits.first_target != limits.last_target)
+      m_propagation.set_targets(limits.first_target, limits.last_target);
+    if(!m_propagation.run(go_on))
+      return false;
+    m_limit = (std::min)(m_propagation.reached_distance(), limits.maximum_distance);
+    return true;
+  }
+
+  // From now on no vertex has been reached.
+  void forget() { m_limit = -1; }
+
+  // The distance of a vertex, infinity if it was not reached or is not final.
+  FT distance(Vertex_id v) const
+  {
+    return m_field.distance[v] <= m_limit ? m_field.distance[v] : Field::infinity();
+  }
+
+  // The vertex of the source from which the distance of v is measured; v has been reached.
+  Vertex_id source_of(Vertex_id v) const { return m_field.source_of(v); }
+
+  // Vertices of sources in faces are among them.
+  const std::vector<Vertex_id>& vertices_reached() const { return m_field.reached; }
+
+  Propagation_statistics statistics() const { return m_propagation.statistics(); }
+  std::size_t field_memory() const { return m_field.memory(); }
+
+private:
+  // removes what a run has inserted, also if it is left by an exception.
+  struct Removal_of_sources
+  {
+    Source_insertion<FT>* insertion;
+
+    ~Removal_of_sources()
+    {
+      if(insertion != nullptr)
+        insertion->undo();
+    }
+  };
+
+  const Mesh& m_mesh;
+  Source_insertion<FT>* m_insertion;
+  Field m_field;
+  Propagation m_propagation;
+  FT m_limit = -1; // greater distances are not final
+};
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_DISTANCE_RUNNER_H

@@ -1,0 +1,305 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_STAR_PROPAGATION_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_STAR_PROPAGATION_H
+
+// The visit of a vertex (thesis, 4.3.2): the windows that start at the vertex are made, and all lists that
+// wait to enter the faces around it are carried through these faces, until they leave its star. It reads the
+// mesh, and reads and writes the star (Vertex_star.h) and the memory of windows, nothing else.
+//
+// Lists that turn around the vertex clockwise leave the star to the left, those that turn counterclockwise
+// to the right, and windows that start at the vertex between them. In this order they are appended
+// to the lists that leave, which so are sorted by key (Window.h) without being merged.
+
+#include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/Edge_window_field.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/Emission_sector.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/Pruning_rules.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/Vertex_star.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/Window_list_crossing.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/Window_list_loops.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/Window_lists.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/window_of_pseudo_source.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+// is d a new distance of a vertex? Where windows start, an improvement that rounding could have made is
+// ignored: the windows would have to be made again for nothing.
+template <typename FT>
+bool is_improvement(const FT& d, const FT& distance, bool may_emit)
+{
+  return d < distance
+      && (!may_emit || is_clearly_less(d, distance) || !(distance < Vertex_distance_field<FT>::infinity()));
+}
+
+template <typename FT, typename Rules, typename Keeper = No_window_keeper>
+class Star_propagation
+{
+public:
+  using Mesh = Intrinsic_mesh<FT>;
+  using Star = Vertex_star<FT>;
+  using Face = Star_face<FT>;
+  using Link = Link_vertex<FT>;
+  using List = Window_list<FT>;
+  using List_crossing = Window_list_crossing<FT, Rules>;
+
+  // Of the distances only those of pseudo-sources are read from which windows have started. The keeper
+  // is given each list that is propagated.
+  Star_propagation(const Mesh& mesh, const std::vector<FT>& distance, Keeper keeper = Keeper(),
+                   Lane_choice lanes = Lane_choice::BEST)
+    : m_mesh(mesh), m_keeper(keeper),
+      m_crossing(mesh, distance, m_statistics, lanes), m_sector(mesh),
+      m_maximum_distance(Vertex_distance_field<FT>::infinity())
+  {}
+
+  Star_propagation(const Star_propagation&) = delete;
+  Star_propagation& operator=(const Star_propagation&) = delete;
+
+  void restart() { m_statistics = Propagation_statistics(); }
+
+  // Windows that begin farther away are not put on an edge.
+  void set_maximum_distance(const FT& d) { m_maximum_distance = d; }
+
+  // visits the vertex of a star.
+  void propagate(Star& star)
+  {
+    ++m_statistics.vertices_visited;
+    m_crossing.expect_stale_windows(star.has_stale_windows);
+    if(star.emits)
+    {
+      walk_along_edges(star);
+      m_sector.find(star);
+    }
+    turn_clockwise(star);
+    if(star.emits)
+      emit(star);
+    turn_counterclockwise(star);
+  }
+
+  Window_pool<FT>& pool() { return m_pool; }
+  Keeper& keeper() { return m_keeper; }
+  const Propagation_statistics& statistics() const { return m_statistics; }
+  std::size_t memory() const { return m_pool.memory(); }
+
+private:
+  // the paths from the vertex along its edges.
+  void walk_along_edges(Star& star) const
+  {
+    for(const Face& f : star.faces)
+    {
+      const Halfedge_id va = f.halfedge, bv = previous_halfedge(va);
+      const FT& to_a = m_mesh.length(va);
+      const FT& to_b = m_mesh.length(bv);
+      improve(star.links[f.first], FT(star.distance + to_a), bv, to_b, star.vertex);
+      improve(star.links[f.second], FT(star.distance + to_b), va, FT(0), star.vertex);
+    }
+  }
+
+  // the windows that start at the vertex.
+  void emit(Star& star)
+  {
+    for(std::size_t i = 0; i < star.faces.size(); ++i)
+    {
+      Face& f = star.faces[i];
+      const Crossing<FT> c = m_mesh.crossing(next_halfedge(f.halfedge)); // from the edge ab to the vertex
+      if(!m_sector.contains(i) || m_mesh.opposite(next_halfedge(f.halfedge)) == null_id || !(c.length > 0))
+        continue;
+      Window<FT> w;
+      window_of_pseudo_source<FT>(c, star.distance, star.distance + c.right_length,
+                                  star.distance + c.left_length, w);
+      if(Rules::vertex_rule
+         && is_beaten_by_vertices(w, c.length, star.links[f.second].rival(), star.links[f.first].rival()))
+      {
+        ++m_statistics.windows_removed_by_vertices;
+        continue;
+      }
+      m_pool.make_room(f.outward, 1);
+      Window_batch<FT> batch;
+      batch.start(f.outward, 0);
+      batch.add(w);
+      put_outward(f, batch);
+    }
+  }
+
+  // A list that has turned around the whole vertex comes to the face where the sweep began once more.
+  void turn_counterclockwise(Star& star)
+  {
+    Number_set& waiting = star.waiting;
+    while(!waiting.empty())
+      waiting.for_each([&](std::size_t i)
+      {
+        waiting.remove(i);
+        Face& f = star.faces[i];
+        cross_counterclockwise(star, f);
+        if(f.next != null_id)
+          waiting.insert(f.next, star.faces[f.next].counterclockwise.size > 0);
+      });
+  }
+
+  void turn_clockwise(Star& star)
+  {
+    Number_set& waiting = star.waiting_from_last;
+    const std::size_t last = star.faces.size() - 1;
+    while(!waiting.empty())
+      waiting.for_each([&](std::size_t i)
+      {
+        waiting.remove(i);
+        Face& f = star.faces[last - i];
+        cross_clockwise(star, f);
+        if(f.previous != null_id)
+          waiting.insert(last - f.previous, star.faces[f.previous].clockwise.size > 0);
+      });
+  }
+
+  // across va: the list goes on around v on the left, and leaves the star on the right.
+  void cross_counterclockwise(Star& star, Face& f)
+  {
+    const Crossing<FT> c = m_mesh.crossing(f.halfedge);
+    Corner_rivals<FT> corners{rival(star), star.links[f.first].rival(), star.links[f.second].rival()};
+    typename List_crossing::Apex_path path;
+    List list = f.counterclockwise;
+    f.counterclockwise = List();
+    if(enter(f.halfedge, c, corners, list, star.links[f.second], path))
+    {
+      List* const around = f.next == null_id ? nullptr : &star.faces[f.next].counterclockwise;
+      List* const outward = c.right == null_id ? nullptr : &f.outward;
+      m_crossing.split(list, c, corners, path, room(around, list.size, c.left_length),
+                       room(outward, list.size, c.right_length));
+      put_around(around, m_crossing.left());
+      put_outward(f, m_crossing.right());
+    }
+    m_pool.release(list);
+  }
+
+  // across bv: the list goes on around v on the right, and leaves the star on the left.
+  void cross_clockwise(Star& star, Face& f)
+  {
+    const Halfedge_id bv = previous_halfedge(f.halfedge);
+    const Crossing<FT> c = m_mesh.crossing(bv);
+    Corner_rivals<FT> corners{star.links[f.second].rival(), rival(star), star.links[f.first].rival()};
+    typename List_crossing::Apex_path path;
+    List list = f.clockwise;
+    f.clockwise = List();
+    if(enter(bv, c, corners, list, star.links[f.first], path))
+    {
+      List* const around = f.previous == null_id ? nullptr : &star.faces[f.previous].clockwise;
+      List* const outward = c.left == null_id ? nullptr : &f.outward;
+      m_crossing.split(list, c, corners, path, room(outward, list.size, c.left_length),
+                       room(around, list.size, c.right_length));
+      put_outward(f, m_crossing.left());
+      put_around(around, m_crossing.right());
+    }
+    m_pool.release(list);
+  }
+
+  // prunes the list that is about to enter a face across h, and finds its shortest path to the third vertex of
+  // the face. Returns whether anything of the list is left.
+  bool enter(Halfedge_id h, const Crossing<FT>& c, Corner_rivals<FT>& corners, List& list, Link& apex,
+             typename List_crossing::Apex_path& path)
+  {
+    ++m_statistics.window_lists;
+    m_crossing.prune(list, c, corners);
+    if(list.size == 0)
+      return false;
+    m_statistics.windows_propagated += list.size;
+    m_keeper.keep(h, list);
+    path = m_crossing.find_apex_path(list, c);
+    if(!comes_from_corner(path, c, corners)
+       && improve(apex, path.distance, h, path.separating_point, path.root))
+    {
+      apex.image = Arrival_image<FT>{path.image_x, path.image_depth};
+      corners.apex = apex.rival();
+    }
+    return true;
+  }
+
+  // Does the path to the apex bend at a corner that is a pseudo-source, and follow the side? The corner sends it, too,
+  // and ties are that one's: what lies behind a vertex belongs to the source that the vertex belongs to.
+  bool comes_from_corner(const typename List_crossing::Apex_path& path, const Crossing<FT>& c,
+                         const Corner_rivals<FT>& corners) const
+  {
+    const auto sends = [&](Vertex_id corner, const FT& d)
+    { return m_mesh.has(corner, Mesh::PSEUDO_SOURCE) && !is_clearly_less(path.distance, d); };
+    if(path.separating_point <= 0)
+      return sends(c.origin, corners.origin.distance + c.left_length);
+    return path.separating_point >= c.length && sends(c.target, corners.target.distance + c.right_length);
+  }
+
+  // A path to a vertex of length d has been found, which ends with a straight line from the vertex `root`
+  // through the point `crossing` of the halfedge h opposite to the vertex.
+  static bool improve(Link& link, const FT& d, Halfedge_id h, const FT& crossing, Vertex_id root)
+  {
+    if(!is_improvement(d, link.distance, link.may_emit))
+      return false;
+    link.is_improved = true;
+    link.distance = d;
+    link.arrival.crossing = crossing;
+    link.arrival.halfedge = h;
+    link.arrival.root = root;
+    return true;
+  }
+
+  static Vertex_rival<FT> rival(const Star& star) { return Vertex_rival<FT>(star.distance, star.is_degenerate); }
+
+  // The list with room for n more windows; none if there is no list, or if its edge has no length.
+  List room(List* list, std::size_t n, const FT& length)
+  {
+    if(list == nullptr || !(length > 0))
+      return List();
+    m_pool.make_room(*list, n);
+    return *list;
+  }
+
+  void put_around(List* list, const Window_batch<FT>& batch)
+  {
+    if(batch.has_room())
+      put(*list, batch);
+  }
+
+  void put_outward(Face& f, const Window_batch<FT>& batch)
+  {
+    if(!batch.has_room())
+      return;
+    put(f.outward, batch);
+    f.outward_distance = (std::min)(f.outward_distance, batch.minimum_distance);
+  }
+
+  // takes a batch, which is in the room of a list, into the list.
+  void put(List& list, const Window_batch<FT>& batch)
+  {
+    const bool is_too_far = batch.size > 0 && batch.minimum_distance > m_maximum_distance;
+    const std::size_t n = is_too_far ? 0 : batch.size;
+    m_pool.add(list, n, batch.steps);
+    m_statistics.windows_created += n;
+  }
+
+  const Mesh& m_mesh;
+  Keeper m_keeper;
+  Window_pool<FT> m_pool;
+  Propagation_statistics m_statistics;
+  List_crossing m_crossing;
+  Emission_sector<FT> m_sector;
+  FT m_maximum_distance;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_STAR_PROPAGATION_H

@@ -1,0 +1,499 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_INTRINSIC_MESH_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_INTRINSIC_MESH_H
+
+// A triangulated surface known by its lengths alone: the only surface that the propagation sees.
+//
+// One record holds all there is to know of a face, in 64 bytes (a cache line) for double: its
+// layout in the plane, its three lengths, its vertices and its neighbours. The shortest edge of a
+// face is its halfedge 0, which is the base of the layout: the coordinates of the two other corners
+// are then accurate relative to every edge, for needles and for caps (a layout on a long edge would
+// lose the direction of a short one).
+//
+// Vertices are surrounded by one umbrella of faces or more (a pinched vertex), each closed or
+// starting and ending at the border.
+//
+// All lengths are multiplied by a power of two when the mesh is built, so that the longest is about
+// 1: the squares of lengths then stay far from the ends of the range of numbers, and the results for
+// a surface scaled by a power of two are the same bits.
+
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/prefetch.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+// A face: halfedge k leads from vertex[k] to vertex[k+1], has length[k], and opposite[k] is the
+// halfedge of the neighbour, or null_id at the border. Corners 0, 1 and 2 are laid out at (0,0),
+// (length[0],0) and (apex_x, apex_y), counterclockwise.
+template <typename FT>
+struct alignas(sizeof(FT) == 8 ? 64 : alignof(FT)) Intrinsic_face
+{
+  std::array<FT, 3> length;
+  FT apex_x, apex_y;
+  std::array<Vertex_id, 3> vertex;
+  std::array<Halfedge_id, 3> opposite;
+
+  // (A constructor of its own: without one, all would be set to zero before it is set.)
+  Intrinsic_face() {}
+};
+
+template <typename FT>
+std::array<Planar_point<FT>, 3> layout_of_face(const Intrinsic_face<FT>& face)
+{
+  return {Planar_point<FT>{FT(0), FT(0)}, Planar_point<FT>{face.length[0], FT(0)},
+          Planar_point<FT>{face.apex_x, face.apex_y}};
+}
+
+// (Its first side is the shortest one.)
+template <typename FT>
+FT longest_side(const Intrinsic_face<FT>& f)
+{
+  return (std::max)(f.length[1], f.length[2]);
+}
+
+// A face whose corners are on one line as far as numbers tell.
+template <typename FT>
+bool has_no_height(const Intrinsic_face<FT>& f)
+{
+  return is_without_height<FT>(f.apex_y * f.length[0], longest_side(f));
+}
+
+// The face on the left of a halfedge AB in the frame of the halfedge: A = (0,0), B = (length,0) and
+// the third vertex C = (apex_x, apex_y) with apex_y >= 0. apex_rest is length - apex_x, with all the digits
+// that it has if C is near to B. The windows that enter the face across AB
+// leave it across the left edge AC or the right edge CB.
+template <typename FT>
+struct Crossing
+{
+  FT length, apex_x, apex_rest, apex_y, left_length, right_length;
+  Vertex_id origin, target, apex;
+  Halfedge_id left, right; // the halfedges AC and CB of the neighbours, or null_id
+};
+
+template <typename FT_>
+class Intrinsic_mesh
+{
+public:
+  using FT = FT_;
+  using Face = Intrinsic_face<FT>;
+
+  // What a vertex is to a shortest path.
+  enum Vertex_kind : unsigned char
+  {
+    PSEUDO_SOURCE = 1, // shortest paths may bend here: a saddle, a reflex border vertex, a pinch
+    PINCHED = 2,       // surrounded by several umbrellas
+    DEGENERATE = 4,    // of an edge or a face that is nearly lost in rounding: its angles say nothing
+    REFINED = 8        // its faces have changed since the mesh was built
+  };
+
+  // The faces from `first` on to those of the next component are connected over edges.
+  struct Component
+  {
+    Face_id first;
+    FT longest_edge;
+  };
+
+  std::size_t number_of_vertices() const { return m_vertex_halfedge.size(); }
+  std::size_t number_of_faces() const { return m_faces.size(); }
+
+  const Face& face(Face_id f) const { return m_faces[f]; }
+
+  Vertex_id source(Halfedge_id h) const { return m_faces[face_of(h)].vertex[place_in_face(h)]; }
+  Vertex_id target(Halfedge_id h) const { return source(next_halfedge(h)); }
+  Halfedge_id opposite(Halfedge_id h) const { return m_faces[face_of(h)].opposite[place_in_face(h)]; }
+  const FT& length(Halfedge_id h) const { return m_faces[face_of(h)].length[place_in_face(h)]; }
+
+  // The halfedge that leaves the same vertex one face further, counterclockwise and clockwise;
+  // null_id beyond the border.
+  Halfedge_id next_around_source(Halfedge_id h) const { return opposite(previous_halfedge(h)); }
+  Halfedge_id previous_around_source(Halfedge_id h) const
+  {
+    const Halfedge_id o = opposite(h);
+    return o == null_id ? null_id : next_halfedge(o);
+  }
+
+  // A halfedge that leaves v, the first one counterclockwise if its umbrella has a border; null_id
+  // for an isolated vertex.
+  Halfedge_id halfedge(Vertex_id v) const { return m_vertex_halfedge[v]; }
+
+  bool has(Vertex_id v, Vertex_kind kind) const { return (m_vertex_kind[v] & kind) != 0; }
+
+  // The halfedges with a face that leave v, counterclockwise, for a vertex that is neither pinched nor refined.
+  // (To go from face to face would wait for the memory at each step.)
+  const Halfedge_id* star_begin(Vertex_id v) const { return m_star.data() + m_star_begin[v]; }
+  const Halfedge_id* star_end(Vertex_id v) const { return m_star.data() + m_star_begin[v + 1]; }
+  bool has_star(Vertex_id v) const { return (m_vertex_kind[v] & (PINCHED | REFINED)) == 0; }
+
+  // ask for the memory of these halfedges; and, when it has come, for that of their faces.
+  void prefetch_star(Vertex_id v) const
+  {
+    if(has_star(v))
+      prefetch(star_begin(v));
+  }
+  void prefetch_faces_of_star(Vertex_id v) const
+  {
+    if(has_star(v))
+      for(const Halfedge_id* h = star_begin(v); h != star_end(v); ++h)
+        prefetch(&face(face_of(*h)));
+  }
+
+  // calls visit(h) for one halfedge h of each umbrella of v, the first one if it has a border.
+  template <typename Visitor>
+  void for_each_umbrella(Vertex_id v, Visitor visit) const
+  {
+    if(m_vertex_halfedge[v] == null_id)
+      return;
+    visit(m_vertex_halfedge[v]);
+    if(!has(v, PINCHED))
+      return;
+    auto it = std::lower_bound(m_other_umbrellas.begin(), m_other_umbrellas.end(),
+                               std::make_pair(v, Halfedge_id(0)));
+    for(; it != m_other_umbrellas.end() && it->first == v; ++it)
+      visit(it->second);
+  }
+
+  // calls visit(h) for each halfedge h with a face that leaves v.
+  template <typename Visitor>
+  void for_each_halfedge_around(Vertex_id v, Visitor visit) const
+  {
+    for_each_umbrella(v, [&](Halfedge_id first)
+    {
+      Halfedge_id h = first;
+      do
+      {
+        visit(h);
+        h = next_around_source(h);
+      } while(h != first && h != null_id);
+    });
+  }
+
+  // The face of h in the frame of h. The neighbours' halfedges run the other way, from A to C and
+  // from C to B, so that both edges are seen from left to right by whoever looks across AB.
+  Crossing<FT> crossing(Halfedge_id h) const
+  {
+    const Face& f = m_faces[face_of(h)];
+    const unsigned int k = place_in_face(h), k1 = next_place(k), k2 = previous_place(k);
+    Crossing<FT> c;
+    c.length = f.length[k];
+    c.right_length = f.length[k1];
+    c.left_length = f.length[k2];
+    c.origin = f.vertex[k];
+    c.target = f.vertex[k1];
+    c.apex = f.vertex[k2];
+    c.right = f.opposite[k1];
+    c.left = f.opposite[k2];
+    place_apex(f, k, c);
+    return c;
+  }
+
+  // The dot product and the cross product of the two sides at corner k of a face: they have the
+  // direction of the angle.
+  static std::pair<FT, FT> corner(const Face& f, unsigned int k)
+  {
+    // (all three: which one is asked for is hard to predict)
+    const FT& base = f.length[0];
+    const FT rest = base - f.apex_x;
+    const FT dot[3] = {base * f.apex_x, base * rest, f.apex_y * f.apex_y - f.apex_x * rest};
+    return {dot[k], base * f.apex_y};
+  }
+
+  // The factor from the lengths of this mesh to those of the user: a power of two.
+  const FT& unit() const { return m_unit; }
+
+  std::size_t memory() const
+  {
+    return m_faces.capacity() * sizeof(Face) + m_vertex_halfedge.capacity() * sizeof(Halfedge_id)
+         + m_vertex_kind.capacity() + m_other_umbrellas.capacity() * sizeof(m_other_umbrellas[0])
+         + m_star_begin.capacity() * sizeof(std::uint32_t) + m_star.capacity() * sizeof(Halfedge_id);
+  }
+
+  // No shortest path crosses more faces.
+  //
+  // On a surface with points none crosses a face twice (thesis, lemma 3.2): the segment between two points of a face is
+  // the shortest way in space. If lengths are given, the way around through other faces may be shorter than that. Then,
+  // let h be the least height of a face. Between two crossings of an edge e a shortest path does not turn around
+  // one vertex only, as straight on around a vertex it is longer than along e. So it crosses three edges in a row
+  // without a common vertex, xv, vw, wy, the middle one at the part t: from the first to the middle one it is t times
+  // the height of w above xv at least, from there to the last one 1-t times that of v above wy; together h at least.
+  // All crossings of e are on a part of the path that is not longer than e, so there are 1 + |e|/h at most.
+  //
+  // This ends what else would never end: where faces have no area, paths may run around without growing.
+  std::size_t most_crossings() const { return m_most_crossings; }
+
+  // What lengths around a face are relative to. It tells components of very different sizes apart: those of a mesh that
+  // has one component are relative to its unit.
+  FT extent_around(Face_id f) const
+  {
+    if(m_components.empty())
+      return 1;
+    const auto next = std::upper_bound(m_components.begin(), m_components.end(), f,
+                                       [](Face_id g, const Component& c) { return g < c.first; });
+    return (next - 1)->longest_edge;
+  }
+
+  // Building: reset(), set_unit(), all members of all faces, set_components(), finish(). For lengths without points,
+  // bound_crossings_by_lengths().
+  //
+  // There is room for the faces that a few sources inside faces need: else the first one would double the memory.
+  void reset(std::size_t number_of_faces)
+  {
+    m_faces.reserve(number_of_faces + 64);
+    m_faces.resize(number_of_faces);
+    m_components.clear();
+  }
+  void set_unit(const FT& unit) { m_unit = unit; }
+  // (if there are several)
+  void set_components(const std::vector<Component>& components) { m_components = components; }
+
+  Face& face(Face_id f) { return m_faces[f]; }
+
+  // finds the umbrellas and the kinds of the vertices 0 .. n-1, once all faces are set.
+  void finish(std::size_t number_of_vertices)
+  {
+    m_vertex_halfedge.assign(number_of_vertices, null_id);
+    m_vertex_kind.assign(number_of_vertices, 0);
+    m_other_umbrellas.clear();
+    find_umbrellas();
+    find_kinds();
+    for(const Face& f : m_faces)
+      mark_degenerate(f);
+    m_crossings_by_lengths = 0;
+    count_most_crossings();
+  }
+
+  // lets shortest paths cross faces more than once; see most_crossings(). Where a face is so flat that the square of
+  // its angles is lost in rounding, there is no bound that would end the computation, and thin faces are left out.
+  void bound_crossings_by_lengths()
+  {
+    double height = std::numeric_limits<double>::infinity(), height_of_thick = height, sum = 0;
+    bool is_lost = false;
+    for(const Face& f : m_faces)
+    {
+      const double longest = static_cast<double>(longest_side(f));
+      const double least_height = longest > 0 ? static_cast<double>(FT(f.apex_y * f.length[0])) / longest : 0.;
+      is_lost = is_lost || !(least_height > ratio_of_lost_face * longest);
+      height = (std::min)(height, least_height);
+      if(least_height > ratio_of_thick_face * longest)
+        height_of_thick = (std::min)(height_of_thick, least_height);
+      sum += static_cast<double>(FT(f.length[0] + f.length[1] + f.length[2]));
+    }
+    m_crossings_by_lengths = 3. * static_cast<double>(number_of_faces()) + sum / (is_lost ? height_of_thick : height);
+    m_number_of_faces_before = number_of_faces();
+    count_most_crossings();
+  }
+
+  // Refinement and its undoing, for the sources inside faces and on edges (Source_insertion.h).
+  Vertex_id add_flat_vertex(Halfedge_id h)
+  {
+    m_vertex_halfedge.push_back(h);
+    m_vertex_kind.push_back(REFINED);
+    return static_cast<Vertex_id>(m_vertex_halfedge.size() - 1);
+  }
+
+  Face_id add_face(const Face& f)
+  {
+    m_faces.push_back(f);
+    count_most_crossings();
+    return static_cast<Face_id>(m_faces.size() - 1);
+  }
+
+  void truncate(std::size_t number_of_vertices, std::size_t number_of_faces)
+  {
+    m_vertex_halfedge.resize(number_of_vertices);
+    m_vertex_kind.resize(number_of_vertices);
+    m_faces.resize(number_of_faces);
+    count_most_crossings();
+  }
+
+  void set_halfedge(Vertex_id v, Halfedge_id h) { m_vertex_halfedge[v] = h; }
+
+  unsigned char kind(Vertex_id v) const { return m_vertex_kind[v]; }
+  void set_kind(Vertex_id v, unsigned char kind) { m_vertex_kind[v] = kind; }
+
+  // replaces each halfedge h that is kept for v by new_name(h).
+  template <typename NewName>
+  void rename_halfedges(Vertex_id v, NewName new_name)
+  {
+    m_vertex_halfedge[v] = new_name(m_vertex_halfedge[v]);
+    if(has(v, PINCHED))
+      for(std::pair<Vertex_id, Halfedge_id>& entry : m_other_umbrellas)
+        if(entry.first == v)
+          entry.second = new_name(entry.second);
+  }
+
+private:
+  static void place_apex(const Face& f, unsigned int k, Crossing<FT>& c)
+  {
+    // (One way for all three: which one is asked for is hard to predict. The ratio of the base to itself is 1.)
+    const FT& base = f.length[0];
+    const FT& side = f.length[k];
+    const FT part[3] = {f.apex_x, base - f.apex_x, f.apex_x};
+    const FT ratio = side > 0 ? FT(base / side) : FT(k == 0 ? 1 : 0); // 0: all edges of the face have no length
+    FT end[2]; // of the sides below the apex
+    end[0] = part[k] * ratio;
+    end[1] = side - end[0];
+    c.apex_x = end[k >> 1];
+    c.apex_rest = end[1 - (k >> 1)];
+    c.apex_y = f.apex_y * ratio;
+  }
+
+  // finds the first umbrella of each vertex, and all those with a border, and makes room for the stars.
+  void find_umbrellas()
+  {
+    m_star_begin.assign(number_of_vertices() + 1, 0);
+    std::vector<Halfedge_id> first(number_of_vertices(), null_id);
+    const Face_id n = static_cast<Face_id>(number_of_faces());
+    for(Face_id f = n; f-- > 0;)
+      for(unsigned int k = 3; k-- > 0;)
+      {
+        const Vertex_id v = m_faces[f].vertex[k];
+        ++m_star_begin[v + 1];
+        first[v] = halfedge_of(f, k);
+      }
+    // umbrellas with a border begin where there is no face on the right
+    for(Face_id f = 0; f < n; ++f)
+      for(unsigned int k = 0; k < 3; ++k)
+        if(m_faces[f].opposite[k] == null_id)
+          add_umbrella(m_faces[f].vertex[k], halfedge_of(f, k));
+    for(Vertex_id v = 0; v < number_of_vertices(); ++v)
+    {
+      if(m_vertex_halfedge[v] == null_id)
+        m_vertex_halfedge[v] = first[v];
+      m_star_begin[v + 1] += m_star_begin[v];
+    }
+    m_star.resize(m_star_begin.back());
+  }
+
+  // Umbrellas beyond the first are kept sorted by vertex; they are rare.
+  void add_umbrella(Vertex_id v, Halfedge_id h)
+  {
+    if(m_vertex_halfedge[v] == null_id)
+    {
+      m_vertex_halfedge[v] = h;
+      return;
+    }
+    m_vertex_kind[v] |= PINCHED | PSEUDO_SOURCE;
+    const std::pair<Vertex_id, Halfedge_id> entry(v, h);
+    m_other_umbrellas.insert(
+      std::lower_bound(m_other_umbrellas.begin(), m_other_umbrellas.end(), entry), entry);
+  }
+
+  void complete_closed_umbrellas(const std::vector<Vertex_id>& incomplete)
+  {
+    std::vector<char> is_incomplete(number_of_vertices(), 0);
+    for(Vertex_id v : incomplete)
+      is_incomplete[v] = 1;
+    std::vector<char> is_covered(4 * number_of_faces(), 0);
+    auto cover = [&](Halfedge_id first)
+    {
+      Halfedge_id h = first;
+      do
+      {
+        is_covered[h] = 1;
+        h = next_around_source(h);
+      } while(h != first && h != null_id);
+    };
+    for(Vertex_id v : incomplete)
+      for_each_umbrella(v, cover);
+    for(Face_id f = 0; f < number_of_faces(); ++f)
+      for(unsigned int k = 0; k < 3; ++k)
+        if(is_incomplete[m_faces[f].vertex[k]] && !is_covered[halfedge_of(f, k)])
+        {
+          add_umbrella(m_faces[f].vertex[k], halfedge_of(f, k));
+          cover(halfedge_of(f, k));
+        }
+  }
+
+  // A vertex with more faces than its umbrellas have is pinched between closed umbrellas.
+  void find_kinds()
+  {
+    std::vector<Vertex_id> incomplete;
+    for(Vertex_id v = 0; v < number_of_vertices(); ++v)
+    {
+      if(m_vertex_halfedge[v] == null_id)
+        continue;
+      std::uint32_t place = m_star_begin[v];
+      Angle_sum<FT> angle;
+      for_each_halfedge_around(v, [&](Halfedge_id h)
+      {
+        m_star[place++] = h;
+        const std::pair<FT, FT> direction = corner(m_faces[face_of(h)], place_in_face(h));
+        angle.add(direction.first, direction.second);
+      });
+      if(place != m_star_begin[v + 1])
+        incomplete.push_back(v);
+      const bool is_on_border = opposite(m_vertex_halfedge[v]) == null_id;
+      if(is_on_border ? angle.is_more_than_half() : angle.is_more_than_full())
+        m_vertex_kind[v] |= PSEUDO_SOURCE;
+    }
+    if(!incomplete.empty())
+      complete_closed_umbrellas(incomplete);
+  }
+
+  // The ends of an edge that is nearly lost in rounding are pseudo-sources, whatever their angles; so are
+  // the corners of a face whose height is.
+  void mark_degenerate(const Face& f)
+  {
+    const bool is_flat = has_no_height(f);
+    if(!is_flat && f.length[0] > Tolerance<FT>::length())
+      return;
+    for(unsigned int k = 0; k < 3; ++k)
+      if(is_flat || f.length[k] <= Tolerance<FT>::length())
+      {
+        m_vertex_kind[f.vertex[k]] |= DEGENERATE | PSEUDO_SOURCE;
+        m_vertex_kind[f.vertex[next_place(k)]] |= DEGENERATE | PSEUDO_SOURCE;
+      }
+  }
+
+  // A face that has been divided by sources is crossed in not more parts than there are new faces, and one.
+  void count_most_crossings()
+  {
+    m_most_crossings = number_of_faces();
+    if(m_crossings_by_lengths > 0)
+    {
+      const double parts = static_cast<double>(number_of_faces() - m_number_of_faces_before + 1);
+      m_most_crossings = static_cast<std::size_t>((std::min)(parts * m_crossings_by_lengths, largest_crossings));
+    }
+  }
+
+  // Of the least height to the longest side.
+  static constexpr double ratio_of_lost_face = 0x1p-24, ratio_of_thick_face = 0x1p-12;
+
+  static constexpr double largest_crossings = 1 << 30; // (windows count them in 31 bits)
+
+  std::vector<Face> m_faces;
+  std::vector<Halfedge_id> m_vertex_halfedge;
+  std::vector<unsigned char> m_vertex_kind;
+  std::vector<std::pair<Vertex_id, Halfedge_id>> m_other_umbrellas; // sorted
+  std::vector<std::uint32_t> m_star_begin; // of the vertices of the mesh as it was built
+  std::vector<Halfedge_id> m_star;
+  std::vector<Component> m_components; // empty if there is one
+  FT m_unit = 1;
+  std::size_t m_most_crossings = 0, m_number_of_faces_before = 0; // before sources divided them
+  double m_crossings_by_lengths = 0;                              // 0 for a surface with points
+};
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_INTRINSIC_MESH_H

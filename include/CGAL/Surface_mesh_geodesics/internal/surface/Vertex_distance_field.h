@@ -1,0 +1,116 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_VERTEX_DISTANCE_FIELD_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_VERTEX_DISTANCE_FIELD_H
+
+// What a propagation tells of the vertices: the distance, and how the shortest path arrives. That is
+// all that a path to a vertex can be traced back with; no windows are needed.
+//
+// The vertices that have been reached are listed, so that the results of a propagation that ended early
+// can be read, and removed, in time proportional to the area that it reached.
+
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
+
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+// The last straight piece of the shortest path to a vertex: it comes from the vertex `root`, and
+// enters the vertex from the face of `halfedge`, which lies opposite to it, through the point
+// `crossing` of that halfedge (measured from its source). For a source, `halfedge` is null_id and
+// `root` the vertex itself.
+template <typename FT>
+struct Vertex_arrival
+{
+  FT crossing;
+  Halfedge_id halfedge = null_id;
+  Vertex_id root = null_id;
+};
+
+// Where the image of the root is, in the frame of the halfedge of arrival: (x, -depth).
+template <typename FT>
+struct Arrival_image
+{
+  FT x = 0, depth = 0;
+};
+
+template <typename FT>
+struct Vertex_distance_field
+{
+  std::vector<FT> distance;
+  std::vector<Vertex_arrival<FT>> arrival;
+  std::vector<Vertex_id> reached; // the vertices with a finite distance, each once
+  // Needed to trace paths only. A path that just grazes a vertex may bend at the crossing, by an angle that
+  // changes no digit of the distance; so the image cannot be told from the crossing.
+  std::vector<Arrival_image<FT>> image;
+  bool keeps_images = false;
+
+  void reset(std::size_t number_of_vertices)
+  {
+    image.assign(keeps_images ? number_of_vertices : 0, Arrival_image<FT>());
+    distance.assign(number_of_vertices, infinity());
+    arrival.assign(number_of_vertices, Vertex_arrival<FT>());
+    reached.clear();
+  }
+
+  // forgets what is known, in time proportional to that.
+  void restart(std::size_t number_of_vertices)
+  {
+    for(const Vertex_id v : reached)
+    {
+      distance[v] = infinity();
+      arrival[v] = Vertex_arrival<FT>();
+      if(keeps_images)
+        image[v] = Arrival_image<FT>();
+    }
+    reached.clear();
+    image.resize(keeps_images ? number_of_vertices : 0);
+    distance.resize(number_of_vertices, infinity());
+    arrival.resize(number_of_vertices);
+  }
+
+  void set_distance(Vertex_id v, const FT& d)
+  {
+    if(!(distance[v] < infinity()))
+      reached.push_back(v);
+    distance[v] = d;
+  }
+
+  static FT infinity() { return std::numeric_limits<FT>::infinity(); }
+
+  bool is_source(Vertex_id v) const
+  {
+    return arrival[v].root == v && arrival[v].halfedge == null_id;
+  }
+
+  // the source vertex from which the shortest path to v comes, or null_id.
+  Vertex_id source_of(Vertex_id v) const
+  {
+    while(arrival[v].root != null_id && arrival[v].root != v)
+      v = arrival[v].root;
+    return arrival[v].root;
+  }
+
+  std::size_t memory() const
+  {
+    return distance.capacity() * sizeof(FT) + arrival.capacity() * sizeof(arrival[0])
+         + image.capacity() * sizeof(image[0]) + reached.capacity() * sizeof(Vertex_id);
+  }
+};
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_VERTEX_DISTANCE_FIELD_H

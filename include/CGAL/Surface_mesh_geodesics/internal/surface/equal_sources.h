@@ -1,0 +1,64 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_EQUAL_SOURCES_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_EQUAL_SOURCES_H
+
+// Sources that are not the same, but so near to each other that all distances from them tie, as far as numbers tell.
+// Nobody knows where the curve between their cells is.
+
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
+
+#include <cmath>
+#include <cstddef>
+#include <unordered_map>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+// calls visit(v, u) for each vertex v of a source that has an edge to the vertex u of an earlier one, and ties with it.
+// None of the vertices u is such a vertex v. (The extent of the mesh is about 1.)
+template <typename FT, typename Visitor>
+void for_each_equal_source(const Intrinsic_mesh<FT>& mesh, const std::vector<Vertex_id>& vertex,
+                           const std::vector<FT>& offset, Visitor visit)
+{
+  using std::abs;
+  std::unordered_map<Vertex_id, FT> offset_of; // of the vertices u
+  for(std::size_t i = 0; i < vertex.size(); ++i)
+  {
+    const Vertex_id v = vertex[i];
+    if(offset_of.find(v) != offset_of.end())
+      continue;
+    Vertex_id equal = null_id;
+    mesh.for_each_halfedge_around(v, [&](Halfedge_id h)
+    {
+      for(const Halfedge_id e : {h, previous_halfedge(h)})
+      {
+        const Vertex_id u = e == h ? mesh.target(e) : mesh.source(e);
+        const auto it = offset_of.find(u);
+        if(it != offset_of.end() && mesh.length(e) + abs(FT(it->second - offset[i])) <= Tolerance<FT>::tie())
+          equal = u;
+      }
+    });
+    if(equal == null_id)
+      offset_of.emplace(v, offset[i]);
+    else
+      visit(v, equal);
+  }
+}
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_EQUAL_SOURCES_H

@@ -1,0 +1,182 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_FACE_WINDOWS_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_FACE_WINDOWS_H
+
+// Windows that are kept for the face that they have entered, by the halfedge across which they came. Those of
+// a halfedge can be given back, and their memory is used again.
+//
+// Windows lie in chunks. How chunks hang together is written in a place of its own, which is small enough for the
+// caches: on large meshes, a chunk that is used again is in none.
+
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+// What remains of a window when it has been propagated (in the frame of its halfedge, see Window.h).
+template <typename FT>
+struct Face_window
+{
+  FT begin, end;
+  FT image_x, image_depth;
+  Vertex_id root;
+};
+
+template <typename FT>
+class Face_windows
+{
+public:
+  void reset(std::size_t number_of_faces)
+  {
+    m_last_chunk.assign(3 * number_of_faces, null_id);
+    m_chunks.clear();
+    m_links.clear();
+    m_first_free = null_id;
+    m_size = m_maximum_size = 0;
+  }
+
+  void add(Halfedge_id h, const Face_window<FT>& w)
+  {
+    add(h, 1, [&](std::size_t) { return w; });
+  }
+
+  // adds window(i) for i < n.
+  template <typename Window_at>
+  void add(Halfedge_id h, std::size_t n, Window_at window)
+  {
+    std::uint32_t& last = m_last_chunk[entry(h)];
+    for(std::size_t i = 0; i < n;)
+    {
+      if(last == null_id || m_links[last].number % Chunk::capacity == 0)
+        add_chunk(last);
+      std::uint32_t place = m_links[last].number % Chunk::capacity;
+      const std::size_t end = (std::min)(n, i + (Chunk::capacity - place));
+      m_links[last].number += static_cast<std::uint32_t>(end - i);
+      for(Chunk& chunk = m_chunks[last]; i < end; ++i)
+        chunk.put(place++, window(i));
+    }
+    m_size += n;
+    m_maximum_size = (std::max)(m_maximum_size, m_size);
+  }
+
+  // gives the windows of h back, in constant time.
+  void release(Halfedge_id h)
+  {
+    std::uint32_t& last = m_last_chunk[entry(h)];
+    if(last == null_id)
+      return;
+    m_size -= m_links[last].number;
+    std::swap(m_links[last].next, m_first_free);
+    last = null_id;
+  }
+
+  // calls visit(window) for the windows of h, in the order in which they were added.
+  template <typename Visitor>
+  void for_each(Halfedge_id h, Visitor visit) const
+  {
+    const std::uint32_t last = m_last_chunk[entry(h)];
+    if(last == null_id)
+      return;
+    for(std::uint32_t c = m_links[last].next;; c = m_links[c].next)
+    {
+      const std::uint32_t size = c == last ? (m_links[c].number - 1) % Chunk::capacity + 1 : Chunk::capacity;
+      for(std::uint32_t i = 0; i < size; ++i)
+        visit(m_chunks[c].get(i));
+      if(c == last)
+        return;
+    }
+  }
+
+  // how many windows there are, and have been at most at a time.
+  std::size_t size() const { return m_size; }
+  std::size_t maximum_size() const { return m_maximum_size; }
+
+  std::size_t memory() const
+  {
+    return m_chunks.capacity() * sizeof(Chunk) + m_links.capacity() * sizeof(Link)
+         + m_last_chunk.capacity() * sizeof(std::uint32_t);
+  }
+
+private:
+  // Some windows of a halfedge.
+  struct Chunk
+  {
+    static constexpr std::uint32_t capacity = 6;
+    std::array<Vertex_id, capacity> root;
+    std::array<std::array<FT, 4>, capacity> place;
+
+    Face_window<FT> get(std::uint32_t i) const
+    {
+      return Face_window<FT>{place[i][0], place[i][1], place[i][2], place[i][3], root[i]};
+    }
+
+    void put(std::uint32_t i, const Face_window<FT>& w)
+    {
+      root[i] = w.root;
+      place[i] = {w.begin, w.end, w.image_x, w.image_depth};
+    }
+  };
+
+  // The chunks of a halfedge are a ring, from the first one to the last one, in which there may be room.
+  struct Link
+  {
+    std::uint32_t number; // of the windows in the chunk and in those before it
+    std::uint32_t next;
+  };
+
+  static std::size_t entry(Halfedge_id h) { return 3 * std::size_t(face_of(h)) + place_in_face(h); }
+
+  // puts an empty chunk behind the last one.
+  void add_chunk(std::uint32_t& last)
+  {
+    const std::uint32_t c = new_chunk();
+    m_links[c] = Link{0, c};
+    if(last != null_id)
+    {
+      m_links[c].number = m_links[last].number;
+      std::swap(m_links[c].next, m_links[last].next);
+    }
+    last = c;
+  }
+
+  std::uint32_t new_chunk()
+  {
+    if(m_first_free == null_id)
+    {
+      m_chunks.emplace_back();
+      m_links.emplace_back();
+      return static_cast<std::uint32_t>(m_chunks.size() - 1);
+    }
+    const std::uint32_t c = m_first_free;
+    m_first_free = m_links[c].next;
+    return c;
+  }
+
+  std::vector<std::uint32_t> m_last_chunk; // by halfedge
+  std::vector<Chunk> m_chunks;
+  std::vector<Link> m_links; // by chunk
+  std::uint32_t m_first_free = null_id; // of the chunks that are free, each of which knows the next one
+  std::size_t m_size = 0, m_maximum_size = 0;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_FACE_WINDOWS_H

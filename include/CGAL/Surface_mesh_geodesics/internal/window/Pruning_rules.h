@@ -1,0 +1,30 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_PRUNING_RULES_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_PRUNING_RULES_H
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+// The rules that a propagation applies, as a policy. Each of them only saves work: the tests switch
+// them off one by one and demand the same distances. Without any rule no window ever ends.
+struct All_pruning_rules
+{
+  static constexpr bool rule_1 = true;      // one angle, two sides (thesis, 4.2.3.1)
+  static constexpr bool pair_rules = true;  // Rules 2 and 3 (thesis, 4.2.3.2 and 4.2.3.3)
+  static constexpr bool vertex_rule = true; // checking with vertices (thesis, case 12)
+};
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_PRUNING_RULES_H

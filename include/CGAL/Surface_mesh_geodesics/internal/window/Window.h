@@ -1,0 +1,130 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_WINDOW_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_WINDOW_H
+
+// The window (thesis, 3.3.1): the straight paths from one pseudo-source that cross one sequence of
+// edges and end in one interval of the last of them, AB.
+//
+// Frame. A window belongs to the halfedge AB of the face ABC that it is about to enter. A is the
+// origin, AB the positive x axis, C lies above. The image of the pseudo-source, unfolded into the
+// plane of ABC along the edge sequence, lies below, at (image_x, -image_depth) with
+// image_depth > 0. Looking from the image across AB, A is on the left and B on the right.
+//
+// Order. The key tells where the edge sequence of a window runs with respect to those of the other
+// windows on AB: it holds the last 64 turns (0 = the window left the face before across its left
+// edge, 1 = right), the latest turn in the highest bit, followed by a single 1 where the sequence
+// begins at its pseudo-source. Take two windows on AB whose keys differ. Their edge sequences agree
+// back to some face, which they enter across different edges, or in which one of them begins at the
+// vertex that these edges share: the smaller key comes from the left. Beyond that face both run
+// through the same triangles, which unfold to a disk. So if a path of the window with the smaller
+// key ends on the right of a path of the other, the two really cross, in that disk. This is what
+// every pruning of pairs needs to know, and the key is the only place where it is known: the
+// positions of images or intervals do not tell it.
+//
+// Windows with equal keys have edge sequences that agree for 64 faces. Lists are split and joined
+// without changing the order of such windows, so it is still known; only where lists are merged that
+// came to an edge at different times may it be lost. The windows that came later are marked then, and
+// so are their children: no rule is applied to two windows of equal keys one of which is marked.
+
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
+
+#include <cmath>
+#include <cstdint>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+using Window_key = std::uint64_t;
+
+enum Turn : unsigned int { LEFT_TURN = 0, RIGHT_TURN = 1 };
+
+// The key of an edge sequence that begins at its pseudo-source.
+constexpr Window_key initial_window_key = Window_key(1) << 63;
+
+// The root of a window and its number of steps (see below), in the lower and the higher half.
+using Window_history = std::uint64_t;
+
+constexpr Window_history one_step = Window_history(1) << 32;
+
+// Invariants: 0 <= begin < end <= |AB|; image_depth > 0; begin_distance and end_distance are the
+// distances at the ends of the interval, root_distance the distance of the pseudo-source.
+template <typename FT>
+struct Window
+{
+  FT begin, end;
+  FT image_x, image_depth;
+  FT begin_distance, end_distance;
+  FT root_distance;
+  Window_key key;
+  Vertex_id root;
+  std::uint32_t steps; // twice the number of faces crossed, plus 1 if marked (see above)
+
+  std::uint32_t number_of_crossings() const { return steps / 2; }
+  bool is_marked() const { return (steps & 1) != 0; }
+  void mark() { steps |= 1; }
+
+  Window_history history() const { return root | (steps * one_step); }
+
+  void set_history(Window_history h)
+  {
+    root = static_cast<Vertex_id>(h);
+    steps = static_cast<std::uint32_t>(h >> 32);
+  }
+
+  // the distance at the point (x,0), whether the interval holds it or not.
+  FT distance_at(const FT& x) const
+  {
+    using std::sqrt;
+    const FT dx = x - image_x;
+    return root_distance + sqrt(dx * dx + image_depth * image_depth);
+  }
+
+  // the smallest distance at a point of the interval.
+  FT minimum_distance() const
+  {
+    if(image_x <= begin)
+      return begin_distance;
+    if(image_x >= end)
+      return end_distance;
+    return root_distance + image_depth;
+  }
+};
+
+// The steps to keep for a list: a number of crossings that is not less than that of any of its windows,
+// and a mark if one of them may be marked.
+constexpr std::uint32_t joined_steps(std::uint32_t a, std::uint32_t b)
+{
+  return (a < b ? b : a) | ((a | b) & 1);
+}
+
+// Is the image so near to its interval on an edge of the given length that rounding of the ends of the
+// interval would turn the paths? It is where a pseudo-source lies on the edge: in front of a flat face.
+template <typename FT>
+bool is_too_close_to_trim(const Window<FT>& w, const FT& length)
+{
+  return w.image_depth <= Tolerance<FT>::closeness() * length
+      && w.minimum_distance() - w.root_distance <= Tolerance<FT>::closeness() * length;
+}
+
+// is the place of two windows of one edge with respect to each other not known?
+template <typename FT>
+bool is_order_unknown(const Window<FT>& a, const Window<FT>& b)
+{
+  return a.key == b.key && (a.is_marked() || b.is_marked());
+}
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_WINDOW_H

@@ -1,0 +1,317 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_WINDOW_LIST_CROSSING_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_WINDOW_LIST_CROSSING_H
+
+// One window list across one face (thesis, 4.2.3): the list is cleaned, its best window for the
+// opposite vertex C is found (Rule 1), and what remains is split into the lists of the two other
+// edges. Neighbours of a sorted list are pruned against each other once, when the list is about to be
+// propagated and all lists that reach its edge have been merged into it; so Rule 2 (one list) and
+// Rule 3 (merged lists) are one pass.
+
+#include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/Pruning_rules.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/Window_list_loops.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/Window_lists.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/bit_counting.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/window_pruning.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+// The corners A, B and C of a face as rivals of the windows that enter it across AB.
+template <typename FT>
+struct Corner_rivals
+{
+  Vertex_rival<FT> origin, target, apex;
+};
+
+template <typename FT, typename Rules>
+class Window_list_crossing
+{
+  using Loops = Loops_by_length<FT, Rules>;
+
+public:
+  // The path to C that is the shortest of those through the list.
+  struct Apex_path
+  {
+    std::size_t index; // of its window
+    FT distance;
+    FT separating_point;
+    FT image_x, image_depth;
+    Vertex_id root;
+  };
+
+  Window_list_crossing(const Intrinsic_mesh<FT>& mesh, const std::vector<FT>& distance,
+                       Propagation_statistics& statistics, Lane_choice lanes = Lane_choice::BEST)
+    : m_mesh(mesh), m_distance(distance), m_statistics(statistics), m_loops(lanes)
+  {}
+
+  // Has the distance of a pseudo-source shrunk whose windows had been made?
+  void expect_stale_windows(bool are_expected) { m_has_stale_windows = are_expected; }
+
+  // removes what is redundant on the edge itself: windows of a pseudo-source that has been improved
+  // since, windows beaten by a vertex, windows beaten by a neighbour, and windows that have crossed more faces than
+  // any shortest path does (Intrinsic_mesh.h).
+  //
+  // All windows are trimmed against their neighbours as they are. What is not decided then, because a
+  // window is redundant, is looked at window by window. No order of pruning does harm: what is removed
+  // is longer than some path on the surface.
+  //
+  // Most windows that are removed later instead cost less than to look for them on each edge: lists are pruned on every
+  // fourth edge only.
+  void prune(Window_list<FT>& list, const Crossing<FT>& c, const Corner_rivals<FT>& corners)
+  {
+    const bool is_unusual = list.may_be_marked() || list.number_of_crossings() > m_mesh.most_crossings();
+    if(list.number_of_crossings() % edges_for_pruning != 0 && !is_unusual && !m_has_stale_windows)
+      return;
+    const bool has_suspects = is_unusual || (m_has_stale_windows && has_stale_windows(list))
+                                ? suspect_all(list)
+                                : trim(list, c, corners);
+    if(has_suspects)
+      remove_redundant_suspects(list, c, corners);
+  }
+
+  // finds the shortest path to C through a list that is not empty; the first one if several tie.
+  Apex_path find_apex_path(const Window_list<FT>& list, const Crossing<FT>& c)
+  {
+    if(m_abscissa.size() < list.size + m_loops.lanes())
+      m_abscissa.resize(2 * list.size + m_loops.lanes());
+    const Nearest_window<FT> nearest = m_loops(list.size).find_nearest(list.columns, list.size, c, m_abscissa.data());
+    m_has_close_images = nearest.has_close_images;
+    Apex_path best;
+    best.index = nearest.index;
+    best.distance = nearest.distance;
+    straighten(list, c, best);
+    const Window<FT> w = list.columns.get(best.index);
+    best.separating_point = (std::min)((std::max)(m_abscissa[best.index], w.begin), w.end);
+    best.image_x = w.image_x;
+    best.image_depth = w.image_depth;
+    best.root = w.root;
+    return best;
+  }
+
+  // splits a pruned list at its separating point (Rule 1) and propagates it to the two other edges,
+  // into the rooms given, if they are any. The list is that of the last call of find_apex_path().
+  void split(const Window_list<FT>& list, const Crossing<FT>& c, const Corner_rivals<FT>& corners,
+             const Apex_path& path, const Window_list<FT>& left_room, const Window_list<FT>& right_room)
+  {
+    m_left.start(left_room, list.steps + 2);
+    m_right.start(right_room, list.steps + 2);
+    const FT& s = path.separating_point;
+    Edge_cut<FT> to_left{corners.origin, corners.apex, s, path.index};
+    Edge_cut<FT> to_right{corners.apex, corners.target, s, path.index};
+    if(Rules::rule_1 && !list.may_be_marked() && !m_has_close_images
+       && m_loops(list.size).is_split_by(list.columns, list.size, path.index, s))
+    {
+      cross(&Window_list_loops<FT>::cross_left, list, 0, path.index + 1, c, to_left, m_left);
+      cross(&Window_list_loops<FT>::cross_right, list, path.index, list.size, c, to_right, m_right);
+      return;
+    }
+    // A window keeps both sides if its place with respect to the best one is not known, or if it lies
+    // wholly on the other side of the separating point than its key says, in which case nothing can be
+    // proved.
+    const Window<FT> best = list.columns.get(path.index);
+    for(std::size_t i = 0; i < list.size; ++i)
+    {
+      const Window<FT> w = list.columns.get(i);
+      const bool keeps_both = !Rules::rule_1 || i == path.index || is_order_unknown(w, best)
+                           || is_too_close_to_trim(w, c.length)
+                           || (i < path.index ? w.begin > s : w.end < s);
+      to_left.whole_window = to_right.whole_window = keeps_both ? i : path.index;
+      to_left.cut = keeps_both ? c.length : s;
+      to_right.cut = keeps_both ? FT(0) : s;
+      if(keeps_both || i < path.index)
+        cross(&Window_list_loops<FT>::cross_left, list, i, i + 1, c, to_left, m_left);
+      if(keeps_both || i > path.index)
+        cross(&Window_list_loops<FT>::cross_right, list, i, i + 1, c, to_right, m_right);
+    }
+  }
+
+  const Window_batch<FT>& left() const { return m_left; }
+  const Window_batch<FT>& right() const { return m_right; }
+
+private:
+  static constexpr std::uint32_t edges_for_pruning = 4;
+
+  bool has_stale_windows(const Window_list<FT>& list) const
+  {
+    for(std::size_t i = 0; i < list.size; ++i)
+      if(list.columns.root_distance()[i] > m_distance[static_cast<Vertex_id>(list.columns.history()[i])])
+        return true;
+    return false;
+  }
+
+  // A path that bends at the end of its interval, next to another window, may be as long as a straighter one
+  // through that window, as far as rounding lets one see: the bend costs only the square of the shift. But the
+  // list is split where the path crosses it, and the whole shift would become a gap between the children. So the
+  // straighter path is taken.
+  void straighten(const Window_list<FT>& list, const Crossing<FT>& c, Apex_path& best) const
+  {
+    const bool is_to_right = m_abscissa[best.index] > list.columns.end()[best.index];
+    const bool is_to_left = m_abscissa[best.index] < list.columns.begin()[best.index];
+    while(is_to_right ? best.index + 1 < list.size : is_to_left && best.index > 0)
+    {
+      const std::size_t next = is_to_right ? best.index + 1 : best.index - 1;
+      const Window<FT> w = list.columns.get(next);
+      const FT t = m_abscissa[next], s = (std::min)((std::max)(t, w.begin), w.end);
+      const bool is_straighter = is_to_right ? t >= w.begin && s > list.columns.end()[best.index]
+                                             : t <= w.end && s < list.columns.begin()[best.index];
+      if(!is_straighter
+         || is_clearly_less(best.distance, FT(w.distance_at(s) + norm<FT>(c.apex_x - s, c.apex_y))))
+        return;
+      best.index = next;
+    }
+  }
+
+  // makes suspects of all windows of a list: neighbours that are marked must not be trimmed at once.
+  bool suspect_all(Window_list<FT>& list)
+  {
+    list.steps = 0;
+    for(std::size_t i = 0; i < list.size; ++i)
+      list.steps = joined_steps(list.steps, list.columns.get(i).steps);
+    m_suspects.assign(list.size / suspects_in_word + 1, static_cast<Suspects>(~0u));
+    return true;
+  }
+
+  // trims the windows of a list against their neighbours. Returns whether there are suspects.
+  bool trim(const Window_list<FT>& list, const Crossing<FT>& c, const Corner_rivals<FT>& corners)
+  {
+    if(m_suspects.size() < list.size / suspects_in_word + 1)
+      m_suspects.resize(2 * list.size / suspects_in_word + 1);
+    return m_loops(list.size).trim(list.columns, list.size, c.length, corners.origin, corners.target,
+                                   m_suspects.data());
+  }
+
+  // the first suspect from i on among the first n windows, n if there is none.
+  std::size_t next_suspect(std::size_t i, std::size_t n) const
+  {
+    while(i < n)
+    {
+      const unsigned int rest = unsigned(m_suspects[i / suspects_in_word]) >> i % suspects_in_word;
+      if(rest != 0)
+        return (std::min)(i + trailing_zeros(rest), n);
+      i = (i / suspects_in_word + 1) * suspects_in_word;
+    }
+    return n;
+  }
+
+  // looks at the suspects, and at windows whose neighbour before them has been removed or trimmed.
+  void remove_redundant_suspects(Window_list<FT>& list, const Crossing<FT>& c,
+                                 const Corner_rivals<FT>& corners)
+  {
+    const Vertex_rival<FT> left = corners.origin, right = corners.target;
+    std::size_t last = 0; // windows before it are done
+    bool is_changed = false;
+    for(std::size_t i = 0; i < list.size;)
+    {
+      const std::size_t first = i;
+      if(!is_changed)
+        i = next_suspect(i, list.size);
+      if(last != first)
+        list.columns.move_down(first, i, last);
+      last += i - first;
+      if(i == list.size)
+        break;
+      Window<FT> w = list.columns.get(i++);
+      const FT begin = w.begin;
+      is_changed = true;
+      if(!is_redundant(w, c.length, left, right) && survives_neighbours(list, last, w, c.length))
+      {
+        is_changed = w.begin != begin;
+        list.columns.set(last++, w);
+      }
+    }
+    list.size = static_cast<std::uint32_t>(last);
+  }
+
+  // is w redundant whatever its neighbours are?
+  bool is_redundant(const Window<FT>& w, const FT& length, const Vertex_rival<FT>& left,
+                    const Vertex_rival<FT>& right)
+  {
+    if(!(w.begin < w.end)) // trimmed from both sides
+    {
+      ++m_statistics.windows_removed_by_rules_2_and_3;
+      return true;
+    }
+    if(w.root_distance > m_distance[w.root] || w.number_of_crossings() > m_mesh.most_crossings()
+       || (Rules::vertex_rule && is_beaten_by_vertices(w, length, left, right)))
+    {
+      ++m_statistics.windows_removed_by_vertices;
+      return true;
+    }
+    return false;
+  }
+
+  // prunes w against the first `last` windows, nearest first, as long as they are removed (thesis,
+  // 4.2.3.2: linear time). Returns false if w itself is removed.
+  bool survives_neighbours(Window_list<FT>& list, std::size_t& last, Window<FT>& w,
+                           const FT& length)
+  {
+    while(Rules::pair_rules && last != 0)
+    {
+      if(list.columns.end()[last - 1] <= w.begin)
+        return true;
+      Window<FT> neighbour = list.columns.get(last - 1);
+      if(is_too_close_to_trim(neighbour, length) || is_too_close_to_trim(w, length))
+        return true;
+      if(is_order_unknown(neighbour, w))
+      {
+        ++m_statistics.ambiguous_pairs;
+        return true;
+      }
+      switch(prune_pair(neighbour, w))
+      {
+      case Pair_outcome::KEEP_BOTH:
+        list.columns.set(last - 1, neighbour);
+        return true;
+      case Pair_outcome::RIGHT_IS_REDUNDANT:
+        ++m_statistics.windows_removed_by_rules_2_and_3;
+        return false;
+      case Pair_outcome::LEFT_IS_REDUNDANT:
+        ++m_statistics.windows_removed_by_rules_2_and_3;
+        --last;
+      }
+    }
+    return true;
+  }
+
+  // puts the children of the windows [first, last) on one edge, if there is room.
+  void cross(typename Window_list_loops<FT>::Cross Window_list_loops<FT>::*loop, const Window_list<FT>& list,
+             std::size_t first, std::size_t last, const Crossing<FT>& c, const Edge_cut<FT>& edge,
+             Window_batch<FT>& batch)
+  {
+    if(batch.has_room())
+      (m_loops(last - first).*loop)(list.columns, first, last, c, edge, m_abscissa.data(), batch, m_statistics);
+  }
+
+  const Intrinsic_mesh<FT>& m_mesh;
+  const std::vector<FT>& m_distance; // of the vertices
+  Propagation_statistics& m_statistics;
+  const Loops m_loops;
+  bool m_has_stale_windows = false; // of a pseudo-source that has been improved since
+  bool m_has_close_images = false;  // in the list: some windows may be too close to trim
+  Window_batch<FT> m_left, m_right;
+  std::vector<FT> m_abscissa;           // the apex_abscissa of each window of the list
+  std::vector<Suspects> m_suspects;     // among the windows of the list
+};
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_WINDOW_LIST_CROSSING_H

@@ -1,0 +1,229 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_WINDOW_LIST_LOOPS_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_WINDOW_LIST_LOOPS_H
+
+// The loops over the windows of a list, in which nearly all time is spent, for the processor that is
+// there. They are compiled once for each number of lanes that may be of use (simd.h): the files in lanes/ are
+// included several times, each time into another namespace, and for another instruction set. Which of them are
+// called is chosen once for an object, not in the loops.
+//
+// All results are the same bits whatever the choice, see simd.h.
+
+#include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/Pruning_rules.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/Window.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/Window_lists.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/simd.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/window_pruning.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+// The windows that a list sends across one edge, in the room behind the list of that edge, and their
+// smallest distance.
+template <typename FT>
+struct Window_batch
+{
+  Window_list<FT> list;
+  std::size_t size;
+  FT minimum_distance;
+  std::uint32_t steps; // joined_steps() of the windows
+
+  void start(const Window_list<FT>& room, std::uint32_t steps_of_windows)
+  {
+    list = room;
+    size = 0;
+    minimum_distance = std::numeric_limits<FT>::infinity();
+    steps = steps_of_windows;
+  }
+
+  bool has_room() const { return list.columns.height != 0; }
+
+  void add(const Window<FT>& w)
+  {
+    list.columns.set(list.size + size, w);
+    minimum_distance = (std::min)(minimum_distance, w.minimum_distance());
+    ++size;
+  }
+};
+
+// What the windows of a list are cut to on the edge AC or CB.
+template <typename FT>
+struct Edge_cut
+{
+  Vertex_rival<FT> left, right; // the ends of the edge
+  FT cut;                       // only paths on this side of it are taken
+  std::size_t whole_window;     // loses nothing at the cut
+};
+
+// The window of a list through which the path to C is shortest.
+template <typename FT>
+struct Nearest_window
+{
+  std::size_t index; // the first one if several tie
+  FT distance;
+  bool has_close_images; // in the list: some windows may be too close to trim
+};
+
+// The set of windows that have to be looked at one by one: a bit for each.
+using Suspects = unsigned char;
+constexpr std::size_t suspects_in_word = 8;
+
+template <typename FT>
+struct Window_list_loops
+{
+  using Columns = Window_columns<FT>;
+  using Rival = Vertex_rival<FT>;
+  using Cross = void (*)(const Columns& columns, std::size_t first, std::size_t last, const Crossing<FT>& c,
+                         const Edge_cut<FT>& edge, const FT* abscissa, Window_batch<FT>& batch,
+                         Propagation_statistics& statistics);
+
+  // Blocks have so many rows behind the windows that they have room for.
+  std::size_t lanes;
+
+  // trims the n windows of a list against their neighbours. Those that have to be looked at become
+  // suspects: windows that may be redundant by themselves, or by the window before them, and those
+  // that may be too close to trim, or behind such a window. Returns whether there are any.
+  bool (*trim)(const Columns& columns, std::size_t n, const FT& length, const Rival& left, const Rival& right,
+               Suspects* suspects);
+
+  // finds the shortest path to C, and the apex_abscissa of all windows.
+  Nearest_window<FT> (*find_nearest)(const Columns& columns, std::size_t n, const Crossing<FT>& c, FT* abscissa);
+
+  // does no window lie wholly on the other side of s than its key says, before or after the best one?
+  bool (*is_split_by)(const Columns& columns, std::size_t n, std::size_t best, const FT& s);
+
+  // puts the children of the windows [first, last) on one edge.
+  Cross cross_left, cross_right;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+// One lane: for all number types, and for comparison.
+#define CGAL_SURFACE_MESH_GEODESICS_LANES 1
+#define CGAL_SURFACE_MESH_GEODESICS_LANES_NAMESPACE one_lane
+#include <CGAL/Surface_mesh_geodesics/internal/window/lanes/all.h>
+
+// The instruction set of the compilation.
+#if CGAL_SURFACE_MESH_GEODESICS_COMPILED_LANES > 1
+#define CGAL_SURFACE_MESH_GEODESICS_LANES CGAL_SURFACE_MESH_GEODESICS_COMPILED_LANES
+#define CGAL_SURFACE_MESH_GEODESICS_LANES_NAMESPACE CGAL_SURFACE_MESH_GEODESICS_COMPILED_NAMESPACE
+#include <CGAL/Surface_mesh_geodesics/internal/window/lanes/all.h>
+#endif
+
+#ifdef CGAL_SURFACE_MESH_GEODESICS_HAS_WIDE_CODE
+#ifdef __clang__
+#pragma clang attribute push(__attribute__((target("avx2"))), apply_to = function)
+#else
+#pragma GCC push_options
+#pragma GCC target("avx2")
+#endif
+#define CGAL_SURFACE_MESH_GEODESICS_LANES 4
+#define CGAL_SURFACE_MESH_GEODESICS_LANES_NAMESPACE avx2_lanes
+#include <CGAL/Surface_mesh_geodesics/internal/window/lanes/all.h>
+#ifdef __clang__
+#pragma clang attribute pop
+#else
+#pragma GCC pop_options
+#endif
+
+// (AVX-512 has fused operations, unlike AVX2: they would change last digits.)
+#ifdef __clang__
+#pragma float_control(push)
+#pragma clang fp contract(off)
+#pragma clang attribute push(__attribute__((target("avx512f,avx512bw,avx512dq,avx512vl"))), apply_to = function)
+#else
+#pragma GCC push_options
+#pragma GCC target("avx512f,avx512bw,avx512dq,avx512vl")
+#pragma GCC optimize("fp-contract=off")
+#endif
+#define CGAL_SURFACE_MESH_GEODESICS_LANES 8
+#define CGAL_SURFACE_MESH_GEODESICS_LANES_NAMESPACE avx512_lanes
+#include <CGAL/Surface_mesh_geodesics/internal/window/lanes/all.h>
+#ifdef __clang__
+#pragma clang attribute pop
+#pragma float_control(pop)
+#else
+#pragma GCC pop_options
+#endif
+#endif
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+// Which loops? Those with the most lanes that are of use, with at most four, with those of the compilation, or one.
+enum class Lane_choice { BEST, FOUR, COMPILED, ONE };
+
+template <typename FT, typename Rules>
+Window_list_loops<FT> window_list_loops(Lane_choice choice = Lane_choice::BEST)
+{
+  if constexpr(std::is_same<FT, double>::value)
+  {
+#ifdef CGAL_SURFACE_MESH_GEODESICS_HAS_WIDE_CODE
+    // (The first processors with AVX-512 lower their clock where it is used. They do not have its extension VBMI2.)
+    if(choice == Lane_choice::BEST && __builtin_cpu_supports("avx512vbmi2"))
+      return avx512_lanes::List_loops<FT, Rules>::table();
+    if((choice == Lane_choice::BEST || choice == Lane_choice::FOUR) && __builtin_cpu_supports("avx2"))
+      return avx2_lanes::List_loops<FT, Rules>::table();
+#endif
+#if CGAL_SURFACE_MESH_GEODESICS_COMPILED_LANES > 1
+    if(choice != Lane_choice::ONE)
+      return CGAL_SURFACE_MESH_GEODESICS_COMPILED_NAMESPACE::List_loops<FT, Rules>::table();
+#endif
+  }
+  static_cast<void>(choice);
+  return one_lane::List_loops<FT, Rules>::table();
+}
+
+// The loops for lists of any length. A list of one window pays for the width of vectors and gains nothing, nor does one
+// of four windows gain from eight lanes. With many sources, most lists are as short as that.
+template <typename FT, typename Rules>
+class Loops_by_length
+{
+  using Loops = Window_list_loops<FT>;
+
+public:
+  explicit Loops_by_length(Lane_choice choice)
+    : m_many(window_list_loops<FT, Rules>(choice)),
+      m_few(choice == Lane_choice::BEST ? window_list_loops<FT, Rules>(Lane_choice::FOUR) : m_many),
+      m_one(window_list_loops<FT, Rules>(Lane_choice::ONE))
+  {}
+
+  const Loops& operator()(std::size_t number_of_windows) const
+  {
+    return number_of_windows > 4 ? m_many : number_of_windows > 1 ? m_few : m_one;
+  }
+
+  // the most lanes there are.
+  std::size_t lanes() const { return m_many.lanes; }
+
+private:
+  const Loops m_many, m_few, m_one;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_WINDOW_LIST_LOOPS_H

@@ -1,0 +1,437 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_WINDOW_LISTS_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_WINDOW_LISTS_H
+
+// The window lists of the wavefront (thesis, 3.3.2.1, definition 3.1): for each halfedge the windows
+// that wait to enter its face, sorted by key.
+//
+// A list is a block of a pool, with a column for each field of its windows: they are processed several
+// at a time (see simd.h). Blocks have room for 8, 16, 32, ... windows, and those that are given back are
+// used again. So no window is allocated for itself, a list is read in one sweep, and the memory is that
+// of the widest wavefront.
+
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/Window.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/bit_counting.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/simd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+// The columns of a block. Each is longer by one step of the loops over lanes than the windows it has
+// room for: such a loop reads and writes all lanes of its last step.
+template <typename FT>
+struct Window_columns
+{
+  static constexpr std::size_t number_of_numbers = 7;
+  static constexpr std::size_t number_of_words = 2;
+  static constexpr std::size_t step = 4; // windows that are copied at a time
+  // Loops over lanes and copies read and write so many rows behind the last window: as many as there can be lanes, so
+  // that it does not depend on the flags of the compilation.
+  static constexpr std::size_t padding = 8;
+
+  FT* numbers = nullptr;
+  std::uint64_t* words = nullptr;
+  std::size_t height = 0;
+
+  FT* begin() const { return numbers; }
+  FT* end() const { return numbers + height; }
+  FT* image_x() const { return numbers + 2 * height; }
+  FT* image_depth() const { return numbers + 3 * height; }
+  FT* begin_distance() const { return numbers + 4 * height; }
+  FT* end_distance() const { return numbers + 5 * height; }
+  FT* root_distance() const { return numbers + 6 * height; }
+  Window_key* key() const { return words; }
+  Window_history* history() const { return words + height; }
+
+  Window<FT> get(std::size_t i) const
+  {
+    Window<FT> w;
+    w.begin = begin()[i];
+    w.end = end()[i];
+    w.image_x = image_x()[i];
+    w.image_depth = image_depth()[i];
+    w.begin_distance = begin_distance()[i];
+    w.end_distance = end_distance()[i];
+    w.root_distance = root_distance()[i];
+    w.key = key()[i];
+    w.set_history(history()[i]);
+    return w;
+  }
+
+  void set(std::size_t i, const Window<FT>& w) const
+  {
+    begin()[i] = w.begin;
+    end()[i] = w.end;
+    image_x()[i] = w.image_x;
+    image_depth()[i] = w.image_depth;
+    begin_distance()[i] = w.begin_distance;
+    end_distance()[i] = w.end_distance;
+    root_distance()[i] = w.root_distance;
+    key()[i] = w.key;
+    history()[i] = w.history();
+  }
+
+  // copies the windows [first, last) of another block to the windows from i on, and what is behind them up to a
+  // full step.
+  void copy(const Window_columns& from, std::size_t first, std::size_t last, std::size_t i) const
+  {
+    for(; first < last; first += step, i += step)
+      copy_step(from, first, i);
+  }
+
+  // moves the windows [first, last) to the windows from i < first on, and no others.
+  void move_down(std::size_t first, std::size_t last, std::size_t i) const
+  {
+    for(; first + step <= last; first += step, i += step)
+      copy_step(*this, first, i);
+    for(; first < last; ++first, ++i)
+      set(i, get(first));
+  }
+
+private:
+  // (All of a step is read before it is written, so that the two places may overlap.)
+  void copy_step(const Window_columns& from, std::size_t first, std::size_t i) const
+  {
+    copy_step(from.begin() + first, begin() + i);
+    copy_step(from.end() + first, end() + i);
+    copy_step(from.image_x() + first, image_x() + i);
+    copy_step(from.image_depth() + first, image_depth() + i);
+    copy_step(from.begin_distance() + first, begin_distance() + i);
+    copy_step(from.end_distance() + first, end_distance() + i);
+    copy_step(from.root_distance() + first, root_distance() + i);
+    copy_step(from.key() + first, key() + i);
+    copy_step(from.history() + first, history() + i);
+  }
+
+  template <typename T>
+  static void copy_step(const T* from, T* to)
+  {
+    const std::array<T, step> rows{from[0], from[1], from[2], from[3]};
+    std::copy(rows.begin(), rows.end(), to);
+  }
+};
+
+// A list of windows sorted by key, in a block of the pool.
+template <typename FT>
+struct Window_list
+{
+  Window_columns<FT> columns;
+  std::uint32_t size = 0;
+  std::uint32_t size_class = 0;
+  std::uint32_t steps = 0; // joined_steps() of the windows
+
+  std::uint32_t number_of_crossings() const { return steps / 2; }
+  bool may_be_marked() const { return (steps & 1) != 0; }
+
+  std::size_t capacity() const
+  {
+    return columns.height == 0 ? 0 : std::size_t(8) << size_class;
+  }
+};
+
+template <typename FT>
+class Window_pool
+{
+public:
+  using List = Window_list<FT>;
+  using Columns = Window_columns<FT>;
+
+  // makes an empty list with room for n windows.
+  List allocate(std::size_t n)
+  {
+    List list;
+    list.size_class = size_class_for(n);
+    std::vector<Columns>& free_blocks = m_free_blocks[list.size_class];
+    if(free_blocks.empty())
+      list.columns = new_block(list.size_class);
+    else
+    {
+      list.columns = free_blocks.back();
+      free_blocks.pop_back();
+    }
+    return list;
+  }
+
+  // gives the block of a list back; the list is empty then.
+  void release(List& list)
+  {
+    if(list.columns.height != 0)
+      m_free_blocks[list.size_class].push_back(list.columns);
+    list = List();
+  }
+
+  // makes room for n more windows behind those of a list; add() takes them into the list.
+  void make_room(List& list, std::size_t n)
+  {
+    if(list.size + n <= list.capacity())
+      return;
+    List larger = allocate(list.size + n);
+    larger.columns.copy(list.columns, 0, list.size, 0);
+    replace(list, larger);
+  }
+
+  // merges the first n windows in the room of a list, which are sorted by key, with the list. Those whose
+  // key is there already are marked. n may be 0. `steps` are the joined_steps() of the n windows. A list that
+  // stays empty gives its block back.
+  void add(List& list, std::size_t n, std::uint32_t steps)
+  {
+    if(n == 0)
+    {
+      if(list.size == 0)
+        release(list);
+      return;
+    }
+    const std::size_t middle = list.size;
+    list.size += static_cast<std::uint32_t>(n);
+    list.steps = joined_steps(list.steps, steps);
+    const Window_key* const key = list.columns.key();
+    if(middle > 0 && !(key[middle - 1] < key[middle]))
+      merge(list, middle);
+  }
+
+  // moves the windows of another list, which came later, into a list.
+  void join(List& list, List& other)
+  {
+    make_room(list, other.size);
+    list.columns.copy(other.columns, 0, other.size, list.size);
+    add(list, other.size, other.steps);
+    release(other);
+  }
+
+  // gives all memory back; no block is in use, here or elsewhere.
+  void clear()
+  {
+    m_numbers.clear();
+    m_words.clear();
+    for(std::vector<Columns>& free_blocks : m_free_blocks)
+      free_blocks.clear();
+    m_slab = Columns();
+    m_slab_rest = 0;
+    m_number_of_rows = 0;
+  }
+
+  std::size_t memory() const
+  {
+    return m_number_of_rows
+         * (Columns::number_of_numbers * sizeof(FT) + Columns::number_of_words * sizeof(std::uint64_t));
+  }
+
+private:
+  // puts a list into another block.
+  void replace(List& list, List& other)
+  {
+    other.size = list.size;
+    other.steps = list.steps;
+    release(list);
+    list = other;
+  }
+
+  // merges the windows of a list before `middle` with those from there on, which came later. They are
+  // copied in runs: mostly one of the two lies on the left of the other.
+  void merge(List& list, std::size_t middle)
+  {
+    List merged = allocate(list.size);
+    const Columns& from = list.columns;
+    const Columns& to = merged.columns;
+    const Window_key* const key = from.key();
+    std::size_t old = 0, late = middle, n = 0;
+    while(late < list.size)
+    {
+      // the old windows up to the key of the next late one
+      const std::size_t old_end =
+        std::size_t(std::upper_bound(key + old, key + middle, key[late]) - key);
+      to.copy(from, old, old_end, n);
+      n += old_end - old;
+      old = old_end;
+      // the late windows before the next old one; one at least
+      std::size_t late_end = old == middle ? list.size : late;
+      while(late_end < list.size && key[late_end] < key[old])
+        ++late_end;
+      to.copy(from, late, late_end, n);
+      for(; late < late_end; ++late, ++n)
+        if(old > 0 && key[late] == key[old - 1])
+        {
+          to.history()[n] |= one_step;
+          list.steps |= 1;
+        }
+    }
+    to.copy(from, old, middle, n);
+    replace(list, merged);
+  }
+
+  // The smallest class of blocks with room for n > 0 windows.
+  static std::uint32_t size_class_for(std::size_t n)
+  {
+    return static_cast<std::uint32_t>(number_of_bits((n - 1) | 7) - 3);
+  }
+
+  static constexpr std::size_t slab_rows = 1024;
+
+  static std::size_t height(std::size_t size_class) { return (std::size_t(8) << size_class) + Columns::padding; }
+
+  Columns new_block(std::size_t size_class)
+  {
+    const std::size_t rows = height(size_class);
+    if(rows > slab_rows)
+      return block(new_slab(rows), size_class);
+    if(m_slab_rest < rows)
+    {
+      // what is left of the last slab becomes free blocks
+      for(std::size_t c = m_free_blocks.size(); c-- > 0;)
+        while(m_slab_rest >= height(c))
+          m_free_blocks[c].push_back(cut(c));
+      m_slab = new_slab(slab_rows);
+      m_slab_rest = slab_rows;
+    }
+    return cut(size_class);
+  }
+
+  // cuts a block off the slab.
+  Columns cut(std::size_t size_class)
+  {
+    const Columns columns = block(m_slab, size_class);
+    m_slab.numbers += Columns::number_of_numbers * columns.height;
+    m_slab.words += Columns::number_of_words * columns.height;
+    m_slab_rest -= columns.height;
+    return columns;
+  }
+
+  static Columns block(const Columns& slab, std::size_t size_class)
+  {
+    return Columns{slab.numbers, slab.words, height(size_class)};
+  }
+
+  // Rows that are not in use hold numbers as well, and roots that exist: loops over lanes meet them.
+  Columns new_slab(std::size_t rows)
+  {
+    m_numbers.emplace_back(new FT[Columns::number_of_numbers * rows + Columns::padding]());
+    m_words.emplace_back(new std::uint64_t[Columns::number_of_words * rows + Columns::padding]());
+    m_number_of_rows += rows;
+    return Columns{aligned(m_numbers.back().get()), aligned(m_words.back().get()), 0};
+  }
+
+  // Vectors are loaded faster from places that are multiples of their size.
+  template <typename T>
+  static T* aligned(T* p)
+  {
+    while(reinterpret_cast<std::uintptr_t>(p) % (Columns::padding * alignof(T)) != 0)
+      ++p;
+    return p;
+  }
+
+  std::vector<std::unique_ptr<FT[]>> m_numbers;
+  std::vector<std::unique_ptr<std::uint64_t[]>> m_words;
+  std::array<std::vector<Columns>, 32> m_free_blocks;
+  Columns m_slab; // what is left of the last slab
+  std::size_t m_slab_rest = 0;
+  std::size_t m_number_of_rows = 0;
+};
+
+// The lists that wait, addressed by halfedge.
+template <typename FT>
+class Window_lists
+{
+public:
+  using List = Window_list<FT>;
+
+  explicit Window_lists(std::size_t number_of_faces)
+    : m_slot_of_halfedge(3 * number_of_faces, null_id)
+  {}
+
+  // removes all lists, in time proportional to the largest number of lists that waited at a time, for
+  // a mesh with this number of faces.
+  void restart(std::size_t number_of_faces, Window_pool<FT>& pool)
+  {
+    for(std::size_t slot = 0; slot < m_lists.size(); ++slot)
+    {
+      if(m_halfedge_of_slot[slot] != null_id)
+        m_slot_of_halfedge[entry(m_halfedge_of_slot[slot])] = null_id;
+      pool.release(m_lists[slot]);
+    }
+    m_lists.clear();
+    m_halfedge_of_slot.clear();
+    m_free_slots.clear();
+    m_number_of_windows = 0;
+    m_slot_of_halfedge.resize(3 * number_of_faces, null_id);
+  }
+
+  bool has(Halfedge_id h) const { return m_slot_of_halfedge[entry(h)] != null_id; }
+
+  // moves the list of h, which there is, to a list that is empty and has no block.
+  void take(Halfedge_id h, List& list)
+  {
+    std::uint32_t& slot = m_slot_of_halfedge[entry(h)];
+    list = m_lists[slot];
+    m_lists[slot] = List();
+    m_number_of_windows -= list.size;
+    m_halfedge_of_slot[slot] = null_id;
+    m_free_slots.push_back(slot);
+    slot = null_id;
+  }
+
+  // moves a list to h; it is merged with the one that waits there, if there is one.
+  void put(Halfedge_id h, List& list, Window_pool<FT>& pool)
+  {
+    m_number_of_windows += list.size;
+    const std::uint32_t occupied = m_slot_of_halfedge[entry(h)];
+    if(occupied != null_id)
+    {
+      pool.join(m_lists[occupied], list);
+      return;
+    }
+    if(m_free_slots.empty())
+    {
+      m_free_slots.push_back(static_cast<std::uint32_t>(m_lists.size()));
+      m_lists.emplace_back();
+      m_halfedge_of_slot.push_back(null_id);
+    }
+    const std::uint32_t slot = m_free_slots.back();
+    m_free_slots.pop_back();
+    m_slot_of_halfedge[entry(h)] = slot;
+    m_halfedge_of_slot[slot] = h;
+    m_lists[slot] = list;
+    list = List();
+  }
+
+  std::size_t number_of_windows() const { return m_number_of_windows; }
+
+  std::size_t memory() const { return m_lists.capacity() * (sizeof(List) + sizeof(Halfedge_id)); }
+
+  // of what there is for each halfedge of the mesh, whether a list waits or not.
+  std::size_t table_memory() const { return m_slot_of_halfedge.capacity() * sizeof(std::uint32_t); }
+
+private:
+  static std::size_t entry(Halfedge_id h)
+  {
+    return 3 * std::size_t(face_of(h)) + place_in_face(h);
+  }
+
+  std::vector<std::uint32_t> m_slot_of_halfedge;
+  std::vector<List> m_lists;
+  std::vector<Halfedge_id> m_halfedge_of_slot; // null_id if the slot is free
+  std::vector<std::uint32_t> m_free_slots;
+  std::size_t m_number_of_windows = 0;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_WINDOW_LISTS_H

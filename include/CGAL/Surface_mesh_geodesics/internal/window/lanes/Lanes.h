@@ -1,0 +1,176 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+// Several numbers at a time: for most number types one, and for double as many as the processor has lanes
+// for. The vectors are those of the language extension of GCC and Clang, so that +, -, * and / work as usual, also
+// with a bare number for all lanes.
+//
+// Nothing by itself: Window_list_loops.h includes this file once for each number of lanes.
+
+#ifdef CGAL_SURFACE_MESH_GEODESICS_LANES
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+namespace CGAL_SURFACE_MESH_GEODESICS_LANES_NAMESPACE {
+
+template <typename FT>
+struct Lanes : One_lane<FT>
+{};
+
+#if CGAL_SURFACE_MESH_GEODESICS_LANES > 1
+
+template <>
+struct Lanes<double>
+{
+  static constexpr std::size_t size = CGAL_SURFACE_MESH_GEODESICS_LANES;
+
+  typedef double Number __attribute__((vector_size(8 * size)));
+  typedef std::uint64_t Word __attribute__((vector_size(8 * size)));
+  typedef std::int64_t Mask __attribute__((vector_size(8 * size))); // of zeros and minus ones
+
+  static Number all(double x)
+  {
+#if CGAL_SURFACE_MESH_GEODESICS_LANES == 8
+    return Number{x, x, x, x, x, x, x, x};
+#elif CGAL_SURFACE_MESH_GEODESICS_LANES == 4
+    return Number{x, x, x, x};
+#else
+    return Number{x, x};
+#endif
+  }
+
+  static Number load(const double* p) { return *reinterpret_cast<const Numbers_anywhere*>(p); }
+  static Word load(const std::uint64_t* p) { return *reinterpret_cast<const Words_anywhere*>(p); }
+  static void store(double* p, Number x) { *reinterpret_cast<Numbers_anywhere*>(p) = x; }
+  static void store(std::uint64_t* p, Word x) { *reinterpret_cast<Words_anywhere*>(p) = x; }
+
+  static Word count_from(std::size_t begin)
+  {
+    Word x;
+    for(std::size_t k = 0; k < size; ++k)
+      x[k] = k;
+    return x + begin;
+  }
+
+  // the smallest word of the lanes whose bits are set; `bits` is not 0.
+  static std::uint64_t least(Word x, unsigned int bits)
+  {
+    std::uint64_t result = x[__builtin_ctz(bits)];
+    while((bits &= bits - 1) != 0)
+      result = (std::min)(result, static_cast<std::uint64_t>(x[__builtin_ctz(bits)]));
+    return result;
+  }
+
+  static double least(Number x)
+  {
+#if CGAL_SURFACE_MESH_GEODESICS_LANES == 8
+    x = minimum(x, __builtin_shufflevector(x, x, 4, 5, 6, 7, 0, 1, 2, 3));
+    x = minimum(x, __builtin_shufflevector(x, x, 2, 3, 0, 1, 6, 7, 4, 5));
+    x = minimum(x, __builtin_shufflevector(x, x, 1, 0, 3, 2, 5, 4, 7, 6));
+#elif CGAL_SURFACE_MESH_GEODESICS_LANES == 4
+    x = minimum(x, __builtin_shufflevector(x, x, 2, 3, 0, 1));
+    x = minimum(x, __builtin_shufflevector(x, x, 1, 0, 3, 2));
+#else
+    x = minimum(x, __builtin_shufflevector(x, x, 1, 0));
+#endif
+    return x[0];
+  }
+
+  static Number shift_in(Number previous, Number x)
+  {
+#if CGAL_SURFACE_MESH_GEODESICS_LANES == 8
+    return __builtin_shufflevector(previous, x, 7, 8, 9, 10, 11, 12, 13, 14);
+#elif CGAL_SURFACE_MESH_GEODESICS_LANES == 4
+    return __builtin_shufflevector(previous, x, 3, 4, 5, 6);
+#else
+    return __builtin_shufflevector(previous, x, 1, 2);
+#endif
+  }
+
+  // (The extension knows comparisons, but makes of them what it cannot keep in registers of SSE2.)
+#if CGAL_SURFACE_MESH_GEODESICS_LANES == 2 && defined(__SSE2__)
+  static Mask less(Number a, Number b) { return (Mask)_mm_cmplt_pd(a, b); }
+  static Mask less_equal(Number a, Number b) { return (Mask)_mm_cmple_pd(a, b); }
+#else
+  static Mask less(Number a, Number b) { return a < b; }
+  static Mask less_equal(Number a, Number b) { return a <= b; }
+#endif
+
+  static Mask first(std::size_t n)
+  {
+    static constexpr double places[8] = {0, 1, 2, 3, 4, 5, 6, 7};
+    return less(load(places), all(static_cast<double>(static_cast<std::int64_t>(n))));
+  }
+
+  static Mask except(Mask a, Mask b) { return a & ~b; }
+
+  static unsigned int bits(Mask m)
+  {
+#if CGAL_SURFACE_MESH_GEODESICS_LANES == 8
+    // (By halves: the masks of AVX-512 have eight bits, in wider registers, and GCC 12 takes what is behind these bits
+    // for zero when it is not.)
+    const int lower = _mm256_movemask_pd((__m256d)__builtin_shufflevector(m, m, 0, 1, 2, 3)),
+              upper = _mm256_movemask_pd((__m256d)__builtin_shufflevector(m, m, 4, 5, 6, 7));
+    return static_cast<unsigned int>(lower | upper << 4);
+#elif CGAL_SURFACE_MESH_GEODESICS_LANES == 4
+    return static_cast<unsigned int>(_mm256_movemask_pd((__m256d)m));
+#elif defined(__SSE2__)
+    return static_cast<unsigned int>(_mm_movemask_pd((__m128d)m));
+#else
+    return static_cast<unsigned int>((m[0] & 1) | (m[1] & 2));
+#endif
+  }
+
+#if CGAL_SURFACE_MESH_GEODESICS_LANES == 4
+  // (The operator ?: would compare the mask with zero first.)
+  static Number select(Mask m, Number a, Number b) { return _mm256_blendv_pd(b, a, (__m256d)m); }
+  static Word select_word(Mask m, Word a, Word b) { return (Word)select(m, (Number)a, (Number)b); }
+#elif CGAL_SURFACE_MESH_GEODESICS_LANES == 2 && defined(__SSE2__)
+  static Number select(Mask m, Number a, Number b)
+  {
+    return (Number)(((Mask)a & m) | ((Mask)b & ~m));
+  }
+  static Word select_word(Mask m, Word a, Word b) { return (a & (Word)m) | (b & ~(Word)m); }
+#else
+  static Number select(Mask m, Number a, Number b) { return m ? a : b; }
+  static Word select_word(Mask m, Word a, Word b) { return m ? a : b; }
+#endif
+
+  static Number minimum(Number a, Number b) { return a < b ? a : b; }
+  static Number maximum(Number a, Number b) { return a < b ? b : a; }
+
+  static Number square_root(Number x)
+  {
+#if CGAL_SURFACE_MESH_GEODESICS_LANES == 8
+    return _mm512_maskz_sqrt_pd(0xff, x);
+#elif CGAL_SURFACE_MESH_GEODESICS_LANES == 4
+    return _mm256_sqrt_pd(x);
+#elif defined(__SSE2__)
+    return _mm_sqrt_pd(x);
+#else
+    for(std::size_t k = 0; k < size; ++k)
+      x[k] = std::sqrt(x[k]);
+    return x;
+#endif
+  }
+
+private:
+  typedef double Numbers_anywhere __attribute__((vector_size(8 * size), aligned(8), may_alias));
+  typedef std::uint64_t Words_anywhere __attribute__((vector_size(8 * size), aligned(8), may_alias));
+};
+
+#endif
+
+} // namespace CGAL_SURFACE_MESH_GEODESICS_LANES_NAMESPACE
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_LANES

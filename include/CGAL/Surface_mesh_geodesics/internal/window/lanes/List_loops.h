@@ -1,0 +1,185 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+// The loops of Window_list_loops.h, for one number of lanes.
+//
+// Nothing by itself: Window_list_loops.h includes this file once for each number of lanes.
+
+#ifdef CGAL_SURFACE_MESH_GEODESICS_LANES
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+namespace CGAL_SURFACE_MESH_GEODESICS_LANES_NAMESPACE {
+
+template <typename FT, typename Rules>
+class List_loops
+{
+  using L = Lanes<FT>;
+  using Number = typename L::Number;
+  using Mask = typename L::Mask;
+  using Columns = Window_columns<FT>;
+  using Rival = Vertex_rival<FT>;
+
+public:
+  static Window_list_loops<FT> table()
+  {
+    return Window_list_loops<FT>{L::size, trim,
+                                 find_nearest, is_split_by,
+                                 cross<Left_child<FT>>, cross<Right_child<FT>>};
+  }
+
+private:
+  static bool trim(const Columns& columns, std::size_t n, const FT& length, const Rival& left, const Rival& right,
+                   Suspects* suspects)
+  {
+    Number begin = L::all(columns.begin()[0]), begin_distance = L::all(columns.begin_distance()[0]);
+    const FT close_depth = Tolerance<FT>::closeness() * length;
+    unsigned int bits = 0, all_bits = 0; // of the suspects from the current word on
+    for(std::size_t i = 0; i < n; i += L::size)
+    {
+      const unsigned int place = i % suspects_in_word;
+      const Window_lanes<FT> w = load_windows(columns, i);
+      Mask is_suspect = L::first(0);
+      if(Rules::vertex_rule)
+        is_suspect = is_suspect | are_beaten_by_vertices(w, length, left, right);
+      if(Rules::pair_rules)
+      {
+        const Trimmed_pairs<FT> pairs(w, load_windows(columns, i + 1), close_depth);
+        const Mask is_pair = L::first(n - 1 - i);
+        const Number end = L::select(is_pair, pairs.left_end, w.end);
+        L::store(columns.end() + i, end);
+        L::store(columns.end_distance() + i,
+                 L::select(is_pair, pairs.left_end_distance, w.end_distance));
+        // the pair of the last window of the step before trims the first one of this step
+        begin = L::shift_in(begin, pairs.right_begin);
+        begin_distance = L::shift_in(begin_distance, pairs.right_begin_distance);
+        L::store(columns.begin() + i, begin);
+        L::store(columns.begin_distance() + i, begin_distance);
+        is_suspect = is_suspect | L::less_equal(end, begin);
+        begin = pairs.right_begin;
+        begin_distance = pairs.right_begin_distance;
+        bits |= L::bits(is_pair & pairs.is_undecided) << (place + 1);
+      }
+      bits |= L::bits(L::first(n - i) & is_suspect) << place;
+      suspects[i / suspects_in_word] = static_cast<Suspects>(bits);
+      all_bits |= bits;
+      if(place + L::size == suspects_in_word)
+        bits >>= suspects_in_word;
+    }
+    return all_bits != 0;
+  }
+
+  static Nearest_window<FT> find_nearest(const Columns& columns, std::size_t n, const Crossing<FT>& c, FT* abscissa)
+  {
+    using Word = typename L::Word;
+    Number distance = L::all(std::numeric_limits<FT>::infinity());
+    Word place = L::count_from(0);
+    const Number close_depth = L::all(FT(Tolerance<FT>::closeness() * c.length));
+    Mask is_close = L::first(0);
+    for(std::size_t i = 0; i < n; i += L::size)
+    {
+      const Window_lanes<FT> w = load_windows(columns, i);
+      const Number t = apex_abscissa(w, c);
+      L::store(abscissa + i, t);
+      const Number d = distance_to_apex(w, c, t);
+      const Mask is_window = L::first(n - i);
+      is_close = is_close | (is_window & L::less_equal(w.image_depth, close_depth));
+      const Mask is_better = is_window & L::less(d, distance);
+      distance = L::select(is_better, d, distance);
+      place = L::select_word(is_better, L::count_from(i), place);
+    }
+    Nearest_window<FT> nearest;
+    nearest.distance = L::least(distance);
+    const unsigned int ties = L::bits(L::less_equal(distance, L::all(nearest.distance)));
+    nearest.index = static_cast<std::size_t>(L::least(place, ties));
+    nearest.has_close_images = L::bits(is_close) != 0;
+    return nearest;
+  }
+
+  static bool is_split_by(const Columns& columns, std::size_t n, std::size_t best, const FT& s)
+  {
+    const Number point = L::all(s);
+    Mask wrong = L::first(0);
+    for(std::size_t i = 0; i < n; i += L::size)
+    {
+      const Mask is_left = L::first(best - i), is_right = L::except(L::first(n - i), L::first(best + 1 - i));
+      wrong = wrong | (is_left & L::less(point, L::load(columns.begin() + i)))
+            | (is_right & L::less(L::load(columns.end() + i), point));
+    }
+    return L::bits(wrong) == 0;
+  }
+
+  template <typename Child>
+  static void cross(const Columns& from, std::size_t first, std::size_t last, const Crossing<FT>& c,
+                    const Edge_cut<FT>& edge, const FT* abscissa, Window_batch<FT>& batch,
+                    Propagation_statistics& statistics)
+  {
+    const Columns to = batch.list.columns;
+    const Child child(c);
+    const FT length = child.length();
+    const Number tolerance = L::all(FT(Tolerance<FT>::interval() * length));
+    const Number infinity = L::all(std::numeric_limits<FT>::infinity());
+    Number minimum_distance = infinity;
+    std::size_t end = batch.list.size + batch.size;
+    for(std::size_t i = first; i < last; i += L::size)
+    {
+      Window_lanes<FT> w = load_windows(from, i);
+      const Mask is_window = L::first(last - i);
+      const Mask has_paths = is_window & child(w, L::load(abscissa + i), edge.cut);
+      const Mask is_wide = has_paths & L::less(tolerance, w.end - w.begin);
+      w.begin_distance = w.distance_at(w.begin);
+      w.end_distance = w.distance_at(w.end);
+      Mask is_useful = is_wide;
+      if(Rules::vertex_rule)
+        is_useful = L::except(is_wide, are_beaten_by_vertices(w, length, edge.left, edge.right));
+      minimum_distance = L::minimum(minimum_distance,
+                                    L::select(is_useful, w.minimum_distance(), infinity));
+      store_windows(to, end, w);
+      const std::size_t n = (std::min)(L::size, last - i);
+      const unsigned int useful = L::bits(is_useful);
+      if(useful == (1u << n) - 1)
+        end += n;
+      else
+      {
+        const unsigned int paths = L::bits(has_paths), wide = L::bits(is_wide);
+        for(std::size_t k = 0; k < n; ++k)
+        {
+          statistics.windows_removed_by_rule_1 += i + k != edge.whole_window && !(paths >> k & 1);
+          statistics.windows_removed_as_slivers += (paths & ~wide) >> k & 1;
+          statistics.windows_removed_by_vertices += (wide & ~useful) >> k & 1;
+        }
+        end = keep(to, end, useful);
+      }
+    }
+    batch.size = end - batch.list.size;
+    batch.minimum_distance = (std::min)(batch.minimum_distance, L::least(minimum_distance));
+  }
+
+  // keeps those windows of one step, from `first` on, whose bits are set.
+  static std::size_t keep(const Columns& columns, std::size_t first, unsigned int useful)
+  {
+    std::size_t end = first;
+    for(std::size_t i = first; useful != 0; ++i, useful >>= 1)
+      if((useful & 1) != 0)
+      {
+        if(end != i)
+          columns.set(end, columns.get(i));
+        ++end;
+      }
+    return end;
+  }
+};
+
+} // namespace CGAL_SURFACE_MESH_GEODESICS_LANES_NAMESPACE
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_LANES

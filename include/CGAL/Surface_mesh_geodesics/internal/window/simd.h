@@ -1,0 +1,120 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_SIMD_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_SIMD_H
+
+// Several numbers at a time. Loops over columns of numbers are written once, in terms of Lanes<FT>
+// (lanes/Lanes.h): lanes are processed together, `size` of them. For most number types there is one lane, and a
+// number of lanes is just a number. For double there are as many as the instruction set has: 8 with AVX-512, 4 with
+// AVX, 2 with SSE2 or NEON; other compilers than GCC and Clang get one.
+//
+// What is loaded or stored need not be aligned. No operation here depends on its neighbours' lanes, so
+// lanes behind the end of a column may hold anything. Each lane sees the operations that a single number would, so
+// that results have the same bits whatever the number of lanes is, unless the compiler fuses multiplications and
+// additions: GCC does for instruction sets that can (-march=native, ARM) without -ffp-contract=off.
+//
+// The instruction set is that of the compilation; for x86-64 processors without any flag it is chosen at run time,
+// see Window_list_loops.h.
+//
+// CGAL_SURFACE_MESH_GEODESICS_NO_SIMD, if defined, makes it one lane for double too. It has to be the
+// same in all files of a program that include this one, as have the flags that choose an instruction
+// set.
+
+// The number of lanes of double in the instruction set of the compilation.
+#if !defined(CGAL_SURFACE_MESH_GEODESICS_NO_SIMD) && defined(__GNUC__) && defined(__has_builtin)
+#if __has_builtin(__builtin_shufflevector) && (defined(__SSE2__) || defined(__aarch64__))
+#ifdef __SSE2__
+#include <immintrin.h>
+#endif
+#if defined(__AVX512F__)
+#define CGAL_SURFACE_MESH_GEODESICS_COMPILED_LANES 8
+#define CGAL_SURFACE_MESH_GEODESICS_COMPILED_NAMESPACE lanes_8
+#elif defined(__AVX__)
+#define CGAL_SURFACE_MESH_GEODESICS_COMPILED_LANES 4
+#define CGAL_SURFACE_MESH_GEODESICS_COMPILED_NAMESPACE lanes_4
+#else
+#define CGAL_SURFACE_MESH_GEODESICS_COMPILED_LANES 2
+#define CGAL_SURFACE_MESH_GEODESICS_COMPILED_NAMESPACE lanes_2
+#endif
+#endif
+#endif
+#ifndef CGAL_SURFACE_MESH_GEODESICS_COMPILED_LANES
+#define CGAL_SURFACE_MESH_GEODESICS_COMPILED_LANES 1
+#endif
+
+// May code for AVX2 and AVX-512 stand beside code for SSE2? (Stacks on Windows are not aligned for it.)
+#if CGAL_SURFACE_MESH_GEODESICS_COMPILED_LANES == 2 && defined(__x86_64__) && !defined(_WIN32) \
+  && !defined(__EDG__)
+#define CGAL_SURFACE_MESH_GEODESICS_HAS_WIDE_CODE
+#endif
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+// For a function whose arguments or results are many vectors: a call would put them all in memory.
+#ifdef __GNUC__
+#define CGAL_SURFACE_MESH_GEODESICS_INLINE __attribute__((always_inline)) inline
+#else
+#define CGAL_SURFACE_MESH_GEODESICS_INLINE inline
+#endif
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+template <typename FT>
+struct One_lane
+{
+  using Number = FT;
+  using Word = std::uint64_t;
+  using Mask = int; // 0 or 1: masks are combined by & and |, which compilers distrust between truth values
+  static constexpr std::size_t size = 1;
+
+  static const Number& all(const FT& x) { return x; }
+
+  static const Number& load(const FT* p) { return *p; }
+  static Word load(const std::uint64_t* p) { return *p; }
+  static void store(FT* p, const Number& x) { *p = x; }
+  static void store(std::uint64_t* p, Word x) { *p = x; }
+
+  // the numbers begin, begin + 1, ...
+  static Word count_from(std::size_t begin) { return begin; }
+
+  static std::uint64_t least(Word x, unsigned int) { return x; } // of the lanes whose bits are set
+  static const FT& least(const Number& x) { return x; } // of the lanes
+
+  // the lanes one place on, where the last lane of `previous` enters.
+  static const Number& shift_in(const Number& previous, const Number&) { return previous; }
+
+  static Mask less(const Number& a, const Number& b) { return a < b; }
+  static Mask less_equal(const Number& a, const Number& b) { return a <= b; }
+  // the first n lanes; none if n is the difference of a number and a greater one.
+  static Mask first(std::size_t n) { return static_cast<std::int64_t>(n) > 0; }
+  static Mask except(Mask a, Mask b) { return a && !b; } // a and not b
+  static unsigned int bits(Mask m) { return m ? 1u : 0u; }
+
+  static Number select(Mask m, const Number& a, const Number& b) { return m ? a : b; }
+  static Word select_word(Mask m, Word a, Word b) { return m ? a : b; }
+  static Number minimum(const Number& a, const Number& b) { return a < b ? a : b; }
+  static Number maximum(const Number& a, const Number& b) { return a < b ? b : a; }
+
+  static Number square_root(const Number& x)
+  {
+    using std::sqrt;
+    return sqrt(x);
+  }
+};
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_SIMD_H

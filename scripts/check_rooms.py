@@ -1,0 +1,298 @@
+#!/usr/bin/env python3
+"""Checks the direction of the includes below an include folder.
+
+Usage: check_rooms.py INCLUDE_FOLDER | --self-test
+
+The folders of CGAL/Surface_mesh_geodesics/internal/ are rooms, and their order is the architecture (ROOMS below):
+
+- A file includes files of its own room or of a lower one. Rooms that share a rank do not include each other. Public
+  headers are above all rooms, except two plain value types that the inside throws and fills.
+- Rooms below `interface` know neither meshes nor kernels.
+- A room has at most 15 files, and a README.md that says what the room is for.
+- Only public headers include the licence header, and each of them does.
+- The convenience header includes every public header, and nobody includes it.
+- Includes have no cycle. Own headers are included with <>.
+- Only cgal_compatibility.h asks for the version of CGAL.
+"""
+
+import pathlib
+import re
+import sys
+import tempfile
+
+from complaints import report
+
+OWN = "CGAL/Surface_mesh_geodesics/"
+INTERNAL = OWN + "internal/"
+CONVENIENCE_HEADER = "CGAL/Surface_mesh_geodesics.h"
+LICENCE_HEADER = "CGAL/license/Surface_mesh_geodesics.h"
+PLAIN_PUBLIC_HEADERS = {OWN + "Propagation_statistics.h", OWN + "Invalid_geodesic_input.h"}
+COMPATIBILITY = INTERNAL + "numeric/cgal_compatibility.h"
+
+# From the ground up; rooms of one line do not include each other.
+ROOMS = (
+    ("numeric",),
+    ("surface",),
+    ("window",),
+    ("propagation", "paths", "Voronoi"),
+    ("certificate",),
+    ("interface",),
+    ("applications",),
+)
+RANK = {room: rank for rank, rooms in enumerate(ROOMS) for room in rooms}
+FIRST_RANK_WITH_MESHES = RANK["interface"]
+PUBLIC_RANK = len(ROOMS)
+MOST_FILES_IN_ROOM = 15
+
+# Headers of CGAL that bring neither a mesh nor a kernel.
+PLAIN_CGAL_HEADERS = {
+    "CGAL/Default.h",
+    "CGAL/assertions.h",
+    "CGAL/config.h",
+    "CGAL/disable_warnings.h",
+    "CGAL/enable_warnings.h",
+    "CGAL/exceptions.h",
+    "CGAL/number_utils.h",
+    "CGAL/tags.h",
+    "CGAL/use.h",
+}
+
+BLOCK_COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
+INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"\n]+)[>"]', re.MULTILINE)
+
+
+def room_of(name):
+    """The room of an internal header; None for a public one, and for one that is in no room."""
+    parts = name[len(INTERNAL):].split("/") if name.startswith(INTERNAL) else []
+    return parts[0] if len(parts) > 1 and parts[0] in RANK else None
+
+
+def rank_of(name):
+    if name in PLAIN_PUBLIC_HEADERS:
+        return 0
+    return RANK.get(room_of(name), PUBLIC_RANK)
+
+
+def brings_mesh_or_kernel(include):
+    if include.startswith("CGAL/"):
+        return include not in PLAIN_CGAL_HEADERS
+    return include.startswith(("boost/graph/", "boost/property_map/"))
+
+
+def includes_of(text):
+    """The pairs (opening quote, path) of a file; what stands in block comments is no include."""
+    return INCLUDE.findall(BLOCK_COMMENT.sub("", text))
+
+
+def check_own_include(name, include, texts, complaints):
+    if include not in texts:
+        complaints.append(f"{name}: includes {include}, which does not exist")
+    elif include == CONVENIENCE_HEADER:
+        complaints.append(f"{name}: includes the convenience header")
+    elif rank_of(include) > rank_of(name):
+        complaints.append(f"{name}: includes {include} of a higher room")
+    elif rank_of(include) == rank_of(name) and room_of(include) != room_of(name) and room_of(name):
+        complaints.append(f"{name}: includes {include} of a sibling room")
+
+
+def check_rooms(folder, names, complaints):
+    """Every internal header is in a room; a room is small and has a first page."""
+    sizes = dict.fromkeys(RANK, 0)
+    for name in names:
+        if not name.startswith(INTERNAL):
+            continue
+        if room_of(name) is None:
+            complaints.append(f"{name}: in no room")
+        elif name.count("/") == INTERNAL.count("/") + 1:
+            sizes[room_of(name)] += 1
+    for room, size in sizes.items():
+        if size > MOST_FILES_IN_ROOM:
+            complaints.append(f"{INTERNAL}{room}: {size} files, at most {MOST_FILES_IN_ROOM} are allowed")
+        if size > 0 and not (pathlib.Path(folder) / INTERNAL / room / "README.md").is_file():
+            complaints.append(f"{INTERNAL}{room}: no README.md")
+
+
+def check_licence(name, includes, complaints):
+    has_licence = LICENCE_HEADER in includes
+    if name.startswith(INTERNAL):
+        if has_licence:
+            complaints.append(f"{name}: internal, but includes the licence header")
+    elif name.startswith(OWN) and not has_licence:
+        complaints.append(f"{name}: public, but does not include the licence header")
+
+
+def check_convenience_header(texts, complaints):
+    included = {include for _, include in includes_of(texts.get(CONVENIENCE_HEADER, ""))}
+    for name in texts:
+        if name.startswith(OWN) and not name.startswith(INTERNAL) and name not in included:
+            complaints.append(f"{CONVENIENCE_HEADER}: does not include {name}")
+
+
+def find_cycle(graph):
+    """A list of names that include each other in a ring, or None."""
+    finished = set()
+
+    def visit(name, trail):
+        if name in trail:
+            return trail[trail.index(name):] + [name]
+        if name in finished:
+            return None
+        for other in graph.get(name, ()):
+            cycle = visit(other, trail + [name])
+            if cycle:
+                return cycle
+        finished.add(name)
+        return None
+
+    for name in sorted(graph):
+        cycle = visit(name, [])
+        if cycle:
+            return cycle
+    return None
+
+
+def check(folder):
+    """Returns the number of files and the list of complaints."""
+    complaints = []
+    texts = {
+        path.relative_to(folder).as_posix(): path.read_text(encoding="utf-8")
+        for path in sorted(pathlib.Path(folder).rglob("*.h"))
+    }
+    check_rooms(folder, texts, complaints)
+    graph = {}
+    for name, text in texts.items():
+        includes = includes_of(text)
+        graph[name] = [include for _, include in includes if include in texts]
+        check_licence(name, {include for _, include in includes}, complaints)
+        knows_no_mesh = name.startswith(INTERNAL) and name != COMPATIBILITY and rank_of(name) < FIRST_RANK_WITH_MESHES
+        for quote, include in includes:
+            if quote == '"':
+                complaints.append(f'{name}: includes "{include}" with quotes')
+            elif include == LICENCE_HEADER:
+                continue
+            elif include.startswith(OWN) or include == CONVENIENCE_HEADER:
+                check_own_include(name, include, texts, complaints)
+            elif knows_no_mesh and brings_mesh_or_kernel(include):
+                complaints.append(f"{name}: includes <{include}>, but its room knows no mesh")
+        if name != COMPATIBILITY and "CGAL_VERSION" in text:
+            complaints.append(f"{name}: mentions CGAL_VERSION")
+    check_convenience_header(texts, complaints)
+    cycle = find_cycle(graph)
+    if cycle:
+        complaints.append("cycle of includes: " + " -> ".join(cycle))
+    return len(texts), complaints
+
+
+# --- self-test -------------------------------------------------------------------------------------------------------
+
+LICENCE_LINE = f"#include <{LICENCE_HEADER}>\n"
+
+HIGH, LOW = INTERNAL + "window/high.h", INTERNAL + "numeric/low.h"
+
+# A small tree without a fault; each case of the self-test breaks one rule in it.
+SOUND_TREE = {
+    LICENCE_HEADER: "#include <CGAL/config.h>\n",
+    CONVENIENCE_HEADER: f"#include <{OWN}door.h>\n#include <{OWN}Propagation_statistics.h>\n",
+    OWN + "door.h": LICENCE_LINE + f"#include <{HIGH}>\n#include <CGAL/Kernel_traits.h>\n",
+    OWN + "Propagation_statistics.h": LICENCE_LINE,
+    HIGH: f"#include <{LOW}>\n#include <{OWN}Propagation_statistics.h>\n",
+    LOW: "#include <CGAL/assertions.h>\n#include <vector>\n/* #include <CGAL/x.h> */\n",
+    COMPATIBILITY: "#include <CGAL/version.h>\n#if CGAL_VERSION_NR\n#endif\n",
+    INTERNAL + "interface/mesh.h": "#include <CGAL/boost/graph/helpers.h>\n",
+    **{INTERNAL + room + "/README.md": "# A room\n" for room in ("numeric", "window", "interface", "paths")},
+}
+
+# What each fault writes into the tree, and words of the complaint it has to raise.
+FAULTS = {
+    "upwards": (
+        {LOW: f"#include <{HIGH}>\n"},
+        f"low.h: includes {HIGH} of a higher room"),
+    "sibling": (
+        {INTERNAL + "paths/path.h": "#include <vector>\n", INTERNAL + "Voronoi/README.md": "# A room\n",
+         INTERNAL + "Voronoi/cell.h": f"#include <{INTERNAL}paths/path.h>\n"},
+        "of a sibling room"),
+    "no room": (
+        {INTERNAL + "stray.h": "#include <vector>\n"},
+        "stray.h: in no room"),
+    "unknown room": (
+        {INTERNAL + "attic/stray.h": "#include <vector>\n"},
+        "stray.h: in no room"),
+    "crowded room": (
+        {INTERNAL + f"paths/file_{i}.h": "#include <vector>\n" for i in range(MOST_FILES_IN_ROOM + 1)},
+        "paths: 16 files"),
+    "room without first page": (
+        {INTERNAL + "surface/mesh.h": "#include <vector>\n"},
+        "surface: no README.md"),
+    "internal includes public": (
+        {LOW: f"#include <{OWN}door.h>\n"},
+        "of a higher room"),
+    "statistics include a room": (
+        {OWN + "Propagation_statistics.h": LICENCE_LINE + f"#include <{HIGH}>\n"},
+        "Propagation_statistics.h: includes"),
+    "mesh": (
+        {LOW: "#include <CGAL/boost/graph/helpers.h>\n"},
+        "low.h: includes <CGAL/boost/graph/helpers.h>"),
+    "kernel": (
+        {LOW: "  # include <CGAL/Simple_cartesian.h>\n"},
+        "low.h: includes <CGAL/Simple_cartesian.h>"),
+    "boost graph": (
+        {LOW: "#include <boost/graph/graph_traits.hpp>\n"},
+        "low.h: includes <boost/graph/graph_traits.hpp>"),
+    "quotes": (
+        {LOW: '#include "high.h"\n'},
+        'low.h: includes "high.h" with quotes'),
+    "missing file": (
+        {LOW: f"#include <{INTERNAL}numeric/gone.h>\n"},
+        "gone.h, which does not exist"),
+    "internal licence": (
+        {LOW: LICENCE_LINE},
+        "low.h: internal, but includes the licence header"),
+    "public without licence": (
+        {OWN + "door.h": "#include <vector>\n"},
+        "door.h: public, but does not include the licence header"),
+    "convenience header included": (
+        {OWN + "door.h": LICENCE_LINE + f"#include <{CONVENIENCE_HEADER}>\n"},
+        "door.h: includes the convenience header"),
+    "convenience header incomplete": (
+        {OWN + "window.h": LICENCE_LINE},
+        f"does not include {OWN}window.h"),
+    "version": (
+        {LOW: "#if CGAL_VERSION_NR\n#endif\n"},
+        "low.h: mentions CGAL_VERSION"),
+    "cycle": (
+        {INTERNAL + "numeric/other.h": f"#include <{LOW}>\n", LOW: f"#include <{INTERNAL}numeric/other.h>\n"},
+        "cycle of includes"),
+}
+
+
+def check_tree(tree):
+    with tempfile.TemporaryDirectory() as folder:
+        for name, text in tree.items():
+            path = pathlib.Path(folder) / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text, encoding="utf-8")
+        return check(folder)[1]
+
+
+def self_test():
+    failures = [f"sound tree: {complaint}" for complaint in check_tree(SOUND_TREE)]
+    for fault, (files, words) in FAULTS.items():
+        if not any(words in complaint for complaint in check_tree({**SOUND_TREE, **files})):
+            failures.append(f"not found: {fault}")
+    return report(failures, f"self-test: {len(FAULTS)} faults")
+
+
+def main(arguments):
+    if arguments == ["--self-test"]:
+        return self_test()
+    if len(arguments) != 1:
+        print(__doc__)
+        return 2
+    number_of_files, complaints = check(arguments[0])
+    if number_of_files == 0:
+        complaints.append(f"{arguments[0]}: there are no headers")
+    return report(complaints, f"{number_of_files} headers")
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
