@@ -51,7 +51,7 @@ grep -qxF 'A & B | C (Utopia)' "$tree/$package/package_info/$package/copyright" 
 grep -qxF '\cgalPkgSince{9.9}' "$tree/$package/doc/$package/PackageDescription.txt" || fail "another first version"
 
 # Nothing speaks of what is in this repository only: its scripts, its build folder, the program for the command line.
-ours='(^|[^[:alnum:]_/])scripts/|run_(tests|main_job)|build_doc|check_determinism|app/|not in CGAL'
+ours='(^|[^[:alnum:]_/])scripts/|run_(tests|main_job)|build_doc|check_determinism|demo/|not in CGAL'
 ours+='|Surface_mesh_geodesics_(TESTS|EXAMPLES|program)'
 grep -rnE "$ours" "$tree/$package" --include='*.txt' --include='*.h' --include='*.cpp' > "$work/ours.txt" || true
 [ ! -s "$work/ours.txt" ] || fail "what CGAL does not have: $(cat "$work/ours.txt")"

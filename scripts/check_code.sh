@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Looks for faults in include/ and app/ without running anything: clang-tidy with .clang-tidy, and cppcheck with
+# Looks for faults in include/ and demo/ without running anything: clang-tidy with .clang-tidy, and cppcheck with
 # cppcheck_suppressions.txt, where the reasons stand for what is not looked at. Prints what was found and how much;
 # fails unless that is nothing. Some ten minutes. Everything it writes is in build/static_analysis, or WORK_FOLDER.
 set -uo pipefail
@@ -12,7 +12,7 @@ cd "$root" || exit 1
 # The headers are looked at through the program, which instantiates most of them, and through the examples.
 flags=(-std=c++17 -Iinclude -frounding-math)
 [ -d /usr/include/eigen3 ] && flags+=(-isystem /usr/include/eigen3 -DCGAL_EIGEN3_ENABLED)
-printf '%s\n' app/Surface_mesh_geodesics/*.cpp examples/Surface_mesh_geodesics/*.cpp \
+printf '%s\n' demo/Surface_mesh_geodesics/*.cpp examples/Surface_mesh_geodesics/*.cpp \
   | xargs --max-procs="${JOBS:-1}" -I{} clang-tidy --quiet {} -- "${flags[@]}" \
     > "$work/clang_tidy.log" 2> "$work/clang_tidy.err"
 status_of_tidy=$? # not of what it finds, but of a run that has broken off
@@ -22,7 +22,7 @@ grep -v "^#" scripts/cppcheck_suppressions.txt > "$work/suppressions.txt"
 cppcheck --std=c++17 --language=c++ --enable=warning,performance,portability --inline-suppr --quiet \
   --suppressions-list="$work/suppressions.txt" \
   --template='{file}:{line}: {severity}: {message} [{id}]' \
-  -j "${JOBS:-1}" -Iinclude include app/Surface_mesh_geodesics/*.cpp 2> "$work/cppcheck.log"
+  -j "${JOBS:-1}" -Iinclude include demo/Surface_mesh_geodesics/*.cpp 2> "$work/cppcheck.log"
 status_of_cppcheck=$?
 of_cppcheck=$(grep -E ': (error|warning|performance|portability): ' "$work/cppcheck.log" | sort -u)
 

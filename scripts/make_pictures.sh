@@ -46,5 +46,5 @@ render bunny_remeshed.png remeshed.off --edges
 
 cmake "$build" -DSurface_mesh_geodesics_PROGRAM=ON > /dev/null
 cmake --build "$build" --parallel "${JOBS:-$(nproc)}" --target surface_mesh_geodesics_program
-bash "$root/scripts/picture_pages.sh" "$build/app/Surface_mesh_geodesics/surface_mesh_geodesics" "$scan" "$work" "$figures"
+bash "$root/scripts/picture_pages.sh" "$build/demo/Surface_mesh_geodesics/surface_mesh_geodesics" "$scan" "$work" "$figures"
 echo "The pictures are in $figures"

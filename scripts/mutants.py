@@ -26,7 +26,7 @@ STRAIGHT = INTERNAL + "paths/Straight_piece.h"
 ISOLINES = INTERNAL + "paths/isoline_tracing.h"
 FACE_WINDOWS = INTERNAL + "window/Face_windows.h"
 REMOVAL = INTERNAL + "Voronoi/Redundant_window_removal.h"
-BOUND_QUEUE = INTERNAL + "numeric/Bound_queue.h"
+RADIX_HEAP = INTERNAL + "numeric/Radix_heap.h"
 SINGLE_PRECISION = INTERNAL + "numeric/single_precision.h"
 BISECTOR = INTERNAL + "numeric/Weighted_bisector.h"
 EDGE_PARTITION = INTERNAL + "Voronoi/Edge_partition.h"
@@ -60,7 +60,7 @@ PATHS = "test_paths_interface"
 HOSTILE_PATHS = "test_paths_on_hostile_meshes"
 ISOLINE_TEST = "test_isolines"
 BY_HAND = "test_Voronoi_by_hand"
-BOUNDS = "test_bound_queue"
+BOUNDS = "test_radix_heap"
 KEPT_WINDOWS = "test_face_windows"
 PLANAR = "test_Voronoi_planar"
 SYMMETRIC = "test_Voronoi_symmetric"
@@ -194,15 +194,15 @@ MUTANTS = [
      "        --last;\n", "        last -= last > 1 ? 2 : 1;\n",
      "with a redundant window its neighbour goes as well", (WINDOWS,)),
     ("stale_windows_kept", LIST_CROSSING,
-     "if(w.root_distance > m_distance[w.root] || w.number_of_crossings()",
-     "if(w.number_of_crossings()",
+     "if(w.root_distance > m_distance[w.root] || w.number_of_faces_crossed()",
+     "if(w.number_of_faces_crossed()",
      "windows of a pseudo-source that has been improved since are propagated", (WINDOWS,)),
     ("runs_around_for_ever", LIST_CROSSING,
-     "if(w.root_distance > m_distance[w.root] || w.number_of_crossings() > m_mesh.most_crossings()\n       || (Rules",
+     "if(w.root_distance > m_distance[w.root] || w.number_of_faces_crossed() > m_mesh.most_faces_crossed()\n       || (Rules",
      "if(w.root_distance > m_distance[w.root] || (Rules",
      "paths around faces without area never end", (WINDOWS,)),
     ("lengths_cross_faces_once", FROM_GRAPH,
-     "    if(!Shape::has_points)\n      mesh.bound_crossings_by_lengths();\n", "",
+     "    if(!Shape::has_points)\n      mesh.bound_faces_crossed_by_lengths();\n", "",
      "paths between lengths that cross a face more than once are lost", (ANALYTIC,)),
 
     # --- stars, where windows start, the wavefront ---
@@ -303,12 +303,12 @@ MUTANTS = [
      "static FT touching() { return 0 * closeness(); }",
      "where a curve touches a line, rounding tells its place", (RANDOM_DIAGRAMS,)),
     ("crossing_tolerance_zero", GEOMETRY,
-     "static FT crossing() { return 4096 * unit_roundoff(); }",
-     "static FT crossing() { return 0 * unit_roundoff(); }",
+     "static FT isoline() { return 4096 * unit_roundoff(); }",
+     "static FT isoline() { return 0 * unit_roundoff(); }",
      "crossings of isolines are halved for ever", (ISOLINE_TEST,)),
     ("crossing_tolerance_wide", GEOMETRY,
-     "static FT crossing() { return 4096 * unit_roundoff(); }",
-     "static FT crossing() { return 4096e6 * unit_roundoff(); }",
+     "static FT isoline() { return 4096 * unit_roundoff(); }",
+     "static FT isoline() { return 4096e6 * unit_roundoff(); }",
      "isolines are beside their places", (ISOLINE_TEST,)),
     ("place_of_a_path_relative_to_the_mesh", PATH_THINNING,
      "m_place(Tolerance<FT>::gap() * extent)", "m_place(Tolerance<FT>::gap())",
@@ -362,8 +362,8 @@ MUTANTS = [
 
     # --- paths, points, isolines ---
     ("piece_to_the_wrong_side", STRAIGHT,
-     "(c.apex_x - s.crossing) * s.image_y - c.apex_y * (s.image_x - s.crossing) > 0);",
-     "(c.apex_x - s.crossing) * s.image_y - c.apex_y * (s.image_x - s.crossing) < 0);",
+     "(c.apex_x - s.abscissa) * s.image_y - c.apex_y * (s.image_x - s.abscissa) > 0);",
+     "(c.apex_x - s.abscissa) * s.image_y - c.apex_y * (s.image_x - s.abscissa) < 0);",
      "a straight piece turns to the wrong edge", (PIECES,)),
     ("isoline_touching_edge", ISOLINES,
      "return nearest < value && value <= farthest;", "return false && nearest < farthest;",
@@ -379,7 +379,7 @@ MUTANTS = [
     ("bound_rounded_down", SINGLE_PRECISION,
      "static_cast<double>(x) * (1 + rounding)", "static_cast<double>(x) * (1 - rounding)",
      "a face is said to be done before the wavefront has passed it", (BOUNDS,)),
-    ("waiting_bucket_not_opened", BOUND_QUEUE,
+    ("waiting_bucket_not_opened", RADIX_HEAP,
      "for(std::size_t i = 0; i <= last; ++i)", "for(std::size_t i = 0; i < last; ++i)",
      "faces that are done wait on", (BOUNDS,)),
     ("face_done_too_early", REMOVAL,

@@ -12,7 +12,7 @@ data=$root/test/Surface_mesh_geodesics/data
 cmake -S "$root" -B "$work/build" -DCMAKE_BUILD_TYPE=RelWithDebInfo -DSurface_mesh_geodesics_PROGRAM=ON \
   -DSurface_mesh_geodesics_TESTS=OFF -DSurface_mesh_geodesics_EXAMPLES=OFF -DSurface_mesh_geodesics_BENCHMARK=OFF
 cmake --build "$work/build" --target surface_mesh_geodesics_program --parallel "${JOBS:-1}"
-program=$work/build/app/Surface_mesh_geodesics/surface_mesh_geodesics
+program=$work/build/demo/Surface_mesh_geodesics/surface_mesh_geodesics
 cd "$work"
 
 number=0

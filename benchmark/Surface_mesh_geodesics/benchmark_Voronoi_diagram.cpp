@@ -41,7 +41,7 @@ using Diagram = CGAL::Surface_mesh_geodesic_Voronoi_diagram<Traits>;
 
 namespace internal = CGAL::Surface_mesh_geodesics::internal;
 
-using Solver = internal::Geodesic_solver<Mesh, Diagram::Vertex_index_map, Diagram::Face_index_map>;
+using Solver = internal::Path_solver<Mesh, Diagram::Vertex_index_map, Diagram::Face_index_map>;
 
 struct Report
 {

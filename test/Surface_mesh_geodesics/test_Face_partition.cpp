@@ -21,7 +21,7 @@ const std::array<Point, 3> corner{Point{0., 0.}, Point{1., 0.}, Point{.5, 1.}};
 Partition::Generator image(double x, double y, Site site)
 {
   Partition::Generator g;
-  g.image = internal::Weighted_point<double>{x, y, 0.};
+  g.image = internal::Additively_weighted_point<double>{x, y, 0.};
   g.site = site;
   return g;
 }

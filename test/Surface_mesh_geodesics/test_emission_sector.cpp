@@ -41,7 +41,7 @@ public:
     for(std::size_t i = 0; i < list.size; ++i)
     {
       const internal::Window<double> w = list.columns.get(i);
-      if(w.number_of_crossings() == 0)
+      if(w.number_of_faces_crossed() == 0)
       {
         m_emissions->push_back(Emission{w.root, internal::face_of(m_mesh->opposite(h)), w.root_distance});
       }
@@ -58,7 +58,7 @@ private:
 // the angle at corner k of a face
 double angle_of_corner(const Intrinsic_mesh& mesh, Halfedge_id h)
 {
-  const auto corner = Intrinsic_mesh::corner(mesh.face(internal::face_of(h)), internal::place_in_face(h));
+  const auto corner = Intrinsic_mesh::corner(mesh.face(internal::face_of(h)), internal::index_in_face(h));
   return std::atan2(corner.second, corner.first);
 }
 
@@ -68,8 +68,8 @@ bool find_angles(const Intrinsic_mesh& mesh, const Field& field, Vertex_id v, in
                  std::array<double, 3>& angles)
 {
   const Halfedge_id across = field.arrival[v].halfedge, first = internal::previous_halfedge(across);
-  const internal::Crossing<double> c = mesh.crossing(across);
-  const double x = field.arrival[v].crossing;
+  const internal::Face_frame<double> c = mesh.face_frame(across);
+  const double x = field.arrival[v].abscissa;
   // the part of the face of arrival that follows counterclockwise
   const double dx = x - c.apex_x, dy = -c.apex_y, bx = c.length - c.apex_x, by = -c.apex_y;
   const double begin = std::atan2(dx * by - dy * bx, dx * bx + dy * by);

@@ -62,7 +62,7 @@ void check_same(const Outcome& found, const Outcome& expected)
     CHECK(found.field.arrival[v].halfedge == expected.field.arrival[v].halfedge);
     if(expected.field.distance[v] < infinity)
     {
-      CHECK(found.field.arrival[v].crossing == expected.field.arrival[v].crossing);
+      CHECK(found.field.arrival[v].abscissa == expected.field.arrival[v].abscissa);
       CHECK(found.field.image[v].x == expected.field.image[v].x);
       CHECK(found.field.image[v].depth == expected.field.image[v].depth);
     }

@@ -3,7 +3,7 @@
 
 #include "hostile_meshes.h"
 
-#include <CGAL/Surface_mesh_geodesics/internal/interface/Geodesic_solver.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/Path_solver.h>
 #include <CGAL/Surface_mesh_geodesics/internal/paths/Path_search.h>
 
 #include <cstddef>
@@ -25,7 +25,7 @@ void every_path_is_found_by_search()
   {
     test_support::Scope scope("search on " + mesh.name);
     const Mesh tm = to_face_graph(mesh);
-    internal::Geodesic_solver<Mesh, Vertex_index_map, Face_index_map> solver(tm, get(boost::vertex_index, tm),
+    internal::Path_solver<Mesh, Vertex_index_map, Face_index_map> solver(tm, get(boost::vertex_index, tm),
                                                                              get(boost::face_index, tm));
     const Vertex_point_map points = get(CGAL::vertex_point, tm);
     solver.build_mesh(internal::Shape_from_points<double, Mesh, Vertex_point_map>(tm, points));

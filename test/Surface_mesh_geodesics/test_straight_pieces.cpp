@@ -24,8 +24,8 @@ using Field = internal::Vertex_distance_field<double>;
 internal::Piece_start<double> piece_to(const Intrinsic_mesh& mesh, const Field& field, Vertex_id v)
 {
   const internal::Vertex_arrival<double>& arrival = field.arrival[v];
-  const internal::Crossing<double> c = mesh.crossing(arrival.halfedge);
-  return {arrival.halfedge, c.apex_x, c.apex_y, arrival.crossing, field.image[v].x, field.image[v].depth, arrival.root,
+  const internal::Face_frame<double> c = mesh.face_frame(arrival.halfedge);
+  return {arrival.halfedge, c.apex_x, c.apex_y, arrival.abscissa, field.image[v].x, field.image[v].depth, arrival.root,
           field.distance[v]};
 }
 

@@ -435,7 +435,7 @@ struct One_face
   std::vector<double> distance; // of the vertices, from which all windows come
   SMG::Propagation_statistics statistics;
   internal::Window_list_crossing<double, internal::All_pruning_rules> crossing;
-  internal::Crossing<double> across;
+  internal::Face_frame<double> across;
   internal::Corner_rivals<double> corners{no_rival, no_rival, no_rival};
   Pool pool;
 
@@ -451,7 +451,7 @@ struct One_face
     face.vertex = {0, 1, 2};
     face.opposite = {internal::null_id, internal::null_id, internal::null_id};
     mesh.finish(3);
-    across = mesh.crossing(internal::halfedge_of(0, 0));
+    across = mesh.face_frame(internal::halfedge_of(0, 0));
   }
 };
 

@@ -18,14 +18,14 @@
 #include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_paths.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Arc_curve.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Cell_locator.h>
-#include <CGAL/Surface_mesh_geodesics/internal/interface/Geodesic_solver.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/Path_solver.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Redundant_window_removal.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Voronoi_cell_measures.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Voronoi_complex.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Voronoi_cut_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/distance_in_space.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/intrinsic_mesh_from_face_graph.h>
-#include <CGAL/Surface_mesh_geodesics/internal/interface/visited_run.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/run_with_visitor.h>
 
 #include <CGAL/Default.h>
 #include <CGAL/Named_function_parameters.h>
@@ -192,7 +192,7 @@ private:
   using Curve = Surface_mesh_geodesics::internal::Arc_curve;
   using Planar = Surface_mesh_geodesics::internal::Planar_point<double>;
   using Solver
-    = Surface_mesh_geodesics::internal::Geodesic_solver<Triangle_mesh, Vertex_index_map, Face_index_map>;
+    = Surface_mesh_geodesics::internal::Path_solver<Triangle_mesh, Vertex_index_map, Face_index_map>;
   using Measures = Surface_mesh_geodesics::internal::Voronoi_cell_measures;
   using Vertex_id = Surface_mesh_geodesics::internal::Vertex_id;
 
@@ -1171,7 +1171,7 @@ private:
       m_complex.start(m_solver.mesh(), m_solver.field(), removal);
       return Surface_mesh_geodesics::internal::Redundant_window_remover<Removal>(removal);
     };
-    const bool is_complete = Surface_mesh_geodesics::internal::visited_run(visitor, num_vertices(m_tm), [&](auto go_on)
+    const bool is_complete = Surface_mesh_geodesics::internal::run_with_visitor(visitor, num_vertices(m_tm), [&](auto go_on)
     {
       return m_solver.run_with_keeper(start, [&](std::size_t number_of_visits, double reached)
       { return go_on(number_of_visits, reached - m_largest_weight); });

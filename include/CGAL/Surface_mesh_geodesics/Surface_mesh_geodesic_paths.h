@@ -826,7 +826,7 @@ public:
       return output;
     m_structure.check_windows();
     using Points = std::vector<std::pair<face_descriptor, std::array<double, 3>>>;
-    const double resolution = Surface_mesh_geodesics::internal::Tolerance<double>::crossing();
+    const double resolution = Surface_mesh_geodesics::internal::Tolerance<double>::isoline();
     m_structure.solver().trace_isolines(CGAL::to_double(value), resolution, [&](const Points& points, bool is_closed)
     {
       std::vector<Point_3> line;

@@ -19,7 +19,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Farthest_vertex_queue.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/intrinsic_mesh_from_face_graph.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/source_range.h>
-#include <CGAL/Surface_mesh_geodesics/internal/interface/visited_run.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/run_with_visitor.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -124,7 +124,7 @@ private:
   template <typename Visitor>
   bool run(Distance_propagation<double>& propagation, Visitor& visitor) const
   {
-    return visited_run(visitor, m_table.vertices.size(), [&](auto go_on)
+    return run_with_visitor(visitor, m_table.vertices.size(), [&](auto go_on)
     {
       return propagation.run([&](std::size_t number_of_visits, double distance)
       { return go_on(number_of_visits, m_mesh.unit() * distance); });

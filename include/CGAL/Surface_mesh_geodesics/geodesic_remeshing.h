@@ -16,7 +16,7 @@
 #include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_Voronoi_diagram.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_Lloyd_relaxation.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_farthest_point_sampling.h>
-#include <CGAL/Surface_mesh_geodesics/internal/interface/visited_run.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/run_with_visitor.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>

@@ -8,7 +8,7 @@
 //
 // On a surface with points no shortest path crosses a face twice, as no way is shorter than the segment between two
 // points of the face. Where lengths are given, a way around through other faces may be shorter than that; then each
-// face may be crossed `most_crossings` times.
+// face may be crossed `most_faces_crossed` times.
 //
 // There are no windows, no frames of edges and no tolerances of distances here: every vertex may bend paths, unless it
 // is clearly convex, and a ray through a vertex counts for that vertex. A sequence ends where nothing is seen any more,
@@ -48,8 +48,8 @@ public:
 
   // `length(a, b)` is the length of the edge between two vertices; the points do not count.
   template <class Length>
-  Edge_sequence_search(const Indexed_mesh& mesh, const Length& length, unsigned int most_crossings = 1)
-    : m_mesh(mesh), m_most_crossings(most_crossings), m_lengths(mesh.points.size())
+  Edge_sequence_search(const Indexed_mesh& mesh, const Length& length, unsigned int most_faces_crossed = 1)
+    : m_mesh(mesh), m_most_faces_crossed(most_faces_crossed), m_lengths(mesh.points.size())
   {
     for(std::size_t f = 0; f < mesh.faces.size(); ++f)
     {
@@ -215,7 +215,7 @@ private:
                    const Point& last)
   {
     const auto found = m_face_on_left.find({left, right});
-    if(found == m_face_on_left.end() || m_crossings[found->second] == m_most_crossings || !is_open(first, last)
+    if(found == m_face_on_left.end() || m_crossings[found->second] == m_most_faces_crossed || !is_open(first, last)
        || !(m_offset + nearest_in_cone(r, l, first, last) < m_bound))
     {
       return;
@@ -264,7 +264,7 @@ private:
   }
 
   const Indexed_mesh& m_mesh;
-  unsigned int m_most_crossings;
+  unsigned int m_most_faces_crossed;
   std::vector<std::map<std::size_t, FT>> m_lengths;                          // by both ends of an edge
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> m_face_on_left; // of a directed edge
   std::vector<bool> m_is_convex;

@@ -39,7 +39,7 @@ struct Face_leaf
 template <typename FT>
 struct Front_piece
 {
-  Weighted_point<FT> left, right;
+  Additively_weighted_point<FT> left, right;
   Planar_point<FT> end;
 };
 

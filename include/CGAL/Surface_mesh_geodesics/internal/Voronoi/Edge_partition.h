@@ -203,12 +203,12 @@ private:
     const FT foot = (std::min)((std::max)(g.image_x, first), last);
     if(!is_nearer(g.distance_at(foot), c.distance_at(foot)))
       return false;
-    start = crossing(g, c, first, foot);
+    start = equidistant_abscissa(g, c, first, foot);
     return true;
   }
 
   // where g becomes nearer than c between two places, at the second of which it is so.
-  static FT crossing(const Generator& g, const Generator& c, FT from, FT to)
+  static FT equidistant_abscissa(const Generator& g, const Generator& c, FT from, FT to)
   {
     if(!(c.distance_at(from) < g.distance_at(from)))
       return from;

@@ -32,7 +32,7 @@ namespace internal {
 template <typename FT>
 struct Face_generator
 {
-  Weighted_point<FT> image;
+  Additively_weighted_point<FT> image;
   Vertex_id site = null_id;
   bool has_cone = false;
   Half_plane<FT> left, right; // of the cone

@@ -29,7 +29,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Weighted_bisector.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
-#include <CGAL/Surface_mesh_geodesics/internal/numeric/polished_points.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Newton_refinement.h>
 
 #include <algorithm>
 #include <array>
@@ -49,7 +49,7 @@ template <typename FT>
 struct Face_arc
 {
   Vertex_id left_site, right_site;
-  Weighted_point<FT> left, right;
+  Additively_weighted_point<FT> left, right;
   Planar_point<FT> first, last;
   std::size_t first_node, last_node;
   bool is_bisector; // else it is straight whatever the points are
@@ -504,7 +504,7 @@ private:
   }
 
   // Does an image tell the length of the shortest path of the two cells to x? (Behind the end of a cone it is less.)
-  bool is_nearest_at(const Front& f, const Weighted_point<FT>& image, const Point& x) const
+  bool is_nearest_at(const Front& f, const Additively_weighted_point<FT>& image, const Point& x) const
   {
     using std::abs;
     const FT nearest = (std::min)(distance_from(f.left, x), distance_from(f.right, x));
@@ -513,7 +513,7 @@ private:
 
   static bool are_same(const Piece& a, const Piece& b)
   {
-    const auto same = [](const Weighted_point<FT>& v, const Weighted_point<FT>& w)
+    const auto same = [](const Additively_weighted_point<FT>& v, const Additively_weighted_point<FT>& w)
     { return v.x == w.x && v.y == w.y && v.weight == w.weight; };
     return same(a.left, b.left) && same(a.right, b.right);
   }
@@ -541,7 +541,7 @@ private:
 
   // the images of the three sites at the end of a front that meets a third one; false if the last trace has not them,
   // as a path bends there.
-  bool find_images_at_end(const Front& f, std::array<Weighted_point<FT>, 3>& image) const
+  bool find_images_at_end(const Front& f, std::array<Additively_weighted_point<FT>, 3>& image) const
   {
     const std::array<std::size_t, 3> number{f.last_left, f.last_right, f.third_generator};
     for(std::size_t i = 0; i < 3; ++i)
@@ -557,7 +557,7 @@ private:
   // known, and may be found outside. Then one of the points where the fronts begin or end is the vertex.
   Point vertex_in_face(const Front& f, const Front& g, const Point& near_to) const
   {
-    std::array<Weighted_point<FT>, 3> image;
+    std::array<Additively_weighted_point<FT>, 3> image;
     if(!find_images_at_end(f, image))
       return near_to;
     Point best = polished_vertex(image[0], image[1], image[2], near_to, m_tracer.size());

@@ -21,7 +21,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Weighted_bisector.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
-#include <CGAL/Surface_mesh_geodesics/internal/numeric/polished_points.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Newton_refinement.h>
 
 #include <algorithm>
 #include <array>
@@ -124,7 +124,7 @@ public:
   FT width() const { return Tolerance<FT>::interval() * m_size; }
 
   // the image of the shortest paths from a generator to p.
-  Weighted_point<FT> image_towards(const Generator& g, const Point& p) const
+  Additively_weighted_point<FT> image_towards(const Generator& g, const Point& p) const
   {
     return g.sees(p, width()) ? g.image : bend(g, p).image;
   }
@@ -585,7 +585,7 @@ private:
   {
     Generator result;
     const Point& q = g.left(p) < g.right(p) ? g.left_end : g.right_end;
-    result.image = Weighted_point<FT>{q.x, q.y, g.image.distance_to(q)};
+    result.image = Additively_weighted_point<FT>{q.x, q.y, g.image.distance_to(q)};
     result.site = g.site;
     return result;
   }

@@ -33,7 +33,7 @@
 // have entered, but nowhere as the nearest ones. A face that does lie in several cells is given to a consumer
 // when all of its edges have been trimmed, and its windows are removed after that.
 
-#include <CGAL/Surface_mesh_geodesics/internal/numeric/Bound_queue.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Radix_heap.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Edge_partition.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Face_windows.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_table.h>
@@ -252,7 +252,7 @@ private:
     FT largest = 0;
     for(unsigned int k = 0; k < 3; ++k)
     {
-      const FT by_ends = bound_between(m_field->distance[face.vertex[k]], m_field->distance[face.vertex[next_place(k)]],
+      const FT by_ends = bound_between(m_field->distance[face.vertex[k]], m_field->distance[face.vertex[next_corner(k)]],
                                        face.length[k]);
       largest = (std::max)(largest, (std::min)(by_ends, FT(m_faces[f].bound[k])));
     }
@@ -287,11 +287,11 @@ private:
     const FT& length = m_mesh->length(h);
     if(x < length)
       bound = (std::max)(bound, bound_between(at_x, m_field->distance[m_mesh->target(h)], FT(length - x)));
-    float& known = m_faces[face_of(h)].bound[place_in_face(h)];
+    float& known = m_faces[face_of(h)].bound[index_in_face(h)];
     known = (std::min)(known, Single_precision::not_less(bound));
     const Halfedge_id o = m_mesh->opposite(h);
     if(o != null_id)
-      m_faces[face_of(o)].bound[place_in_face(o)] = known;
+      m_faces[face_of(o)].bound[index_in_face(o)] = known;
   }
 
   bool is_inactive(Face_id f) const { return m_faces[f].state == INACTIVE || m_faces[f].state == DONE; }
@@ -477,7 +477,7 @@ private:
   Face_windows<FT> m_windows;
   std::vector<Edge_breakpoint<FT>> m_breakpoints;
   Index_table<Breakpoint_range> m_range_of_edge;
-  Bound_queue m_queue;
+  Radix_heap m_queue;
   std::size_t m_number_of_kept = 0;
   Edge_partition<FT> m_edge;
   std::vector<std::pair<Halfedge_id, Face_window<FT>>> m_candidates;

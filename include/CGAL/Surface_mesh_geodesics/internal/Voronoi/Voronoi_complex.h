@@ -44,7 +44,7 @@ struct Voronoi_arc
 {
   Face_id face;
   Vertex_id left_site, right_site;
-  Weighted_point<FT> left, right;
+  Additively_weighted_point<FT> left, right;
   Planar_point<FT> first, last;
   std::uint32_t first_node, last_node;
   bool is_bisector;
@@ -216,7 +216,7 @@ public:
         site = node.sites[nodes.is_reversed ? 0 : 1];
         from = to;
       }
-      visit(site, from, corner[next_place(k)]);
+      visit(site, from, corner[next_corner(k)]);
     }
   }
 
@@ -317,12 +317,12 @@ private:
   std::array<FT, 3> coordinates_on_edge(Face_id f, unsigned int k, const Point& p) const
   {
     const std::array<Point, 3> corner = layout(f);
-    const Point &a = corner[k], &b = corner[next_place(k)];
+    const Point &a = corner[k], &b = corner[next_corner(k)];
     const FT x = b.x - a.x, y = b.y - a.y, square = x * x + y * y;
     const FT t = square > 0 ? FT(((p.x - a.x) * x + (p.y - a.y) * y) / square) : FT(0);
     std::array<FT, 3> result{FT(0), FT(0), FT(0)};
-    result[next_place(k)] = (std::min)((std::max)(t, FT(0)), FT(1));
-    result[k] = 1 - result[next_place(k)];
+    result[next_corner(k)] = (std::min)((std::max)(t, FT(0)), FT(1));
+    result[k] = 1 - result[next_corner(k)];
     return result;
   }
 
@@ -362,7 +362,7 @@ private:
   Point point_on_edge(Halfedge_id h, const FT& x) const
   {
     const std::array<Point, 3> corner = layout(face_of(h));
-    const Point a = corner[place_in_face(h)], b = corner[next_place(place_in_face(h))];
+    const Point a = corner[index_in_face(h)], b = corner[next_corner(index_in_face(h))];
     const FT length = m_mesh->length(h), t = length > 0 ? FT(x / length) : FT(0);
     return Point{FT(a.x + t * (b.x - a.x)), FT(a.y + t * (b.y - a.y))};
   }

@@ -192,8 +192,8 @@ private:
       const Edge_contraction edge(m_mesh, m_complex, h);
       const std::uint32_t first = static_cast<std::uint32_t>(m_border_points.size());
       m_border_points.push_back(corner[k]);
-      m_sides.push_back(static_cast<unsigned char>(side | (1u << previous_place(k))));
-      const Point a = corner[k], b = corner[next_place(k)];
+      m_sides.push_back(static_cast<unsigned char>(side | (1u << previous_corner(k))));
+      const Point a = corner[k], b = corner[next_corner(k)];
       for(std::uint32_t i = 1; i < edge.last(); ++i)
       {
         const double x = m_complex.nodes()[edge.node_at(i)].place / m_mesh.length(h);
@@ -509,7 +509,7 @@ private:
       m_triangles.push_back(Triangle{{cycle[t[0]], cycle[t[1]], cycle[t[2]]}, site});
       for(unsigned int k = 0; k < 3; ++k)
       {
-        const std::uint32_t a = cycle[t[k]], b = cycle[t[next_place(k)]];
+        const std::uint32_t a = cycle[t[k]], b = cycle[t[next_corner(k)]];
         m_diagonals.insert(std::minmax(a, b));
       }
     }

@@ -37,7 +37,7 @@ void for_each_face_generator(const Intrinsic_mesh<FT>& mesh, const Vertex_distan
   for(unsigned int k = 0; k < 3; ++k)
   {
     Face_generator<FT> g;
-    g.image = Weighted_point<FT>{corner[k].x, corner[k].y, field.distance[face.vertex[k]]};
+    g.image = Additively_weighted_point<FT>{corner[k].x, corner[k].y, field.distance[face.vertex[k]]};
     g.site = owner_of(face.vertex[k]);
     if(g.site != null_id)
       visit(g);
@@ -47,7 +47,7 @@ void for_each_face_generator(const Intrinsic_mesh<FT>& mesh, const Vertex_distan
     const FT length = face.length[k];
     if(!(length > 0))
       continue;
-    const Point a = corner[k], b = corner[next_place(k)];
+    const Point a = corner[k], b = corner[next_corner(k)];
     const FT tx = (b.x - a.x) / length, ty = (b.y - a.y) / length;
     windows.for_each(halfedge_of(f, k), [&](const Face_window<FT>& w)
     {
@@ -55,7 +55,7 @@ void for_each_face_generator(const Intrinsic_mesh<FT>& mesh, const Vertex_distan
       { return Point{FT(a.x + x * tx - y * ty), FT(a.y + x * ty + y * tx)}; };
       Face_generator<FT> g;
       const Point image = place(w.image_x, -w.image_depth);
-      g.image = Weighted_point<FT>{image.x, image.y, field.distance[w.root]};
+      g.image = Additively_weighted_point<FT>{image.x, image.y, field.distance[w.root]};
       g.site = owner_of(w.root);
       g.has_cone = true;
       g.left_end = place(w.begin, 0);
@@ -76,7 +76,7 @@ bool generator_on_edge(const Intrinsic_mesh<FT>& mesh, Halfedge_id h, const Face
                        Edge_generator<FT>& e)
 {
   const std::array<Planar_point<FT>, 3> corner = layout_of_face(mesh.face(face_of(h)));
-  const Planar_point<FT> a = corner[place_in_face(h)], b = corner[next_place(place_in_face(h))];
+  const Planar_point<FT> a = corner[index_in_face(h)], b = corner[next_corner(index_in_face(h))];
   const FT length = mesh.length(h), tx = (b.x - a.x) / length, ty = (b.y - a.y) / length;
   FT first = 0, last = length;
   if(g.has_cone && has_no_height(mesh.face(face_of(h))))

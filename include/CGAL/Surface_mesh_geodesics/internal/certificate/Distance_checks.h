@@ -109,7 +109,7 @@ public:
         const Halfedge_id h = halfedge_of(f, k), o = m_mesh.opposite(h);
         if(o == null_id)
           continue;
-        const Crossing<FT> above = m_mesh.crossing(h), below = m_mesh.crossing(o);
+        const Face_frame<FT> above = m_mesh.face_frame(h), below = m_mesh.face_frame(o);
         // the other vertex of the face of o, in the frame of h
         const FT x = below.apex_rest, height = above.apex_y + below.apex_y;
         if(!(height > 0))
@@ -245,7 +245,7 @@ private:
   {
     const Intrinsic_face<FT>& face = m_mesh.face(f);
     const std::array<Planar_point<FT>, 3> corner = layout_of_face(face);
-    const Planar_point<FT>&a = corner[k], &b = corner[next_place(k)];
+    const Planar_point<FT>&a = corner[k], &b = corner[next_corner(k)];
     if(!(x >= 0) || !(x <= face.length[k]))
       return false;
     const FT share = x > 0 ? FT(x / face.length[k]) : FT(0);

@@ -91,7 +91,7 @@ private:
 
   // --- the functions on the edges ---
 
-  static std::size_t entry(Halfedge_id h) { return 3 * std::size_t(face_of(h)) + place_in_face(h); }
+  static std::size_t entry(Halfedge_id h) { return 3 * std::size_t(face_of(h)) + index_in_face(h); }
 
   bool is_first_of_edge(Halfedge_id h) const { return m_mesh.opposite(h) == null_id || h < m_mesh.opposite(h); }
 
@@ -121,7 +121,7 @@ private:
   // adds the paths that come to the edge of h, straight from a corner of the face of h or through one of its edges.
   void add_paths(Halfedge_id h, bool is_backwards, Edge_distance_function<FT>& function) const
   {
-    const Crossing<FT> c = m_mesh.crossing(h);
+    const Face_frame<FT> c = m_mesh.face_frame(h);
     auto add = [&](const Piece& p)
     { function.add(is_backwards ? backwards(p, c.length) : p); };
     auto add_three = [&](const Piece& before, const Piece& p, const Piece& behind)
@@ -185,12 +185,12 @@ private:
   }
 
   // the sides from A to C and from B to C in the frame of AB; they have a length.
-  static Line left_side(const Crossing<FT>& c)
+  static Line left_side(const Face_frame<FT>& c)
   {
     return {{FT(0), FT(0)}, {c.apex_x / c.left_length, c.apex_y / c.left_length}, c.left_length};
   }
 
-  static Line right_side(const Crossing<FT>& c)
+  static Line right_side(const Face_frame<FT>& c)
   {
     return {{c.length, FT(0)}, {-c.apex_rest / c.right_length, c.apex_y / c.right_length}, c.right_length};
   }
@@ -220,7 +220,7 @@ private:
   // from the points q on the edge of h to the points p on the two other edges of its face, and to the ends of the edge.
   void check_beyond(Halfedge_id h)
   {
-    const Crossing<FT> c = m_mesh.crossing(h);
+    const Face_frame<FT> c = m_mesh.face_frame(h);
     m_scale = (std::max)(c.length, (std::max)(c.left_length, c.right_length));
     check_ends(c);
     read_function(h, false, m_from);
@@ -244,7 +244,7 @@ private:
   }
 
   // the condition for the ends of the edge alone: all that there is to an edge without length.
-  void check_ends(const Crossing<FT>& c)
+  void check_ends(const Face_frame<FT>& c)
   {
     const FT& d = m_distance[c.origin];
     const FT& e = m_distance[c.target];

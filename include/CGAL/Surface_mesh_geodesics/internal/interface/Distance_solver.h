@@ -17,14 +17,14 @@
 #include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Available_tag.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_propagation.h>
-#include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_runner.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/Repeated_propagation.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Parallel_distance_propagation.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Source_insertion.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Worker_team.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/intrinsic_mesh_from_face_graph.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/source_range.h>
-#include <CGAL/Surface_mesh_geodesics/internal/interface/visited_run.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/run_with_visitor.h>
 
 #include <CGAL/tags.h>
 
@@ -200,7 +200,7 @@ public:
 
     Unfinished_run unfinished{&m_runner};
     const double unit = static_cast<double>(m_surface.unit());
-    const bool is_complete = visited_run(visitor, m_surface.number_of_vertices(), [&](auto go_on)
+    const bool is_complete = run_with_visitor(visitor, m_surface.number_of_vertices(), [&](auto go_on)
     {
       return m_runner.run(set, limits, [&](std::size_t visits, const FT& d)
       { return go_on(visits, unit * static_cast<double>(d)); });
@@ -240,7 +240,7 @@ public:
   }
 
 private:
-  using Runner = Distance_runner<Propagation>;
+  using Runner = Repeated_propagation<Propagation>;
 
   // No vertex has been reached if a run is left by an exception, whatever part of it or of the visitor throws.
   struct Unfinished_run

@@ -14,7 +14,7 @@
 // the solver knows still fits the source points. What is asked through a const reference computes nothing, and
 // throws std::logic_error where something would have to be computed first.
 
-#include <CGAL/Surface_mesh_geodesics/internal/interface/Geodesic_solver.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/Path_solver.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Source_insertion.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Source_point_list.h>
@@ -22,7 +22,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/interface/intrinsic_mesh_from_face_graph.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/path_visitors.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/source_range.h>
-#include <CGAL/Surface_mesh_geodesics/internal/interface/visited_run.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/run_with_visitor.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -52,7 +52,7 @@ public:
   using Sources = Source_point_list<Face_location, vertex_descriptor>;
   using Source_point_iterator = typename Sources::Iterator;
   using Result = std::pair<FT, Source_point_iterator>;
-  using Solver = Geodesic_solver<Triangle_mesh, VertexIndexMap, FaceIndexMap>;
+  using Solver = Path_solver<Triangle_mesh, VertexIndexMap, FaceIndexMap>;
   using Query = typename Solver::Query;
 
   static constexpr std::size_t no_source = (std::numeric_limits<std::size_t>::max)();
@@ -105,7 +105,7 @@ public:
     m_sources.mark_changed();
     give_sources_to_solver();
     const bool is_complete
-      = visited_run(visitor, num_vertices(m_tm), [&](auto go_on) { return m_solver.run(wants_windows, go_on); });
+      = run_with_visitor(visitor, num_vertices(m_tm), [&](auto go_on) { return m_solver.run(wants_windows, go_on); });
     if(is_complete)
       m_sources.mark_built();
     return is_complete;

@@ -104,7 +104,7 @@ private:
   {
     const Edge_contraction edge(m_mesh, m_complex, h);
     const auto corner = m_complex.layout(face_of(h));
-    const Planar_point<double> a = corner[place_in_face(h)], b = corner[next_place(place_in_face(h))];
+    const Planar_point<double> a = corner[index_in_face(h)], b = corner[next_corner(index_in_face(h))];
     vertex_descriptor from = m_vertices[m_mesh.source(h)];
     m_first_piece[h] = static_cast<std::uint32_t>(m_pieces.size());
     for(std::uint32_t i = 1; i <= edge.last(); ++i)
@@ -176,11 +176,11 @@ private:
     const face_descriptor f = add_face(m_output);
     std::array<halfedge_descriptor, 3> h;
     for(unsigned int k = 0; k < 3; ++k)
-      h[k] = take_halfedge(vertex[k], vertex[next_place(k)]);
+      h[k] = take_halfedge(vertex[k], vertex[next_corner(k)]);
     for(unsigned int k = 0; k < 3; ++k)
     {
       set_face(h[k], f, m_output);
-      set_next(h[k], h[next_place(k)], m_output);
+      set_next(h[k], h[next_corner(k)], m_output);
       set_halfedge(target(h[k], m_output), h[k], m_output);
     }
     set_halfedge(f, h[0], m_output);

@@ -150,7 +150,7 @@ public:
       return shift;
     }
     const Vector& base = side[shift];
-    const Vector& from_apex = side[previous_place(shift)]; // to corner 0
+    const Vector& from_apex = side[previous_corner(shift)]; // to corner 0
     f.apex_x = -dot(base, from_apex) / f.length[0];
     f.apex_y = vector_length(cross(base, from_apex)) / f.length[0];
     return shift;
@@ -304,7 +304,7 @@ public:
     set_components(shape, mesh);
     mesh.finish(table.vertices.size());
     if(!Shape::has_points)
-      mesh.bound_crossings_by_lengths();
+      mesh.bound_faces_crossed_by_lengths();
     fill_face_tables(table);
   }
 
@@ -475,7 +475,7 @@ private:
     for(Face_id i = 0; i < n; ++i)
     {
       const std::uint32_t f = m_order[i];
-      const unsigned int first = place_in_face(m_name[f]);
+      const unsigned int first = index_in_face(m_name[f]);
       for(unsigned int j = 0; j < 3; ++j)
       {
         const Halfedge_id h = halfedge_of(i, place_after(j, first)), o = renumbered(m_neighbours[f][j]);
@@ -483,7 +483,7 @@ private:
           throw Invalid_geodesic_input(Reason::NON_MANIFOLD,
                                        "face " + std::to_string(f) + " and its neighbour disagree about the ends of "
                                          + "their edge", f);
-        mesh.face(i).opposite[place_in_face(h)] = o;
+        mesh.face(i).opposite[index_in_face(h)] = o;
       }
     }
   }
@@ -530,7 +530,7 @@ private:
     if(h == null_id)
       return null_id;
     const Halfedge_id first = m_name[face_of(h)];
-    return halfedge_of(face_of(first), place_after(place_in_face(h), place_in_face(first)));
+    return halfedge_of(face_of(first), place_after(index_in_face(h), index_in_face(first)));
   }
 
   void fill_face_tables(Correspondence& table) const

@@ -196,7 +196,7 @@ std::array<FT, 3> intrinsic_coordinates(Halfedge_id h, const Coordinates& b, con
 {
   std::array<FT, 3> r;
   for(unsigned int j = 0; j < 3; ++j)
-    r[(place_in_face(h) + j) % 3] = FT(CGAL::to_double(b[j]));
+    r[(index_in_face(h) + j) % 3] = FT(CGAL::to_double(b[j]));
   if(!Source_insertion<FT>::is_valid(r))
     refuse_descriptor(Invalid_geodesic_input::Reason::INVALID_LOCATION, what, position, " is not in its face");
   return r;

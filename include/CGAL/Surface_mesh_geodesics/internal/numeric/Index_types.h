@@ -35,12 +35,12 @@ constexpr std::uint32_t maximum_number_of_faces = (std::uint32_t(1) << 30) - 1;
 
 constexpr Halfedge_id halfedge_of(Face_id f, unsigned int k) { return 4 * f + k; }
 constexpr Face_id face_of(Halfedge_id h) { return h >> 2; }
-constexpr unsigned int place_in_face(Halfedge_id h) { return h & 3u; }
+constexpr unsigned int index_in_face(Halfedge_id h) { return h & 3u; }
 
 // The place that follows, or precedes, the place k of a triangle. (From tables of two bits each: places are
 // arbitrary, and a branch would be predicted wrong for every other one.)
-constexpr unsigned int next_place(unsigned int k) { return 0x9u >> 2 * k & 3u; }
-constexpr unsigned int previous_place(unsigned int k) { return 0x12u >> 2 * k & 3u; }
+constexpr unsigned int next_corner(unsigned int k) { return 0x9u >> 2 * k & 3u; }
+constexpr unsigned int previous_corner(unsigned int k) { return 0x12u >> 2 * k & 3u; }
 
 // The place that is n places after the place k; n is 0, 1 or 2. And the number of places from the place k to 0.
 constexpr unsigned int place_after(unsigned int k, unsigned int n) { return 0x124u >> 2 * (k + n) & 3u; }
@@ -48,12 +48,12 @@ constexpr unsigned int places_to_first(unsigned int k) { return 0x18u >> 2 * k &
 
 constexpr Halfedge_id next_halfedge(Halfedge_id h)
 {
-  return halfedge_of(face_of(h), next_place(place_in_face(h)));
+  return halfedge_of(face_of(h), next_corner(index_in_face(h)));
 }
 
 constexpr Halfedge_id previous_halfedge(Halfedge_id h)
 {
-  return halfedge_of(face_of(h), previous_place(place_in_face(h)));
+  return halfedge_of(face_of(h), previous_corner(index_in_face(h)));
 }
 
 } // namespace internal

@@ -49,7 +49,7 @@ Planar_point<FT> midpoint(const Planar_point<FT>& p, const Planar_point<FT>& q)
 
 // The distance of a point from it is `weight` plus the distance in the plane.
 template <typename FT>
-struct Weighted_point
+struct Additively_weighted_point
 {
   FT x = 0, y = 0, weight = 0;
 
@@ -131,7 +131,7 @@ class Weighted_bisector
 public:
   using FT = FT_;
   using Point = Planar_point<FT>;
-  using Generator = Weighted_point<FT>;
+  using Generator = Additively_weighted_point<FT>;
 
   // The curve of equal distance from `left` and `right` that starts at p, which is on it but for rounding,
   // with the points nearer to `left` on its left.

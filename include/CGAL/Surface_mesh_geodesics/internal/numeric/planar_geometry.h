@@ -99,7 +99,7 @@ struct Tolerance
   static FT quadrature() { return 512 * unit_roundoff(); }
 
   // Relative to the length of an edge: how exactly the crossings of isolines are found.
-  static FT crossing() { return 4096 * unit_roundoff(); }
+  static FT isoline() { return 4096 * unit_roundoff(); }
 
   // Relative to 1: a barycentric coordinate below is taken for zero, so that a location with
   // rounded coordinates is the vertex or the edge point that was meant. It shifts a source by at

@@ -145,7 +145,7 @@ private:
     m_mesh.for_each_halfedge_around(v, [this](Halfedge_id h)
     {
       const Halfedge_id across = next_halfedge(h);
-      const Crossing<FT> c = m_mesh.crossing(across);
+      const Face_frame<FT> c = m_mesh.face_frame(across);
       reach(c.origin, c.left_length, face_of(h), null_id);
       reach(c.target, c.right_length, face_of(h), null_id);
       add_whole_edge(across, c.apex_x, c.apex_y);
@@ -158,7 +158,7 @@ private:
     for(unsigned int k = 0; k < 3; ++k)
     {
       const Halfedge_id h = halfedge_of(f, k);
-      const Crossing<FT> c = m_mesh.crossing(h);
+      const Face_frame<FT> c = m_mesh.face_frame(h);
       const std::array<FT, 2> p = point_in_frame(c, b, k);
       reach(c.origin, norm<FT>(p[0], p[1]), f, null_id);
       add_whole_edge(h, p[0], p[1]);
@@ -251,7 +251,7 @@ private:
   }
 
   // the abscissa at which the line from (x, y) to the image crosses the edge, in the cone.
-  static FT crossing(const Cone& cone, const FT& x, const FT& y)
+  static FT abscissa_of(const Cone& cone, const FT& x, const FT& y)
   {
     const FT height = y + cone.image_depth;
     const FT t = height > 0 ? FT((cone.image_x * y + x * cone.image_depth) / height) : x;
@@ -264,8 +264,8 @@ private:
     const Cone cone = m_cones[i];
     m_stop = cone.stop;
     m_length = m_stop == null_id ? FT(0) : m_stops[m_stop].length;
-    const Crossing<FT> c = m_mesh.crossing(cone.halfedge);
-    const FT t = crossing(cone, c.apex_x, c.apex_y);
+    const Face_frame<FT> c = m_mesh.face_frame(cone.halfedge);
+    const FT t = abscissa_of(cone, c.apex_x, c.apex_y);
     reach(c.apex, norm<FT>(t - cone.image_x, cone.image_depth) + norm<FT>(c.apex_x - t, c.apex_y),
           face_of(cone.halfedge), i);
     if(c.left_length > 0)
@@ -275,7 +275,7 @@ private:
   }
 
   // the part on the edge from A to C, through the edge from begin to t
-  static Cone left_part(const Cone& cone, const Crossing<FT>& c, Index i, const FT& t)
+  static Cone left_part(const Cone& cone, const Face_frame<FT>& c, Index i, const FT& t)
   {
     const FT cosine = c.apex_x / c.left_length, sine = c.apex_y / c.left_length;
     const FT image_x = cone.image_x * cosine - cone.image_depth * sine;
@@ -287,7 +287,7 @@ private:
   }
 
   // the part on the edge from C to B, through the edge from t to end
-  static Cone right_part(const Cone& cone, const Crossing<FT>& c, Index i, const FT& t)
+  static Cone right_part(const Cone& cone, const Face_frame<FT>& c, Index i, const FT& t)
   {
     // seen from B
     const FT cosine = c.apex_rest / c.right_length, sine = c.apex_y / c.right_length, x = c.length - cone.image_x;
@@ -339,12 +339,12 @@ private:
       reversed.push_back(step);
       return;
     }
-    const Crossing<FT> last = m_mesh.crossing(m_cones[stop.cone].halfedge);
+    const Face_frame<FT> last = m_mesh.face_frame(m_cones[stop.cone].halfedge);
     FT x = last.apex_x, y = last.apex_y;
     for(Index i = stop.cone; i != null_id; i = m_cones[i].parent)
     {
       const Cone& cone = m_cones[i];
-      const FT t = crossing(cone, x, y);
+      const FT t = abscissa_of(cone, x, y);
       step.gap = norm<FT>(x - t, y);
       reversed.push_back(step);
       const Halfedge_id h = m_mesh.opposite(cone.halfedge);
@@ -357,7 +357,7 @@ private:
       }
       // in the frame of the edge before
       const Halfedge_id before = m_cones[cone.parent].halfedge;
-      const Crossing<FT> c = m_mesh.crossing(before);
+      const Face_frame<FT> c = m_mesh.face_frame(before);
       const bool is_left = h == previous_halfedge(before);
       const FT part = is_left ? FT(t / c.left_length) : FT(1 - t / c.right_length);
       x = is_left ? FT(part * c.apex_x) : FT(c.length - part * c.apex_rest);

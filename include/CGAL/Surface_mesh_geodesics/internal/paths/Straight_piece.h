@@ -67,13 +67,13 @@ Path_step<FT> step_on_edge(const Intrinsic_mesh<FT>& mesh, Halfedge_id h, const 
 }
 
 // Where a piece begins: at the point (x, y) in the frame of a halfedge, in the face of it. The piece runs
-// through the point `crossing` of the halfedge to the image of `root` at (image_x, -image_depth); `distance`
+// through the point `abscissa` of the halfedge to the image of `root` at (image_x, -image_depth); `distance`
 // is that of the point.
 template <typename FT>
 struct Piece_start
 {
   Halfedge_id halfedge;
-  FT x, y, crossing, image_x, image_depth;
+  FT x, y, abscissa, image_x, image_depth;
   Vertex_id root;
   FT distance;
 };
@@ -100,36 +100,36 @@ public:
     State s = first_state();
     if(m_end != null_id)
       return has_right_length() ? m_end : null_id;
-    for(std::size_t i = 0; i <= m_mesh.most_crossings(); ++i)
+    for(std::size_t i = 0; i <= m_mesh.most_faces_crossed(); ++i)
     {
       const Halfedge_id o = m_mesh.opposite(s.halfedge);
       if(o == null_id)
         return null_id;
-      const Crossing<FT> c = m_mesh.crossing(o);
+      const Face_frame<FT> c = m_mesh.face_frame(o);
       turn(c, s);
       if(!pass_apex(o, c, s))
         return null_id;
       if(m_end != null_id)
         return has_right_length() ? m_end : null_id;
       s = next_state(o, c, s);
-      add_crossing(s.halfedge, s.crossing);
+      add_crossing(s.halfedge, s.abscissa);
     }
     return null_id;
   }
 
 private:
-  // Where the line is: at the point `crossing` of `halfedge`, about to leave the face of the halfedge
+  // Where the line is: at the point `abscissa` of `halfedge`, about to leave the face of the halfedge
   // across it; the image of the pseudo-source is at (image_x, image_y) in its frame, with image_y <= 0.
   // turn() turns it into the frame of the opposite halfedge.
   struct State
   {
     Halfedge_id halfedge;
-    FT crossing, image_x, image_y;
+    FT abscissa, image_x, image_y;
   };
 
-  static void turn(const Crossing<FT>& c, State& s)
+  static void turn(const Face_frame<FT>& c, State& s)
   {
-    s.crossing = c.length - s.crossing;
+    s.abscissa = c.length - s.abscissa;
     s.image_x = c.length - s.image_x;
     s.image_y = -s.image_y;
   }
@@ -139,9 +139,9 @@ private:
   {
     const Halfedge_id h = m_start.halfedge;
     const FT length = m_mesh.length(h);
-    const State s{h, m_start.crossing, m_start.image_x, -m_start.image_depth};
-    const FT inside = norm<FT>(m_start.x - s.crossing, m_start.y);
-    const FT outside = norm<FT>(s.image_x - s.crossing, s.image_y);
+    const State s{h, m_start.abscissa, m_start.image_x, -m_start.image_depth};
+    const FT inside = norm<FT>(m_start.x - s.abscissa, m_start.y);
+    const FT outside = norm<FT>(s.image_x - s.abscissa, s.image_y);
     meet((std::max)(inside + outside, (std::max)(length, m_start.distance)));
     // the sine of the smaller one of the angles at which the line meets the edge
     const FT sine = (std::min)(inside > 0 ? FT(m_start.y / inside) : FT(0),
@@ -150,7 +150,7 @@ private:
     {
       using std::abs;
       const FT x = v == m_mesh.source(h) ? FT(0) : length, gap = norm<FT>(m_start.x - x, m_start.y);
-      const bool is_near = abs(FT(x - s.crossing)) * sine <= sideways();
+      const bool is_near = abs(FT(x - s.abscissa)) * sine <= sideways();
       if(v == m_start.root || (is_near && may_run_through(v, gap)))
       {
         end_at(v, face_of(h), gap);
@@ -158,16 +158,16 @@ private:
       }
     }
     m_gap = inside;
-    add_crossing(h, s.crossing);
+    add_crossing(h, s.abscissa);
     return s;
   }
 
   // looks at the third corner of the face that the line enters. The piece may end there. Returns false if
   // its distance tells that the line has gone astray.
-  bool pass_apex(Halfedge_id o, const Crossing<FT>& c, const State& s)
+  bool pass_apex(Halfedge_id o, const Face_frame<FT>& c, const State& s)
   {
     using std::abs;
-    const FT dx = c.apex_x - s.crossing, ix = s.image_x - s.crossing;
+    const FT dx = c.apex_x - s.abscissa, ix = s.image_x - s.abscissa;
     const FT squared_gap = dx * dx + c.apex_y * c.apex_y;
     meet((std::max)(c.left_length, c.right_length));
     const FT area = dx * s.image_y - c.apex_y * ix;
@@ -188,12 +188,12 @@ private:
 
   // from the edge to the next one, through the face of o. The image lies on this side of C, and beyond the edge.
   // Very near to the image the first is next to unknown, and the second decides.
-  State next_state(Halfedge_id o, const Crossing<FT>& c, const State& s)
+  State next_state(Halfedge_id o, const Face_frame<FT>& c, const State& s)
   {
     const bool has_left = c.left_length > 0, has_right = c.right_length > 0;
     const bool is_left = has_left
                       && (!has_right
-                          || (c.apex_x - s.crossing) * s.image_y - c.apex_y * (s.image_x - s.crossing) > 0);
+                          || (c.apex_x - s.abscissa) * s.image_y - c.apex_y * (s.image_x - s.abscissa) > 0);
     Edge_view view = is_left ? left_view(c, s) : right_view(c, s);
     State n;
     n.halfedge = is_left ? previous_halfedge(o) : next_halfedge(o);
@@ -209,9 +209,9 @@ private:
     n.image_x = view.image_x;
     n.image_y = (std::min)(view.image_y, FT(0));
     const FT height = view.y - n.image_y;
-    const FT crossing = height > 0 ? FT(view.x + (n.image_x - view.x) * (view.y / height)) : n.image_x;
-    n.crossing = (std::min)((std::max)(crossing, FT(0)), view.length);
-    m_gap = m_gap + norm<FT>(view.x - n.crossing, view.y);
+    const FT abscissa = height > 0 ? FT(view.x + (n.image_x - view.x) * (view.y / height)) : n.image_x;
+    n.abscissa = (std::min)((std::max)(abscissa, FT(0)), view.length);
+    m_gap = m_gap + norm<FT>(view.x - n.abscissa, view.y);
     return n;
   }
 
@@ -225,14 +225,14 @@ private:
   static FT inverse_of(const FT& length) { return length > 0 ? FT(1 / length) : FT(0); }
 
   // from C to A
-  static Edge_view left_view(const Crossing<FT>& c, const State& s)
+  static Edge_view left_view(const Face_frame<FT>& c, const State& s)
   {
     const FT inverse = inverse_of(c.left_length);
     return edge_view(c.left_length, c.apex_x, c.apex_y, -c.apex_x * inverse, -c.apex_y * inverse, s);
   }
 
   // from B to C
-  static Edge_view right_view(const Crossing<FT>& c, const State& s)
+  static Edge_view right_view(const Face_frame<FT>& c, const State& s)
   {
     const FT inverse = inverse_of(c.right_length);
     return edge_view(c.right_length, c.length, FT(0), -c.apex_rest * inverse, c.apex_y * inverse, s);
@@ -242,7 +242,7 @@ private:
   static Edge_view edge_view(const FT& length, const FT& x, const FT& y, const FT& cosine, const FT& sine,
                              const State& s)
   {
-    const FT px = s.crossing - x, ix = s.image_x - x, iy = s.image_y - y;
+    const FT px = s.abscissa - x, ix = s.image_x - x, iy = s.image_y - y;
     return {length, FT(px * cosine - y * sine), FT(-px * sine - y * cosine), FT(ix * cosine + iy * sine),
             FT(iy * cosine - ix * sine)};
   }

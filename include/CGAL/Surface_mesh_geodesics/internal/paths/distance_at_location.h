@@ -25,7 +25,7 @@ namespace internal {
 
 // How the shortest path arrives at a point of a face: straight from the vertex `root` which is a
 // corner of the face (then halfedge is null_id), or from the image of `root` through the point
-// `crossing` of `halfedge`, in the frame of that halfedge, where the point is at (x, y). `inside` is the
+// `abscissa` of `halfedge`, in the frame of that halfedge, where the point is at (x, y). `inside` is the
 // length of the path in the face. `root` is null_id if there is no path.
 template <typename FT>
 struct Location_arrival
@@ -33,17 +33,17 @@ struct Location_arrival
   FT distance;
   Vertex_id root = null_id;
   Halfedge_id halfedge = null_id;
-  FT crossing = 0, image_x = 0, image_depth = 0;
+  FT abscissa = 0, image_x = 0, image_depth = 0;
   FT inside = 0;
   FT x = 0, y = 0;
 };
 
 // The point of face f with the barycentric coordinates b, in the frame of its halfedge k.
 template <typename FT>
-std::array<FT, 2> point_in_frame(const Crossing<FT>& c, const std::array<FT, 3>& b, unsigned int k)
+std::array<FT, 2> point_in_frame(const Face_frame<FT>& c, const std::array<FT, 3>& b, unsigned int k)
 {
-  const unsigned int apex = previous_place(k);
-  return {FT(b[next_place(k)] * c.length + b[apex] * c.apex_x), FT(b[apex] * c.apex_y)};
+  const unsigned int apex = previous_corner(k);
+  return {FT(b[next_corner(k)] * c.length + b[apex] * c.apex_x), FT(b[apex] * c.apex_y)};
 }
 
 // The shortest path from the image of a window's pseudo-source to the point (x, y) above the edge:
@@ -55,18 +55,18 @@ void improve_arrival(Location_arrival<FT>& arrival, const Kept_window<FT>& w, co
   const FT height = y + w.image_depth;
   // the abscissa at which the straight path crosses the edge; it may run along the edge
   const FT t = height > 0 ? FT((w.image_x * y + x * w.image_depth) / height) : x;
-  FT crossing = t, distance;
+  FT abscissa = t, distance;
   if(t < w.begin || t > w.end)
   {
-    crossing = t < w.begin ? w.begin : w.end;
-    distance = root_distance + norm<FT>(crossing - w.image_x, w.image_depth)
-             + norm<FT>(x - crossing, y);
+    abscissa = t < w.begin ? w.begin : w.end;
+    distance = root_distance + norm<FT>(abscissa - w.image_x, w.image_depth)
+             + norm<FT>(x - abscissa, y);
   }
   else
     distance = root_distance + norm<FT>(x - w.image_x, height);
   if(distance < arrival.distance)
-    arrival = Location_arrival<FT>{distance, w.root, h, crossing, w.image_x, w.image_depth,
-                                   norm<FT>(x - crossing, y), x, y};
+    arrival = Location_arrival<FT>{distance, w.root, h, abscissa, w.image_x, w.image_depth,
+                                   norm<FT>(x - abscissa, y), x, y};
 }
 
 // The arrival at the point of face f with the barycentric coordinates b. Takes time linear in the
@@ -82,7 +82,7 @@ Location_arrival<FT> arrival_at_location(const Intrinsic_mesh<FT>& mesh,
   for(unsigned int k = 0; k < 3; ++k)
   {
     const Halfedge_id h = halfedge_of(f, k);
-    const Crossing<FT> c = mesh.crossing(h);
+    const Face_frame<FT> c = mesh.face_frame(h);
     const std::array<FT, 2> p = point_in_frame(c, b, k);
     const FT inside = norm(p[0], p[1]), from_corner = field.distance[c.origin] + inside;
     if(from_corner < arrival.distance)

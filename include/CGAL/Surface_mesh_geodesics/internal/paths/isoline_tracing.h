@@ -121,9 +121,9 @@ private:
   FT distance_on_edge(Halfedge_id h, const FT& t) const
   {
     std::array<FT, 3> b;
-    b[place_in_face(h)] = 1 - t;
-    b[next_place(place_in_face(h))] = t;
-    b[previous_place(place_in_face(h))] = 0;
+    b[index_in_face(h)] = 1 - t;
+    b[next_corner(index_in_face(h))] = t;
+    b[previous_corner(index_in_face(h))] = 0;
     return distance_at(face_of(h), b);
   }
 
@@ -202,8 +202,8 @@ private:
         h = m_mesh.opposite(h);
         t = 1 - t;
       }
-      b[place_in_face(h)] += (1 - t) / FT(around.size());
-      b[next_place(place_in_face(h))] += t / FT(around.size());
+      b[index_in_face(h)] += (1 - t) / FT(around.size());
+      b[next_corner(index_in_face(h))] += t / FT(around.size());
     }
     return b;
   }

@@ -80,7 +80,7 @@ private:
       path.push_back(step);
     }
     else
-      v = trace_piece({arrival.halfedge, arrival.x, arrival.y, arrival.crossing, arrival.image_x,
+      v = trace_piece({arrival.halfedge, arrival.x, arrival.y, arrival.abscissa, arrival.image_x,
                        arrival.image_depth, arrival.root, arrival.distance},
                       path);
     return v != null_id && trace_onwards(v, path);
@@ -116,8 +116,8 @@ private:
   {
     const Vertex_arrival<FT>& arrival = m_field.arrival[v];
     const Arrival_image<FT>& image = m_field.image[v];
-    const Crossing<FT> c = m_mesh.crossing(arrival.halfedge);
-    return {arrival.halfedge, c.apex_x, c.apex_y, arrival.crossing, image.x, image.depth, arrival.root,
+    const Face_frame<FT> c = m_mesh.face_frame(arrival.halfedge);
+    return {arrival.halfedge, c.apex_x, c.apex_y, arrival.abscissa, image.x, image.depth, arrival.root,
             m_field.distance[v]};
   }
 

@@ -13,7 +13,7 @@
 // Distances from many sources, one by one: a run of the propagation for each row, on one intrinsic mesh.
 
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_propagation.h>
-#include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_runner.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/Repeated_propagation.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Ordered_rows.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Pruning_rules.h>
@@ -38,7 +38,7 @@ class Matrix_worker
 {
 public:
   using Mesh = Intrinsic_mesh<FT>;
-  using Runner = Distance_runner<Distance_propagation<FT, All_pruning_rules>>;
+  using Runner = Repeated_propagation<Distance_propagation<FT, All_pruning_rules>>;
 
   Matrix_worker(const Mesh& mesh, bool needs_copy)
   {

@@ -21,7 +21,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/window/Edge_window_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Pruning_rules.h>
-#include <CGAL/Surface_mesh_geodesics/internal/propagation/Run_end.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/Stopping_criterion.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Star_propagation.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Vertex_star.h>
@@ -53,7 +53,7 @@ public:
     m_wavefront.restart(m_stars.pool());
     m_stars.restart();
     m_stars.set_maximum_distance(Field::infinity());
-    m_end = Run_end<FT>();
+    m_end = Stopping_criterion<FT>();
   }
 
   // adds a source; one that is not nearer to its vertex than those before is ignored.
@@ -133,7 +133,7 @@ private:
   const Mesh& m_mesh;
   Wavefront<FT> m_wavefront;
   Star_propagation<FT, Rules, Keeper> m_stars;
-  Run_end<FT> m_end;
+  Stopping_criterion<FT> m_end;
   Vertex_star<FT> m_star; // of the vertex that is visited
 };
 

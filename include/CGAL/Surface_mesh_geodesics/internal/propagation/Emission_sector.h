@@ -53,7 +53,7 @@ public:
     m_is_in_sector.assign(star.faces.size(), 1);
     if(first == star.faces.size())
       return;
-    const Crossing<FT> c = m_mesh.crossing(across);
+    const Face_frame<FT> c = m_mesh.face_frame(across);
     const FT uncertainty = uncertainty_of_direction(c, star);
     if(!(uncertainty < 1))
       return;
@@ -74,10 +74,10 @@ private:
 
   // takes the faces out that lie wholly within pi of the direction of arrival, counterclockwise or clockwise.
   // At the border each face lies on one side only.
-  void take_out_hidden(const Star& star, std::size_t first, const Crossing<FT>& c)
+  void take_out_hidden(const Star& star, std::size_t first, const Face_frame<FT>& c)
   {
     // as seen from C, the vertex: directions to A, to the point where the path crosses AB, and to B
-    const FT& x = star.arrival.crossing;
+    const FT& x = star.arrival.abscissa;
     const FT cross_left = c.apex_y * x, dot_left = c.apex_x * (c.apex_x - x) + c.apex_y * c.apex_y;
     const FT cross_right = c.apex_y * (c.length - x);
     const FT dot_right = (x - c.apex_x) * c.apex_rest + c.apex_y * c.apex_y;
@@ -107,7 +107,7 @@ private:
   void add_corner(const Star& star, std::uint32_t f, Angle_sum<FT>& angle) const
   {
     const Halfedge_id h = star.faces[f].halfedge;
-    const std::pair<FT, FT> corner = Mesh::corner(m_mesh.face(face_of(h)), place_in_face(h));
+    const std::pair<FT, FT> corner = Mesh::corner(m_mesh.face(face_of(h)), index_in_face(h));
     angle.add(corner.first, corner.second);
   }
 
@@ -119,10 +119,10 @@ private:
 
   // Paths that arrive at v from directions that differ by this angle have the same length in the precision
   // of the computation: turning the last piece of length l by an angle t makes a path longer by l t^2 / 2.
-  static FT uncertainty_of_direction(const Crossing<FT>& c, const Star& star)
+  static FT uncertainty_of_direction(const Face_frame<FT>& c, const Star& star)
   {
     using std::sqrt;
-    const FT piece = norm<FT>(c.apex_x - star.arrival.crossing, c.apex_y);
+    const FT piece = norm<FT>(c.apex_x - star.arrival.abscissa, c.apex_y);
     if(!(piece > 0))
       return 1;
     const FT rounding = Tolerance<FT>::distance() * star.distance;

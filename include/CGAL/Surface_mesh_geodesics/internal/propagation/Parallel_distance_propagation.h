@@ -35,7 +35,7 @@
 #include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Pruning_rules.h>
-#include <CGAL/Surface_mesh_geodesics/internal/propagation/Run_end.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/Stopping_criterion.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Star_propagation.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Vertex_star.h>
@@ -114,7 +114,7 @@ public:
     release_surplus();
     m_last_visit_near.resize(m_mesh.number_of_vertices(), 0);
     m_maximum_distance = Field::infinity();
-    m_end = Run_end<FT>();
+    m_end = Stopping_criterion<FT>();
   }
 
   // adds a source; one that is not nearer to its vertex than those before is ignored.
@@ -379,7 +379,7 @@ private:
   // For each vertex, the number plus 1 of the last visit of it or of a neighbour; the star of that visit is out if this
   // is greater than m_first.
   std::vector<Number> m_last_visit_near;
-  Run_end<FT> m_end;
+  Stopping_criterion<FT> m_end;
   FT m_maximum_distance;
   std::size_t m_memory_of_run = 0; // the first one since all memory was given back, in bytes
   Number m_first = 0, m_last = 0; // of the stars that are out

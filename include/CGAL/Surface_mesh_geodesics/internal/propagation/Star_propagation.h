@@ -117,7 +117,7 @@ private:
     for(std::size_t i = 0; i < star.faces.size(); ++i)
     {
       Face& f = star.faces[i];
-      const Crossing<FT> c = m_mesh.crossing(next_halfedge(f.halfedge)); // from the edge ab to the vertex
+      const Face_frame<FT> c = m_mesh.face_frame(next_halfedge(f.halfedge)); // from the edge ab to the vertex
       if(!m_sector.contains(i) || m_mesh.opposite(next_halfedge(f.halfedge)) == null_id || !(c.length > 0))
         continue;
       Window<FT> w;
@@ -140,7 +140,7 @@ private:
   // A list that has turned around the whole vertex comes to the face where the sweep began once more.
   void turn_counterclockwise(Star& star)
   {
-    Number_set& waiting = star.waiting;
+    Bitset& waiting = star.waiting;
     while(!waiting.empty())
       waiting.for_each([&](std::size_t i)
       {
@@ -154,7 +154,7 @@ private:
 
   void turn_clockwise(Star& star)
   {
-    Number_set& waiting = star.waiting_from_last;
+    Bitset& waiting = star.waiting_from_last;
     const std::size_t last = star.faces.size() - 1;
     while(!waiting.empty())
       waiting.for_each([&](std::size_t i)
@@ -170,7 +170,7 @@ private:
   // across va: the list goes on around v on the left, and leaves the star on the right.
   void cross_counterclockwise(Star& star, Face& f)
   {
-    const Crossing<FT> c = m_mesh.crossing(f.halfedge);
+    const Face_frame<FT> c = m_mesh.face_frame(f.halfedge);
     Corner_rivals<FT> corners{rival(star), star.links[f.first].rival(), star.links[f.second].rival()};
     typename List_crossing::Apex_path path;
     List list = f.counterclockwise;
@@ -191,7 +191,7 @@ private:
   void cross_clockwise(Star& star, Face& f)
   {
     const Halfedge_id bv = previous_halfedge(f.halfedge);
-    const Crossing<FT> c = m_mesh.crossing(bv);
+    const Face_frame<FT> c = m_mesh.face_frame(bv);
     Corner_rivals<FT> corners{star.links[f.second].rival(), rival(star), star.links[f.first].rival()};
     typename List_crossing::Apex_path path;
     List list = f.clockwise;
@@ -210,7 +210,7 @@ private:
 
   // prunes the list that is about to enter a face across h, and finds its shortest path to the third vertex of
   // the face. Returns whether anything of the list is left.
-  bool enter(Halfedge_id h, const Crossing<FT>& c, Corner_rivals<FT>& corners, List& list, Link& apex,
+  bool enter(Halfedge_id h, const Face_frame<FT>& c, Corner_rivals<FT>& corners, List& list, Link& apex,
              typename List_crossing::Apex_path& path)
   {
     ++m_statistics.window_lists;
@@ -231,7 +231,7 @@ private:
 
   // Does the path to the apex bend at a corner that is a pseudo-source, and follow the side? The corner sends it, too,
   // and ties are that one's: what lies behind a vertex belongs to the source that the vertex belongs to.
-  bool comes_from_corner(const typename List_crossing::Apex_path& path, const Crossing<FT>& c,
+  bool comes_from_corner(const typename List_crossing::Apex_path& path, const Face_frame<FT>& c,
                          const Corner_rivals<FT>& corners) const
   {
     const auto sends = [&](Vertex_id corner, const FT& d)
@@ -242,14 +242,14 @@ private:
   }
 
   // A path to a vertex of length d has been found, which ends with a straight line from the vertex `root`
-  // through the point `crossing` of the halfedge h opposite to the vertex.
-  static bool improve(Link& link, const FT& d, Halfedge_id h, const FT& crossing, Vertex_id root)
+  // through the point `abscissa` of the halfedge h opposite to the vertex.
+  static bool improve(Link& link, const FT& d, Halfedge_id h, const FT& abscissa, Vertex_id root)
   {
     if(!is_improvement(d, link.distance, link.may_emit))
       return false;
     link.is_improved = true;
     link.distance = d;
-    link.arrival.crossing = crossing;
+    link.arrival.abscissa = abscissa;
     link.arrival.halfedge = h;
     link.arrival.root = root;
     return true;

@@ -19,7 +19,7 @@
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
-#include <CGAL/Surface_mesh_geodesics/internal/numeric/Number_set.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Bitset.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Window_lists.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/window_pruning.h>
@@ -78,7 +78,7 @@ struct Vertex_star
   std::vector<Star_face<FT>> faces;
   std::vector<Link_vertex<FT>> links;
   // The faces that counterclockwise lists wait to enter; and those that clockwise ones do, counted from the last one.
-  Number_set waiting, waiting_from_last;
+  Bitset waiting, waiting_from_last;
 
   // finds the faces and links of v; what is known of v and its links is left to the caller.
   void surround(const Intrinsic_mesh<FT>& mesh, Vertex_id v)

@@ -22,7 +22,7 @@
 // it (Star_propagation.h), and what has come of that is put back.
 
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
-#include <CGAL/Surface_mesh_geodesics/internal/numeric/Number_set.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Bitset.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Star_propagation.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Vertex_front_queue.h>
@@ -80,7 +80,7 @@ public:
     if((m_emission[v] & HAS_EMITTED) != 0)
       m_has_stale_windows = true;
     m_field.set_distance(v, offset);
-    m_field.arrival[v].crossing = 0;
+    m_field.arrival[v].abscissa = 0;
     m_field.arrival[v].halfedge = null_id;
     m_field.arrival[v].root = v;
     m_emission[v] |= MUST_EMIT;
@@ -223,7 +223,7 @@ private:
   Window_lists<FT> m_lists;
   Vertex_front_queue<FT> m_queue;
   std::vector<unsigned char> m_emission; // of Emission flags
-  Number_set m_set; // of what has to be put back
+  Bitset m_set; // of what has to be put back
   bool m_has_stale_windows = false;
   std::size_t m_maximum_windows_alive = 0;
   std::size_t m_reached_at_last_start = 0; // of start_beside_unreached_vertices()

@@ -82,7 +82,7 @@ bool has_no_height(const Intrinsic_face<FT>& f)
 // that it has if C is near to B. The windows that enter the face across AB
 // leave it across the left edge AC or the right edge CB.
 template <typename FT>
-struct Crossing
+struct Face_frame
 {
   FT length, apex_x, apex_rest, apex_y, left_length, right_length;
   Vertex_id origin, target, apex;
@@ -117,10 +117,10 @@ public:
 
   const Face& face(Face_id f) const { return m_faces[f]; }
 
-  Vertex_id source(Halfedge_id h) const { return m_faces[face_of(h)].vertex[place_in_face(h)]; }
+  Vertex_id source(Halfedge_id h) const { return m_faces[face_of(h)].vertex[index_in_face(h)]; }
   Vertex_id target(Halfedge_id h) const { return source(next_halfedge(h)); }
-  Halfedge_id opposite(Halfedge_id h) const { return m_faces[face_of(h)].opposite[place_in_face(h)]; }
-  const FT& length(Halfedge_id h) const { return m_faces[face_of(h)].length[place_in_face(h)]; }
+  Halfedge_id opposite(Halfedge_id h) const { return m_faces[face_of(h)].opposite[index_in_face(h)]; }
+  const FT& length(Halfedge_id h) const { return m_faces[face_of(h)].length[index_in_face(h)]; }
 
   // The halfedge that leaves the same vertex one face further, counterclockwise and clockwise;
   // null_id beyond the border.
@@ -188,11 +188,11 @@ public:
 
   // The face of h in the frame of h. The neighbours' halfedges run the other way, from A to C and
   // from C to B, so that both edges are seen from left to right by whoever looks across AB.
-  Crossing<FT> crossing(Halfedge_id h) const
+  Face_frame<FT> face_frame(Halfedge_id h) const
   {
     const Face& f = m_faces[face_of(h)];
-    const unsigned int k = place_in_face(h), k1 = next_place(k), k2 = previous_place(k);
-    Crossing<FT> c;
+    const unsigned int k = index_in_face(h), k1 = next_corner(k), k2 = previous_corner(k);
+    Face_frame<FT> c;
     c.length = f.length[k];
     c.right_length = f.length[k1];
     c.left_length = f.length[k2];
@@ -237,7 +237,7 @@ public:
   // All crossings of e are on a part of the path that is not longer than e, so there are 1 + |e|/h at most.
   //
   // This ends what else would never end: where faces have no area, paths may run around without growing.
-  std::size_t most_crossings() const { return m_most_crossings; }
+  std::size_t most_faces_crossed() const { return m_most_faces_crossed; }
 
   // What lengths around a face are relative to. It tells components of very different sizes apart: those of a mesh that
   // has one component are relative to its unit.
@@ -251,7 +251,7 @@ public:
   }
 
   // Building: reset(), set_unit(), all members of all faces, set_components(), finish(). For lengths without points,
-  // bound_crossings_by_lengths().
+  // bound_faces_crossed_by_lengths().
   //
   // There is room for the faces that a few sources inside faces need: else the first one would double the memory.
   void reset(std::size_t number_of_faces)
@@ -276,13 +276,13 @@ public:
     find_kinds();
     for(const Face& f : m_faces)
       mark_degenerate(f);
-    m_crossings_by_lengths = 0;
-    count_most_crossings();
+    m_faces_crossed_by_lengths = 0;
+    count_most_faces_crossed();
   }
 
-  // lets shortest paths cross faces more than once; see most_crossings(). Where a face is so flat that the square of
+  // lets shortest paths cross faces more than once; see most_faces_crossed(). Where a face is so flat that the square of
   // its angles is lost in rounding, there is no bound that would end the computation, and thin faces are left out.
-  void bound_crossings_by_lengths()
+  void bound_faces_crossed_by_lengths()
   {
     double height = std::numeric_limits<double>::infinity(), height_of_thick = height, sum = 0;
     bool is_lost = false;
@@ -296,9 +296,9 @@ public:
         height_of_thick = (std::min)(height_of_thick, least_height);
       sum += static_cast<double>(FT(f.length[0] + f.length[1] + f.length[2]));
     }
-    m_crossings_by_lengths = 3. * static_cast<double>(number_of_faces()) + sum / (is_lost ? height_of_thick : height);
+    m_faces_crossed_by_lengths = 3. * static_cast<double>(number_of_faces()) + sum / (is_lost ? height_of_thick : height);
     m_number_of_faces_before = number_of_faces();
-    count_most_crossings();
+    count_most_faces_crossed();
   }
 
   // Refinement and its undoing, for the sources inside faces and on edges (Source_insertion.h).
@@ -312,7 +312,7 @@ public:
   Face_id add_face(const Face& f)
   {
     m_faces.push_back(f);
-    count_most_crossings();
+    count_most_faces_crossed();
     return static_cast<Face_id>(m_faces.size() - 1);
   }
 
@@ -321,7 +321,7 @@ public:
     m_vertex_halfedge.resize(number_of_vertices);
     m_vertex_kind.resize(number_of_vertices);
     m_faces.resize(number_of_faces);
-    count_most_crossings();
+    count_most_faces_crossed();
   }
 
   void set_halfedge(Vertex_id v, Halfedge_id h) { m_vertex_halfedge[v] = h; }
@@ -341,7 +341,7 @@ public:
   }
 
 private:
-  static void place_apex(const Face& f, unsigned int k, Crossing<FT>& c)
+  static void place_apex(const Face& f, unsigned int k, Face_frame<FT>& c)
   {
     // (One way for all three: which one is asked for is hard to predict. The ratio of the base to itself is 1.)
     const FT& base = f.length[0];
@@ -436,7 +436,7 @@ private:
       for_each_halfedge_around(v, [&](Halfedge_id h)
       {
         m_star[place++] = h;
-        const std::pair<FT, FT> direction = corner(m_faces[face_of(h)], place_in_face(h));
+        const std::pair<FT, FT> direction = corner(m_faces[face_of(h)], index_in_face(h));
         angle.add(direction.first, direction.second);
       });
       if(place != m_star_begin[v + 1])
@@ -460,25 +460,25 @@ private:
       if(is_flat || f.length[k] <= Tolerance<FT>::length())
       {
         m_vertex_kind[f.vertex[k]] |= DEGENERATE | PSEUDO_SOURCE;
-        m_vertex_kind[f.vertex[next_place(k)]] |= DEGENERATE | PSEUDO_SOURCE;
+        m_vertex_kind[f.vertex[next_corner(k)]] |= DEGENERATE | PSEUDO_SOURCE;
       }
   }
 
   // A face that has been divided by sources is crossed in not more parts than there are new faces, and one.
-  void count_most_crossings()
+  void count_most_faces_crossed()
   {
-    m_most_crossings = number_of_faces();
-    if(m_crossings_by_lengths > 0)
+    m_most_faces_crossed = number_of_faces();
+    if(m_faces_crossed_by_lengths > 0)
     {
       const double parts = static_cast<double>(number_of_faces() - m_number_of_faces_before + 1);
-      m_most_crossings = static_cast<std::size_t>((std::min)(parts * m_crossings_by_lengths, largest_crossings));
+      m_most_faces_crossed = static_cast<std::size_t>((std::min)(parts * m_faces_crossed_by_lengths, largest_faces_crossed));
     }
   }
 
   // Of the least height to the longest side.
   static constexpr double ratio_of_lost_face = 0x1p-24, ratio_of_thick_face = 0x1p-12;
 
-  static constexpr double largest_crossings = 1 << 30; // (windows count them in 31 bits)
+  static constexpr double largest_faces_crossed = 1 << 30; // (windows count them in 31 bits)
 
   std::vector<Face> m_faces;
   std::vector<Halfedge_id> m_vertex_halfedge;
@@ -488,8 +488,8 @@ private:
   std::vector<Halfedge_id> m_star;
   std::vector<Component> m_components; // empty if there is one
   FT m_unit = 1;
-  std::size_t m_most_crossings = 0, m_number_of_faces_before = 0; // before sources divided them
-  double m_crossings_by_lengths = 0;                              // 0 for a surface with points
+  std::size_t m_most_faces_crossed = 0, m_number_of_faces_before = 0; // before sources divided them
+  double m_faces_crossed_by_lengths = 0;                              // 0 for a surface with points
 };
 
 } // namespace internal

@@ -111,15 +111,15 @@ public:
     const auto it = m_part_of.find(face_of(h));
     if(it == m_part_of.end())
       return true;
-    const Barycentric& a = it->second.corner[place_in_face(h)];
-    const Barycentric& b = it->second.corner[next_place(place_in_face(h))];
+    const Barycentric& a = it->second.corner[index_in_face(h)];
+    const Barycentric& b = it->second.corner[next_corner(index_in_face(h))];
     for(unsigned int k = 0; k < 3; ++k)
     {
-      const unsigned int opposite = previous_place(k); // of the edge from corner k
+      const unsigned int opposite = previous_corner(k); // of the edge from corner k
       if(a[opposite] == 0 && b[opposite] == 0)
       {
         h = halfedge_of(it->second.whole, k);
-        t = (1 - t) * a[next_place(k)] + t * b[next_place(k)];
+        t = (1 - t) * a[next_corner(k)] + t * b[next_corner(k)];
         return true;
       }
     }
@@ -145,10 +145,10 @@ public:
     if(number_of_zeros == 2)
       return m_mesh.face(s).vertex[position_of_one(local)];
     // on the edge opposite to corner `zero`
-    const unsigned int k = next_place(zero);
+    const unsigned int k = next_corner(zero);
     if(!(m_mesh.face(s).length[k] > 0))
       return m_mesh.face(s).vertex[k];
-    return split_edge(halfedge_of(s, k), local[k], local[next_place(k)]);
+    return split_edge(halfedge_of(s, k), local[k], local[next_corner(k)]);
   }
 
   // takes the mesh as it is for the first one.
@@ -255,7 +255,7 @@ private:
   // from corner k to the point with the coordinates b: accurate also where the point is near to it.
   static Vector_2 from_corner(const std::array<Vector_2, 3>& p, const Barycentric& b, unsigned int k)
   {
-    const unsigned int i = next_place(k), j = previous_place(k);
+    const unsigned int i = next_corner(k), j = previous_corner(k);
     const Vector_2 u = difference(p[i], p[k]), v = difference(p[j], p[k]);
     return Vector_2{FT(b[i] * u.x + b[j] * v.x), FT(b[i] * u.y + b[j] * v.y)};
   }
@@ -313,9 +313,9 @@ private:
   void link(Halfedge_id a, Halfedge_id b)
   {
     if(a != null_id)
-      m_mesh.face(face_of(a)).opposite[place_in_face(a)] = b;
+      m_mesh.face(face_of(a)).opposite[index_in_face(a)] = b;
     if(b != null_id)
-      m_mesh.face(face_of(b)).opposite[place_in_face(b)] = a;
+      m_mesh.face(face_of(b)).opposite[index_in_face(b)] = a;
   }
 
   // An edge of a face that is replaced: what it was called, what it is called now.
@@ -411,7 +411,7 @@ private:
     std::vector<Kept_edge> kept;
     for(unsigned int k = 0; k < 3; ++k)
     {
-      const unsigned int k1 = next_place(k);
+      const unsigned int k1 = next_corner(k);
       Draft d;
       d.vertex = {old.vertex[k], old.vertex[k1], v};
       d.side = {difference(p[k1], p[k]), spoke[k1], negated(spoke[k])};
@@ -421,7 +421,7 @@ private:
       kept.push_back(Kept_edge{halfedge_of(s, k), old.opposite[k], made[k], old.vertex[k]});
     }
     for(unsigned int k = 0; k < 3; ++k)
-      link(next_halfedge(made[k]), previous_halfedge(made[next_place(k)]));
+      link(next_halfedge(made[k]), previous_halfedge(made[next_corner(k)]));
     finish_split(v, previous_halfedge(made[0]), kept, Renaming());
     return v;
   }
@@ -463,11 +463,11 @@ private:
   Vertex_id split_glued_edge(Halfedge_id h, const FT& wa, const FT& wb)
   {
     const Part whole = part(face_of(h));
-    const unsigned int k = place_in_face(h);
+    const unsigned int k = index_in_face(h);
     Barycentric b;
     b[k] = wa;
-    b[next_place(k)] = wb;
-    b[previous_place(k)] = 0;
+    b[next_corner(k)] = wb;
+    b[previous_corner(k)] = 0;
     const FT third = FT(1) / 3;
     split_face(face_of(h), Barycentric{third, third, third});
     return insert(whole.whole, combination(whole.corner, b));
@@ -480,7 +480,7 @@ private:
                                                  std::vector<Kept_edge>& kept)
   {
     const Face_id s = face_of(h);
-    const unsigned int ka = place_in_face(h), kb = next_place(ka), kc = previous_place(ka);
+    const unsigned int ka = index_in_face(h), kb = next_corner(ka), kc = previous_corner(ka);
     const Part whole = part(s);
     const Face old = m_mesh.face(s);
     const std::array<Vector_2, 3> p = layout(old);

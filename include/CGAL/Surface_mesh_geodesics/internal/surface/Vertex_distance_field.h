@@ -28,12 +28,12 @@ namespace internal {
 
 // The last straight piece of the shortest path to a vertex: it comes from the vertex `root`, and
 // enters the vertex from the face of `halfedge`, which lies opposite to it, through the point
-// `crossing` of that halfedge (measured from its source). For a source, `halfedge` is null_id and
+// `abscissa` of that halfedge (measured from its source). For a source, `halfedge` is null_id and
 // `root` the vertex itself.
 template <typename FT>
 struct Vertex_arrival
 {
-  FT crossing;
+  FT abscissa;
   Halfedge_id halfedge = null_id;
   Vertex_id root = null_id;
 };
@@ -51,8 +51,8 @@ struct Vertex_distance_field
   std::vector<FT> distance;
   std::vector<Vertex_arrival<FT>> arrival;
   std::vector<Vertex_id> reached; // the vertices with a finite distance, each once
-  // Needed to trace paths only. A path that just grazes a vertex may bend at the crossing, by an angle that
-  // changes no digit of the distance; so the image cannot be told from the crossing.
+  // Needed to trace paths only. A path that just grazes a vertex may bend where it crosses the edge, by an angle that
+  // changes no digit of the distance; so the image cannot be told from the abscissa of that point.
   std::vector<Arrival_image<FT>> image;
   bool keeps_images = false;
 

@@ -108,7 +108,7 @@ private:
 
   static std::size_t entry(Halfedge_id h)
   {
-    return 3 * std::size_t(face_of(h)) + place_in_face(h);
+    return 3 * std::size_t(face_of(h)) + index_in_face(h);
   }
 
   std::vector<std::unique_ptr<Kept[]>> m_chunks;

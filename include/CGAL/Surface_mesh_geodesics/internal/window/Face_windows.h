@@ -140,7 +140,7 @@ private:
     std::uint32_t next;
   };
 
-  static std::size_t entry(Halfedge_id h) { return 3 * std::size_t(face_of(h)) + place_in_face(h); }
+  static std::size_t entry(Halfedge_id h) { return 3 * std::size_t(face_of(h)) + index_in_face(h); }
 
   // puts an empty chunk behind the last one.
   void add_chunk(std::uint32_t& last)

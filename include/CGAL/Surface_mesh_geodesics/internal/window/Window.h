@@ -69,7 +69,7 @@ struct Window
   Vertex_id root;
   std::uint32_t steps; // twice the number of faces crossed, plus 1 if marked (see above)
 
-  std::uint32_t number_of_crossings() const { return steps / 2; }
+  std::uint32_t number_of_faces_crossed() const { return steps / 2; }
   bool is_marked() const { return (steps & 1) != 0; }
   void mark() { steps |= 1; }
 

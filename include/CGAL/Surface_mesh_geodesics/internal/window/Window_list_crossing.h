@@ -74,10 +74,10 @@ public:
   //
   // Most windows that are removed later instead cost less than to look for them on each edge: lists are pruned on every
   // fourth edge only.
-  void prune(Window_list<FT>& list, const Crossing<FT>& c, const Corner_rivals<FT>& corners)
+  void prune(Window_list<FT>& list, const Face_frame<FT>& c, const Corner_rivals<FT>& corners)
   {
-    const bool is_unusual = list.may_be_marked() || list.number_of_crossings() > m_mesh.most_crossings();
-    if(list.number_of_crossings() % edges_for_pruning != 0 && !is_unusual && !m_has_stale_windows)
+    const bool is_unusual = list.may_be_marked() || list.number_of_faces_crossed() > m_mesh.most_faces_crossed();
+    if(list.number_of_faces_crossed() % edges_for_pruning != 0 && !is_unusual && !m_has_stale_windows)
       return;
     const bool has_suspects = is_unusual || (m_has_stale_windows && has_stale_windows(list))
                                 ? suspect_all(list)
@@ -87,7 +87,7 @@ public:
   }
 
   // finds the shortest path to C through a list that is not empty; the first one if several tie.
-  Apex_path find_apex_path(const Window_list<FT>& list, const Crossing<FT>& c)
+  Apex_path find_apex_path(const Window_list<FT>& list, const Face_frame<FT>& c)
   {
     if(m_abscissa.size() < list.size + m_loops.lanes())
       m_abscissa.resize(2 * list.size + m_loops.lanes());
@@ -107,7 +107,7 @@ public:
 
   // splits a pruned list at its separating point (Rule 1) and propagates it to the two other edges,
   // into the rooms given, if they are any. The list is that of the last call of find_apex_path().
-  void split(const Window_list<FT>& list, const Crossing<FT>& c, const Corner_rivals<FT>& corners,
+  void split(const Window_list<FT>& list, const Face_frame<FT>& c, const Corner_rivals<FT>& corners,
              const Apex_path& path, const Window_list<FT>& left_room, const Window_list<FT>& right_room)
   {
     m_left.start(left_room, list.steps + 2);
@@ -160,7 +160,7 @@ private:
   // through that window, as far as rounding lets one see: the bend costs only the square of the shift. But the
   // list is split where the path crosses it, and the whole shift would become a gap between the children. So the
   // straighter path is taken.
-  void straighten(const Window_list<FT>& list, const Crossing<FT>& c, Apex_path& best) const
+  void straighten(const Window_list<FT>& list, const Face_frame<FT>& c, Apex_path& best) const
   {
     const bool is_to_right = m_abscissa[best.index] > list.columns.end()[best.index];
     const bool is_to_left = m_abscissa[best.index] < list.columns.begin()[best.index];
@@ -189,7 +189,7 @@ private:
   }
 
   // trims the windows of a list against their neighbours. Returns whether there are suspects.
-  bool trim(const Window_list<FT>& list, const Crossing<FT>& c, const Corner_rivals<FT>& corners)
+  bool trim(const Window_list<FT>& list, const Face_frame<FT>& c, const Corner_rivals<FT>& corners)
   {
     if(m_suspects.size() < list.size / suspects_in_word + 1)
       m_suspects.resize(2 * list.size / suspects_in_word + 1);
@@ -211,7 +211,7 @@ private:
   }
 
   // looks at the suspects, and at windows whose neighbour before them has been removed or trimmed.
-  void remove_redundant_suspects(Window_list<FT>& list, const Crossing<FT>& c,
+  void remove_redundant_suspects(Window_list<FT>& list, const Face_frame<FT>& c,
                                  const Corner_rivals<FT>& corners)
   {
     const Vertex_rival<FT> left = corners.origin, right = corners.target;
@@ -248,7 +248,7 @@ private:
       ++m_statistics.windows_removed_by_rules_2_and_3;
       return true;
     }
-    if(w.root_distance > m_distance[w.root] || w.number_of_crossings() > m_mesh.most_crossings()
+    if(w.root_distance > m_distance[w.root] || w.number_of_faces_crossed() > m_mesh.most_faces_crossed()
        || (Rules::vertex_rule && is_beaten_by_vertices(w, length, left, right)))
     {
       ++m_statistics.windows_removed_by_vertices;
@@ -292,7 +292,7 @@ private:
 
   // puts the children of the windows [first, last) on one edge, if there is room.
   void cross(typename Window_list_loops<FT>::Cross Window_list_loops<FT>::*loop, const Window_list<FT>& list,
-             std::size_t first, std::size_t last, const Crossing<FT>& c, const Edge_cut<FT>& edge,
+             std::size_t first, std::size_t last, const Face_frame<FT>& c, const Edge_cut<FT>& edge,
              Window_batch<FT>& batch)
   {
     if(batch.has_room())

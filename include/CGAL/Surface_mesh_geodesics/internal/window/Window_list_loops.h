@@ -92,7 +92,7 @@ struct Window_list_loops
 {
   using Columns = Window_columns<FT>;
   using Rival = Vertex_rival<FT>;
-  using Cross = void (*)(const Columns& columns, std::size_t first, std::size_t last, const Crossing<FT>& c,
+  using Cross = void (*)(const Columns& columns, std::size_t first, std::size_t last, const Face_frame<FT>& c,
                          const Edge_cut<FT>& edge, const FT* abscissa, Window_batch<FT>& batch,
                          Propagation_statistics& statistics);
 
@@ -106,7 +106,7 @@ struct Window_list_loops
                Suspects* suspects);
 
   // finds the shortest path to C, and the apex_abscissa of all windows.
-  Nearest_window<FT> (*find_nearest)(const Columns& columns, std::size_t n, const Crossing<FT>& c, FT* abscissa);
+  Nearest_window<FT> (*find_nearest)(const Columns& columns, std::size_t n, const Face_frame<FT>& c, FT* abscissa);
 
   // does no window lie wholly on the other side of s than its key says, before or after the best one?
   bool (*is_split_by)(const Columns& columns, std::size_t n, std::size_t best, const FT& s);

@@ -137,7 +137,7 @@ struct Window_list
   std::uint32_t size_class = 0;
   std::uint32_t steps = 0; // joined_steps() of the windows
 
-  std::uint32_t number_of_crossings() const { return steps / 2; }
+  std::uint32_t number_of_faces_crossed() const { return steps / 2; }
   bool may_be_marked() const { return (steps & 1) != 0; }
 
   std::size_t capacity() const
@@ -420,7 +420,7 @@ public:
 private:
   static std::size_t entry(Halfedge_id h)
   {
-    return 3 * std::size_t(face_of(h)) + place_in_face(h);
+    return 3 * std::size_t(face_of(h)) + index_in_face(h);
   }
 
   std::vector<std::uint32_t> m_slot_of_halfedge;

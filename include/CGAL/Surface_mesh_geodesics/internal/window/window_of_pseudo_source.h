@@ -25,7 +25,7 @@ namespace internal {
 // crossing of the halfedge opposite to v, which has v as its apex. It belongs to the opposite
 // halfedge, which runs from c.target to c.origin.
 template <typename FT>
-void window_of_pseudo_source(const Crossing<FT>& c, const FT& root_distance,
+void window_of_pseudo_source(const Face_frame<FT>& c, const FT& root_distance,
                              const FT& target_distance, const FT& origin_distance, Window<FT>& w)
 {
   w.begin = 0;

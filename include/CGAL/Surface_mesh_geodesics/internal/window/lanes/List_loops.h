@@ -76,7 +76,7 @@ private:
     return all_bits != 0;
   }
 
-  static Nearest_window<FT> find_nearest(const Columns& columns, std::size_t n, const Crossing<FT>& c, FT* abscissa)
+  static Nearest_window<FT> find_nearest(const Columns& columns, std::size_t n, const Face_frame<FT>& c, FT* abscissa)
   {
     using Word = typename L::Word;
     Number distance = L::all(std::numeric_limits<FT>::infinity());
@@ -117,7 +117,7 @@ private:
   }
 
   template <typename Child>
-  static void cross(const Columns& from, std::size_t first, std::size_t last, const Crossing<FT>& c,
+  static void cross(const Columns& from, std::size_t first, std::size_t last, const Face_frame<FT>& c,
                     const Edge_cut<FT>& edge, const FT* abscissa, Window_batch<FT>& batch,
                     Propagation_statistics& statistics)
   {

@@ -31,7 +31,7 @@ namespace CGAL_SURFACE_MESH_GEODESICS_LANES_NAMESPACE {
 // The abscissa at which the line from the image to C meets the line AB.
 template <typename FT>
 CGAL_SURFACE_MESH_GEODESICS_INLINE
-typename Lanes<FT>::Number apex_abscissa(const Window_lanes<FT>& w, const Crossing<FT>& c)
+typename Lanes<FT>::Number apex_abscissa(const Window_lanes<FT>& w, const Face_frame<FT>& c)
 {
   return (w.image_x * c.apex_y + c.apex_x * w.image_depth) / (c.apex_y + w.image_depth);
 }
@@ -40,7 +40,7 @@ typename Lanes<FT>::Number apex_abscissa(const Window_lanes<FT>& w, const Crossi
 // interval nearest to t, its apex_abscissa (thesis, 4.2.3.1), and bends there if this is not t.
 template <typename FT>
 CGAL_SURFACE_MESH_GEODESICS_INLINE
-typename Lanes<FT>::Number distance_to_apex(const Window_lanes<FT>& w, const Crossing<FT>& c,
+typename Lanes<FT>::Number distance_to_apex(const Window_lanes<FT>& w, const Face_frame<FT>& c,
                                             const typename Lanes<FT>::Number& t)
 {
   using L = Lanes<FT>;
@@ -71,7 +71,7 @@ class Left_child
   using Number = typename L::Number;
 
 public:
-  explicit Left_child(const Crossing<FT>& c)
+  explicit Left_child(const Face_frame<FT>& c)
     : m_length(c.left_length), m_apex_y(c.apex_y), m_cosine(c.apex_x / c.left_length),
       m_sine(c.apex_y / c.left_length), m_inverse(1 / c.left_length), m_rounding(Tolerance<FT>::distance() * c.length)
   {}
@@ -112,7 +112,7 @@ class Right_child
   using Number = typename L::Number;
 
 public:
-  explicit Right_child(const Crossing<FT>& c)
+  explicit Right_child(const Face_frame<FT>& c)
     : m_length(c.right_length), m_edge_length(c.length), m_apex_x(c.apex_x),
       m_apex_rest(c.apex_rest), m_apex_y(c.apex_y), m_cosine(c.apex_rest / c.right_length),
       m_sine(c.apex_y / c.right_length), m_inverse(1 / c.right_length), m_rounding(Tolerance<FT>::distance() * c.length)

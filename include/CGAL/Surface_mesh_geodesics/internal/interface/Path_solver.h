@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Surface_mesh_geodesics authors
 
-#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_GEODESIC_SOLVER_H
-#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_GEODESIC_SOLVER_H
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_PATH_SOLVER_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_PATH_SOLVER_H
 
 // What the class of shortest paths does, in terms of the user's descriptors and of double: the
 // intrinsic mesh is built once; a run computes the distances of the vertices, and keeps the windows if
@@ -41,7 +41,7 @@ namespace Surface_mesh_geodesics {
 namespace internal {
 
 template <typename TriangleMesh, typename VertexIndexMap, typename FaceIndexMap>
-class Geodesic_solver
+class Path_solver
 {
 public:
   using Graph_traits = boost::graph_traits<TriangleMesh>;
@@ -66,12 +66,12 @@ public:
     bool is_on_edge = false;  // but on an edge of it
   };
 
-  Geodesic_solver(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim)
+  Path_solver(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim)
     : m_tm(tm), m_vim(vim), m_fim(fim), m_insertion(m_mesh)
   {}
 
-  Geodesic_solver(const Geodesic_solver&) = delete;
-  Geodesic_solver& operator=(const Geodesic_solver&) = delete;
+  Path_solver(const Path_solver&) = delete;
+  Path_solver& operator=(const Path_solver&) = delete;
 
   bool has_mesh() const { return m_has_mesh; }
   State state() const { return m_state; }
@@ -184,7 +184,7 @@ public:
     const Halfedge_id first = m_table.halfedge_of_face_index[static_cast<std::size_t>(get(m_fim, face))];
     Coordinates user;
     for(unsigned int j = 0; j < 3; ++j)
-      user[j] = b[(place_in_face(first) + j) % 3];
+      user[j] = b[(index_in_face(first) + j) % 3];
     return {face, user};
   }
 
@@ -344,9 +344,9 @@ private:
   std::pair<face_descriptor, Coordinates> user_location(const Isoline_point<double>& p) const
   {
     Coordinates b{};
-    const unsigned int k = place_in_face(p.halfedge);
+    const unsigned int k = index_in_face(p.halfedge);
     b[k] = 1 - p.t;
-    b[next_place(k)] = p.t;
+    b[next_corner(k)] = p.t;
     return user_location(face_of(p.halfedge), b);
   }
 
@@ -367,7 +367,7 @@ private:
       item.vertex = q.vertex;
     else if(q.is_on_edge && q.vertex == null_id)
       for(unsigned int k = 0; k < 3; ++k)
-        if(q.coordinates[previous_place(k)] == 0)
+        if(q.coordinates[previous_corner(k)] == 0)
           item.local_halfedge = halfedge_of(q.face, k);
     return item;
   }
@@ -393,7 +393,7 @@ private:
     const face_descriptor f = m_table.faces[face_of(h)];
     const Halfedge_id first = m_table.halfedge_of_face_index[static_cast<std::size_t>(get(m_fim, f))];
     halfedge_descriptor result = halfedge(f, m_tm);
-    for(unsigned int k = place_in_face(first); k != place_in_face(h); k = next_place(k))
+    for(unsigned int k = index_in_face(first); k != index_in_face(h); k = next_corner(k))
       result = next(result, m_tm);
     return result;
   }
@@ -450,4 +450,4 @@ private:
 } // namespace Surface_mesh_geodesics
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_GEODESIC_SOLVER_H
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_PATH_SOLVER_H

@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Surface_mesh_geodesics authors
 
-#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_POLISHED_POINTS_H
-#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_POLISHED_POINTS_H
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_NEWTON_REFINEMENT_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_NEWTON_REFINEMENT_H
 
 // Points of a face that are given by conditions on distances, and known nearly: the vertex of three cells, the crossing
 // of a curve and a line. Newton's method makes the most of what numbers tell.
@@ -55,7 +55,7 @@ Planar_point<FT> polished_point(Planar_point<FT> p, const FT& size_of_distances,
 
 // the direction to a point.
 template <typename FT>
-Planar_point<FT> direction_from(const Weighted_point<FT>& from, const Planar_point<FT>& to)
+Planar_point<FT> direction_from(const Additively_weighted_point<FT>& from, const Planar_point<FT>& to)
 {
   const FT dx = to.x - from.x, dy = to.y - from.y, n = norm(dx, dy);
   return n > 0 ? Planar_point<FT>{FT(dx / n), FT(dy / n)} : Planar_point<FT>();
@@ -63,8 +63,8 @@ Planar_point<FT> direction_from(const Weighted_point<FT>& from, const Planar_poi
 
 // the point near to p that is as far from a as from b and c.
 template <typename FT>
-Planar_point<FT> polished_vertex(const Weighted_point<FT>& a, const Weighted_point<FT>& b,
-                                 const Weighted_point<FT>& c, const Planar_point<FT>& p, const FT& size)
+Planar_point<FT> polished_vertex(const Additively_weighted_point<FT>& a, const Additively_weighted_point<FT>& b,
+                                 const Additively_weighted_point<FT>& c, const Planar_point<FT>& p, const FT& size)
 {
   return polished_point<FT>(p, a.distance_to(p), size, [&](const Planar_point<FT>& q)
   {
@@ -77,7 +77,7 @@ Planar_point<FT> polished_vertex(const Weighted_point<FT>& a, const Weighted_poi
 
 // the point near to p on the line of h that is as far from a as from b.
 template <typename FT>
-Planar_point<FT> polished_crossing(const Weighted_point<FT>& a, const Weighted_point<FT>& b,
+Planar_point<FT> polished_crossing(const Additively_weighted_point<FT>& a, const Additively_weighted_point<FT>& b,
                                    const Half_plane<FT>& h, const Planar_point<FT>& p, const FT& size)
 {
   return polished_point<FT>(p, a.distance_to(p), size, [&](const Planar_point<FT>& q)
@@ -90,7 +90,7 @@ Planar_point<FT> polished_crossing(const Weighted_point<FT>& a, const Weighted_p
 
 // the line through p across the curve of two generators.
 template <typename FT>
-Half_plane<FT> line_across(const Weighted_point<FT>& a, const Weighted_point<FT>& b, const Planar_point<FT>& p)
+Half_plane<FT> line_across(const Additively_weighted_point<FT>& a, const Additively_weighted_point<FT>& b, const Planar_point<FT>& p)
 {
   const Planar_point<FT> ua = direction_from(a, p), ub = direction_from(b, p);
   const FT x = ua.y - ub.y, y = ub.x - ua.x, n = norm(x, y);
@@ -102,4 +102,4 @@ Half_plane<FT> line_across(const Weighted_point<FT>& a, const Weighted_point<FT>
 } // namespace Surface_mesh_geodesics
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_POLISHED_POINTS_H
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_NEWTON_REFINEMENT_H

@@ -3,7 +3,7 @@
 
 #include "test_support.h"
 
-#include <CGAL/Surface_mesh_geodesics/internal/numeric/Bound_queue.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Radix_heap.h>
 
 #include <cstddef>
 #include <limits>
@@ -19,7 +19,7 @@ using internal::Face_id;
 void entries_leave_in_time(test_support::Random& random, double scale)
 {
   const double never = std::numeric_limits<double>::infinity();
-  internal::Bound_queue queue;
+  internal::Radix_heap queue;
   std::vector<double> waits_for;
   std::vector<char> was_put_off;
   double reached = 0;
@@ -53,7 +53,7 @@ void entries_leave_in_time(test_support::Random& random, double scale)
 
 void odd_calls()
 {
-  internal::Bound_queue queue;
+  internal::Radix_heap queue;
   queue.push(7, 1., 1.);
   queue.clear();
   queue.advance(2., [](Face_id, double) { CHECK(false); });

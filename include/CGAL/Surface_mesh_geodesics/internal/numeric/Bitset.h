@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Surface_mesh_geodesics authors
 
-#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_NUMBER_SET_H
-#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_NUMBER_SET_H
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_BITSET_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_BITSET_H
 
 // A set of small numbers that is gone through in ascending order, as a bit for each. Which numbers are in a set cannot
 // be predicted, so asking for each of them takes longer than all that is done with those that are.
@@ -24,7 +24,7 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-class Number_set
+class Bitset
 {
 public:
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
@@ -89,4 +89,4 @@ private:
 } // namespace Surface_mesh_geodesics
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_NUMBER_SET_H
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_BITSET_H

@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Surface_mesh_geodesics authors
 
-#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_RUN_END_H
-#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_RUN_END_H
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_STOPPING_CRITERION_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_STOPPING_CRITERION_H
 
 // How far a propagation has come, and whether that is far enough.
 
@@ -24,7 +24,7 @@ namespace Surface_mesh_geodesics {
 namespace internal {
 
 template <typename FT>
-class Run_end
+class Stopping_criterion
 {
 public:
   void set_maximum_distance(const FT& d) { m_maximum_distance = d; }
@@ -74,4 +74,4 @@ private:
 } // namespace Surface_mesh_geodesics
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_RUN_END_H
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_STOPPING_CRITERION_H

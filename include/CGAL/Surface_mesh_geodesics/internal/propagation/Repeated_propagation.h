@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Surface_mesh_geodesics authors
 
-#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_DISTANCE_RUNNER_H
-#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_DISTANCE_RUNNER_H
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_REPEATED_PROPAGATION_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_REPEATED_PROPAGATION_H
 
 // Runs of the propagation, one after the other, on the same mesh: the buffers stay, and a run costs what
 // it reaches (see Distance_propagation::restart()). Here is all that a thread needs for itself to compute
@@ -47,7 +47,7 @@ struct Run_limits
 
 // `Propagation` is Distance_propagation or Parallel_distance_propagation.
 template <typename Propagation>
-class Distance_runner
+class Repeated_propagation
 {
 public:
   using FT = typename Propagation::FT;
@@ -55,12 +55,12 @@ public:
   using Field = Vertex_distance_field<FT>;
 
   // On a mesh that others may read at the same time: all sources have to be vertices.
-  explicit Distance_runner(const Mesh& mesh)
+  explicit Repeated_propagation(const Mesh& mesh)
     : m_mesh(mesh), m_insertion(nullptr), m_propagation(mesh, m_field)
   {}
 
   // On a mesh that nobody else reads during a run: sources are inserted, and removed at the end.
-  Distance_runner(const Mesh& mesh, Source_insertion<FT>& insertion)
+  Repeated_propagation(const Mesh& mesh, Source_insertion<FT>& insertion)
     : m_mesh(mesh), m_insertion(&insertion), m_propagation(mesh, m_field)
   {}
 
@@ -130,4 +130,4 @@ private:
 } // namespace Surface_mesh_geodesics
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_DISTANCE_RUNNER_H
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_REPEATED_PROPAGATION_H

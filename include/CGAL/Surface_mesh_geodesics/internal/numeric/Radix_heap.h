@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Surface_mesh_geodesics authors
 
-#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_BOUND_QUEUE_H
-#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_BOUND_QUEUE_H
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_RADIX_HEAP_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_RADIX_HEAP_H
 
 // Numbers, of faces, that wait until the wavefront has reached a distance: a radix heap (Ahuja, Mehlhorn, Orlin and
 // Tarjan, Faster algorithms for the shortest path problem, J. ACM 37, 1990). The distance reached only grows, and
@@ -34,7 +34,7 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-class Bound_queue
+class Radix_heap
 {
 public:
   void clear()
@@ -120,4 +120,4 @@ private:
 } // namespace Surface_mesh_geodesics
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_BOUND_QUEUE_H
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_RADIX_HEAP_H

@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Surface_mesh_geodesics authors
 
-#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_VISITED_RUN_H
-#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_VISITED_RUN_H
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_RUN_WITH_VISITOR_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_RUN_WITH_VISITOR_H
 
 // The order in which the functions of a visitor are called (concept GeodesicPropagationVisitor).
 
@@ -21,7 +21,7 @@ namespace internal {
 // calls run(go_on), a propagation that asks go_on(number of visits, distance in the user's unit) at each visit and
 // returns whether the answer was always yes; returns the same.
 template <typename Visitor, typename Run>
-bool visited_run(Visitor& visitor, std::size_t number_of_vertices, Run run)
+bool run_with_visitor(Visitor& visitor, std::size_t number_of_vertices, Run run)
 {
   visitor.on_propagation_begin(number_of_vertices);
   const bool is_complete = run([&visitor](std::size_t number_of_visits, double distance)
@@ -61,4 +61,4 @@ private:
 } // namespace Surface_mesh_geodesics
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_VISITED_RUN_H
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_RUN_WITH_VISITOR_H
