@@ -350,7 +350,7 @@ MUTANTS = [
      "stars that share faces are worked on at the same time", (PARALLEL_TEST,),
      "what comes to a star that is out waits for its next visit: there are more visits, and the same distances"),
     ("deferred_vertices_lost", PARALLEL,
-     "m_wavefront.queue().push_or_decrease(neighbour.second, neighbour.first);", "static_cast<void>(neighbour);",
+     "m_wavefront.queue().push_or_decrease(neighbor.second, neighbor.first);", "static_cast<void>(neighbor);",
      "vertices next to a star that was out are never visited", (PARALLEL_TEST,)),
     ("parallel_end_too_early", PARALLEL,
      "      key = (std::min)(key, flight(i).key);\n", "",
