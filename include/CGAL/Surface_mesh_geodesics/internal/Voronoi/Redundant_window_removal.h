@@ -40,7 +40,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Window_lists.h>
-#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/face_generators.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/site_images_of_face.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/single_precision.h>
 
 #include <algorithm>
@@ -252,8 +252,8 @@ private:
     FT largest = 0;
     for(unsigned int k = 0; k < 3; ++k)
     {
-      const FT by_ends = bound_between(m_field->distance[face.vertex[k]], m_field->distance[face.vertex[next_corner(k)]],
-                                       face.length[k]);
+      const FT by_ends = bound_between(m_field->distance[face.vertex[k]],
+                                       m_field->distance[face.vertex[next_corner(k)]], face.length[k]);
       largest = (std::max)(largest, (std::min)(by_ends, FT(m_faces[f].bound[k])));
     }
     return largest;
@@ -374,14 +374,14 @@ private:
     m_windows.for_each(h, [&](const Face_window<FT>& w)
     {
       m_candidates.emplace_back(h, w);
-      m_edge.add(Edge_generator<FT>{w.begin, w.end, w.image_x, w.image_depth,
+      m_edge.add(Edge_image<FT>{w.begin, w.end, w.image_x, w.image_depth,
                                     m_field->distance[w.root], owner(w.root)});
     });
     if(o != null_id)
       m_windows.for_each(o, [&](const Face_window<FT>& w)
       {
         m_candidates.emplace_back(o, w);
-        m_edge.add(Edge_generator<FT>{FT(length - w.end), FT(length - w.begin),
+        m_edge.add(Edge_image<FT>{FT(length - w.end), FT(length - w.begin),
                                       FT(length - w.image_x), w.image_depth,
                                       m_field->distance[w.root], owner(w.root)});
       });
@@ -405,10 +405,10 @@ private:
   void add_paths_to_border(Halfedge_id h)
   {
     const auto owner_of = [&](Vertex_id v) { return owner(v); };
-    for_each_face_generator(*m_mesh, *m_field, m_windows, owner_of, face_of(h), [&](const Face_generator<FT>& g)
+    for_each_site_image(*m_mesh, *m_field, m_windows, owner_of, face_of(h), [&](const Site_image<FT>& g)
     {
-      Edge_generator<FT> e;
-      if(generator_on_edge(*m_mesh, h, g, e))
+      Edge_image<FT> e;
+      if(image_on_edge(*m_mesh, h, g, e))
         m_edge.add(e);
     });
   }
@@ -428,7 +428,7 @@ private:
   // Is a window nearest on a part of its edge? If its image is on the edge itself, it may be so there only.
   bool is_nearest_somewhere(std::size_t window, const FT& length) const
   {
-    const Edge_generator<FT>& g = m_edge.generator(window);
+    const Edge_image<FT>& g = m_edge.image(window);
     const FT foot = (std::min)((std::max)(g.image_x, g.begin), g.end);
     const bool is_on_edge = g.depth <= Tolerance<FT>::closeness() * length;
     const std::vector<Edge_interval<FT>>& intervals = m_edge.intervals();
@@ -438,14 +438,14 @@ private:
     {
       const Edge_interval<FT>& i = *it;
       const FT first = (std::max)(g.begin, i.begin), last = (std::min)(g.end, i.end);
-      if((first < last && is_nearest(window, i.generator, first + (last - first) / 2))
-         || (is_on_edge && i.begin <= foot && foot <= i.end && ties(window, i.generator, foot)))
+      if((first < last && is_nearest(window, i.image, first + (last - first) / 2))
+         || (is_on_edge && i.begin <= foot && foot <= i.end && ties(window, i.image, foot)))
         return true;
     }
     return false;
   }
 
-  // Is a window nearest at x? `nearest` is the generator that is so.
+  // Is a window nearest at x? `nearest` is the image that is so.
   //
   // A path that runs along the edge may cross it or not, as far as numbers tell, so that a window ties with one that
   // leaves its face. Each of them is kept for the face that it enters: the other one comes to that face by another
@@ -463,8 +463,8 @@ private:
 
   bool ties(std::size_t window, std::size_t nearest, const FT& x) const
   {
-    const FT d = m_edge.generator(nearest).distance_at(x);
-    return m_edge.generator(window).distance_at(x) <= d + Tolerance<FT>::tie() * d;
+    const FT d = m_edge.image(nearest).distance_at(x);
+    return m_edge.image(window).distance_at(x) <= d + Tolerance<FT>::tie() * d;
   }
 
   const Mesh* m_mesh = nullptr;

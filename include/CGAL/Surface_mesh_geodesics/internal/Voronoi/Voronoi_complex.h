@@ -23,7 +23,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Redundant_window_removal.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
-#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/face_generators.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/site_images_of_face.h>
 
 #include <algorithm>
 #include <array>
@@ -57,7 +57,7 @@ struct Voronoi_node
 {
   Face_id face;
   Planar_point<FT> point;
-  FT place = 0; // on its edge, if it is on one (Edge_partition.h)
+  FT abscissa = 0; // on its edge, if it is on one (Edge_partition.h)
   FT distance;
   std::array<Vertex_id, 3> sites; // the last one is null_id unless three cells meet
   std::array<std::uint32_t, 3> arc{null_id, null_id, null_id};
@@ -94,7 +94,7 @@ public:
   using Arc = Voronoi_arc<FT>;
   using Node = Voronoi_node<FT>;
   using Chain = Voronoi_chain;
-  using Generator = Face_generator<FT>;
+  using Image = Site_image<FT>;
 
   // Sites are numbered as vertices of the mesh. Faces are added by the removal of redundant windows while
   // distances are propagated; finish() is called when that has finished.
@@ -108,13 +108,13 @@ public:
 
   void add_divided_face(Face_id f)
   {
-    m_leaf_nodes.clear();
+    m_breakpoint_nodes.clear();
     m_partition.start(layout(f));
     for(unsigned int k = 0; k < 3; ++k)
-      add_leaves(halfedge_of(f, k));
-    for_each_face_generator(*m_mesh, *m_field, m_removal->windows(),
+      add_breakpoints(halfedge_of(f, k));
+    for_each_site_image(*m_mesh, *m_field, m_removal->windows(),
                             [this](Vertex_id v) { return m_removal->owner(v); }, f,
-                            [this](const Generator& g) { m_partition.add(g); });
+                            [this](const Image& g) { m_partition.add(g); });
     m_partition.build();
     add_partition(f);
   }
@@ -211,7 +211,7 @@ public:
       for(std::uint32_t i = 0; i < nodes.number; ++i)
       {
         const Node& node = m_nodes[nodes.node(i)];
-        const Point to = point_on_edge(h, nodes.is_reversed ? FT(m_mesh->length(h) - node.place) : node.place);
+        const Point to = point_on_edge(h, nodes.is_reversed ? FT(m_mesh->length(h) - node.abscissa) : node.abscissa);
         visit(site, from, to);
         site = node.sites[nodes.is_reversed ? 0 : 1];
         from = to;
@@ -350,7 +350,7 @@ private:
       Node node;
       node.face = face_of(h);
       node.point = point_on_edge(h, e.x);
-      node.place = e.x;
+      node.abscissa = e.x;
       node.distance = 0; // set with the arcs
       node.sites = {e.before, e.after, null_id};
       m_nodes.push_back(node);
@@ -405,7 +405,7 @@ private:
 
   // --- faces ---
 
-  void add_leaves(Halfedge_id h)
+  void add_breakpoints(Halfedge_id h)
   {
     const Breakpoint_range breakpoints = m_removal->breakpoints(h);
     if(breakpoints.size == 0)
@@ -417,12 +417,12 @@ private:
     {
       const std::uint32_t j = is_reversed ? breakpoints.size - 1 - i : i;
       const Edge_breakpoint<FT>& e = m_removal->breakpoint(breakpoints.first + j);
-      typename Face_partition<FT>::Leaf leaf;
-      leaf.p = point_on_edge(h, is_reversed ? FT(m_mesh->length(h) - e.x) : e.x);
-      leaf.left = is_reversed ? e.after : e.before;
-      leaf.right = is_reversed ? e.before : e.after;
-      m_partition.add(leaf);
-      m_leaf_nodes.push_back(first + j);
+      typename Face_partition<FT>::Breakpoint b;
+      b.p = point_on_edge(h, is_reversed ? FT(m_mesh->length(h) - e.x) : e.x);
+      b.left = is_reversed ? e.after : e.before;
+      b.right = is_reversed ? e.before : e.after;
+      m_partition.add(b);
+      m_breakpoint_nodes.push_back(first + j);
     }
   }
 
@@ -431,7 +431,7 @@ private:
     m_number_of_joints += m_partition.number_of_joints();
     const auto& nodes = m_partition.nodes();
     std::vector<std::uint32_t>& node_of = m_node_of;
-    node_of.assign(m_leaf_nodes.begin(), m_leaf_nodes.end());
+    node_of.assign(m_breakpoint_nodes.begin(), m_breakpoint_nodes.end());
     for(std::size_t i = node_of.size(); i < nodes.size(); ++i)
     {
       node_of.push_back(static_cast<std::uint32_t>(m_nodes.size()));
@@ -471,7 +471,7 @@ private:
   // part of the border behind each leaf whether that has been done.
   void count_regions()
   {
-    const std::size_t n = m_leaf_nodes.size();
+    const std::size_t n = m_breakpoint_nodes.size();
     std::vector<char>& is_seen = m_is_seen;
     is_seen.assign(n, 0);
     for(std::size_t start = 0; start < n; ++start)
@@ -489,11 +489,11 @@ private:
     }
   }
 
-  // from a leaf along the arcs with the cell on the left to the next leaf.
+  // from a leaf along the arcs with the cell on the left to the next breakpoint.
   std::size_t follow_in_face(std::size_t node, Vertex_id site) const
   {
     const std::vector<Face_arc<FT>>& arcs = m_partition.arcs();
-    const std::size_t n = m_leaf_nodes.size();
+    const std::size_t n = m_breakpoint_nodes.size();
     for(std::size_t steps = 0; steps <= arcs.size(); ++steps)
     {
       for(const Face_arc<FT>& a : arcs)
@@ -584,7 +584,7 @@ private:
   Voronoi_cell_elements* m_last_elements = nullptr;
   std::size_t m_number_of_joints = 0;
   Face_partition<FT> m_partition;
-  std::vector<std::uint32_t> m_leaf_nodes, m_node_of; // of the face that is added
+  std::vector<std::uint32_t> m_breakpoint_nodes, m_node_of; // of the face that is added
   std::vector<char> m_is_seen;
 };
 

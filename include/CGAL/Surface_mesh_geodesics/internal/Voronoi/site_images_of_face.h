@@ -7,14 +7,14 @@
 //
 // Author(s)     : The Surface_mesh_geodesics authors
 
-#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_FACE_GENERATORS_H
-#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_FACE_GENERATORS_H
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_SITE_IMAGES_OF_FACE_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_SITE_IMAGES_OF_FACE_H
 
-// The generators of a face (Face_generator.h) from its corners and the windows that entered it, in the layout
+// The images of a face (Site_image.h) from its corners and the windows that entered it, in the layout
 // of the face: corners 0, 1 and 2 at (0,0), (length[0],0) and (apex_x, apex_y).
 
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Edge_partition.h>
-#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Face_generator.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Site_image.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Face_windows.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
@@ -28,7 +28,7 @@ namespace internal {
 
 // owner_of(v) is the source of a vertex, null_id if none reaches it.
 template <typename FT, typename OwnerOf, typename Visitor>
-void for_each_face_generator(const Intrinsic_mesh<FT>& mesh, const Vertex_distance_field<FT>& field,
+void for_each_site_image(const Intrinsic_mesh<FT>& mesh, const Vertex_distance_field<FT>& field,
                              const Face_windows<FT>& windows, OwnerOf owner_of, Face_id f, Visitor visit)
 {
   using Point = Planar_point<FT>;
@@ -36,8 +36,8 @@ void for_each_face_generator(const Intrinsic_mesh<FT>& mesh, const Vertex_distan
   const std::array<Point, 3> corner = layout_of_face(face);
   for(unsigned int k = 0; k < 3; ++k)
   {
-    Face_generator<FT> g;
-    g.image = Additively_weighted_point<FT>{corner[k].x, corner[k].y, field.distance[face.vertex[k]]};
+    Site_image<FT> g;
+    g.point = Additively_weighted_point<FT>{corner[k].x, corner[k].y, field.distance[face.vertex[k]]};
     g.site = owner_of(face.vertex[k]);
     if(g.site != null_id)
       visit(g);
@@ -53,9 +53,9 @@ void for_each_face_generator(const Intrinsic_mesh<FT>& mesh, const Vertex_distan
     {
       const auto place = [&](const FT& x, const FT& y)
       { return Point{FT(a.x + x * tx - y * ty), FT(a.y + x * ty + y * tx)}; };
-      Face_generator<FT> g;
+      Site_image<FT> g;
       const Point image = place(w.image_x, -w.image_depth);
-      g.image = Additively_weighted_point<FT>{image.x, image.y, field.distance[w.root]};
+      g.point = Additively_weighted_point<FT>{image.x, image.y, field.distance[w.root]};
       g.site = owner_of(w.root);
       g.has_cone = true;
       g.left_end = place(w.begin, 0);
@@ -70,10 +70,10 @@ void for_each_face_generator(const Intrinsic_mesh<FT>& mesh, const Vertex_distan
   }
 }
 
-// what a generator of the face of h is to the points of the edge of h; false if it sees none of them.
+// what an image of the face of h is to the points of the edge of h; false if it sees none of them.
 template <typename FT>
-bool generator_on_edge(const Intrinsic_mesh<FT>& mesh, Halfedge_id h, const Face_generator<FT>& g,
-                       Edge_generator<FT>& e)
+bool image_on_edge(const Intrinsic_mesh<FT>& mesh, Halfedge_id h, const Site_image<FT>& g,
+                       Edge_image<FT>& e)
 {
   const std::array<Planar_point<FT>, 3> corner = layout_of_face(mesh.face(face_of(h)));
   const Planar_point<FT> a = corner[index_in_face(h)], b = corner[next_corner(index_in_face(h))];
@@ -99,8 +99,8 @@ bool generator_on_edge(const Intrinsic_mesh<FT>& mesh, Halfedge_id h, const Face
       else if(at_b < 0)
         last = (std::min)(last, FT(length * (at_a / (at_a - at_b))));
     }
-  const FT dx = g.image.x - a.x, dy = g.image.y - a.y;
-  e = Edge_generator<FT>{first, last, FT(dx * tx + dy * ty), FT(dy * tx - dx * ty), g.image.weight, g.site};
+  const FT dx = g.point.x - a.x, dy = g.point.y - a.y;
+  e = Edge_image<FT>{first, last, FT(dx * tx + dy * ty), FT(dy * tx - dx * ty), g.point.weight, g.site};
   return first < last;
 }
 
@@ -108,4 +108,4 @@ bool generator_on_edge(const Intrinsic_mesh<FT>& mesh, Halfedge_id h, const Face
 } // namespace Surface_mesh_geodesics
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_FACE_GENERATORS_H
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_SITE_IMAGES_OF_FACE_H

@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Surface_mesh_geodesics authors
 
-#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_FACE_GENERATOR_H
-#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_FACE_GENERATOR_H
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_SITE_IMAGE_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_SITE_IMAGE_H
 
 // Where the shortest paths to points of a face come from: its corners, and the images of pseudo-sources behind the
 // windows that have entered it.
@@ -30,9 +30,9 @@ namespace internal {
 // a window, whose paths are those through the interval from `left_end` to `right_end` as the image sees
 // it. Paths to other points bend at the nearer end.
 template <typename FT>
-struct Face_generator
+struct Site_image
 {
-  Additively_weighted_point<FT> image;
+  Additively_weighted_point<FT> point;
   Vertex_id site = null_id;
   bool has_cone = false;
   Half_plane<FT> left, right; // of the cone
@@ -47,13 +47,13 @@ struct Face_generator
   FT distance_to(const Planar_point<FT>& p) const
   {
     if(sees(p))
-      return image.distance_to(p);
+      return point.distance_to(p);
     const Planar_point<FT>& q = left(p) < 0 ? left_end : right_end;
-    return image.distance_to(q) + distance(p, q);
+    return point.distance_to(q) + distance(p, q);
   }
 };
 
-// The sides of the cones of generators, column by column.
+// The sides of the cones of images, column by column.
 template <typename FT>
 class Cone_columns
 {
@@ -64,7 +64,7 @@ public:
       c.clear();
   }
 
-  void add(const Face_generator<FT>& g)
+  void add(const Site_image<FT>& g)
   {
     const FT far_away = std::numeric_limits<FT>::infinity();
     const Half_plane<FT> everything{FT(0), FT(0), far_away};
@@ -97,4 +97,4 @@ private:
 } // namespace Surface_mesh_geodesics
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_FACE_GENERATOR_H
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_SITE_IMAGE_H
