@@ -14,6 +14,7 @@
 // go on only with an angle of at least pi on both sides (thesis, lemma 3.1), so only the faces that
 // reach into those directions are needed, as far as the direction of arrival is known.
 
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Angle_sum.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
