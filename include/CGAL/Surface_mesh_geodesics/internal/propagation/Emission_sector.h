@@ -17,6 +17,7 @@
 // the vertex. The thesis emits into all faces (4.3.2, "Saddle Vertices"); leaving faces out changes no distance, since
 // no shortest path runs through the windows that are not made.
 
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Angle_sum.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Vertex_star.h>
