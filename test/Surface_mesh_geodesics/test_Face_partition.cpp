@@ -18,10 +18,10 @@ using Site = internal::Vertex_id;
 
 const std::array<Point, 3> corner{Point{0., 0.}, Point{1., 0.}, Point{.5, 1.}};
 
-Partition::Generator image(double x, double y, Site site)
+Partition::Image image(double x, double y, Site site)
 {
-  Partition::Generator g;
-  g.image = internal::Additively_weighted_point<double>{x, y, 0.};
+  Partition::Image g;
+  g.point = internal::Additively_weighted_point<double>{x, y, 0.};
   g.site = site;
   return g;
 }
@@ -40,12 +40,12 @@ void test_parallel_curves(std::size_t n)
   const auto place = [&](std::size_t i) { return static_cast<double>(i) * step; };
   for(std::size_t i = 1; i <= n; ++i)
   {
-    partition.add(Partition::Leaf{Point{place(i), 0.}, static_cast<Site>(i - 1), static_cast<Site>(i)});
+    partition.add(Partition::Breakpoint{Point{place(i), 0.}, static_cast<Site>(i - 1), static_cast<Site>(i)});
   }
   for(std::size_t i = n; i > 0; --i)
   {
     const double y = 2. * (std::min)(place(i), 1. - place(i));
-    partition.add(Partition::Leaf{Point{place(i), y}, static_cast<Site>(i), static_cast<Site>(i - 1)});
+    partition.add(Partition::Breakpoint{Point{place(i), y}, static_cast<Site>(i), static_cast<Site>(i - 1)});
   }
   partition.build();
   CHECK_EQUAL(partition.arcs().size(), n);
@@ -71,16 +71,16 @@ void test_row_of_cells(std::size_t n)
   partition.add(image(.5, height, last));
   for(std::size_t i = 1; i < n; ++i)
   {
-    partition.add(Partition::Leaf{Point{place(i), 0.}, static_cast<Site>(i - 1), static_cast<Site>(i)});
+    partition.add(Partition::Breakpoint{Point{place(i), 0.}, static_cast<Site>(i - 1), static_cast<Site>(i)});
   }
   // along the other sides the nearest image of the row, or the one above, which is found by walking in small steps
   const auto nearest = [&](const Point& p)
   {
     Site best = 0;
     double smallest = 1e300;
-    for(const Partition::Generator& g : partition.generators())
+    for(const Partition::Image& g : partition.images())
     {
-      const double d = g.image.distance_to(p);
+      const double d = g.point.distance_to(p);
       if(d < smallest)
       {
         best = g.site;
@@ -111,7 +111,7 @@ void test_row_of_cells(std::size_t n)
         const double middle = (from + to) / 2.;
         (nearest(on_side(middle)) == before ? from : to) = middle;
       }
-      partition.add(Partition::Leaf{on_side(to), before, after});
+      partition.add(Partition::Breakpoint{on_side(to), before, after});
     }
   }
   partition.build();

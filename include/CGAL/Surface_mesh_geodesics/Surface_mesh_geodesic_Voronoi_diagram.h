@@ -186,7 +186,7 @@ public:
 
 private:
   using Complex = Surface_mesh_geodesics::internal::Voronoi_complex<double>;
-  using Removal = typename Complex::Removal;
+  using Removal = Surface_mesh_geodesics::internal::Redundant_window_removal<double, Complex>;
   using Chain = Surface_mesh_geodesics::internal::Voronoi_chain;
   using Internal_arc = Surface_mesh_geodesics::internal::Voronoi_arc<double>;
   using Curve = Surface_mesh_geodesics::internal::Arc_curve;
@@ -878,8 +878,8 @@ public:
     for(const auto& loop : m_complex.boundary(m_solver.source_vertex(i)))
     {
       Boundary b;
-      b.is_closed = loop.second;
-      for(const std::pair<std::uint32_t, bool>& c : loop.first)
+      b.is_closed = loop.is_closed;
+      for(const std::pair<std::uint32_t, bool>& c : loop.chains)
         if(m_edge_of_chain[c.first] != null_site())
           b.edges.emplace_back(m_edges[m_edge_of_chain[c.first]], c.second);
       if(!b.edges.empty())
@@ -1168,7 +1168,7 @@ private:
     {
       removal.reset(m_solver.mesh(), m_solver.field(), m_complex);
       m_solver.for_each_equal_source([&](Vertex_id v, Vertex_id first) { removal.unite(v, first); });
-      m_complex.start(m_solver.mesh(), m_solver.field(), removal);
+      m_complex.start(m_solver.mesh());
       return Surface_mesh_geodesics::internal::Redundant_window_remover<Removal>(removal);
     };
     const bool is_complete = Surface_mesh_geodesics::internal::run_with_visitor(visitor, num_vertices(m_tm), [&](auto go_on)
@@ -1182,7 +1182,7 @@ private:
       return false;
     }
     removal.finish();
-    m_complex.finish();
+    m_complex.finish(removal.owners());
     m_kept_windows = {removal.windows().maximum_size(), removal.number_of_kept_windows()};
     return true;
   }

@@ -117,7 +117,7 @@ public:
   }
 
 private:
-  // Where the generators are so near to each other that rounding moves the curve as a whole, it may end before the last
+  // Where the images are so near to each other that rounding moves the curve as a whole, it may end before the last
   // point. Then the segment may be nearer to where the distances are equal.
   bool is_better_than_segment(const Arc& a) const
   {

@@ -29,7 +29,7 @@ namespace internal {
 // A breakpoint of the border, where the cell of `right` begins and that of `left` ends if the border is
 // followed counterclockwise.
 template <typename FT>
-struct Face_leaf
+struct Border_breakpoint
 {
   Planar_point<FT> p;
   Vertex_id left, right;
@@ -62,8 +62,8 @@ struct Cell_front
   std::vector<Front_piece<FT>> pieces;
   Point end;
   Vertex_id third = null_id;                       // which it meets
-  std::size_t last_left = none, last_right = none; // the generators at the end
-  std::size_t third_generator = none;
+  std::size_t left_image = none, right_image = none; // the images at the end
+  std::size_t third_image = none;
 
   Cell_front(Vertex_id left_site, Vertex_id right_site, const Point& start, std::size_t start_node)
     : left(left_site), right(right_site), p(start), node(start_node)

@@ -13,7 +13,7 @@
 // The cell in which a point of a face is, by the arcs in the face alone: no windows are left when the diagram has
 // been built.
 //
-// At a point that is nearly on an arc, the generators of the arc are the nearest ones, and are compared. Any
+// At a point that is nearly on an arc, the images of the arc are the nearest ones, and are compared. Any
 // other point is joined to a target: a point of the border of the face, whose cell is known, or a point of an
 // arc, whose cells are. The arc that this way meets first tells the cell. On symmetric surfaces arcs run along
 // edges and meet in corners and in the middles of faces, and rounding decides what a way meets there: of
@@ -53,7 +53,7 @@ public:
     if(m_range.first == m_range.second)
       return m_complex.owner_of_undivided(m_face);
     const std::array<Point, 3> corner = m_complex.layout(m_face);
-    if(corner[2].y <= near()) // all ways are on one line
+    if(corner[2].y <= resolution()) // all ways are on one line
       return cell_on_border();
     const Vertex_id site = cell_on_arcs();
     return site == null_id ? cell_on_the_way(best_target()) : site;
@@ -98,7 +98,7 @@ private:
     Nearest_site nearest;
     for_each_arc([&](const Arc& a)
     {
-      if(!(distance_from_arc(m_p, a) <= near()))
+      if(!(distance_from_arc(m_p, a) <= resolution()))
         return;
       nearest.add(a.left_site, a.left.distance_to(m_p));
       nearest.add(a.right_site, a.right.distance_to(m_p));
@@ -121,11 +121,11 @@ private:
   Target best_target() const
   {
     Target best;
-    const std::array<FT, 4> places{FT(0), FT(1) / 2, FT(3) / 8, FT(11) / 16};
-    for(std::size_t i = 0; i < places.size() && !(best.clearance > near()); ++i)
-      add_targets_on_border(places[i], best);
-    for(std::size_t i = 1; i < places.size() && !(best.clearance > near()); ++i)
-      for_each_arc([&](const Arc& a) { add_target_on_arc(a, places[i], best); });
+    const std::array<FT, 4> parameters{FT(0), FT(1) / 2, FT(3) / 8, FT(11) / 16};
+    for(std::size_t i = 0; i < parameters.size() && !(best.clearance > resolution()); ++i)
+      add_targets_on_border(parameters[i], best);
+    for(std::size_t i = 1; i < parameters.size() && !(best.clearance > resolution()); ++i)
+      for_each_arc([&](const Arc& a) { add_target_on_arc(a, parameters[i], best); });
     return best;
   }
 
@@ -220,7 +220,7 @@ private:
   }
 
   // what is nearer is not told apart.
-  FT near() const
+  FT resolution() const
   {
     const std::array<Point, 3> corner = m_complex.layout(m_face);
     return Tolerance<FT>::closeness()
@@ -228,7 +228,7 @@ private:
   }
 
   // Else the arc is the segment between its ends, or cannot be told from it; the parameters of a hyperbola that is
-  // nearly a ray are too small to tell its ends, and if its generators are nearly one, rounding moves it away from
+  // nearly a ray are too small to tell its ends, and if its images are nearly one, rounding moves it away from
   // them.
   bool is_curved(const Arc& a, const Weighted_bisector<FT>& curve) const
   {
@@ -239,7 +239,7 @@ private:
     if(!(distance(curve.point_at_angle(end), a.last) <= Tolerance<FT>::touching() * chord))
       return false;
     const Point middle = curve.point_at_angle(end / 2);
-    return abs(Half_plane<FT>::left_of(a.first, a.last)(middle)) > near() || !(chord > near());
+    return abs(Half_plane<FT>::left_of(a.first, a.last)(middle)) > resolution() || !(chord > resolution());
   }
 
   static FT distance_from_segment(const Point& x, const Point& p, const Point& q)

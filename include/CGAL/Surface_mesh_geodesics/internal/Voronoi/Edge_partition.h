@@ -11,8 +11,8 @@
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_EDGE_PARTITION_H
 
 // Which source is nearest along an edge: the lower envelope of the distances by the windows of both sides and
-// by the two ends. It is found by walking from one end to the other, from each generator to the one that
-// takes over first. A generator takes over only where it is nearer beyond rounding; so where two sources
+// by the two ends. It is found by walking from one end to the other, from each image to the one that
+// takes over first. An image takes over only where it is nearer beyond rounding; so where two sources
 // tie along a stretch, the one that came first keeps it, and both faces at the edge are told the same.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
@@ -32,7 +32,7 @@ namespace internal {
 
 // The distances weight + |(x - image_x, depth)| at the points x of an interval.
 template <typename FT>
-struct Edge_generator
+struct Edge_image
 {
   FT begin, end;
   FT image_x, depth, weight;
@@ -56,34 +56,34 @@ struct Edge_breakpoint
   Vertex_id before, after;
 };
 
-// The interval where a generator is nearest. Generators are numbered as they were added; the first two are the
+// The interval where an image is nearest. Images are numbered as they were added; the first two are the
 // ends of the edge.
 template <typename FT>
 struct Edge_interval
 {
   FT begin, end;
-  std::size_t generator;
+  std::size_t image;
 };
 
 template <typename FT>
 class Edge_partition
 {
 public:
-  using Generator = Edge_generator<FT>;
+  using Image = Edge_image<FT>;
   using Breakpoint = Edge_breakpoint<FT>;
 
-  // Generators are added after a call of start(), which is told the sites and distances of the ends.
+  // Images are added after a call of start(), which is told the sites and distances of the ends.
   void start(const FT& length, Vertex_id first_site, const FT& first_distance, Vertex_id last_site,
              const FT& last_distance)
   {
     m_length = length;
     m_last_site = last_site;
-    m_generators.clear();
-    m_generators.push_back(Generator{FT(0), length, FT(0), FT(0), first_distance, first_site});
-    m_generators.push_back(Generator{FT(0), length, length, FT(0), last_distance, last_site});
+    m_images.clear();
+    m_images.push_back(Image{FT(0), length, FT(0), FT(0), first_distance, first_site});
+    m_images.push_back(Image{FT(0), length, length, FT(0), last_distance, last_site});
   }
 
-  void add(const Generator& g) { m_generators.push_back(g); }
+  void add(const Image& g) { m_images.push_back(g); }
 
   void build()
   {
@@ -92,7 +92,7 @@ public:
     m_x = 0;
     m_current = 0;
     m_left_here.clear();
-    std::size_t steps = 8 * m_generators.size() + 64; // rounding must not let it walk for ever
+    std::size_t steps = 8 * m_images.size() + 64; // rounding must not let it walk for ever
     while(steps-- > 0 && take_over())
     {
     }
@@ -104,23 +104,23 @@ public:
   const std::vector<Breakpoint>& breakpoints() const { return m_breakpoints; }
   const std::vector<Edge_interval<FT>>& intervals() const { return m_intervals; }
 
-  const Generator& generator(std::size_t i) const { return m_generators[i]; }
+  const Image& image(std::size_t i) const { return m_images[i]; }
 
 private:
   static bool is_nearer(const FT& a, const FT& b) { return a < b * (1 - 4 * Tolerance<FT>::distance()); }
 
-  // goes on to the next generator; false at the end of the edge.
+  // goes on to the next image; false at the end of the edge.
   bool take_over()
   {
-    FT x = m_generators[m_current].end;
+    FT x = m_images[m_current].end;
     std::size_t next = m_current;
     FT next_slope = 0;
-    for(std::size_t j = 0; j < m_generators.size(); ++j)
+    for(std::size_t j = 0; j < m_images.size(); ++j)
     {
-      const Generator& g = m_generators[j];
+      const Image& g = m_images[j];
       FT start;
       const FT from = has_been_left_here(j) ? FT(m_x + width()) : m_x;
-      if(j == m_current || g.begin > x || g.end <= from || !takes_over(g, m_generators[m_current], from, x, start))
+      if(j == m_current || g.begin > x || g.end <= from || !takes_over(g, m_images[m_current], from, x, start))
         continue;
       const FT slope = g.slope_at(start);
       if(start < x || (start == x && next != m_current && slope < next_slope))
@@ -142,17 +142,17 @@ private:
       m_left_here.clear();
     }
     m_left_here.push_back(m_current);
-    change_site(x, m_generators[next].site);
+    change_site(x, m_images[next].site);
     m_x = x;
     m_current = next;
     return true;
   }
 
-  // Near to a source, distances are smaller than the rounding of places: two generators may each seem to be nearer
+  // Near to a source, distances are smaller than the rounding of places: two images may each seem to be nearer
   // than the other one where they take over. One that has been left comes back a bit farther on at the earliest.
-  bool has_been_left_here(std::size_t generator) const
+  bool has_been_left_here(std::size_t image) const
   {
-    return std::find(m_left_here.begin(), m_left_here.end(), generator) != m_left_here.end();
+    return std::find(m_left_here.begin(), m_left_here.end(), image) != m_left_here.end();
   }
 
   // Parts of the edge that are not longer are products of rounding.
@@ -160,7 +160,7 @@ private:
 
   // Is g nearer than c somewhere from `x` on, before c ends, and not only behind `until`? Then `start` is where that
   // begins.
-  bool takes_over(const Generator& g, const Generator& c, const FT& x, const FT& until, FT& start) const
+  bool takes_over(const Image& g, const Image& c, const FT& x, const FT& until, FT& start) const
   {
     const FT first = (std::max)(x, g.begin), last = (std::min)(c.end, g.end);
     if(!(first < last))
@@ -208,7 +208,7 @@ private:
   }
 
   // where g becomes nearer than c between two places, at the second of which it is so.
-  static FT equidistant_abscissa(const Generator& g, const Generator& c, FT from, FT to)
+  static FT equidistant_abscissa(const Image& g, const Image& c, FT from, FT to)
   {
     if(!(c.distance_at(from) < g.distance_at(from)))
       return from;
@@ -220,8 +220,8 @@ private:
     return to;
   }
 
-  // where the distances of two generators are the same, in ascending order; infinity for what is not there.
-  static std::array<FT, 2> equal_points(const Generator& g, const Generator& c)
+  // where the distances of two images are the same, in ascending order; infinity for what is not there.
+  static std::array<FT, 2> equal_points(const Image& g, const Image& c)
   {
     using std::sqrt;
     const FT infinity = std::numeric_limits<FT>::infinity();
@@ -248,7 +248,7 @@ private:
 
   // Newton's method; where it does not help, x is what it was. (A root of the squared equation that is none
   // of the equation divides the edge at one place more, which does no harm.)
-  static FT polished(const Generator& g, const Generator& c, FT x)
+  static FT polished(const Image& g, const Image& c, FT x)
   {
     using std::abs;
     for(int i = 0; i < 2; ++i)
@@ -262,30 +262,30 @@ private:
     return x;
   }
 
-  // The generator that goes on where the current one ends. Rounding may leave a gap there, through which paths
+  // The image that goes on where the current one ends. Rounding may leave a gap there, through which paths
   // bend at the end of the interval.
   std::size_t successor(const FT& x)
   {
-    const Generator c = m_generators[m_current];
-    std::size_t best = m_generators.size();
+    const Image c = m_images[m_current];
+    std::size_t best = m_images.size();
     FT best_distance = c.distance_at(x);
     best_distance = best_distance + 16 * Tolerance<FT>::distance() * best_distance;
-    for(std::size_t j = 0; j < m_generators.size(); ++j)
-      if(j != m_current && m_generators[j].begin <= x && x < m_generators[j].end
-         && m_generators[j].distance_at(x) < best_distance)
+    for(std::size_t j = 0; j < m_images.size(); ++j)
+      if(j != m_current && m_images[j].begin <= x && x < m_images[j].end
+         && m_images[j].distance_at(x) < best_distance)
       {
         best = j;
-        best_distance = m_generators[j].distance_at(x);
+        best_distance = m_images[j].distance_at(x);
       }
-    if(best == m_generators.size())
-      m_generators.push_back(Generator{x, m_length, x, FT(0), c.distance_at(x), c.site});
+    if(best == m_images.size())
+      m_images.push_back(Image{x, m_length, x, FT(0), c.distance_at(x), c.site});
     return best;
   }
 
   // The cell of another site begins at x. A cell without width is left out.
   void change_site(const FT& x, Vertex_id site)
   {
-    const Vertex_id before = m_breakpoints.empty() ? m_generators[0].site : m_breakpoints.back().after;
+    const Vertex_id before = m_breakpoints.empty() ? m_images[0].site : m_breakpoints.back().after;
     if(site == before)
       return;
     if(!m_breakpoints.empty() && x - m_breakpoints.back().x <= width())
@@ -300,12 +300,12 @@ private:
 
   FT m_length = 0;
   Vertex_id m_last_site = null_id;
-  std::vector<Generator> m_generators;
+  std::vector<Image> m_images;
   std::vector<Breakpoint> m_breakpoints;
   std::vector<Edge_interval<FT>> m_intervals;
   FT m_x = 0;
   std::size_t m_current = 0;
-  std::vector<std::size_t> m_left_here; // the generators that ended at m_x
+  std::vector<std::size_t> m_left_here; // the images that ended at m_x
 };
 
 } // namespace internal

@@ -20,11 +20,11 @@
 // curve, and what lies on either side of it goes on by itself.
 //
 // Only the sources decide which fronts may meet, numbers decide which of them do. So whatever rounding does,
-// the result is a forest with these leaves, and fits those of the neighbours. Fronts that numbers tell nothing
+// the result is a forest with these breakpoints, and fits those of the neighbours. Fronts that numbers tell nothing
 // about (two sources that tie in a region) are joined by straight pieces.
 
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Cell_front.h>
-#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Face_generator.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Site_image.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Front_tracer.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Weighted_bisector.h>
@@ -61,11 +61,11 @@ class Face_partition
 public:
   using FT = FT_;
   using Point = Planar_point<FT>;
-  using Generator = Face_generator<FT>;
-  using Leaf = Face_leaf<FT>;
+  using Image = Site_image<FT>;
+  using Breakpoint = Border_breakpoint<FT>;
   using Arc = Face_arc<FT>;
 
-  // The nodes: first the leaves, then what has been found inside. A node inside with three sites is a
+  // The nodes: first the breakpoints, then what has been found inside. A node inside with three sites is a
   // vertex; they are in counterclockwise order.
   struct Node
   {
@@ -74,7 +74,7 @@ public:
     bool is_vertex;
   };
 
-  // Generators and leaves (counterclockwise) are added after a call of start(), then build() is called.
+  // Images and breakpoints (counterclockwise) are added after a call of start(), then build() is called.
   void start(const std::array<Point, 3>& corner)
   {
     m_tracer.start(corner);
@@ -83,16 +83,16 @@ public:
     m_number_of_joints = 0;
   }
 
-  void add(const Generator& g) { m_tracer.add(g); }
-  void add(const Leaf& leaf) { m_tracer.add(leaf); }
+  void add(const Image& g) { m_tracer.add(g); }
+  void add(const Breakpoint& b) { m_tracer.add(b); }
 
   void build()
   {
     std::vector<Front>& fronts = m_fronts;
     fronts.clear();
-    for(std::size_t i = 0; i < m_tracer.leaves().size(); ++i)
+    for(std::size_t i = 0; i < m_tracer.breakpoints().size(); ++i)
     {
-      const Leaf& l = m_tracer.leaves()[i];
+      const Breakpoint& l = m_tracer.breakpoints()[i];
       m_nodes.push_back(Node{l.p, {l.left, l.right, null_id}, false});
       fronts.emplace_back(l.left, l.right, l.p, i);
     }
@@ -108,7 +108,7 @@ public:
 
   const std::vector<Node>& nodes() const { return m_nodes; }
   const std::vector<Arc>& arcs() const { return m_arcs; }
-  const std::vector<Generator>& generators() const { return m_tracer.generators(); }
+  const std::vector<Image>& images() const { return m_tracer.images(); }
 
   // how many fronts had to be joined where the numbers did not tell how.
   std::size_t number_of_joints() const { return m_number_of_joints; }
@@ -185,7 +185,7 @@ private:
   {
     const Front& f = fronts[i];
     std::size_t first = none, nearest = none;
-    FT way = std::numeric_limits<FT>::infinity(), gap = m_tracer.near();
+    FT way = std::numeric_limits<FT>::infinity(), gap = m_tracer.joining_distance();
     for(std::size_t j = 0; j < fronts.size(); ++j)
     {
       const Front& g = fronts[j];
@@ -297,7 +297,7 @@ private:
   FT excess_at(const Point& p, const std::array<Vertex_id, 3>& sites) const
   {
     FT nearest = std::numeric_limits<FT>::infinity(), farthest = 0;
-    for(const Generator& g : m_tracer.generators())
+    for(const Image& g : m_tracer.images())
       nearest = (std::min)(nearest, g.distance_to(p));
     for(const Vertex_id site : sites)
       farthest = (std::max)(farthest, distance_from(site, p));
@@ -307,7 +307,7 @@ private:
   FT distance_from(Vertex_id site, const Point& p) const
   {
     const std::size_t i = m_tracer.nearest_of(site, p);
-    return i != none ? m_tracer.generators()[i].distance_to(p) : std::numeric_limits<FT>::infinity();
+    return i != none ? m_tracer.images()[i].distance_to(p) : std::numeric_limits<FT>::infinity();
   }
 
   // makes a front that has not found its way to v go straight to it from the place where it was nearest.
@@ -372,7 +372,7 @@ private:
   // traces f until it reaches the beginning of g, which has the same cells on the other sides.
   void connect(Front& f, Front& g)
   {
-    if(is_leaf(f) && !is_leaf(g)) // the border is a sure end
+    if(starts_at_border(f) && !starts_at_border(g)) // the border is a sure end
       return connect(g, f);
     if(distance(f.p, g.p) <= m_tracer.width()) // four cells meet in a point: there is nothing to trace
     {
@@ -388,14 +388,14 @@ private:
     }
     m_tracer.sites() = {(std::min)(f.left, f.right), (std::max)(f.left, f.right)};
     Half_plane<FT> before_end;
-    const bool has_direction = !is_leaf(g) && m_tracer.line_in_front_of(g, before_end);
+    const bool has_direction = !starts_at_border(g) && m_tracer.line_in_front_of(g, before_end);
     m_tracer.trace(f, has_direction ? &before_end : nullptr);
     if(!(distance(f.end, g.p) <= m_tracer.touching()))
       end_at(f, g.p);
     const FT gap = distance(f.end, g.p);
     if(!(gap <= m_tracer.touching()) && comes_back(g, f))
       return finish(g, f.p, f.node);
-    if(f.stop == Stop::LOST || !(gap <= m_tracer.near()))
+    if(f.stop == Stop::LOST || !(gap <= m_tracer.joining_distance()))
       ++m_number_of_joints;
     if(!(gap <= m_tracer.touching()) && !f.cut_at(g.p))
       lead_to(f, g.p);
@@ -406,7 +406,7 @@ private:
   bool comes_back(Front& g, const Front& f)
   {
     Half_plane<FT> before_end;
-    const bool has_direction = !is_leaf(f) && m_tracer.line_in_front_of(f, before_end);
+    const bool has_direction = !starts_at_border(f) && m_tracer.line_in_front_of(f, before_end);
     m_tracer.trace(g, has_direction ? &before_end : nullptr);
     if(!(distance(g.end, f.p) <= m_tracer.touching()))
       end_at(g, f.p);
@@ -425,7 +425,7 @@ private:
     f.stop = Stop::OUTSIDE;
   }
 
-  bool is_leaf(const Front& f) const { return f.node < m_tracer.leaves().size(); }
+  bool starts_at_border(const Front& f) const { return f.node < m_tracer.breakpoints().size(); }
 
   // makes arcs of the pieces of f, the last of which ends at p.
   void finish(Front& f, const Point& p, std::size_t node)
@@ -480,7 +480,7 @@ private:
   // right at both ends, and those of the same paths are joined again.
   void add_straight_pieces(Front& f, const Point& p, const Point& q) const
   {
-    std::size_t halvings = 8 * m_tracer.generators().size() + 64; // rounding must not let it halve for ever
+    std::size_t halvings = 8 * m_tracer.images().size() + 64; // rounding must not let it halve for ever
     std::vector<Point> ends{q};
     const std::size_t number_traced = f.pieces.size();
     for(Point from = p; !ends.empty();)
@@ -527,8 +527,8 @@ private:
     Piece piece;
     piece.end = q;
     if(l != none)
-      piece.left = m_tracer.image_towards(m_tracer.generators()[l], middle);
-    piece.right = r != none ? m_tracer.image_towards(m_tracer.generators()[r], middle) : piece.left;
+      piece.left = m_tracer.image_towards(m_tracer.images()[l], middle);
+    piece.right = r != none ? m_tracer.image_towards(m_tracer.images()[r], middle) : piece.left;
     if(l == none)
       piece.left = piece.right;
     const FT at_left = piece.left.distance_to(middle), at_right = piece.right.distance_to(middle);
@@ -543,17 +543,17 @@ private:
   // as a path bends there.
   bool find_images_at_end(const Front& f, std::array<Additively_weighted_point<FT>, 3>& image) const
   {
-    const std::array<std::size_t, 3> number{f.last_left, f.last_right, f.third_generator};
+    const std::array<std::size_t, 3> number{f.left_image, f.right_image, f.third_image};
     for(std::size_t i = 0; i < 3; ++i)
     {
-      if(number[i] >= m_tracer.generators().size())
+      if(number[i] >= m_tracer.images().size())
         return false;
-      image[i] = m_tracer.generators()[number[i]].image;
+      image[i] = m_tracer.images()[number[i]].point;
     }
     return true;
   }
 
-  // Where curves run along the border of the face or touch it, the point that three generators tie at is not well
+  // Where curves run along the border of the face or touch it, the point that three images tie at is not well
   // known, and may be found outside. Then one of the points where the fronts begin or end is the vertex.
   Point vertex_in_face(const Front& f, const Front& g, const Point& near_to) const
   {

@@ -57,20 +57,20 @@ public:
     const auto is_near = [&](std::uint32_t node, double gap)
     { return gap <= Tolerance<double>::interval() * (length + complex.nodes()[node].distance / 8); };
     m_position.resize(m_nodes.number);
-    double place = 0; // of the vertex at m_last
+    double last_abscissa = 0; // of the vertex at m_last
     for(std::uint32_t i = 0; i < m_nodes.number; ++i)
     {
       const std::uint32_t node = m_nodes.first + i;
-      const double x = complex.nodes()[node].place;
+      const double x = complex.nodes()[node].abscissa;
       if(is_near(node, length - x) && length - x < x)
       {
         m_position[i] = null_id;
         continue;
       }
-      if(!is_near(node, x - place))
+      if(!is_near(node, x - last_abscissa))
       {
         ++m_last;
-        place = x;
+        last_abscissa = x;
         m_first_node.push_back(node);
       }
       m_position[i] = m_last;
@@ -121,7 +121,7 @@ public:
   {
     m_face = f;
     collect_border();
-    if(m_leaves.empty() || m_complex.has_one_cell(f))
+    if(m_border_nodes.empty() || m_complex.has_one_cell(f))
     {
       start();
       std::vector<std::uint32_t> all(m_points.size());
@@ -163,14 +163,14 @@ public:
 
 private:
   // A node on the border, and the vertex at which it is, in the order of the border. For nodes at the end of the last
-  // side, which is corner 0, `place` is the number of border vertices.
-  struct Leaf
+  // side, which is corner 0, `position` is the number of border vertices.
+  struct Border_node
   {
-    std::uint32_t node, place;
+    std::uint32_t node, position;
   };
 
   // A curve from vertex to vertex of the cut, through nodes of two cells only.
-  struct Strand
+  struct Cut_curve
   {
     Vertex_id left_site, right_site;
     std::uint32_t first_node, last_node;
@@ -184,7 +184,7 @@ private:
     const std::array<Point, 3> corner = m_complex.layout(m_face);
     m_border_points.clear();
     m_sides.clear();
-    m_leaves.clear();
+    m_border_nodes.clear();
     for(unsigned int k = 0; k < 3; ++k)
     {
       const unsigned char side = static_cast<unsigned char>(1u << k);
@@ -196,13 +196,13 @@ private:
       const Point a = corner[k], b = corner[next_corner(k)];
       for(std::uint32_t i = 1; i < edge.last(); ++i)
       {
-        const double x = m_complex.nodes()[edge.node_at(i)].place / m_mesh.length(h);
+        const double x = m_complex.nodes()[edge.node_at(i)].abscissa / m_mesh.length(h);
         const double t = m_complex.nodes_on_edge(h).is_reversed ? 1 - x : x;
         m_border_points.push_back(Point{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)});
         m_sides.push_back(side);
       }
       for(std::uint32_t i = 0; i < edge.number_of_nodes(); ++i)
-        m_leaves.push_back(Leaf{edge.node(i), first + edge.position(i)});
+        m_border_nodes.push_back(Border_node{edge.node(i), first + edge.position(i)});
     }
   }
 
@@ -221,7 +221,7 @@ private:
   {
     start();
     find_vertices_of_nodes();
-    collect_strands(tolerance);
+    collect_curves(tolerance);
     collect_regions();
   }
 
@@ -230,8 +230,8 @@ private:
   void find_vertices_of_nodes()
   {
     m_vertex_of_node.clear();
-    for(const Leaf& leaf : m_leaves)
-      m_vertex_of_node.emplace(leaf.node, leaf.place % static_cast<std::uint32_t>(m_border_points.size()));
+    for(const Border_node& b : m_border_nodes)
+      m_vertex_of_node.emplace(b.node, b.position % static_cast<std::uint32_t>(m_border_points.size()));
     const std::pair<std::uint32_t, std::uint32_t> range = m_complex.arcs_of_face(m_face);
     for(bool has_changed = true; has_changed;)
     {
@@ -293,37 +293,38 @@ private:
     return static_cast<std::uint32_t>(m_points.size() - 1);
   }
 
-  bool ends_strand(std::uint32_t node) const
+  bool ends_curve(std::uint32_t node) const
   {
-    return m_complex.nodes()[node].is_vertex() || is_leaf(node);
+    return m_complex.nodes()[node].is_vertex() || is_on_border(node);
   }
 
-  bool is_leaf(std::uint32_t node) const
+  bool is_on_border(std::uint32_t node) const
   {
-    return std::any_of(m_leaves.begin(), m_leaves.end(), [node](const Leaf& l) { return l.node == node; });
+    return std::any_of(m_border_nodes.begin(), m_border_nodes.end(),
+                       [node](const Border_node& b) { return b.node == node; });
   }
 
-  void collect_strands(double tolerance)
+  void collect_curves(double tolerance)
   {
-    m_strands.clear();
+    m_curves.clear();
     const std::pair<std::uint32_t, std::uint32_t> range = m_complex.arcs_of_face(m_face);
     std::vector<char> is_used(range.second - range.first, 0);
     for(std::uint32_t a = range.first; a < range.second; ++a)
       for(std::uint32_t node : {m_complex.arcs()[a].first_node, m_complex.arcs()[a].last_node})
-        if(is_used[a - range.first] == 0 && ends_strand(node))
-          add_strand(a, node, tolerance, is_used);
+        if(is_used[a - range.first] == 0 && ends_curve(node))
+          add_curve(a, node, tolerance, is_used);
   }
 
-  // the strand that leaves a node by an arc.
-  void add_strand(std::uint32_t arc, std::uint32_t node, double tolerance, std::vector<char>& is_used)
+  // the curve that leaves a node by an arc.
+  void add_curve(std::uint32_t arc, std::uint32_t node, double tolerance, std::vector<char>& is_used)
   {
     const std::pair<std::uint32_t, std::uint32_t> range = m_complex.arcs_of_face(m_face);
-    Strand strand;
+    Cut_curve curve;
     const Complex::Arc& begin = m_complex.arcs()[arc];
     const bool starts_backwards = begin.first_node != node;
-    strand.left_site = starts_backwards ? begin.right_site : begin.left_site;
-    strand.right_site = starts_backwards ? begin.left_site : begin.right_site;
-    strand.first_node = node;
+    curve.left_site = starts_backwards ? begin.right_site : begin.left_site;
+    curve.right_site = starts_backwards ? begin.left_site : begin.right_site;
+    curve.first_node = node;
     m_samples.clear();
     m_samples.push_back(starts_backwards ? begin.last : begin.first);
     while(true)
@@ -332,22 +333,22 @@ private:
       is_used[arc - range.first] = 1;
       sample(a, a.first_node != node, tolerance / 2);
       node = a.first_node == node ? a.last_node : a.first_node;
-      if(ends_strand(node))
+      if(ends_curve(node))
         break;
       const auto& next = m_complex.nodes()[node].arc;
       arc = next[0] == arc ? next[1] : next[0];
       if(arc == null_id || is_used[arc - range.first] != 0)
         break;
     }
-    strand.last_node = node;
-    const std::uint32_t first = m_vertex_of_node.at(strand.first_node), last = m_vertex_of_node.at(node);
+    curve.last_node = node;
+    const std::uint32_t first = m_vertex_of_node.at(curve.first_node), last = m_vertex_of_node.at(node);
     m_samples.front() = m_points[first];
     m_samples.back() = m_points[last];
-    strand.vertices.push_back(first);
+    curve.vertices.push_back(first);
     if(first != last)
-      simplify(0, m_samples.size() - 1, tolerance / 2, has_to_leave_side(first, last), strand.vertices);
-    strand.vertices.push_back(last);
-    m_strands.push_back(std::move(strand));
+      simplify(0, m_samples.size() - 1, tolerance / 2, has_to_leave_side(first, last), curve.vertices);
+    curve.vertices.push_back(last);
+    m_curves.push_back(std::move(curve));
   }
 
   void sample(const Complex::Arc& a, bool is_backwards, double tolerance)
@@ -401,10 +402,10 @@ private:
 
   // --- pieces of cells ---
 
-  // Each piece is run around once: along the border from leaf to leaf, and along the strands back to the border.
+  // Walks around each piece once: along the border from node to node, and along the curves back to the border.
   void collect_regions()
   {
-    const std::size_t n = m_leaves.size();
+    const std::size_t n = m_border_nodes.size();
     std::vector<char> is_seen(n, 0);
     std::vector<std::uint32_t> walk;
     for(std::size_t start = 0; start < n; ++start)
@@ -418,17 +419,17 @@ private:
       {
         is_seen[i] = 1;
         walk_along_border(i, (i + 1) % n, walk);
-        i = walk_along_strands((i + 1) % n, site, walk);
+        i = walk_along_curves((i + 1) % n, site, walk);
       }
       divide_into_cycles(walk, site);
     }
   }
 
-  // the cell on the border behind a leaf, as this face sees it.
-  Vertex_id site_behind(std::size_t leaf) const
+  // the cell on the border behind a border node, as this face sees it.
+  Vertex_id site_behind(std::size_t border_node) const
   {
-    const std::uint32_t node = m_leaves[leaf].node;
-    for(const Strand& s : m_strands)
+    const std::uint32_t node = m_border_nodes[border_node].node;
+    for(const Cut_curve& s : m_curves)
       if(s.first_node == node)
         return s.right_site;
       else if(s.last_node == node)
@@ -439,20 +440,20 @@ private:
   void walk_along_border(std::size_t from, std::size_t to, std::vector<std::uint32_t>& walk) const
   {
     const std::uint32_t n = static_cast<std::uint32_t>(m_border_points.size());
-    const std::uint32_t end = m_leaves[to].place + (to > from ? 0 : n);
-    for(std::uint32_t i = m_leaves[from].place; i <= end; ++i)
+    const std::uint32_t end = m_border_nodes[to].position + (to > from ? 0 : n);
+    for(std::uint32_t i = m_border_nodes[from].position; i <= end; ++i)
       walk.push_back(i % n);
   }
 
-  // along the strands with the cell on the left, from a leaf to the next leaf, which is returned.
-  std::size_t walk_along_strands(std::size_t leaf, Vertex_id site, std::vector<std::uint32_t>& walk) const
+  // along the curves with the cell on the left, from a border node to the next border node, which is returned.
+  std::size_t walk_along_curves(std::size_t border_node, Vertex_id site, std::vector<std::uint32_t>& walk) const
   {
-    std::uint32_t node = m_leaves[leaf].node;
-    for(std::size_t steps = 0; steps <= m_strands.size(); ++steps)
+    std::uint32_t node = m_border_nodes[border_node].node;
+    for(std::size_t steps = 0; steps <= m_curves.size(); ++steps)
     {
-      const auto it = std::find_if(m_strands.begin(), m_strands.end(), [&](const Strand& s)
+      const auto it = std::find_if(m_curves.begin(), m_curves.end(), [&](const Cut_curve& s)
       { return (s.first_node == node && s.left_site == site) || (s.last_node == node && s.right_site == site); });
-      if(it == m_strands.end())
+      if(it == m_curves.end())
         break;
       if(it->first_node == node && it->left_site == site)
       {
@@ -464,12 +465,12 @@ private:
         walk.insert(walk.end(), it->vertices.rbegin(), it->vertices.rend());
         node = it->first_node;
       }
-      for(std::size_t i = 0; i < m_leaves.size(); ++i)
-        if(m_leaves[i].node == node)
+      for(std::size_t i = 0; i < m_border_nodes.size(); ++i)
+        if(m_border_nodes[i].node == node)
           return i;
     }
     CGAL_assertion_msg(false, "a curve in a face has no end");
-    return leaf;
+    return border_node;
   }
 
   // A vertex that is met twice cuts off what is between.
@@ -520,11 +521,11 @@ private:
   Face_id m_face = null_id;
   std::vector<Point> m_border_points, m_points;
   std::vector<unsigned char> m_sides; // the sides on which a vertex is, one bit for each
-  std::vector<Leaf> m_leaves;
+  std::vector<Border_node> m_border_nodes;
   std::vector<Triangle> m_triangles;
   std::uint64_t m_badness = 0;
   std::unordered_map<std::uint32_t, std::uint32_t> m_vertex_of_node;
-  std::vector<Strand> m_strands;
+  std::vector<Cut_curve> m_curves;
   std::vector<Point> m_samples, m_polygon;
   std::set<std::pair<std::uint32_t, std::uint32_t>> m_diagonals;
   Polygon_triangulation m_triangulation;

@@ -51,9 +51,6 @@ public:
   using Arrival = Location_arrival<double>;
   using Coordinates = std::array<double, 3>;
 
-  // What is known: nothing, the distances of the vertices, or the windows as well.
-  enum class State { EMPTY, VERTICES, WINDOWS };
-
   // A point asked for: a vertex, or a point of a face of the refined mesh. What has been asked for as a location
   // inside a face is not on the edges of the first mesh, even if rounding has moved it there in the refined one.
   struct Query
@@ -74,7 +71,9 @@ public:
   Path_solver& operator=(const Path_solver&) = delete;
 
   bool has_mesh() const { return m_has_mesh; }
-  State state() const { return m_state; }
+
+  // Whether the distances of the vertices are known: the last run was complete.
+  bool has_run() const { return m_has_run; }
 
   // reads the user's mesh; throws Invalid_geodesic_input.
   template <typename Shape>
@@ -82,7 +81,7 @@ public:
   {
     m_insertion.undo();
     m_has_mesh = false;
-    m_state = State::EMPTY;
+    m_has_run = false;
     Intrinsic_mesh_builder<double, TriangleMesh, VertexIndexMap, FaceIndexMap>(m_tm, m_vim, m_fim)
       .build(shape, m_mesh, m_table);
     m_insertion.restart();
@@ -95,7 +94,7 @@ public:
     m_field = Vertex_distance_field<double>();
     m_field.keeps_images = true;
     m_windows = Edge_window_field<double>();
-    m_state = State::EMPTY;
+    m_has_run = false;
   }
 
   // forgets the mesh as well.
@@ -130,31 +129,37 @@ public:
     m_source_offsets.push_back(offset);
   }
 
-  // propagates from the sources; returns false, and knows nothing then, if go_on() does.
+  // Propagates from the sources. Returns false, and forgets all results, if go_on() does.
   template <typename GoOn>
   bool run(bool keeps_windows, GoOn go_on)
   {
-    insert_sources();
-    const bool is_complete = keeps_windows ? propagate(Window_keeper<double>(m_windows), go_on)
-                                           : propagate(No_window_keeper(), go_on);
-    if(is_complete)
-      m_state = keeps_windows ? State::WINDOWS : State::VERTICES;
-    else
-      clear();
-    return is_complete;
+    return keeps_windows ? run_with_keeper([this] { return Window_keeper<double>(m_windows); }, go_on)
+                         : run_with_keeper([] { return No_window_keeper(); }, go_on);
   }
 
-  // the same, where make_keeper() gives the keeper when the sources are in the mesh.
+  // The same, where make_keeper() returns the keeper. It is called when the sources are in the mesh.
   template <typename MakeKeeper, typename GoOn>
   bool run_with_keeper(MakeKeeper make_keeper, GoOn go_on)
   {
+    m_has_run = false;
     insert_sources();
-    const bool is_complete = propagate(make_keeper(), go_on);
-    if(is_complete)
-      m_state = State::VERTICES;
-    else
+    m_has_run = propagate(m_field, m_number_of_source, make_keeper(), go_on);
+    if(!m_has_run)
       clear();
-    return is_complete;
+    return m_has_run;
+  }
+
+  // Repeats the last run and keeps its windows. Returns false if go_on() does; the windows are unknown then.
+  //
+  // Results of vertices are not written, only windows and statistics. So other threads may ask for distances and paths
+  // at vertices meanwhile. The second run computes the same distances once more, in a field of its own.
+  // Requires: has_run().
+  template <typename GoOn>
+  bool add_windows(GoOn go_on)
+  {
+    Vertex_distance_field<double> field;
+    std::vector<std::uint32_t> number_of_source;
+    return propagate(field, number_of_source, Window_keeper<double>(m_windows), go_on);
   }
 
   const Propagation_statistics& statistics() const { return m_statistics; }
@@ -353,7 +358,6 @@ private:
   // makes vertices of the sources that are none.
   void insert_sources()
   {
-    m_state = State::EMPTY;
     m_insertion.undo();
     insert_located_sources(m_located, m_insertion, m_source_vertices);
   }
@@ -398,26 +402,28 @@ private:
     return result;
   }
 
+  // Propagates into a field, and numbers the sources by vertex.
   template <typename Keeper, typename GoOn>
-  bool propagate(Keeper keeper, GoOn go_on)
+  bool propagate(Vertex_distance_field<double>& field, std::vector<std::uint32_t>& number_of_source, Keeper keeper,
+                 GoOn go_on)
   {
     m_windows.reset(keeps(keeper) ? m_mesh.number_of_faces() : 0);
-    Distance_propagation<double, All_pruning_rules, Keeper> propagation(m_mesh, m_field, keeper);
-    m_number_of_source.assign(m_mesh.number_of_vertices(), null_id);
+    Distance_propagation<double, All_pruning_rules, Keeper> propagation(m_mesh, field, keeper);
+    number_of_source.assign(m_mesh.number_of_vertices(), null_id);
     for(std::size_t i = 0; i < m_source_vertices.size(); ++i)
     {
       const Vertex_id v = m_source_vertices[i];
       const double offset = m_source_offsets[i] / m_mesh.unit();
-      if(!(offset < m_field.distance[v])) // of several at a vertex the nearest counts, or the first one
+      if(!(offset < field.distance[v])) // of several at a vertex the nearest counts, or the first one
         continue;
       propagation.add_source(v, offset);
-      m_number_of_source[v] = static_cast<std::uint32_t>(i);
+      number_of_source[v] = static_cast<std::uint32_t>(i);
     }
     const double unit = m_mesh.unit();
     const bool is_complete = propagation.run(
       [&](std::size_t visits, double reached) { return go_on(visits, unit * reached); });
     m_statistics = propagation.statistics();
-    m_statistics.intrinsic_mesh_bytes += m_mesh.memory() + m_table.memory() + m_field.memory();
+    m_statistics.intrinsic_mesh_bytes += m_mesh.memory() + m_table.memory() + field.memory();
     m_statistics.maximum_window_bytes += keeps(keeper) ? m_windows.memory() : 0;
     return is_complete;
   }
@@ -443,7 +449,7 @@ private:
   Edge_window_field<double> m_windows;
   Propagation_statistics m_statistics;
   bool m_has_mesh = false;
-  State m_state = State::EMPTY;
+  bool m_has_run = false;
 };
 
 } // namespace internal

@@ -16,6 +16,7 @@
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Source_insertion.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Source_set.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/intrinsic_mesh_from_face_graph.h>
 
 #include <CGAL/Surface_mesh/Surface_mesh_fwd.h>
@@ -202,33 +203,12 @@ std::array<FT, 3> intrinsic_coordinates(Halfedge_id h, const Coordinates& b, con
   return r;
 }
 
-// A source in a face of the intrinsic mesh, and its position in the range of sources.
-template <typename FT>
-struct Located_source
-{
-  Face_id face;
-  std::array<FT, 3> coordinates;
-  std::size_t position;
-};
-
 template <typename FT, typename Finder, typename Location>
 Located_source<FT> locate_source(const Finder& finder, const Location& location, std::size_t position)
 {
   const Halfedge_id h = finder.halfedge(location.first, "source", position);
   return Located_source<FT>{
     face_of(h), intrinsic_coordinates<FT>(h, location.second, "source", position), position};
-}
-
-// makes vertices of all located sources, in the order of their places, and sets vertices[position].
-template <typename FT>
-void insert_located_sources(std::vector<Located_source<FT>>& sources, Source_insertion<FT>& insertion,
-                            std::vector<Vertex_id>& vertices)
-{
-  std::sort(sources.begin(), sources.end(),
-            [](const Located_source<FT>& a, const Located_source<FT>& b)
-            { return std::tie(a.face, a.coordinates) < std::tie(b.face, b.coordinates); });
-  for(const Located_source<FT>& s : sources)
-    vertices[s.position] = insertion.insert(s.face, s.coordinates);
 }
 
 } // namespace internal

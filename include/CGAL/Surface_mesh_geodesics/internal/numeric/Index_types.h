@@ -33,6 +33,12 @@ constexpr std::uint32_t null_id = (std::numeric_limits<std::uint32_t>::max)();
 // The largest number of faces that the numbering of halfedges leaves room for.
 constexpr std::uint32_t maximum_number_of_faces = (std::uint32_t(1) << 30) - 1;
 
+// The elements first, first + 1, ..., first + size - 1 of an array.
+struct Index_range
+{
+  std::uint32_t first, size;
+};
+
 constexpr Halfedge_id halfedge_of(Face_id f, unsigned int k) { return 4 * f + k; }
 constexpr Face_id face_of(Halfedge_id h) { return h >> 2; }
 constexpr unsigned int index_in_face(Halfedge_id h) { return h & 3u; }

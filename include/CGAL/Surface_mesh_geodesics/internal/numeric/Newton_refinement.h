@@ -24,7 +24,7 @@ namespace Surface_mesh_geodesics {
 namespace internal {
 
 // Newton's method for f(p) = g(p) = 0, as long as it helps; `size` is that of the face. f is the difference of
-// the distances from two generators. If they are near to each other, f tells nothing about the place on a line that
+// the distances from two points. If they are near to each other, f tells nothing about the place on a line that
 // points away from them, and g decides it alone.
 template <typename FT, typename Residuals>
 Planar_point<FT> polished_point(Planar_point<FT> p, const FT& size_of_distances, const FT& size, Residuals residuals)
@@ -88,9 +88,10 @@ Planar_point<FT> polished_crossing(const Additively_weighted_point<FT>& a, const
   });
 }
 
-// the line through p across the curve of two generators.
+// the line through p across the curve of two points.
 template <typename FT>
-Half_plane<FT> line_across(const Additively_weighted_point<FT>& a, const Additively_weighted_point<FT>& b, const Planar_point<FT>& p)
+Half_plane<FT> line_across(const Additively_weighted_point<FT>& a, const Additively_weighted_point<FT>& b,
+                           const Planar_point<FT>& p)
 {
   const Planar_point<FT> ua = direction_from(a, p), ub = direction_from(b, p);
   const FT x = ua.y - ub.y, y = ub.x - ua.x, n = norm(x, y);

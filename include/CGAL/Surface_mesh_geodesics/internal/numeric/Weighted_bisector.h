@@ -15,7 +15,7 @@
 // Let F be one of the two points (a focus), d the vector to the other one, s the weight of F less that of
 // the other one, and u the direction from F to a point of the curve at distance r. Squaring
 // r + s = |r u - d| gives 1/r = (s + u d) / K with 2 K = d^2 - s^2: an affine function of u. This stays
-// so for the curves of a third point against F, and for lines; so "which generator is nearer", and "on which
+// so for the curves of a third point against F, and for lines; so "which focus is nearer", and "on which
 // side of a line", are linear inequalities in u along the curve.
 //
 // Directions are measured from that of a point p0 of the curve, by the tangent t of half the angle: u is a
@@ -131,11 +131,11 @@ class Weighted_bisector
 public:
   using FT = FT_;
   using Point = Planar_point<FT>;
-  using Generator = Additively_weighted_point<FT>;
+  using Focus = Additively_weighted_point<FT>;
 
   // The curve of equal distance from `left` and `right` that starts at p, which is on it but for rounding,
   // with the points nearer to `left` on its left.
-  Weighted_bisector(const Generator& left, const Generator& right, const Point& p)
+  Weighted_bisector(const Focus& left, const Focus& right, const Point& p)
     : m_p(p)
   {
     const FT to_left = norm<FT>(p.x - left.x, p.y - left.y);
@@ -143,12 +143,12 @@ public:
     // the nearer focus, unless the curve starts there
     m_is_left_focus = to_left > 0 && (to_left <= to_right || !(to_right > 0));
     m_focus = m_is_left_focus ? left : right;
-    const Generator& other = m_is_left_focus ? right : left;
+    const Focus& other = m_is_left_focus ? right : left;
     const FT r = m_is_left_focus ? to_left : to_right;
     const FT dx = other.x - m_focus.x, dy = other.y - m_focus.y;
     const FT d = norm(dx, dy), s = m_focus.weight - other.weight;
     const FT k = (d - s) * (d + s) / 2;
-    // where one generator is on the way from the other one, the curve is a ray
+    // where one focus is on the way from the other one, the curve is a ray
     const FT rounding = relative_rounding() * (m_focus.weight + r);
     m_is_valid = r > 0 && k > 4 * Tolerance<FT>::distance() * d * d && d - s > rounding && d + s > rounding;
     if(!m_is_valid)
@@ -191,7 +191,7 @@ public:
   // false where the two distances do not differ in their precision, or no curve exists.
   bool is_valid() const { return m_is_valid; }
 
-  // Paths from one generator bend at the other one, and the points of the ray behind it are as far from both. The other
+  // Paths from one focus bend at the other one, and the points of the ray behind it are as far from both. The other
   // functions are then those of the ray, as far as they exist, and the parameter is the length.
   bool is_ray() const { return m_is_straight && !m_is_valid; }
 
@@ -260,8 +260,8 @@ public:
   {
     if(m_is_straight)
       return std::numeric_limits<FT>::infinity();
-    const FT far = FT(1 << 20); // times the distance of p from the focus
-    const FT t = Quadratic<FT>{FT(1 - far), FT(-far * m_radius * m_b), FT(1 - far + 2 * far * m_a * m_radius)}
+    const FT reach = FT(1 << 20); // times the distance of p from the focus
+    const FT t = Quadratic<FT>{FT(1 - reach), FT(-reach * m_radius * m_b), FT(1 - reach + 2 * reach * m_a * m_radius)}
                    .positive_roots()[0];
     return (std::min)(t, FT(4));
   }
@@ -278,9 +278,9 @@ public:
                          FT(h0 * w.c2 - 2 * m_bend * along_u)};
   }
 
-  // is positive where a third generator is nearer than the two, except if it never is. `to_g` is the distance of its
+  // is positive where a third focus is nearer than the two, except if it never is. `to_g` is the distance of its
   // point from the start.
-  Quadratic<FT> nearer(const Generator& g, const FT& to_g) const
+  Quadratic<FT> nearer(const Focus& g, const FT& to_g) const
   {
     if(m_is_straight)
       return nearer_on_line(g, to_g);
@@ -303,15 +303,15 @@ public:
   }
 
 private:
-  // of distances of generators
+  // of distances of foci
   static FT relative_rounding() { return 16 * Tolerance<FT>::distance(); }
 
-  // the ray behind the generator with the larger weight, if that is on the way from the other one.
-  void find_ray(const Generator& left, const Generator& right)
+  // the ray behind the focus with the larger weight, if that is on the way from the other one.
+  void find_ray(const Focus& left, const Focus& right)
   {
     m_is_left_focus = right.weight < left.weight;
     m_focus = m_is_left_focus ? left : right;
-    const Generator& other = m_is_left_focus ? right : left;
+    const Focus& other = m_is_left_focus ? right : left;
     const FT dx = m_focus.x - other.x, dy = m_focus.y - other.y, d = norm(dx, dy);
     m_radius = norm<FT>(m_p.x - m_focus.x, m_p.y - m_focus.y);
     const FT detour = other.weight + d - m_focus.weight, size = m_focus.weight + m_radius;
@@ -325,7 +325,7 @@ private:
   }
 
   // Seen from p the foci are one: the curve is the line through them, as exactly as distances are known.
-  void find_line(const Generator& left, const Generator& right)
+  void find_line(const Focus& left, const Focus& right)
   {
     m_is_straight = true;
     m_is_outward = m_ux * (right.y - left.y) - m_uy * (right.x - left.x) < 0;
@@ -334,7 +334,7 @@ private:
   }
 
   // see nearer(): |p + t (tx, ty) - g| < s + t, or s - t on the way to the focus, squared.
-  Quadratic<FT> nearer_on_line(const Generator& g, const FT& d) const
+  Quadratic<FT> nearer_on_line(const Focus& g, const FT& d) const
   {
     const FT dx = m_p.x - g.x, dy = m_p.y - g.y, s = m_focus.weight + m_radius - g.weight;
     if(s <= -d)
@@ -349,7 +349,7 @@ private:
   }
 
   Point m_p;
-  Generator m_focus;
+  Focus m_focus;
   bool m_is_left_focus = true, m_is_valid = false, m_is_straight = false;
   bool m_is_outward = true;       // a straight curve goes away from the focus
   FT m_radius = 0;                // from the focus to p0

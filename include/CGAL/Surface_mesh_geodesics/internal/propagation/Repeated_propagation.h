@@ -17,8 +17,8 @@
 #include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Source_insertion.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Source_set.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
-#include <CGAL/Surface_mesh_geodesics/internal/interface/source_range.h>
 
 #include <algorithm>
 #include <vector>
@@ -26,15 +26,6 @@
 namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
-
-// Sources as vertices and places of the intrinsic mesh.
-template <typename FT>
-struct Source_set
-{
-  std::vector<Vertex_id> vertices;         // by position; null_id for those in faces
-  std::vector<Located_source<FT>> located; // those in faces
-  std::vector<FT> offsets;                 // none, or one for each source
-};
 
 // Where a run may end early. No targets: nowhere but at the maximum distance.
 template <typename FT>

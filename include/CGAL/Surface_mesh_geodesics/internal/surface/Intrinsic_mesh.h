@@ -25,6 +25,7 @@
 // 1: the squares of lengths then stay far from the ends of the range of numbers, and the results for
 // a surface scaled by a power of two are the same bits.
 
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Angle_sum.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/prefetch.h>
