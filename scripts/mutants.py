@@ -37,7 +37,7 @@ EDGE_PARTITION = INTERNAL + "Voronoi/Edge_partition.h"
 FACE_PARTITION = INTERNAL + "Voronoi/Face_partition.h"
 COMPLEX = INTERNAL + "Voronoi/Voronoi_complex.h"
 PATH_THINNING = INTERNAL + "paths/Path_thinning.h"
-DIAGRAM_CERTIFICATE = "CGAL/Surface_mesh_geodesics/certify_geodesic_Voronoi_diagram.h"
+DIAGRAM_CERTIFICATE = INTERNAL + "applications/Diagram_certifier.h"
 LOCATOR = INTERNAL + "Voronoi/Cell_locator.h"
 MEASURES = INTERNAL + "Voronoi/Voronoi_cell_measures.h"
 FACE_CUT = INTERNAL + "Voronoi/Voronoi_face_cut.h"
@@ -354,7 +354,7 @@ MUTANTS = [
      "stars that share faces are worked on at the same time", (PARALLEL_TEST,),
      "what comes to a star that is out waits for its next visit: there are more visits, and the same distances"),
     ("deferred_vertices_lost", PARALLEL,
-     "m_wavefront.queue().push_or_decrease(neighbour.second, neighbour.first);", "static_cast<void>(neighbour);",
+     "m_wavefront.queue().push_or_decrease(neighbor.second, neighbor.first);", "static_cast<void>(neighbor);",
      "vertices next to a star that was out are never visited", (PARALLEL_TEST,)),
     ("parallel_end_too_early", PARALLEL,
      "      key = (std::min)(key, flight(i).key);\n", "",
