@@ -312,9 +312,9 @@ ROOMS = {
     "applications": ((2, 6), ["interface"]),
     "interface": ((2, 5), ["certificate"]),
     "certificate": ((2, 4), ["propagation", "paths", "Voronoi"]),
-    "propagation": ((0, 3), ["window"]),
+    "propagation": ((-0.6, 3), ["window"]),
     "paths": ((2, 3), ["window"]),
-    "Voronoi": ((4, 3), ["window"]),
+    "Voronoi": ((4.6, 3), ["window"]),
     "window": ((2, 2), ["surface"]),
     "surface": ((2, 1), ["numeric"]),
     "numeric": ((2, 0), []),
@@ -329,7 +329,7 @@ WORDS_OF_ROOMS = {
 
 def rooms():
     """The folders of internal/, and the direction of the includes."""
-    picture = Picture(-1.3, -0.45, 5.3, 7.45, 80)
+    picture = Picture(-1.9, -0.45, 5.9, 7.45, 80)
     half_width, half_height = 1.15, 0.31
     for name, ((x, y), below) in ROOMS.items():
         fill = LIGHT_ORANGE if y == 7 else LIGHT_BLUE if y > 4 else LIGHT_GREEN if y > 1 else LIGHT_GREY
