@@ -24,7 +24,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Voronoi_complex.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Voronoi_cut_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/distance_in_space.h>
-#include <CGAL/Surface_mesh_geodesics/internal/interface/intrinsic_mesh_from_face_graph.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/Face_shapes.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/run_with_visitor.h>
 
 #include <CGAL/Default.h>
@@ -533,8 +533,7 @@ public:
   }
 
   /// takes the lengths of the edges from a map instead of from points. They are used until the next call of
-  /// `use_points()`, and read and checked when the mesh is read: by `build()`, and by the first query of a distance in
-  /// a face. Sites are kept. Takes constant time.
+  /// `use_points()`, and read and checked when the mesh is read, by `build()`. Sites are kept. Takes constant time.
   ///
   /// \tparam EdgeLengthMap a model of `ReadablePropertyMap` with the edge descriptor as key type and a number
   ///         type as value type
@@ -750,8 +749,7 @@ public:
     const typename Solver::Query q = m_solver.query(f, weights(location));
     if(!m_solver.needs_windows(q))
       return user_distance(m_solver.arrival(q));
-    const Solver& solver = distance_solver();
-    return user_distance(solver.arrival(solver.query(f, weights(location))));
+    return user_distance(distance_solver().arrival(q));
   }
 
   /// does the same.
@@ -1138,8 +1136,7 @@ private:
     return largest;
   }
 
-  // gives the mesh, unless it is known, and the sites to a solver; the largest weight is known. (It is not set here:
-  // other threads may read it while this one prepares the solver for distances.)
+  // Gives the mesh, unless it is known, and the sites to a solver. Requires: the largest weight is set.
   void prepare(Solver& solver) const
   {
     if(!solver.has_mesh())
@@ -1273,8 +1270,7 @@ private:
       const std::lock_guard<std::mutex> lock(m_mutex);
       if(!m_has_distances.load(std::memory_order_relaxed))
       {
-        m_distance_solver.reset(new Solver(m_tm, m_vertex_index_map, m_face_index_map));
-        prepare(*m_distance_solver);
+        m_distance_solver = m_solver.with_same_sources();
         m_distance_solver->run(true, [](std::size_t, double) { return true; });
         m_has_distances.store(true, std::memory_order_release);
       }
