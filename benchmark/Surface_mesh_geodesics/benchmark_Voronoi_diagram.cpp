@@ -101,7 +101,7 @@ std::vector<Mesh::Vertex_index> random_sites(const Mesh& mesh, std::size_t n, st
 // What takes the faces in several cells, and does nothing with them.
 struct No_consumer
 {
-  void add_divided_face(internal::Face_id) {}
+  void add(const internal::Divided_face<double>&) {}
 };
 
 // The engine of the diagram without its arcs.

@@ -3,6 +3,7 @@
 
 #include "test_support.h"
 
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Angle_sum.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
 
 #include <algorithm>

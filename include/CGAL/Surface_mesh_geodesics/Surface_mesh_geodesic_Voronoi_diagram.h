@@ -45,7 +45,6 @@
 #include <functional>
 #include <iterator>
 #include <limits>
-#include <memory>
 #include <mutex>
 #include <string>
 #include <utility>
@@ -186,7 +185,7 @@ public:
 
 private:
   using Complex = Surface_mesh_geodesics::internal::Voronoi_complex<double>;
-  using Removal = typename Complex::Removal;
+  using Removal = Surface_mesh_geodesics::internal::Redundant_window_removal<double, Complex>;
   using Chain = Surface_mesh_geodesics::internal::Voronoi_chain;
   using Internal_arc = Surface_mesh_geodesics::internal::Voronoi_arc<double>;
   using Curve = Surface_mesh_geodesics::internal::Arc_curve;
@@ -528,7 +527,6 @@ public:
   void remove_all_sites()
   {
     m_sites.clear();
-    m_distance_solver.reset();
     forget_diagram();
   }
 
@@ -648,7 +646,7 @@ public:
   const Surface_mesh_geodesics::Propagation_statistics& statistics() const
   {
     build();
-    return m_solver.statistics();
+    return m_statistics;
   }
 
   /// returns how many windows were kept for the diagram at most at a time, and how many would have been kept without
@@ -749,7 +747,8 @@ public:
     const typename Solver::Query q = m_solver.query(f, weights(location));
     if(!m_solver.needs_windows(q))
       return user_distance(m_solver.arrival(q));
-    return user_distance(distance_solver().arrival(q));
+    keep_windows();
+    return user_distance(m_solver.arrival(q));
   }
 
   /// does the same.
@@ -876,8 +875,8 @@ public:
     for(const auto& loop : m_complex.boundary(m_solver.source_vertex(i)))
     {
       Boundary b;
-      b.is_closed = loop.second;
-      for(const std::pair<std::uint32_t, bool>& c : loop.first)
+      b.is_closed = loop.is_closed;
+      for(const std::pair<std::uint32_t, bool>& c : loop.chains)
         if(m_edge_of_chain[c.first] != null_site())
           b.edges.emplace_back(m_edges[m_edge_of_chain[c.first]], c.second);
       if(!b.edges.empty())
@@ -1082,7 +1081,6 @@ private:
   Site_index insert(const Site& s)
   {
     m_sites.push_back(s);
-    m_distance_solver.reset();
     forget_diagram();
     return m_sites.size() - 1;
   }
@@ -1108,7 +1106,7 @@ private:
   void forget_mesh()
   {
     m_solver.forget();
-    m_distance_solver.reset();
+    m_statistics = Surface_mesh_geodesics::Propagation_statistics();
     forget_diagram();
   }
 
@@ -1116,7 +1114,7 @@ private:
   // that depends on their size of old.)
   void forget_diagram()
   {
-    m_has_distances = false;
+    m_has_windows = false;
     if(!m_is_built)
       return;
     m_is_built = false;
@@ -1165,7 +1163,7 @@ private:
     {
       removal.reset(m_solver.mesh(), m_solver.field(), m_complex);
       m_solver.for_each_equal_source([&](Vertex_id v, Vertex_id first) { removal.unite(v, first); });
-      m_complex.start(m_solver.mesh(), m_solver.field(), removal);
+      m_complex.start(m_solver.mesh());
       return Surface_mesh_geodesics::internal::Redundant_window_remover<Removal>(removal);
     };
     const bool is_complete = Surface_mesh_geodesics::internal::run_with_visitor(visitor, num_vertices(m_tm), [&](auto go_on)
@@ -1179,7 +1177,8 @@ private:
       return false;
     }
     removal.finish();
-    m_complex.finish();
+    m_complex.finish(removal.owners());
+    m_statistics = m_solver.statistics();
     m_kept_windows = {removal.windows().maximum_size(), removal.number_of_kept_windows()};
     return true;
   }
@@ -1263,19 +1262,16 @@ private:
     }
   }
 
-  const Solver& distance_solver() const
+  // Makes the solver know the windows: repeats its run on the same mesh with the same sites. Requires: is_built().
+  void keep_windows() const
   {
-    if(!m_has_distances.load(std::memory_order_acquire))
-    {
-      const std::lock_guard<std::mutex> lock(m_mutex);
-      if(!m_has_distances.load(std::memory_order_relaxed))
-      {
-        m_distance_solver = m_solver.with_same_sources();
-        m_distance_solver->run(true, [](std::size_t, double) { return true; });
-        m_has_distances.store(true, std::memory_order_release);
-      }
-    }
-    return *m_distance_solver;
+    if(m_has_windows.load(std::memory_order_acquire))
+      return;
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    if(m_has_windows.load(std::memory_order_relaxed))
+      return;
+    m_solver.add_windows([](std::size_t, double) { return true; });
+    m_has_windows.store(true, std::memory_order_release);
   }
 
   const Measures& measures() const
@@ -1400,12 +1396,13 @@ private:
 
   // What is computed on demand, guarded by the mutex.
   mutable std::mutex m_mutex;
-  mutable std::atomic<bool> m_is_built{false}, m_has_measures{false}, m_has_distances{false};
+  mutable std::atomic<bool> m_is_built{false}, m_has_measures{false}, m_has_windows{false};
   mutable Solver m_solver;
   mutable Complex m_complex;
   mutable double m_largest_weight = 0;
   mutable std::pair<std::size_t, std::size_t> m_kept_windows;
-  mutable std::unique_ptr<Solver> m_distance_solver;
+  // Of the propagation for the diagram; that of the solver also counts the one that keeps the windows.
+  mutable Surface_mesh_geodesics::Propagation_statistics m_statistics;
   mutable Measures m_measures;
   mutable std::vector<Vertex> m_vertices;
   mutable std::vector<std::size_t> m_node_of_vertex, m_vertex_of_node;

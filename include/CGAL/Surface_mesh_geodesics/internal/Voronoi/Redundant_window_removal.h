@@ -10,38 +10,40 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_REDUNDANT_WINDOW_REMOVAL_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_REDUNDANT_WINDOW_REMOVAL_H
 
-// The windows that the diagram needs, kept while distances are propagated: window-VTP with redundant window
-// removal (thesis, 5.1 and 5.2).
+// Keeps the windows that a diagram needs while distances are propagated, and gives back the others as early as possible:
+// window-VTP with redundant window removal (thesis, 5.1 and 5.2). Here the site of every part of an edge is decided.
 //
-// The distance at a point of a face is the smallest one of the windows that entered the face, and of the
-// paths from its corners. So windows are kept for the face that they enter, and a face is by itself what the
-// thesis asks of a face and its neighbours: if all windows that entered it and its three corners have the
-// same source, it is redundant, and its windows are given back (definition 5.1, for the two sides of an edge
-// one by one).
+// *Redundant faces.* The distance at a point of a face is the smallest one by the windows that entered the face and by
+// the paths from its corners. So windows are kept for the face that they enter. If all of these windows and the three
+// corners have the same site, the face is redundant and gives its windows back. (Definition 5.1 of the thesis looks at
+// a face and its neighbors, as it keeps windows on edges.)
 //
-// A face is inactive (proposition 5.1) when all points of its border have distances below the distance reached
-// by the wavefront: no window that comes later can matter in it. A bound of these distances is the smallest
-// distance of the windows that enter first, which is taken at some point, plus the longest edge. Another one, often
-// smaller, is found edge by edge: a point of the edge AB of length l is not farther than (d(A) + d(B) + l) / 2, and
-// where windows cross the edge, it is not farther than by them. Faces wait in a queue by a first guess, and again by
-// the bound that is known then (5.2.2).
+// *Inactive faces.* A face is inactive (proposition 5.1) when the wavefront has passed the distances of all points of its
+// border: no later window can matter in it. Two bounds of these distances are used. The first is the smallest distance
+// of the windows that enter first plus the longest side. The second, often smaller, is found side by side: a point of
+// an edge AB of length l is not farther than (d(A) + d(B) + l) / 2, and where windows cross the edge, it is not farther
+// than by them. A face waits in a queue by a first guess, and again by its bound at that time (5.2.2).
 //
-// When the faces on both sides of an edge are inactive, the intervals where its windows are nearest are found (the
-// trimming rule of 5.2, for all windows of an edge at once), and those that are so nowhere are removed; the others
-// keep their intervals whole. That tells where cells begin and end on the edge.
-// Far more faces become redundant then: those that windows of another source
-// have entered, but nowhere as the nearest ones. A face that does lie in several cells is given to a consumer
-// when all of its edges have been trimmed, and its windows are removed after that.
+// *Edges.* When the faces on both sides of an edge are inactive, the edge is divided (Edge_partition.h) into the
+// intervals where its windows are nearest: the trimming rule of 5.2, for all windows of an edge at once. Windows that are
+// nearest nowhere are removed; the others keep their whole intervals. Afterwards far more faces are redundant: those
+// that windows of another site have entered, but nowhere as the nearest ones.
+//
+// *Divided faces.* A face that lies in several cells is handed over as a Divided_face as soon as all of its edges are
+// divided. After that its windows are given back.
 
-#include <CGAL/Surface_mesh_geodesics/internal/numeric/Radix_heap.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Divided_face.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Edge_partition.h>
-#include <CGAL/Surface_mesh_geodesics/internal/window/Face_windows.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/site_images_of_face.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_table.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Radix_heap.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/single_precision.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/Face_windows.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Window_lists.h>
-#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/site_images_of_face.h>
-#include <CGAL/Surface_mesh_geodesics/internal/numeric/single_precision.h>
+
+#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <array>
@@ -56,14 +58,11 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// Breakpoints of an edge: their numbers are first, first + 1, ...
-struct Breakpoint_range
-{
-  std::uint32_t first, size;
-};
-
-// The consumer has a member add_divided_face(f), during which the windows of f and the breakpoints of its edges
-// are there.
+// `Consumer` has a member add(const Divided_face<FT>&), which is called once for each face that lies in several cells.
+//
+// In the propagation, keep() and advance() are called in turn, then finish(). All faces have been handed over when
+// finish() returns. Time: linear in the number of windows that enter faces, plus for each divided edge what
+// Edge_partition takes.
 template <typename FT_, typename Consumer_>
 class Redundant_window_removal
 {
@@ -73,7 +72,8 @@ public:
   using Mesh = Intrinsic_mesh<FT>;
   using Field = Vertex_distance_field<FT>;
 
-  // All are referred to. If `is_early` is false, redundant windows are removed in finish() only.
+  // Starts anew. The arguments are referred to, not copied. If `is_early` is false, redundant windows are removed by
+  // finish() only (to measure what early removal saves).
   void reset(const Mesh& mesh, const Field& field, Consumer& consumer, bool is_early = true)
   {
     m_consumer = &consumer;
@@ -91,11 +91,11 @@ public:
     m_number_of_kept = 0;
   }
 
-  // Two sources that tie everywhere, as far as numbers tell, have one cell: that of `first`, unless it is nowhere the
-  // nearest one itself. (Which of them is nearer along an edge would be told by rounding, for each edge anew.)
+  // Gives the cell of `source` to `first`, as the two tie everywhere up to rounding. (Otherwise rounding would decide for
+  // each edge anew which of them is nearer.) If `first` itself is nowhere the nearest source, `source` keeps its cell.
   void unite(Vertex_id source, Vertex_id first) { m_first_of_equal[source] = first; }
 
-  // is called by the propagation with each list that it carries across h.
+  // Keeps the windows of a list that the propagation carries across h into the face of h, unless that face is inactive.
   void keep(Halfedge_id h, const Window_list<FT>& list)
   {
     const Face_id f = face_of(h);
@@ -103,7 +103,8 @@ public:
       return;
     Face_record& record = m_faces[f];
     const auto& columns = list.columns;
-    Vertex_id last = null_id; // (neighbours often have the same root)
+    CGAL_expensive_assertion(is_sorted(list));
+    Vertex_id last = null_id; // (adjacent windows often have the same root)
     m_windows.add(h, list.size, [&](std::size_t i)
     {
       const Vertex_id root = static_cast<Vertex_id>(columns.history()[i]);
@@ -122,8 +123,8 @@ public:
       wait(f, list);
   }
 
-  // The wavefront has reached a distance: the inactive region grows (thesis, algorithm 4, step 4). A face whose bound
-  // is far away is looked at again half-way, as bounds shrink.
+  // Lets the inactive region grow, as the wavefront has reached a distance (thesis, algorithm 4, step 4). A face with a
+  // large bound is looked at again half-way, as bounds shrink.
   void advance(const FT& reached)
   {
     const FT below = reached * (1 - 16 * Tolerance<FT>::distance());
@@ -137,7 +138,7 @@ public:
     });
   }
 
-  // The propagation has ended: all faces are inactive.
+  // Makes all faces inactive, as the propagation has ended.
   void finish()
   {
     m_queue.clear();
@@ -146,27 +147,26 @@ public:
         deactivate(f);
   }
 
-  // The nearest source of a vertex whose distance is final; null_id if none reaches it.
+  // Returns the nearest source of a vertex whose distance is final, null_id if none reaches it.
   Vertex_id owner(Vertex_id v)
   {
     const Vertex_id source = source_of(v), first = first_of_equal(source);
     return first != source && m_field->is_source(first) ? first : source;
   }
 
-  // where cells begin and end on the edge of h, in the order of the one of its halfedges that has the smaller
-  // number.
-  Breakpoint_range breakpoints(Halfedge_id h) const
+  // Returns the nearest source of each vertex after the end of the propagation, null_id where none arrives.
+  std::vector<Vertex_id> owners()
   {
-    const Halfedge_id o = m_mesh->opposite(h);
-    const Breakpoint_range* const range = m_range_of_edge.find(o != null_id && o < h ? o : h);
-    return range == nullptr ? Breakpoint_range{0, 0} : *range;
+    std::vector<Vertex_id> result(m_mesh->number_of_vertices());
+    for(Vertex_id v = 0; v < result.size(); ++v)
+      result[v] = owner(v);
+    return result;
   }
-
-  const Edge_breakpoint<FT>& breakpoint(std::uint32_t i) const { return m_breakpoints[i]; }
 
   const Face_windows<FT>& windows() const { return m_windows; }
   std::size_t number_of_kept_windows() const { return m_number_of_kept; }
 
+  // Returns the memory of the arrays in bytes.
   std::size_t memory() const
   {
     return m_windows.memory() + m_queue.memory() + m_faces.capacity() * sizeof(Face_record)
@@ -174,6 +174,13 @@ public:
   }
 
 private:
+  // Returns whether the windows of a list are in the order of their intervals.
+  static bool is_sorted(const Window_list<FT>& list)
+  {
+    const FT* const begin = list.columns.begin();
+    return std::is_sorted(begin, begin + list.size);
+  }
+
   Vertex_id first_of_equal(Vertex_id source) const
   {
     if(m_first_of_equal.empty())
@@ -182,7 +189,7 @@ private:
     return it != m_first_of_equal.end() ? it->second : source;
   }
 
-  // The source from which a vertex is reached by the distance that it has now.
+  // The source from which a vertex is reached, valid as long as the vertex has this distance.
   struct Known_source
   {
     FT distance;
@@ -191,7 +198,8 @@ private:
 
   bool is_source_known(Vertex_id v) const { return m_source[v].distance == m_field->distance[v]; }
 
-  // null_id if there is none. It is remembered, as the way to it may be long, until the distance shrinks.
+  // Returns the source from which the shortest path to v known so far starts, null_id if there is none. Follows the
+  // roots back and remembers the answer for each of them, as that chain may be long.
   Vertex_id source_of(Vertex_id v)
   {
     Vertex_id last = v;
@@ -212,20 +220,20 @@ private:
 
   static constexpr Vertex_id several_sources = null_id - 1;
 
-  // An INACTIVE face waits for its neighbours, a DONE one has no windows any more.
+  // UNTOUCHED: no window has entered. ACTIVE: windows may still enter. INACTIVE: waits for its neighbors. DONE: has given
+  // its windows back.
   enum State : unsigned char { UNTOUCHED, ACTIVE, INACTIVE, DONE };
 
-  // Of equal sources the first one stands for all of them.
   struct Face_record
   {
-    Vertex_id source; // of all windows that have entered the face, if it is one
+    Vertex_id source; // of all windows that have entered: null_id, one source (the first of equal ones), several_sources
     State state;
-    unsigned char open_edges; // whose other side is not inactive
-    std::array<float, 3> bound; // of the distances on each edge, by the windows that have crossed it
+    unsigned char open_edges; // the number of sides that are not closed yet (close_edge())
+    std::array<float, 3> bound; // of the distances on each side, by the windows that have crossed it; rounded up
   };
 
-  // Windows of a pseudo-source have entered a face. (Should it be reached from another source later, by a distance that
-  // is clearly less, its windows are made once more, and those that still matter come again.)
+  // Notes that windows of a pseudo-source have entered a face. (If another source reaches the pseudo-source later by a
+  // clearly smaller distance, its windows are made once more, and those that still matter come again.)
   void add_source_of(Vertex_id root, Face_record& record)
   {
     if(record.source == several_sources)
@@ -234,7 +242,7 @@ private:
     record.source = record.source == null_id || record.source == source ? source : several_sources;
   }
 
-  // The first list has entered a face.
+  // Puts a face into the queue when the first list enters it.
   void wait(Face_id f, const Window_list<FT>& list)
   {
     const FT *const at_begin = list.columns.begin_distance(), *const at_end = list.columns.end_distance();
@@ -245,7 +253,7 @@ private:
     m_queue.push(f, FT(nearest + longest / 2), FT(nearest + longest));
   }
 
-  // No point of the border of a face has a larger distance.
+  // Returns a distance that no point of the border of a face exceeds.
   FT bound(Face_id f) const
   {
     const typename Mesh::Face& face = m_mesh->face(f);
@@ -259,14 +267,15 @@ private:
     return largest;
   }
 
-  // No point between two points on an edge has a larger distance.
+  // Returns a distance that no point between two points on an edge exceeds: the paths by both of them are at most that
+  // long.
   static FT bound_between(const FT& at_first, const FT& at_last, const FT& length)
   {
     return FT((at_first + at_last + length) / 2);
   }
 
-  // takes over what a list tells of the distances on its edge. That of a window is convex: it is nowhere larger than at
-  // both ends of the interval.
+  // Bounds the distances on the edge of h by the windows of a list. The distance by a window is convex along the edge,
+  // so that it is largest at an end of the interval; gaps between windows are bounded by bound_between().
   void bound_by_windows(Halfedge_id h, const Window_list<FT>& list)
   {
     const auto& columns = list.columns;
@@ -296,7 +305,7 @@ private:
 
   bool is_inactive(Face_id f) const { return m_faces[f].state == INACTIVE || m_faces[f].state == DONE; }
 
-  // procedure 3 of the thesis, for a face that has become inactive.
+  // Makes a face inactive (procedure 3 of the thesis), and closes its edges to inactive neighbors.
   void deactivate(Face_id f)
   {
     m_faces[f].state = INACTIVE;
@@ -327,14 +336,14 @@ private:
       m_windows.release(halfedge_of(f, k));
   }
 
-  // No face at the edge of h, whose opposite is o or null_id, will get windows any more.
+  // Divides the edge of h, whose opposite is o or null_id: no face at it will get windows any more.
   void close_edge(Halfedge_id h, Halfedge_id o)
   {
-    if(o != null_id && o < h) // of a face that has this edge twice
+    if(o != null_id && o < h) // a face that has this edge twice comes here for both halfedges
       return;
     const Face_id f = face_of(h), g = o == null_id ? f : face_of(o);
-    if(m_faces[f].state == INACTIVE && m_faces[g].state == INACTIVE) // else the edge is in one cell
-      trim_edge(h, o);
+    if(m_faces[f].state == INACTIVE && m_faces[g].state == INACTIVE) // otherwise the edge is in one cell
+      divide_edge(h, o);
     close_side(f);
     if(o != null_id)
       close_side(g);
@@ -345,20 +354,45 @@ private:
     if(--m_faces[f].open_edges != 0 || m_faces[f].state != INACTIVE)
       return;
     if(is_divided(f))
-      m_consumer->add_divided_face(f);
+      hand_over(f);
     remove_windows(f);
   }
 
   bool is_divided(Face_id f) const
   {
     for(unsigned int k = 0; k < 3; ++k)
-      if(breakpoints(halfedge_of(f, k)).size != 0)
+      if(range_of_edge(halfedge_of(f, k)).size != 0)
         return true;
     return false;
   }
 
-  // removes windows of both sides that are nearest nowhere, and finds the breakpoints of the edge.
-  void trim_edge(Halfedge_id h, Halfedge_id o)
+  // Gives a face in several cells to the consumer, with the breakpoints on its sides and its site images.
+  void hand_over(Face_id f)
+  {
+    m_divided_face.face = f;
+    for(unsigned int k = 0; k < 3; ++k)
+    {
+      const Index_range range = range_of_edge(halfedge_of(f, k));
+      const Edge_breakpoint<FT>* const first = m_breakpoints.data() + range.first;
+      m_divided_face.breakpoints[k].assign(first, first + range.size);
+    }
+    m_divided_face.images.clear();
+    for_each_site_image(*m_mesh, *m_field, m_windows, [this](Vertex_id v) { return owner(v); }, f,
+                        [this](const Site_image<FT>& image) { m_divided_face.images.push_back(image); });
+    m_consumer->add(m_divided_face);
+  }
+
+  // Returns where the breakpoints of the edge of h are, in the order of its halfedge with the smaller index.
+  Index_range range_of_edge(Halfedge_id h) const
+  {
+    const Halfedge_id o = m_mesh->opposite(h);
+    const Index_range* const range = m_range_of_edge.find(o != null_id && o < h ? o : h);
+    return range == nullptr ? Index_range{0, 0} : *range;
+  }
+
+  // Finds the breakpoints of the edge, and removes the windows of both sides that are nearest nowhere.
+  // Requires: h < o, or o is null_id.
+  void divide_edge(Halfedge_id h, Halfedge_id o)
   {
     const Vertex_id a = m_mesh->source(h), b = m_mesh->target(h);
     const FT length = m_mesh->length(h);
@@ -370,21 +404,7 @@ private:
       return;
     }
     m_edge.start(length, first, m_field->distance[a], last, m_field->distance[b]);
-    m_candidates.clear();
-    m_windows.for_each(h, [&](const Face_window<FT>& w)
-    {
-      m_candidates.emplace_back(h, w);
-      m_edge.add(Edge_image<FT>{w.begin, w.end, w.image_x, w.image_depth,
-                                    m_field->distance[w.root], owner(w.root)});
-    });
-    if(o != null_id)
-      m_windows.for_each(o, [&](const Face_window<FT>& w)
-      {
-        m_candidates.emplace_back(o, w);
-        m_edge.add(Edge_image<FT>{FT(length - w.end), FT(length - w.begin),
-                                      FT(length - w.image_x), w.image_depth,
-                                      m_field->distance[w.root], owner(w.root)});
-      });
+    add_candidates(h, o, length);
     if(o == null_id)
       add_paths_to_border(h);
     m_edge.build();
@@ -392,16 +412,36 @@ private:
     replace_windows(h, o, length);
   }
 
+  // Adds the windows across h, then those across o, to the partition of the edge, in the frame of h.
+  void add_candidates(Halfedge_id h, Halfedge_id o, const FT& length)
+  {
+    m_candidates.clear();
+    m_windows.for_each(h, [&](const Face_window<FT>& w)
+    {
+      m_candidates.emplace_back(h, w);
+      m_edge.add(Edge_image<FT>{w.begin, w.end, w.image_x, w.image_depth,
+                                m_field->distance[w.root], owner(w.root)});
+    });
+    if(o == null_id)
+      return;
+    m_windows.for_each(o, [&](const Face_window<FT>& w)
+    {
+      m_candidates.emplace_back(o, w);
+      m_edge.add(Edge_image<FT>{FT(length - w.end), FT(length - w.begin), FT(length - w.image_x), w.image_depth,
+                                m_field->distance[w.root], owner(w.root)});
+    });
+  }
+
   void add_breakpoints(Halfedge_id h, const std::vector<Edge_breakpoint<FT>>& found)
   {
     if(found.empty())
       return;
-    m_range_of_edge.insert(h, Breakpoint_range{static_cast<std::uint32_t>(m_breakpoints.size()),
-                                               static_cast<std::uint32_t>(found.size())});
+    m_range_of_edge.insert(h, Index_range{static_cast<std::uint32_t>(m_breakpoints.size()),
+                                          static_cast<std::uint32_t>(found.size())});
     m_breakpoints.insert(m_breakpoints.end(), found.begin(), found.end());
   }
 
-  // No window leaves the face at the border: the paths through the face are added as they arrive.
+  // Adds the paths that arrive at a border edge through its face, as no window leaves the face there.
   void add_paths_to_border(Halfedge_id h)
   {
     const auto owner_of = [&](Vertex_id v) { return owner(v); };
@@ -413,8 +453,8 @@ private:
     });
   }
 
-  // Keeps the windows that are nearest somewhere. All of their intervals are kept: the places where others take over
-  // are known up to rounding only, and differ from those on the other edges of a face.
+  // Keeps the windows that are nearest somewhere, with their whole intervals: the points where others take over are known
+  // up to rounding only, and do not match those on the other edges of a face.
   void replace_windows(Halfedge_id h, Halfedge_id o, const FT& length)
   {
     m_windows.release(h);
@@ -425,7 +465,8 @@ private:
         m_windows.add(m_candidates[i].first, m_candidates[i].second);
   }
 
-  // Is a window nearest on a part of its edge? If its image is on the edge itself, it may be so there only.
+  // Returns whether a window is nearest on a part of its edge. If its image is on the edge itself, it may be nearest
+  // at the image only.
   bool is_nearest_somewhere(std::size_t window, const FT& length) const
   {
     const Edge_image<FT>& g = m_edge.image(window);
@@ -445,11 +486,11 @@ private:
     return false;
   }
 
-  // Is a window nearest at x? `nearest` is the image that is so.
+  // Returns whether a window is nearest at x, where the partition has found the image `nearest`, or ties with it.
   //
-  // A path that runs along the edge may cross it or not, as far as numbers tell, so that a window ties with one that
-  // leaves its face. Each of them is kept for the face that it enters: the other one comes to that face by another
-  // edge, where it may have been removed because of this one. Of the windows of one side that tie one is enough.
+  // A path along the edge may cross it or not, up to rounding, so that a window ties with one that leaves its face.
+  // Each of the two is kept for the face that it enters: the other one comes to that face across another edge, where
+  // it may have been removed because of this one. Of the windows of one side that tie, one is enough.
   bool is_nearest(std::size_t window, std::size_t nearest, const FT& x) const
   {
     if(window == nearest)
@@ -476,14 +517,15 @@ private:
   std::unordered_map<Vertex_id, Vertex_id> m_first_of_equal;
   Face_windows<FT> m_windows;
   std::vector<Edge_breakpoint<FT>> m_breakpoints;
-  Index_table<Breakpoint_range> m_range_of_edge;
+  Index_table<Index_range> m_range_of_edge; // in m_breakpoints, by the halfedge with the smaller index
   Radix_heap m_queue;
   std::size_t m_number_of_kept = 0;
   Edge_partition<FT> m_edge;
-  std::vector<std::pair<Halfedge_id, Face_window<FT>>> m_candidates;
+  std::vector<std::pair<Halfedge_id, Face_window<FT>>> m_candidates; // image i + 2 of m_edge is candidate i
+  Divided_face<FT> m_divided_face;
 };
 
-// A keeper for Distance_propagation.
+// What Distance_propagation calls a keeper: it passes the lists of windows and the distance reached on to the removal.
 template <typename Removal>
 class Redundant_window_remover
 {

@@ -10,8 +10,10 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_SITE_IMAGE_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_SITE_IMAGE_H
 
-// Where the shortest paths to points of a face come from: its corners, and the images of pseudo-sources behind the
-// windows that have entered it.
+// The images of sites as one face sees them. Every shortest path that ends in a face has a last straight piece. It
+// starts at a corner of the face, or at a pseudo-source outside; then it enters through the interval of a window. Unfolded
+// into the plane of the face, that pseudo-source is a point: a site image. The cells in the face are the additively
+// weighted Voronoi diagram of its site images, each restricted to its cone.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Weighted_bisector.h>
@@ -26,24 +28,27 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// A point from which straight paths come into the face: a corner, or the image of a pseudo-source behind
-// a window, whose paths are those through the interval from `left_end` to `right_end` as the image sees
-// it. Paths to other points bend at the nearer end.
+// A point from which straight paths come into a face, in the layout of the face.
+//
+// The point of a window sees the part of the face in its cone: the points whose straight path to it passes the interval
+// of the window, from `left_end` to `right_end` as seen from the point. Paths to other points of the face bend at the
+// nearer end of the interval. A corner of the face has no cone and sees all of the face.
 template <typename FT>
 struct Site_image
 {
-  Additively_weighted_point<FT> point;
+  Additively_weighted_point<FT> point; // its weight is the distance of the pseudo-source from the site
   Vertex_id site = null_id;
   bool has_cone = false;
-  Half_plane<FT> left, right; // of the cone
+  Half_plane<FT> left, right; // the two sides of the cone; both are positive inside
   Planar_point<FT> left_end, right_end;
 
+  // Returns whether p is in the cone, or outside by not more than `tolerance` (a length).
   bool sees(const Planar_point<FT>& p, const FT& tolerance = 0) const
   {
     return !has_cone || (left(p) >= -tolerance && right(p) >= -tolerance);
   }
 
-  // the length of the shortest path through the interval.
+  // Returns the length of the shortest path from the site to p through the interval.
   FT distance_to(const Planar_point<FT>& p) const
   {
     if(sees(p))
@@ -53,7 +58,7 @@ struct Site_image
   }
 };
 
-// The sides of the cones of images, column by column.
+// The sides of the cones of many images as a structure of arrays, so that the compiler tests several cones at a time.
 template <typename FT>
 class Cone_columns
 {
@@ -64,17 +69,18 @@ public:
       c.clear();
   }
 
-  void add(const Site_image<FT>& g)
+  void add(const Site_image<FT>& image)
   {
-    const FT far_away = std::numeric_limits<FT>::infinity();
-    const Half_plane<FT> everything{FT(0), FT(0), far_away};
-    const Half_plane<FT> &l = g.has_cone ? g.left : everything, &r = g.has_cone ? g.right : everything;
+    const FT unbounded = std::numeric_limits<FT>::infinity();
+    const Half_plane<FT> everything{FT(0), FT(0), unbounded};
+    const Half_plane<FT> &l = image.has_cone ? image.left : everything, &r = image.has_cone ? image.right : everything;
     const std::array<FT, 6> row{l.a, l.b, l.c, r.a, r.b, r.c};
     for(std::size_t k = 0; k < 6; ++k)
       m_column[k].push_back(row[k]);
   }
 
-  // How far each cone is from p at least, as a negative number; not negative if p is in it.
+  // Sets margins[i] for the i-th cone. It is not negative if p is in the cone; else p is at least -margins[i] away
+  // from it.
   void find_margins(const Planar_point<FT>& p, std::vector<FT>& margins) const
   {
     const std::size_t n = m_column[0].size();
@@ -90,7 +96,7 @@ public:
   }
 
 private:
-  std::array<std::vector<FT>, 6> m_column;
+  std::array<std::vector<FT>, 6> m_column; // a, b, c of the left sides, then of the right ones (Half_plane)
 };
 
 } // namespace internal

@@ -10,20 +10,22 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_VORONOI_COMPLEX_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_VORONOI_COMPLEX_H
 
-// The curves between the cells of the sources, on the whole surface: from vertices (whose nearest source is
-// known) to edges (Edge_partition.h) to faces (Face_partition.h). Each step takes over what the one before
-// has decided, so the pieces fit together over the edges.
+// The curves between the cells of all sites on the whole surface. The nearest site is decided for vertices first, then
+// for edges (Edge_partition.h), then for faces (Face_partition.h). Each step keeps what the one before has decided, so
+// that the pieces fit together across edges.
 //
-// The complex is generic: three arcs meet in each vertex, no arc runs through a vertex of the mesh or along
-// an edge. Where the surface is symmetric, ties are decided one way or the other, and arcs without length
-// result; they are marked, and those who show the complex leave them out.
+// The complex is generic: three arcs meet at each vertex of the diagram, and no arc runs through a vertex of the mesh or
+// along an edge. On symmetric surfaces ties are decided one way or the other, which yields arcs without length;
+// has_length() tells, and readers of the complex leave them out.
 
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Divided_face.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Face_partition.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Voronoi_elements.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_table.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
-#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Redundant_window_removal.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
-#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/site_images_of_face.h>
+
+#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <array>
@@ -31,6 +33,7 @@
 #include <cstdint>
 #include <limits>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -38,99 +41,48 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// A piece of the curve between two cells in one face; points in the layout of the face.
-template <typename FT>
-struct Voronoi_arc
-{
-  Face_id face;
-  Vertex_id left_site, right_site;
-  Additively_weighted_point<FT> left, right;
-  Planar_point<FT> first, last;
-  std::uint32_t first_node, last_node;
-  bool is_bisector;
-};
-
-// A point where arcs meet: of two arcs of the same cells, or of three cells, which are in counterclockwise
-// order then. `face` and `point` are one place where it is.
-template <typename FT>
-struct Voronoi_node
-{
-  Face_id face;
-  Planar_point<FT> point;
-  FT abscissa = 0; // on its edge, if it is on one (Edge_partition.h)
-  FT distance;
-  std::array<Vertex_id, 3> sites; // the last one is null_id unless three cells meet
-  std::array<std::uint32_t, 3> arc{null_id, null_id, null_id};
-
-  bool is_vertex() const { return sites[2] != null_id; }
-};
-
-// Arcs of two cells from end to end, each with `left` on its left. `first_node` and `last_node` are vertices
-// or points of the border; they are the same if the chain is closed.
-struct Voronoi_chain
-{
-  Vertex_id left_site, right_site;
-  std::vector<std::pair<std::uint32_t, bool>> arcs; // and whether it is run through backwards
-  std::uint32_t first_node, last_node;
-  bool is_closed;
-  bool has_length;
-};
-
-// What there is of a cell, to count with.
-struct Voronoi_cell_elements
-{
-  std::size_t vertices = 0, edge_intervals = 0, face_regions = 0;
-};
-
 template <typename FT_>
 class Voronoi_complex
 {
 public:
   using FT = FT_;
   using Mesh = Intrinsic_mesh<FT>;
-  using Field = Vertex_distance_field<FT>;
-  using Removal = Redundant_window_removal<FT, Voronoi_complex>;
   using Point = Planar_point<FT>;
   using Arc = Voronoi_arc<FT>;
   using Node = Voronoi_node<FT>;
   using Chain = Voronoi_chain;
-  using Image = Site_image<FT>;
 
-  // Sites are numbered as vertices of the mesh. Faces are added by the removal of redundant windows while
-  // distances are propagated; finish() is called when that has finished.
-  void start(const Mesh& mesh, const Field& field, Removal& removal)
+  // Starts a complex. Then the divided faces are added in any order, each once, and finish() is called. The mesh is
+  // referred to, not copied.
+  void start(const Mesh& mesh)
   {
     clear();
     m_mesh = &mesh;
-    m_field = &field;
-    m_removal = &removal;
   }
 
-  void add_divided_face(Face_id f)
+  // Adds the curves in a face that lies in several cells.
+  void add(const Divided_face<FT>& divided)
   {
     m_breakpoint_nodes.clear();
-    m_partition.start(layout(f));
+    m_partition.start(layout(divided.face));
     for(unsigned int k = 0; k < 3; ++k)
-      add_breakpoints(halfedge_of(f, k));
-    for_each_site_image(*m_mesh, *m_field, m_removal->windows(),
-                            [this](Vertex_id v) { return m_removal->owner(v); }, f,
-                            [this](const Image& g) { m_partition.add(g); });
+      add_breakpoints(halfedge_of(divided.face, k), divided.breakpoints[k]);
+    for(const Site_image<FT>& image : divided.images)
+      m_partition.add(image);
     m_partition.build();
-    add_partition(f);
+    add_partition(divided.face);
   }
 
-  void finish()
+  // Completes the complex, given the nearest site of each vertex of the mesh, null_id where none arrives.
+  void finish(std::vector<Vertex_id> owners)
   {
-    m_owner.resize(m_mesh->number_of_vertices());
-    for(Vertex_id v = 0; v < m_owner.size(); ++v)
-    {
-      m_owner[v] = m_removal->owner(v);
-      if(m_owner[v] != null_id)
-        ++elements(m_owner[v]).vertices;
-    }
+    CGAL_precondition(owners.size() == m_mesh->number_of_vertices());
+    m_owner = std::move(owners);
+    for(const Vertex_id site : m_owner)
+      if(site != null_id)
+        ++elements(site).vertices;
     count_edges_and_faces();
     link_chains();
-    m_removal = nullptr;
   }
 
   void clear()
@@ -151,17 +103,17 @@ public:
   const std::vector<Node>& nodes() const { return m_nodes; }
   const std::vector<Chain>& chains() const { return m_chains; }
 
-  // the nearest source of a vertex; null_id if none reaches it.
+  // Returns the nearest site of a vertex, null_id if none reaches it.
   Vertex_id owner(Vertex_id v) const { return m_owner[v]; }
 
-  // the numbers of the arcs in a face are first, ..., last - 1.
+  // Returns (first, last): the arcs in a face are first, ..., last - 1.
   std::pair<std::uint32_t, std::uint32_t> arcs_of_face(Face_id f) const
   {
     const std::pair<std::uint32_t, std::uint32_t>* const arcs = m_arcs_of_face.find(f);
     return arcs == nullptr ? std::pair<std::uint32_t, std::uint32_t>(0, 0) : *arcs;
   }
 
-  // The nodes on the edge of a halfedge, in the order from its source to its target: node(i) for i < number.
+  // The nodes on the edge of a halfedge, from its source to its target: node(i) for i < number.
   struct Nodes_on_edge
   {
     std::uint32_t first = 0, number = 0;
@@ -175,7 +127,7 @@ public:
     const Halfedge_id o = m_mesh->opposite(h);
     Nodes_on_edge result;
     result.is_reversed = o != null_id && o < h;
-    const Breakpoint_range* const nodes = m_edge_nodes.find(result.is_reversed ? o : h);
+    const Index_range* const nodes = m_edge_nodes.find(result.is_reversed ? o : h);
     if(nodes != nullptr)
     {
       result.first = nodes->first;
@@ -184,7 +136,7 @@ public:
     return result;
   }
 
-  // the nearest source of a face that no arc runs through.
+  // Returns the nearest site of a face that no arc runs through.
   Vertex_id owner_of_undivided(Face_id f) const { return m_owner[m_mesh->face(f).vertex[0]]; }
 
   bool has_one_cell(Face_id f) const { return m_arcs_of_face.find(f) == nullptr; }
@@ -195,7 +147,8 @@ public:
     return it == m_cells.end() ? Voronoi_cell_elements() : it->second;
   }
 
-  // calls visit(site, p, q) for the segments of the border of a face, counterclockwise, cut where cells end.
+  // Calls visit(site, p, q) for the segments of the border of a face, counterclockwise, cut where cells end. Visits
+  // nothing in a face that no site reaches.
   template <typename Visitor>
   void for_each_border_interval(Face_id f, Visitor visit) const
   {
@@ -220,64 +173,51 @@ public:
     }
   }
 
-  // The chains around a cell, with the cell on the left: the number of the chain and whether it is run through
-  // backwards; and whether they close.
-  std::vector<std::pair<std::vector<std::pair<std::uint32_t, bool>>, bool>> boundary(Vertex_id site) const
+  // Returns the parts of the boundary of a cell. The parts that the border of the mesh interrupts come first, each from
+  // its beginning. Takes time proportional to the number of chains.
+  std::vector<Voronoi_boundary_part> boundary(Vertex_id site) const
   {
-    std::vector<std::pair<std::vector<std::pair<std::uint32_t, bool>>, bool>> result;
+    std::vector<Voronoi_boundary_part> result;
     const auto around = m_chains_of_cell.find(site);
     if(around == m_chains_of_cell.end())
       return result;
-    // where the chains of the cell begin
-    std::unordered_map<std::uint32_t, std::uint32_t> starting;
-    std::unordered_map<std::uint32_t, char> is_entered;
-    for(const std::pair<std::uint32_t, bool>& c : around->second)
+    const std::vector<Oriented_index>& chains = around->second;
+    std::unordered_map<std::uint32_t, std::uint32_t> starting; // node -> the chain that begins there
+    std::unordered_set<std::uint32_t> entered; // nodes where a chain ends
+    for(std::uint32_t i = 0; i < chains.size(); ++i)
     {
-      starting.emplace(start_of(c), static_cast<std::uint32_t>(&c - around->second.data()));
-      is_entered[end_of(c)] = 1;
+      starting.emplace(start_of(chains[i]), i);
+      entered.insert(end_of(chains[i]));
     }
-    std::vector<char> is_used(around->second.size(), 0);
-    // parts that are interrupted by the border first, from their beginnings
+    std::vector<char> is_used(chains.size(), 0);
     for(int round = 0; round < 2; ++round)
-      for(std::uint32_t i = 0; i < around->second.size(); ++i)
+      for(std::uint32_t i = 0; i < chains.size(); ++i)
       {
-        const std::uint32_t start = start_of(around->second[i]);
-        const bool is_open = !m_nodes[start].is_vertex() && is_entered.find(start) == is_entered.end();
-        if(is_used[i] || (round == 0 && !is_open))
-          continue;
-        result.emplace_back();
-        std::uint32_t j = i;
-        while(true)
-        {
-          is_used[j] = 1;
-          result.back().first.push_back(around->second[j]);
-          const std::uint32_t end = end_of(around->second[j]);
-          result.back().second = end == start;
-          const auto next = starting.find(end);
-          if(end == start || next == starting.end() || is_used[next->second])
-            break;
-          j = next->second;
-        }
+        const std::uint32_t start = start_of(chains[i]);
+        const bool is_open = !m_nodes[start].is_vertex() && entered.find(start) == entered.end();
+        if(!is_used[i] && (round != 0 || is_open))
+          result.push_back(boundary_part(chains, starting, i, is_used));
       }
     return result;
   }
 
-  // of a cell with its boundary.
+  // Returns the Euler characteristic of a cell together with its boundary.
   int Euler_characteristic(Vertex_id site) const
   {
     const Voronoi_cell_elements n = cell(site);
     int open = 0; // an open part of the boundary has one point more than arcs
-    for(const auto& part : boundary(site))
-      open += part.second ? 0 : 1;
+    for(const Voronoi_boundary_part& part : boundary(site))
+      open += part.is_closed ? 0 : 1;
     return static_cast<int>(n.vertices + n.face_regions) - static_cast<int>(n.edge_intervals) + open;
   }
 
-  // how many curves had to be joined where numbers did not tell how (see Face_partition).
+  // Returns how many curves were joined without numbers that tell how (see Face_partition).
   std::size_t number_of_joints() const { return m_number_of_joints; }
 
   std::array<Point, 3> layout(Face_id f) const { return layout_of_face(m_mesh->face(f)); }
 
-  // the barycentric coordinates of a point in the layout of a face.
+  // Returns the barycentric coordinates of a point in the layout of a face. None of them is negative: a point outside,
+  // which is so by rounding, is replaced by the nearest point of the border.
   std::array<FT, 3> coordinates(Face_id f, const Point& p) const
   {
     const typename Mesh::Face& face = m_mesh->face(f);
@@ -291,8 +231,8 @@ public:
   }
 
 private:
-  // of the point of the border that is nearest to p, which is outside by rounding. (In a narrow face, to cut negative
-  // coordinates off would move the point along the face.)
+  // Returns the coordinates of the point of the border nearest to p. (To set negative coordinates to zero instead would
+  // move the point along a narrow face.)
   std::array<FT, 3> coordinates_on_border(Face_id f, const Point& p) const
   {
     const std::array<Point, 3> corner = layout(f);
@@ -313,7 +253,7 @@ private:
     return best;
   }
 
-  // of the point of edge k that is nearest to p: in a face without height, that is p itself.
+  // Returns the coordinates of the point of side k nearest to p. In a face without height, that is p itself.
   std::array<FT, 3> coordinates_on_edge(Face_id f, unsigned int k, const Point& p) const
   {
     const std::array<Point, 3> corner = layout(f);
@@ -326,27 +266,47 @@ private:
     return result;
   }
 
-  std::uint32_t start_of(const std::pair<std::uint32_t, bool>& c) const
+  // Follows the boundary of a cell from chain i on, and marks the chains of that part as used.
+  Voronoi_boundary_part boundary_part(const std::vector<Oriented_index>& chains,
+                                      const std::unordered_map<std::uint32_t, std::uint32_t>& starting,
+                                      std::uint32_t i, std::vector<char>& is_used) const
+  {
+    Voronoi_boundary_part part;
+    const std::uint32_t start = start_of(chains[i]);
+    while(true)
+    {
+      is_used[i] = 1;
+      part.chains.push_back(chains[i]);
+      const std::uint32_t end = end_of(chains[i]);
+      part.is_closed = end == start;
+      const auto next = starting.find(end);
+      if(part.is_closed || next == starting.end() || is_used[next->second])
+        return part;
+      i = next->second;
+    }
+  }
+
+  std::uint32_t start_of(const Oriented_index& c) const
   {
     return c.second ? m_chains[c.first].last_node : m_chains[c.first].first_node;
   }
 
-  std::uint32_t end_of(const std::pair<std::uint32_t, bool>& c) const
+  std::uint32_t end_of(const Oriented_index& c) const
   {
     return c.second ? m_chains[c.first].first_node : m_chains[c.first].last_node;
   }
 
   // --- edges ---
 
-  // the number of the first node of an edge, whose halfedge with the smaller number is h.
-  std::uint32_t first_node(Halfedge_id h, const Breakpoint_range& breakpoints)
+  // Returns the index of the first node on an edge. Makes the nodes when the first face at the edge is added.
+  // Requires: h is the halfedge of the edge with the smaller index.
+  std::uint32_t first_node(Halfedge_id h, const std::vector<Edge_breakpoint<FT>>& breakpoints)
   {
     const std::uint32_t first = static_cast<std::uint32_t>(m_nodes.size());
-    if(!m_edge_nodes.insert(h, Breakpoint_range{first, breakpoints.size}))
+    if(!m_edge_nodes.insert(h, Index_range{first, static_cast<std::uint32_t>(breakpoints.size())}))
       return m_edge_nodes.find(h)->first;
-    for(std::uint32_t i = 0; i < breakpoints.size; ++i)
+    for(const Edge_breakpoint<FT>& e : breakpoints)
     {
-      const Edge_breakpoint<FT>& e = m_removal->breakpoint(breakpoints.first + i);
       Node node;
       node.face = face_of(h);
       node.point = point_on_edge(h, e.x);
@@ -358,7 +318,7 @@ private:
     return first;
   }
 
-  // the point at x of the edge of h, in the layout of the face of h.
+  // Returns the point at abscissa x of the edge of h, in the layout of the face of h.
   Point point_on_edge(Halfedge_id h, const FT& x) const
   {
     const std::array<Point, 3> corner = layout(face_of(h));
@@ -367,7 +327,7 @@ private:
     return Point{FT(a.x + t * (b.x - a.x)), FT(a.y + t * (b.y - a.y))};
   }
 
-  // The elements of the cell of a site, which is the same again and again.
+  // Returns the counts of the cell of a site. The last site is remembered, as most calls repeat it.
   Voronoi_cell_elements& elements(Vertex_id site)
   {
     if(site != m_last_site)
@@ -378,6 +338,8 @@ private:
     return *m_last_elements;
   }
 
+  // Counts the faces in one cell each, and the parts into which cells divide edges. (add() counts the parts of faces in
+  // several cells.) Each edge is counted once, by its halfedge with the smaller index.
   void count_edges_and_faces()
   {
     for(Face_id f = 0; f < m_mesh->number_of_faces(); ++f)
@@ -396,27 +358,28 @@ private:
         ++elements(m_owner[face.vertex[k]]).edge_intervals;
         if(is_whole)
           continue;
-        const Breakpoint_range breakpoints = m_removal->breakpoints(h);
-        for(std::uint32_t i = 0; i < breakpoints.size; ++i)
-          ++elements(m_removal->breakpoint(breakpoints.first + i).after).edge_intervals;
+        const Nodes_on_edge nodes = nodes_on_edge(h);
+        for(std::uint32_t i = 0; i < nodes.number; ++i)
+          ++elements(m_nodes[nodes.node(i)].sites[1]).edge_intervals;
       }
     }
   }
 
   // --- faces ---
 
-  void add_breakpoints(Halfedge_id h)
+  // Adds the breakpoints on the side of h to the partition, from the source of h on.
+  void add_breakpoints(Halfedge_id h, const std::vector<Edge_breakpoint<FT>>& breakpoints)
   {
-    const Breakpoint_range breakpoints = m_removal->breakpoints(h);
-    if(breakpoints.size == 0)
+    if(breakpoints.empty())
       return;
     const Halfedge_id o = m_mesh->opposite(h);
     const bool is_reversed = o != null_id && o < h;
+    const std::uint32_t size = static_cast<std::uint32_t>(breakpoints.size());
     const std::uint32_t first = first_node(is_reversed ? o : h, breakpoints);
-    for(std::uint32_t i = 0; i < breakpoints.size; ++i)
+    for(std::uint32_t i = 0; i < size; ++i)
     {
-      const std::uint32_t j = is_reversed ? breakpoints.size - 1 - i : i;
-      const Edge_breakpoint<FT>& e = m_removal->breakpoint(breakpoints.first + j);
+      const std::uint32_t j = is_reversed ? size - 1 - i : i;
+      const Edge_breakpoint<FT>& e = breakpoints[j];
       typename Face_partition<FT>::Breakpoint b;
       b.p = point_on_edge(h, is_reversed ? FT(m_mesh->length(h) - e.x) : e.x);
       b.left = is_reversed ? e.after : e.before;
@@ -426,6 +389,7 @@ private:
     }
   }
 
+  // Copies the nodes and arcs of the partition of face f into the complex.
   void add_partition(Face_id f)
   {
     m_number_of_joints += m_partition.number_of_joints();
@@ -467,8 +431,8 @@ private:
       }
   }
 
-  // Each piece of a cell in the face is run around once, along the border and the arcs: is_seen tells of the
-  // part of the border behind each leaf whether that has been done.
+  // Counts the pieces of cells in the face: walks around each piece once, along the border and the arcs. is_seen[i] tells
+  // whether the part of the border behind breakpoint i has been walked along.
   void count_regions()
   {
     const std::size_t n = m_breakpoint_nodes.size();
@@ -489,7 +453,7 @@ private:
     }
   }
 
-  // from a leaf along the arcs with the cell on the left to the next breakpoint.
+  // Follows the arcs from a breakpoint, with the cell of `site` on the left, and returns the breakpoint where they end.
   std::size_t follow_in_face(std::size_t node, Vertex_id site) const
   {
     const std::vector<Face_arc<FT>>& arcs = m_partition.arcs();
@@ -515,6 +479,7 @@ private:
 
   // --- chains ---
 
+  // Links the arcs to chains: first those that end at a vertex or the border, then the closed ones.
   void link_chains()
   {
     std::vector<char> is_linked(m_arcs.size(), 0);
@@ -528,7 +493,7 @@ private:
         link_chain(m_arcs[a].first_node, a, is_linked);
   }
 
-  // the chain that leaves a node by an arc.
+  // Adds the chain that leaves a node by an arc, and marks its arcs as linked.
   void link_chain(std::uint32_t node, std::uint32_t arc, std::vector<char>& is_linked)
   {
     Chain chain;
@@ -559,7 +524,7 @@ private:
   }
 
 public:
-  // is an arc longer than rounding can make it?
+  // Returns whether an arc is longer than rounding can make it.
   bool has_length(const Arc& a) const
   {
     const typename Mesh::Face& face = m_mesh->face(a.face);
@@ -570,11 +535,9 @@ public:
 
 private:
   const Mesh* m_mesh = nullptr;
-  const Field* m_field = nullptr;
-  Removal* m_removal = nullptr; // until the complex is finished
-  std::vector<Vertex_id> m_owner;
-  Index_table<Breakpoint_range> m_edge_nodes; // of divided edges
-  std::unordered_map<Vertex_id, std::vector<std::pair<std::uint32_t, bool>>> m_chains_of_cell;
+  std::vector<Vertex_id> m_owner; // the nearest site, by vertex
+  Index_table<Index_range> m_edge_nodes; // the nodes on divided edges, by the halfedge with the smaller index
+  std::unordered_map<Vertex_id, std::vector<Oriented_index>> m_chains_of_cell;
   std::vector<Node> m_nodes;
   std::vector<Arc> m_arcs;
   std::vector<Chain> m_chains;
@@ -584,7 +547,8 @@ private:
   Voronoi_cell_elements* m_last_elements = nullptr;
   std::size_t m_number_of_joints = 0;
   Face_partition<FT> m_partition;
-  std::vector<std::uint32_t> m_breakpoint_nodes, m_node_of; // of the face that is added
+  // For the face that is added: the node of each breakpoint, and of each node of the partition.
+  std::vector<std::uint32_t> m_breakpoint_nodes, m_node_of;
   std::vector<char> m_is_seen;
 };
 

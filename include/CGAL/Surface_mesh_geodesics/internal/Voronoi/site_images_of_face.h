@@ -10,14 +10,14 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_SITE_IMAGES_OF_FACE_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_SITE_IMAGES_OF_FACE_H
 
-// The images of a face (Site_image.h) from its corners and the windows that entered it, in the layout
-// of the face: corners 0, 1 and 2 at (0,0), (length[0],0) and (apex_x, apex_y).
+// Finds the site images of a face (Site_image.h): its corners, and the images behind the windows that entered it.
+// All coordinates are those of the layout of the face: corners 0, 1 and 2 at (0,0), (length[0],0) and (apex_x,apex_y).
 
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Edge_partition.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Site_image.h>
-#include <CGAL/Surface_mesh_geodesics/internal/window/Face_windows.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/Face_windows.h>
 
 #include <algorithm>
 #include <array>
@@ -26,81 +26,117 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// owner_of(v) is the source of a vertex, null_id if none reaches it.
+// The frame of one side of a face in the layout of the face: x runs along the side, y points into the face.
+template <typename FT>
+struct Side_frame
+{
+  Planar_point<FT> origin;
+  FT tx, ty; // the unit vector along the side
+
+  // Requires: length > 0, which is the distance from a to b.
+  Side_frame(const Planar_point<FT>& a, const Planar_point<FT>& b, const FT& length)
+    : origin(a), tx((b.x - a.x) / length), ty((b.y - a.y) / length)
+  {}
+
+  Planar_point<FT> point(const FT& x, const FT& y) const
+  {
+    return {FT(origin.x + x * tx - y * ty), FT(origin.y + x * ty + y * tx)};
+  }
+
+  // Returns the points on the left of the line through p in the direction (x, y) of the frame.
+  Half_plane<FT> half_plane(const FT& x, const FT& y, const Planar_point<FT>& p) const
+  {
+    return Half_plane<FT>::along(FT(x * tx - y * ty), FT(x * ty + y * tx), p);
+  }
+};
+
+// Returns the image of a window across the side of `frame`. The weight is the distance of the window's root.
+//
+// The sides of the cone come from the coordinates in the frame of the side: there, an image that is very close to an end
+// of its window keeps its direction, while in the layout of the face both may round to one point.
+template <typename FT>
+Site_image<FT> image_of_window(const Face_window<FT>& w, const Side_frame<FT>& frame, const FT& weight, Vertex_id site)
+{
+  Site_image<FT> image;
+  const Planar_point<FT> p = frame.point(w.image_x, -w.image_depth);
+  image.point = Additively_weighted_point<FT>{p.x, p.y, weight};
+  image.site = site;
+  image.has_cone = true;
+  image.left_end = frame.point(w.begin, 0);
+  image.right_end = frame.point(w.end, 0);
+  image.left = frame.half_plane(w.image_x - w.begin, -w.image_depth, image.left_end);
+  image.right = frame.half_plane(w.end - w.image_x, w.image_depth, image.right_end);
+  return image;
+}
+
+// Calls visit(image) for the site images of face f: the corners, then the windows of each side in the order in which
+// they came. owner_of(v) is the site nearest to vertex v, null_id if none reaches it. Linear in the number of images.
 template <typename FT, typename OwnerOf, typename Visitor>
 void for_each_site_image(const Intrinsic_mesh<FT>& mesh, const Vertex_distance_field<FT>& field,
-                             const Face_windows<FT>& windows, OwnerOf owner_of, Face_id f, Visitor visit)
+                         const Face_windows<FT>& windows, OwnerOf owner_of, Face_id f, Visitor visit)
 {
-  using Point = Planar_point<FT>;
   const Intrinsic_face<FT>& face = mesh.face(f);
-  const std::array<Point, 3> corner = layout_of_face(face);
+  const std::array<Planar_point<FT>, 3> corner = layout_of_face(face);
   for(unsigned int k = 0; k < 3; ++k)
   {
-    Site_image<FT> g;
-    g.point = Additively_weighted_point<FT>{corner[k].x, corner[k].y, field.distance[face.vertex[k]]};
-    g.site = owner_of(face.vertex[k]);
-    if(g.site != null_id)
-      visit(g);
+    Site_image<FT> image;
+    image.point = Additively_weighted_point<FT>{corner[k].x, corner[k].y, field.distance[face.vertex[k]]};
+    image.site = owner_of(face.vertex[k]);
+    if(image.site != null_id)
+      visit(image);
   }
   for(unsigned int k = 0; k < 3; ++k)
   {
-    const FT length = face.length[k];
-    if(!(length > 0))
+    if(!(face.length[k] > 0))
       continue;
-    const Point a = corner[k], b = corner[next_corner(k)];
-    const FT tx = (b.x - a.x) / length, ty = (b.y - a.y) / length;
+    const Side_frame<FT> frame(corner[k], corner[next_corner(k)], face.length[k]);
     windows.for_each(halfedge_of(f, k), [&](const Face_window<FT>& w)
-    {
-      const auto place = [&](const FT& x, const FT& y)
-      { return Point{FT(a.x + x * tx - y * ty), FT(a.y + x * ty + y * tx)}; };
-      Site_image<FT> g;
-      const Point image = place(w.image_x, -w.image_depth);
-      g.point = Additively_weighted_point<FT>{image.x, image.y, field.distance[w.root]};
-      g.site = owner_of(w.root);
-      g.has_cone = true;
-      g.left_end = place(w.begin, 0);
-      g.right_end = place(w.end, 0);
-      // The directions as seen from the edge: an image that is very near to an end is not there in the layout.
-      const auto side = [&](const FT& x, const FT& y, const Point& end)
-      { return Half_plane<FT>::along(FT(x * tx - y * ty), FT(x * ty + y * tx), end); };
-      g.left = side(w.image_x - w.begin, -w.image_depth, g.left_end);
-      g.right = side(w.end - w.image_x, w.image_depth, g.right_end);
-      visit(g);
-    });
+    { visit(image_of_window(w, frame, field.distance[w.root], owner_of(w.root))); });
   }
 }
 
-// what an image of the face of h is to the points of the edge of h; false if it sees none of them.
+// Shortens the interval from `first` to `last` of the edge from a to b to the part that is in the cone of an image.
+// Returns false if no point of the edge is in one of the two half-planes.
 template <typename FT>
-bool image_on_edge(const Intrinsic_mesh<FT>& mesh, Halfedge_id h, const Site_image<FT>& g,
-                       Edge_image<FT>& e)
+bool clip_to_cone(const Site_image<FT>& image, const Planar_point<FT>& a, const Planar_point<FT>& b, const FT& length,
+                  FT& first, FT& last)
+{
+  for(const Half_plane<FT>* side : {&image.left, &image.right})
+  {
+    const FT at_a = (*side)(a), at_b = (*side)(b);
+    if(at_a < 0 && at_b < 0)
+      return false;
+    if(at_a < 0)
+      first = (std::max)(first, FT(length * (at_a / (at_a - at_b))));
+    else if(at_b < 0)
+      last = (std::min)(last, FT(length * (at_a / (at_a - at_b))));
+  }
+  return true;
+}
+
+// Finds what an image of the face of h is to the points of the edge of h. Returns false if it sees none of them.
+// Requires: the edge has a length.
+template <typename FT>
+bool image_on_edge(const Intrinsic_mesh<FT>& mesh, Halfedge_id h, const Site_image<FT>& image, Edge_image<FT>& result)
 {
   const std::array<Planar_point<FT>, 3> corner = layout_of_face(mesh.face(face_of(h)));
   const Planar_point<FT> a = corner[index_in_face(h)], b = corner[next_corner(index_in_face(h))];
-  const FT length = mesh.length(h), tx = (b.x - a.x) / length, ty = (b.y - a.y) / length;
+  const FT length = mesh.length(h);
+  const Side_frame<FT> frame(a, b, length);
   FT first = 0, last = length;
-  if(g.has_cone && has_no_height(mesh.face(face_of(h))))
+  if(image.has_cone && has_no_height(mesh.face(face_of(h))))
   {
-    // all is on one line, where cones mean nothing: the paths lead to the places of the interval
-    const auto place = [&](const Planar_point<FT>& p)
-    { return (std::min)((std::max)(FT((p.x - a.x) * tx + (p.y - a.y) * ty), FT(0)), length); };
-    first = (std::min)(place(g.left_end), place(g.right_end));
-    last = (std::max)(place(g.left_end), place(g.right_end));
+    // In a face without height all points are on one line and a cone has no meaning: the paths lead to the interval.
+    const auto abscissa = [&](const Planar_point<FT>& p)
+    { return (std::min)((std::max)(FT((p.x - a.x) * frame.tx + (p.y - a.y) * frame.ty), FT(0)), length); };
+    first = (std::min)(abscissa(image.left_end), abscissa(image.right_end));
+    last = (std::max)(abscissa(image.left_end), abscissa(image.right_end));
   }
-  else if(g.has_cone)
-    for(const Half_plane<FT>* side : {&g.left, &g.right})
-    {
-      // the part of the edge in the half-plane
-      const FT at_a = (*side)(a), at_b = (*side)(b);
-      if(at_a < 0 && at_b < 0)
-        return false;
-      if(at_a < 0)
-        first = (std::max)(first, FT(length * (at_a / (at_a - at_b))));
-      else if(at_b < 0)
-        last = (std::min)(last, FT(length * (at_a / (at_a - at_b))));
-    }
-  const FT dx = g.point.x - a.x, dy = g.point.y - a.y;
-  e = Edge_image<FT>{first, last, FT(dx * tx + dy * ty), FT(dy * tx - dx * ty), g.point.weight, g.site};
+  else if(image.has_cone && !clip_to_cone(image, a, b, length, first, last))
+    return false;
+  const FT dx = image.point.x - a.x, dy = image.point.y - a.y;
+  result = Edge_image<FT>{first, last, FT(dx * frame.tx + dy * frame.ty), FT(dy * frame.tx - dx * frame.ty),
+                          image.point.weight, image.site};
   return first < last;
 }
 

@@ -27,12 +27,13 @@
 #include <CGAL/Surface_mesh_geodesics/internal/surface/equal_sources.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Edge_window_field.h>
 
+#include <CGAL/assertions.h>
+
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <memory>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -54,11 +55,8 @@ public:
 
   using Query = Surface_query;
 
-  // What is known: nothing, the distances of the vertices, or the windows as well.
-  enum class State { EMPTY, VERTICES, WINDOWS };
-
   Path_solver(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim)
-    : m_shared(std::make_shared<Sites>(tm, vim, fim))
+    : m_sites(tm, vim, fim)
   {
     forget_results();
   }
@@ -66,16 +64,10 @@ public:
   Path_solver(const Path_solver&) = delete;
   Path_solver& operator=(const Path_solver&) = delete;
 
-  // Returns a solver on the same mesh with the same sources, which has not run. Neither solver may get other sources or
-  // another mesh as long as the other one is used. Queries of one are valid for the other.
-  // Requires: this solver has run.
-  std::unique_ptr<Path_solver> with_same_sources() const
-  {
-    return std::unique_ptr<Path_solver>(new Path_solver(m_shared));
-  }
-
   bool has_mesh() const { return surface().is_read(); }
-  State state() const { return m_state; }
+
+  // Returns whether the distances of the vertices are known: the last run was complete.
+  bool has_run() const { return m_has_run; }
 
   // --- building ---
 
@@ -83,15 +75,15 @@ public:
   template <typename Shape>
   void build_mesh(Shape shape)
   {
-    m_state = State::EMPTY;
-    m_shared->read(std::move(shape));
+    m_has_run = false;
+    m_sites.read(std::move(shape));
   }
 
   // Forgets the mesh, the sources and all results.
   void forget()
   {
     forget_results();
-    m_shared->forget();
+    m_sites.forget();
     m_statistics = Propagation_statistics();
   }
 
@@ -99,48 +91,58 @@ public:
   void begin_sources()
   {
     forget_results();
-    m_shared->clear_sources();
+    m_sites.clear_sources();
   }
 
   // Adds a source; throws Invalid_geodesic_input. The distances from it begin with its offset, which is finite and not
   // negative, in the user's unit.
-  void add_source(vertex_descriptor v, double offset = 0) { m_shared->add_source(v, offset); }
+  void add_source(vertex_descriptor v, double offset = 0) { m_sites.add_source(v, offset); }
 
   template <typename FaceLocation>
   void add_source_location(const FaceLocation& location, double offset = 0)
   {
-    m_shared->add_source(location, offset);
+    m_sites.add_source(location, offset);
   }
 
-  // Propagates from the sources, and keeps the windows if they are wanted. Returns false, and knows nothing then, if
+  // Propagates from the sources, and keeps the windows if they are wanted. Returns false, and forgets all results, if
   // go_on(number of visits, distance in the user's unit) does.
   template <typename GoOn>
   bool run(bool keeps_windows, GoOn go_on)
   {
-    m_state = State::EMPTY;
-    m_shared->insert_sources();
-    const bool is_complete = keeps_windows ? propagate(Window_keeper<double>(m_windows), go_on)
-                                           : propagate(No_window_keeper(), go_on);
-    end_run(is_complete, keeps_windows ? State::WINDOWS : State::VERTICES);
-    return is_complete;
+    return keeps_windows ? run_with_keeper([this] { return Window_keeper<double>(m_windows); }, go_on)
+                         : run_with_keeper([] { return No_window_keeper(); }, go_on);
   }
 
   // Does the same with the keeper that make_keeper() returns. Calls it when the sources are vertices of the mesh.
   template <typename MakeKeeper, typename GoOn>
   bool run_with_keeper(MakeKeeper make_keeper, GoOn go_on)
   {
-    m_state = State::EMPTY;
-    m_shared->insert_sources();
-    const bool is_complete = propagate(make_keeper(), go_on);
-    end_run(is_complete, State::VERTICES);
-    return is_complete;
+    m_has_run = false;
+    m_sites.insert_sources();
+    m_has_run = propagate(m_field, make_keeper(), go_on);
+    if(!m_has_run)
+      forget_results();
+    return m_has_run;
+  }
+
+  // Repeats the last run and keeps its windows. Returns false if go_on() does; the windows are unknown then.
+  //
+  // Results of vertices are not written, only windows and statistics. So other threads may ask for distances and paths
+  // at vertices meanwhile. The second run computes the same distances once more, in a field of its own.
+  // Requires: has_run().
+  template <typename GoOn>
+  bool add_windows(GoOn go_on)
+  {
+    CGAL_assertion(m_has_run);
+    Vertex_distance_field<double> field;
+    return propagate(field, Window_keeper<double>(m_windows), go_on);
   }
 
   const Propagation_statistics& statistics() const { return m_statistics; }
 
   // --- the mesh with the sources as vertices, and what is known of its vertices ---
 
-  const Intrinsic_mesh<double>& mesh() const { return m_shared->mesh(); }
+  const Intrinsic_mesh<double>& mesh() const { return m_sites.mesh(); }
   const Vertex_distance_field<double>& field() const { return m_field; }
   double unit() const { return mesh().unit(); }
 
@@ -148,36 +150,36 @@ public:
   template <typename Visitor>
   void for_each_equal_source(Visitor visit) const
   {
-    internal::for_each_equal_source(mesh(), m_shared->sources().vertices, m_shared->sources().offsets, visit);
+    internal::for_each_equal_source(mesh(), m_sites.sources().vertices, m_sites.sources().offsets, visit);
   }
 
   // Returns the vertex at which source i is.
-  Vertex_id source_vertex(std::size_t i) const { return m_shared->sources().vertices[i]; }
+  Vertex_id source_vertex(std::size_t i) const { return m_sites.sources().vertices[i]; }
 
   // Returns the number of the source at v: the first one of those with the smallest offset.
   // Requires: there is a source at v.
-  std::size_t source_at(Vertex_id v) const { return m_shared->source_at(v); }
+  std::size_t source_at(Vertex_id v) const { return m_sites.source_at(v); }
 
   // Returns the user's face, and the coordinates there in the order of the user's corners.
   std::pair<face_descriptor, Coordinates> user_location(Face_id f, const Coordinates& b) const
   {
-    return m_shared->user_location(f, b);
+    return m_sites.user_location(f, b);
   }
 
   // Returns the null vertex for a source that is not a vertex of the user.
   vertex_descriptor user_vertex(Vertex_id v) const { return surface().descriptor_or_null(v); }
 
   // Returns the user's face of which a face of the mesh is a part.
-  face_descriptor user_face(Face_id f) const { return m_shared->user_face(f); }
+  face_descriptor user_face(Face_id f) const { return m_sites.user_face(f); }
 
   // --- queries: they throw Invalid_geodesic_input for a point that is not on the mesh ---
 
-  Query query(vertex_descriptor v) const { return m_shared->query(v); }
+  Query query(vertex_descriptor v) const { return m_sites.query(v); }
 
   template <typename BarycentricCoordinates>
   Query query(face_descriptor f, const BarycentricCoordinates& b) const
   {
-    return m_shared->query(f, b);
+    return m_sites.query(f, b);
   }
 
   // The same checks before the mesh has been read, as far as indices tell.
@@ -209,7 +211,7 @@ public:
     return source_at(m_field.source_of(a.root));
   }
 
-  // Returns the distance of a vertex of the mesh, in the user's unit. Requires: the state is not EMPTY.
+  // Returns the distance of a vertex of the mesh, in the user's unit. Requires: has_run().
   double distance(vertex_descriptor v) const { return m_field.distance[surface().id(v)] * unit(); }
 
   // Returns the path from a point to its source. Throws std::runtime_error if no path with the length of the distance
@@ -244,7 +246,7 @@ public:
       else
         sink.source(source_number(a));
     };
-    Path_thinning<double, decltype(tell_item)> thinning(mesh(), m_shared->parts(), extent_around(steps), tell_item);
+    Path_thinning<double, decltype(tell_item)> thinning(mesh(), m_sites.parts(), extent_around(steps), tell_item);
     if(q.is_location)
       thinning.begin_behind(path_item(q));
     for(const Path_step<double>& step : steps)
@@ -253,7 +255,7 @@ public:
   }
 
   // Calls line(points, is_closed) for each line of points at a distance, in the user's unit. A point is a pair of a face
-  // of the user and three coordinates, in the order of the user's corners. Requires: the state is WINDOWS.
+  // of the user and three coordinates, in the order of the user's corners. Requires: the windows are known.
   template <typename Line>
   void trace_isolines(double distance, double resolution, Line line) const
   {
@@ -272,16 +274,14 @@ public:
 private:
   using Sites = Surface_with_sources<TriangleMesh, VertexIndexMap, FaceIndexMap>;
 
-  explicit Path_solver(std::shared_ptr<Sites> shared) : m_shared(std::move(shared)) { forget_results(); }
-
-  const typename Sites::Surface& surface() const { return m_shared->surface(); }
+  const typename Sites::Surface& surface() const { return m_sites.surface(); }
 
   // Returns the extent of the component where a path runs. A path without faces is a single point; any extent will do.
   double extent_around(const Path_steps<double>& steps) const
   {
     const auto it = std::find_if(steps.begin(), steps.end(),
                                  [](const Path_step<double>& step) { return step.face != null_id; });
-    return it == steps.end() ? 1 : mesh().extent_around(m_shared->parts().whole(it->face));
+    return it == steps.end() ? 1 : mesh().extent_around(m_sites.parts().whole(it->face));
   }
 
   std::pair<face_descriptor, Coordinates> user_location(const Isoline_point<double>& p) const
@@ -312,30 +312,23 @@ private:
     m_field = Vertex_distance_field<double>();
     m_field.keeps_images = true;
     m_windows = Edge_window_field<double>();
-    m_state = State::EMPTY;
+    m_has_run = false;
   }
 
-  void end_run(bool is_complete, State state)
-  {
-    if(is_complete)
-      m_state = state;
-    else
-      forget_results();
-  }
-
+  // Propagates into a field.
   template <typename Keeper, typename GoOn>
-  bool propagate(Keeper keeper, GoOn go_on)
+  bool propagate(Vertex_distance_field<double>& field, Keeper keeper, GoOn go_on)
   {
-    const Source_set<double>& sources = m_shared->sources();
+    const Source_set<double>& sources = m_sites.sources();
     m_windows.reset(keeps(keeper) ? mesh().number_of_faces() : 0);
-    Distance_propagation<double, All_pruning_rules, Keeper> propagation(mesh(), m_field, keeper);
+    Distance_propagation<double, All_pruning_rules, Keeper> propagation(mesh(), field, keeper);
     for(std::size_t i = 0; i < sources.size(); ++i)
       propagation.add_source(sources.vertices[i], sources.offset(i));
     const double factor = unit();
     const bool is_complete = propagation.run(
       [&](std::size_t visits, double reached) { return go_on(visits, factor * reached); });
     m_statistics = propagation.statistics();
-    m_statistics.intrinsic_mesh_bytes += surface().memory() + m_field.memory();
+    m_statistics.intrinsic_mesh_bytes += surface().memory() + field.memory();
     m_statistics.maximum_window_bytes += keeps(keeper) ? m_windows.memory() : 0;
     return is_complete;
   }
@@ -347,11 +340,11 @@ private:
     return false;
   }
 
-  std::shared_ptr<Sites> m_shared; // changed by begin_sources(), add_source() and the first run only
+  Sites m_sites;
   Vertex_distance_field<double> m_field;
   Edge_window_field<double> m_windows;
   Propagation_statistics m_statistics;
-  State m_state = State::EMPTY;
+  bool m_has_run = false;
 };
 
 } // namespace internal

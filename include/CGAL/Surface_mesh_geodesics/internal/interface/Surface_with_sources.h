@@ -11,8 +11,8 @@
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_SURFACE_WITH_SOURCES_H
 
 // A surface of the user on which sources are vertices. Sources inside faces and on edges refine the intrinsic mesh; the
-// class translates between the user's faces and the parts of the refined ones. Several solvers may share one object, as
-// a Voronoi diagram and its distances do.
+// class translates between the user's faces and the parts of the refined ones. All runs of a Path_solver from the same
+// sources use one object, also when it repeats a run to keep the windows.
 
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Intrinsic_surface.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/source_range.h>

@@ -23,6 +23,7 @@
 // faces for sources that are not vertices, and removes them. The invariants hold between these steps, not within one:
 // see mesh_invariants.h. Queries take constant time unless they say otherwise, and may run in several threads.
 
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Angle_sum.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/prefetch.h>

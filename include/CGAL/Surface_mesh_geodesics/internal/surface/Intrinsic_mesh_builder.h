@@ -92,8 +92,8 @@ public:
       const std::array<Vertex_id, 3>& v = m_connectivity.corners[f];
       const unsigned int shift = shape(f, v, face);
       for(unsigned int k = 0; k < 3; ++k)
-        face.vertex[k] = v[place_after(k, shift)];
-      m_name[f] = halfedge_of(i, places_to_first(shift));
+        face.vertex[k] = v[corner_after(k, shift)];
+      m_name[f] = halfedge_of(i, corners_to_first(shift));
     }
     for(Face_id i = 0; i < n; ++i)
       link_face(i, mesh);
@@ -134,7 +134,7 @@ public:
     if(h == null_id)
       return null_id;
     const Halfedge_id first = m_name[face_of(h)];
-    return halfedge_of(face_of(first), place_after(index_in_face(h), index_in_face(first)));
+    return halfedge_of(face_of(first), corner_after(index_in_face(h), index_in_face(first)));
   }
 
 private:
@@ -173,7 +173,7 @@ private:
     const unsigned int first = index_in_face(m_name[f]);
     for(unsigned int j = 0; j < 3; ++j)
     {
-      const Halfedge_id h = halfedge_of(i, place_after(j, first)), o = halfedge_at(m_connectivity.neighbors[f][j]);
+      const Halfedge_id h = halfedge_of(i, corner_after(j, first)), o = halfedge_at(m_connectivity.neighbors[f][j]);
       if(o != null_id && (mesh.source(o) != mesh.target(h) || mesh.target(o) != mesh.source(h)))
         throw Invalid_geodesic_input(Reason::NON_MANIFOLD,
                                      "face " + std::to_string(f) + " and its neighbor disagree about the ends of "

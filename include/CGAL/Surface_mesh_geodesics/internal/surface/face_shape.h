@@ -51,7 +51,7 @@ unsigned int set_lengths(const std::array<FT, 3>& length, Intrinsic_face<FT>& f)
   const unsigned int shift = shortest[4u * (length[0] <= length[1]) + 2u * (length[0] <= length[2])
                                       + 1u * (length[1] <= length[2])];
   for(unsigned int k = 0; k < 3; ++k)
-    f.length[k] = length[place_after(k, shift)];
+    f.length[k] = length[corner_after(k, shift)];
   return shift;
 }
 

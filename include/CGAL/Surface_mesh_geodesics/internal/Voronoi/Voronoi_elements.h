@@ -1,0 +1,92 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_VORONOI_ELEMENTS_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_VORONOI_ELEMENTS_H
+
+// The elements that a Voronoi complex (Voronoi_complex.h) is made of, as plain values. Arcs, nodes and chains refer to each
+// other by their indices in the complex; sites are vertices of the intrinsic mesh.
+
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Weighted_bisector.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+// The index of an arc or a chain, and whether it is passed backwards.
+using Oriented_index = std::pair<std::uint32_t, bool>;
+
+// A piece of the curve between two cells in one face; its points are in the layout of the face.
+//
+// All points are as far from `left` as from `right`, the images of the two sites that the paths come from. From `first`
+// to `last`, the cell of left_site is on the left. Unless is_bisector, the arc is the segment between its ends, where
+// rounding does not tell the curve.
+template <typename FT>
+struct Voronoi_arc
+{
+  Face_id face;
+  Vertex_id left_site, right_site;
+  Additively_weighted_point<FT> left, right;
+  Planar_point<FT> first, last;
+  std::uint32_t first_node, last_node;
+  bool is_bisector;
+};
+
+// A point where arcs end: two arcs of the same two cells meet, or three cells do, or an arc ends at the border.
+template <typename FT>
+struct Voronoi_node
+{
+  Face_id face; // a face that the node is in, and its point in the layout of that face
+  Planar_point<FT> point;
+  FT abscissa = 0; // on its edge if it is on one, from the source of the halfedge with the smaller index
+  FT distance;     // from the nearest sites
+  std::array<Vertex_id, 3> sites; // counterclockwise; the last one is null_id unless three cells meet
+  std::array<std::uint32_t, 3> arc{null_id, null_id, null_id};
+
+  bool is_vertex() const { return sites[2] != null_id; }
+};
+
+// An edge of the diagram: the arcs between the same two cells, from face to face and from end to end, with the cell of
+// left_site on the left. The two end nodes are vertices or points of the border; they are the same if the chain is closed.
+struct Voronoi_chain
+{
+  Vertex_id left_site, right_site;
+  std::vector<Oriented_index> arcs;
+  std::uint32_t first_node, last_node;
+  bool is_closed;
+  bool has_length; // false if all arcs are shorter than rounding tells
+};
+
+// The chains along a connected part of the boundary of a cell, in order, with the cell on the left. A part that the border
+// of the mesh interrupts is not closed.
+struct Voronoi_boundary_part
+{
+  std::vector<Oriented_index> chains;
+  bool is_closed = false;
+};
+
+// The numbers of mesh vertices, of parts of mesh edges, and of parts of faces in a cell.
+struct Voronoi_cell_elements
+{
+  std::size_t vertices = 0, edge_intervals = 0, face_regions = 0;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_VORONOI_ELEMENTS_H

@@ -1,0 +1,213 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_TOLERANCE_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_TOLERANCE_H
+
+// Every tolerance of the package, room by room, so that they can be compared with each other.
+//
+// No tolerance is absolute. The comment of each one names the quantity that it multiplies ("of a distance") and the
+// reason for its size. Most are a power of two times the rounding unit, so that multiplying by them is exact.
+// "The error of images" is the error that the images of pseudo-sources accumulate from face to face; see distance().
+
+#include <cmath>
+#include <limits>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+template <typename FT>
+struct Tolerance
+{
+  // --- Rounding units ------------------------------------------------------------------------------------------------
+
+  // The distance from 1 to the next number: twice the largest relative error of one operation.
+  static FT unit_roundoff() { return std::numeric_limits<FT>::epsilon(); }
+
+  // The user's numbers are doubles, whatever the precision of the computation.
+  static FT input_roundoff() { return FT(std::numeric_limits<double>::epsilon()); }
+
+  // --- Input: interface/ and surface/ --------------------------------------------------------------------------------
+
+  // Of 1: a smaller barycentric coordinate is taken for zero, so that a location with rounded coordinates is the vertex
+  // or the point of an edge that the user means. This moves a source by at most this part of the longest side of its
+  // face.
+  static FT barycentric() { return 64 * input_roundoff(); }
+
+  // Of 1: coordinates whose sum differs from 1 by more, or one of which is less than zero by more, are no barycentric
+  // coordinates. Large enough for coordinates that have been computed carelessly, small enough to detect a mistake.
+  static FT location()
+  {
+    using std::sqrt;
+    return sqrt(input_roundoff()) / 16;
+  }
+
+  // Of barycentric coordinates: the error of a position that is computed from coordinates in a part of a face. Each
+  // coordinate is the difference of two rounded numbers, divided by a third one.
+  static FT placement() { return 4 * input_roundoff(); }
+
+  // Of the longest side: the amount by which it may exceed the sum of the two others. Lengths that are computed from
+  // coordinates err by a few units.
+  static FT triangle_inequality() { return 64 * input_roundoff(); }
+
+  // --- Faces and vertices: surface/ ----------------------------------------------------------------------------------
+
+  // Of the extent of the mesh: the ends of shorter edges are pseudo-sources, whatever their angles. The direction of a
+  // path from a point so near to a vertex is known with an error of unit_roundoff / length only, and the path is longer
+  // by the square of this error; a path through the vertex itself is longer by the length. At this length both errors
+  // are about the same. If the edge vanished in the rounding of distances altogether, paths could run around it without
+  // growing.
+  static FT length()
+  {
+    using std::sqrt;
+    return sqrt(unit_roundoff()) / 1024;
+  }
+
+  // Of pi: the excess of a vertex angle above which shortest paths bend at the vertex. Larger than the rounding of a sum
+  // of angles, so that flat vertices stay flat; smaller than the angles of all faces that have a height by length(), so
+  // that no face is hidden behind a vertex.
+  static FT angle() { return 1024 * unit_roundoff(); }
+
+  // Of 1 (an angle at a vertex): two directions that differ by less are not told apart where windows leave a
+  // pseudo-source. Larger than the excess of a vertex angle that angle() ignores.
+  static FT direction() { return 8 * angle(); }
+
+  // Of the length of an edge: the depth of an image that lies on the edge itself (the apex of a triangle without area).
+  // Its square vanishes beside the square of the length.
+  static FT depth()
+  {
+    using std::sqrt;
+    const FT e = unit_roundoff();
+    return e * e;
+  }
+
+  // Of the longest side, where the user gives lengths: a face with a smaller height is so flat that the square of its
+  // angles, by which paths differ, is lost in the rounding of doubles (the square root of input_roundoff(), times four).
+  static constexpr double lost_face() { return 0x1p-24; }
+
+  // Of the longest side: a face with a larger height counts where a bound on the number of crossed faces ignores the
+  // thin faces. Between 1 and lost_face(), at their geometric mean.
+  static constexpr double thick_face() { return 0x1p-12; }
+
+  // --- Windows: window/ and propagation/ -----------------------------------------------------------------------------
+
+  // Of a distance: windows whose distances differ by less are not told apart when the longer one would be pruned.
+  // Window::distance_at() errs by less than two units, and two distances are compared.
+  static FT distance() { return 4 * unit_roundoff(); }
+
+  // Of the length of an edge: narrower intervals come from rounding (a ray that meets a vertex) and are dropped. No path
+  // is lost: distances are also measured along paths that bend at the end of an interval, and a lateral shift of this
+  // size makes them longer only by its square.
+  static FT interval() { return 512 * unit_roundoff(); }
+
+  // Of the length of an edge: if an image is nearer to its interval, the rounding of the ends of the interval turns its
+  // rays by more than their length can tell. Such a window must not be trimmed.
+  static FT closeness()
+  {
+    using std::sqrt;
+    return sqrt(unit_roundoff()) / 16;
+  }
+
+  // --- Paths: paths/ and certificate/ --------------------------------------------------------------------------------
+
+  // Of the extent of a component: nearer points of a path are one point.
+  static FT gap() { return 8 * unit_roundoff(); }
+
+  // Of the distance of an image, or the longest side of the face if that is longer: a path that passes a vertex at a
+  // smaller distance may pass it on either side, or run through it. Bounds the error of images across about a hundred
+  // faces.
+  static FT sideways() { return 512 * unit_roundoff(); }
+
+  // Of the same lengths: the effect of the rounding of one image and one frame on a distance.
+  static FT lengthwise() { return 8 * unit_roundoff(); }
+
+  // Of a distance: a path whose length differs by more is not the path that is looked for. Bounds the error of images
+  // across about a thousand faces.
+  static FT path() { return 4096 * unit_roundoff(); }
+
+  // Of path(): the search for a path begins with this part of it, as most paths are more exact, and ends with its
+  // inverse.
+  static FT first_search() { return FT(1) / 64; }
+
+  // Of the length of an edge: how exactly the crossings of isolines are found.
+  static FT isoline() { return 4096 * unit_roundoff(); }
+
+  // Of the length of an edge: two crossings of one isoline that are nearer to each other may be missed. The distance
+  // along an edge is sampled at this width at most.
+  static FT isoline_touching() { return FT(1) / 16384; }
+
+  // --- Diagrams: Voronoi/ and the bisectors in numeric/ --------------------------------------------------------------
+
+  // Of a distance: an image is nearer than another one if it is so by more. Each distance errs by distance(), and each
+  // image by its rounding in the frame of the face.
+  static FT nearer() { return 4 * distance(); }
+
+  // Of a distance: an image may follow another one of the same site, where the interval of that one ends, if it is not
+  // farther by more. Also the margin by which the wavefront has to pass a bound before a region is left behind.
+  static FT succession() { return 16 * distance(); }
+
+  // Of a distance: two images of one site tie, each of which has the error of images. Of the extent of the mesh: two
+  // sources that are so near to each other tie everywhere.
+  static FT tie() { return 64 * distance(); }
+
+  // Of the size of a face: the position at which a curve touches a line is known up to the square root of rounding.
+  static FT touching() { return 64 * closeness(); }
+
+  // Of the size of a face: ends of curves that are nearer to each other may be meant to be one point. A question for a
+  // more careful look only: no result depends on its size.
+  static FT near_end() { return FT(1) / 1024; }
+
+  // Of a parameter or a distance within a face: how far to look ahead in order to see which side or which cell comes
+  // next. Far above rounding, and far below the size of what is looked at.
+  static FT look_ahead() { return FT(1) / 1024; }
+
+  // Of the size of a face: a trace that has not moved by more stands still.
+  static FT standstill() { return 16 * unit_roundoff(); }
+
+  // Of the distances of two sites: the rounding of their bisector.
+  static FT bisector() { return 16 * distance(); }
+
+  // Of the squared distance of two sites: a bisector that is described by a smaller number is a ray. Also the difference
+  // of weights, of a distance, below which a bisector is a straight line.
+  static FT curvature() { return 4 * distance(); }
+
+  // Of the sum of the absolute terms of a quadratic polynomial: the rounding of its value.
+  static FT polynomial() { return 16 * unit_roundoff(); }
+
+  // Of the sum of the squares of the sides: a triangle with a smaller area has none.
+  static FT area() { return 4 * unit_roundoff(); }
+
+  // Of what is integrated along a curve, if its chord were all of it: if halving an interval changes less, it is not
+  // halved any more.
+  static FT quadrature() { return 512 * unit_roundoff(); }
+
+  // Of the size of a face: Newton's method refines points that are known up to rounding, or up to the square root of
+  // rounding where curves touch. A longer step leads to another point.
+  static FT newton_step() { return FT(1) / (1 << 20); }
+
+  // Of 1, the sine of an angle: two curves that meet at a smaller one do not determine their common point.
+  static FT slope() { return 1024 * unit_roundoff(); }
+};
+
+// Is a < b beyond the rounding of two distances? The result is false if a and b tie.
+//
+// Laws, for distances that are not negative: a and b are never clearly less than each other, nor is a than itself;
+// multiplying both by a power of two does not change the answer.
+template <typename FT>
+bool is_clearly_less(const FT& a, const FT& b)
+{
+  return a < b * (1 - Tolerance<FT>::distance());
+}
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_TOLERANCE_H
