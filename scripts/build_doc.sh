@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Builds the documentation with plain doxygen and fails on any warning. Usage: build_doc.sh [output folder]
-# MathJax draws the formulas, from Debian's package libjs-mathjax if it is installed, otherwise from the network.
+# The pages need no network: formulas become plain HTML. Without python3, browsers load MathJax from the network.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 output=${1:-$root/build/doc}
@@ -8,7 +8,6 @@ mkdir -p "$output"
 output=$(cd "$output" && pwd)
 log=$output/doxygen_warnings.log
 rm -f "$log"
-mathjax=/usr/share/javascript/mathjax
 
 cd "$root"
 {
@@ -18,12 +17,10 @@ cd "$root"
   if [ -d doc/Surface_mesh_geodesics/fig ]; then
     echo "IMAGE_PATH = doc/Surface_mesh_geodesics/fig"
   fi
-  if [ -d "$mathjax" ]; then
-    echo "MATHJAX_RELPATH = mathjax"
-  fi
 } | doxygen -
-if [ -d "$mathjax" ]; then
-  ln -sfn "$mathjax" "$output/html/mathjax"
+
+if command -v python3 > /dev/null; then
+  formulas=$(python3 -B scripts/formulas_to_html.py "$output/html") || echo "$formulas" >> "$log"
 fi
 
 # The brief description may say what a function returns: "returns ...".
