@@ -43,7 +43,8 @@ MEASURES = INTERNAL + "Voronoi/Voronoi_cell_measures.h"
 FACE_CUT = INTERNAL + "Voronoi/Voronoi_face_cut.h"
 CHECKS = INTERNAL + "certificate/Distance_checks.h"
 VIOLATION = INTERNAL + "certificate/Worst_violation.h"
-FROM_GRAPH = INTERNAL + "interface/intrinsic_mesh_from_face_graph.h"
+READER = INTERNAL + "interface/Face_graph_reader.h"
+BUILDER = INTERNAL + "surface/Intrinsic_mesh_builder.h"
 LOWER_BOUND = INTERNAL + "certificate/Lower_bound_check.h"
 EDGE_FUNCTION = INTERNAL + "certificate/Edge_distance_function.h"
 
@@ -205,7 +206,7 @@ MUTANTS = [
      "if(w.root_distance > m_distance[w.root] || w.number_of_faces_crossed() > m_mesh.most_faces_crossed()\n       || (Rules",
      "if(w.root_distance > m_distance[w.root] || (Rules",
      "paths around faces without area never end", (WINDOWS,)),
-    ("lengths_cross_faces_once", FROM_GRAPH,
+    ("lengths_cross_faces_once", READER,
      "    if(!Shape::has_points)\n      mesh.bound_faces_crossed_by_lengths();\n", "",
      "paths between lengths that cross a face more than once are lost", (ANALYTIC,)),
 
@@ -317,7 +318,7 @@ MUTANTS = [
     ("place_of_a_path_relative_to_the_mesh", PATH_THINNING,
      "m_place(Tolerance<FT>::gap() * extent)", "m_place(Tolerance<FT>::gap())",
      "all points of a path on a small component are one", (SMALL,)),
-    ("small_components_accepted", FROM_GRAPH,
+    ("small_components_accepted", BUILDER,
      "if(longest < smallest_component())", "if(longest < 0)",
      "lengths of a component that is too small underflow", (INVALID,)),
     ("diagram_violations_relative_to_the_mesh", DIAGRAM_CERTIFICATE,
