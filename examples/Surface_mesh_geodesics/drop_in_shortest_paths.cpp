@@ -1,4 +1,4 @@
-// A program written for CGAL::Surface_mesh_shortest_path. All that has been changed:
+// A program written for CGAL::Surface_mesh_shortest_path. These lines have changed:
 //
 //   -#include <CGAL/Surface_mesh_shortest_path.h>
 //   +#include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_paths.h>
@@ -26,7 +26,7 @@ using vertex_descriptor = boost::graph_traits<Mesh>::vertex_descriptor;
 using halfedge_descriptor = boost::graph_traits<Mesh>::halfedge_descriptor;
 using face_descriptor = boost::graph_traits<Mesh>::face_descriptor;
 
-// Counts what a path goes through.
+// Counts the elements of a path.
 struct Sequence_counter
 {
   std::size_t edges = 0, vertices = 0, points_in_faces = 0;
@@ -53,7 +53,7 @@ int main(int argc, char* argv[])
   shortest_paths.add_source_point(first, center);
   const auto second_source = shortest_paths.add_source_point(target(halfedge(last, mesh), mesh));
 
-  // The distance of a point in a face, and the source that is the nearest one.
+  // The distance of a point in a face, and its nearest source.
   const face_descriptor middle(static_cast<Mesh::size_type>(mesh.number_of_faces() / 2));
   auto [distance, source] = shortest_paths.shortest_distance_to_source_points(middle, center);
   if(source == shortest_paths.source_points_end())

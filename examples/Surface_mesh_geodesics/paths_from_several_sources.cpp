@@ -27,32 +27,32 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
 
-  // Four sources inside faces, told by barycentric coordinates.
+  // Four sources inside faces, given by barycentric coordinates.
   Paths paths(mesh);
   const Mesh::size_type n = mesh.number_of_faces();
   for(Mesh::size_type i = 0; i < 4; ++i)
     paths.add_source_point(Mesh::Face_index(i * (n / 4)), {0.2, 0.3, 0.5});
-  paths.build_sequence_tree_for_faces(); // queries will come at points that are not vertices
+  paths.build_sequence_tree_for_faces(); // optional: builds now instead of in the first query
 
-  // Paths from the centres of about a hundred faces, in CGAL's format for polylines: for each one the number of its
-  // points, and the points.
+  // Paths from the centers of about a hundred faces, in CGAL's format for polylines: the number of points of each path,
+  // then the points.
   const std::string output = "paths.polylines.txt";
   std::ofstream os(output);
   os.precision(17);
-  const Traits::Barycentric_coordinates centre = {1. / 3, 1. / 3, 1. / 3};
+  const Traits::Barycentric_coordinates center = {1. / 3, 1. / 3, 1. / 3};
   const Mesh::size_type step = n / 100 + 1;
   for(Mesh::size_type i = 0; i < n; i += step)
   {
     const Mesh::Face_index face(i);
     Polyline polyline;
     const auto [distance, source] =
-        paths.shortest_path_points_to_source_points(face, centre, std::back_inserter(polyline));
+        paths.shortest_path_points_to_source_points(face, center, std::back_inserter(polyline));
     if(source == paths.source_points_end())
     {
       std::cout << "face " << i << " is reached by no source" << std::endl;
       continue;
     }
-    std::cout << "face " << i << ": source " << paths.nearest_source_point(face, centre) << ", distance " << distance
+    std::cout << "face " << i << ": source " << paths.nearest_source_point(face, center) << ", distance " << distance
               << ", " << polyline.size() << " points" << std::endl;
     os << polyline.size();
     for(const Kernel::Point_3& p : polyline)

@@ -1,4 +1,4 @@
-// Many paths, found by several threads: one thread builds, all of them ask.
+// Several threads ask one object for many paths.
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
@@ -20,8 +20,8 @@ using Traits = CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>;
 using Paths = CGAL::Surface_mesh_geodesic_paths<Traits>;
 using vertex_descriptor = boost::graph_traits<Mesh>::vertex_descriptor;
 
-// The numbers of points of the paths to the vertices first, first + step, first + 2 step, ... The object is constant:
-// such objects may be asked by any number of threads, and no query computes anything for the next one.
+// Counts the points of the paths from the vertices first, first + step, first + 2 step, ... Queries are const: any number
+// of threads may ask the same object.
 void count_points(const Paths& paths, std::size_t first, std::size_t step, std::vector<std::size_t>& numbers)
 {
   std::vector<Kernel::Point_3> points;
@@ -44,10 +44,9 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
 
-  // Before the threads start: a query of a constant object throws std::logic_error if the sources have changed since.
+  // The first query builds, while the other threads wait. Call build_sequence_tree() to build earlier.
   Paths paths(mesh);
   paths.add_source_point(*vertices(mesh).begin());
-  paths.build_sequence_tree(); // build_sequence_tree_for_faces() for queries at points that are not vertices
 
   std::vector<std::size_t> numbers(mesh.number_of_vertices());
   const std::size_t number_of_threads = (std::max)(2u, std::thread::hardware_concurrency());

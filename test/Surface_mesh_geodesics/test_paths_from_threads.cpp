@@ -1,12 +1,15 @@
-// Queries of a built object from four threads at once give the same bits as one after the other. Some threads know the
-// object as const; the others call the functions that would build it if that were not done.
+// Queries from several threads at once give the same bits as one after the other. First four threads ask an object that
+// is built; some know it as const, others do not. Then eight threads ask a const object of which nothing is built, or
+// the distances of the vertices only: the first query that misses something computes it, while the others go on or wait.
 
 #include "path_test_helpers.h"
 #include "test_meshes.h"
 #include "test_support.h"
 
+#include <atomic>
 #include <cstddef>
 #include <iterator>
+#include <stdexcept>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -15,7 +18,7 @@ using namespace test_meshes;
 
 namespace {
 
-// what one query says, as numbers
+// The answers of all members to one query, as numbers.
 template <class Paths> // const or not
 std::vector<double> everything(Paths& paths, const Place& query)
 {
@@ -68,7 +71,7 @@ std::vector<double> everything(Paths& paths, const Place& query)
   return result;
 }
 
-// what is asked once for the whole mesh, as numbers
+// The answers for the whole mesh, as numbers.
 template <class Paths>
 std::vector<double> everything_at_once(Paths& paths, const Mesh& tm)
 {
@@ -91,7 +94,7 @@ std::vector<double> everything_at_once(Paths& paths, const Mesh& tm)
   return result;
 }
 
-// All queries, beginning with the given one. What is asked once for the whole mesh comes first or last.
+// Asks all queries, from the given one on. What is asked once for the whole mesh comes first or last.
 template <class Paths>
 std::vector<std::vector<double>> all_answers(Paths& paths, const Mesh& tm, const std::vector<Place>& queries,
                                              std::size_t first, bool whole_mesh_first)
@@ -113,46 +116,126 @@ std::vector<std::vector<double>> all_answers(Paths& paths, const Mesh& tm, const
   return results;
 }
 
-void test_mesh(const Indexed_mesh& indexed, test_support::Random& random)
-{
-  test_support::Scope scope(indexed.name);
-  const Mesh tm = to_face_graph(indexed);
-  Geodesic_paths building(tm);
-  std::vector<Place> queries;
-  for(std::size_t i = 0; i < 5; ++i)
-  {
-    add(building, i % 2 == 0 ? Place(random_vertex(tm, random)) : Place(random_location(tm, random)));
-  }
-  for(std::size_t i = 0; i < 600; ++i)
-  {
-    queries.push_back(i % 3 == 0 ? Place(random_vertex(tm, random)) : Place(random_location(tm, random)));
-  }
-  building.build_sequence_tree_for_faces();
-  const Geodesic_paths& paths = building;
-  const std::vector<std::vector<double>> expected = all_answers(paths, tm, queries, 0, false);
+using All_answers = std::vector<std::vector<double>>;
 
-  const std::size_t number_of_threads = 4;
-  std::vector<std::vector<std::vector<double>>> results(number_of_threads);
+// Runs ask(t) for t from 0 to number_of_threads - 1, each in a thread.
+template <class Ask>
+void run_in_threads(std::size_t number_of_threads, Ask ask)
+{
   std::vector<std::thread> threads;
   for(std::size_t t = 0; t < number_of_threads; ++t)
   {
-    threads.emplace_back(
-      [&, t]
-      {
-        // each thread begins somewhere else
-        const std::size_t first = t * queries.size() / number_of_threads;
-        results[t] = t < 2 ? all_answers(paths, tm, queries, first, t % 2 == 0)
-                           : all_answers(building, tm, queries, first, t % 2 == 0);
-      });
+    threads.emplace_back([ask, t] { ask(t); });
   }
   for(std::thread& thread : threads)
   {
     thread.join();
   }
-  for(const auto& result : results)
+}
+
+void threads_ask_a_built_object(Geodesic_paths& built, const Mesh& tm, const std::vector<Place>& queries,
+                                const All_answers& expected)
+{
+  test_support::Scope scope("built");
+  const std::size_t number_of_threads = 4;
+  const Geodesic_paths& constant = built;
+  std::vector<All_answers> results(number_of_threads);
+  run_in_threads(number_of_threads, [&](std::size_t t)
+  {
+    const std::size_t first = t * queries.size() / number_of_threads; // each thread begins somewhere else
+    results[t] = t < 2 ? all_answers(constant, tm, queries, first, t % 2 == 0)
+                       : all_answers(built, tm, queries, first, t % 2 == 0);
+  });
+  for(const All_answers& result : results)
   {
     CHECK(result == expected);
   }
+}
+
+// All threads begin at once, with queries of different kinds.
+void threads_ask_an_object_that_is_not_built(const std::vector<Place>& sources, bool has_vertices, const Mesh& tm,
+                                             const std::vector<Place>& queries, const All_answers& expected)
+{
+  test_support::Scope scope(has_vertices ? "built for vertices" : "never built");
+  const std::size_t number_of_threads = 8;
+  Geodesic_paths paths(tm);
+  for(const Place& source : sources)
+  {
+    add(paths, source);
+  }
+  if(has_vertices)
+  {
+    paths.build_sequence_tree();
+  }
+  const Geodesic_paths& constant = paths;
+  std::vector<All_answers> results(number_of_threads);
+  std::atomic<std::size_t> number_waiting{number_of_threads};
+  run_in_threads(number_of_threads, [&](std::size_t t)
+  {
+    --number_waiting;
+    while(number_waiting > 0)
+    {
+      std::this_thread::yield();
+    }
+    // the first query of a thread is at a vertex or at a point of a face, or for the whole mesh
+    results[t] = all_answers(constant, tm, queries, t, t % 4 == 3);
+  });
+  for(All_answers& result : results)
+  {
+    CHECK(result == expected);
+  }
+  CHECK(!paths.changed_since_last_build());
+}
+
+// If the first query finds a bad source, every thread gets the exception; then the object can be mended.
+void threads_get_the_exception_of_a_build(const Mesh& tm, const std::vector<Place>& queries)
+{
+  test_support::Scope scope("bad source");
+  Geodesic_paths paths(tm);
+  paths.add_source_point(vertex(0));
+  const auto bad = paths.add_source_point(Mesh::Face_index(0), {.7, .7, .7});
+  const Geodesic_paths& constant = paths;
+  std::atomic<std::size_t> number_of_exceptions{0};
+  run_in_threads(8, [&](std::size_t t)
+  {
+    try
+    {
+      ask(constant, queries[t]);
+    }
+    catch(const std::invalid_argument&)
+    {
+      ++number_of_exceptions;
+    }
+  });
+  CHECK_EQUAL(number_of_exceptions.load(), 8u);
+  CHECK(paths.changed_since_last_build());
+  paths.remove_source_point(bad);
+  CHECK_EQUAL(ask(constant, Place(vertex(0))).distance, 0.);
+}
+
+void test_mesh(const Indexed_mesh& indexed, test_support::Random& random)
+{
+  test_support::Scope scope(indexed.name);
+  const Mesh tm = to_face_graph(indexed);
+  Geodesic_paths paths(tm);
+  std::vector<Place> sources, queries;
+  for(std::size_t i = 0; i < 5; ++i)
+  {
+    sources.push_back(i % 2 == 0 ? Place(random_vertex(tm, random)) : Place(random_location(tm, random)));
+    add(paths, sources.back());
+  }
+  for(std::size_t i = 0; i < 600; ++i)
+  {
+    queries.push_back(i % 3 == 0 ? Place(random_vertex(tm, random)) : Place(random_location(tm, random)));
+  }
+  paths.build_sequence_tree_for_faces();
+  const All_answers expected = all_answers(std::as_const(paths), tm, queries, 0, false);
+  threads_ask_a_built_object(paths, tm, queries, expected);
+  for(const bool has_vertices : {false, true})
+  {
+    threads_ask_an_object_that_is_not_built(sources, has_vertices, tm, queries, expected);
+  }
+  threads_get_the_exception_of_a_build(tm, queries);
 }
 
 } // namespace

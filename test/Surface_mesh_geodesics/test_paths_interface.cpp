@@ -487,68 +487,154 @@ std::vector<Query_member<Paths>> all_query_members(const Mesh& tm)
     {true, [=](Paths& p, Answers& a) { p.isolines(.5, std::back_inserter(a.lines)); }}};
 }
 
-// Each query member of a const object throws, and writes nothing, until what it needs has been built, and then gives
-// the answers of an object that is not const, of which each builds what it needs.
-void const_queries_do_not_build()
+// Asks one member of a const object, and of an object that builds everything beforehand: the answers are the same.
+void check_query_member(const Query_member<const Geodesic_paths>& member, const Geodesic_paths& paths, const Mesh& tm)
+{
+  Geodesic_paths built(tm);
+  for(auto it = paths.source_points_begin(); it != paths.source_points_end(); ++it)
+  {
+    built.add_source_point(*it);
+  }
+  built.build_sequence_tree_for_faces();
+  Answers answers, expected;
+  member.call(paths, answers);
+  member.call(built, expected);
+  CHECK(!paths.changed_since_last_build());
+  CHECK(answers.numbers == expected.numbers && answers.points == expected.points);
+  CHECK(answers.polyline == expected.polyline && answers.lines == expected.lines);
+  CHECK_EQUAL(answers.visitor.items.size(), expected.visitor.items.size());
+  CHECK(paths.number_of_source_points() == 0 || !answers.numbers.empty() || !answers.lines.empty());
+}
+
+enum Build
+{
+  NOTHING,
+  VERTICES,
+  EVERYTHING
+};
+
+// Asks each member as the first query of an object, after a build that may be less than it needs.
+void check_first_queries(const Mesh& tm, const std::vector<std::size_t>& sources, Build build)
+{
+  const auto of_const = all_query_members<const Geodesic_paths>(tm);
+  const auto of_other = all_query_members<Geodesic_paths>(tm);
+  for(std::size_t i = 0; i < of_const.size(); ++i)
+  {
+    test_support::Scope member_scope("query member " + std::to_string(i));
+    Geodesic_paths paths(tm), asked_without_const(tm);
+    for(Geodesic_paths* p : {&paths, &asked_without_const})
+    {
+      for(const std::size_t s : sources)
+      {
+        p->add_source_point(vertex(s));
+      }
+      CHECK_EQUAL(p->changed_since_last_build(), !sources.empty());
+      if(build != NOTHING)
+      {
+        build == VERTICES ? p->build_sequence_tree() : p->build_sequence_tree_for_faces();
+      }
+    }
+    check_query_member(of_const[i], paths, tm);
+    Answers answers, of_other_answers;
+    of_const[i].call(paths, answers); // once more
+    of_other[i].call(asked_without_const, of_other_answers);
+    CHECK(answers.numbers == of_other_answers.numbers && answers.points == of_other_answers.points);
+    CHECK(answers.polyline == of_other_answers.polyline && answers.lines == of_other_answers.lines);
+    CHECK_EQUAL(answers.visitor.items.size(), of_other_answers.visitor.items.size());
+  }
+}
+
+// Each query member of a const object computes what it needs, whatever has been built before.
+void const_queries_build_what_they_need()
 {
   test_support::Scope scope("const queries");
   const Mesh tm = to_face_graph(noisy_sphere(1, .1, 3));
-  const auto of_const = all_query_members<const Geodesic_paths>(tm);
-  const auto of_other = all_query_members<Geodesic_paths>(tm);
+  for(const std::vector<std::size_t>& sources : {std::vector<std::size_t>{}, {0}, {0, 1}, {0, 1, 2}})
+  {
+    for(const Build build : {NOTHING, VERTICES, EVERYTHING})
+    {
+      check_first_queries(tm, sources, build);
+    }
+  }
+}
+
+// One object, asked through a const reference, while its sources change.
+void const_queries_follow_changes_of_the_sources()
+{
+  test_support::Scope scope("const queries, changes");
+  const Mesh tm = to_face_graph(noisy_sphere(1, .1, 3));
+  const auto members = all_query_members<const Geodesic_paths>(tm);
   Geodesic_paths paths(tm);
   const Geodesic_paths& constant = paths;
-  const auto check = [&](bool is_built, bool has_faces)
+  const auto check = [&]
   {
-    for(std::size_t i = 0; i < of_const.size(); ++i)
+    for(const auto& member : members)
     {
-      test_support::Scope member_scope("query member " + std::to_string(i));
-      Answers answers, expected;
-      const bool may_ask = is_built && (has_faces || !of_const[i].needs_faces);
-      CHECK_EQUAL(throws<std::logic_error>([&] { of_const[i].call(constant, answers); }), !may_ask);
-      CHECK(may_ask || (answers.empty() && answers.numbers.empty()));
-      CHECK(constant.changed_since_last_build() == !is_built);
-      if(!may_ask)
-      {
-        continue;
-      }
-      Geodesic_paths fresh(tm);
-      for(auto it = paths.source_points_begin(); it != paths.source_points_end(); ++it)
-      {
-        fresh.add_source_point(*it);
-      }
-      of_other[i].call(fresh, expected);
-      CHECK(!fresh.changed_since_last_build());
-      CHECK(answers.numbers == expected.numbers && answers.points == expected.points);
-      CHECK(answers.polyline == expected.polyline && answers.lines == expected.lines);
-      CHECK_EQUAL(answers.visitor.items.size(), expected.visitor.items.size());
+      check_query_member(member, constant, tm);
     }
   };
-  check(true, true); // without sources nothing has to be built
+  check(); // without sources nothing has to be built
   for(std::size_t round = 0; round < 3; ++round)
   {
     paths.add_source_point(vertex(round));
-    check(false, false);
+    CHECK(constant.changed_since_last_build());
+    check();
     paths.build_sequence_tree();
-    check(true, false);
+    check();
     paths.build_sequence_tree_for_faces();
-    check(true, true);
+    check();
   }
   paths.remove_source_point(paths.source_points_begin());
-  check(false, false);
+  CHECK(constant.changed_since_last_build());
+  check();
   paths.remove_all_source_points();
-  check(false, false);
+  CHECK(constant.changed_since_last_build());
+  check();
   paths.build_sequence_tree();
-  check(true, false);
+  check();
   paths.build_sequence_tree_for_faces();
-  check(true, true);
+  check();
+}
 
-  // what is no query never needs to be built
+// A bad source is found by the first query, and no query writes anything until it has been removed.
+void const_queries_report_bad_sources()
+{
+  test_support::Scope scope("const queries, bad source");
+  const Mesh tm = to_face_graph(noisy_sphere(1, .1, 3));
+  const auto members = all_query_members<const Geodesic_paths>(tm);
+  Geodesic_paths paths(tm);
+  const Geodesic_paths& constant = paths;
+  paths.add_source_point(vertex(0));
+  const auto bad = paths.add_source_point(face(2), {.7, .7, .7});
+  for(std::size_t i = 0; i < members.size(); ++i)
+  {
+    test_support::Scope member_scope("query member " + std::to_string(i));
+    Answers answers;
+    CHECK(throws_reason(Reason::INVALID_LOCATION, [&] { members[i].call(constant, answers); }));
+    CHECK(answers.empty() && answers.numbers.empty());
+    CHECK(constant.changed_since_last_build());
+  }
+  paths.remove_source_point(bad);
+  for(const auto& member : members)
+  {
+    check_query_member(member, constant, tm);
+  }
+}
+
+// A member that is no query builds nothing.
+void other_const_members_do_not_build()
+{
+  test_support::Scope scope("const members that are no queries");
+  const Mesh tm = to_face_graph(noisy_sphere(1, .1, 3));
+  Geodesic_paths paths(tm);
+  const Geodesic_paths& constant = paths;
   paths.add_source_point(vertex(1));
   CHECK_EQUAL(constant.number_of_source_points(), 1u);
   CHECK(constant.source_points_begin() != constant.source_points_end());
   CHECK(constant.point(vertex(1)) == tm.point(vertex(1)));
   CHECK(constant.locate<AABB_traits>(tm.point(vertex(1))).first != boost::graph_traits<Mesh>::null_face());
-  paths.build_sequence_tree_for_faces();
+  CHECK_EQUAL(constant.statistics().vertices_visited, 0u);
+  CHECK(constant.changed_since_last_build());
   for(const vertex_descriptor v : vertices(tm))
   {
     checked_path(constant, Place(v), tm, 1.);
@@ -557,6 +643,7 @@ void const_queries_do_not_build()
   {
     checked_path(constant, Place(Face_location(f, inside)), tm, 1.);
   }
+  CHECK(!constant.changed_since_last_build());
 }
 
 // Vertices and edges without faces have no location; border halfedges have one.
@@ -901,9 +988,10 @@ void building_can_be_cancelled()
       CHECK(first == paths.source_points_begin());
       if(!is_complete)
       {
-        const Geodesic_paths& constant = paths;
-        CHECK(throws<std::logic_error>(
-          [&] { static_cast<void>(constant.shortest_distance_to_source_points(vertex(3))); }));
+        const Geodesic_paths& constant = paths; // its first query builds
+        CHECK_EQUAL(constant.shortest_distance_to_source_points(vertex(3)).first,
+                    expected.shortest_distance_to_source_points(vertex(3)).first);
+        CHECK(!paths.changed_since_last_build());
       }
       for(const Place& q : {Place(vertex(3)), Place(Face_location(face(12), {.2, .3, .5}))})
       {
@@ -1094,7 +1182,10 @@ int main()
   const std::uint64_t seed = test_support::announce_seed(20260403);
   both_classes_agree(seed);
   states_and_iterators();
-  const_queries_do_not_build();
+  const_queries_build_what_they_need();
+  const_queries_follow_changes_of_the_sources();
+  const_queries_report_bad_sources();
+  other_const_members_do_not_build();
   locations_without_faces();
   source_points_of_input_iterators();
   bad_input_is_refused();

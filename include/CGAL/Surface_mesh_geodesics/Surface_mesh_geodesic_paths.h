@@ -18,22 +18,17 @@
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Lazy_path_structure.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Surface_locations.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/path_visitors.h>
-#include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
 
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Default.h>
 #include <CGAL/Surface_mesh_shortest_path/Surface_mesh_shortest_path_traits.h>
 #include <CGAL/boost/graph/properties.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
-#include <array>
 #include <cstddef>
-#include <limits>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 
@@ -43,9 +38,9 @@ namespace CGAL {
 The class `Surface_mesh_geodesic_paths` computes exact geodesic distances and shortest paths from one or
 more source points, which may be any points of a triangle mesh, to any of its points.
 
-It replaces `Surface_mesh_shortest_path`: all types, constructors, member functions and static member functions that
-are documented there (in the versions 5.5 to 6.2 of \cgal, which are alike) are here, with the same meaning. A program
-changes the include and the name of the class, and nothing else.
+It replaces `Surface_mesh_shortest_path`: it has all types, constructors, member functions and static member functions
+that are documented there (in the versions 5.5 to 6.2 of \cgal, which agree), with the same meaning. A program changes
+the include and the name of the class, and nothing else.
 
 \code
 typedef CGAL::Surface_mesh_shortest_path_traits<Kernel, Triangle_mesh> Traits;
@@ -58,71 +53,75 @@ std::cout << paths.shortest_distance_to_source_points(target).first << "\n";
 
 Lengths and distances have the unit of the coordinates of the points, or of the edge lengths.
 
-<b>Differences from `Surface_mesh_shortest_path`</b>, all that are meant:
+<b>What is computed when.</b> A query computes what it needs if it is missing, so no program has to call a function that
+builds. There are two stages. The first query after source points have changed computes the distances of all vertices
+and the paths from them. The first query at a point that is not a vertex also computes the windows on all edges, in
+some 40 bytes each. Each stage takes the time of one propagation, which grows with the number of windows, in the worst
+case with the square of the number of vertices; see \ref Surface_mesh_geodesics_performance. `build_sequence_tree()`
+computes the first stage, `build_sequence_tree_for_faces()` both of them in one propagation. Call one of them to decide
+when the time is spent, or to watch the progress. Call the second one before the first query at a vertex if queries at
+other points will follow: it saves a propagation.
 
-- <em>Answers.</em> Source points on edges are where they have been put, for each parameter `t`; several sources in
+<b>Thread safety.</b> Queries are `const`. Member functions that are `const`, and static ones, may be called from
+several threads at once. If a result is missing, one thread computes it and the others that need it wait. A query whose
+results are there takes no lock. Member functions that are not `const` must not run at the same time as any other one,
+and a visitor must not call functions of the object that is being built.
+
+<b>Exception safety.</b> A build, and so a query that builds, throws what `build_sequence_tree()` throws. Source points
+and the iterators to them stay as they were. After a build that an exception or a visitor has ended early,
+`changed_since_last_build()` returns `true` and the next query or build begins anew. If the second stage fails in a
+query, the results of the first one stay.
+
+<b>Differences from `Surface_mesh_shortest_path`.</b> All of them are intended.
+
+- <em>Answers.</em> Source points on edges lie where they have been put, for each parameter `t`. Several sources in
   faces, queries on border edges, edges without length, isolated vertices and two sources at vertices give the right
   distances.
-- <em>Ties.</em> Where several paths are equally short, one of them is reported, and the source point it comes from;
-  the original may report another one of the same length. Of several source points at one place the first one is
-  reported.
-- <em>Snapping.</em> Barycentric coordinates, of source points and of queries, that are not greater than \f$ 64
+- <em>Ties.</em> Where several paths are equally short, one of them is reported, with its source point. The original may
+  report another one of the same length. Of several source points at one point of the surface the first one is reported.
+- <em>Snapping.</em> Barycentric coordinates of source points and queries that are not greater than \f$ 64
   \epsilon \approx 1.4 \cdot 10^{-14} \f$ are taken for zero, and their sum for one. So a location that `locate()` has
   computed for a point at a vertex, or nearer to it than this tolerance, is that vertex, in whichever face it has been
   found.
-- <em>Invalid input</em> throws `Surface_mesh_geodesics::Invalid_geodesic_input`, also if assertions are switched off,
-  from `build_sequence_tree()` or from the query. The original asserts, or does not notice: a face that is not a
+- <em>Invalid input</em> throws `Surface_mesh_geodesics::Invalid_geodesic_input` from the build or the query, also if
+  assertions are switched off. The original asserts, or does not notice. Invalid are: a face that is not a
   triangle; a coordinate of a point that is not finite; a descriptor that is null or not in the mesh; a location
   outside its face, with a coordinate less than \f$ -\delta \f$ or greater than \f$ 1 + \delta \f$ or coordinates
   whose sum differs from one by more than \f$ \delta = \sqrt\epsilon / 16 \approx 9.3 \cdot 10^{-10} \f$. Small
-  negative coordinates, and the second of two source points at vertices, for which the original asserts, are valid.
+  negative coordinates are valid, and so is the second of two source points at vertices, where the original asserts.
 - <em>Paths.</em> A path has at least one point and no point twice in a row. A source point on an edge or at a vertex,
-  given as a location, is reported to the visitor as the edge or the vertex. A path that rounding hides throws
-  `std::runtime_error`, see there.
+  given as a location, is reported to the visitor as the edge or the vertex. A path that cannot be traced because of
+  rounding throws `std::runtime_error`; see the section on path queries.
 - <em>Isolated vertices.</em> An isolated vertex may be a source, and is then the only point that it reaches. The
-  iterator to it dereferences to a location with a null face, which `face_location()` returns as well for a vertex or
-  an edge without faces. `face_location()` takes border halfedges.
-- <em>Numbers.</em> All is computed in `double`, whatever the number type of the traits is: coordinates are rounded
+  iterator to it dereferences to a location with a null face. `face_location()` also returns such a location for a
+  vertex or an edge without faces. `face_location()` accepts border halfedges.
+- <em>Numbers.</em> All computations use `double`, whatever the number type of the traits is. Coordinates are rounded
   with `CGAL::to_double()`, and results are numbers of type `double`, converted to `FT`. The points of a path are
-  constructed with the traits. `locate()` returns a point of the longest side for a face whose height is lost in
-  rounding, instead of coordinates that are not numbers. As it computes with the trees and the kernel of \cgal, which
-  multiply four lengths, it needs a mesh whose size is between \f$ 10^{-75} \f$ and \f$ 10^{75} \f$, and a point
-  that is not farther away, unlike all else; it throws `Surface_mesh_geodesics::Invalid_geodesic_input` otherwise, if
-  the number type of the kernel is a floating point type. Scale such a mesh by a power of two, which changes no bit of
-  a location.
+  constructed with the traits. For a face whose height is lost in rounding, `locate()` returns a point of the longest
+  side instead of coordinates that are not numbers. `locate()` computes with the trees and the kernel of \cgal, which
+  multiply four lengths. Therefore it needs a mesh whose size is between \f$ 10^{-75} \f$ and \f$ 10^{75} \f$, and a
+  point that is not farther away. If the number type of the kernel is a floating point type, it throws
+  `Surface_mesh_geodesics::Invalid_geodesic_input` otherwise. Scale such a mesh by a power of two; no bit of a location
+  changes.
 - <em>Iterators to source points</em> stay valid when the structure is built again, unless their point has been
   removed. Their types `pointer` and `reference` are those of constants, as the operators return them, and there is a
   `difference_type`. `add_source_points()` takes input iterators, and returns `source_points_end()` for an empty
   range.
-- <em>Objects that are `const`</em> can be asked, by several threads at once, see below.
+- <em>Queries are `const`</em>, see above.
 - <em>More members:</em> `build_sequence_tree_for_faces()`, visitors of the progress that may cancel,
   `use_edge_lengths()`, `statistics()`, `nearest_source_point()`, `shortest_distances_to_source_points()`,
   `farthest_vertex()`, `shortest_path_polyline_to_source_points()`, `isolines()`, and the static overload of
   `build_aabb_tree()` for a mesh and a tree, which the original documents and does not have.
-- <em>Fewer members:</em> objects cannot be copied (copies of the original share memory that each of them frees). What
-  the original has for debugging and hides from its documentation does not exist: `m_debugOutput`, and, with
-  assertions, `peak_node_count()`, `current_node_count()`, `peak_queue_size()`, `peak_memory_usage()`,
-  `current_memory_usage()`.
-
-<b>What is computed when.</b> `build_sequence_tree()` computes what queries at vertices need, distances and paths, and
-keeps no windows. The first query at a point that is not a vertex computes what such queries need: the windows of each
-edge are kept then, in some 40 bytes each. Call `build_sequence_tree_for_faces()` if such queries will come. Both take
-the time of one propagation, which grows with the number of windows, in the worst case with the square of the number of
-vertices; see \ref Surface_mesh_geodesics_performance. A build, and so a query that builds, throws what
-`build_sequence_tree()` throws.
-
-<b>Thread safety.</b> Member functions of a `const` object, and static ones, may be called from several threads at
-once. A query of a `const` object does not compute anything first: it throws `std::logic_error` if
-`build_sequence_tree()`, or `build_sequence_tree_for_faces()` for a point that is not a vertex, has not been called
-since sources were changed. Queries of an object that is not `const` may build, and are safe under the same condition
-only. All other member functions that are not `const` must not run at the same time as any other one.
+- <em>Fewer members:</em> objects cannot be copied (copies of the original share memory that each of them frees). The
+  undocumented members for debugging do not exist: `m_debugOutput`, and, with assertions, `peak_node_count()`,
+  `current_node_count()`, `peak_queue_size()`, `peak_memory_usage()`, `current_memory_usage()`.
 
 \tparam Traits a model of `SurfaceMeshShortestPathTraits` whose points have the members `x()`, `y()` and `z()`,
-        which `CGAL::to_double()` takes, a default constructor, and `operator!=`
+        which `CGAL::to_double()` accepts, a default constructor, and `operator!=`
 \tparam VIM a model of `ReadablePropertyMap` with `vertex_descriptor` as key and `unsigned int` as value type.
         The default is `boost::property_map<Triangle_mesh, boost::vertex_index_t>::%const_type`.
 \tparam HIM a model of `ReadablePropertyMap` with `halfedge_descriptor` as key and `unsigned int` as value
-        type, not used. The default is
+        type. It is not used. The default is
         `boost::property_map<Triangle_mesh, boost::halfedge_index_t>::%const_type`.
 \tparam FIM a model of `ReadablePropertyMap` with `face_descriptor` as key and `unsigned int` as value type.
         The default is `boost::property_map<Triangle_mesh, boost::face_index_t>::%const_type`.
@@ -199,7 +198,7 @@ private:
   using Structure
     = Surface_mesh_geodesics::internal::Lazy_path_structure<Traits, Vertex_index_map, Face_index_map, Vertex_point_map>;
   using Locations = Surface_mesh_geodesics::internal::Surface_locations<Traits, Vertex_point_map>;
-  using Query = typename Structure::Query;
+  using Extent = typename Structure::Extent;
   using Ray_3 = typename Traits::Ray_3;
 
 public:
@@ -259,7 +258,7 @@ public:
   /// @}
 
   /// \name Addition and Removal of Source Points
-  /// Nothing is computed, or checked, before the next query, or call of `build_sequence_tree()`. Each source point
+  /// The next query or build checks the source points; these functions check and compute nothing. Each source point
   /// takes constant time. Iterators to other source points stay valid.
   /// @{
 
@@ -272,7 +271,7 @@ public:
   /// adds a point of a face.
   ///
   /// \param f a face of the mesh
-  /// \param location the barycentric coordinates of the point in `f`, in the order that `Face_location` tells
+  /// \param location the barycentric coordinates of the point in `f`, in the order of `Face_location`
   /// \return the iterator to the source point
   Source_point_iterator add_source_point(face_descriptor f, const Barycentric_coordinates& location)
   {
@@ -294,77 +293,70 @@ public:
   template <typename InputIterator>
   Source_point_iterator add_source_points(InputIterator begin, InputIterator end)
   {
-    Source_point_iterator first = source_points_end();
-    for(bool is_first = true; begin != end; ++begin, is_first = false)
-    {
-      const Source_point_iterator added = add_source_point(*begin);
-      if(is_first)
-        first = added;
-    }
-    return first;
+    return m_structure.add_sources(begin, end);
   }
 
-  /// removes a source point. Its iterator may be dereferenced until the structure is built again.
+  /// removes a source point. Its iterator may be dereferenced until the next build.
   ///
   /// \param it the iterator to the source point
   /// \pre `it` is an iterator to a source point of this object that has not been removed. (Without the checks of
-  /// preconditions, a source point that is removed twice before the structure is built again stays removed.)
-  void remove_source_point(Source_point_iterator it) { m_structure.sources().remove(it); }
+  /// preconditions, removing a source point twice before the next build has no effect.)
+  void remove_source_point(Source_point_iterator it) { m_structure.remove_source(it); }
 
-  /// removes all source points. Their iterators may be dereferenced until the structure is built again.
-  void remove_all_source_points() { m_structure.sources().remove_all(); }
+  /// removes all source points. Their iterators may be dereferenced until the next build.
+  void remove_all_source_points() { m_structure.remove_all_sources(); }
 
   /// @}
 
   /// \name Building
-  /// If building ends early, by an exception or because a visitor cancels, the source points and the iterators to them
-  /// are as before, and `changed_since_last_build()` returns `true`. The iterators to source points that have been
-  /// removed become invalid when building has succeeded.
+  /// Queries build what they need; these functions decide when. They compute nothing if nothing is missing. The
+  /// iterators to source points that have been removed become invalid when a build has succeeded, by one of these
+  /// functions or by a query.
   /// @{
 
-  /// computes what queries at vertices need, if source points have changed. Takes the time of a propagation.
+  /// computes what queries at vertices need, if it is missing. Takes the time of a propagation.
   ///
   /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the mesh or a source point is invalid
   /// \throws std::bad_alloc if there is not enough memory
-  void build_sequence_tree() { build(false); }
+  void build_sequence_tree() { m_structure.build(Extent::AT_VERTICES); }
 
-  /// does the same, and tells a visitor of the progress.
+  /// does the same, and reports the progress to a visitor.
   ///
   /// \tparam Visitor a model of `GeodesicPropagationVisitor`
-  /// \param visitor is told if there is anything to be computed
+  /// \param visitor is called if there is anything to compute
   /// \return `false` if the visitor cancelled
   /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the mesh or a source point is invalid; what the visitor
   ///         throws is passed on
   template <typename Visitor>
   bool build_sequence_tree(Visitor& visitor)
   {
-    return m_structure.build(false, visitor);
+    return m_structure.build_with_visitor(Extent::AT_VERTICES, visitor);
   }
 
-  /// computes what queries at any point need, if that has not been done since source points were changed. Takes the
-  /// time of a propagation, and some 40 bytes for each window.
+  /// computes what queries at any point need, if it is missing. Takes the time of a propagation, and some 40 bytes for
+  /// each window.
   ///
   /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the mesh or a source point is invalid
   /// \throws std::bad_alloc if there is not enough memory
-  void build_sequence_tree_for_faces() { build(true); }
+  void build_sequence_tree_for_faces() { m_structure.build(Extent::EVERYWHERE); }
 
-  /// does the same, and tells a visitor of the progress.
+  /// does the same, and reports the progress to a visitor.
   ///
   /// \tparam Visitor a model of `GeodesicPropagationVisitor`
-  /// \param visitor is told if there is anything to be computed
+  /// \param visitor is called if there is anything to compute
   /// \return `false` if the visitor cancelled
   /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the mesh or a source point is invalid; what the visitor
   ///         throws is passed on
   template <typename Visitor>
   bool build_sequence_tree_for_faces(Visitor& visitor)
   {
-    return m_structure.build(true, visitor);
+    return m_structure.build_with_visitor(Extent::EVERYWHERE, visitor);
   }
 
-  /// takes the lengths of the edges from a map instead of from points: distances and sequences then need no points, and
-  /// the points of paths are those of the point map at the same places. (The point map that the constructor takes is
-  /// not read before a point is asked for, so that any map will do.) All that was computed is forgotten, source points
-  /// are not; the lengths are read at once, and used until `clear()`. Takes time linear in the size of the mesh.
+  /// takes the lengths of the edges from a map instead of from points. Distances and sequences then need no points;
+  /// the points of paths are those of the point map at the same locations. (The point map that the constructor takes is
+  /// not read before a point is asked for, so any map will do.) All results are dropped, source points are kept. The
+  /// lengths are read at once, and used until `clear()`. Takes time linear in the size of the mesh.
   ///
   /// \tparam EdgeLengthMap a model of `ReadablePropertyMap` with the edge descriptor as key type and a number
   ///         type as value type
@@ -377,9 +369,8 @@ public:
     m_structure.use_edge_lengths(edge_length_map);
   }
 
-  /// removes all source points and all that was computed; the object is as it was after construction. To be
-  /// called if the mesh has changed. All iterators to source points become invalid. Edge lengths are taken from the
-  /// points again.
+  /// removes all source points and drops all results; the object is as it was after construction. Call it if the mesh
+  /// has changed. All iterators to source points become invalid. Edge lengths are taken from the points again.
   void clear() { m_structure.clear(); }
 
   /// @}
@@ -388,7 +379,7 @@ public:
   /// They take constant time.
   /// @{
 
-  /// returns an iterator to the first source point; they come in the order in which they were added.
+  /// returns an iterator to the first source point. Source points have the order in which they were added.
   Source_point_iterator source_points_begin() const { return m_structure.sources().begin(); }
 
   /// returns the iterator past the last source point. It stays valid as long as the object.
@@ -397,19 +388,19 @@ public:
   /// returns the number of source points, without those that have been removed.
   std::size_t number_of_source_points() const { return m_structure.sources().size(); }
 
-  /// returns whether source points have been added or removed since the last build.
-  bool changed_since_last_build() const { return m_structure.sources().has_changed(); }
+  /// returns whether source points have been added or removed since the last build, or a build has ended early.
+  bool changed_since_last_build() const { return m_structure.has_changed(); }
 
-  /// returns what the last propagation did, that of a build which a visitor cancelled included. The reference is valid
-  /// as long as the object, the numbers until the next build.
-  const Surface_mesh_geodesics::Propagation_statistics& statistics() const { return m_structure.solver().statistics(); }
+  /// returns what the last propagation did, including that of a build which a visitor cancelled. Waits if another
+  /// thread builds.
+  Surface_mesh_geodesics::Propagation_statistics statistics() const { return m_structure.statistics(); }
 
   /// @}
 
   /// \name Shortest Distance Queries
-  /// The distance is the length of the shortest path: nobody who wants the length needs to ask for the path.
+  /// The distance is the length of the shortest path: a program that wants the length does not need the path.
   /// Queries at a vertex take constant time. Queries at other points take time linear in the number of windows
-  /// on the three edges of the face, some tens. The time of a build is added to that of the first query.
+  /// on the three edges of the face, which are some tens. The first query may build, see the class comment.
   ///
   /// The iterators that are returned are valid as those of `add_source_point()`.
   /// @{
@@ -419,44 +410,18 @@ public:
   /// \param v a vertex of the mesh
   /// \return the distance and the iterator to the source point, or -1 and `source_points_end()`
   /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if `v`, the mesh or a source point is invalid
-  Shortest_path_result shortest_distance_to_source_points(vertex_descriptor v)
-  {
-    return m_structure.result(built_query(v));
-  }
-
-  /// does the same without building.
-  ///
-  /// \param v a vertex of the mesh
-  /// \return the distance and the iterator to the source point, or -1 and `source_points_end()`
-  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if `v` is invalid
-  /// \throws std::logic_error if `build_sequence_tree()` has not been called since source points were changed
-  Shortest_path_result shortest_distance_to_source_points(vertex_descriptor v) const
-  {
-    return m_structure.result(m_structure.query(v));
-  }
+  Shortest_path_result shortest_distance_to_source_points(vertex_descriptor v) const { return m_structure.distance(v); }
 
   /// returns the distance from a point of a face to the nearest source point, and that source point.
   ///
   /// \param f a face of the mesh
   /// \param location the coordinates of the point in `f`
   /// \return the distance and the iterator to the source point, or -1 and `source_points_end()`
-  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the place, the mesh or a source point is invalid
-  Shortest_path_result shortest_distance_to_source_points(face_descriptor f, const Barycentric_coordinates& location)
-  {
-    return m_structure.result(built_query(f, location));
-  }
-
-  /// does the same without building.
-  ///
-  /// \param f a face of the mesh
-  /// \param location the coordinates of the point in `f`
-  /// \return the distance and the iterator to the source point, or -1 and `source_points_end()`
-  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the place is invalid
-  /// \throws std::logic_error if `build_sequence_tree_for_faces()` has not been called since source points were changed
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the location, the mesh or a source point is invalid
   Shortest_path_result shortest_distance_to_source_points(face_descriptor f,
                                                           const Barycentric_coordinates& location) const
   {
-    return m_structure.result(m_structure.query(f, location));
+    return m_structure.distance(f, location);
   }
 
   /// returns the number of the source point that is nearest to a vertex, counted from `source_points_begin()`.
@@ -464,40 +429,17 @@ public:
   /// \param v a vertex of the mesh
   /// \return the number, or `no_source` if no source point reaches `v`
   /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if `v`, the mesh or a source point is invalid
-  std::size_t nearest_source_point(vertex_descriptor v) { return m_structure.nearest_source(built_query(v)); }
-
-  /// does the same without building.
-  ///
-  /// \param v a vertex of the mesh
-  /// \return the number, or `no_source` if no source point reaches `v`
-  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if `v` is invalid
-  /// \throws std::logic_error if `build_sequence_tree()` has not been called since source points were changed
-  std::size_t nearest_source_point(vertex_descriptor v) const
-  {
-    return m_structure.nearest_source(m_structure.query(v));
-  }
+  std::size_t nearest_source_point(vertex_descriptor v) const { return m_structure.nearest_source(v); }
 
   /// returns the number of the source point that is nearest to a point of a face, counted from `source_points_begin()`.
   ///
   /// \param f a face of the mesh
   /// \param location the coordinates of the point in `f`
   /// \return the number, or `no_source` if no source point reaches the point
-  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the place, the mesh or a source point is invalid
-  std::size_t nearest_source_point(face_descriptor f, const Barycentric_coordinates& location)
-  {
-    return m_structure.nearest_source(built_query(f, location));
-  }
-
-  /// does the same without building.
-  ///
-  /// \param f a face of the mesh
-  /// \param location the coordinates of the point in `f`
-  /// \return the number, or `no_source` if no source point reaches the point
-  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the place is invalid
-  /// \throws std::logic_error if `build_sequence_tree_for_faces()` has not been called since source points were changed
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the location, the mesh or a source point is invalid
   std::size_t nearest_source_point(face_descriptor f, const Barycentric_coordinates& location) const
   {
-    return m_structure.nearest_source(m_structure.query(f, location));
+    return m_structure.nearest_source(f, location);
   }
 
   /// writes the distances of all vertices to a map, -1 where no source point reaches. Takes time linear in the number
@@ -509,28 +451,9 @@ public:
   /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the mesh or a source point is invalid; nothing is
   ///         written then
   template <typename VertexDistanceMap>
-  void shortest_distances_to_source_points(VertexDistanceMap vertex_distance_map)
-  {
-    build_sequence_tree();
-    std::as_const(*this).shortest_distances_to_source_points(vertex_distance_map);
-  }
-
-  /// does the same without building.
-  ///
-  /// \tparam VertexDistanceMap a model of `WritablePropertyMap`, as above
-  /// \param vertex_distance_map gets the distances
-  /// \throws std::logic_error if `build_sequence_tree()` has not been called since source points were changed; nothing
-  ///         is written then
-  template <typename VertexDistanceMap>
   void shortest_distances_to_source_points(VertexDistanceMap vertex_distance_map) const
   {
-    using Value = typename boost::property_traits<VertexDistanceMap>::value_type;
-    m_structure.check_built();
-    for(vertex_descriptor v : vertices(m_structure.mesh()))
-    {
-      const double d = m_structure.distance(v);
-      put(vertex_distance_map, v, d < std::numeric_limits<double>::infinity() ? Value(d) : Value(-1));
-    }
+    m_structure.write_distances(vertex_distance_map);
   }
 
   /// returns the vertex that is farthest from the source points among those that they reach, and its
@@ -539,28 +462,7 @@ public:
   /// \return the vertex, the first one in the order of `vertices(tm)` if several are equally far, and its distance; the
   ///         null vertex and -1 if no vertex is reached
   /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the mesh or a source point is invalid
-  std::pair<vertex_descriptor, FT> farthest_vertex()
-  {
-    build_sequence_tree();
-    return std::as_const(*this).farthest_vertex();
-  }
-
-  /// does the same without building.
-  ///
-  /// \return the vertex and its distance, as above
-  /// \throws std::logic_error if `build_sequence_tree()` has not been called since source points were changed
-  std::pair<vertex_descriptor, FT> farthest_vertex() const
-  {
-    m_structure.check_built();
-    std::pair<vertex_descriptor, double> farthest(Graph_traits::null_vertex(), -1.);
-    for(vertex_descriptor v : vertices(m_structure.mesh()))
-    {
-      const double d = m_structure.distance(v);
-      if(d > farthest.second && d < std::numeric_limits<double>::infinity())
-        farthest = {v, d};
-    }
-    return {farthest.first, FT(farthest.second)};
-  }
+  std::pair<vertex_descriptor, FT> farthest_vertex() const { return m_structure.farthest_vertex(); }
 
   /// @}
 
@@ -569,11 +471,11 @@ public:
   /// takes time linear in the number of edges that it crosses, beyond the time of a distance query.
   ///
   /// The length of the path is the distance that is returned, up to \f$ 10^{-10} \f$ of it, or up to the
-  /// rounding of the largest extent of the mesh (64 units) if that is more; it is checked while the path is traced.
-  /// Two points that follow each other are in a common face. Where rounding leads the straight line astray, on faces
-  /// whose height or whose sides are lost in the rounding of coordinates, the path is looked for among all paths
-  /// through the faces nearby, which takes longer. If that search finds none of the right length, or has to be given
-  /// up, queries of paths throw `std::runtime_error` before they report anything. No such mesh is known.
+  /// rounding of the largest extent of the mesh (64 units) if that is more. This is checked while the path is traced.
+  /// Two points that follow each other lie in a common face. On faces whose height or whose sides are lost in the
+  /// rounding of coordinates, rounding can lead the straight line astray. Then the path is searched for among all paths
+  /// through the faces nearby, which takes longer. If that search finds no path of the right length, or has to give
+  /// up, path queries throw `std::runtime_error` before they report anything. No such mesh is known.
   /// @{
 
   /// reports the vertices, edges and faces of the shortest path from a vertex.
@@ -585,24 +487,9 @@ public:
   /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if `v`, the mesh or a source point is invalid
   /// \throws std::runtime_error if rounding hides the path
   template <typename Visitor>
-  Shortest_path_result shortest_path_sequence_to_source_points(vertex_descriptor v, Visitor& visitor)
-  {
-    return m_structure.sequence(built_query(v), visitor);
-  }
-
-  /// does the same without building.
-  ///
-  /// \tparam Visitor a model of `SurfaceMeshShortestPathVisitor`
-  /// \param v a vertex of the mesh
-  /// \param visitor is called for `v` first, for the source point last
-  /// \return the distance and the iterator to the source point, or -1 and `source_points_end()`
-  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if `v` is invalid
-  /// \throws std::logic_error if `build_sequence_tree()` has not been called since source points were changed
-  /// \throws std::runtime_error if rounding hides the path
-  template <typename Visitor>
   Shortest_path_result shortest_path_sequence_to_source_points(vertex_descriptor v, Visitor& visitor) const
   {
-    return m_structure.sequence(m_structure.query(v), visitor);
+    return m_structure.sequence(v, visitor);
   }
 
   /// reports the vertices, edges and faces of the shortest path from a point of a face.
@@ -612,38 +499,20 @@ public:
   /// \param location the coordinates of the point in `f`
   /// \param visitor is called as `visitor(f, location)` first, for the source point last
   /// \return the distance and the iterator to the source point, or -1 and `source_points_end()`
-  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the place, the mesh or a source point is invalid
-  /// \throws std::runtime_error if rounding hides the path
-  template <typename Visitor>
-  Shortest_path_result shortest_path_sequence_to_source_points(face_descriptor f,
-                                                               const Barycentric_coordinates& location,
-                                                               Visitor& visitor)
-  {
-    return m_structure.sequence(built_query(f, location), f, location, visitor);
-  }
-
-  /// does the same without building.
-  ///
-  /// \tparam Visitor a model of `SurfaceMeshShortestPathVisitor`
-  /// \param f a face of the mesh
-  /// \param location the coordinates of the point in `f`
-  /// \param visitor is called as `visitor(f, location)` first, for the source point last
-  /// \return the distance and the iterator to the source point, or -1 and `source_points_end()`
-  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the place is invalid
-  /// \throws std::logic_error if `build_sequence_tree_for_faces()` has not been called since source points were changed
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the location, the mesh or a source point is invalid
   /// \throws std::runtime_error if rounding hides the path
   template <typename Visitor>
   Shortest_path_result shortest_path_sequence_to_source_points(face_descriptor f,
                                                                const Barycentric_coordinates& location,
                                                                Visitor& visitor) const
   {
-    return m_structure.sequence(m_structure.query(f, location), f, location, visitor);
+    return m_structure.sequence(f, location, visitor);
   }
 
   /// @}
 
   /// \name Shortest Path Point Queries
-  /// The points are those of the elements that a visitor is told, in the same order, without a point that rounding
+  /// The points are those of the elements that a visitor gets, in the same order, without a point that rounding
   /// makes equal to the one before. The time is that of the sequence. Nothing is written if there is no path.
   /// @{
 
@@ -656,26 +525,10 @@ public:
   /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if `v`, the mesh or a source point is invalid
   /// \throws std::runtime_error if rounding hides the path
   template <typename OutputIterator>
-  Shortest_path_result shortest_path_points_to_source_points(vertex_descriptor v, OutputIterator output)
-  {
-    Point_writer<OutputIterator> writer(*this, output);
-    return shortest_path_sequence_to_source_points(v, writer);
-  }
-
-  /// does the same without building.
-  ///
-  /// \tparam OutputIterator a model of `OutputIterator` that takes `Point_3`
-  /// \param v a vertex of the mesh
-  /// \param output gets the points
-  /// \return the distance and the iterator to the source point, or -1 and `source_points_end()`
-  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if `v` is invalid
-  /// \throws std::logic_error if `build_sequence_tree()` has not been called since source points were changed
-  /// \throws std::runtime_error if rounding hides the path
-  template <typename OutputIterator>
   Shortest_path_result shortest_path_points_to_source_points(vertex_descriptor v, OutputIterator output) const
   {
     Point_writer<OutputIterator> writer(*this, output);
-    return shortest_path_sequence_to_source_points(v, writer);
+    return m_structure.sequence(v, writer);
   }
 
   /// writes the points of the shortest path from a point of a face.
@@ -685,26 +538,7 @@ public:
   /// \param location the coordinates of the point in `f`
   /// \param output gets the points
   /// \return the distance and the iterator to the source point, or -1 and `source_points_end()`
-  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the place, the mesh or a source point is invalid
-  /// \throws std::runtime_error if rounding hides the path
-  template <typename OutputIterator>
-  Shortest_path_result shortest_path_points_to_source_points(face_descriptor f,
-                                                             const Barycentric_coordinates& location,
-                                                             OutputIterator output)
-  {
-    Point_writer<OutputIterator> writer(*this, output);
-    return shortest_path_sequence_to_source_points(f, location, writer);
-  }
-
-  /// does the same without building.
-  ///
-  /// \tparam OutputIterator a model of `OutputIterator` that takes `Point_3`
-  /// \param f a face of the mesh
-  /// \param location the coordinates of the point in `f`
-  /// \param output gets the points
-  /// \return the distance and the iterator to the source point, or -1 and `source_points_end()`
-  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the place is invalid
-  /// \throws std::logic_error if `build_sequence_tree_for_faces()` has not been called since source points were changed
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the location, the mesh or a source point is invalid
   /// \throws std::runtime_error if rounding hides the path
   template <typename OutputIterator>
   Shortest_path_result shortest_path_points_to_source_points(face_descriptor f,
@@ -712,11 +546,11 @@ public:
                                                              OutputIterator output) const
   {
     Point_writer<OutputIterator> writer(*this, output);
-    return shortest_path_sequence_to_source_points(f, location, writer);
+    return m_structure.sequence(f, location, writer);
   }
 
-  /// writes the shortest path from a vertex as points with faces: each with the face of the segment that leads to it,
-  /// the null face for the first point.
+  /// writes the shortest path from a vertex as points with faces: each point with the face of the segment that leads to
+  /// it, the first one with the null face.
   ///
   /// \tparam OutputIterator a model of `OutputIterator` that takes `std::pair<Point_3, face_descriptor>`
   /// \param v a vertex of the mesh
@@ -725,26 +559,10 @@ public:
   /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if `v`, the mesh or a source point is invalid
   /// \throws std::runtime_error if rounding hides the path
   template <typename OutputIterator>
-  Shortest_path_result shortest_path_polyline_to_source_points(vertex_descriptor v, OutputIterator output)
-  {
-    Polyline_writer<OutputIterator> writer(*this, output);
-    return shortest_path_sequence_to_source_points(v, writer);
-  }
-
-  /// does the same without building.
-  ///
-  /// \tparam OutputIterator a model of `OutputIterator` that takes `std::pair<Point_3, face_descriptor>`
-  /// \param v a vertex of the mesh
-  /// \param output gets the points
-  /// \return the distance and the iterator to the source point, or -1 and `source_points_end()`
-  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if `v` is invalid
-  /// \throws std::logic_error if `build_sequence_tree()` has not been called since source points were changed
-  /// \throws std::runtime_error if rounding hides the path
-  template <typename OutputIterator>
   Shortest_path_result shortest_path_polyline_to_source_points(vertex_descriptor v, OutputIterator output) const
   {
     Polyline_writer<OutputIterator> writer(*this, output);
-    return shortest_path_sequence_to_source_points(v, writer);
+    return m_structure.sequence(v, writer);
   }
 
   /// writes the shortest path from a point of a face in the same way.
@@ -754,26 +572,7 @@ public:
   /// \param location the coordinates of the point in `f`
   /// \param output gets the points
   /// \return the distance and the iterator to the source point, or -1 and `source_points_end()`
-  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the place, the mesh or a source point is invalid
-  /// \throws std::runtime_error if rounding hides the path
-  template <typename OutputIterator>
-  Shortest_path_result shortest_path_polyline_to_source_points(face_descriptor f,
-                                                               const Barycentric_coordinates& location,
-                                                               OutputIterator output)
-  {
-    Polyline_writer<OutputIterator> writer(*this, output);
-    return shortest_path_sequence_to_source_points(f, location, writer);
-  }
-
-  /// does the same without building.
-  ///
-  /// \tparam OutputIterator a model of `OutputIterator` that takes `std::pair<Point_3, face_descriptor>`
-  /// \param f a face of the mesh
-  /// \param location the coordinates of the point in `f`
-  /// \param output gets the points
-  /// \return the distance and the iterator to the source point, or -1 and `source_points_end()`
-  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the place is invalid
-  /// \throws std::logic_error if `build_sequence_tree_for_faces()` has not been called since source points were changed
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the location, the mesh or a source point is invalid
   /// \throws std::runtime_error if rounding hides the path
   template <typename OutputIterator>
   Shortest_path_result shortest_path_polyline_to_source_points(face_descriptor f,
@@ -781,23 +580,66 @@ public:
                                                                OutputIterator output) const
   {
     Polyline_writer<OutputIterator> writer(*this, output);
-    return shortest_path_sequence_to_source_points(f, location, writer);
+    return m_structure.sequence(f, location, writer);
   }
 
   /// @}
 
+#ifndef DOXYGEN_RUNNING
+  // The queries of Surface_mesh_shortest_path are not const. These overloads have its signatures, for programs that take
+  // the address of a member. Each calls the const query.
+  Shortest_path_result shortest_distance_to_source_points(vertex_descriptor v)
+  {
+    return std::as_const(*this).shortest_distance_to_source_points(v);
+  }
+
+  Shortest_path_result shortest_distance_to_source_points(face_descriptor f, const Barycentric_coordinates& location)
+  {
+    return std::as_const(*this).shortest_distance_to_source_points(f, location);
+  }
+
+  template <typename Visitor>
+  Shortest_path_result shortest_path_sequence_to_source_points(vertex_descriptor v, Visitor& visitor)
+  {
+    return std::as_const(*this).shortest_path_sequence_to_source_points(v, visitor);
+  }
+
+  template <typename Visitor>
+  Shortest_path_result shortest_path_sequence_to_source_points(face_descriptor f,
+                                                               const Barycentric_coordinates& location,
+                                                               Visitor& visitor)
+  {
+    return std::as_const(*this).shortest_path_sequence_to_source_points(f, location, visitor);
+  }
+
+  template <typename OutputIterator>
+  Shortest_path_result shortest_path_points_to_source_points(vertex_descriptor v, OutputIterator output)
+  {
+    return std::as_const(*this).shortest_path_points_to_source_points(v, output);
+  }
+
+  template <typename OutputIterator>
+  Shortest_path_result shortest_path_points_to_source_points(face_descriptor f,
+                                                             const Barycentric_coordinates& location,
+                                                             OutputIterator output)
+  {
+    return std::as_const(*this).shortest_path_points_to_source_points(f, location, output);
+  }
+#endif
+
   /// \name Lines of Equal Distance
   /// @{
 
-  /// writes the lines of all points at the distance `value` from the source points as polylines, without a point twice
-  /// in a row; a closed one ends with its first point, any other one begins and ends at the border. The points on edges
-  /// are found with an error of \f$ 10^{-12} \f$ of the length of the edge, or of the rounding of the distance if that
-  /// is more, and joined by segments in the faces. A vertex at the distance `value` is a point of the lines that
-  /// separate nearer points from farther ones there; if all around it is nearer, it is a point by itself, and not
-  /// written. Two crossings of an edge that are nearer to each other than \f$ 10^{-4} \f$ of its length may be left
-  /// out, and so may be a closed line that meets no edge, around a point that is farther than all edges of its face.
+  /// writes the lines of all points at the distance `value` from the source points as polylines. No point comes twice
+  /// in a row. A closed line ends with its first point; any other one begins and ends at the border.
+  ///
+  /// The points on edges have an error of at most \f$ 10^{-12} \f$ of the length of the edge, or of the rounding of the
+  /// distance if that is more. Segments in the faces join them. A vertex at the distance `value` is a point of the lines
+  /// that separate nearer points from farther ones there. If all points around it are nearer, it is a point by itself
+  /// and is not written. Two crossings of an edge that are nearer to each other than \f$ 10^{-4} \f$ of its length may
+  /// be left out. So may a closed line that meets no edge, around a point that is farther than all edges of its face.
   /// There is no line where no source point reaches, and none for a value that is negative, infinite or not a number.
-  /// Takes time linear in the number of faces, and face queries around each point.
+  /// Takes time linear in the number of faces, and a number of face queries around each point.
   ///
   /// \tparam OutputIterator a model of `OutputIterator` that takes `std::vector<Point_3>`
   /// \param value the distance, in the unit of the mesh
@@ -805,44 +647,9 @@ public:
   /// \return the output iterator past the last polyline
   /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the mesh or a source point is invalid
   template <typename OutputIterator>
-  OutputIterator isolines(const FT& value, OutputIterator output)
-  {
-    build_sequence_tree_for_faces();
-    return std::as_const(*this).isolines(value, output);
-  }
-
-  /// does the same without building.
-  ///
-  /// \tparam OutputIterator a model of `OutputIterator` that takes `std::vector<Point_3>`
-  /// \param value the distance
-  /// \param output gets a polyline for each line
-  /// \return the output iterator past the last polyline
-  /// \throws std::logic_error if `build_sequence_tree_for_faces()` has not been called since source points were changed
-  template <typename OutputIterator>
   OutputIterator isolines(const FT& value, OutputIterator output) const
   {
-    m_structure.check_built();
-    if(!m_structure.is_built())
-      return output;
-    m_structure.check_windows();
-    using Points = std::vector<std::pair<face_descriptor, std::array<double, 3>>>;
-    const double resolution = Surface_mesh_geodesics::internal::Tolerance<double>::isoline();
-    m_structure.solver().trace_isolines(CGAL::to_double(value), resolution, [&](const Points& points, bool is_closed)
-    {
-      std::vector<Point_3> line;
-      const auto append = [&](const Point_3& p)
-      {
-        if(line.empty() || p != line.back())
-          line.push_back(p);
-      };
-      for(const auto& p : points)
-        append(point(p.first, Locations::coordinates(p.second, m_structure.traits())));
-      if(is_closed)
-        append(Point_3(line.front()));
-      if(line.size() > 1)
-        *output++ = line;
-    });
-    return output;
+    return m_structure.write_isolines(value, output);
   }
 
   /// @}
@@ -891,7 +698,7 @@ public:
   /// returns a point of a halfedge.
   ///
   /// \param he a halfedge of the mesh
-  /// \param t where the point is: 0 for the source of `he`, 1 for its target
+  /// \param t the position of the point: 0 for the source of `he`, 1 for its target
   Point_3 point(halfedge_descriptor he, const FT t) const
   {
     return point(he, t, m_structure.mesh(), m_structure.vertex_point_map(), m_structure.traits());
@@ -900,7 +707,7 @@ public:
   /// does the same without an object, with the point map of the mesh.
   ///
   /// \param he a halfedge of the mesh
-  /// \param t where the point is: 0 for the source of `he`, 1 for its target
+  /// \param t the position of the point: 0 for the source of `he`, 1 for its target
   /// \param tm the mesh
   /// \param traits an instance of the traits class
   static Point_3 point(halfedge_descriptor he, const FT t, const Triangle_mesh& tm, const Traits& traits = Traits())
@@ -911,7 +718,7 @@ public:
   /// does the same without an object, with a point map.
   ///
   /// \param he a halfedge of the mesh
-  /// \param t where the point is: 0 for the source of `he`, 1 for its target
+  /// \param t the position of the point: 0 for the source of `he`, 1 for its target
   /// \param tm the mesh
   /// \param vertex_point_map gives the point of each vertex
   /// \param traits an instance of the traits class
@@ -962,7 +769,7 @@ public:
   /// is a border halfedge.
   ///
   /// \param he a halfedge of the mesh
-  /// \param t where the point is: 0 for the source of `he`, 1 for its target
+  /// \param t the position of the point: 0 for the source of `he`, 1 for its target
   /// \return the location; its face is the null face if there is no face on either side
   Face_location face_location(halfedge_descriptor he, const FT t) const
   {
@@ -972,7 +779,7 @@ public:
   /// does the same without an object.
   ///
   /// \param he a halfedge of the mesh
-  /// \param t where the point is: 0 for the source of `he`, 1 for its target
+  /// \param t the position of the point: 0 for the source of `he`, 1 for its target
   /// \param tm the mesh
   /// \param traits an instance of the traits class
   /// \return the location; its face is the null face if there is no face on either side
@@ -1156,20 +963,6 @@ private:
   template <typename OutputIterator>
   using Polyline_writer
     = Surface_mesh_geodesics::internal::Path_polyline_writer<Surface_mesh_geodesic_paths, OutputIterator>;
-
-  void build(bool wants_windows)
-  {
-    Surface_mesh_geodesics::Geodesic_default_visitor visitor;
-    m_structure.build(wants_windows, visitor);
-  }
-
-  // `place` is a vertex, or a face and coordinates.
-  template <typename... Place>
-  Query built_query(const Place&... place)
-  {
-    Surface_mesh_geodesics::Geodesic_default_visitor visitor;
-    return m_structure.built_query(visitor, place...);
-  }
 
   Structure m_structure;
 };

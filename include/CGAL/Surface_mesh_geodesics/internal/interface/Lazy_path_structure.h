@@ -10,25 +10,38 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_LAZY_PATH_STRUCTURE_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_LAZY_PATH_STRUCTURE_H
 
-// What the class of shortest paths knows, and when it is computed: the source points, the solver, and whether what
-// the solver knows still fits the source points. What is asked through a const reference computes nothing, and
-// throws std::logic_error where something would have to be computed first.
+// What `Surface_mesh_geodesic_paths` knows, and when it computes it: the source points, the solver, and how much of what
+// the solver knows still fits the source points.
+//
+// One rule holds for all queries. A query is const, and computes what it needs under a mutex if that is missing. Once
+// it is there, a query reads one atomic number and takes no lock, so any number of threads may ask one object.
+// Functions that are not const (sources, building, lengths, clear()) need the object for themselves.
+//
+// Results appear in two steps. The first one gives the distances of all vertices and the paths from them; it runs while
+// nobody reads. The second one adds the windows on the edges, which queries at other points read; it writes nothing
+// that queries at vertices read, as those may be running in other threads.
 
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Path_solver.h>
-#include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/Source_insertion.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Source_point_list.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Surface_locations.h>
-#include <CGAL/Surface_mesh_geodesics/internal/interface/intrinsic_mesh_from_face_graph.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/Face_shapes.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/path_visitors.h>
-#include <CGAL/Surface_mesh_geodesics/internal/interface/source_range.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/run_with_visitor.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/source_range.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/barycentric_coordinates.h>
+
+#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
 
+#include <atomic>
 #include <cstddef>
+#include <functional>
 #include <limits>
-#include <stdexcept>
+#include <mutex>
 #include <utility>
 
 namespace CGAL {
@@ -46,6 +59,7 @@ public:
   using halfedge_descriptor = typename Locations::halfedge_descriptor;
   using face_descriptor = typename Locations::face_descriptor;
   using FT = typename Locations::FT;
+  using Point_3 = typename Locations::Point_3;
   using Barycentric_coordinates = typename Locations::Barycentric_coordinates;
   using Face_location = typename Locations::Face_location;
   using Coordinates = typename Locations::Coordinates;
@@ -53,7 +67,9 @@ public:
   using Source_point_iterator = typename Sources::Iterator;
   using Result = std::pair<FT, Source_point_iterator>;
   using Solver = Path_solver<Triangle_mesh, VertexIndexMap, FaceIndexMap>;
-  using Query = typename Solver::Query;
+
+  // Where queries can be answered at once. In this order: each value includes those before it.
+  enum class Extent { NOWHERE, AT_VERTICES, EVERYWHERE };
 
   static constexpr std::size_t no_source = (std::numeric_limits<std::size_t>::max)();
 
@@ -70,52 +86,82 @@ public:
   const Triangle_mesh& mesh() const { return m_tm; }
   const VertexPointMap& vertex_point_map() const { return m_vertex_point_map; }
   const Sources& sources() const { return m_sources; }
-  Sources& sources() { return m_sources; }
-  const Solver& solver() const { return m_solver; }
   Coordinates weights(const Barycentric_coordinates& location) const { return Locations::weights(location, m_traits); }
 
   // --- source points ---
 
-  // A vertex that is none is refused when the structure is built.
+  // Returns whether source points have been added or removed, or a build has ended early, since the last build.
+  bool has_changed() const { return m_ready.load(std::memory_order_acquire) == Extent::NOWHERE; }
+
+  // Adds a vertex. The build refuses an invalid one.
   Source_point_iterator add_source(vertex_descriptor v)
   {
     const bool is_vertex = is_vertex_of(v, m_tm, m_vertex_index_map);
-    return m_sources.add(
+    return add_source_point(
       {is_vertex ? Locations::location(v, m_tm, m_traits) : Locations::null_location(m_traits), v});
   }
 
+  // Adds a point of a face. The build refuses an invalid one.
   Source_point_iterator add_source(const Face_location& location)
   {
-    return m_sources.add({location, Graph_traits::null_vertex()});
+    return add_source_point({location, Graph_traits::null_vertex()});
+  }
+
+  template <typename InputIterator>
+  Source_point_iterator add_sources(InputIterator begin, InputIterator end)
+  {
+    if(begin == end)
+      return m_sources.end();
+    const Source_point_iterator first = add_source(*begin);
+    while(++begin != end)
+      add_source(*begin);
+    return first;
+  }
+
+  void remove_source(Source_point_iterator it)
+  {
+    if(m_sources.remove(it))
+      set_changed();
+  }
+
+  void remove_all_sources()
+  {
+    while(m_sources.size() > 0)
+      remove_source(m_sources.begin());
   }
 
   // --- building ---
 
-  // Without sources nothing is ever built.
-  bool is_built() const { return m_solver.state() != Solver::State::EMPTY; }
-
-  // builds if source points have changed, or if windows are wanted that have not been kept. Returns false if the
-  // visitor cancelled; whatever ends it early, the source points are still to be built then.
-  template <typename Visitor>
-  bool build(bool wants_windows, Visitor& visitor)
+  // Computes what queries in `wanted` need, if it is missing. `run(propagate)` calls propagate(go_on) and returns its
+  // result. Returns false if that is false: go_on() has ended the propagation. If building ends early, by that or by an
+  // exception, has_changed() returns true and the next build begins anew.
+  template <typename Run>
+  bool build(Extent wanted, Run run)
   {
-    const bool lacks_windows = wants_windows && is_built() && m_solver.state() != Solver::State::WINDOWS;
-    if(!m_sources.has_changed() && !lacks_windows)
+    if(is_ready(wanted))
       return true;
-    m_sources.mark_changed();
-    give_sources_to_solver();
-    const bool is_complete
-      = run_with_visitor(visitor, num_vertices(m_tm), [&](auto go_on) { return m_solver.run(wants_windows, go_on); });
-    if(is_complete)
-      m_sources.mark_built();
-    return is_complete;
+    set_changed();
+    return compute(wanted, run);
   }
 
+  bool build(Extent wanted) { return build(wanted, Run_to_the_end()); }
+
+  template <typename Visitor>
+  bool build_with_visitor(Extent wanted, Visitor& visitor)
+  {
+    return build(wanted,
+                 [&](auto propagate) { return run_with_visitor(visitor, num_vertices(m_tm), propagate); });
+  }
+
+  // Reads the lengths of the edges at once, and forgets all results. Throws Invalid_geodesic_input; then the next build
+  // takes the lengths from the points.
   template <typename EdgeLengthMap>
   void use_edge_lengths(EdgeLengthMap edge_length_map)
   {
     if(m_sources.size() > 0)
-      m_sources.mark_changed();
+      set_changed();
+    else if(!has_changed())
+      set_ready(Extent::EVERYWHERE);
     m_solver.build_mesh(Shape_from_edge_lengths<double, Triangle_mesh, EdgeLengthMap>(m_tm, edge_length_map));
   }
 
@@ -123,111 +169,150 @@ public:
   {
     m_sources.clear();
     m_solver.forget();
+    set_ready(Extent::EVERYWHERE);
   }
 
-  void check_built() const
+  // Waits for a build that runs in another thread.
+  Propagation_statistics statistics() const
   {
-    if(m_sources.has_changed())
-      throw std::logic_error("Surface_mesh_geodesic_paths: build_sequence_tree() has not been called "
-                             "since source points were changed");
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    return m_solver.statistics();
   }
 
-  // for what is built
-  void check_windows() const
+  // --- queries ---
+
+  // All of them throw Invalid_geodesic_input for a vertex or location that is not on the mesh, and what a build throws.
+
+  Result distance(vertex_descriptor v) const { return result(query(v)); }
+
+  Result distance(face_descriptor f, const Barycentric_coordinates& location) const
   {
-    if(m_solver.state() != Solver::State::WINDOWS)
-      throw std::logic_error("Surface_mesh_geodesic_paths: build_sequence_tree_for_faces() has not been "
-                             "called since source points were changed");
+    return result(query(f, location));
   }
 
-  // --- places of queries ---
+  std::size_t nearest_source(vertex_descriptor v) const { return nearest_source(query(v)); }
 
-  Query query(vertex_descriptor v) const
+  std::size_t nearest_source(face_descriptor f, const Barycentric_coordinates& location) const
   {
-    check_built();
-    if(is_built())
-      return m_solver.query(v);
-    m_solver.check_query(v);
-    return Query();
+    return nearest_source(query(f, location));
   }
 
-  Query query(face_descriptor f, const Barycentric_coordinates& location) const
+  // Calls the visitor for the vertices, edges and faces of the shortest path. Throws std::runtime_error if rounding
+  // hides the path; the visitor has not been called then.
+  template <typename Visitor>
+  Result sequence(vertex_descriptor v, Visitor& visitor) const
   {
-    check_built();
-    if(!is_built())
+    return sequence(query(v), visitor, [] {});
+  }
+
+  // The same from a point of a face. The first call tells the visitor the location as it was given.
+  template <typename Visitor>
+  Result sequence(face_descriptor f, const Barycentric_coordinates& location, Visitor& visitor) const
+  {
+    return sequence(query(f, location), visitor, [&] { visitor(f, location); });
+  }
+
+  // Writes the distances of all vertices; -1 for those that no source reaches.
+  template <typename VertexDistanceMap>
+  void write_distances(VertexDistanceMap vertex_distance_map) const
+  {
+    using Value = typename boost::property_traits<VertexDistanceMap>::value_type;
+    prepare(Extent::AT_VERTICES);
+    for(const vertex_descriptor v : vertices(m_tm))
     {
-      m_solver.check_query(f, weights(location));
-      return Query();
+      const double d = distance_or_infinity(v);
+      put(vertex_distance_map, v, d < std::numeric_limits<double>::infinity() ? Value(d) : Value(-1));
     }
-    const Query q = m_solver.query(f, weights(location));
-    if(m_solver.needs_windows(q))
-      check_windows();
-    return q;
   }
 
-  // The same, and what the query needs is built first.
-  template <typename Visitor>
-  Query built_query(Visitor& visitor, vertex_descriptor v)
+  // Returns the reached vertex with the largest distance, the first of several, and the distance; the null vertex and -1
+  // if no vertex is reached.
+  std::pair<vertex_descriptor, FT> farthest_vertex() const
   {
-    build(false, visitor);
-    return std::as_const(*this).query(v);
+    prepare(Extent::AT_VERTICES);
+    std::pair<vertex_descriptor, double> farthest(Graph_traits::null_vertex(), -1.);
+    for(const vertex_descriptor v : vertices(m_tm))
+    {
+      const double d = distance_or_infinity(v);
+      if(d > farthest.second && d < std::numeric_limits<double>::infinity())
+        farthest = {v, d};
+    }
+    return {farthest.first, FT(farthest.second)};
   }
 
-  template <typename Visitor>
-  Query built_query(Visitor& visitor, face_descriptor f, const Barycentric_coordinates& location)
+  // Writes a polyline for each line of points at the distance `value`; see isoline_tracing.h.
+  template <typename OutputIterator>
+  OutputIterator write_isolines(const FT& value, OutputIterator output) const
   {
-    build(!is_at_vertex(weights(location)), visitor);
-    if(!is_built())
-      return std::as_const(*this).query(f, location);
-    const Query q = m_solver.query(f, weights(location));
-    if(m_solver.needs_windows(q))
-      build(true, visitor);
-    return q;
+    prepare(Extent::EVERYWHERE);
+    if(has_results())
+    {
+      Isoline_writer<Lazy_path_structure, OutputIterator> writer(*this, output);
+      m_solver.trace_isolines(CGAL::to_double(value), Tolerance<double>::isoline(), std::ref(writer));
+      output = writer.output();
+    }
+    return output;
   }
 
-  // --- answers ---
-
-  // infinity if v is not reached
-  double distance(vertex_descriptor v) const
+  Point_3 point(face_descriptor f, const Coordinates& b) const
   {
-    return is_built() ? m_solver.distance(v) : std::numeric_limits<double>::infinity();
-  }
-
-  Result result(const Query& q) const { return is_built() ? result_of(m_solver.arrival(q)) : no_result(); }
-
-  std::size_t nearest_source(const Query& q) const
-  {
-    if(!is_built())
-      return no_source;
-    const Arrival a = m_solver.arrival(q);
-    return is_reached(a) ? m_solver.source_number(a) : no_source;
-  }
-
-  template <typename Visitor>
-  Result sequence(const Query& q, Visitor& visitor) const
-  {
-    return sequence(q, visitor, [] {});
-  }
-
-  // The visitor is told of the query first, as it was asked.
-  template <typename Visitor>
-  Result sequence(const Query& q, face_descriptor f, const Barycentric_coordinates& location, Visitor& visitor) const
-  {
-    return sequence(q, visitor, [&] { visitor(f, location); });
+    return Locations::point(f, Locations::coordinates(b, m_traits), m_tm, m_vertex_point_map, m_traits);
   }
 
 private:
+  using Query = typename Solver::Query;
   using Arrival = typename Solver::Arrival;
 
-  static bool is_at_vertex(Coordinates b)
+  struct Run_to_the_end
   {
-    Source_insertion<double>::snap(b);
-    return b[0] == 1 || b[1] == 1 || b[2] == 1;
+    template <typename Propagate>
+    bool operator()(Propagate propagate) const
+    {
+      return propagate([](std::size_t, double) { return true; });
+    }
+  };
+
+  // --- building ---
+
+  bool is_ready(Extent wanted) const { return m_ready.load(std::memory_order_acquire) >= wanted; }
+  void set_ready(Extent extent) const { m_ready.store(extent, std::memory_order_release); }
+  void set_changed() { set_ready(Extent::NOWHERE); }
+
+  Source_point_iterator add_source_point(const typename Sources::Source& source)
+  {
+    const Source_point_iterator added = m_sources.add(source);
+    set_changed();
+    return added;
   }
 
-  static bool is_reached(const Arrival& a) { return a.root != null_id; }
+  // Begins each query: computes what queries in `wanted` need, if it is missing.
+  void prepare(Extent wanted) const
+  {
+    if(is_ready(wanted))
+      return;
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    if(!is_ready(wanted)) // another thread may have computed it meanwhile
+      compute(wanted, Run_to_the_end());
+  }
 
-  void give_sources_to_solver()
+  // Requires: !is_ready(wanted), and no other thread computes. If it ends early, what was ready stays ready.
+  template <typename Run>
+  bool compute(Extent wanted, Run run) const
+  {
+    const bool adds_windows = is_ready(Extent::AT_VERTICES);
+    if(!adds_windows)
+      give_sources_to_solver();
+    const bool is_complete = run([&](auto go_on)
+    { return adds_windows ? m_solver.add_windows(go_on) : m_solver.run(wanted == Extent::EVERYWHERE, go_on); });
+    if(!is_complete)
+      return false;
+    if(!adds_windows)
+      m_sources.set_built();
+    set_ready(wanted);
+    return true;
+  }
+
+  void give_sources_to_solver() const
   {
     if(!m_solver.has_mesh())
       m_solver.build_mesh(Shape_from_points<double, Triangle_mesh, VertexPointMap>(m_tm, m_vertex_point_map));
@@ -239,6 +324,50 @@ private:
         m_solver.add_source_location(std::make_pair(s.location.first, weights(s.location.second)));
   }
 
+  // An object that never had sources is ready without results. Requires: is_ready(Extent::AT_VERTICES).
+  bool has_results() const { return m_solver.has_run(); }
+
+  // --- queries ---
+
+  Query query(vertex_descriptor v) const
+  {
+    prepare(Extent::AT_VERTICES);
+    if(has_results())
+      return m_solver.query(v);
+    m_solver.check_query(v);
+    return Query();
+  }
+
+  Query query(face_descriptor f, const Barycentric_coordinates& location) const
+  {
+    const Coordinates b = weights(location);
+    prepare(is_at_corner(b) ? Extent::AT_VERTICES : Extent::EVERYWHERE);
+    if(!has_results())
+    {
+      m_solver.check_query(f, b);
+      return Query();
+    }
+    const Query q = m_solver.query(f, b);
+    if(m_solver.needs_windows(q))
+      prepare(Extent::EVERYWHERE);
+    return q;
+  }
+
+  static bool is_at_corner(Coordinates b)
+  {
+    snap_coordinates(b);
+    return b[0] == 1 || b[1] == 1 || b[2] == 1;
+  }
+
+  static bool is_reached(const Arrival& a) { return a.root != null_id; }
+
+  double distance_or_infinity(vertex_descriptor v) const
+  {
+    return has_results() ? m_solver.distance(v) : std::numeric_limits<double>::infinity();
+  }
+
+  Result result(const Query& q) const { return has_results() ? result_of(m_solver.arrival(q)) : no_result(); }
+
   Result no_result() const { return Result(FT(-1), m_sources.end()); }
 
   Result result_of(const Arrival& a) const
@@ -247,11 +376,19 @@ private:
                          : no_result();
   }
 
-  // A path that cannot be traced throws before the visitor has heard of anything.
+  std::size_t nearest_source(const Query& q) const
+  {
+    if(!has_results())
+      return no_source;
+    const Arrival a = m_solver.arrival(q);
+    return is_reached(a) ? m_solver.source_number(a) : no_source;
+  }
+
+  // Traces the path before it calls the visitor, because tracing may throw.
   template <typename Visitor, typename TellQuery>
   Result sequence(const Query& q, Visitor& visitor, TellQuery tell_query) const
   {
-    if(!is_built())
+    if(!has_results())
       return no_result();
     const Arrival a = m_solver.arrival(q);
     if(is_reached(a))
@@ -268,8 +405,11 @@ private:
   const Triangle_mesh& m_tm;
   VertexIndexMap m_vertex_index_map;
   VertexPointMap m_vertex_point_map;
-  Sources m_sources;
-  Solver m_solver;
+  // What const queries may compute, under the mutex. m_ready tells readers what they may read without it.
+  mutable std::mutex m_mutex;
+  mutable std::atomic<Extent> m_ready{Extent::EVERYWHERE}; // nothing is missing as long as there are no sources
+  mutable Sources m_sources;                               // a build numbers them, and frees those that were removed
+  mutable Solver m_solver;
 };
 
 } // namespace internal

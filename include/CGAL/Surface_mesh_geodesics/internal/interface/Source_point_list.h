@@ -10,9 +10,10 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_SOURCE_POINT_LIST_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_SOURCE_POINT_LIST_H
 
-// The source points of the class of shortest paths, in the order in which they were added, and the iterators to them.
-// Queries answer with the source points as they were when the structure was built: those that have been removed
-// since are kept until it has been built again.
+// The source points of `Surface_mesh_geodesic_paths`, in the order in which they were added, and the iterators to them.
+//
+// Queries answer with the source points of the last build. So the list keeps a source point that has been removed until
+// the next build: until then its iterator may be dereferenced. Iterators to other source points stay valid.
 
 #include <CGAL/assertions.h>
 
@@ -25,19 +26,19 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// A source point as it was given; `vertex` is the null vertex unless it was given as a vertex.
+// A source point as the user gave it; `vertex` is the null vertex unless it was given as a vertex.
 template <typename FaceLocation, typename VertexDescriptor>
 struct Source_point
 {
   FaceLocation location;
   VertexDescriptor vertex;
-  bool is_removed = false; // it is kept until the structure is built again
+  bool is_removed = false; // the list keeps it until the next build
 };
 
 template <typename FaceLocation, typename VertexDescriptor>
 class Source_point_list;
 
-// The iterator of the user: it shows the location only.
+// The iterator that users get. It shows the location only.
 template <typename FaceLocation, typename VertexDescriptor>
 class Source_point_iterator
 {
@@ -94,28 +95,19 @@ public:
   std::size_t size() const { return m_sources.size(); }
   const std::list<Source>& sources() const { return m_sources; }
 
-  Iterator add(const Source& source)
-  {
-    const Iterator added(m_sources.insert(m_sources.end(), source));
-    m_has_changed = true;
-    return added;
-  }
+  // Appends a source point. Takes constant time.
+  Iterator add(const Source& source) { return Iterator(m_sources.insert(m_sources.end(), source)); }
 
-  // A source point that has been removed already stays removed.
-  void remove(Iterator it)
+  // Removes a source point, in constant time. Returns false if it has been removed already.
+  // Requires: `it` is an iterator to a source point that has not been removed.
+  bool remove(Iterator it)
   {
     CGAL_precondition_msg(!it.m_iterator->is_removed, "the source point has been removed already");
     if(it.m_iterator->is_removed)
-      return;
+      return false;
     m_removed.splice(m_removed.begin(), m_sources, it.m_iterator);
     m_removed.front().is_removed = true;
-    m_has_changed = true;
-  }
-
-  void remove_all()
-  {
-    while(!m_sources.empty())
-      remove(begin());
+    return true;
   }
 
   void clear()
@@ -123,31 +115,29 @@ public:
     m_sources.clear();
     m_removed.clear();
     m_by_number.clear();
-    m_has_changed = false;
   }
 
-  // since the structure was built
-  bool has_changed() const { return m_has_changed; }
-  void mark_changed() { m_has_changed = true; }
-
-  // is to be called when the structure has been built: numbers the source points, and forgets those removed.
-  void mark_built()
+  // Ends a build: numbers the source points, and frees those that have been removed. Leaves begin(), end() and size()
+  // alone, so other threads may read them meanwhile.
+  void set_built()
   {
     m_by_number.clear();
     for(auto it = m_sources.cbegin(); it != m_sources.cend(); ++it)
       m_by_number.push_back(Iterator(it));
     m_removed.clear();
-    m_has_changed = false;
   }
 
-  // the source point with a number that the structure knows
-  Iterator by_number(std::size_t number) const { return m_by_number[number]; }
+  // Returns the source point with a number that the last build has given. Requires: number < size() at that build.
+  Iterator by_number(std::size_t number) const
+  {
+    CGAL_assertion(number < m_by_number.size());
+    return m_by_number[number];
+  }
 
 private:
   std::list<Source> m_sources;
-  std::list<Source> m_removed; // since the structure was built
-  std::vector<Iterator> m_by_number;
-  bool m_has_changed = false;
+  std::list<Source> m_removed;       // since the last build
+  std::vector<Iterator> m_by_number; // in the last build
 };
 
 } // namespace internal

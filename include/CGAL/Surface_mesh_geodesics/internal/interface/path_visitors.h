@@ -10,10 +10,11 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_PATH_VISITORS_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_PATH_VISITORS_H
 
-// Who is told of a path: from the elements that the solver tells to the calls of a SurfaceMeshShortestPathVisitor,
-// and two such visitors, which write points.
+// Receivers of paths and isolines. `Path_sequence_sink` turns the elements that the solver reports into the calls of a
+// `SurfaceMeshShortestPathVisitor`. `Path_point_writer` and `Path_polyline_writer` are such visitors; they write points.
+// `Isoline_writer` writes the points of isolines.
 
-#include <CGAL/Surface_mesh_geodesics/internal/surface/Source_insertion.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/barycentric_coordinates.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -21,12 +22,13 @@
 #include <cstddef>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// The points of the elements of a path, one after the other, which `paths.point()` gives.
+// Computes the points of the elements of a path, one after the other, with `paths.point()`.
 template <typename Paths>
 class Path_points
 {
@@ -35,8 +37,8 @@ public:
 
   explicit Path_points(const Paths& paths) : m_paths(paths) {}
 
-  // goes on to a vertex, a halfedge and a parameter, or a face and coordinates. Returns false if rounding makes the
-  // point equal to the one before.
+  // Moves to a vertex, a halfedge and a parameter, or a face and coordinates. Returns false if rounding makes the point
+  // equal to the one before.
   template <typename... Element>
   bool next(const Element&... element)
   {
@@ -74,7 +76,7 @@ private:
   OutputIterator m_output;
 };
 
-// Writes the points of a path, each with the face of the segment that leads to it, which enter() tells.
+// Writes the points of a path, each with the face of the segment that leads to it. enter() sets that face.
 template <typename Paths, typename OutputIterator>
 class Path_polyline_writer
 {
@@ -106,7 +108,7 @@ template <typename Paths, typename OutputIterator>
 struct Wants_faces_of_segments<Path_polyline_writer<Paths, OutputIterator>> : std::true_type
 {};
 
-// From what the solver tells of a path to the calls of the visitor. `structure` knows the source points.
+// Turns what the solver reports of a path into calls of the visitor. `structure` knows the source points.
 template <typename Structure, typename Visitor>
 class Path_sequence_sink
 {
@@ -130,12 +132,12 @@ public:
       m_visitor.enter(f);
   }
 
-  // a source point that is not a vertex
+  // Ends the path at a source point that is not a vertex. The visitor gets it as an edge if it lies on one.
   void source(std::size_t number)
   {
     const typename Structure::Face_location& location = *m_structure.sources().by_number(number);
     std::array<double, 3> b = m_structure.weights(location.second);
-    Source_insertion<double>::snap(b);
+    snap_coordinates(b);
     halfedge_descriptor h = halfedge(location.first, m_structure.mesh());
     for(std::size_t k = 0; k < 3; ++k, h = next(h, m_structure.mesh()))
       if(b[(k + 2) % 3] == 0)
@@ -149,6 +151,41 @@ public:
 private:
   const Structure& m_structure;
   Visitor& m_visitor;
+};
+
+// Writes isolines as polylines, without a point twice in a row. A closed line ends with its first point. A line of one
+// point is not written. `structure.point(f, b)` gives the points.
+template <typename Structure, typename OutputIterator>
+class Isoline_writer
+{
+public:
+  using Point_3 = typename Structure::Point_3;
+  using Located_points = std::vector<std::pair<typename Structure::face_descriptor, std::array<double, 3>>>;
+
+  Isoline_writer(const Structure& structure, OutputIterator output) : m_structure(structure), m_output(output) {}
+
+  const OutputIterator& output() const { return m_output; }
+
+  void operator()(const Located_points& points, bool is_closed)
+  {
+    std::vector<Point_3> line;
+    for(const auto& p : points)
+      append(line, m_structure.point(p.first, p.second));
+    if(is_closed)
+      append(line, Point_3(line.front()));
+    if(line.size() > 1)
+      *m_output++ = line;
+  }
+
+private:
+  static void append(std::vector<Point_3>& line, const Point_3& p)
+  {
+    if(line.empty() || p != line.back())
+      line.push_back(p);
+  }
+
+  const Structure& m_structure;
+  OutputIterator m_output;
 };
 
 } // namespace internal

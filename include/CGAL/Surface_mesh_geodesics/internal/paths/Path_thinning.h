@@ -16,7 +16,7 @@
 // left out only where the points before and after it are in one face: so consecutive points always are.
 
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/Source_insertion.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Face_parts.h>
 #include <CGAL/Surface_mesh_geodesics/internal/paths/Straight_piece.h>
 
 namespace CGAL {
@@ -44,8 +44,8 @@ public:
   using Item = Path_item<FT>;
 
   // `extent` is that of the component (Intrinsic_mesh.h): points that are nearer to each other than it tells are one.
-  Path_thinning(const Mesh& mesh, const Source_insertion<FT>& insertion, const FT& extent, Tell tell)
-    : m_mesh(mesh), m_insertion(insertion), m_tell(tell), m_place(Tolerance<FT>::gap() * extent)
+  Path_thinning(const Mesh& mesh, const Face_parts<FT>& parts, const FT& extent, Tell tell)
+    : m_mesh(mesh), m_parts(parts), m_tell(tell), m_place(Tolerance<FT>::gap() * extent)
   {}
 
   // begins with a point that need not be told: a vertex, or a point of local_halfedge, or one inside a face.
@@ -66,7 +66,7 @@ public:
     {
       item.halfedge = item.local_halfedge = step.halfedge;
       item.t = step.x / m_mesh.length(step.halfedge);
-      if(!m_insertion.find_on_whole_edge(item.halfedge, item.t))
+      if(!m_parts.find_on_whole_edge(item.halfedge, item.t))
         return;
     }
     item.face = m_entered;
@@ -87,18 +87,18 @@ private:
   // is the item on the face of the first mesh of which `part` is a part?
   bool touches(const Item& item, Face_id part) const
   {
-    const Face_id f = m_insertion.whole(part);
+    const Face_id f = m_parts.whole(part);
     if(item.vertex == null_id)
     {
       if(item.local_halfedge == null_id)
-        return m_insertion.whole(item.face) == f;
+        return m_parts.whole(item.face) == f;
       const Halfedge_id o = m_mesh.opposite(item.local_halfedge);
-      return m_insertion.whole(face_of(item.local_halfedge)) == f
-          || (o != null_id && m_insertion.whole(face_of(o)) == f);
+      return m_parts.whole(face_of(item.local_halfedge)) == f
+          || (o != null_id && m_parts.whole(face_of(o)) == f);
     }
     bool result = false;
     m_mesh.for_each_halfedge_around(item.vertex, [&](Halfedge_id h)
-    { result = result || m_insertion.whole(face_of(h)) == f; });
+    { result = result || m_parts.whole(face_of(h)) == f; });
     return result;
   }
 
@@ -136,7 +136,7 @@ private:
   }
 
   const Mesh& m_mesh;
-  const Source_insertion<FT>& m_insertion;
+  const Face_parts<FT>& m_parts;
   Tell m_tell;
   FT m_place; // how far a place reaches
   Item m_last, m_pending; // the last one that has been told, and the next one
