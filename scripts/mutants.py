@@ -33,7 +33,6 @@ REMOVAL = INTERNAL + "Voronoi/Redundant_window_removal.h"
 RADIX_HEAP = INTERNAL + "numeric/Radix_heap.h"
 SINGLE_PRECISION = INTERNAL + "numeric/single_precision.h"
 BISECTOR = INTERNAL + "numeric/Weighted_bisector.h"
-EDGE_PARTITION = INTERNAL + "Voronoi/Edge_partition.h"
 FACE_PARTITION = INTERNAL + "Voronoi/Face_partition.h"
 COMPLEX = INTERNAL + "Voronoi/Voronoi_complex.h"
 PATH_THINNING = INTERNAL + "paths/Path_thinning.h"
@@ -413,13 +412,13 @@ MUTANTS = [
      "return FT((at_first + at_last + length) / 2);", "return (std::max)(at_first, at_last);",
      "a face is said to be done when its corners are", (RANDOM_DIAGRAMS, CUT, HOSTILE_DIAGRAMS)),
     ("curve_drawn_on_to_its_end", FACE_PARTITION,
-     "    if(is_taken_over_before(f, p))\n      lead_back(f, p);\n", "",
+     "    if(completion().is_taken_over_before(f, p))\n      completion().lead_back(f, p);\n", "",
      "a curve that ends near its end goes on with paths that are not the shortest ones", (RANDOM_DIAGRAMS,)),
     ("bisector_turned", BISECTOR,
      "    if(m_tx * ny - m_ty * nx < 0)\n", "    if(m_tx * ny - m_ty * nx > 0)\n",
      "curves run backwards", (CUT,)),
-    ("edge_takes_over_by_rounding", EDGE_PARTITION,
-     "return a < b * (1 - 4 * Tolerance<FT>::distance()); }", "return a <= b; }",
+    ("edge_takes_over_by_rounding", BISECTOR,
+     "return a < b * (1 - Tolerance<FT>::nearer());", "return a <= b;",
      "on an edge two sources that tie take turns", (SYMMETRIC, BY_HAND, RANDOM_DIAGRAMS)),
     ("nodes_on_edge_not_reversed", COMPLEX,
      "result.is_reversed = o != null_id && o < h;\n    const Index_range* const nodes = m_edge_nodes",
