@@ -62,7 +62,7 @@ unexpected=$(cd "$tree/$package/test/$package" && find . -mindepth 1 -maxdepth 1
 manual=$tree/$package/doc/$package
 grep -ohE '\\ref Surface_mesh_geodesics_\w+' -r "$manual" "$tree/$package/include" | sed 's/.* //' | LC_ALL=C sort -u \
   > "$work/references.txt"
-sed -nE 's/^\\(sub)*section (\w+) .*/\2/p' "$manual/$package.txt" | LC_ALL=C sort -u > "$work/sections.txt"
+sed -nE 's/^\\((sub)*section|page) (\w+) .*/\3/p' "$manual"/*.txt | LC_ALL=C sort -u > "$work/sections.txt"
 missing=$(LC_ALL=C comm -23 "$work/references.txt" "$work/sections.txt")
 [ -z "$missing" ] || fail "references to sections that are not there: $missing"
 diff <(grep -ohE '[A-Za-z0-9_]+\.(png|svg)' "$manual"/*.txt | LC_ALL=C sort -u) \
@@ -98,6 +98,6 @@ done
 diff \
   <(grep -rhoE '\\cgalCite\{[^}]+' "$tree/$package/doc" "$tree/$package/include" | sed 's/.*{//' | LC_ALL=C sort -u) \
   <(sed -nE 's/^@[a-z]+\{(.*),$/\1/p' "$tree/Documentation/doc/biblio/$package.bib" | LC_ALL=C sort -u)
-! grep -q "${package}_literature" "$tree/$package/doc/$package/$package.txt" \
+! grep -q "${package}_literature" -r "$tree/$package/doc/$package" \
   || fail "the manual still has its own literature"
 echo "The tree is complete, and its example runs."

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Checks that the manual's table of differences from Surface_mesh_shortest_path is what its program prints.
+"""Checks that the table of differences from Surface_mesh_shortest_path in the manual is what its program prints.
 
-Usage: check_differences.py MANUAL PROGRAM [VERSION...] | --self-test
+Usage: check_differences.py PAGE PROGRAM [VERSION...] | --self-test
 
-The table follows the line `<!-- printed table: differences -->`. The program prints the version of CGAL, and the rows.
-The column of the other class is compared with the versions of CGAL that are given only: another one may have mended it.
+The table follows the line `<!-- printed table: differences -->` of the page. The program prints the version of CGAL and
+the rows. The column of the other class is compared only for the given versions of CGAL: others may have fixed it.
 """
 
 import subprocess

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 """Checks that an example prints what the manual shows below it.
 
-Usage: check_example_output.py MANUAL DATA_FOLDER PROGRAM | --self-test
+Usage: check_example_output.py MANUAL_FOLDER DATA_FOLDER PROGRAM | --self-test
 
-In the manual, `\\cgalExample{.../NAME.cpp}` is followed by `\\verbatim`, the command `$ ../NAME [arguments]`, the
-output, and `\\endverbatim`. The program runs with these arguments in an empty folder with data/ in it. Three dots
-stand for anything in a line, a line of three dots for any number of lines. Numbers with a point in them may differ by
-a part in ten thousand, all else is the same.
+In a page of the manual, `\\cgalExample{.../NAME.cpp}` is followed by `\\verbatim`, the command
+`$ ../NAME [arguments]`, the output, and `\\endverbatim`. The program runs with these arguments in an empty folder with
+data/ in it. Three dots stand for anything in a line, a line of three dots for any number of lines. Numbers with a
+point may differ by a part in ten thousand; all else must be equal.
 """
 
 import os
@@ -20,17 +20,17 @@ import tempfile
 from complaints import report
 
 TOLERANCE = 1e-4
-# Three dots, or a number with a point whose digits no dots continue.
+# Three dots, or a number with a point that no dots follow.
 PLACEHOLDER = re.compile(r"(\.\.\.|-?\d+\.\d+(?:e[-+]?\d+)?(?!\d*\.\.\.))")
 
 
 def shown_run(manual, name):
     """The arguments and the lines of output that the manual shows for an example, or None."""
-    place = manual.find(f"/{name}.cpp}}")
-    if place < 0:
+    begin = manual.find(f"/{name}.cpp}}")
+    if begin < 0:
         return None
-    end = manual.find("\\cgalExample", place)
-    section = manual[place:end if end >= 0 else len(manual)]
+    end = manual.find("\\cgalExample", begin)
+    section = manual[begin:end if end >= 0 else len(manual)]
     block = re.search(r"^\\verbatim\n(.*?)^\\endverbatim$", section, re.DOTALL | re.MULTILINE)
     if block is None:
         return None
@@ -42,7 +42,7 @@ def shown_run(manual, name):
 def line_matches(shown, printed):
     pattern, expected = "", []
     for i, part in enumerate(PLACEHOLDER.split(shown)):
-        if i % 2 == 0:  # what stands between the placeholders
+        if i % 2 == 0:  # the text between the placeholders
             pattern += re.escape(part)
         elif part == "...":
             pattern += ".*"
@@ -74,7 +74,7 @@ def self_test():
     failures = [case for case in cases if lines_match(case[0].split("\n"), case[1].split("\n")) != case[2]]
     manual = "\\cgalExample{P/a.cpp}\n\\cgalExample{P/b.cpp}\n\n\\verbatim\n$ ../b x 2\nb 1\n\\endverbatim\n"
     if shown_run(manual, "a") is not None or shown_run(manual, "b") != (["x", "2"], ["b 1"]):
-        failures.append("the place of the command and the output")
+        failures.append("the position of the command and the output")
     if any(shown_run(manual.replace(old, new), "b") is not None for old, new in (("../b", "../a"), ("$ ", ""))):
         failures.append("output without its command")
     return report(failures, f"self-test: {len(cases) + 2} cases")
@@ -87,9 +87,10 @@ def main(arguments):
         print(__doc__)
         return 2
     manual, data, program = (pathlib.Path(argument).resolve() for argument in arguments)
-    run = shown_run(manual.read_text(encoding="utf-8"), program.stem)
+    pages = "".join(page.read_text(encoding="utf-8") for page in sorted(manual.glob("*.txt")))
+    run = shown_run(pages, program.stem)
     if run is None:
-        print(f"{manual}: no command with its output is shown for {program.stem}")
+        print(f"{manual}: no page shows a command with its output for {program.stem}")
         return 1
     program_arguments, shown = run
     with tempfile.TemporaryDirectory() as folder:

@@ -1,16 +1,15 @@
 #!/usr/bin/env python3
-"""Checks that every measured figure in the README and in the manual stands in the committed results of the benchmark.
+"""Checks that every measured figure in the README and in the manual agrees with the committed results of the benchmark.
 
 Usage: check_figures.py                   checks
-       check_figures.py --update          writes tables and figures anew, and then checks
-       check_figures.py --take FOLDER     copies what run_benchmark.sh has written to FOLDER (as a rule build/benchmark)
-                                          to the results, and then does the same
+       check_figures.py --update          rewrites tables and figures, then checks
+       check_figures.py --take FOLDER     copies what run_benchmark.sh has written to FOLDER (usually build/benchmark) to
+                                          the results, then does the same as --update
        check_figures.py --self-test
 
-Complaints are raised by a table that differs from its CSV file, by a table with numbers that is not marked as a
-measured one, by words about measured figures that are not in the text, and by results that nothing refers to. What
-belongs where is in measured_figures.py. An update also puts new figures between words that are there; other words, and
-numbers that are written as words, are left to an author.
+A table follows the line `<!-- table: NAME -->`; a figure in a sentence follows the comment `<!-- figure: NAME -->`.
+measured_figures.py computes both. The check complains about a table or a figure that differs from the results, an
+unknown name, a table with numbers that has no mark, and results or figures that no document uses.
 """
 
 import pathlib
@@ -25,26 +24,27 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 RESULTS = "benchmark/Surface_mesh_geodesics/results"
 PICTURES = "doc/Surface_mesh_geodesics/fig"
 MARK = re.compile(r"^<!-- table: (\w+) -->$")
-# A table that a program prints: another script compares it, as check_differences.py does.
+# A table that a program prints; another script, such as check_differences.py, compares it.
 PRINTED = re.compile(r"^<!-- printed table: \w+ -->$")
-FIGURE = re.compile(r"(?<![\w.])\d+(?:,\d{3})*(?:\.\d+)?(?:e-?\d+)?(?!\w)")
+FIGURE = re.compile(r"<!-- figure: (\w+) -->(\d+(?:,\d{3})*(?:\.\d+)*(?:e-?\d+)?)?")
 NUMBER = re.compile(r"^[\d.,~ ]*\d[\d.,]*( |$)")
 
 
 class Contents:
-    """What the documents have to say: functions that make tables, and one that makes sentences."""
+    """What the documents quote: functions that make tables, and one that computes the figures."""
 
-    def __init__(self, tables, sentences):
+    def __init__(self, tables, figures):
         self.tables = tables
-        self.sentences = sentences
+        self.figures = figures
 
 
-OURS = Contents(measured_figures.TABLES, measured_figures.sentences)
-DOCUMENTS = [measured_figures.README, measured_figures.MANUAL, measured_figures.SUBMISSION]
+OURS = Contents(measured_figures.TABLES, measured_figures.figures)
+DOCUMENTS = ["README.md", "doc/submission/specification.md"] + sorted(
+    str(path.relative_to(ROOT)) for path in (ROOT / "doc" / "Surface_mesh_geodesics").glob("*.txt"))
 
 
 def table_after(lines, begin):
-    """The range of lines of the table below a mark; one empty line may stand between."""
+    """The range of lines of the table below a mark. One empty line may separate them."""
     if begin < len(lines) and lines[begin] == "":
         begin += 1
     end = begin
@@ -58,7 +58,7 @@ def has_numbers(row):
 
 
 def check_tables(name, text, tables, results, complaints):
-    """Compares the marked tables of a document; returns the document with the tables as they should be."""
+    """Compares the marked tables of a document. Returns the document with the right tables."""
     lines, output, i = text.split("\n"), [], 0
     while i < len(lines):
         if PRINTED.match(lines[i]):
@@ -74,7 +74,7 @@ def check_tables(name, text, tables, results, complaints):
             i += 1
             continue
         if mark.group(1) not in tables:
-            complaints.append(f"{name}:{i + 1}: there is no table {mark.group(1)}")
+            complaints.append(f"{name}:{i + 1}: unknown table {mark.group(1)}")
             output.append(lines[i])
             i += 1
             continue
@@ -91,53 +91,44 @@ def check_tables(name, text, tables, results, complaints):
     return "\n".join(output)
 
 
-def words(text):
-    return " ".join(text.split())
-
-
-def with_figures_of(sentence, text):
-    """The text with the figures of a sentence, where it has these words with other figures; lines stay as they are."""
-    parts = re.split(f"({FIGURE.pattern})", words(sentence))
-    pattern = "".join(f"({FIGURE.pattern})" if i % 2 else re.escape(part).replace("\\ ", r"\s+")
-                      for i, part in enumerate(parts))
-    matches = list(re.finditer(pattern, text))
-    if len(matches) != 1:
-        return text
-    match = matches[0]
-    figures, begin, result = parts[1::2], match.start(), text[:match.start()]
-    for i, figure in enumerate(figures, start=1):
-        result += text[begin:match.start(i)] + figure
-        begin = match.end(i)
-    return result + text[begin:]
+def check_figures(name, text, figures, quoted, complaints):
+    """Compares the marked figures of a document. Returns the document with the right figures."""
+    def right(match):
+        figure, number = match.groups()
+        line = text.count("\n", 0, match.start()) + 1
+        quoted.add(figure)
+        if figure not in figures:
+            complaints.append(f"{name}:{line}: unknown figure {figure}")
+            return match.group(0)
+        if number != figures[figure]:
+            complaints.append(f"{name}:{line}: figure {figure} says {number}, measured {figures[figure]}")
+        return f"<!-- figure: {figure} -->{figures[figure]}"
+    return FIGURE.sub(right, text)
 
 
 def check(root, documents, contents):
-    """Returns the complaints, and the documents with the tables as they should be."""
-    root, complaints, right = pathlib.Path(root), [], {}
+    """Returns the complaints, and the documents with the right tables and figures."""
+    root, complaints, right, quoted = pathlib.Path(root), [], {}, set()
     results = measured_figures.Results(root / RESULTS)
+    figures = contents.figures(results)
     for name in documents:
         text = (root / name).read_text(encoding="utf-8")
-        right[name] = check_tables(name, text, contents.tables, results, complaints)
-    for name, sentence in contents.sentences(results):
-        if words(sentence) not in words((root / name).read_text(encoding="utf-8")):
-            complaints.append(f"{name}: does not say\n  {words(sentence)}")
+        text = check_tables(name, text, contents.tables, results, complaints)
+        right[name] = check_figures(name, text, figures, quoted, complaints)
     for path in sorted((root / RESULTS).glob("*.csv")):
         if path.stem not in results.used:
-            complaints.append(f"{RESULTS}/{path.name}: nothing refers to these results")
+            complaints.append(f"{RESULTS}/{path.name}: no document uses these results")
+    complaints += [f"no document quotes the figure {name}" for name in figures if name not in quoted]
     return complaints, right
 
 
 def update(root, documents, contents):
-    right = check(root, documents, contents)[1]
-    for name, sentence in contents.sentences(measured_figures.Results(pathlib.Path(root) / RESULTS)):
-        if words(sentence) not in words(right[name]):
-            right[name] = with_figures_of(sentence, right[name])
-    for name, text in right.items():
+    for name, text in check(root, documents, contents)[1].items():
         (pathlib.Path(root) / name).write_text(text, encoding="utf-8")
 
 
 def take(folder, root):
-    """Copies new results and plots; those that run_benchmark.sh has not been asked for stay as they are."""
+    """Copies new results and plots. Results that run_benchmark.sh has not measured stay as they are."""
     files = {f"{RESULTS}/{name}.csv": file for name, file in measured_figures.CSV_FILES.items()}
     for picture, name in measured_figures.PLOTS.items():
         files[f"{PICTURES}/{picture}"] = "plots/" + measured_figures.CSV_FILES[name].replace(".csv", ".svg")
@@ -156,7 +147,7 @@ def take(folder, root):
 TEST_CONTENTS = Contents(
     {"times": lambda results: ["| mesh | ms |", "|---|--:|"]
      + [f"| {row['mesh']} | {float(row['ms']):.1f} |" for row in results.rows("times")]},
-    lambda results: [("text.md", f"it takes {results.row('times', mesh='cow')['ms'][:3]} ms")])
+    lambda results: {"cow": results.rows("times", mesh="cow")[0]["ms"][:3]})
 
 SOUND_TEXT = """# Title
 
@@ -168,7 +159,7 @@ SOUND_TEXT = """# Title
 | pig | 3.0 |
 
 On the cow it takes
-1.2 ms.
+<!-- figure: cow -->1.2, or less.
 
 | folder | content |
 |---|---|
@@ -182,16 +173,18 @@ On the cow it takes
 """
 SOUND_TABLE = "# machine\nmesh,ms\ncow,1.234\npig,2.999\n"
 
-# What each fault changes, and words of the complaint it has to raise.
+# What each fault changes, words of the complaint it raises, and whether an update mends it.
 FAULTS = {
-    "another number": (("cow | 1.2", "cow | 1.1"), "says     | cow | 1.1 |"),
-    "a line too few": (("| pig | 3.0 |\n", ""), "says     no line"),
-    "a line too many": (("| pig | 3.0 |\n", "| pig | 3.0 |\n| cat | 9.9 |\n"), "measured no line"),
-    "another figure": (("takes\n1.2", "takes\n1.3"), "does not say"),
-    "other words": (("it takes", "it took"), "does not say"),
-    "no mark": (("<!-- table: times -->", ""), "without a mark"),
-    "no mark of a printed table": (("<!-- printed table: answers -->", ""), "without a mark"),
-    "unknown table": (("table: times", "table: sizes"), "there is no table sizes"),
+    "another number": (("cow | 1.2", "cow | 1.1"), "says     | cow | 1.1 |", True),
+    "a line too few": (("| pig | 3.0 |\n", ""), "says     no line", True),
+    "a line too many": (("| pig | 3.0 |\n", "| pig | 3.0 |\n| cat | 9.9 |\n"), "measured no line", True),
+    "another figure": (("-->1.2", "-->1.3"), "says 1.3, measured 1.2", True),
+    "no number": (("-->1.2,", "-->"), "says None, measured 1.2", True),
+    "unknown figure": (("figure: cow", "figure: cat"), "unknown figure cat", False),
+    "a figure without a mark": (("<!-- figure: cow -->", ""), "no document quotes the figure cow", False),
+    "no mark": (("<!-- table: times -->", ""), "without a mark", False),
+    "no mark of a printed table": (("<!-- printed table: answers -->", ""), "without a mark", False),
+    "unknown table": (("table: times", "table: sizes"), "unknown table sizes", False),
 }
 
 
@@ -214,17 +207,17 @@ def self_test():
     complaints, right, _ = complaints_of(SOUND_TEXT, SOUND_TABLE)
     if complaints or right != SOUND_TEXT:
         failures.append(f"sound text: {complaints}")
-    for fault, ((old, new), expected) in FAULTS.items():
+    for fault, ((old, new), expected, is_mended) in FAULTS.items():
         complaints, _, after = complaints_of(SOUND_TEXT.replace(old, new, 1), SOUND_TABLE)
         if not any(expected in complaint for complaint in complaints):
             failures.append(f"not found: {fault}")
-        if bool(after) != (fault in ("other words", "unknown table") or fault.startswith("no mark")):
-            failures.append(f"not mended by an update: {fault}")
+        if bool(after) == is_mended:
+            failures.append(f"after an update: {fault}: {after}")
     complaints, _, after = complaints_of(SOUND_TEXT, SOUND_TABLE.replace("1.234", "1.35"))
     if len(complaints) != 2 or after:
         failures.append(f"new results: {complaints}, after an update: {after}")
-    if not any("nothing refers" in complaint for complaint in complaints_of(SOUND_TEXT, SOUND_TABLE, ["x.csv"])[0]):
-        failures.append("not found: results that nothing refers to")
+    if not any("no document uses" in complaint for complaint in complaints_of(SOUND_TEXT, SOUND_TABLE, ["x.csv"])[0]):
+        failures.append("not found: unused results")
     return report(failures, f"self-test: {len(FAULTS) + 2} faults")
 
 

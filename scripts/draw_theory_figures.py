@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Draws the figures of the theory in the manual, as SVG files.
+"""Draws the figures of the manual that explain the theory and the rooms of the code, as SVG files.
 
 Usage: draw_theory_figures.py [FOLDER] | --check
 
-The folder is doc/Surface_mesh_geodesics/fig if none is given. --check compares the files there with what would be
-drawn. All lines that look as if they met do: points are computed, not placed by eye. Colours are those of Okabe and
-Ito, which can be told apart by those who are blind to some colours.
+The default folder is doc/Surface_mesh_geodesics/fig. --check compares the files there with what this script draws.
+Points are computed, not placed by eye: lines that seem to meet do meet. The colors are those of Okabe and Ito, which
+color-blind readers can tell apart.
 """
 
 import math
@@ -23,8 +23,8 @@ LIGHT_BLUE, LIGHT_ORANGE, LIGHT_GREEN, LIGHT_GREY = "#BBDDF2", "#F6D0B5", "#BFE8
 # --- points ----------------------------------------------------------------------------------------------------------
 
 
-def crossing(p, q, r, s):
-    """Where the lines pq and rs meet."""
+def intersection(p, q, r, s):
+    """The intersection of the lines pq and rs."""
     (px, py), (qx, qy), (rx, ry), (sx, sy) = p, q, r, s
     determinant = (qx - px) * (sy - ry) - (qy - py) * (sx - rx)
     t = ((rx - px) * (sy - ry) - (ry - py) * (sx - rx)) / determinant
@@ -43,55 +43,55 @@ def toward(p, q, length):
 
 
 class Picture:
-    """A drawing with the y axis upwards."""
+    """A drawing whose y axis points upwards."""
 
     def __init__(self, left, bottom, right, top, scale=80):
         self.left, self.top, self.scale = left, top, scale
         self.width, self.height = (right - left) * scale, (top - bottom) * scale
         self.elements = []
 
-    def place(self, p):
+    def position(self, p):
         return f"{(p[0] - self.left) * self.scale:.1f}", f"{(self.top - p[1]) * self.scale:.1f}"
 
     def add(self, element):
         self.elements.append("  " + element)
 
     def polygon(self, points, fill, stroke="none", width=1.5):
-        path = " ".join(",".join(self.place(p)) for p in points)
+        path = " ".join(",".join(self.position(p)) for p in points)
         self.add(f'<polygon points="{path}" fill="{fill}" stroke="{stroke}" stroke-width="{width}" '
                  'stroke-linejoin="round"/>')
 
-    def curve(self, points, colour="black", width=1.5, dashes=None, arrow=False):
-        path = " ".join(",".join(self.place(p)) for p in points)
+    def curve(self, points, color="black", width=1.5, dashes=None, arrow=False):
+        path = " ".join(",".join(self.position(p)) for p in points)
         dash = f' stroke-dasharray="{dashes}"' if dashes else ""
-        self.add(f'<polyline points="{path}" fill="none" stroke="{colour}" stroke-width="{width}"{dash} '
+        self.add(f'<polyline points="{path}" fill="none" stroke="{color}" stroke-width="{width}"{dash} '
                  'stroke-linecap="round"/>')
         if arrow:
-            self.tip(points[-2], points[-1], colour)
+            self.tip(points[-2], points[-1], color)
 
-    def line(self, p, q, colour="black", width=1.5, dashes=None, arrow=False):
-        self.curve([p, q], colour, width, dashes, arrow)
+    def line(self, p, q, color="black", width=1.5, dashes=None, arrow=False):
+        self.curve([p, q], color, width, dashes, arrow)
 
-    def tip(self, p, q, colour):
+    def tip(self, p, q, color):
         """The tip of an arrow from p, at q."""
         length = 0.13 * 80 / self.scale
         direction = math.atan2(q[1] - p[1], q[0] - p[0])
         wings = [(q[0] - length * math.cos(direction + turn), q[1] - length * math.sin(direction + turn))
                  for turn in (0.42, -0.42)]
-        self.polygon([q, wings[0], wings[1]], colour)
+        self.polygon([q, wings[0], wings[1]], color)
 
-    def dot(self, p, colour="black", radius=4):
-        x, y = self.place(p)
-        self.add(f'<circle cx="{x}" cy="{y}" r="{radius}" fill="{colour}"/>')
+    def dot(self, p, color="black", radius=4):
+        x, y = self.position(p)
+        self.add(f'<circle cx="{x}" cy="{y}" r="{radius}" fill="{color}"/>')
 
-    def text(self, p, words, colour="black", shift=(0, 0), anchor="middle", slanted=True, size=17):
-        x, y = self.place((p[0] + shift[0], p[1] + shift[1]))
+    def text(self, p, words, color="black", shift=(0, 0), anchor="middle", slanted=True, size=17):
+        x, y = self.position((p[0] + shift[0], p[1] + shift[1]))
         style = ' font-style="italic"' if slanted else ""
-        self.add(f'<text x="{x}" y="{y}" fill="{colour}" text-anchor="{anchor}" font-size="{size}"{style}>{words}'
+        self.add(f'<text x="{x}" y="{y}" fill="{color}" text-anchor="{anchor}" font-size="{size}"{style}>{words}'
                  '</text>')
 
-    def label(self, p, words, colour="black", shift=(0, 0), anchor="middle", size=15):
-        self.text(p, words, colour, shift, anchor, slanted=False, size=size)
+    def label(self, p, words, color="black", shift=(0, 0), anchor="middle", size=15):
+        self.text(p, words, color, shift, anchor, slanted=False, size=size)
 
     def __str__(self):
         size = f'width="{self.width:.0f}" height="{self.height:.0f}" viewBox="0 0 {self.width:.0f} {self.height:.0f}"'
@@ -103,11 +103,11 @@ class Picture:
 
 
 def window():
-    """A window, the strip that it came through, and its two parts beyond the next face."""
+    """A window, the strip that it crossed, and its two parts beyond the next face."""
     picture = Picture(-0.8, -3.5, 5.2, 3.1)
     a, b, c, d, image = (0, 0), (4, 0), (1.7, 2.6), (2.2, -1.4), (0.3, -3.0)
     begin, end = (0.45, 0), (2.9, 0)
-    on_left, on_right = crossing(image, begin, a, c), crossing(image, end, c, b)
+    on_left, on_right = intersection(image, begin, a, c), intersection(image, end, c, b)
     picture.polygon([image, begin, end], LIGHT_BLUE)
     picture.polygon([begin, on_left, c, on_right, end], LIGHT_BLUE)
     for face in ([a, b, c], [a, b, d], [a, d, image]):
@@ -135,20 +135,20 @@ def pairs_of_windows():
     left, right = (0.8, -2.2), (3.7, -3.2)
     begin0, k, begin1, end1 = (0.4, 0), (2.6, 0), (1.3, 0), (3.9, 0)
     x = (1.7, 0)
-    y = crossing(left, k, right, x)
+    y = intersection(left, k, right, x)
     picture.polygon([left, begin0, k], LIGHT_BLUE)
     picture.polygon([right, begin1, end1], LIGHT_ORANGE)
-    picture.polygon([crossing(left, k, right, begin1), begin1, k], LIGHT_GREY)
-    for image, ends, colour in ((left, (begin0, k), BLUE), (right, (begin1, end1), ORANGE)):
+    picture.polygon([intersection(left, k, right, begin1), begin1, k], LIGHT_GREY)
+    for image, ends, color in ((left, (begin0, k), BLUE), (right, (begin1, end1), ORANGE)):
         for point in ends:
-            picture.line(image, point, colour, 1.5)
+            picture.line(image, point, color, 1.5)
     picture.line(right, x, ORANGE, 1.5, dashes="6,4")
     picture.line(a, b, "black", 2)
     picture.line(begin0, k, BLUE, 5)
     picture.line(k, end1, ORANGE, 5)
     picture.line((1.3, 0.07), (2.6, 0.07), GREY, 4, dashes="5,5")
-    for point, colour in ((left, BLUE), (right, ORANGE), (y, "black"), (k, "black")):
-        picture.dot(point, colour)
+    for point, color in ((left, BLUE), (right, ORANGE), (y, "black"), (k, "black")):
+        picture.dot(point, color)
     picture.text(a, "A", shift=(-0.2, -0.05))
     picture.text(b, "B", shift=(0.2, -0.05))
     picture.text(k, "K", shift=(0.1, 0.17))
@@ -165,25 +165,25 @@ def rule_1():
     a, b, c = (0, 0), (4.4, 0), (2.3, 2.6)
     images = [(1.0, -2.3), (2.1, -2.5), (3.6, -2.3)]
     intervals = [(0.35, 1.95), (1.6, 2.9), (2.45, 4.1)]
-    colours, lights = [BLUE, GREEN, ORANGE], [LIGHT_BLUE, LIGHT_GREEN, LIGHT_ORANGE]
-    s = crossing(images[1], c, a, b)
+    colors, lights = [BLUE, GREEN, ORANGE], [LIGHT_BLUE, LIGHT_GREEN, LIGHT_ORANGE]
+    s = intersection(images[1], c, a, b)
     for image, (begin, end), light in zip(images, intervals, lights):
         picture.polygon([image, (begin, 0), (end, 0)], light)
-    # What reaches the right edge, of the left window, is left out; and the mirror image.
-    last, first = crossing(images[0], c, a, b), crossing(images[2], c, a, b)
-    on_edges = [(crossing(images[0], (0.35, 0), a, c), c),
-                (crossing(images[1], (1.6, 0), a, c), crossing(images[1], (2.9, 0), c, b)),
-                (c, crossing(images[2], (4.1, 0), c, b))]
+    # The part of the left window that reaches the right edge is left out, and its mirror image too.
+    last, first = intersection(images[0], c, a, b), intersection(images[2], c, a, b)
+    on_edges = [(intersection(images[0], (0.35, 0), a, c), c),
+                (intersection(images[1], (1.6, 0), a, c), intersection(images[1], (2.9, 0), c, b)),
+                (c, intersection(images[2], (4.1, 0), c, b))]
     picture.polygon([(0.35, 0), *on_edges[0], last], lights[0])
     picture.polygon([first, *on_edges[2], (4.1, 0)], lights[2])
     picture.polygon([(1.6, 0), on_edges[1][0], c, on_edges[1][1], (2.9, 0)], lights[1])
     picture.polygon([a, b, c], "none", "black", 1.5)
-    for (begin, end), colour in zip(intervals, colours):
-        picture.line((begin, 0), (end, 0), colour, 5)
-    for image, pair, colour in zip(images, on_edges, colours):
+    for (begin, end), color in zip(intervals, colors):
+        picture.line((begin, 0), (end, 0), color, 5)
+    for image, pair, color in zip(images, on_edges, colors):
         for point in pair:
-            picture.line(image, point, colour, 1.5, dashes="6,4")
-        picture.dot(image, colour)
+            picture.line(image, point, color, 1.5, dashes="6,4")
+        picture.dot(image, color)
     picture.line(images[1], c, "black", 2)
     picture.dot(s)
     picture.dot(c)
@@ -198,7 +198,7 @@ def rule_1():
 
 
 def wavefront():
-    """A visit of a vertex: lists on its edges are carried through the faces around it, in both directions."""
+    """A visit of a vertex: it carries the lists on its edges through the faces around it, in both directions."""
     picture = Picture(-2.2, -2.3, 5.6, 2.3, 70)
     center = (0, 0)
     ring = [(2.0 * math.cos(angle), 2.0 * math.sin(angle)) for angle in (math.pi * (2 * i + 1) / 6 for i in range(6))]
@@ -210,22 +210,22 @@ def wavefront():
     for i in (5, 0, 1, 2):
         middle = between(ring[i], ring[(i + 1) % 6], 0.5)
         picture.line(between(ring[i], middle, 0.25), between(ring[(i + 1) % 6], middle, 0.25), GREEN, 5)
-    for begin, end, radius, colour in ((-20, 95, 0.95, BLUE), (200, 85, 1.3, ORANGE)):
+    for begin, end, radius, color in ((-20, 95, 0.95, BLUE), (200, 85, 1.3, ORANGE)):
         steps = [begin + (end - begin) * k / 30 for k in range(31)]
         arc = [(radius * math.cos(math.radians(t)), radius * math.sin(math.radians(t))) for t in steps]
-        picture.curve(arc, colour, 2, arrow=True)
+        picture.curve(arc, color, 2, arrow=True)
     picture.dot(center, "black", 6)
     picture.text(center, "v", shift=(0.14, 0.2))
     words = (("lists that wait on the edges of v", PURPLE), ("carried counterclockwise", BLUE),
              ("carried clockwise", ORANGE), ("lists that wait afterwards", GREEN),
              ("faces that were reached before", GREY))
-    for k, (text, colour) in enumerate(words):
-        picture.label((2.1, 1.2 - 0.55 * k), text, colour, anchor="start")
+    for k, (text, color) in enumerate(words):
+        picture.label((2.1, 1.2 - 0.55 * k), text, color, anchor="start")
     return picture
 
 
 def redundant_windows():
-    """Faces behind the wavefront: windows are kept where a curve crosses only."""
+    """Faces behind the wavefront: only faces that a curve crosses keep their windows."""
     picture = Picture(-0.3, -0.9, 8.8, 4.3, 60)
     sites, radius, side = [(3.0, 2.0), (5.0, 2.2)], 2.0, 0.5
     height = side * math.sqrt(3) / 2
@@ -263,7 +263,7 @@ def redundant_windows():
 
 
 def arc_in_face():
-    """The curve between two cells in a face, where the paths bend at different distances: a piece of a hyperbola."""
+    """The curve between two cells in a face, if the paths bend at different distances: a piece of a hyperbola."""
     picture = Picture(-1.2, -1.8, 5.6, 3.6)
     a, b, c = (0, 0), (4.8, 0), (2.0, 3.2)
     first, second, offset = (0.9, -1.2), (4.3, -0.9), 1.1  # how much farther the first pseudo-source is from its site
@@ -292,9 +292,9 @@ def arc_in_face():
     picture.polygon(right, LIGHT_ORANGE)
     picture.polygon([a, b, c], "none", "black", 1.5)
     on_arc = hyperbola[len(hyperbola) // 2]
-    for image, colour in ((first, BLUE), (second, ORANGE)):
-        picture.line(image, on_arc, colour, 1.5, dashes="6,4")
-        picture.dot(image, colour, 5)
+    for image, color in ((first, BLUE), (second, ORANGE)):
+        picture.line(image, on_arc, color, 1.5, dashes="6,4")
+        picture.dot(image, color, 5)
     picture.curve(hyperbola, "black", 3)
     picture.dot(hyperbola[0])
     picture.dot(hyperbola[-1])
@@ -306,7 +306,49 @@ def arc_in_face():
     return picture
 
 
-FIGURES = (window, pairs_of_windows, rule_1, wavefront, redundant_windows, arc_in_face)
+# Room -> its position (column, row), and the rooms right below it, which its arrows lead to.
+ROOMS = {
+    "public headers": ((2, 7), ["applications", "interface"]),
+    "applications": ((2, 6), ["interface"]),
+    "interface": ((2, 5), ["certificate"]),
+    "certificate": ((2, 4), ["propagation", "paths", "Voronoi"]),
+    "propagation": ((-0.6, 3), ["window"]),
+    "paths": ((2, 3), ["window"]),
+    "Voronoi": ((4.6, 3), ["window"]),
+    "window": ((2, 2), ["surface"]),
+    "surface": ((2, 1), ["numeric"]),
+    "numeric": ((2, 0), []),
+}
+WORDS_OF_ROOMS = {
+    "public headers": "documentation, declarations", "applications": "sampling, remeshing, writers",
+    "interface": "meshes, kernels, maps", "certificate": "checks, lower bound", "propagation": "wavefront, visits, runs",
+    "paths": "tracing, isolines", "Voronoi": "cells, arcs, curves", "window": "lists, pruning, lanes",
+    "surface": "triangles, sources", "numeric": "plane, tolerances",
+}
+
+
+def rooms():
+    """The folders of internal/, and the direction of the includes."""
+    picture = Picture(-1.9, -0.45, 5.9, 7.45, 80)
+    half_width, half_height = 1.15, 0.31
+    for name, ((x, y), below) in ROOMS.items():
+        fill = LIGHT_ORANGE if y == 7 else LIGHT_BLUE if y > 4 else LIGHT_GREEN if y > 1 else LIGHT_GREY
+        corners = [(x + i * half_width, y + j * half_height) for i, j in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
+        picture.polygon(corners, fill, "black", 1.5)
+        picture.label((x, y), name, shift=(0, 0.03))
+        picture.label((x, y), WORDS_OF_ROOMS[name], "#444444", shift=(0, -0.2), size=12)
+        for other in below:
+            (to_x, to_y), _ = ROOMS[other]
+            if (name, other) == ("public headers", "interface"):
+                right = x + half_width
+                picture.curve([(right, y), (right + 0.35, y), (right + 0.35, to_y), (right, to_y)], arrow=True)
+                continue
+            shift = 0.25 * (to_x - x)
+            picture.line((x + shift, y - half_height), (to_x - shift, to_y + half_height), arrow=True)
+    return picture
+
+
+FIGURES = (window, pairs_of_windows, rule_1, wavefront, redundant_windows, arc_in_face, rooms)
 
 
 def main(arguments):

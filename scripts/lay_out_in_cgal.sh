@@ -107,26 +107,19 @@ if [ -n "$owner" ]; then
   echo "$owner" > "$target/package_info/$package/copyright"
 fi
 
-# What the manual says of things that are in this repository only is between marks, within a line or around lines.
-# Besides, the limits have an item about the program, and the section Examples begins with how they are built here.
-manual=$target/doc/$package/$package.txt
+# Text about things that only this repository has is between marks, within a line or around lines. The page about the
+# program for the command line is left out.
+manual=$target/doc/$package
 begin='<!-- not in CGAL: begin -->'
 end='<!-- not in CGAL: end -->'
-perl -0pi -e "s/$begin(\n.*?$end\n|.*?$end)//gs" "$manual"
-sed -i '/^- <em>The program<\/em> for the command line/d' "$manual"
-sed -i "/^\\\\section ${package}_examples /,/^\\\\subsection /{//!d}" "$manual"
-sed -i "/^\\\\section ${package}_examples /r /dev/stdin" "$manual" <<'END'
-
-Examples that read a mesh take it as their first argument, in any format that \cgal reads, and are content without one:
-they read the small mesh `data/bumpy_sphere.off` then.
-
-END
+rm "$manual/Program.txt"
+perl -0pi -e "s/$begin(\n.*?$end\n|.*?$end)//gs" "$manual"/*.txt
 for figure in "$target/doc/$package/fig"/*; do
   grep -qF "$(basename "$figure")" "$target/doc/$package"/*.txt || rm "$figure"
 done
 
-# CGAL prints the literature by itself, of its own file: see doc/submission/references.bib.
-sed -i "/^\\\\section ${package}_literature /,/^\*\/\$/{/^\*\/\$/!d}" "$manual"
+# CGAL prints the literature by itself, from its own file: see doc/submission/references.bib.
+sed -i "/^\\\\section ${package}_literature /,/^\*\/\$/{/^\*\/\$/!d}" "$manual/Literature.txt"
 mkdir -p "$tree/Documentation/doc/biblio"
 cp "doc/submission/references.bib" "$tree/Documentation/doc/biblio/$package.bib"
 if [ -n "$since" ]; then

@@ -1,11 +1,12 @@
-"""The measured figures of the README and of the manual, made of the tables in benchmark/.../results.
+"""The measured tables and figures of the README and of the manual, computed from benchmark/.../results.
 
-check_figures.py compares them with what the documents say, and writes them. A document has a line
+A document marks a table with a line of its own above it, and a figure in a sentence with a comment before the number:
 
     <!-- table: NAME -->
+    ... is <!-- figure: NAME -->69 times faster ...
 
-above each measured table; TABLES has what belongs below it. Figures in the text are not marked: SENTENCES has the words
-around them, with the figures filled in.
+TABLES and figures() say what belongs there. check_figures.py compares the documents with them and rewrites them. This
+file knows no sentence of any document.
 """
 
 import csv
@@ -16,31 +17,18 @@ import statistics
 
 # The name in the results -> the file that run_benchmark.sh writes.
 CSV_FILES = {
-    "standard_meshes": "against_shortest_path.csv",
-    "paths": "paths_against_shortest_path.csv",
-    "face_queries": "face_queries.csv",
+    "standard_meshes": "against_shortest_path.csv", "all_meshes": "against_shortest_path_all.csv",
+    "paths": "paths_against_shortest_path.csv", "heat_method": "against_heat_method.csv",
     "Voronoi_diagram": "voronoi.csv",
-    "heat_method": "against_heat_method.csv",
-    "certified_meshes": "certified_meshes.csv",
-    "all_meshes": "against_shortest_path_all.csv",
-    "growth": "growth.csv",
-    "anisotropy": "anisotropy.csv",
-    "sources": "sources.csv",
-    "reach": "reach.csv",
-    "rules": "rules.csv",
-    "threads": "threads.csv",
-    "matrix": "matrix.csv",
-}
+} | {name: name + ".csv" for name in (
+    "face_queries", "certified_meshes", "growth", "anisotropy", "sources", "reach", "rules", "threads", "matrix")}
 
 # The picture in the manual -> the results that it shows; draw_plots.py draws it.
-PLOTS = {
-    "plot_ratios.svg": "all_meshes",
-    "plot_growth.svg": "growth",
-}
+PLOTS = {"plot_ratios.svg": "all_meshes", "plot_growth.svg": "growth"}
 
 
 class Results:
-    """The CSV files of a folder, and which of them have been asked for."""
+    """The CSV files of a folder; remembers which of them have been read."""
 
     def __init__(self, folder):
         self.folder = pathlib.Path(folder)
@@ -53,15 +41,8 @@ class Results:
             table = list(csv.DictReader(line for line in file if not line.startswith("#")))
         return [row for row in table if all(row[key] == str(value) for key, value in wanted.items())]
 
-    def row(self, name, **wanted):
-        """The only such row."""
-        rows = self.rows(name, **wanted)
-        if len(rows) != 1:
-            raise ValueError(f"{name}.csv: {len(rows)} rows instead of one with {wanted}")
-        return rows[0]
-
     def comment(self, name, pattern):
-        """What the parentheses of a regular expression hold, in the comments on top of the file."""
+        """The first group of a regular expression, in the comments on top of the file."""
         with open(self.folder / (name + ".csv"), encoding="utf-8") as file:
             comments = "".join(line for line in file if line.startswith("#"))
         found = re.search(pattern, comments)
@@ -70,20 +51,20 @@ class Results:
         return found.group(1)
 
     def values(self, name, column, **wanted):
-        """A column of these rows, as numbers; without the places where nothing was measured."""
+        """A column of these rows, as numbers. Skips empty cells, where nothing was measured."""
         return [float(row[column]) for row in self.rows(name, **wanted) if row[column] != ""]
 
 
 # --- numbers ---------------------------------------------------------------------------------------------------------
 
 
-def plain(text, digits):
-    """With a fixed number of digits behind the point, and commas between thousands; nothing if there is nothing."""
+def plain(text, digits=0):
+    """A fixed number of digits behind the point, and commas between thousands. Empty text stays empty."""
     return "" if text == "" else f"{float(text):,.{digits}f}"
 
 
 def rounded(text):
-    """With three digits, two below ten, one below a hundredth; never in powers of ten."""
+    """Three digits, two below ten, one below a hundredth; never a power of ten."""
     if text == "":
         return ""
     number = float(text)
@@ -94,377 +75,199 @@ def rounded(text):
     return text.rstrip("0") if number < 0.01 else text
 
 
-def spread(row, column):
-    """A median with the least and the greatest value."""
-    if row[column] == "":
-        return ""
-    digits = 1 if float(row[column]) < 1000 else 0
-    middle, low, high = (f"{float(row[column + end]):,.{digits}f}" for end in ("", "_min", "_max"))
-    return f"{middle} ({low}–{high})"
+def short(number):
+    """Two digits below ten, no fraction above."""
+    return f"{float(number):.1f}" if float(number) < 9.95 else f"{float(number):.0f}"
 
 
-def bound(values, formula=False):
-    """The power of ten with one digit that all values stay below: 4.2e-15 gives 5e-15."""
-    largest = max(values)
-    exponent = math.floor(math.log10(largest))
-    digit = math.ceil(largest / 10.0**exponent)
-    if digit == 10:
-        digit, exponent = 1, exponent + 1
-    return f"\\f$ {digit} \\cdot 10^{{{exponent}}} \\f$" if formula else f"{digit}e{exponent}"
-
-
-def listed(texts):
-    """a, b and c"""
-    return ", ".join(texts[:-1]) + " and " + texts[-1]
-
-
-def in_words(number):
-    words = ["no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten"]
-    return words[int(number)] if int(number) < len(words) else str(number)
+def bound(values):
+    """The least number with one digit that all values stay below: 4.2e-15 gives 5e-15."""
+    exponent = math.floor(math.log10(max(values)))
+    digit = math.ceil(max(values) / 10.0**exponent)
+    return f"1e{exponent + 1}" if digit == 10 else f"{digit}e{exponent}"
 
 
 def mesh_name(row):
-    times = {"0": "", "1": ", subdivided once", "2": ", subdivided twice"}[row["subdivisions"]]
+    times = {"0": "", "1": ", subdivided once", "2": ", subdivided twice"}[row.get("subdivisions", "0")]
     return row["mesh"].rsplit(".", 1)[0] + times
+
+
+# --- tables ----------------------------------------------------------------------------------------------------------
+# A column is a title and a function that makes a cell of a row of the CSV file.
+
+
+def column(title, key, form=plain, **options):
+    return title, lambda row: form(row[key], **options)
+
+
+def spread(title, key):
+    """A median with the least and the greatest value."""
+    def cell(row):
+        if row[key] == "":
+            return ""
+        digits = 1 if float(row[key]) < 1000 else 0
+        middle, low, high = (f"{float(row[key + end]):,.{digits}f}" for end in ("", "_min", "_max"))
+        return f"{middle} ({low}–{high})"
+    return title, cell
+
+
+MESH, FACES = ("mesh", mesh_name), column("faces", "faces")
+MICROSECONDS = "\\f$ \\mu \\f$s"
 
 
 def markdown(titles, rows, words=1):
     """A table whose first columns are words and whose others are numbers."""
     rule = "|" + "|".join(["---"] * words + ["--:"] * (len(titles) - words)) + "|"
-    lines = ["| " + " | ".join(titles) + " |", rule]
-    return lines + ["| " + " | ".join(row) + " |" for row in rows]
+    return ["| " + " | ".join(titles) + " |", rule] + ["| " + " | ".join(row) + " |" for row in rows]
 
 
-# --- tables ----------------------------------------------------------------------------------------------------------
-
-
-def standard_meshes(results):
-    return markdown(
-        ["mesh", "faces", "original, ms", "ours, ms", "time ratio", "original, added MB", "ours, added MB",
-         "memory ratio"],
-        [[mesh_name(row), plain(row["faces"], 0), spread(row, "original_ms"), spread(row, "ours_ms"),
-          plain(row["time_ratio"], 1), plain(row["original_added_mb"], 1), plain(row["ours_added_mb"], 2),
-          plain(row["memory_ratio"], 1)] for row in results.rows("standard_meshes")])
-
-
-PATH_QUANTITIES = [
-    ("build for vertices, ms", "build_vertices_ms"),
-    ("build for all points, ms", "build_faces_ms"),
-    ("memory for vertices, MB", "memory_vertices_mb"),
-    ("memory for all points, MB", "memory_faces_mb"),
-    ("distance of a vertex, \\f$ \\mu \\f$s", "vertex_query_us"),
-    ("distance of a point, \\f$ \\mu \\f$s", "face_query_us"),
-    ("path from a vertex, \\f$ \\mu \\f$s", "vertex_path_us"),
-    ("path from a point, \\f$ \\mu \\f$s", "face_path_us"),
-]
+def table(name, *columns, words=1, skip=lambda row: False, **wanted):
+    """The function of the results that makes the table with these columns of one file."""
+    return lambda results: markdown(
+        [title for title, _ in columns],
+        [[cell(row) for _, cell in columns] for row in results.rows(name, **wanted) if not skip(row)], words)
 
 
 def paths_on_bunny(results):
     columns = results.rows("paths", mesh="bunny00.off", subdivisions=0)
     titles = [""]
     for row in columns:
-        plural = "s" if row["sources"] != "1" else ""
-        titles += [f"{row['sources']} source{plural}: original", "ours", "ratio"]
+        titles += [f"{row['sources']} source{'' if row['sources'] == '1' else 's'}: original", "ours", "ratio"]
     return markdown(titles, [
         [title] + [rounded(row[kind + quantity]) for row in columns for kind in ("original_", "ours_", "ratio_")]
-        for title, quantity in PATH_QUANTITIES])
+        for quantity, title in PATH_QUANTITIES.items()])
 
 
-def paths_on_other_meshes(results):
-    names = ["build_vertices_ms", "build_faces_ms", "memory_vertices_mb", "memory_faces_mb", "face_query_us",
-             "vertex_path_us", "face_path_us"]
-    titles = {name: title.rsplit(",", 1)[0] for title, name in PATH_QUANTITIES}
-    return markdown(
-        ["mesh, faces, sources"] + [titles[name] for name in names],
-        [[f"{mesh_name(row)}, {plain(row['faces'], 0)}, {row['sources']}"] + [rounded(row["ratio_" + n]) for n in names]
-         for row in results.rows("paths") if mesh_name(row) != "bunny00"])
+PATH_QUANTITIES = {
+    "build_vertices_ms": "build for vertices, ms", "build_faces_ms": "build for all points, ms",
+    "memory_vertices_mb": "memory for vertices, MB", "memory_faces_mb": "memory for all points, MB",
+    "vertex_query_us": f"distance of a vertex, {MICROSECONDS}", "face_query_us": f"distance of a point, {MICROSECONDS}",
+    "vertex_path_us": f"path from a vertex, {MICROSECONDS}", "face_path_us": f"path from a point, {MICROSECONDS}",
+}
+WAYS = {"always": "always", "backward": "never", "lazily": "when asked for"}
+VARIANT = ("variant", lambda row: {"direct": "direct", "intrinsic": "Delaunay"}[row["variant"]])
+TABLES = {
+    "standard_meshes": table("standard_meshes", MESH, FACES, spread("original, ms", "original_ms"),
+        spread("ours, ms", "ours_ms"), column("time ratio", "time_ratio", digits=1),
+        column("original, added MB", "original_added_mb", digits=1),
+        column("ours, added MB", "ours_added_mb", digits=2), column("memory ratio", "memory_ratio", digits=1)),
+    "paths_on_bunny": paths_on_bunny,
+    "paths_on_other_meshes": table("paths",
+        ("mesh, faces, sources", lambda row: f"{mesh_name(row)}, {plain(row['faces'], 0)}, {row['sources']}"),
+        *(column(title.rsplit(",", 1)[0], "ratio_" + key, rounded) for key, title in PATH_QUANTITIES.items()
+          if key != "vertex_query_us"),
+        skip=lambda row: mesh_name(row) == "bunny00"),
+    "face_queries": table("face_queries", column("sources", "sources", str),
+        ("windows are kept", lambda row: WAYS[row["alternative"]]), column("build, ms", "build_ms"),
+        column("first query, ms", "first_query_ms", rounded),
+        (f"next queries, {MICROSECONDS}", lambda row: plain(row["query_us"], 1 if float(row["query_us"]) < 100 else 0)),
+        column("memory built, MB", "memory_built_mb", digits=1),
+        column("memory at the end, MB", "memory_end_mb", digits=1), column("1 query, ms", "total_1_ms"),
+        column("100 queries, ms", "total_100_ms"), column("100,000 queries, ms", "total_100000_ms"), words=2),
+    "Voronoi_diagram": table("Voronoi_diagram", MESH, FACES, column("sites", "sites"),
+        column("distances, ms", "distances_ms"), column("windows all kept, ms", "all_kept_ms"),
+        column("removal, ms", "removal_ms"), column("diagram, ms", "diagram_ms"),
+        column("diagram / distances", "diagram_over_distances", digits=1), column("windows kept", "windows_kept"),
+        column("at once", "windows_at_once"), column("ratio", "ratio_of_windows", digits=1),
+        column("all kept, MB", "all_kept_mb"), column("diagram, MB", "diagram_mb"), column("arcs", "arcs"),
+        column("vertices", "vertices"), naive_ms=""),
+    "heat_method_times": table("heat_method", MESH, FACES, VARIANT,
+        column("first source: heat, ms", "heat_first_ms", rounded), column("exact, ms", "exact_first_ms", rounded),
+        column("heat / exact", "ratio_first", rounded), column("next source: heat, ms", "heat_next_ms", rounded),
+        column("exact, ms", "exact_next_ms", rounded), column("heat / exact", "ratio_next", rounded),
+        column("heat, added MB", "heat_added_mb", rounded), column("exact, added MB", "exact_added_mb", rounded)),
+    "heat_method_errors": table("heat_method", MESH, FACES, VARIANT,
+        column("mean error, %", "mean_error_percent", rounded),
+        column("largest error, %", "largest_error_percent", rounded),
+        column("largest error, % of the largest distance", "largest_error_of_extent_percent", rounded)),
+    "all_meshes": table("all_meshes", MESH, FACES, column("original, ms", "original_ms", rounded),
+        column("ours, ms", "ours_ms", rounded), column("time ratio", "time_ratio", digits=1),
+        column("memory ratio", "memory_ratio", digits=1),
+        ("windows per face", lambda row: plain(float(row["windows_propagated"]) / float(row["faces"]), 1)),
+        column("ns per window", "ns_per_window")),
+    "growth": table("growth", MESH, FACES, column("reading, ms", "read_ms", rounded),
+        column("run without reading, ms", "run_ms", rounded),
+        ("part of reading, %", lambda row: plain(100 * float(row["read_share"]), 0)),
+        column("windows per face", "windows_per_face", digits=1), column("ns per window", "ns_per_window", digits=1),
+        column("mesh, bytes per face", "mesh_bytes_per_face"), column("windows at once, MB", "window_mb", rounded)),
+    "anisotropy": table("anisotropy", ("stretched", lambda row: row["stretch"] + " times"), FACES,
+        spread("run, ms", "run_ms"), column("windows", "windows"),
+        ("windows per list", lambda row: plain(float(row["windows"]) / float(row["lists"]), 1)),
+        column("ns per window", "ns_per_window", digits=1)),
+    "sources": table("sources", column("sources", "sources", str), column("run, ms", "run_ms", rounded),
+        column("windows", "windows"), column("ns per window", "ns_per_window")),
+    "reach": table("reach", ("mesh, faces", lambda row: f"{row['mesh'].rsplit('.', 1)[0]}, {plain(row['faces'], 0)}"),
+        column("end of the run", "end", str), column("part of the largest distance", "part_of_largest_distance", str),
+        column("run, ms", "run_ms", rounded), column("vertices reached", "vertices_reached"),
+        column("windows", "windows"), column(f"{MICROSECONDS} per vertex", "us_per_vertex", rounded), words=2),
+    "rules": table("rules", MESH, column("rules", "rules", str), spread("run, ms", "run_ms"),
+        column("windows propagated", "windows_propagated"), column("windows per face", "windows_per_face", digits=1),
+        column("windows at once", "windows_alive"), words=2),
+    "threads": table("threads", MESH, FACES, column("threads", "threads", str), spread("run, ms", "run_ms"),
+        column("speedup", "speedup", rounded)),
+    "matrix": table("matrix", column("matrix", "matrix", str), column("rows", "rows", str),
+        column("threads", "threads", str), column("ms per row", "ms_per_row", rounded),
+        column("speedup", "speedup", rounded)),
+}
 
 
-def face_queries(results):
-    names = {"always": "always", "backward": "never", "lazily": "when asked for"}
-    rows = []
-    for sources in dict.fromkeys(row["sources"] for row in results.rows("face_queries")):
-        for alternative, name in names.items():
-            row = results.row("face_queries", sources=sources, alternative=alternative)
-            rows.append([sources, name, plain(row["build_ms"], 0), rounded(row["first_query_ms"]),
-                         plain(row["query_us"], 1 if float(row["query_us"]) < 100 else 0),
-                         plain(row["memory_built_mb"], 1), plain(row["memory_end_mb"], 1)]
-                        + [plain(row[f"total_{n}_ms"], 0) for n in (1, 100, 100000)])
-    return markdown(["sources", "windows are kept", "build, ms", "first query, ms", "next queries, \\f$ \\mu \\f$s",
-                     "memory built, MB", "memory at the end, MB", "1 query, ms", "100 queries, ms",
-                     "100,000 queries, ms"], rows, words=2)
+# --- figures in sentences --------------------------------------------------------------------------------------------
 
 
-def Voronoi_diagram(results):
-    columns = [("distances, ms", "distances_ms", 0), ("windows all kept, ms", "all_kept_ms", 0),
-               ("removal, ms", "removal_ms", 0), ("diagram, ms", "diagram_ms", 0),
-               ("diagram / distances", "diagram_over_distances", 1), ("windows kept", "windows_kept", 0),
-               ("at once", "windows_at_once", 0), ("ratio", "ratio_of_windows", 1), ("all kept, MB", "all_kept_mb", 0),
-               ("diagram, MB", "diagram_mb", 0), ("arcs", "arcs", 0), ("vertices", "vertices", 0)]
-    return markdown(
-        ["mesh", "faces", "sites"] + [title for title, _, _ in columns],
-        [[mesh_name(row), plain(row["faces"], 0), plain(row["sites"], 0)]
-         + [plain(row[name], digits) for _, name, digits in columns]
-         for row in results.rows("Voronoi_diagram", naive_ms="")])
+def figures(results):
+    """Name -> number, as a sentence shows it."""
+    rows, values = results.rows, results.values
+    bunny = rows("standard_meshes", mesh="bunny00.off", subdivisions=0)[0]
+    counts = rows("growth", mesh="bunny00.off", subdivisions=0)[0]
+    found = {
+        "compiler": results.comment("standard_meshes", r"compiler: g\+\+ (\d+\.\d+)"),
+        "CGAL_version": results.comment("standard_meshes", r"# CGAL ([\d.]+),"),
+        "bunny_original_seconds": short(float(bunny["original_ms"]) / 1000),
+        "bunny_original_gigabytes": f"{float(bunny['original_added_mb']) / 1024:.1f}",
+        "bunny_time_ratio": short(bunny["time_ratio"]), "bunny_memory_ratio": short(bunny["memory_ratio"]),
+        "windows_in_millions": f"{int(counts['windows']) / 1e6:.3g}",
+        "lists_in_thousands": f"{int(counts['lists']) / 1000:.0f}",
+        "visits_in_thousands": f"{int(counts['visits']) / 1000:.0f}",
+        "number_of_all_meshes": str(len(rows("all_meshes"))),
+    }
+    for name in ("standard_meshes", "paths", "face_queries", "Voronoi_diagram", "heat_method", "all_meshes", "growth"):
+        found[f"{name}_runs"] = results.comment(name, r"(\d+) runs")
+
+    def add_range(name, numbers, form=short):
+        found.update({f"{name}_min": form(min(numbers)), f"{name}_max": form(max(numbers))})
+
+    for ratio in ("time_ratio", "memory_ratio"):
+        add_range(f"standard_meshes_{ratio}", values("standard_meshes", ratio), round)
+        add_range(f"all_meshes_{ratio}", values("all_meshes", ratio))
+        found[f"all_meshes_{ratio}_median"] = f"{statistics.median(values('all_meshes', ratio)):.1f}"
+    for quantity in PATH_QUANTITIES:
+        if quantity != "vertex_query_us":
+            add_range(f"paths_{quantity}", values("paths", f"ratio_{quantity}", mesh="bunny00.off", subdivisions=0))
+    found["paths_worst"] = f"{min(values('paths', 'ratio_vertex_path_us')):.2f}"
+    for name in ("standard_meshes", "face_queries"):
+        found[f"{name}_difference"] = bound(values(name, "largest_relative_difference"))
+    for row in rows("face_queries", alternative="backward"):
+        found[f"break_even_{row['sources']}"] = row["break_even_queries"]
+    shares = values("Voronoi_diagram", "arcs_over_removal", sites=30)
+    for name, share in zip(("bunny", "armadillo", "fine_bunny"), shares):
+        found[f"arcs_percent_{name}"] = f"{100 * share:.0f}"
+    found["naive_over_diagram"] = f"{values('Voronoi_diagram', 'naive_over_diagram', mesh='armadillo.off')[0]:.0f}"
+    for quantity in ("ratio_first", "mean_error_percent", "largest_error_percent"):
+        add_range(f"heat_{quantity}", values("heat_method", quantity))
+    add_range("heat_slower_next", [1 / ratio for ratio in values("heat_method", "ratio_next")])
+    radii = values("heat_method", "place_of_largest_error_percent")
+    found["heat_radius_percent"] = f"{math.ceil(10 * max(radii)) / 10:.1f}"
+    return {name: str(number) for name, number in (found | certificates(rows("certified_meshes"))).items()}
 
 
-VARIANTS = {"direct": "direct", "intrinsic": "Delaunay"}
-
-
-def heat_method_times(results):
-    columns = ["heat_first_ms", "exact_first_ms", "ratio_first", "heat_next_ms", "exact_next_ms", "ratio_next",
-               "heat_added_mb", "exact_added_mb"]
-    return markdown(
-        ["mesh", "faces", "variant", "first source: heat, ms", "exact, ms", "heat / exact",
-         "next source: heat, ms", "exact, ms", "heat / exact", "heat, added MB", "exact, added MB"],
-        [[mesh_name(row), plain(row["faces"], 0), VARIANTS[row["variant"]]] + [rounded(row[name]) for name in columns]
-         for row in results.rows("heat_method")])
-
-
-def heat_method_errors(results):
-    columns = ["mean_error_percent", "largest_error_percent", "largest_error_of_extent_percent"]
-    return markdown(
-        ["mesh", "faces", "variant", "mean error, %", "largest error, %",
-         "largest error, % of the largest distance"],
-        [[mesh_name(row), plain(row["faces"], 0), VARIANTS[row["variant"]]] + [rounded(row[name]) for name in columns]
-         for row in results.rows("heat_method")])
-
-
-def all_meshes(results):
-    return markdown(
-        ["mesh", "faces", "original, ms", "ours, ms", "time ratio", "memory ratio", "windows per face", "ns per window"],
-        [[mesh_name(row), plain(row["faces"], 0), rounded(row["original_ms"]), rounded(row["ours_ms"]),
-          plain(row["time_ratio"], 1), plain(row["memory_ratio"], 1),
-          plain(float(row["windows_propagated"]) / float(row["faces"]), 1), plain(row["ns_per_window"], 0)]
-         for row in results.rows("all_meshes")])
-
-
-def growth(results):
-    return markdown(
-        ["mesh", "faces", "reading, ms", "run without reading, ms", "part of reading, %", "windows per face",
-         "ns per window", "mesh, bytes per face", "windows at once, MB"],
-        [[mesh_name(row), plain(row["faces"], 0), rounded(row["read_ms"]), rounded(row["run_ms"]),
-          plain(100 * float(row["read_share"]), 0), plain(row["windows_per_face"], 1), plain(row["ns_per_window"], 1),
-          plain(row["mesh_bytes_per_face"], 0), rounded(row["window_mb"])] for row in results.rows("growth")])
-
-
-def anisotropy(results):
-    return markdown(
-        ["stretched", "faces", "run, ms", "windows", "windows per list", "ns per window"],
-        [[row["stretch"] + " times", plain(row["faces"], 0), spread(row, "run_ms"), plain(row["windows"], 0),
-          plain(float(row["windows"]) / float(row["lists"]), 1), plain(row["ns_per_window"], 1)]
-         for row in results.rows("anisotropy")])
-
-
-def sources(results):
-    return markdown(
-        ["sources", "run, ms", "windows", "ns per window"],
-        [[row["sources"], rounded(row["run_ms"]), plain(row["windows"], 0), plain(row["ns_per_window"], 0)]
-         for row in results.rows("sources")])
-
-
-def reach(results):
-    return markdown(
-        ["mesh, faces", "end of the run", "part of the largest distance", "run, ms", "vertices reached", "windows",
-         "\\f$ \\mu \\f$s per vertex"],
-        [[f"{row['mesh'].rsplit('.', 1)[0]}, {plain(row['faces'], 0)}", row["end"], row["part_of_largest_distance"], rounded(row["run_ms"]), plain(row["vertices_reached"], 0),
-          plain(row["windows"], 0), rounded(row["us_per_vertex"])] for row in results.rows("reach")],
-        words=2)
-
-
-def rules(results):
-    return markdown(
-        ["mesh", "rules", "run, ms", "windows propagated", "windows per face", "windows at once"],
-        [[row["mesh"].rsplit(".", 1)[0], row["rules"], spread(row, "run_ms"), plain(row["windows_propagated"], 0),
-          plain(row["windows_per_face"], 1), plain(row["windows_alive"], 0)] for row in results.rows("rules")],
-        words=2)
-
-
-def threads(results):
-    return markdown(
-        ["mesh", "faces", "threads", "run, ms", "speedup"],
-        [[mesh_name(row), plain(row["faces"], 0), row["threads"], spread(row, "run_ms"), rounded(row["speedup"])]
-         for row in results.rows("threads")])
-
-
-def matrix(results):
-    return markdown(
-        ["matrix", "rows", "threads", "ms per row", "speedup"],
-        [[row["matrix"], row["rows"], row["threads"], rounded(row["ms_per_row"]), rounded(row["speedup"])]
-         for row in results.rows("matrix")])
-
-
-TABLES = {table.__name__: table for table in (
-    standard_meshes, paths_on_bunny, paths_on_other_meshes, face_queries, Voronoi_diagram, heat_method_times,
-    heat_method_errors, all_meshes, growth, anisotropy, sources, reach, rules, threads, matrix)}
-
-# --- sentences -------------------------------------------------------------------------------------------------------
-
-README = "README.md"
-SUBMISSION = "doc/submission/specification.md"
-MANUAL = "doc/Surface_mesh_geodesics/Surface_mesh_geodesics.txt"
-
-
-def short(number):
-    """With two digits, or without a fraction."""
-    return f"{float(number):.1f}" if float(number) < 9.95 else f"{float(number):.0f}"
-
-
-def on_bunny(results, column):
-    """A column for 1, 10 and 50 sources, as "a, b and c"."""
-    return listed([short(row[column]) for row in results.rows("paths", mesh="bunny00.off", subdivisions=0)])
-
-
-def sentences_about_distances(results):
-    differences = results.values("standard_meshes", "largest_relative_difference")
-    windows = results.values("standard_meshes", "windows_propagated", mesh="bunny00.off")
-    bunny = results.row("standard_meshes", mesh="bunny00.off", subdivisions=0)
-    counts = results.row("growth", mesh="bunny00.off", subdivisions=0)
-    times = results.values("standard_meshes", "time_ratio")
-    memory = results.values("standard_meshes", "memory_ratio")
-    runs = in_words(results.comment("standard_meshes", r"(\d+) runs of each"))
-    compiler = results.comment("standard_meshes", r"compiler: g\+\+ (\d+\.\d+)")
-    version = results.comment("standard_meshes", r"# CGAL ([\d.]+),")
-    return [
-        (SUBMISSION, f"{min(times):.0f} to {max(times):.0f} times faster on the three standard meshes of the benchmark "
-                     f"and in {min(memory):.0f} to {max(memory):.0f} times less memory"),
-        (README, f"median (range) of the processor times of {runs} runs of each in turn"),
-        (MANUAL, f"median (range) of the processor times of {runs} runs of each in turn"),
-        (README, f"(Intel Xeon, g++ {compiler}, `-O3 -DNDEBUG -frounding-math`, CGAL {version}, one thread)"),
-        (MANUAL, f"(Intel Xeon, g++ {compiler}, `-O3 -DNDEBUG -frounding-math`, CGAL {version}, "
-                 f"`Simple_cartesian<double>`, one thread)"),
-        (README, f"All distances of the first three agree to {bound(differences)} relative."),
-        (MANUAL, f"The distances of the first three meshes agree to {bound(differences, formula=True)} relative."),
-        (MANUAL, f"{listed([f'{number / 1e6:.3g}' for number in windows])} million are propagated on the three "
-                 "bunnies."),
-        (MANUAL, f"all vertices from vertex 0) {int(counts['windows']) / 1e6:.3g} million windows are propagated in "
-                 f"{int(counts['lists']) / 1000:.0f} thousand lists, during {int(counts['visits']) / 1000:.0f} thousand "
-                 "visits of vertices."),
-        (MANUAL, f"on the scan of the first figure it takes {short(float(bunny['original_ms']) / 1000)} seconds and "
-                 f"{float(bunny['original_added_mb']) / 1024:.1f} GB, "
-                 f"{short(bunny['time_ratio'])} times the time and {short(bunny['memory_ratio'])} times the memory of"),
-    ]
-
-
-def sentences_about_paths(results):
-    def column(name):
-        return on_bunny(results, name)
-
-    runs = results.comment("paths", r"medians of (\d+) runs of each")
-    return [
-        (MANUAL, f"(`--no-standard --paths --paths-repetitions {runs}`; medians of {in_words(runs)} runs, ratios are "
-                 "medians of the ratios of neighbouring runs)"),
-        (README, f"`Surface_mesh_geodesic_paths` is built {column('ratio_build_vertices_ms')} times faster for 1, 10 "
-                 f"and 50 sources ({column('ratio_build_faces_ms')} times with what queries inside faces need), in "
-                 f"{column('ratio_memory_vertices_mb')} times less memory ({column('ratio_memory_faces_mb')} times)."),
-        (MANUAL, f"Building is {column('ratio_build_vertices_ms')} times faster with 1, 10 and 50 sources on bunny00, "
-                 f"and takes {column('ratio_memory_vertices_mb')} times less memory;"),
-        (MANUAL, f"it is {column('ratio_build_faces_ms')} times faster with what queries inside faces need, in "
-                 f"{column('ratio_memory_faces_mb')} times less memory."),
-        (MANUAL, f"The distance of a point inside a face is found {column('ratio_face_query_us')} times faster;"),
-        (MANUAL, f"paths from points inside faces {column('ratio_face_path_us')} times, paths from vertices "
-                 f"{column('ratio_vertex_path_us')} times."),
-        (MANUAL, f"at worst {min(results.values('paths', 'ratio_vertex_path_us')):.2f} times as fast (armadillo)."),
-    ]
-
-
-def sentences_about_face_queries(results):
-    always = results.rows("face_queries", alternative="always")
-    lazily = results.rows("face_queries", alternative="lazily")
-    backward = results.rows("face_queries", alternative="backward")
-
-    def ratios(column):
-        return [float(a[column]) / float(b[column]) for a, b in zip(always, lazily)]
-
-    even = [row["break_even_queries"] for row in backward]
-    percents = listed([f"{100 * (ratio - 1):.0f}" for ratio in ratios("build_ms")])
-    differences = results.values("face_queries", "largest_relative_difference")
-    runs = results.comment("face_queries", r"medians of (\d+) runs of each")
-    return [
-        (MANUAL, f"queries at random points inside faces: medians of {in_words(runs)} runs, as printed by "
-                 f"`benchmark_face_queries bunny00.off --repetitions {runs}`"),
-        (MANUAL, f"The distances agree to {bound(differences, formula=True)} relative."),
-        (MANUAL, f"from {even[0]} queries on with one source, from {even[1]} with ten and from {even[2]} with fifty"),
-        (MANUAL, f"with {percents} percent more time for one, ten and fifty sources"),
-        (MANUAL, f"with {listed([short(ratio) for ratio in ratios('memory_built_mb')])} times the memory"),
-    ]
-
-
-def sentences_about_Voronoi_diagrams(results):
-    arcs = [100 * share for share in results.values("Voronoi_diagram", "arcs_over_removal", sites=30)]
-    naive = results.values("Voronoi_diagram", "naive_over_diagram", mesh="armadillo.off")[0]
-    runs = in_words(results.comment("Voronoi_diagram", r"(\d+) runs of each method \(the naive one once\)"))
-    return [
-        (MANUAL, f"Times are medians of {runs} runs; that of bunny00 subdivided twice, and the naive way below, were "
-                 "run once:"),
-        (MANUAL, f"With 30 sites they take {arcs[0]:.0f} and {arcs[1]:.0f} percent of the time of the propagation on "
-                 f"bunny00 and armadillo, and {arcs[2]:.0f} percent on bunny00 subdivided twice"),
-        (MANUAL, f"takes {naive:.0f} times the time of the diagram on armadillo."),
-    ]
-
-
-def sentences_about_the_heat_method(results):
-    def span(column):
-        values = results.values("heat_method", column)
-        return f"{short(min(values))} to {short(max(values))}"
-
-    runs = in_words(results.comment("heat_method", r"medians of (\d+) runs of each"))
-    slower = [1 / ratio for ratio in results.values("heat_method", "ratio_next")]
-    place = max(results.values("heat_method", "place_of_largest_error_percent"))
-    return [
-        (MANUAL, f"medians of the processor times of {runs} runs of each in turn, as `run_benchmark.sh"),
-        (MANUAL, f"the exact distances come {span('ratio_first')} times sooner"),
-        (MANUAL, f"each takes {short(min(slower))} to {short(max(slower))} times as long as a further estimate"),
-        (MANUAL, f"The mean error is {span('mean_error_percent')} percent, the largest one "
-                 f"{span('largest_error_percent')} percent, near the source: no farther than {math.ceil(10 * place) / 10:.1f} percent of "
-                 "the largest distance"),
-    ]
-
-
-def sentences_about_certificates(results):
-    rows = results.rows("certified_meshes")
+def certificates(rows):
     certified = [row for row in rows if row["result"] == "certified"]
-    refused = [row for row in rows if row["preparation"].endswith("triangulated")]
     compared = [row for row in certified if row["original"] == "computed"]
     refuted = [row for row in compared if row["violation_of_original"] != ""]
-    equal = [float(row["largest_relative_difference"]) for row in compared if row not in refuted]
-    worst = results.values("certified_meshes", "worst_violation", result="certified")
-    violations = [f"\\f$ {mantissa} \\cdot 10^{{{int(exponent)}}} \\f$ on `{row['mesh']}`" for row in refuted
-                  for mantissa, exponent in [f"{float(row['violation_of_original']):.1e}".split("e")]]
-    return [
-        (MANUAL, f"Of the {len(rows)} files of \\cgal's data, {len(certified)} are certified, {len(refused)} of them "
-                 f"after they have been triangulated; violations stay below {bound(worst, formula=True)}."),
-        (MANUAL, f"`Surface_mesh_shortest_path` finds the same distances on {len(equal)} of the {len(compared)} where "
-                 f"it ends within a minute, to {bound(equal, formula=True)} relative; on the others its distances "
-                 f"violate the conditions by {listed(violations)}: they are too long."),
-    ]
-
-
-def sentences_about_all_meshes(results):
-    times = results.values("all_meshes", "time_ratio")
-    memory = results.values("all_meshes", "memory_ratio")
-    runs = results.comment("all_meshes", r"(\d+) runs of each method")
-    return [
-        (MANUAL, f"`run_benchmark.sh --all --no-standard --all-repetitions {runs}` measures all triangle meshes of "
-                 f"\\cgal's data with 5,000 faces and more, in {in_words(runs)} run{'' if runs == '1' else 's'} of "
-                 "each method."),
-        (MANUAL, f"On {len(times)} meshes the ratio of times is {short(min(times))} to {short(max(times))}, with a median "
-                 f"of {statistics.median(times):.1f}, and the ratio of memory {short(min(memory))} to "
-                 f"{short(max(memory))}, with a median of {statistics.median(memory):.1f}."),
-    ]
-
-
-def sentences_about_questions(results):
-    questions = ("growth", "anisotropy", "sources", "reach", "rules", "threads", "matrix")
-    (runs,) = {results.comment(name, r"median, least and greatest of (\d+) runs") for name in questions}
-    return [
-        (MANUAL, f"medians of {in_words(runs)} runs (`--questions-repetitions {runs}`),"),
-    ]
-
-
-def sentences(results):
-    """Pairs of a document and words that stand in it, wherever its lines end."""
-    return (sentences_about_distances(results) + sentences_about_paths(results) + sentences_about_face_queries(results)
-            + sentences_about_Voronoi_diagrams(results) + sentences_about_the_heat_method(results)
-            + sentences_about_certificates(results) + sentences_about_all_meshes(results)
-            + sentences_about_questions(results))
+    same = [float(row["largest_relative_difference"]) for row in compared if row not in refuted]
+    return {"certified_files": len(rows), "certified": len(certified), "certified_compared": len(compared),
+            "certified_triangulated": sum(row["preparation"].endswith("triangulated") for row in rows),
+            "certified_violation": bound([float(row["worst_violation"] or 0) for row in certified]),
+            "certified_same": len(same), "certified_difference": bound(same)} | {
+                f"violation_of_{row['mesh'].split('.')[0]}": f"{float(row['violation_of_original']):.1e}"
+                for row in refuted}

@@ -9,6 +9,8 @@ INTERNAL = "CGAL/Surface_mesh_geodesics/internal/"
 
 PRUNING_RULES = INTERNAL + "window/Pruning_rules.h"
 WINDOW_PRUNING = INTERNAL + "window/window_pruning.h"
+RIVAL = INTERNAL + "window/Vertex_rival.h"
+WINDOW_NUMBERS = INTERNAL + "window/lanes/Window_numbers.h"
 LANE_PRUNING = INTERNAL + "window/lanes/lane_pruning.h"
 LIST_LOOPS = INTERNAL + "window/lanes/List_loops.h"
 WINDOW = INTERNAL + "window/Window.h"
@@ -35,7 +37,7 @@ EDGE_PARTITION = INTERNAL + "Voronoi/Edge_partition.h"
 FACE_PARTITION = INTERNAL + "Voronoi/Face_partition.h"
 COMPLEX = INTERNAL + "Voronoi/Voronoi_complex.h"
 PATH_THINNING = INTERNAL + "paths/Path_thinning.h"
-DIAGRAM_CERTIFICATE = "CGAL/Surface_mesh_geodesics/certify_geodesic_Voronoi_diagram.h"
+DIAGRAM_CERTIFICATE = INTERNAL + "applications/Diagram_certifier.h"
 LOCATOR = INTERNAL + "Voronoi/Cell_locator.h"
 MEASURES = INTERNAL + "Voronoi/Voronoi_cell_measures.h"
 FACE_CUT = INTERNAL + "Voronoi/Voronoi_face_cut.h"
@@ -86,22 +88,23 @@ MUTANTS = [
     ("vertex_rule_off", PRUNING_RULES,
      "vertex_rule = true;", "vertex_rule = false;",
      "checking with vertices saves no work", (RULES,)),
-    ("rival_wins_all_ties", WINDOW_PRUNING,
+    ("rival_wins_all_ties", RIVAL,
      "factor(wins_ties ? 1 + Tolerance<FT>::distance() : 1 - Tolerance<FT>::distance())",
      "factor(wins_ties ? 1 + Tolerance<FT>::distance() : 1 + Tolerance<FT>::distance())",
      "a vertex from which no window starts takes windows away that are as near", (WINDOWS,)),
-    ("rival_wins_no_tie", WINDOW_PRUNING,
+    ("rival_wins_no_tie", RIVAL,
      "factor(wins_ties ? 1 + Tolerance<FT>::distance() : 1 - Tolerance<FT>::distance())",
      "factor(wins_ties ? 1 - Tolerance<FT>::distance() : 1 - Tolerance<FT>::distance())",
      "among vertices nearer to each other than rounding no path ever ends", (WINDOWS,)),
-    ("vertex_rule_at_near_end", WINDOW_PRUNING,
-     "left.beats(w.end, w.end_distance)", "left.beats(w.begin, w.begin_distance)",
-     "a vertex that is nearer at one end of a new window takes all of it", (WINDOWS,)),
-    ("vertex_rule_in_lanes_at_near_end", LANE_PRUNING,
+    ("vertex_rule_at_near_end_on_the_right", LANE_PRUNING,
+     "L::less(right.distance + (length - w.begin), w.begin_distance * right.factor)",
+     "L::less(right.distance + (length - w.end), w.end_distance * right.factor)",
+     "the right vertex takes all of a window although it is nearer at one end only", (WINDOWS,)),
+    ("vertex_rule_at_near_end", LANE_PRUNING,
      "L::less(left.distance + w.end, w.end_distance * left.factor)",
      "L::less(left.distance + w.begin, w.begin_distance * left.factor)",
      "a vertex that is nearer at one end of a window takes all of it", (WINDOWS,)),
-    ("vertex_rule_in_lanes_one_side", LANE_PRUNING,
+    ("vertex_rule_one_side", LANE_PRUNING,
      "       | L::less(right.distance + (length - w.begin), w.begin_distance * right.factor);", ";",
      "windows behind the right vertex are propagated", (WINDOWS,)),
     ("crossed_windows_wrong_one", WINDOW_PRUNING,
@@ -115,11 +118,11 @@ MUTANTS = [
      "const FT h = (left.begin - right.end) / approach;", "const FT h = (right.end - left.begin) / approach;",
      "crossed windows are compared at a point where they do not cross", (WINDOWS,)),
     ("pair_trimmed_at_start", WINDOW_PRUNING,
-     "      left.end = k;\n      left.end_distance = of_left;\n      return", "      return",
+     "  left.end = pair.left_end;\n  left.end_distance = pair.left_end_distance;\n", "",
      "a window goes on where its right neighbour is nearer", (WINDOWS,)),
-    ("pair_swallows_right", WINDOW_PRUNING,
-     "    if(ends_with_right)\n      return Pair_outcome::RIGHT_IS_REDUNDANT;",
-     "    return Pair_outcome::RIGHT_IS_REDUNDANT;",
+    ("pair_swallows_right", LANE_PRUNING,
+     "right_is_redundant = goes_on & left_is_nearer_last & ends_with_right;",
+     "right_is_redundant = goes_on & left_is_nearer_last;",
      "a window that is trimmed at its beginning is lost as a whole", (WINDOWS,)),
     ("pair_in_lanes_no_margin", LANE_PRUNING,
      "L::all(FT(1 - Tolerance<FT>::distance()))", "L::all(FT(1 + Tolerance<FT>::distance()))",
@@ -136,8 +139,7 @@ MUTANTS = [
      "(overlap & L::less_equal(right.end, left.begin))",
      "windows whose image is too near are trimmed, which turns their paths", (WINDOWS,)),
     ("redundant_right_not_suspect", LANE_PRUNING,
-     "               | (goes_on & left_is_nearer_last & ends_with_right);",
-     "               | (goes_on & left_is_nearer_last & ends_with_right & starts_with_left);",
+     "| left_is_redundant | right_is_redundant;", "| left_is_redundant | (right_is_redundant & starts_with_left);",
      "a window that is redundant as a whole is trimmed to nothing unseen", (WINDOWS,)),
 
     # --- windows and their order ---
@@ -147,8 +149,8 @@ MUTANTS = [
     ("too_close_never", WINDOW,
      "return w.image_depth <= Tolerance<FT>::closeness() * length", "return w.image_depth < 0 * length",
      "windows whose image is too near are trimmed, which turns their paths", (WINDOWS,)),
-    ("minimum_of_window_at_end", WINDOW,
-     "    return root_distance + image_depth;\n", "    return (std::max)(begin_distance, end_distance);\n",
+    ("minimum_of_window_at_end", WINDOW_NUMBERS,
+     "const Number inside = root_distance + image_depth;", "const Number inside = L::maximum(begin_distance, end_distance);",
      "the smallest distance of a new window is too large: a radius cuts it off", (WINDOWS,)),
     ("merge_before_equal_keys", WINDOW_LISTS,
      "std::upper_bound(key + old,", "std::lower_bound(key + old,",
@@ -352,7 +354,7 @@ MUTANTS = [
      "stars that share faces are worked on at the same time", (PARALLEL_TEST,),
      "what comes to a star that is out waits for its next visit: there are more visits, and the same distances"),
     ("deferred_vertices_lost", PARALLEL,
-     "m_wavefront.queue().push_or_decrease(neighbour.second, neighbour.first);", "static_cast<void>(neighbour);",
+     "m_wavefront.queue().push_or_decrease(neighbor.second, neighbor.first);", "static_cast<void>(neighbor);",
      "vertices next to a star that was out are never visited", (PARALLEL_TEST,)),
     ("parallel_end_too_early", PARALLEL,
      "      key = (std::min)(key, flight(i).key);\n", "",

@@ -5,6 +5,8 @@
 #include "test_support.h"
 
 #include <CGAL/Surface_mesh_geodesics/certify_geodesic_Voronoi_diagram.h>
+#include <CGAL/Surface_mesh_geodesics/internal/applications/Diagram_certifier.h>
+#include <CGAL/Surface_mesh_geodesics/internal/applications/Location_separation.h>
 
 #include <algorithm>
 #include <cmath>
@@ -172,10 +174,9 @@ Certificate certificate_of(const Wrong_diagram& diagram, const Mesh& tm)
   using Point_map = Mesh::Property_map<vertex_descriptor, Kernel::Point_3>;
   using Separation = SMG::internal::Separation_in_space<Wrong_diagram, Point_map>;
   const auto vertex_index_map = get(boost::vertex_index, tm);
-  SMG::internal::Voronoi_certifier<Wrong_diagram, Geodesic_paths, decltype(vertex_index_map), decltype(length),
-                                   Separation>
+  SMG::internal::Diagram_certifier<Wrong_diagram, decltype(vertex_index_map), decltype(length), Separation>
     certifier(diagram, vertex_index_map, length, Separation(diagram, tm.points()));
-  return certifier.run([&] { return std::make_unique<Geodesic_paths>(tm); });
+  return Certificate(certifier.run([&] { return std::make_unique<Geodesic_paths>(tm); }));
 }
 
 void check_violated(const Certificate& c, Condition condition, std::size_t culprit)

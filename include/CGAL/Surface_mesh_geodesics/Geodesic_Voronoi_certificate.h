@@ -12,10 +12,10 @@
 
 #include <CGAL/license/Surface_mesh_geodesics.h>
 
+#include <CGAL/Surface_mesh_geodesics/internal/applications/Diagram_conditions.h>
+
 #include <algorithm>
-#include <array>
 #include <cstddef>
-#include <limits>
 
 namespace CGAL {
 namespace Surface_mesh_geodesics {
@@ -26,11 +26,15 @@ namespace Surface_mesh_geodesics {
 The class `Geodesic_Voronoi_certificate` is the result of `certify_geodesic_Voronoi_diagram()`: how far a geodesic
 Voronoi diagram violates each of several conditions, and by the cell of which site.
 
-A violation is relative: for distances, what a number is too large or too small by, divided by the sum of the distance
-and the longest edge of the mesh; for places, to the longest edge; for areas, to the sum of the expected area and the
-square of the longest edge. It is infinite where something is missing or does not fit together at all.
+Violations are relative numbers without a unit. Let \f$ e \f$ be the longest edge of the component of the mesh:
 
-All functions take constant time, throw nothing, and may be called by several threads at once.
+- A distance that is wrong by \f$ x \f$ is a violation of \f$ x / (d + e) \f$, where \f$ d \f$ is the right distance.
+- Two locations that should be one, and are \f$ x \f$ apart, are a violation of \f$ x / e \f$.
+- An area that is wrong by \f$ x \f$ is a violation of \f$ x / (a + e^2) \f$, where \f$ a \f$ is the expected area.
+- A violation is infinite if something is missing or contradicts itself.
+
+An object holds numbers only; it stays valid when the diagram or the mesh changes. All functions take constant time,
+throw nothing, and may be called by several threads at once.
 
 \sa `certify_geodesic_Voronoi_diagram()`
 */
@@ -40,53 +44,61 @@ public:
   /// what is checked.
   enum class Condition
   {
-    ARCS,       ///< points of arcs have the distance that the arc tells from both sites
-    VERTICES,   ///< vertices of the diagram have the distance that they tell from all of their sites
-    OWNERS,     ///< vertices of the mesh and points of faces have the distance that is told from their nearest site
-    NEAREST,    ///< no site is nearer than that to any of these points
-    BOUNDARIES, ///< boundaries of cells are closed or end at the border of the mesh, and each edge has two sides
-    AREAS       ///< areas of cells are not negative, and sum up to that of the faces that are reached
+    ARCS,       ///< Points of an arc have the stated distance from both of its sites.
+    VERTICES,   ///< Vertices of the diagram have the stated distance from all of their sites.
+    OWNERS,     ///< Vertices of the mesh and points of faces have the stated distance from their nearest site.
+    NEAREST,    ///< No other site is nearer to any of these points.
+    BOUNDARIES, ///< Boundaries of cells are closed or end at the border of the mesh, and each edge has two sides.
+    AREAS       ///< Areas of cells are not negative, and add up to that of the faces that a site reaches.
   };
 
   /// the number of conditions; their values are `0` to `number_of_conditions - 1`.
-  static constexpr std::size_t number_of_conditions = 6;
+  static constexpr std::size_t number_of_conditions = internal::NUMBER_OF_DIAGRAM_CONDITIONS;
 
-  /// the default tolerance of `is_certified()`, \f$ 2^{-36} \f$: places are more sensitive to rounding than distances.
+  /// the default tolerance of `is_certified()`, \f$ 2^{-36} \f$. It is larger than that of distances, as positions of
+  /// points on a curve are more sensitive to rounding than distances are.
   static constexpr double default_tolerance = 0x1p-36;
 
   /// returns the number that stands for "no site".
-  static constexpr std::size_t null_site() { return (std::numeric_limits<std::size_t>::max)(); }
+  static constexpr std::size_t null_site() { return internal::Diagram_violation::no_site(); }
+
+  /// constructs the certificate of a diagram that has not been checked: nothing is violated.
+  Geodesic_Voronoi_certificate() = default;
+
+#ifndef DOXYGEN_RUNNING
+  explicit Geodesic_Voronoi_certificate(const internal::Diagram_violations& violations) : m_violations(violations) {}
+#endif
 
   /// returns whether no condition is violated by more than the tolerance.
   ///
-  /// \param tolerance a relative one, as a violation is
+  /// \param tolerance the largest violation that is accepted, a relative number
   bool is_certified(double tolerance = default_tolerance) const { return worst_violation() <= tolerance; }
 
-  /// returns the largest violation of all conditions, 0 if none is violated.
+  /// returns the largest violation of all conditions, or 0 if no condition is violated.
   double worst_violation() const
   {
     double worst = 0;
-    for(const Entry& e : m_entries)
-      worst = (std::max)(worst, e.violation);
+    for(const internal::Diagram_violation& v : m_violations)
+      worst = (std::max)(worst, v.size);
     return worst;
   }
 
-  /// returns the largest violation of a condition, 0 if it is not violated.
+  /// returns the largest violation of one condition, or 0 if it is not violated.
   ///
   /// \param c the condition
-  double worst_violation(Condition c) const { return entry(c).violation; }
+  double worst_violation(Condition c) const { return violation(c).size; }
 
-  /// returns the site that is involved where a condition is violated most: the one whose distance is not as told, or
-  /// whose cell has the boundary or the area. It is `null_site()` if the condition is not violated, or by no site
-  /// alone.
+  /// returns the site that is involved in the largest violation of a condition: the site whose distance is wrong, or
+  /// the site whose cell has a wrong boundary or area.
   ///
   /// \param c the condition
-  std::size_t worst_site(Condition c) const { return entry(c).site; }
+  /// \return the number of the site, or `null_site()` if the condition is not violated or no single site is to blame
+  std::size_t worst_site(Condition c) const { return violation(c).site; }
 
   /// returns how many times a condition has been checked.
   ///
   /// \param c the condition
-  std::size_t number_of_checks(Condition c) const { return entry(c).number_of_checks; }
+  std::size_t number_of_checks(Condition c) const { return violation(c).number_of_checks; }
 
   /// returns the name of a condition, such as "ARCS".
   ///
@@ -98,30 +110,13 @@ public:
     return names[static_cast<std::size_t>(c)];
   }
 
-#ifndef DOXYGEN_RUNNING
-  // notes that a condition is violated by `violation` if that is positive, or not a number.
-  void look_at(Condition c, double violation, std::size_t site)
-  {
-    Entry& e = m_entries[static_cast<std::size_t>(c)];
-    ++e.number_of_checks;
-    if(violation <= e.violation)
-      return;
-    const double infinity = std::numeric_limits<double>::infinity();
-    e.violation = violation < infinity ? violation : infinity;
-    e.site = site;
-  }
-#endif
-
 private:
-  struct Entry
+  const internal::Diagram_violation& violation(Condition c) const
   {
-    double violation = 0;
-    std::size_t site = null_site(), number_of_checks = 0;
-  };
+    return m_violations[static_cast<std::size_t>(c)];
+  }
 
-  const Entry& entry(Condition c) const { return m_entries[static_cast<std::size_t>(c)]; }
-
-  std::array<Entry, number_of_conditions> m_entries;
+  internal::Diagram_violations m_violations;
 };
 
 } // namespace Surface_mesh_geodesics

@@ -16,23 +16,13 @@
 #include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_Voronoi_diagram.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_Lloyd_relaxation.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_farthest_point_sampling.h>
-#include <CGAL/Surface_mesh_geodesics/internal/interface/run_with_visitor.h>
+#include <CGAL/Surface_mesh_geodesics/internal/applications/Remeshing.h>
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
-#include <boost/graph/graph_traits.hpp>
-#include <boost/property_map/property_map.hpp>
-
-#include <algorithm>
 #include <array>
 #include <cstddef>
-#include <functional>
-#include <iterator>
-#include <map>
-#include <set>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -42,37 +32,38 @@ namespace Surface_mesh_geodesics {
 /*!
 \ingroup PkgSurfaceMeshGeodesicsClasses
 
-The class `Geodesic_dual_report` tells why the triangles of the dual of a geodesic Voronoi diagram make a manifold mesh
-of the topology of the surface, or why they do not. Sites are told by their numbers. More
-sites where the report points to make the cells smaller and help. Lists of single cells are in ascending order.
+The class `Geodesic_dual_report` tells whether the triangles of the dual of a geodesic Voronoi diagram form a manifold
+mesh of the topology of the surface, and what prevents it. Cells are given by the numbers of their sites. A finding
+disappears if there are more sites nearby, as the cells become smaller. Lists of single cells are in ascending order.
 
 \sa `check_geodesic_dual()`
 */
 struct Geodesic_dual_report
 {
-  /// the cells, not empty, that are not topological disks.
+  /// the nonempty cells that are not topological disks.
   std::vector<std::size_t> cells_that_are_not_disks;
 
-  /// the cells that are disks, with a boundary (without the border of the mesh) of several parts: in the dual, the
-  /// triangles around such a site would be several fans.
+  /// the cells that are disks, but whose boundary consists of several parts, without the border of the mesh. The
+  /// triangles around such a site would form several fans.
   std::vector<std::size_t> cells_with_several_boundaries;
 
-  /// the cells, not empty, that are part of no triangle.
+  /// the nonempty cells whose sites are in no triangle.
   std::vector<std::size_t> cells_without_triangle;
 
   /// the pairs of cells that have several edges in common, the smaller number first.
   std::vector<std::pair<std::size_t, std::size_t>> pairs_with_several_edges;
 
-  /// the pairs of cells with an edge in common that has no vertex, from border to border.
+  /// the pairs of cells whose common edge has no vertex, because it runs from border to border.
   std::vector<std::pair<std::size_t, std::size_t>> pairs_without_triangle;
 
-  /// the triples of cells, in ascending order, that meet in several vertices.
+  /// the triples of cells, in ascending order, that meet at several vertices of the diagram.
   std::vector<std::array<std::size_t, 3>> triples_with_several_vertices;
 
-  /// whether the triangles, as a set, make a polygon mesh. There may be reasons not to that are not among those above.
+  /// whether the triangles form a polygon mesh at all, as
+  /// `Polygon_mesh_processing::is_polygon_soup_a_polygon_mesh()` tells. This may fail for a reason that no list shows.
   bool is_polygon_mesh = false;
 
-  /// returns whether nothing is against a manifold mesh.
+  /// returns whether the triangles form a manifold mesh: there are no findings. Takes constant time.
   bool is_manifold() const
   {
     return is_polygon_mesh && cells_that_are_not_disks.empty() && cells_with_several_boundaries.empty()
@@ -81,175 +72,70 @@ struct Geodesic_dual_report
   }
 };
 
-namespace internal {
-
-template <typename Diagram>
-class Geodesic_dual_check
-{
-  using Pair = std::pair<std::size_t, std::size_t>;
-  using Triple = std::array<std::size_t, 3>;
-
-public:
-  explicit Geodesic_dual_check(const Diagram& diagram) : m_diagram(diagram)
-  {
-    diagram.dual(std::back_inserter(m_triangles));
-  }
-
-  const std::vector<Triple>& triangles() const { return m_triangles; }
-
-  Geodesic_dual_report report()
-  {
-    Geodesic_dual_report r;
-    check_triangles(r);
-    check_cells(r);
-    check_edges(r);
-    r.is_polygon_mesh = !m_triangles.empty() && Polygon_mesh_processing::is_polygon_soup_a_polygon_mesh(m_triangles);
-    return r;
-  }
-
-private:
-  void check_triangles(Geodesic_dual_report& r)
-  {
-    std::map<Triple, int> number_of_triangles;
-    for(Triple t : m_triangles)
-    {
-      for(std::size_t k = 0; k < 3; ++k)
-      {
-        m_is_in_triangle.insert(t[k]);
-        if(++m_halfedges[Pair(t[k], t[(k + 1) % 3])] == 2)
-          m_pairs_with_several_edges.insert(std::minmax(t[k], t[(k + 1) % 3]));
-      }
-      std::sort(t.begin(), t.end());
-      if(++number_of_triangles[t] == 2)
-        r.triples_with_several_vertices.push_back(t);
-    }
-  }
-
-  void check_cells(Geodesic_dual_report& r)
-  {
-    for(std::size_t i = 0; i < m_diagram.number_of_sites(); ++i)
-    {
-      if(m_diagram.is_empty(i))
-        continue;
-      if(!m_diagram.is_disk(i))
-        r.cells_that_are_not_disks.push_back(i);
-      else if(m_diagram.boundary(i).size() > 1)
-        r.cells_with_several_boundaries.push_back(i);
-      if(m_is_in_triangle.count(i) == 0)
-        r.cells_without_triangle.push_back(i);
-    }
-  }
-
-  void check_edges(Geodesic_dual_report& r)
-  {
-    std::map<Pair, int> number_of_edges;
-    for(const auto& e : m_diagram.edges())
-    {
-      const Pair s = e.sites(), pair = std::minmax(s.first, s.second);
-      const int n = ++number_of_edges[pair];
-      if(n == 2)
-        m_pairs_with_several_edges.insert(pair);
-      if(n == 1 && m_halfedges.count(s) == 0 && m_halfedges.count(Pair(s.second, s.first)) == 0)
-        r.pairs_without_triangle.push_back(pair);
-    }
-    r.pairs_with_several_edges.assign(m_pairs_with_several_edges.begin(), m_pairs_with_several_edges.end());
-  }
-
-  const Diagram& m_diagram;
-  std::vector<Triple> m_triangles;
-  std::set<std::size_t> m_is_in_triangle;
-  std::map<Pair, int> m_halfedges;
-  std::set<Pair> m_pairs_with_several_edges;
-};
-
-// adds the mesh with a vertex at each site of a triangle.
-template <typename OutputMesh, typename Diagram>
-void add_dual_mesh(const Diagram& diagram, const std::vector<std::array<std::size_t, 3>>& triangles, OutputMesh& output)
-{
-  using Point = typename boost::property_traits<
-    typename boost::property_map<OutputMesh, CGAL::vertex_point_t>::type>::value_type;
-  std::vector<Point> points;
-  std::vector<std::size_t> position(diagram.number_of_sites(), Diagram::null_site());
-  std::vector<std::array<std::size_t, 3>> faces = triangles;
-  for(std::array<std::size_t, 3>& f : faces)
-    for(std::size_t& i : f)
-    {
-      if(position[i] == Diagram::null_site())
-      {
-        const auto p = diagram.point(diagram.site(i));
-        position[i] = points.size();
-        points.push_back(Point(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())));
-      }
-      i = position[i];
-    }
-  Polygon_mesh_processing::polygon_soup_to_polygon_mesh(points, faces, output);
-}
-
-} // namespace internal
-
 /*!
 \ingroup PkgSurfaceMeshGeodesicsFunctions
 
-checks whether the triangles of the dual of a diagram make a manifold mesh, and tells what is in the way: cells that
-are not disks, pairs of cells with several edges in common, and so on. Where the surface has a border, so has the
-dual, farther inside.
+checks whether the triangles of the dual of a diagram form a manifold mesh, and finds what prevents it: cells that are
+not disks, pairs of cells with several common edges, and so on. Where the surface has a border, the dual has one as
+well, farther inside.
 
-Takes time proportional to the number of arcs and edges of the diagram, times a logarithm, and that of the diagram if it
-has not been computed. The function may be called by several threads at once, on the same diagram as well.
+<b>Complexity.</b> Takes \cgalBigO{k \log k} time for \f$ k \f$ arcs and edges of the diagram, in addition to the time of
+`Surface_mesh_geodesic_Voronoi_diagram::build()` if the diagram is not built yet.
+
+<b>Thread safety.</b> Several threads may call the function at once, on the same diagram as well.
 
 \tparam Diagram a specialization of `Surface_mesh_geodesic_Voronoi_diagram`
 
 \param diagram the diagram
 
-\return what has been found
+\return the findings
 
 \throws Invalid_geodesic_input if the diagram has to be computed, and the mesh or a site is invalid
 */
 template <typename Diagram>
 Geodesic_dual_report check_geodesic_dual(const Diagram& diagram)
 {
-  return internal::Geodesic_dual_check<Diagram>(diagram).report();
+  return internal::Dual_check<Diagram, Geodesic_dual_report>(diagram).report();
 }
 
 /*!
 \ingroup PkgSurfaceMeshGeodesicsFunctions
 
-adds the dual of a diagram, triangles with the sites as vertices, to a mesh if it is manifold. Sites that are in no
-triangle get no vertex. Time and thread safety are those of `check_geodesic_dual()`; each call needs an output of its
-own.
+adds the dual of a diagram to a mesh if it is manifold: the vertices are the sites, and each vertex of the diagram makes a
+triangle. Sites that are in no triangle get no vertex.
+
+Complexity and thread safety are those of `check_geodesic_dual()`; each call needs an output of its own.
 
 \tparam Diagram a specialization of `Surface_mesh_geodesic_Voronoi_diagram`
 \tparam OutputMesh a model of `MutableFaceGraph` with an internal property for `CGAL::vertex_point_t`, whose points are
         constructible from three coordinates of type `double`
 
 \param diagram the diagram
-\param output the mesh to which the triangles are added
+\param output the mesh to which the triangles are added. It is not changed if the dual is not manifold.
+
+\return the findings of `check_geodesic_dual()`
 
 \throws Invalid_geodesic_input if the diagram has to be computed, and the mesh or a site is invalid
-
-\return what `check_geodesic_dual()` returns. If it is not manifold, `output` is not changed.
 */
 template <typename Diagram, typename OutputMesh>
 Geodesic_dual_report geodesic_dual_mesh(const Diagram& diagram, OutputMesh& output)
 {
-  internal::Geodesic_dual_check<Diagram> check(diagram);
-  const Geodesic_dual_report report = check.report();
-  if(report.is_manifold())
-    internal::add_dual_mesh(diagram, check.triangles(), output);
-  return report;
+  return internal::add_dual_mesh<Geodesic_dual_report>(diagram, output);
 }
 
 /*!
 \ingroup PkgSurfaceMeshGeodesicsFunctions
 
-approximates a triangle mesh by one with `n` vertices: the dual of the geodesic Voronoi diagram of vertices that are
-chosen with `geodesic_farthest_point_sampling()` and moved with `geodesic_Lloyd_relaxation()`
-(thesis, section 5.4.4).
+approximates a triangle mesh by a mesh with at most `n` vertices (thesis, section 5.4.4).
 
-<b>Complexity.</b> The time is that of the sampling, of the relaxation, and of one more diagram.
+The function chooses `n` vertices with `geodesic_farthest_point_sampling()`, moves them with
+`geodesic_Lloyd_relaxation()`, and adds the dual of their geodesic Voronoi diagram to the output if it is manifold.
 
-<b>Thread safety.</b> The function uses one thread, and may be called by several threads at once, on the same mesh as
-well, if each call writes to an output of its own; see `geodesic_distances()`.
+<b>Complexity.</b> Takes the time of the sampling, of the relaxation, and of one more diagram. The memory is that of one
+diagram.
+
+<b>Thread safety.</b> The function uses one thread. Several threads may call it at once, on the same mesh as well, if each
+call writes to an output of its own; see `geodesic_distances()`.
 
 \tparam TriangleMesh a model of `FaceListGraph`; its points are those of a kernel of `double`
 \tparam OutputMesh a model of `MutableFaceGraph` with an internal property for `CGAL::vertex_point_t`, whose points are
@@ -257,8 +143,8 @@ well, if each call writes to an output of its own; see `geodesic_distances()`.
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tm the triangle mesh
-\param n the number of sites, and so the largest number of vertices of the result
-\param output the mesh to which the result is added
+\param n the number of sites, which is the largest number of vertices of the result
+\param output the mesh to which the result is added. It is not changed if the dual is not manifold.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 
 \cgalNamedParamsBegin
@@ -283,8 +169,8 @@ well, if each call writes to an output of its own; see `geodesic_distances()`.
     \cgalParamDefault{an automatically indexed internal map}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
-    \cgalParamDescription{a visitor that follows one propagation for each sample, for each iteration, and for the last
-                          diagram. If it cancels one, nothing is added to `output`.}
+    \cgalParamDescription{a visitor that follows one propagation for each sample, one for each iteration, and one for the
+                          final diagram. If it cancels one, nothing is added to `output`.}
     \cgalParamType{a class model of `GeodesicPropagationVisitor`}
     \cgalParamDefault{`Geodesic_default_visitor`}
     \cgalParamExtra{The visitor is not copied if it is passed with `std::ref()`.}
@@ -296,8 +182,8 @@ well, if each call writes to an output of its own; see `geodesic_distances()`.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return what `check_geodesic_dual()` returns. If the dual is not manifold, nothing is added to `output`; a larger `n`
-        helps. If the visitor cancelled, nothing is added either, and the report is that of no triangles.
+\return the findings of `check_geodesic_dual()`. If the dual is not manifold, try a larger `n`. If the visitor cancels, the
+        result is a `Geodesic_dual_report()` without findings, which is not manifold.
 
 \throws Invalid_geodesic_input if the mesh is invalid; nothing has been added to `output` then
 */
@@ -308,23 +194,14 @@ Geodesic_dual_report geodesic_remeshing(const TriangleMesh& tm, std::size_t n, O
   using parameters::choose_parameter;
   using parameters::get_parameter;
   using parameters::get_parameter_reference;
-  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
   const std::size_t number_of_iterations = static_cast<std::size_t>(
     choose_parameter(get_parameter(np, internal_np::number_of_iterations), 5u));
   Geodesic_default_visitor default_visitor;
-  auto& users_visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
-  internal::Visitor_of_several_runs<std::remove_reference_t<decltype(users_visitor)>> visitor(users_visitor);
-  const auto np_with_visitor = np.visitor(std::ref(visitor));
-  std::vector<vertex_descriptor> samples, sites;
-  geodesic_farthest_point_sampling(tm, n, std::back_inserter(samples), np_with_visitor);
-  if(visitor.is_cancelled())
-    return Geodesic_dual_report();
-  geodesic_Lloyd_relaxation(tm, samples, number_of_iterations, std::back_inserter(sites), np_with_visitor);
-  auto diagram = internal::make_vertex_site_diagram(tm, np);
-  diagram.set_sites(sites);
-  if(visitor.is_cancelled() || !diagram.diagram().build(visitor))
-    return Geodesic_dual_report();
-  return geodesic_dual_mesh(diagram.diagram(), output);
+  auto& visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
+  const auto sample = [&](auto samples, const auto& np_with_visitor)
+  { geodesic_farthest_point_sampling(tm, n, samples, np_with_visitor); };
+  return internal::remesh<Surface_mesh_geodesic_Voronoi_diagram, Geodesic_dual_report>(
+    tm, number_of_iterations, output, visitor, np, sample);
 }
 
 } // namespace Surface_mesh_geodesics

@@ -91,8 +91,6 @@ private:
 
   // --- the functions on the edges ---
 
-  static std::size_t entry(Halfedge_id h) { return 3 * std::size_t(face_of(h)) + index_in_face(h); }
-
   bool is_first_of_edge(Halfedge_id h) const { return m_mesh.opposite(h) == null_id || h < m_mesh.opposite(h); }
 
   static bool is_finite(const FT& d) { return d < std::numeric_limits<FT>::infinity(); }
@@ -112,8 +110,8 @@ private:
         add_paths(h, false, function);
         if(m_mesh.opposite(h) != null_id)
           add_paths(m_mesh.opposite(h), true, function);
-        m_begin[entry(h)] = m_pieces.size();
-        m_size[entry(h)] = function.pieces().size();
+        m_begin[dense_index(h)] = m_pieces.size();
+        m_size[dense_index(h)] = function.pieces().size();
         m_pieces.insert(m_pieces.end(), function.pieces().begin(), function.pieces().end());
       }
   }
@@ -205,7 +203,7 @@ private:
   {
     pieces.clear();
     const bool is_first = is_first_of_edge(h);
-    const std::size_t e = entry(is_first ? h : m_mesh.opposite(h));
+    const std::size_t e = dense_index(is_first ? h : m_mesh.opposite(h));
     const auto first = m_pieces.begin() + static_cast<std::ptrdiff_t>(m_begin[e]);
     pieces.assign(first, first + static_cast<std::ptrdiff_t>(m_size[e]));
     if(is_first != is_backwards)

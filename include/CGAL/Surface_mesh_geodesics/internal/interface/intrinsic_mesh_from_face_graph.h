@@ -85,7 +85,7 @@ unsigned int set_lengths(const std::array<FT, 3>& length, Intrinsic_face<FT>& f)
   const unsigned int shift = shortest[4u * (length[0] <= length[1]) + 2u * (length[0] <= length[2])
                                       + 1u * (length[1] <= length[2])];
   for(unsigned int k = 0; k < 3; ++k)
-    f.length[k] = length[place_after(k, shift)];
+    f.length[k] = length[corner_after(k, shift)];
   return shift;
 }
 
@@ -469,8 +469,8 @@ private:
       const std::array<Vertex_id, 3>& v = m_corners[f];
       const unsigned int shift = shape.shape(m_halfedges[f], f, v, face);
       for(unsigned int k = 0; k < 3; ++k)
-        face.vertex[k] = v[place_after(k, shift)];
-      m_name[f] = halfedge_of(i, places_to_first(shift));
+        face.vertex[k] = v[corner_after(k, shift)];
+      m_name[f] = halfedge_of(i, corners_to_first(shift));
     }
     for(Face_id i = 0; i < n; ++i)
     {
@@ -478,7 +478,7 @@ private:
       const unsigned int first = index_in_face(m_name[f]);
       for(unsigned int j = 0; j < 3; ++j)
       {
-        const Halfedge_id h = halfedge_of(i, place_after(j, first)), o = renumbered(m_neighbours[f][j]);
+        const Halfedge_id h = halfedge_of(i, corner_after(j, first)), o = renumbered(m_neighbours[f][j]);
         if(o != null_id && (mesh.source(o) != mesh.target(h) || mesh.target(o) != mesh.source(h)))
           throw Invalid_geodesic_input(Reason::NON_MANIFOLD,
                                        "face " + std::to_string(f) + " and its neighbour disagree about the ends of "
@@ -530,7 +530,7 @@ private:
     if(h == null_id)
       return null_id;
     const Halfedge_id first = m_name[face_of(h)];
-    return halfedge_of(face_of(first), place_after(index_in_face(h), index_in_face(first)));
+    return halfedge_of(face_of(first), corner_after(index_in_face(h), index_in_face(first)));
   }
 
   void fill_face_tables(Correspondence& table) const

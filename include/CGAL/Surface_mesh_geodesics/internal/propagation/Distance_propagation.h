@@ -10,27 +10,42 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_DISTANCE_PROPAGATION_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_DISTANCE_PROPAGATION_H
 
-// VTP, the vertex-oriented triangle propagation (thesis, chapter 4, algorithm 2): windows start at
-// the sources and at the vertices where shortest paths bend, wait in lists on the edges of the
-// wavefront, and are carried, list by list, through the faces around the vertex that is nearest.
+// VTP, the vertex-oriented triangle propagation (thesis, chapter 4, algorithm 2): exact distances from sources to all
+// vertices. Windows start at sources and at other pseudo-sources, and wait in lists on edges. The nearest vertex of the
+// wavefront is visited; the visit propagates the lists around it through the faces of its star.
 //
-// An object may be used for many runs: restart() undoes what the last one did, and no more, so that a run
-// that ends early costs nothing beyond the area that it reaches.
+// An object serves many runs. restart() undoes what the last run did, and nothing else, so a run that ends early costs
+// no more than the area that it reaches.
+//
+// Complexity: O(n^2) time in the worst case for a mesh with n vertices (thesis, 4.4), plus O(log n) for each visit;
+// near linear in practice. Memory: the windows of the widest wavefront, and tables of O(n).
 
 #include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
-#include <CGAL/Surface_mesh_geodesics/internal/window/Edge_window_field.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
-#include <CGAL/Surface_mesh_geodesics/internal/window/Pruning_rules.h>
-#include <CGAL/Surface_mesh_geodesics/internal/propagation/Stopping_criterion.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Star_propagation.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/Stopping_criterion.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Vertex_star.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Wavefront.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/Edge_window_field.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/Pruning_rules.h>
+
+#include <CGAL/assertions.h>
+
+#include <cstddef>
 
 namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
+// States: ready (after construction or restart()), where sources and limits are set; running; complete or interrupted,
+// where the field and statistics() are read. From complete, add_source() and run() continue; from any state restart()
+// leads back to ready.
+//
+// Invariants, outside run(): those of Wavefront with no star taken out. After a run that has returned true, a distance
+// is final if it is not greater than reached_distance() and than the maximum distance.
+//
+// `Keeper` is a policy that sees the windows (see Star_propagation): it is also told the distance that is reached.
 template <typename FT_, typename Rules_ = All_pruning_rules, typename Keeper_ = No_window_keeper>
 class Distance_propagation
 {
@@ -41,13 +56,14 @@ public:
   using Mesh = Intrinsic_mesh<FT>;
   using Field = Vertex_distance_field<FT>;
 
-  // The field is reset; it holds the result. The keeper is given each list that is propagated, and the
-  // distance reached before each visit of a vertex.
+  // Resets the field, which receives the result. Mesh and field must outlive this object. The keeper is given each list
+  // that is propagated, and the distance reached before each visit of a vertex.
   Distance_propagation(const Mesh& mesh, Field& field, Keeper keeper = Keeper(), Lane_choice lanes = Lane_choice::BEST)
     : m_mesh(mesh), m_wavefront(mesh, field), m_stars(mesh, field.distance, keeper, lanes)
   {}
 
-  // forgets the last run: its sources, distances, targets and statistics. The mesh may have been changed.
+  // Removes the sources, distances, limits and statistics of the last run. The mesh may have changed since.
+  // Linear in the area that the last run reached.
   void restart()
   {
     m_wavefront.restart(m_stars.pool());
@@ -56,34 +72,37 @@ public:
     m_end = Stopping_criterion<FT>();
   }
 
-  // adds a source; one that is not nearer to its vertex than those before is ignored.
+  // Adds a source. Ignores a source that is not nearer to its vertex than earlier ones.
+  // Requires: v is a vertex of the mesh; offset >= 0 and finite.
   //
-  // Sources may also be added when the propagation has finished, and run() called again: it ends with the distances
-  // from all sources, and carries windows of the new ones only, hardly farther than the new distances reach. Why:
-  // - Windows are removed because some path on the surface is shorter, and the distances of vertices that are kept are
-  //   lengths of paths. So no window is removed along a shortest path from a new source, as all its points are
-  //   nearer to that source than to all others; the path arrives, and its pseudo-sources emit windows as usual.
-  // - What is not reached by a new source has its distance already, and none of its windows is needed again.
-  // - The flags of emission are right: a vertex with HAS_EMITTED that is improved makes its windows again, for all its
-  //   faces, and what still waits of the old ones is stale.
+  // Sources may also be added to a complete propagation. The next run() then computes the distances from all sources,
+  // and propagates windows of the new sources only, little farther than their distances are the smallest. Proof:
+  // - A window is removed only because some path on the surface is shorter, and distances that are kept are lengths of
+  //   paths. All points of a shortest path from a new source are nearer to that source than to any other. So none of
+  //   its windows is removed; the path arrives, and its pseudo-sources emit windows as usual.
+  // - A vertex that no new source improves has its distance already, and none of its windows is needed again.
+  // - A vertex that has emitted windows and is improved emits again, into all its faces; waiting windows of its former
+  //   distance are recognized as stale.
   void add_source(Vertex_id v, const FT& offset)
   {
     m_wavefront.add_source(v, offset);
     m_end.go_back_to(offset);
   }
 
-  // Windows that begin farther away are not propagated.
+  // Does not propagate windows beyond d. Requires: d >= 0. Smaller distances are the same, bit by bit, as without
+  // limit.
   void set_maximum_distance(const FT& d)
   {
     m_stars.set_maximum_distance(d);
     m_end.set_maximum_distance(d);
   }
 
-  // The run ends when the distances of all these vertices are final. They are not copied.
+  // Ends the run when the distances of the vertices in [first, last) are final. The range is not copied.
   void set_targets(const Vertex_id* first, const Vertex_id* last) { m_end.set_targets(first, last); }
 
-  // propagates until nothing waits. Calls go_on(number of visits, distance reached) before each visit
-  // of a vertex, and returns false as soon as that does.
+  // Propagates until nothing waits or a limit is reached, and returns true. Calls go_on(number of visits, distance
+  // reached) before each visit of a vertex; if that returns false, stops at once and returns false. Restart the
+  // propagation then, or continue it with run().
   template <typename GoOn>
   bool run(GoOn go_on)
   {
@@ -93,22 +112,25 @@ public:
         return true;
       if(!go_on(m_stars.statistics().vertices_visited, m_end.reached_distance()))
         return false;
+      CGAL_expensive_assertion(ascends(m_wavefront.queue().top_key()));
       m_stars.keeper().advance(m_end.reached_distance());
       m_star.surround(m_mesh, m_wavefront.queue().top());
       m_wavefront.queue().pop();
       m_wavefront.take(m_star);
-      // The vertex that will probably be next is far from this one if there are many sources.
+      // With many sources the vertex that will probably be next is far away: fetch its star meanwhile.
       const Vertex_id next = m_wavefront.queue().empty() ? m_star.vertex : m_wavefront.queue().top();
       m_mesh.prefetch_star(next);
       m_stars.propagate(m_star);
       m_mesh.prefetch_faces_of_star(next);
       m_wavefront.put_back(m_star, m_stars.pool());
+      CGAL_expensive_assertion(m_wavefront.is_queued_around(m_star));
     }
+    CGAL_assertion(m_wavefront.empty());
     m_end.set_complete();
     return true;
   }
 
-  // Distances up to this one are final.
+  // Distances up to this one are final; infinity when the propagation is complete.
   const FT& reached_distance() const { return m_end.reached_distance(); }
 
   Propagation_statistics statistics() const
@@ -116,12 +138,13 @@ public:
     Propagation_statistics s = m_stars.statistics();
     s.maximum_windows_alive = m_wavefront.maximum_windows_alive();
     s.maximum_window_bytes = m_stars.memory() + m_wavefront.memory();
-    s.intrinsic_mesh_bytes = m_wavefront.table_memory(); // those of the mesh and of the results are added elsewhere
+    s.intrinsic_mesh_bytes = m_wavefront.table_memory(); // the caller adds the mesh and the results
     return s;
   }
 
 private:
-  // Nothing waits: should there be more, see Wavefront?
+  // Starts once more beside vertices that rounding has left without a distance (see Wavefront); not under a maximum
+  // distance, which leaves vertices unreached on purpose. Requires: nothing waits.
   bool goes_on_beside_unreached_vertices()
   {
     if(m_end.maximum_distance() < Field::infinity() || !m_wavefront.start_beside_unreached_vertices())
@@ -130,11 +153,14 @@ private:
     return true;
   }
 
+  // Is a key not smaller than those of the visits before, up to rounding?
+  bool ascends(const FT& key) const { return !is_clearly_less(key, m_end.reached_distance()); }
+
   const Mesh& m_mesh;
   Wavefront<FT> m_wavefront;
   Star_propagation<FT, Rules, Keeper> m_stars;
   Stopping_criterion<FT> m_end;
-  Vertex_star<FT> m_star; // of the vertex that is visited
+  Vertex_star<FT> m_star; // of the vertex that is visited; a buffer between visits
 };
 
 } // namespace internal

@@ -10,16 +10,21 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_EMISSION_SECTOR_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_EMISSION_SECTOR_H
 
-// The faces around a pseudo-source into which it sends windows. A shortest path that arrives at a vertex may
-// go on only with an angle of at least pi on both sides (thesis, lemma 3.1), so only the faces that
-// reach into those directions are needed, as far as the direction of arrival is known.
+// The faces around a pseudo-source into which it emits windows.
+//
+// A shortest path that passes a vertex has an angle of at least pi on both sides (thesis, lemma 3.1). Of the faces
+// around a pseudo-source, only those that reach into such directions are needed, as seen from the path that arrives at
+// the vertex. The thesis emits into all faces (4.3.2, "Saddle Vertices"); leaving faces out changes no distance, since
+// no shortest path runs through the windows that are not made.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Angle_sum.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/Vertex_star.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
-#include <CGAL/Surface_mesh_geodesics/internal/propagation/Vertex_star.h>
-#include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
+
+#include <CGAL/assertions.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -30,6 +35,8 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
+// The sector of one vertex at a time: the buffer is reused. Invariant: after find(star) there is a flag for each face
+// of the star, until the next call of find().
 template <typename FT>
 class Emission_sector
 {
@@ -39,13 +46,19 @@ class Emission_sector
 public:
   explicit Emission_sector(const Mesh& mesh) : m_mesh(mesh) {}
 
-  // finds the sector of the vertex of a star.
+  // Finds the sector of the vertex of a star. Linear in the number of faces. Requires: star.emits.
   //
-  // A source sends windows through all its faces. So does a vertex with several umbrellas, one whose angles
-  // say nothing, and one that has sent windows before: its distance may have shrunk by next to nothing, in
-  // exchange for a direction that is next to arbitrary, which is rare.
+  // Four kinds of vertices emit into all faces:
+  // - a source, at which no path arrives;
+  // - a pinched vertex: angles are measured within one umbrella only;
+  // - a degenerate vertex, whose angles carry no information;
+  // - a vertex that has emitted before: an improvement of its distance by little more than rounding may come with an
+  //   almost arbitrary direction. This is rare.
+  //
+  // Ties: a face stays in the sector unless it lies outside by more than the direction of arrival is uncertain.
   void find(const Star& star)
   {
+    CGAL_expensive_assertion(star.emits);
     const Halfedge_id across = star.arrival.halfedge;
     const std::size_t first = across == null_id || star.has_emitted || star.is_degenerate
                                   || m_mesh.has(star.vertex, Mesh::PINCHED)
@@ -58,13 +71,19 @@ public:
     const FT uncertainty = uncertainty_of_direction(c, star);
     if(!(uncertainty < 1))
       return;
-    m_slope = uncertainty + uncertainty * uncertainty * uncertainty; // not less than the tangent
+    m_slope = uncertainty + uncertainty * uncertainty * uncertainty; // >= tan(uncertainty)
     take_out_hidden(star, first, c);
   }
 
-  bool contains(std::size_t face) const { return m_is_in_sector[face] != 0; }
+  // Is a face of the star in the sector? The face is given by its index in the star of the last call of find().
+  bool contains(std::size_t face) const
+  {
+    CGAL_expensive_assertion(face < m_is_in_sector.size());
+    return m_is_in_sector[face] != 0;
+  }
 
 private:
+  // The index of the face whose halfedge is h, or the number of faces.
   static std::size_t find_face(const Star& star, Halfedge_id h)
   {
     std::size_t f = 0;
@@ -73,11 +92,12 @@ private:
     return f;
   }
 
-  // takes the faces out that lie wholly within pi of the direction of arrival, counterclockwise or clockwise.
-  // At the border each face lies on one side only.
+  // Takes out the faces that lie wholly within an angle of pi from the direction of arrival, counterclockwise or
+  // clockwise. `c` is the frame of the edge AB that the path of arrival crosses, in the face `first`; the vertex is its
+  // apex C. At a border the walk ends: each face lies on one side of the path only.
   void take_out_hidden(const Star& star, std::size_t first, const Face_frame<FT>& c)
   {
-    // as seen from C, the vertex: directions to A, to the point where the path crosses AB, and to B
+    // Cross and dot product of the directions from C to A and to the crossing of the path with AB; then to B.
     const FT& x = star.arrival.abscissa;
     const FT cross_left = c.apex_y * x, dot_left = c.apex_x * (c.apex_x - x) + c.apex_y * c.apex_y;
     const FT cross_right = c.apex_y * (c.length - x);
@@ -105,6 +125,7 @@ private:
     }
   }
 
+  // Adds the angle of face f at the vertex.
   void add_corner(const Star& star, std::uint32_t f, Angle_sum<FT>& angle) const
   {
     const Halfedge_id h = star.faces[f].halfedge;
@@ -112,14 +133,16 @@ private:
     angle.add(corner.first, corner.second);
   }
 
-  // is the angle greater than pi, or nearly? It is less than 2 pi, the sum of one that was not and of a corner.
+  // Is the angle greater than pi - t, where tan t = m_slope?
+  // Requires: the angle is less than 2 pi. It is the sum of an angle that was not beyond pi and of one corner.
   bool is_beyond(const Angle_sum<FT>& angle) const
   {
     return angle.sine < 0 || (angle.cosine < 0 && angle.sine <= -angle.cosine * m_slope);
   }
 
-  // Paths that arrive at v from directions that differ by this angle have the same length in the precision
-  // of the computation: turning the last piece of length l by an angle t makes a path longer by l t^2 / 2.
+  // The angle by which the direction of arrival is uncertain. Paths whose directions of arrival differ by less have the
+  // same length up to rounding: turning the last straight piece, of length l, by an angle t makes a path longer by
+  // l t^2 / 2. Hence t = sqrt(2 rounding / l), with a factor of 2 sqrt 2 to spare, plus the error of a sum of angles.
   static FT uncertainty_of_direction(const Face_frame<FT>& c, const Star& star)
   {
     using std::sqrt;
@@ -132,7 +155,7 @@ private:
 
   const Mesh& m_mesh;
   std::vector<unsigned char> m_is_in_sector; // by face of the star
-  FT m_slope = 0;
+  FT m_slope = 0;                            // tangent of the uncertainty
 };
 
 } // namespace internal

@@ -10,11 +10,14 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_ORDERED_ROWS_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_ORDERED_ROWS_H
 
-// Rows of a table that are computed by several threads at the same time, and handed out one after the other
-// in their order. The number of rows that exist at a time is bounded; their memory is used again.
+// Rows of a table, computed by several threads and output one at a time, in ascending order. The number of rows in
+// memory is bounded, and their memory is reused.
+//
+// for_each_ordered_row() is the function to call; it has a sequential and a parallel version.
 
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Worker_team.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/tags.h>
 
 #include <atomic>
@@ -28,24 +31,30 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// May be asked by whoever computes a row whether it is still wanted.
+// Tells a thread that computes a row that the row is not wanted any more.
 using Stop_flag = std::atomic<bool>;
 
-// The rows 0 .. n-1: any number of threads call work().
+// The rows 0 .. n-1. Any number of threads call work(); when all have returned, one calls finish().
+//
+// Invariants, while the mutex is held: rows below m_first_inside have been output; m_first_inside <= m_next <=
+// m_first_inside + number of rows in memory; row i is in slot i % number of rows. Only one thread outputs at a time,
+// and only that thread changes m_first_inside.
 template <typename Row, typename Compute, typename Output>
 class Ordered_rows
 {
 public:
-  // compute(worker, i, row, stop) fills row i; output(i, row) takes it, and says whether to go on. At most
-  // `number_of_rows` exist at a time.
+  // compute(worker, i, row, stop) fills row i; output(i, row) receives it, and returns whether to go on. At most
+  // `number_of_rows` rows exist at a time. Both functions must outlive this object. Requires: number_of_rows > 0.
   Ordered_rows(std::size_t n, std::size_t number_of_rows, const Compute& compute, const Output& output)
     : m_compute(compute), m_output(output), m_number(n), m_rows(number_of_rows), m_is_filled(number_of_rows, false)
-  {}
+  {
+    CGAL_assertion(number_of_rows > 0);
+  }
 
   Ordered_rows(const Ordered_rows&) = delete;
   Ordered_rows& operator=(const Ordered_rows&) = delete;
 
-  // computes rows and hands them out until there are no more. Does not throw: see finish().
+  // Computes and outputs rows until there are no more. Does not throw: finish() does.
   template <typename MakeWorker>
   void work(const MakeWorker& make_worker)
   {
@@ -67,7 +76,8 @@ public:
     }
   }
 
-  // Returns whether all rows have been handed out; throws what was thrown on the way. No thread is at work.
+  // Returns whether all rows have been output. Rethrows the first exception of any thread. Requires: no thread is in
+  // work().
   bool finish() const
   {
     if(m_failure != nullptr)
@@ -78,16 +88,17 @@ public:
 private:
   Row& row(std::size_t i) { return m_rows[i % m_rows.size()]; }
 
-  // the next row to be computed, when there is room for it; or the number of rows.
+  // Waits until there is room for another row. Returns the row to be computed next, or n if there is none.
   std::size_t claim()
   {
     std::unique_lock<std::mutex> lock(m_mutex);
     m_has_room.wait(lock, [this]()
                     { return m_stop || m_next == m_number || m_next < m_first_inside + m_rows.size(); });
+    CGAL_assertion(m_first_inside <= m_next && m_next <= m_first_inside + m_rows.size());
     return m_stop || m_next == m_number ? m_number : m_next++;
   }
 
-  // Row i is filled. Rows are handed out as far as they are filled, unless another thread is at it.
+  // Marks row i as filled, and outputs the rows that are filled and whose turn has come, unless another thread does.
   void hand_out(std::size_t i)
   {
     std::unique_lock<std::mutex> lock(m_mutex);
@@ -98,7 +109,7 @@ private:
     while(!m_stop && m_is_filled[m_first_inside % m_rows.size()])
     {
       lock.unlock();
-      const bool goes_on = m_output(m_first_inside, row(m_first_inside)); // this thread only changes the number
+      const bool goes_on = m_output(m_first_inside, row(m_first_inside)); // only this thread changes the number
       lock.lock();
       m_is_filled[m_first_inside % m_rows.size()] = false;
       ++m_first_inside;
@@ -109,6 +120,7 @@ private:
     m_is_handing_out = false;
   }
 
+  // Keeps the exception that is being handled, if it is the first one, and stops all threads.
   void fail()
   {
     const std::lock_guard<std::mutex> lock(m_mutex);
@@ -123,18 +135,18 @@ private:
   const std::size_t m_number;
   std::vector<Row> m_rows;
   Stop_flag m_stop{false};
-  std::mutex m_mutex; // of all that follows
+  std::mutex m_mutex; // guards all members below
   std::condition_variable m_has_room;
   std::vector<bool> m_is_filled;
-  bool m_is_handing_out = false; // a thread is at it, or has failed
-  std::size_t m_next = 0;         // to be computed
-  std::size_t m_first_inside = 0; // to be handed out
+  bool m_is_handing_out = false; // stays true if the output throws
+  std::size_t m_next = 0;         // row to be computed next
+  std::size_t m_first_inside = 0; // row to be output next
   std::exception_ptr m_failure;
 };
 
-// For the rows 0 .. n-1: compute(worker, i, row, stop) fills the row i, where no worker is used by two threads; then
-// output(i, row) is called, for one row after the other and in ascending order of i. Returns false as soon as output()
-// does. make_worker() returns a pointer; it is called once by each thread.
+// Computes and outputs the rows 0 .. n-1. compute(worker, i, row, stop) fills row i; output(i, row) is called for one
+// row at a time, in ascending order. Returns false as soon as output() does, else true. make_worker() returns a
+// pointer; each thread that computes rows calls it once, and is the only one that uses the worker.
 template <typename Row, typename Team, typename MakeWorker, typename Compute, typename Output>
 bool for_each_ordered_row(const Team& team, std::size_t n, const MakeWorker& make_worker, const Compute& compute,
                           const Output& output)
@@ -146,7 +158,7 @@ bool for_each_ordered_row(const Team& team, std::size_t n, const MakeWorker& mak
   return rows.finish();
 }
 
-// The same by the calling thread.
+// The same in the calling thread alone.
 template <typename Row, typename MakeWorker, typename Compute, typename Output>
 bool for_each_ordered_row(Sequential_tag, std::size_t n, const MakeWorker& make_worker, const Compute& compute,
                           const Output& output)

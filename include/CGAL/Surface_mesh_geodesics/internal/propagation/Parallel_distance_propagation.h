@@ -10,36 +10,39 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_PARALLEL_DISTANCE_PROPAGATION_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_PARALLEL_DISTANCE_PROPAGATION_H
 
-// VTP by several threads from one set of sources. Up to K vertices are visited at the same time.
+// VTP by several threads from one set of sources. Up to K vertices are visited at the same time. The thesis is
+// sequential; wavefront, star and visit are those of Distance_propagation.
 //
 // What can be visited at the same time. A visit reads and writes its star only (Vertex_star.h): the lists that enter
-// the faces around the vertex, and copies of the distances of its neighbours. Stars of vertices that are
-// not neighbours have no list in common, though they may share vertices and edges.
+// the faces around the vertex, and copies of the distances of its neighbors. Stars of vertices that are not neighbors
+// have no list in common, though they may share vertices and edges.
 //
-// Order. One thread, the conductor, takes stars out of the wavefront and puts them back, strictly in turn: star
-// i + K is taken out just after star i has been put back. It takes the nearest vertex that is not next to a
-// vertex whose star is out; those that are have to wait until that star is back. So what is in a star when it is
-// taken out, and with it every bit of the result, depends on K but not on the number of threads or on their
-// speed; with K = 1 it is that of Distance_propagation. In between, any thread carries windows through any
-// star, the conductor too when it would have to wait: there is no barrier, and progress does not rely on other
-// threads.
+// Order. One thread, the conductor, takes stars out of the wavefront and puts them back, strictly in turn: it takes
+// star i + K right after it has put star i back. It takes the nearest vertex whose neighbors' stars are all in the
+// wavefront; a vertex next to a star that is out is deferred until that star is back. So the contents of a star, and
+// with them every bit of the result, depend on K but neither on the number of threads nor on their speed. With K = 1
+// they are those of Distance_propagation. In between, any thread propagates any star, and the conductor does so instead
+// of waiting: there is no barrier, and progress does not rely on other threads.
 //
-// What is shared. The mesh does not change. A thread allocates windows from a pool of its own, and gives blocks
-// back to its own pool, whoever made them. Distances are written by the conductor only. Other threads
-// read those of pseudo-sources from which windows have started; before one of these shrinks, which is rare, the
-// conductor waits until all stars that are out have been worked on.
+// What is shared. The mesh does not change. Each thread allocates windows from its own pool and returns blocks to its
+// own pool, whoever allocated them. Only the conductor writes distances. Other threads read the distances of
+// pseudo-sources that have emitted windows; before one of these shrinks, which is rare, the conductor waits until all
+// stars that are out have been propagated.
 //
-// Exactness. Visiting vertices that are not the nearest costs windows, which would have been pruned later,
-// but no digit: what is pruned is longer than some path, and whatever waits is propagated in the end.
+// Exactness. Visiting a vertex that is not the nearest creates windows that would have been pruned otherwise. It
+// changes no distance beyond rounding: a window is pruned only if some path is shorter, and all other windows are
+// propagated in the end.
 
 #include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
-#include <CGAL/Surface_mesh_geodesics/internal/window/Pruning_rules.h>
-#include <CGAL/Surface_mesh_geodesics/internal/propagation/Stopping_criterion.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Star_propagation.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/Stopping_criterion.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Vertex_star.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Wavefront.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/Pruning_rules.h>
+
+#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <atomic>
@@ -55,7 +58,7 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// A thread waits for another one, at first without giving its processor away.
+// Waits for another thread: spins at first, then gives the processor away.
 class Spin_wait
 {
 public:
@@ -77,7 +80,14 @@ private:
   unsigned int m_count = 0;
 };
 
-// `Team` is a team of threads, as in Worker_team.h.
+// `Team` is a team of threads: see Worker_team.h.
+//
+// Visits are numbered across all runs. Invariants, in the conductor's thread:
+// - The stars of the visits [m_first, m_last) are out; m_last - m_first <= K. Visit i uses the slot i % K.
+// - m_first <= m_last == m_published and m_claimed <= m_published; visits below m_claimed are propagated or under way.
+// - No two stars that are out belong to neighbors.
+// - A vertex that the wavefront needs is in the queue, or in the `deferred` list of a star that is out.
+// Outside run(), no thread works; stars are out only if the last run was interrupted.
 template <typename FT_, typename Rules_, typename Team>
 class Parallel_distance_propagation
 {
@@ -87,27 +97,31 @@ public:
   using Mesh = Intrinsic_mesh<FT>;
   using Field = Vertex_distance_field<FT>;
 
-  // Few enough that what is out stays in the nearest cache, and more than the threads that one conductor can keep busy.
+  // Few enough that the stars that are out fit into the nearest cache; more than the threads that one conductor can
+  // keep busy.
   static constexpr std::size_t default_number_of_stars = 8;
 
-  // The field is reset; it holds the result.
+  // Resets the field, which receives the result. Mesh and field must outlive this object.
+  // Requires: number_of_stars, the K above, is at least 1.
   Parallel_distance_propagation(const Mesh& mesh, Field& field,
                                 std::size_t number_of_stars = default_number_of_stars, const Team& team = Team())
     : m_mesh(mesh), m_field(field), m_team(team), m_wavefront(mesh, field), m_flights(number_of_stars),
       m_last_visit_near(mesh.number_of_vertices(), 0), m_maximum_distance(Field::infinity())
   {
+    CGAL_assertion(number_of_stars > 0);
     m_workers.push_back(std::make_unique<Worker>(mesh, field.distance));
   }
 
   Parallel_distance_propagation(const Parallel_distance_propagation&) = delete;
   Parallel_distance_propagation& operator=(const Parallel_distance_propagation&) = delete;
 
-  // forgets the last run: its sources, distances, targets and statistics. The mesh may have been changed.
+  // Removes the sources, distances, limits and statistics of the last run, and stars that an interrupted run has left.
+  // The mesh may have changed since. Linear in the area that the last run reached.
   void restart()
   {
     for(; m_first != m_last; ++m_first)
       abandon(flight(m_first));
-    m_begin = m_published = m_claimed = m_last; // numbers are not used again: those of vertices need not be cleared
+    m_begin = m_published = m_claimed = m_last; // numbers are unique: m_last_visit_near stays valid
     m_wavefront.restart(m_workers.front()->pool());
     for(const std::unique_ptr<Worker>& worker : m_workers)
       worker->restart();
@@ -117,21 +131,23 @@ public:
     m_end = Stopping_criterion<FT>();
   }
 
-  // adds a source; one that is not nearer to its vertex than those before is ignored.
+  // Adds a source. Ignores a source that is not nearer to its vertex than earlier ones.
+  // Requires: v is a vertex of the mesh; offset >= 0 and finite; no run since restart().
   void add_source(Vertex_id v, const FT& offset) { m_wavefront.add_source(v, offset); }
 
-  // Windows that begin farther away are not propagated.
+  // Does not propagate windows beyond d. Requires: d >= 0.
   void set_maximum_distance(const FT& d)
   {
     m_maximum_distance = d;
     m_end.set_maximum_distance(d);
   }
 
-  // The run ends when the distances of all these vertices are final. They are not copied.
+  // Ends the run when the distances of the vertices in [first, last) are final. The range is not copied.
   void set_targets(const Vertex_id* first, const Vertex_id* last) { m_end.set_targets(first, last); }
 
-  // propagates until nothing waits. Calls go_on(number of visits, distance reached) from time to time, in the
-  // calling thread, and returns false as soon as that does.
+  // Propagates until nothing waits or a limit is reached, and returns true. Calls go_on(number of visits, distance
+  // reached) every few visits, in the calling thread; if that returns false, stops at once and returns false.
+  // Rethrows the first exception of any thread. Requires: restart() was called after a run that was interrupted.
   template <typename GoOn>
   bool run(GoOn go_on)
   {
@@ -169,7 +185,7 @@ public:
     return is_complete;
   }
 
-  // Distances up to this one are final.
+  // Distances up to this one are final; infinity when the propagation is complete.
   const FT& reached_distance() const { return m_end.reached_distance(); }
 
   Propagation_statistics statistics() const
@@ -182,15 +198,15 @@ public:
     }
     sum.maximum_windows_alive = m_wavefront.maximum_windows_alive();
     sum.maximum_window_bytes += m_wavefront.memory();
-    sum.intrinsic_mesh_bytes = m_wavefront.table_memory(); // those of the mesh and of the results are added elsewhere
+    sum.intrinsic_mesh_bytes = m_wavefront.table_memory(); // the caller adds the mesh and the results
     return sum;
   }
 
 private:
   using Worker = Star_propagation<FT, Rules>;
-  using Number = std::uint64_t; // of a visit, from the first one of all runs on
+  using Number = std::uint64_t; // of a visit, counted over all runs
 
-  // Ends the work of the conductor when another thread has failed.
+  // Thrown in the conductor's thread when another thread has failed.
   struct Interruption
   {};
 
@@ -198,14 +214,15 @@ private:
   struct alignas(64) Flight
   {
     Vertex_star<FT> star;
-    FT key;                                         // in the queue
-    std::vector<std::pair<FT, Vertex_id>> deferred; // neighbours that wait for it, with their keys
-    std::atomic<Number> done{0};                    // the number of the visit plus 1, when it is done
+    FT key;                                         // that its vertex had in the queue
+    std::vector<std::pair<FT, Vertex_id>> deferred; // neighbors that wait for its return, with their keys
+    std::atomic<Number> done{0};                    // 1 + the number of the last visit that is done in this slot
   };
 
   Flight& flight(Number i) { return m_flights[i % m_flights.size()]; }
 
-  // takes stars out and puts them back until nothing waits; returns false if go_on() does.
+  // Takes stars out and puts them back until nothing waits or a limit is reached. Returns false as soon as go_on()
+  // does.
   template <typename GoOn>
   bool conduct(GoOn go_on)
   {
@@ -233,12 +250,13 @@ private:
       put_back(m_first);
       ++m_first;
     }
+    CGAL_assertion(m_wavefront.empty());
     m_end.set_complete();
     return true;
   }
 
-  // takes the star of the nearest vertex out that is not next to one whose star is out, as visit i. Returns false if
-  // there is none.
+  // Takes out the star of the nearest vertex that is not next to a star that is out, as visit i, and defers those that
+  // are. Returns false if there is none. Requires: the slot of visit i is free.
   bool take_out(Number i)
   {
     Vertex_front_queue<FT>& queue = m_wavefront.queue();
@@ -248,7 +266,7 @@ private:
       const FT key = queue.top_key();
       queue.pop();
       const Number last = m_last_visit_near[v];
-      if(last > m_first) // visits end in their order: if this one has ended, all near to v have
+      if(last > m_first) // visits end in ascending order: if the last one near v has ended, all have
       {
         flight(last - 1).deferred.emplace_back(key, v);
         continue;
@@ -256,6 +274,7 @@ private:
       Flight& f = flight(i);
       f.key = key;
       f.star.surround(m_mesh, v);
+      CGAL_expensive_assertion(is_apart_from_stars_out(f.star));
       m_wavefront.take(f.star);
       m_last_visit_near[v] = i + 1;
       for(const Link_vertex<FT>& link : f.star.links)
@@ -265,6 +284,8 @@ private:
     return false;
   }
 
+  // Puts the star of visit i back, once it has been propagated. Other threads read the distances of vertices that have
+  // emitted windows: they must be at rest before one of these changes.
   void put_back(Number i)
   {
     Flight& f = flight(i);
@@ -276,14 +297,15 @@ private:
     release(f);
   }
 
-  // lets the neighbours of a star that is not out any more be visited.
+  // Queues again the neighbors of a star that is back.
   void release(Flight& f)
   {
-    for(const auto& neighbour : f.deferred)
-      m_wavefront.queue().push_or_decrease(neighbour.second, neighbour.first);
+    for(const auto& neighbor : f.deferred)
+      m_wavefront.queue().push_or_decrease(neighbor.second, neighbor.first);
     f.deferred.clear();
   }
 
+  // Drops the windows of a star that an interrupted run has left.
   void abandon(Flight& f)
   {
     for(Star_face<FT>& face : f.star.faces)
@@ -292,8 +314,9 @@ private:
     release(f);
   }
 
-  // Blocks of windows wander from pool to pool, and more of them to some than back: the others would ask for new memory
-  // in each run, without end. So all is given back when it is more than twice that of a run. No block is in use.
+  // Frees the memory of all pools when it exceeds twice that of the first run, plus a constant. Blocks of windows
+  // migrate between pools: some pools gain blocks in each run, and the others would allocate new ones without end.
+  // Requires: no block is in use.
   void release_surplus()
   {
     std::size_t memory = 0;
@@ -308,7 +331,7 @@ private:
     m_memory_of_run = 0;
   }
 
-  // works until the visit i is done.
+  // Propagates stars until visit i is done. Throws Interruption if another thread has failed.
   void wait_for(Number i)
   {
     Spin_wait spin;
@@ -321,20 +344,20 @@ private:
     }
   }
 
-  // The nearest vertex that has to be visited, or whose star is out.
+  // The smallest key of a vertex that must be visited or whose star is out: what waits is not nearer.
   FT nearest_key()
   {
     FT key = m_wavefront.queue().empty() ? Field::infinity() : m_wavefront.queue().top_key();
     for(Number i = m_first; i < m_last; ++i)
     {
       key = (std::min)(key, flight(i).key);
-      for(const auto& neighbour : flight(i).deferred)
-        key = (std::min)(key, neighbour.first);
+      for(const auto& neighbor : flight(i).deferred)
+        key = (std::min)(key, neighbor.first);
     }
     return key;
   }
 
-  // What a helping thread does.
+  // The loop of a thread other than the conductor's: propagates stars until the run is over.
   void help(Worker& worker)
   {
     Spin_wait spin;
@@ -345,14 +368,14 @@ private:
         spin.wait();
   }
 
-  // keeps the exception that is being handled, if it is the first one.
+  // Keeps the exception that is being handled, if it is the first one of the run.
   void fail()
   {
     if(!m_has_failed.exchange(true))
       m_failure = std::current_exception();
   }
 
-  // carries windows through one star that nobody else has; returns false if there is none.
+  // Claims and propagates one star. Returns false if all stars that are out are claimed.
   bool work(Worker& worker)
   {
     Number i = m_claimed.load(std::memory_order_relaxed);
@@ -367,7 +390,20 @@ private:
     return true;
   }
 
-  static constexpr Number visits_between_checks = 16;
+  // Is a star free of vertices whose stars are out?
+  bool is_apart_from_stars_out(const Vertex_star<FT>& star)
+  {
+    for(Number i = m_first; i < m_last; ++i)
+    {
+      const Vertex_id v = flight(i).star.vertex;
+      if(v == star.vertex || std::any_of(star.links.begin(), star.links.end(),
+                                         [v](const Link_vertex<FT>& link) { return link.vertex == v; }))
+        return false;
+    }
+    return true;
+  }
+
+  static constexpr Number visits_between_checks = 16; // of the stopping criterion and of go_on()
   static constexpr std::size_t least_surplus = std::size_t(1) << 18; // bytes
 
   const Mesh& m_mesh;
@@ -375,15 +411,16 @@ private:
   Team m_team;
   Wavefront<FT> m_wavefront;
   std::vector<std::unique_ptr<Worker>> m_workers; // the first one is the conductor's
-  std::vector<Flight> m_flights;
-  // For each vertex, the number plus 1 of the last visit of it or of a neighbour; the star of that visit is out if this
-  // is greater than m_first.
+  std::vector<Flight> m_flights;                  // K slots
+  // For each vertex, 1 + the number of the last visit of the vertex or of a neighbor. The star of that visit is out if
+  // this is greater than m_first.
   std::vector<Number> m_last_visit_near;
   Stopping_criterion<FT> m_end;
   FT m_maximum_distance;
-  std::size_t m_memory_of_run = 0; // the first one since all memory was given back, in bytes
-  Number m_first = 0, m_last = 0; // of the stars that are out
-  Number m_begin = 0;             // of this run
+  std::size_t m_memory_of_run = 0; // bytes of the pools after the first run since they were last cleared; 0: unknown
+  Number m_first = 0, m_last = 0;  // the stars of the visits [m_first, m_last) are out
+  Number m_begin = 0;              // first visit of this run
+  // On cache lines of their own: threads poll them.
   alignas(64) std::atomic<Number> m_published{0};
   alignas(64) std::atomic<Number> m_claimed{0};
   alignas(64) std::atomic<bool> m_is_over{false};

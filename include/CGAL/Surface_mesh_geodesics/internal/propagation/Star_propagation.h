@@ -10,25 +10,32 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_STAR_PROPAGATION_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_STAR_PROPAGATION_H
 
-// The visit of a vertex (thesis, 4.3.2): the windows that start at the vertex are made, and all lists that
-// wait to enter the faces around it are carried through these faces, until they leave its star. It reads the
-// mesh, and reads and writes the star (Vertex_star.h) and the memory of windows, nothing else.
+// The visit of a vertex (thesis, 4.3.2 and algorithm 2, lines 8-28): the vertex emits windows if it is a pseudo-source,
+// and all lists that wait to enter the faces around it are propagated through these faces until they leave the star.
 //
-// Lists that turn around the vertex clockwise leave the star to the left, those that turn counterclockwise
-// to the right, and windows that start at the vertex between them. In this order they are appended
-// to the lists that leave, which so are sorted by key (Window.h) without being merged.
+// A visit reads the mesh; it reads and writes the star (Vertex_star.h), its own pool of windows and its own statistics.
+// Stars that share no window list can therefore be visited by several threads at the same time.
+//
+// Order of the three steps. Lists that turn around the vertex clockwise leave a face on the left, lists that turn
+// counterclockwise on the right, and windows of the vertex itself in between. Appended in this order, the lists that
+// leave are sorted by key (Window.h). The thesis merges them spatially (prime merger, Rule 3); here the pair rules are
+// applied to the merged list when it is propagated the next time (Window_list_crossing.h).
+//
+// Complexity: linear in the number of windows that are propagated (thesis, propositions 4.6 and 4.7).
 
 #include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
-#include <CGAL/Surface_mesh_geodesics/internal/window/Edge_window_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Emission_sector.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
-#include <CGAL/Surface_mesh_geodesics/internal/window/Pruning_rules.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Vertex_star.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/Edge_window_field.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/Pruning_rules.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Window_list_crossing.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Window_list_loops.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Window_lists.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/window_of_pseudo_source.h>
+
+#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -39,8 +46,9 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// is d a new distance of a vertex? Where windows start, an improvement that rounding could have made is
-// ignored: the windows would have to be made again for nothing.
+// Does d replace the distance of a vertex? It does if it is smaller. At a vertex that may emit windows it must be
+// clearly smaller: for an improvement within rounding all windows would have to be emitted again. Ties keep the old
+// distance.
 template <typename FT>
 bool is_improvement(const FT& d, const FT& distance, bool may_emit)
 {
@@ -48,6 +56,10 @@ bool is_improvement(const FT& d, const FT& distance, bool may_emit)
       && (!may_emit || is_clearly_less(d, distance) || !(distance < Vertex_distance_field<FT>::infinity()));
 }
 
+// `Rules` switches pruning rules off, for measurements. `Keeper` is a policy: keep(h, list) receives each list that is
+// propagated across h, after pruning.
+//
+// Invariants, between visits: the pool owns the blocks of all lists; m_statistics counts all visits since restart().
 template <typename FT, typename Rules, typename Keeper = No_window_keeper>
 class Star_propagation
 {
@@ -59,8 +71,8 @@ public:
   using List = Window_list<FT>;
   using List_crossing = Window_list_crossing<FT, Rules>;
 
-  // Of the distances only those of pseudo-sources are read from which windows have started. The keeper
-  // is given each list that is propagated.
+  // Of `distance`, only the entries of pseudo-sources that have emitted windows are read: they tell which windows are
+  // stale. The vector must outlive this object.
   Star_propagation(const Mesh& mesh, const std::vector<FT>& distance, Keeper keeper = Keeper(),
                    Lane_choice lanes = Lane_choice::BEST)
     : m_mesh(mesh), m_keeper(keeper),
@@ -71,14 +83,21 @@ public:
   Star_propagation(const Star_propagation&) = delete;
   Star_propagation& operator=(const Star_propagation&) = delete;
 
+  // Resets the statistics. The pool keeps its memory for the next run.
   void restart() { m_statistics = Propagation_statistics(); }
 
-  // Windows that begin farther away are not put on an edge.
-  void set_maximum_distance(const FT& d) { m_maximum_distance = d; }
+  // Drops each list whose windows are all farther away than d. Requires: d >= 0.
+  void set_maximum_distance(const FT& d)
+  {
+    CGAL_assertion(d >= 0);
+    m_maximum_distance = d;
+  }
 
-  // visits the vertex of a star.
+  // Visits the vertex of a star. Requires: the star has been filled by Wavefront::take().
+  // Afterwards no window waits inside the star: see the invariants of Vertex_star.
   void propagate(Star& star)
   {
+    CGAL_expensive_assertion(star.waiting_lists_are_marked());
     ++m_statistics.vertices_visited;
     m_crossing.expect_stale_windows(star.has_stale_windows);
     if(star.emits)
@@ -90,6 +109,7 @@ public:
     if(star.emits)
       emit(star);
     turn_counterclockwise(star);
+    CGAL_expensive_assertion(star.nothing_waits());
   }
 
   Window_pool<FT>& pool() { return m_pool; }
@@ -98,7 +118,7 @@ public:
   std::size_t memory() const { return m_pool.memory(); }
 
 private:
-  // the paths from the vertex along its edges.
+  // Improves the vertices of the link by the paths from the vertex along its edges.
   void walk_along_edges(Star& star) const
   {
     for(const Face& f : star.faces)
@@ -111,13 +131,14 @@ private:
     }
   }
 
-  // the windows that start at the vertex.
+  // Emits a window from the vertex onto the opposite edge of each face of the sector, unless the edge is a border, has
+  // no length, or the vertices a and b dominate the window at once (rule of Xin and Wang 2009).
   void emit(Star& star)
   {
     for(std::size_t i = 0; i < star.faces.size(); ++i)
     {
       Face& f = star.faces[i];
-      const Face_frame<FT> c = m_mesh.face_frame(next_halfedge(f.halfedge)); // from the edge ab to the vertex
+      const Face_frame<FT> c = m_mesh.face_frame(next_halfedge(f.halfedge)); // of the edge ab; the apex is the vertex
       if(!m_sector.contains(i) || m_mesh.opposite(next_halfedge(f.halfedge)) == null_id || !(c.length > 0))
         continue;
       Window<FT> w;
@@ -137,7 +158,8 @@ private:
     }
   }
 
-  // A list that has turned around the whole vertex comes to the face where the sweep began once more.
+  // Propagates the lists that turn counterclockwise, face by face. A list that has turned around the whole vertex
+  // reaches the first face again, so the sweep is repeated until no list is left.
   void turn_counterclockwise(Star& star)
   {
     Bitset& waiting = star.waiting;
@@ -152,6 +174,7 @@ private:
       });
   }
 
+  // The mirror image.
   void turn_clockwise(Star& star)
   {
     Bitset& waiting = star.waiting_from_last;
@@ -167,7 +190,7 @@ private:
       });
   }
 
-  // across va: the list goes on around v on the left, and leaves the star on the right.
+  // Propagates a list across va: its left part goes on around v, its right part leaves the star.
   void cross_counterclockwise(Star& star, Face& f)
   {
     const Face_frame<FT> c = m_mesh.face_frame(f.halfedge);
@@ -187,7 +210,7 @@ private:
     m_pool.release(list);
   }
 
-  // across bv: the list goes on around v on the right, and leaves the star on the left.
+  // Propagates a list across bv: its right part goes on around v, its left part leaves the star.
   void cross_clockwise(Star& star, Face& f)
   {
     const Halfedge_id bv = previous_halfedge(f.halfedge);
@@ -208,8 +231,8 @@ private:
     m_pool.release(list);
   }
 
-  // prunes the list that is about to enter a face across h, and finds its shortest path to the third vertex of
-  // the face. Returns whether anything of the list is left.
+  // Prunes the list that is about to enter a face across h, finds its shortest path to the third vertex of the face,
+  // and improves that vertex. Returns whether anything of the list is left.
   bool enter(Halfedge_id h, const Face_frame<FT>& c, Corner_rivals<FT>& corners, List& list, Link& apex,
              typename List_crossing::Apex_path& path)
   {
@@ -229,24 +252,26 @@ private:
     return true;
   }
 
-  // Does the path to the apex bend at a corner that is a pseudo-source, and follow the side? The corner sends it, too,
-  // and ties are that one's: what lies behind a vertex belongs to the source that the vertex belongs to.
+  // Does the path to the apex run through a corner of the edge that is a pseudo-source, and along a side of the face?
+  // That corner emits the same path, and wins the tie: what lies behind a vertex belongs to the source of the vertex.
   bool comes_from_corner(const typename List_crossing::Apex_path& path, const Face_frame<FT>& c,
                          const Corner_rivals<FT>& corners) const
   {
-    const auto sends = [&](Vertex_id corner, const FT& d)
+    const auto emits = [&](Vertex_id corner, const FT& d)
     { return m_mesh.has(corner, Mesh::PSEUDO_SOURCE) && !is_clearly_less(path.distance, d); };
     if(path.separating_point <= 0)
-      return sends(c.origin, corners.origin.distance + c.left_length);
-    return path.separating_point >= c.length && sends(c.target, corners.target.distance + c.right_length);
+      return emits(c.origin, corners.origin.distance + c.left_length);
+    return path.separating_point >= c.length && emits(c.target, corners.target.distance + c.right_length);
   }
 
-  // A path to a vertex of length d has been found, which ends with a straight line from the vertex `root`
-  // through the point `abscissa` of the halfedge h opposite to the vertex.
+  // Improves a vertex of the link by a path of length d, if it is shorter. The last straight piece of the path leads
+  // from the vertex `root` through the point `abscissa` of the halfedge h opposite to the vertex. Returns whether it
+  // did.
   static bool improve(Link& link, const FT& d, Halfedge_id h, const FT& abscissa, Vertex_id root)
   {
     if(!is_improvement(d, link.distance, link.may_emit))
       return false;
+    CGAL_expensive_assertion(d < link.distance && root != null_id);
     link.is_improved = true;
     link.distance = d;
     link.arrival.abscissa = abscissa;
@@ -257,7 +282,8 @@ private:
 
   static Vertex_rival<FT> rival(const Star& star) { return Vertex_rival<FT>(star.distance, star.is_degenerate); }
 
-  // The list with room for n more windows; none if there is no list, or if its edge has no length.
+  // Makes room for n more windows in a list. Returns a list without room if there is no list (at the border), or if its
+  // edge has no length.
   List room(List* list, std::size_t n, const FT& length)
   {
     if(list == nullptr || !(length > 0))
@@ -266,12 +292,14 @@ private:
     return *list;
   }
 
+  // Appends windows that go on around the vertex, if there is a face there.
   void put_around(List* list, const Window_batch<FT>& batch)
   {
     if(batch.has_room())
       put(*list, batch);
   }
 
+  // Appends windows that leave the star, if there is a face beyond.
   void put_outward(Face& f, const Window_batch<FT>& batch)
   {
     if(!batch.has_room())
@@ -280,7 +308,7 @@ private:
     f.outward_distance = (std::min)(f.outward_distance, batch.minimum_distance);
   }
 
-  // takes a batch, which is in the room of a list, into the list.
+  // Appends to a list a batch that was written into the room of the list; drops a batch that is too far away.
   void put(List& list, const Window_batch<FT>& batch)
   {
     const bool is_too_far = batch.size > 0 && batch.minimum_distance > m_maximum_distance;

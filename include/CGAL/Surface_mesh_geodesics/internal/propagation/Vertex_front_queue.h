@@ -10,66 +10,111 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_VERTEX_FRONT_QUEUE_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_VERTEX_FRONT_QUEUE_H
 
-// The vertices of the wavefront, nearest first (thesis, 4.3.2): a heap with four children a node and
-// the place of each vertex, so that a key can be decreased. Equal keys are ordered by vertex, so that
-// the order does not depend on the history of the heap.
+// The priority queue of the wavefront (thesis, 4.3.2): vertices ordered by the smallest distance that waits at them.
+//
+// An indexed heap with four children per node. It stores the position of each vertex in the heap, so that a key can be
+// decreased in place and a vertex has at most one entry. Four children make the heap half as deep as two, and the
+// children of a node share a cache line.
+//
+// Ties: equal keys are ordered by vertex index. The order of visits, and with it every bit of the result, therefore
+// depends on the keys alone and not on the history of the heap.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
+// Invariants, between calls of public members:
+// - m_position[m_heap[i].vertex] == i for each entry i, and m_position[v] == null_id for each vertex not in the queue;
+// - no entry is before its parent, the entry (i - 1) / 4.
+//
+// Debug builds with CGAL_CHECK_EXPENSIVE check the neighborhood of each entry that moves, and the whole queue in
+// restart().
 template <typename FT>
 class Vertex_front_queue
 {
 public:
+  // An empty queue for the vertices 0 .. number_of_vertices - 1.
   explicit Vertex_front_queue(std::size_t number_of_vertices)
-    : m_place(number_of_vertices, null_id)
+    : m_position(number_of_vertices, null_id)
   {}
 
-  // empties the queue, in time proportional to what is in it, for the vertices 0 .. n-1.
+  // Empties the queue, for the vertices 0 .. number_of_vertices - 1. Linear in the number of entries and of vertices
+  // that are new; independent of the size of the mesh otherwise.
   void restart(std::size_t number_of_vertices)
   {
+    CGAL_expensive_assertion(is_valid());
     for(const Entry& entry : m_heap)
-      m_place[entry.vertex] = null_id;
+      m_position[entry.vertex] = null_id;
     m_heap.clear();
-    m_place.resize(number_of_vertices, null_id);
+    m_position.resize(number_of_vertices, null_id);
   }
 
   bool empty() const { return m_heap.empty(); }
-  bool contains(Vertex_id v) const { return m_place[v] != null_id; }
-  Vertex_id top() const { return m_heap.front().vertex; }
-  const FT& top_key() const { return m_heap.front().key; }
+  bool contains(Vertex_id v) const { return m_position[v] != null_id; }
 
-  // inserts v, or decreases its key; a key that is not smaller is ignored.
+  // The vertex with the smallest key, and its key. Requires: !empty().
+  Vertex_id top() const
+  {
+    CGAL_expensive_assertion(!empty());
+    return m_heap.front().vertex;
+  }
+
+  const FT& top_key() const
+  {
+    CGAL_expensive_assertion(!empty());
+    return m_heap.front().key;
+  }
+
+  // Inserts v, or decreases its key. Ignores a key that is not smaller than that of v. O(log n).
+  // Requires: v is a vertex of the mesh; the key is a number.
   void push_or_decrease(Vertex_id v, const FT& key)
   {
+    CGAL_expensive_assertion(v < m_position.size() && key == key);
     const Entry entry{key, v};
     if(!contains(v))
     {
       m_heap.push_back(entry);
       sift_up(m_heap.size() - 1, entry);
     }
-    else if(is_before(entry, m_heap[m_place[v]]))
-      sift_up(m_place[v], entry);
+    else if(is_before(entry, m_heap[m_position[v]]))
+      sift_up(m_position[v], entry);
+    CGAL_expensive_assertion(is_in_order(m_position[v]));
   }
 
+  // Removes the top. O(log n). Requires: !empty().
   void pop()
   {
-    m_place[m_heap.front().vertex] = null_id;
+    CGAL_expensive_assertion(!empty());
+    m_position[m_heap.front().vertex] = null_id;
     const Entry last = m_heap.back();
     m_heap.pop_back();
     if(!m_heap.empty())
+    {
       sift_down(last);
+      CGAL_expensive_assertion(is_in_order(0) && is_in_order(m_position[last.vertex]));
+    }
   }
 
-  // of what there is for each vertex of the mesh.
-  std::size_t table_memory() const { return m_place.capacity() * sizeof(m_place[0]); }
+  // Do the invariants hold? Linear in the number of entries.
+  bool is_valid() const
+  {
+    for(std::size_t i = 0; i < m_heap.size(); ++i)
+      if(!is_in_order(i))
+        return false;
+    return true;
+  }
+
+  // Bytes of the table of positions, which has an entry for each vertex of the mesh.
+  std::size_t table_memory() const { return m_position.capacity() * sizeof(m_position[0]); }
 
 private:
   struct Entry
@@ -78,19 +123,33 @@ private:
     Vertex_id vertex;
   };
 
+  // A strict total order on entries with different vertices.
   static bool is_before(const Entry& a, const Entry& b)
   {
-    // (numbers, combined by & and |: no branch, as the outcome cannot be predicted)
+    // Integers combined by & and | keep this free of branches: the processor could not predict the outcome.
     const int is_less = a.key < b.key, is_not_greater = !(b.key < a.key), is_first = a.vertex < b.vertex;
     return (is_less | (is_not_greater & is_first)) != 0;
   }
 
-  void place(std::size_t i, const Entry& entry)
+  // Do the invariants hold for entry i, its parent and its children?
+  bool is_in_order(std::size_t i) const
   {
-    m_heap[i] = entry;
-    m_place[entry.vertex] = static_cast<std::uint32_t>(i);
+    if(m_position[m_heap[i].vertex] != i || (i > 0 && is_before(m_heap[i], m_heap[(i - 1) / 4])))
+      return false;
+    const std::size_t last = (std::min)(4 * i + 5, m_heap.size());
+    for(std::size_t child = 4 * i + 1; child < last; ++child)
+      if(is_before(m_heap[child], m_heap[i]))
+        return false;
+    return true;
   }
 
+  void put(std::size_t i, const Entry& entry)
+  {
+    m_heap[i] = entry;
+    m_position[entry.vertex] = static_cast<std::uint32_t>(i);
+  }
+
+  // Moves the vacancy at i towards the root until the entry fits there.
   void sift_up(std::size_t i, const Entry& entry)
   {
     while(i > 0)
@@ -98,13 +157,13 @@ private:
       const std::size_t parent = (i - 1) / 4;
       if(!is_before(entry, m_heap[parent]))
         break;
-      place(i, m_heap[parent]);
+      put(i, m_heap[parent]);
       i = parent;
     }
-    place(i, entry);
+    put(i, entry);
   }
 
-  // puts an entry in at the root, which is vacant.
+  // Moves the vacancy at the root towards the leaves until the entry fits there.
   void sift_down(const Entry& entry)
   {
     std::size_t i = 0;
@@ -119,14 +178,14 @@ private:
         best += is_before(m_heap[child], m_heap[best]) * (child - best);
       if(!is_before(m_heap[best], entry))
         break;
-      place(i, m_heap[best]);
+      put(i, m_heap[best]);
       i = best;
     }
-    place(i, entry);
+    put(i, entry);
   }
 
   std::vector<Entry> m_heap;
-  std::vector<std::uint32_t> m_place;
+  std::vector<std::uint32_t> m_position; // in m_heap, by vertex
 };
 
 } // namespace internal

@@ -10,25 +10,27 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_WAVEFRONT_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_WAVEFRONT_H
 
-// The wavefront (thesis, 3.3.2 and 4.3): the window lists that wait on its edges, and the vertices that have to be
-// visited, nearest first. Each list that waits has an end of its edge in the queue, with the smallest distance
-// of a window of the list; so has each pseudo-source whose windows have not been made. A child is
-// never nearer than its parent: what comes out of the queue is monotone, and a distance that is not
-// greater than the first key is final. Lists that enter the part already traversed wait in the same
-// way, instead of being carried on at once as in the thesis (4.3.1, geodesic update): they are merged
-// with what else comes that way, and no case needs code of its own.
+// The wavefront (thesis, 3.3.2 and 4.3): the window lists that wait on edges, and the vertices that must be visited,
+// nearest first. It owns all state between visits of vertices.
 //
-// A visit has three parts: the star of the vertex is taken out of the wavefront, windows are carried through
-// it (Star_propagation.h), and what has come of that is put back.
+// A visit has three steps. The wavefront moves the lists around a vertex into a star (take), the windows are propagated
+// through the star (Star_propagation.h), and the wavefront takes over what leaves the star (put_back). The sequential
+// and the parallel propagation differ only in when they call these steps.
+//
+// Deviation from the thesis: lists that turn back into the area already traversed wait like all others. The thesis
+// propagates them at once (4.3.1, Geodesic Update). Waiting merges them with other windows that reach the same edge,
+// and needs no separate code.
 
-#include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Bitset.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/prefetch.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Star_propagation.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Vertex_front_queue.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Vertex_star.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Window_lists.h>
-#include <CGAL/Surface_mesh_geodesics/internal/numeric/prefetch.h>
+
+#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -38,6 +40,18 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
+// Invariants, while no star is taken out:
+// - Each list that waits on a halfedge has an end of that edge in the queue, with a key that is not greater than the
+//   distance of any of its windows.
+// - Each pseudo-source that must emit windows is in the queue, with a key that is not greater than its distance.
+// - Hence, when the queue is empty, nothing waits.
+// The converse does not hold: a vertex may stay in the queue after the visit of a neighbor has taken its lists.
+//
+// Distances of vertices never grow. A window is never nearer than its parent, so the keys of successive visits ascend,
+// up to rounding, unless a source is added; and a distance that is not greater than the top key is final.
+//
+// The parallel propagation removes a vertex from the queue while the star of a neighbor is taken out, and reinserts it
+// afterwards with its key. The first two invariants then hold for the queue and these vertices together.
 template <typename FT_>
 class Wavefront
 {
@@ -47,7 +61,7 @@ public:
   using Field = Vertex_distance_field<FT>;
   using Star = Vertex_star<FT>;
 
-  // The field is reset; it holds the result.
+  // Resets the field, which receives the result. Mesh and field must outlive this object.
   Wavefront(const Mesh& mesh, Field& field)
     : m_mesh(mesh), m_field(field), m_lists(mesh.number_of_faces()), m_queue(mesh.number_of_vertices()),
       m_emission(mesh.number_of_vertices(), 0)
@@ -58,7 +72,8 @@ public:
   Wavefront(const Wavefront&) = delete;
   Wavefront& operator=(const Wavefront&) = delete;
 
-  // forgets all, in time proportional to what has been reached. The mesh may have been changed.
+  // Removes all sources, distances and windows, in time proportional to what has been reached. The mesh may have
+  // changed since. Requires: no star is taken out; `pool` may be any pool of the propagation.
   void restart(Window_pool<FT>& pool)
   {
     for(const Vertex_id v : m_field.reached)
@@ -72,9 +87,11 @@ public:
     m_reached_at_last_start = 0;
   }
 
-  // adds a source; one that is not nearer to its vertex than those before is ignored.
+  // Adds a source. Ignores a source that is not nearer to its vertex than earlier ones: of equal sources the first one
+  // stays. Requires: v is a vertex of the mesh; offset >= 0 and finite.
   void add_source(Vertex_id v, const FT& offset)
   {
+    CGAL_assertion(v < m_field.distance.size() && offset >= 0 && offset < Field::infinity());
     if(!(offset < m_field.distance[v]))
       return;
     if((m_emission[v] & HAS_EMITTED) != 0)
@@ -91,8 +108,92 @@ public:
   const FT& distance(Vertex_id v) const { return m_field.distance[v]; }
   const std::vector<FT>& distances() const { return m_field.distance; }
 
-  // takes a star, whose faces and links are known, out of the wavefront.
+  // Does nothing wait?
+  bool empty() const { return m_queue.empty() && m_lists.number_of_windows() == 0; }
+
+  // Moves what waits around a vertex into its star, and copies distances there. Linear in the degree of the vertex.
+  // Requires: star.surround() was called; the vertex is not in the queue; no star of a neighbor is taken out.
   void take(Star& star)
+  {
+    CGAL_expensive_assertion(!m_queue.contains(star.vertex));
+    copy_distances(star);
+    take_lists(star);
+  }
+
+  // Does the star improve the distance of a vertex that has emitted windows?
+  bool makes_windows_stale(const Star& star) const
+  {
+    return std::any_of(star.links.begin(), star.links.end(), [this](const Link_vertex<FT>& link)
+                       { return link.is_improved && (m_emission[link.vertex] & HAS_EMITTED) != 0; });
+  }
+
+  // Takes over the lists that leave a star and the distances of its links. Linear in the degree of the vertex, plus the
+  // windows of lists that have to be merged. Requires: the star was taken and propagated.
+  //
+  // A list is queued at the nearer end of its edge; of ends at the same distance, at the target of its halfedge.
+  void put_back(Star& star, Window_pool<FT>& pool)
+  {
+    CGAL_expensive_assertion(star.nothing_waits());
+    put_distances(star);
+    put_lists(star, pool);
+    m_maximum_windows_alive = (std::max)(m_maximum_windows_alive, m_lists.number_of_windows());
+  }
+
+  // Is everything that waits next to the vertex of a star queued? That is the part of the invariants that a visit of
+  // the vertex could break. Requires: no star is taken out.
+  bool is_queued_around(const Star& star) const
+  {
+    for(const Link_vertex<FT>& link : star.links)
+      if((m_emission[link.vertex] & MUST_EMIT) != 0 && !m_queue.contains(link.vertex))
+        return false;
+    for(const Star_face<FT>& f : star.faces)
+    {
+      const Halfedge_id h = m_mesh.opposite(next_halfedge(f.halfedge));
+      if(h != null_id && m_lists.has(h) && !m_queue.contains(star.links[f.first].vertex)
+         && !m_queue.contains(star.links[f.second].vertex))
+        return false;
+    }
+    return true;
+  }
+
+  // Lets windows start at vertices with a distance that share a face with a vertex without one, as if paths could bend
+  // there. Returns whether there are any. Requires: nothing waits. Linear in the area reached, and constant if no
+  // vertex was reached since the last call.
+  //
+  // In exact arithmetic no such vertex exists. In faces thinner than rounding each of two paths may have been pruned
+  // because of the other. Only the area reached is searched: with many components all other faces would cost more than
+  // the propagation.
+  bool start_beside_unreached_vertices()
+  {
+    CGAL_assertion(empty());
+    const std::size_t reached = m_field.reached.size();
+    if(reached == m_mesh.number_of_vertices() || reached == m_reached_at_last_start)
+      return false;
+    m_reached_at_last_start = reached;
+    for(const Vertex_id v : m_field.reached)
+      if(is_beside_unreached_vertex(v))
+      {
+        m_emission[v] |= MUST_EMIT;
+        m_queue.push_or_decrease(v, m_field.distance[v]);
+      }
+    return !m_queue.empty();
+  }
+
+  std::size_t maximum_windows_alive() const { return m_maximum_windows_alive; }
+  std::size_t memory() const { return m_lists.memory(); }
+
+  // Bytes of the tables that have an entry for each vertex or halfedge of the mesh.
+  std::size_t table_memory() const
+  {
+    return m_lists.table_memory() + m_queue.table_memory() + m_emission.capacity();
+  }
+
+private:
+  // Flags of a vertex. HAS_EMITTED stays until restart(); MUST_EMIT is cleared by the visit that emits, and by an
+  // improvement, which sets it again if the vertex is a pseudo-source.
+  enum Emission : unsigned char { MUST_EMIT = 1, HAS_EMITTED = 2 };
+
+  void copy_distances(Star& star)
   {
     const Vertex_id v = star.vertex;
     star.distance = m_field.distance[v];
@@ -109,6 +210,12 @@ public:
       link.is_degenerate = m_mesh.has(link.vertex, Mesh::DEGENERATE);
       link.may_emit = ((m_mesh.kind(link.vertex) & Mesh::PSEUDO_SOURCE) | m_emission[link.vertex]) != 0;
     }
+  }
+
+  // Moves the lists of all halfedges that lead into the star, and marks the faces that they wait to enter. The flags of
+  // all faces are read first, without a branch; then only the lists that exist are visited.
+  void take_lists(Star& star)
+  {
     const std::size_t n = star.faces.size();
     star.waiting.reset(n);
     star.waiting_from_last.reset(n);
@@ -127,20 +234,16 @@ public:
     });
   }
 
-  // Does the star hold a better distance of a vertex from which windows have started?
-  bool makes_windows_stale(const Star& star) const
-  {
-    return std::any_of(star.links.begin(), star.links.end(), [this](const Link_vertex<FT>& link)
-                       { return link.is_improved && (m_emission[link.vertex] & HAS_EMITTED) != 0; });
-  }
-
-  // puts the lists that leave a star where they wait, and takes over the distances of its links.
-  void put_back(Star& star, Window_pool<FT>& pool)
+  void put_distances(Star& star)
   {
     m_set.reset(star.links.size());
     for(std::size_t i = 0; i < star.links.size(); ++i)
       m_set.insert(i, star.links[i].is_improved);
     m_set.for_each([&](std::size_t i) { improve(star.links[i]); });
+  }
+
+  void put_lists(Star& star, Window_pool<FT>& pool)
+  {
     m_set.reset(star.faces.size());
     for(std::size_t i = 0; i < star.faces.size(); ++i)
       m_set.insert(i, star.faces[i].outward.size > 0);
@@ -149,44 +252,12 @@ public:
       Star_face<FT>& f = star.faces[i];
       const Vertex_id a = star.links[f.first].vertex, b = star.links[f.second].vertex;
       const Halfedge_id h = m_mesh.opposite(next_halfedge(f.halfedge));
-      prefetch(&m_mesh.face(face_of(h))); // new ground, which is not in any cache
+      CGAL_expensive_assertion(h != null_id && f.outward_distance < Field::infinity());
+      prefetch(&m_mesh.face(face_of(h))); // not visited before, so in no cache
       m_lists.put(h, f.outward, pool);
       m_queue.push_or_decrease(m_field.distance[b] < m_field.distance[a] ? b : a, f.outward_distance);
     });
-    m_maximum_windows_alive = (std::max)(m_maximum_windows_alive, m_lists.number_of_windows());
   }
-
-  // To be called when nothing waits any more. A vertex without a distance next to one that has one cannot be: in
-  // faces thinner than rounding, each of two paths may have been taken for the longer one. Windows start at such
-  // reached neighbours, as if paths could bend there. Returns whether there are any. (They are looked for where the run
-  // has been: with many components, all other faces would cost more than the run.)
-  bool start_beside_unreached_vertices()
-  {
-    const std::size_t reached = m_field.reached.size();
-    if(reached == m_mesh.number_of_vertices() || reached == m_reached_at_last_start)
-      return false;
-    m_reached_at_last_start = reached;
-    for(const Vertex_id v : m_field.reached)
-      if(is_beside_unreached_vertex(v))
-      {
-        m_emission[v] |= MUST_EMIT;
-        m_queue.push_or_decrease(v, m_field.distance[v]);
-      }
-    return !m_queue.empty();
-  }
-
-  std::size_t maximum_windows_alive() const { return m_maximum_windows_alive; }
-  std::size_t memory() const { return m_lists.memory(); }
-
-  // of what there is for each vertex and halfedge of the mesh.
-  std::size_t table_memory() const
-  {
-    return m_lists.table_memory() + m_queue.table_memory() + m_emission.capacity();
-  }
-
-private:
-  // Windows have to start at a vertex when it is visited; they have started there before.
-  enum Emission : unsigned char { MUST_EMIT = 1, HAS_EMITTED = 2 };
 
   bool is_beside_unreached_vertex(Vertex_id v) const
   {
@@ -199,11 +270,14 @@ private:
     return is_beside;
   }
 
+  // Takes over the distance of a link, unless it is no improvement any more: in the parallel propagation another star
+  // may have improved the vertex in the meantime.
   void improve(const Link_vertex<FT>& link)
   {
     const Vertex_id v = link.vertex;
     if(!is_improvement(link.distance, m_field.distance[v], link.may_emit))
       return;
+    CGAL_expensive_assertion(link.distance < m_field.distance[v]);
     m_field.set_distance(v, link.distance);
     m_field.arrival[v] = link.arrival;
     if(m_field.keeps_images)
@@ -222,11 +296,11 @@ private:
   Field& m_field;
   Window_lists<FT> m_lists;
   Vertex_front_queue<FT> m_queue;
-  std::vector<unsigned char> m_emission; // of Emission flags
-  Bitset m_set; // of what has to be put back
-  bool m_has_stale_windows = false;
+  std::vector<unsigned char> m_emission; // flags of Emission, by vertex
+  Bitset m_set;                          // buffer of put_back(): the links, then the faces that have changed
+  bool m_has_stale_windows = false;      // a vertex that has emitted windows has been improved
   std::size_t m_maximum_windows_alive = 0;
-  std::size_t m_reached_at_last_start = 0; // of start_beside_unreached_vertices()
+  std::size_t m_reached_at_last_start = 0; // vertices reached at the last start_beside_unreached_vertices()
 };
 
 } // namespace internal

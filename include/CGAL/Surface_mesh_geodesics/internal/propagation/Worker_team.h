@@ -10,8 +10,10 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_WORKER_TEAM_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_WORKER_TEAM_H
 
-// Threads that work together. This is all that is asked of TBB; algorithms are templates of a team, so
-// that they can be checked with threads that a race detector understands.
+// A team of threads: the only place that knows TBB. Parallel algorithms are templates of the team, so that tests can
+// run them with plain threads, which a race detector understands.
+//
+// A team has three members: size(), run(n, work) and isolate(function), with the contracts below.
 
 #ifdef CGAL_LINKED_WITH_TBB
 
@@ -25,14 +27,15 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// The threads of the task arena of the calling thread.
+// The threads of the task arena of the calling thread. An empty class: copies are the same team.
 class Tbb_team
 {
 public:
+  // The number of threads that may work at the same time; at least 1.
   static std::size_t size() { return (std::max)(std::size_t(1), std::size_t(tbb::this_task_arena::max_concurrency())); }
 
-  // calls work(0) in this thread and work(1) ... work(n-1) in others; returns when all have returned. Other
-  // threads may come late, even after work(0) has returned. None of the calls may throw.
+  // Calls work(0) in this thread and work(1) .. work(n-1) in others, and returns when all calls have returned. Other
+  // threads may start late, even after work(0) has returned. Requires: n > 0; the calls do not throw.
   template <typename Work>
   static void run(std::size_t n, Work work)
   {
@@ -43,7 +46,8 @@ public:
     others.wait();
   }
 
-  // calls a function of the user, which may use TBB: its waiting must not begin other work of the team.
+  // Calls a function of the user, and returns its result. The function may use TBB: while it waits, it does not start
+  // other work of the team.
   template <typename Function>
   static auto isolate(Function function)
   {

@@ -72,7 +72,7 @@ public:
         const Window<FT> w = list.columns.get(done + i);
         first[i] = Kept{w.begin, w.end, w.image_x, w.image_depth, w.root};
       }
-      std::uint32_t& last = m_last_batch[entry(h)];
+      std::uint32_t& last = m_last_batch[dense_index(h)];
       m_batches.push_back(Batch{first, static_cast<std::uint32_t>(n), last});
       last = static_cast<std::uint32_t>(m_batches.size() - 1);
       m_chunk_size += n;
@@ -84,7 +84,7 @@ public:
   template <typename Visitor>
   void for_each_window(Halfedge_id h, Visitor visit) const
   {
-    for(std::uint32_t b = m_last_batch[entry(h)]; b != null_id; b = m_batches[b].previous)
+    for(std::uint32_t b = m_last_batch[dense_index(h)]; b != null_id; b = m_batches[b].previous)
       for(std::uint32_t i = 0; i < m_batches[b].size; ++i)
         visit(m_batches[b].first[i]);
   }
@@ -105,11 +105,6 @@ private:
     std::uint32_t size;
     std::uint32_t previous;
   };
-
-  static std::size_t entry(Halfedge_id h)
-  {
-    return 3 * std::size_t(face_of(h)) + index_in_face(h);
-  }
 
   std::vector<std::unique_ptr<Kept[]>> m_chunks;
   std::size_t m_chunk_size = 0; // of the last chunk

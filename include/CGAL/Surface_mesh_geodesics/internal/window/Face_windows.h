@@ -60,7 +60,7 @@ public:
   template <typename Window_at>
   void add(Halfedge_id h, std::size_t n, Window_at window)
   {
-    std::uint32_t& last = m_last_chunk[entry(h)];
+    std::uint32_t& last = m_last_chunk[dense_index(h)];
     for(std::size_t i = 0; i < n;)
     {
       if(last == null_id || m_links[last].number % Chunk::capacity == 0)
@@ -78,7 +78,7 @@ public:
   // gives the windows of h back, in constant time.
   void release(Halfedge_id h)
   {
-    std::uint32_t& last = m_last_chunk[entry(h)];
+    std::uint32_t& last = m_last_chunk[dense_index(h)];
     if(last == null_id)
       return;
     m_size -= m_links[last].number;
@@ -90,7 +90,7 @@ public:
   template <typename Visitor>
   void for_each(Halfedge_id h, Visitor visit) const
   {
-    const std::uint32_t last = m_last_chunk[entry(h)];
+    const std::uint32_t last = m_last_chunk[dense_index(h)];
     if(last == null_id)
       return;
     for(std::uint32_t c = m_links[last].next;; c = m_links[c].next)
@@ -139,8 +139,6 @@ private:
     std::uint32_t number; // of the windows in the chunk and in those before it
     std::uint32_t next;
   };
-
-  static std::size_t entry(Halfedge_id h) { return 3 * std::size_t(face_of(h)) + index_in_face(h); }
 
   // puts an empty chunk behind the last one.
   void add_chunk(std::uint32_t& last)

@@ -35,9 +35,9 @@
 // so are their children: no rule is applied to two windows of equal keys one of which is marked.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
-#include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/one_lane.h>
 
-#include <cmath>
 #include <cstdint>
 
 namespace CGAL {
@@ -59,12 +59,8 @@ constexpr Window_history one_step = Window_history(1) << 32;
 // Invariants: 0 <= begin < end <= |AB|; image_depth > 0; begin_distance and end_distance are the
 // distances at the ends of the interval, root_distance the distance of the pseudo-source.
 template <typename FT>
-struct Window
+struct Window : one_lane::Window_numbers<FT>
 {
-  FT begin, end;
-  FT image_x, image_depth;
-  FT begin_distance, end_distance;
-  FT root_distance;
   Window_key key;
   Vertex_id root;
   std::uint32_t steps; // twice the number of faces crossed, plus 1 if marked (see above)
@@ -79,24 +75,6 @@ struct Window
   {
     root = static_cast<Vertex_id>(h);
     steps = static_cast<std::uint32_t>(h >> 32);
-  }
-
-  // the distance at the point (x,0), whether the interval holds it or not.
-  FT distance_at(const FT& x) const
-  {
-    using std::sqrt;
-    const FT dx = x - image_x;
-    return root_distance + sqrt(dx * dx + image_depth * image_depth);
-  }
-
-  // the smallest distance at a point of the interval.
-  FT minimum_distance() const
-  {
-    if(image_x <= begin)
-      return begin_distance;
-    if(image_x >= end)
-      return end_distance;
-    return root_distance + image_depth;
   }
 };
 

@@ -119,10 +119,12 @@ struct Window_list_loops
 } // namespace Surface_mesh_geodesics
 } // namespace CGAL
 
-// One lane: for all number types, and for comparison.
+// One lane: for all number types, and for comparison. (one_lane.h has included the rules.)
 #define CGAL_SURFACE_MESH_GEODESICS_LANES 1
 #define CGAL_SURFACE_MESH_GEODESICS_LANES_NAMESPACE one_lane
-#include <CGAL/Surface_mesh_geodesics/internal/window/lanes/all.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/lanes/loops.h>
+#undef CGAL_SURFACE_MESH_GEODESICS_LANES
+#undef CGAL_SURFACE_MESH_GEODESICS_LANES_NAMESPACE
 
 // The instruction set of the compilation.
 #if CGAL_SURFACE_MESH_GEODESICS_COMPILED_LANES > 1
@@ -172,8 +174,12 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// Which loops? Those with the most lanes that are of use, with at most four, with those of the compilation, or one.
+// The loops with the most lanes that pay, with at most four lanes, with the lanes of the compilation, or with one lane.
 enum class Lane_choice { BEST, FOUR, COMPILED, ONE };
+
+// The choice depends on the flags of the compilation. So it stands in the namespace of the lanes of the compilation:
+// files of one program that are compiled for different instruction sets do not share it.
+namespace CGAL_SURFACE_MESH_GEODESICS_COMPILED_NAMESPACE {
 
 template <typename FT, typename Rules>
 Window_list_loops<FT> window_list_loops(Lane_choice choice = Lane_choice::BEST)
@@ -181,7 +187,7 @@ Window_list_loops<FT> window_list_loops(Lane_choice choice = Lane_choice::BEST)
   if constexpr(std::is_same<FT, double>::value)
   {
 #ifdef CGAL_SURFACE_MESH_GEODESICS_HAS_WIDE_CODE
-    // (The first processors with AVX-512 lower their clock where it is used. They do not have its extension VBMI2.)
+    // The first processors with AVX-512 lower their clock when they use it. They lack its extension VBMI2.
     if(choice == Lane_choice::BEST && __builtin_cpu_supports("avx512vbmi2"))
       return avx512_lanes::List_loops<FT, Rules>::table();
     if((choice == Lane_choice::BEST || choice == Lane_choice::FOUR) && __builtin_cpu_supports("avx2"))
@@ -196,8 +202,8 @@ Window_list_loops<FT> window_list_loops(Lane_choice choice = Lane_choice::BEST)
   return one_lane::List_loops<FT, Rules>::table();
 }
 
-// The loops for lists of any length. A list of one window pays for the width of vectors and gains nothing, nor does one
-// of four windows gain from eight lanes. With many sources, most lists are as short as that.
+// The loops for lists of any length. Lists of one window pay for vectors and gain nothing; lists of up to four windows
+// gain nothing from eight lanes. With many sources, most lists are that short.
 template <typename FT, typename Rules>
 class Loops_by_length
 {
@@ -215,12 +221,17 @@ public:
     return number_of_windows > 4 ? m_many : number_of_windows > 1 ? m_few : m_one;
   }
 
-  // the most lanes there are.
+  // The largest number of lanes of these loops.
   std::size_t lanes() const { return m_many.lanes; }
 
 private:
   const Loops m_many, m_few, m_one;
 };
+
+} // namespace CGAL_SURFACE_MESH_GEODESICS_COMPILED_NAMESPACE
+
+using CGAL_SURFACE_MESH_GEODESICS_COMPILED_NAMESPACE::Loops_by_length;
+using CGAL_SURFACE_MESH_GEODESICS_COMPILED_NAMESPACE::window_list_loops;
 
 } // namespace internal
 } // namespace Surface_mesh_geodesics

@@ -362,7 +362,7 @@ public:
     for(std::size_t slot = 0; slot < m_lists.size(); ++slot)
     {
       if(m_halfedge_of_slot[slot] != null_id)
-        m_slot_of_halfedge[entry(m_halfedge_of_slot[slot])] = null_id;
+        m_slot_of_halfedge[dense_index(m_halfedge_of_slot[slot])] = null_id;
       pool.release(m_lists[slot]);
     }
     m_lists.clear();
@@ -372,12 +372,12 @@ public:
     m_slot_of_halfedge.resize(3 * number_of_faces, null_id);
   }
 
-  bool has(Halfedge_id h) const { return m_slot_of_halfedge[entry(h)] != null_id; }
+  bool has(Halfedge_id h) const { return m_slot_of_halfedge[dense_index(h)] != null_id; }
 
   // moves the list of h, which there is, to a list that is empty and has no block.
   void take(Halfedge_id h, List& list)
   {
-    std::uint32_t& slot = m_slot_of_halfedge[entry(h)];
+    std::uint32_t& slot = m_slot_of_halfedge[dense_index(h)];
     list = m_lists[slot];
     m_lists[slot] = List();
     m_number_of_windows -= list.size;
@@ -390,7 +390,7 @@ public:
   void put(Halfedge_id h, List& list, Window_pool<FT>& pool)
   {
     m_number_of_windows += list.size;
-    const std::uint32_t occupied = m_slot_of_halfedge[entry(h)];
+    const std::uint32_t occupied = m_slot_of_halfedge[dense_index(h)];
     if(occupied != null_id)
     {
       pool.join(m_lists[occupied], list);
@@ -404,7 +404,7 @@ public:
     }
     const std::uint32_t slot = m_free_slots.back();
     m_free_slots.pop_back();
-    m_slot_of_halfedge[entry(h)] = slot;
+    m_slot_of_halfedge[dense_index(h)] = slot;
     m_halfedge_of_slot[slot] = h;
     m_lists[slot] = list;
     list = List();
@@ -418,11 +418,6 @@ public:
   std::size_t table_memory() const { return m_slot_of_halfedge.capacity() * sizeof(std::uint32_t); }
 
 private:
-  static std::size_t entry(Halfedge_id h)
-  {
-    return 3 * std::size_t(face_of(h)) + index_in_face(h);
-  }
-
   std::vector<std::uint32_t> m_slot_of_halfedge;
   std::vector<List> m_lists;
   std::vector<Halfedge_id> m_halfedge_of_slot; // null_id if the slot is free

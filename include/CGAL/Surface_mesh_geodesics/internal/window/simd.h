@@ -47,6 +47,7 @@
 #endif
 #ifndef CGAL_SURFACE_MESH_GEODESICS_COMPILED_LANES
 #define CGAL_SURFACE_MESH_GEODESICS_COMPILED_LANES 1
+#define CGAL_SURFACE_MESH_GEODESICS_COMPILED_NAMESPACE one_lane
 #endif
 
 // May code for AVX2 and AVX-512 stand beside code for SSE2? (Stacks on Windows are not aligned for it.)

@@ -13,41 +13,21 @@
 // What makes a window, or a part of its interval, redundant: no shortest path runs through it, or one
 // of the same length runs elsewhere. See the manual, Implementation Details, for the proofs.
 
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/Vertex_rival.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Window.h>
-#include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/one_lane.h>
 
 namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// A vertex as a rival of windows.
-//
-// A tie is left alone, unless windows start at the vertex in all directions: these carry all that goes
-// on from a tie. It has to be decided there, because the neighbourhood of such a vertex may be so small
-// that all distances tie, and no path would ever end.
-template <typename FT>
-struct Vertex_rival
-{
-  FT distance;
-  FT factor; // of the distance of the window
-
-  Vertex_rival(const FT& d, bool wins_ties)
-    : distance(d),
-      factor(wins_ties ? 1 + Tolerance<FT>::distance() : 1 - Tolerance<FT>::distance())
-  {}
-
-  // is the path through the vertex and along the edge to a point at distance l the shorter one?
-  bool beats(const FT& l, const FT& window_distance) const { return distance + l < window_distance * factor; }
-};
-
-// Checking with vertices (thesis, case 12; Xin and Wang 2009): the path from the left end A of the
-// edge, or from its right end, along the edge to the far end of the interval crosses every path of
-// the window. If it is shorter there, it is shorter at each crossing.
+// Is a window beaten by an end of its edge? See one_lane::are_beaten_by_vertices().
 template <typename FT>
 bool is_beaten_by_vertices(const Window<FT>& w, const FT& length, const Vertex_rival<FT>& left,
                            const Vertex_rival<FT>& right)
 {
-  return left.beats(w.end, w.end_distance) || right.beats(length - w.begin, w.begin_distance);
+  return one_lane::are_beaten_by_vertices<FT>(w, length, left, right) != 0;
 }
 
 enum class Pair_outcome { KEEP_BOTH, LEFT_IS_REDUNDANT, RIGHT_IS_REDUNDANT };
@@ -76,12 +56,9 @@ Pair_outcome prune_crossed_windows(const Window<FT>& left, const Window<FT>& rig
   return Pair_outcome::KEEP_BOTH;
 }
 
-// The pair rules (thesis, 4.2.1, cases 1-6) for two windows of one edge, where the key of `left` is
-// less than that of `right`. At a point K that both intervals hold, let `left` be nearer. A path of
-// `right` that ends on the left of K crosses the path of `left` to K, and is not the shorter one
-// there: that part of `right` is redundant. The mirror image holds if `right` is nearer. K is put at
-// both ends of what the intervals share; intervals are trimmed, or removed where nothing is left.
-// Two windows that still overlap afterwards have their point of equal distance inside.
+// Applies the pair rules (thesis, 4.2.1, cases 1-6) to two windows of one edge: trims them, or finds one redundant, which
+// stays as it is. See one_lane::Trimmed_pairs for the rule and one_lane for its only text.
+// Requires: the key of `left` is less than that of `right`; neither is_too_close_to_trim().
 template <typename FT>
 Pair_outcome prune_pair(Window<FT>& left, Window<FT>& right)
 {
@@ -89,44 +66,15 @@ Pair_outcome prune_pair(Window<FT>& left, Window<FT>& right)
     return Pair_outcome::KEEP_BOTH;
   if(right.end <= left.begin)
     return prune_crossed_windows(left, right);
-
-  // the left end of the shared part
-  {
-    const bool starts_with_left = left.begin >= right.begin;
-    const FT k = starts_with_left ? left.begin : right.begin;
-    const FT of_left = starts_with_left ? left.begin_distance : left.distance_at(k);
-    const FT of_right = starts_with_left ? right.distance_at(k) : right.begin_distance;
-    if(is_clearly_less(of_right, of_left))
-    {
-      if(starts_with_left)
-        return Pair_outcome::LEFT_IS_REDUNDANT;
-      left.end = k;
-      left.end_distance = of_left;
-      return Pair_outcome::KEEP_BOTH;
-    }
-    if(starts_with_left && is_clearly_less(of_left, of_right))
-    {
-      right.begin = k;
-      right.begin_distance = of_right;
-    }
-  }
-  // the right end of the shared part
-  const bool ends_with_right = right.end <= left.end;
-  const FT k = ends_with_right ? right.end : left.end;
-  const FT of_left = ends_with_right ? left.distance_at(k) : left.end_distance;
-  const FT of_right = ends_with_right ? right.end_distance : right.distance_at(k);
-  if(is_clearly_less(of_left, of_right))
-  {
-    if(ends_with_right)
-      return Pair_outcome::RIGHT_IS_REDUNDANT;
-    right.begin = k;
-    right.begin_distance = of_right;
-  }
-  else if(ends_with_right && is_clearly_less(of_right, of_left))
-  {
-    left.end = k;
-    left.end_distance = of_left;
-  }
+  const one_lane::Trimmed_pairs<FT> pair(left, right, FT(-1)); // no image is that close
+  if(pair.left_is_redundant)
+    return Pair_outcome::LEFT_IS_REDUNDANT;
+  if(pair.right_is_redundant)
+    return Pair_outcome::RIGHT_IS_REDUNDANT;
+  left.end = pair.left_end;
+  left.end_distance = pair.left_end_distance;
+  right.begin = pair.right_begin;
+  right.begin_distance = pair.right_begin_distance;
   return Pair_outcome::KEEP_BOTH;
 }
 

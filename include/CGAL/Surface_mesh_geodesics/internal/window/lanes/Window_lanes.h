@@ -20,30 +20,9 @@ namespace CGAL_SURFACE_MESH_GEODESICS_LANES_NAMESPACE {
 
 // Several windows, one in each lane (see simd.h).
 template <typename FT>
-struct Window_lanes
+struct Window_lanes : Window_numbers<FT>
 {
-  using Number = typename Lanes<FT>::Number;
-  using Word = typename Lanes<FT>::Word;
-
-  Number begin, end;
-  Number image_x, image_depth;
-  Number begin_distance, end_distance;
-  Number root_distance;
-  Word key, history;
-
-  Number distance_at(const Number& x) const
-  {
-    const Number dx = x - image_x;
-    return root_distance + Lanes<FT>::square_root(dx * dx + image_depth * image_depth);
-  }
-
-  Number minimum_distance() const
-  {
-    using L = Lanes<FT>;
-    const Number inside = root_distance + image_depth;
-    return L::select(L::less_equal(image_x, begin), begin_distance,
-                     L::select(L::less_equal(end, image_x), end_distance, inside));
-  }
+  typename Lanes<FT>::Word key, history;
 };
 
 // the windows of a block from i on.
@@ -52,9 +31,9 @@ CGAL_SURFACE_MESH_GEODESICS_INLINE
 Window_lanes<FT> load_windows(const Window_columns<FT>& columns, std::size_t i)
 {
   using L = Lanes<FT>;
-  return Window_lanes<FT>{L::load(columns.begin() + i), L::load(columns.end() + i), L::load(columns.image_x() + i),
-                          L::load(columns.image_depth() + i), L::load(columns.begin_distance() + i),
-                          L::load(columns.end_distance() + i), L::load(columns.root_distance() + i),
+  return Window_lanes<FT>{{L::load(columns.begin() + i), L::load(columns.end() + i), L::load(columns.image_x() + i),
+                           L::load(columns.image_depth() + i), L::load(columns.begin_distance() + i),
+                           L::load(columns.end_distance() + i), L::load(columns.root_distance() + i)},
                           L::load(columns.key() + i), L::load(columns.history() + i)};
 }
 

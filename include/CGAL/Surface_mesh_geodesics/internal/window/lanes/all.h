@@ -7,14 +7,12 @@
 //
 // Author(s)     : The Surface_mesh_geodesics authors
 
-// Nothing by itself: Window_list_loops.h includes this file once for each number of lanes.
+// The whole text for one number of lanes. Window_list_loops.h includes it once for each number above one, which it
+// has defined as CGAL_SURFACE_MESH_GEODESICS_LANES, together with a namespace.
 
 #ifdef CGAL_SURFACE_MESH_GEODESICS_LANES
-#include <CGAL/Surface_mesh_geodesics/internal/window/lanes/Lanes.h>
-#include <CGAL/Surface_mesh_geodesics/internal/window/lanes/Window_lanes.h>
-#include <CGAL/Surface_mesh_geodesics/internal/window/lanes/lane_pruning.h>
-#include <CGAL/Surface_mesh_geodesics/internal/window/lanes/window_splitting.h>
-#include <CGAL/Surface_mesh_geodesics/internal/window/lanes/List_loops.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/lanes/rules.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/lanes/loops.h>
 #undef CGAL_SURFACE_MESH_GEODESICS_LANES
 #undef CGAL_SURFACE_MESH_GEODESICS_LANES_NAMESPACE
 #endif

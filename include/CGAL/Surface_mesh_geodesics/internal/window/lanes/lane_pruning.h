@@ -21,7 +21,7 @@ namespace CGAL_SURFACE_MESH_GEODESICS_LANES_NAMESPACE {
 // is_beaten_by_vertices() for each lane.
 template <typename FT>
 CGAL_SURFACE_MESH_GEODESICS_INLINE
-typename Lanes<FT>::Mask are_beaten_by_vertices(const Window_lanes<FT>& w, const FT& length,
+typename Lanes<FT>::Mask are_beaten_by_vertices(const Window_numbers<FT>& w, const FT& length,
                                                 const Vertex_rival<FT>& left, const Vertex_rival<FT>& right)
 {
   using L = Lanes<FT>;
@@ -37,16 +37,17 @@ struct Trimmed_pairs
 {
   using L = Lanes<FT>;
   typename L::Number left_end, left_end_distance, right_begin, right_begin_distance;
-  typename L::Mask is_undecided; // a window is redundant, or may be: left as it is
+  typename L::Mask left_is_redundant, right_is_redundant; // never both
+  typename L::Mask is_undecided; // one of them is redundant, or the pair is not decided here: both stay as they are
 
-  Trimmed_pairs(const Window_lanes<FT>& left, const Window_lanes<FT>& right, const FT& close_depth);
+  Trimmed_pairs(const Window_numbers<FT>& left, const Window_numbers<FT>& right, const FT& close_depth);
 };
 
 // The distance that the window of `right`, or that of `left`, has at the point (x,0).
 template <typename FT>
 CGAL_SURFACE_MESH_GEODESICS_INLINE
-typename Lanes<FT>::Number distance_of_one(const typename Lanes<FT>::Mask& is_right, const Window_lanes<FT>& left,
-                                           const Window_lanes<FT>& right, const typename Lanes<FT>::Number& x)
+typename Lanes<FT>::Number distance_of_one(const typename Lanes<FT>::Mask& is_right, const Window_numbers<FT>& left,
+                                           const Window_numbers<FT>& right, const typename Lanes<FT>::Number& x)
 {
   using L = Lanes<FT>;
   using Number = typename L::Number;
@@ -58,7 +59,7 @@ typename Lanes<FT>::Number distance_of_one(const typename Lanes<FT>::Mask& is_ri
 
 template <typename FT>
 CGAL_SURFACE_MESH_GEODESICS_INLINE
-Trimmed_pairs<FT>::Trimmed_pairs(const Window_lanes<FT>& left, const Window_lanes<FT>& right,
+Trimmed_pairs<FT>::Trimmed_pairs(const Window_numbers<FT>& left, const Window_numbers<FT>& right,
                                  const FT& close_depth)
 {
   using Number = typename L::Number;
@@ -87,10 +88,10 @@ Trimmed_pairs<FT>::Trimmed_pairs(const Window_lanes<FT>& left, const Window_lane
   const Mask overlap = L::less(right.begin, left.end);
   const Mask goes_on = L::except(overlap, right_is_nearer_first);
   const Number depth = L::minimum(left.image_depth, right.image_depth);
+  left_is_redundant = overlap & right_is_nearer_first & starts_with_left;
+  right_is_redundant = goes_on & left_is_nearer_last & ends_with_right;
   is_undecided = (overlap & L::less_equal(depth, L::all(close_depth)))
-               | (overlap & L::less_equal(right.end, left.begin))
-               | (overlap & right_is_nearer_first & starts_with_left)
-               | (goes_on & left_is_nearer_last & ends_with_right);
+               | (overlap & L::less_equal(right.end, left.begin)) | left_is_redundant | right_is_redundant;
   const Mask ends_at_first = L::except(overlap & right_is_nearer_first, is_undecided);
   const Mask ends_at_last = L::except(goes_on & ends_with_right & right_is_nearer_last, is_undecided);
   left_end = L::select(ends_at_first, first, L::select(ends_at_last, last, left.end));

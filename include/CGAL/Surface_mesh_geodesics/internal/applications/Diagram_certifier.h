@@ -1,0 +1,368 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_DIAGRAM_CERTIFIER_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_DIAGRAM_CERTIFIER_H
+
+// Checks a geodesic Voronoi diagram by the answers of its public members, against distances from one site at a time
+// that are computed apart. What is checked is documented at certify_geodesic_Voronoi_diagram(). `Diagram` is a type with
+// the members of Surface_mesh_geodesic_Voronoi_diagram; tests pass one that lies.
+//
+// Violations are relative. Distances are compared with the distance plus the longest edge of the component, positions
+// with that edge, areas with the expected area plus its square: the components of a mesh may differ in size by many
+// orders of magnitude.
+
+#include <CGAL/Surface_mesh_geodesics/internal/applications/Diagram_conditions.h>
+#include <CGAL/Surface_mesh_geodesics/internal/applications/Diagram_samples.h>
+#include <CGAL/Surface_mesh_geodesics/internal/applications/Location_separation.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/distance_in_space.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/iterator/counting_iterator.hpp>
+#include <boost/pending/disjoint_sets.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+// `Length` gives the length of a halfedge in the unit of the mesh; `Separation` is described in Location_separation.h.
+template <typename Diagram, typename VertexIndexMap, typename Length, typename Separation>
+class Diagram_certifier
+{
+  using Triangle_mesh = typename Diagram::Triangle_mesh;
+  using Graph_traits = boost::graph_traits<Triangle_mesh>;
+  using vertex_descriptor = typename Graph_traits::vertex_descriptor;
+  using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
+  using face_descriptor = typename Graph_traits::face_descriptor;
+  using Face_location = typename Diagram::Face_location;
+  using Samples = Diagram_samples<Diagram>;
+  using Sample = typename Samples::Sample;
+
+public:
+  // The diagram is referred to, not copied.
+  Diagram_certifier(const Diagram& diagram, VertexIndexMap vertex_index_map, Length length, Separation separation)
+    : m_diagram(diagram), m_tm(diagram.triangle_mesh()), m_vertex_index_map(vertex_index_map), m_length(length),
+      m_separation(separation)
+  {}
+
+  // Checks all conditions. `make_paths()` returns a pointer to a new object of shortest paths without source points.
+  // Takes the time of a propagation that keeps its windows for each site, and of a query for each site and sample.
+  template <typename MakePaths>
+  Diagram_violations run(MakePaths make_paths)
+  {
+    m_violations = Diagram_violations();
+    find_components();
+    if(m_diagram.number_of_sites() == 0)
+      return m_violations;
+    check_distances(make_paths);
+    check_boundaries();
+    check_areas();
+    return m_violations;
+  }
+
+private:
+  static constexpr std::size_t no_site() { return Diagram_violation::no_site(); }
+  static double infinity() { return std::numeric_limits<double>::infinity(); }
+
+  void look_at(Diagram_condition condition, double violation, std::size_t site)
+  {
+    m_violations[condition].look_at(violation, site);
+  }
+
+  // --- components ---
+
+  // Finds for each vertex the index of one vertex of its component, and the longest edge of each component.
+  void find_components()
+  {
+    const std::size_t n = num_vertices(m_tm);
+    m_component.resize(n);
+    std::vector<std::size_t> rank(n);
+    boost::disjoint_sets<std::size_t*, std::size_t*> sets(rank.data(), m_component.data());
+    for(std::size_t v = 0; v < n; ++v)
+      sets.make_set(v);
+    for(const face_descriptor f : faces(m_tm))
+      for(const vertex_descriptor v : CGAL::vertices_around_face(halfedge(f, m_tm), m_tm))
+        sets.union_set(std::size_t(get(m_vertex_index_map, corner(f))), std::size_t(get(m_vertex_index_map, v)));
+    sets.compress_sets(boost::counting_iterator<std::size_t>(0), boost::counting_iterator<std::size_t>(n));
+    m_longest_edge.assign(n, 0.);
+    for(const face_descriptor f : faces(m_tm))
+    {
+      double& longest = m_longest_edge[component_of(f)];
+      longest = (std::max)(longest, longest_edge(f));
+    }
+  }
+
+  vertex_descriptor corner(face_descriptor f) const { return target(halfedge(f, m_tm), m_tm); }
+
+  std::size_t component_of(vertex_descriptor v) const { return m_component[get(m_vertex_index_map, v)]; }
+  std::size_t component_of(face_descriptor f) const { return component_of(corner(f)); }
+
+  double extent_around(vertex_descriptor v) const { return m_longest_edge[component_of(v)]; }
+  double extent_around(face_descriptor f) const { return extent_around(corner(f)); }
+
+  // `excess / scale`, but 0 for no excess on a component all of whose edges have length 0.
+  static double relative(double excess, double scale) { return excess == 0 ? 0. : excess / scale; }
+
+  // --- distances ---
+
+  template <typename MakePaths>
+  void check_distances(MakePaths make_paths)
+  {
+    const Samples samples(m_diagram);
+    m_largest_weight = 0;
+    for(std::size_t i = 0; i < m_diagram.number_of_sites(); ++i)
+      m_largest_weight = (std::max)(m_largest_weight, std::abs(CGAL::to_double(m_diagram.weight(i))));
+    for(std::size_t i = 0; i < m_diagram.number_of_sites(); ++i)
+      check_distances_from(i, samples, make_paths);
+  }
+
+  // A site at a vertex without faces has no location; it is the nearest one of that vertex only, which is no sample.
+  template <typename MakePaths>
+  void check_distances_from(std::size_t i, const Samples& samples, MakePaths make_paths)
+  {
+    const Face_location site = m_diagram.site(i);
+    if(site.first == Graph_traits::null_face())
+      return;
+    auto paths = make_paths();
+    paths->add_source_point(site);
+    paths->build_sequence_tree_for_faces();
+    const double weight = CGAL::to_double(m_diagram.weight(i));
+    for(const Sample& s : samples.samples())
+    {
+      const double d = CGAL::to_double(s.vertex != Graph_traits::null_vertex()
+                                         ? paths->shortest_distance_to_source_points(s.vertex).first
+                                         : paths->shortest_distance_to_source_points(s.location.first,
+                                                                                     s.location.second).first);
+      check_sample(s, samples, i, d < 0 ? infinity() : d, weight);
+    }
+  }
+
+  // Compares the distance of a sample from site i, infinity if the site does not reach it, with what the diagram says.
+  // The difference of a distance and a weight is rounded to the size of the larger one; where the weight is the larger
+  // one, that is more than the rounding of lengths, and is granted.
+  void check_sample(const Sample& s, const Samples& samples, std::size_t i, double distance, double weight)
+  {
+    const double rounding = Tolerance<double>::gap() * (distance + m_largest_weight);
+    const double scale = distance + (s.vertex != Graph_traits::null_vertex() ? extent_around(s.vertex)
+                                                                            : extent_around(s.location.first));
+    const auto first = samples.sites().begin() + static_cast<std::ptrdiff_t>(s.first_site);
+    const auto last = first + static_cast<std::ptrdiff_t>(s.number_of_sites);
+    if(std::find(first, last, i) != last)
+      look_at(s.condition, relative(std::abs(distance - weight - s.distance) - rounding, scale), i);
+    else if(distance < infinity() && *first == no_site())
+      look_at(DIAGRAM_NEAREST, infinity(), i);
+    else if(distance < infinity())
+      look_at(DIAGRAM_NEAREST, relative(s.distance - distance + weight - rounding, scale), i);
+  }
+
+  // --- boundaries ---
+
+  // With each edge or arc: is it run through from its end to its start?
+  using Directed_edge = std::pair<typename Diagram::Edge, bool>;
+  using Directed_arc = std::pair<typename Diagram::Arc, bool>;
+
+  // How often boundaries run through an edge forward and backward.
+  using Uses = std::array<int, 2>;
+
+  // Arcs of an edge meet, edges of a boundary meet, and each edge is run through once in each direction.
+  void check_boundaries()
+  {
+    for(const auto& e : m_diagram.edges())
+      for(std::size_t k = 1; k < e.arcs().size(); ++k)
+        look_at(DIAGRAM_BOUNDARIES, gap(end_of(e.arcs()[k - 1]), start_of(e.arcs()[k])), e.sites().first);
+    std::vector<Uses> uses(m_diagram.edges().size(), Uses{0, 0});
+    for(std::size_t i = 0; i < m_diagram.number_of_sites(); ++i)
+      for(const auto& b : m_diagram.boundary(i))
+        check_boundary(i, b, uses);
+    for(const auto& e : m_diagram.edges())
+      if(uses[e.index()] != Uses{1, 1})
+        look_at(DIAGRAM_BOUNDARIES, infinity(), e.sites().first);
+  }
+
+  // Checks one part of the boundary of the cell of site i, and counts its uses of edges.
+  template <typename Boundary>
+  void check_boundary(std::size_t i, const Boundary& b, std::vector<Uses>& uses)
+  {
+    for(std::size_t k = 0; k < b.edges.size(); ++k)
+    {
+      const Directed_edge& e = b.edges[k];
+      ++uses[e.first.index()][e.second ? 1 : 0];
+      const auto sites = e.first.sites();
+      const bool is_on_left = (e.second ? sites.second : sites.first) == i;
+      look_at(DIAGRAM_BOUNDARIES, is_on_left ? 0 : infinity(), i);
+      if(k > 0)
+        look_at(DIAGRAM_BOUNDARIES, gap(end_of(b.edges[k - 1]), start_of(e)), i);
+    }
+    const Face_location first = start_of(b.edges.front()), last = end_of(b.edges.back());
+    if(b.is_closed)
+      look_at(DIAGRAM_BOUNDARIES, gap(last, first), i);
+    else
+      look_at(DIAGRAM_BOUNDARIES, (std::max)(gap_to_border(first), gap_to_border(last)), i);
+  }
+
+  static Face_location start_of(const Directed_arc& a) { return a.first.point(a.second ? 1. : 0.); }
+  static Face_location end_of(const Directed_arc& a) { return a.first.point(a.second ? 0. : 1.); }
+
+  static Directed_arc reversed(const Directed_arc& a) { return Directed_arc(a.first, !a.second); }
+
+  static Face_location start_of(const Directed_edge& e)
+  {
+    return e.second ? start_of(reversed(e.first.arcs().back())) : start_of(e.first.arcs().front());
+  }
+
+  static Face_location end_of(const Directed_edge& e)
+  {
+    return e.second ? end_of(reversed(e.first.arcs().front())) : end_of(e.first.arcs().back());
+  }
+
+  // The distance of two locations, relative to the longest edge.
+  double gap(const Face_location& a, const Face_location& b) const
+  {
+    return relative(m_separation(a, b), extent_around(a.first));
+  }
+
+  // The distance of a location from the border of the mesh, relative to the longest edge.
+  double gap_to_border(const Face_location& l) const
+  {
+    return relative(m_separation.from_border(l), extent_around(l.first));
+  }
+
+  // --- areas ---
+
+  // The areas of the cells of a component add up to that of its faces, if a site reaches it. A cell is in the component
+  // of its site.
+  void check_areas()
+  {
+    std::vector<double> expected(m_longest_edge.size(), 0.), sum(expected);
+    for(const face_descriptor f : faces(m_tm))
+      if(m_diagram.nearest_site(source(halfedge(f, m_tm), m_tm)) != no_site())
+        expected[component_of(f)] += area(f);
+    const auto scale = [&](std::size_t c) { return expected[c] + m_longest_edge[c] * m_longest_edge[c]; };
+    for(std::size_t i = 0; i < m_diagram.number_of_sites(); ++i)
+    {
+      const face_descriptor f = m_diagram.site(i).first;
+      if(f == Graph_traits::null_face())
+        continue;
+      const double a = CGAL::to_double(m_diagram.area(i));
+      sum[component_of(f)] += a;
+      look_at(DIAGRAM_AREAS, relative(-a, scale(component_of(f))), i);
+    }
+    for(std::size_t c = 0; c < sum.size(); ++c)
+      if(m_longest_edge[c] > 0)
+        look_at(DIAGRAM_AREAS, relative(std::abs(sum[c] - expected[c]), scale(c)), no_site());
+  }
+
+  double area(face_descriptor f) const
+  {
+    std::array<double, 3> l = lengths(f);
+    std::sort(l.begin(), l.end());
+    return l[0] * planar_triangle_from_lengths(l[0], l[1], l[2]).apex_y / 2;
+  }
+
+  std::array<double, 3> lengths(face_descriptor f) const
+  {
+    const halfedge_descriptor h = halfedge(f, m_tm), g = next(h, m_tm);
+    return {m_length(h), m_length(g), m_length(next(g, m_tm))};
+  }
+
+  double longest_edge(face_descriptor f) const
+  {
+    const std::array<double, 3> l = lengths(f);
+    return *std::max_element(l.begin(), l.end());
+  }
+
+  const Diagram& m_diagram;
+  const Triangle_mesh& m_tm;
+  VertexIndexMap m_vertex_index_map;
+  Length m_length;
+  Separation m_separation;
+  std::vector<std::size_t> m_component; // by the index of a vertex
+  std::vector<double> m_longest_edge;   // by component
+  double m_largest_weight = 0;          // in absolute value
+  Diagram_violations m_violations;
+};
+
+// Certifies a diagram with paths of the type Paths<Traits, ...>, which is Surface_mesh_geodesic_paths with the maps
+// among the named parameters. `prepare(paths)` is called for each new object of paths, before sources are added.
+template <template <typename...> class Paths, typename Traits, typename Diagram, typename Length, typename Separation,
+          typename Prepare, typename NamedParameters>
+Diagram_violations certify_diagram(const Diagram& diagram, Length length, Separation separation, Prepare prepare,
+                                   const NamedParameters& np)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  const auto& tm = diagram.triangle_mesh();
+  auto vim = CGAL::get_initialized_vertex_index_map(tm, np);
+  auto him = CGAL::get_initialized_halfedge_index_map(tm, np);
+  auto fim = CGAL::get_initialized_face_index_map(tm, np);
+  auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
+                              get_const_property_map(CGAL::vertex_point, tm));
+  using Paths_with_maps = Paths<Traits, decltype(vim), decltype(him), decltype(fim), decltype(vpm)>;
+  const auto make_paths = [&]
+  {
+    auto paths = std::make_unique<Paths_with_maps>(tm, vim, him, fim, vpm);
+    prepare(*paths);
+    return paths;
+  };
+  return Diagram_certifier<Diagram, decltype(vim), Length, Separation>(diagram, vim, length, separation)
+    .run(make_paths);
+}
+
+// Certifies a diagram of a mesh with points.
+template <template <typename...> class Paths, typename Traits, typename Diagram, typename NamedParameters>
+Diagram_violations certify_diagram_with_points(const Diagram& diagram, const NamedParameters& np)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  const auto& tm = diagram.triangle_mesh();
+  auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
+                              get_const_property_map(CGAL::vertex_point, tm));
+  using Point = typename boost::property_traits<decltype(vpm)>::value_type;
+  using halfedge_descriptor = typename boost::graph_traits<typename Diagram::Triangle_mesh>::halfedge_descriptor;
+  const auto length = [&](halfedge_descriptor h)
+  { return distance_in_space<Point>(get(vpm, source(h, tm)), get(vpm, target(h, tm))); };
+  const Separation_in_space<Diagram, decltype(vpm)> separation(diagram, vpm);
+  return certify_diagram<Paths, Traits>(diagram, length, separation, [](auto&) {}, np);
+}
+
+// Certifies a diagram of a surface that is given by the lengths of its edges.
+template <template <typename...> class Paths, typename Traits, typename Diagram, typename EdgeLengthMap,
+          typename NamedParameters>
+Diagram_violations certify_diagram_with_edge_lengths(const Diagram& diagram, EdgeLengthMap edge_length_map,
+                                                     const NamedParameters& np)
+{
+  using halfedge_descriptor = typename boost::graph_traits<typename Diagram::Triangle_mesh>::halfedge_descriptor;
+  const auto& tm = diagram.triangle_mesh();
+  const auto length = [&](halfedge_descriptor h) { return CGAL::to_double(get(edge_length_map, edge(h, tm))); };
+  const Separation_by_coordinates<Diagram, decltype(length)> separation(diagram, length);
+  return certify_diagram<Paths, Traits>(
+    diagram, length, separation, [&](auto& paths) { paths.use_edge_lengths(edge_length_map); }, np);
+}
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_DIAGRAM_CERTIFIER_H

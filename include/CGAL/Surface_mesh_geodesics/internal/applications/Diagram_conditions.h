@@ -1,0 +1,65 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_DIAGRAM_CONDITIONS_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_DIAGRAM_CONDITIONS_H
+
+// The conditions that a geodesic Voronoi diagram has to fulfil, and what a check of one of them finds. The certifier
+// of diagrams fills these records; the public certificate reads them.
+
+#include <array>
+#include <cstddef>
+#include <limits>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+// In the order of Geodesic_Voronoi_certificate::Condition, where they are explained.
+enum Diagram_condition : unsigned int
+{
+  DIAGRAM_ARCS,
+  DIAGRAM_VERTICES,
+  DIAGRAM_OWNERS,
+  DIAGRAM_NEAREST,
+  DIAGRAM_BOUNDARIES,
+  DIAGRAM_AREAS,
+  NUMBER_OF_DIAGRAM_CONDITIONS
+};
+
+// How often a condition was checked, how far it is violated at worst, and by the cell of which site.
+struct Diagram_violation
+{
+  double size = 0; // relative to a scale that the check chooses; infinite if something is missing
+  std::size_t site = no_site();
+  std::size_t number_of_checks = 0;
+
+  // Stands for "no single site".
+  static constexpr std::size_t no_site() { return (std::numeric_limits<std::size_t>::max)(); }
+
+  // Counts one check, and keeps its violation if it is larger than all before. A violation that is not positive is
+  // none; one that is not a number counts as infinite. Of equal violations the first one is kept.
+  void look_at(double violation, std::size_t violating_site)
+  {
+    ++number_of_checks;
+    if(violation <= size)
+      return;
+    const double infinity = std::numeric_limits<double>::infinity();
+    size = violation < infinity ? violation : infinity;
+    site = violating_site;
+  }
+};
+
+using Diagram_violations = std::array<Diagram_violation, NUMBER_OF_DIAGRAM_CONDITIONS>;
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_DIAGRAM_CONDITIONS_H

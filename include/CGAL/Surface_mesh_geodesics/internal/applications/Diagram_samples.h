@@ -1,0 +1,147 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_DIAGRAM_SAMPLES_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_DIAGRAM_SAMPLES_H
+
+// The points of the surface at which the certifier compares a geodesic Voronoi diagram with distances from each site,
+// and what the diagram says of them: points of arcs, vertices of the diagram, vertices of the mesh, and points of all
+// faces. `Diagram` is a type with the members of Surface_mesh_geodesic_Voronoi_diagram; tests pass one that lies.
+
+#include <CGAL/Surface_mesh_geodesics/internal/applications/Diagram_conditions.h>
+
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+template <typename Diagram>
+class Diagram_samples
+{
+  using Triangle_mesh = typename Diagram::Triangle_mesh;
+  using Graph_traits = boost::graph_traits<Triangle_mesh>;
+  using vertex_descriptor = typename Graph_traits::vertex_descriptor;
+  using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
+  using face_descriptor = typename Graph_traits::face_descriptor;
+  using Face_location = typename Diagram::Face_location;
+
+public:
+  // A point of the surface. The diagram says that the sites are equally near, that no other site is nearer, and how far
+  // they are, less their weights.
+  struct Sample
+  {
+    vertex_descriptor vertex;                   // the null vertex if the sample is a location
+    Face_location location;
+    std::size_t first_site, number_of_sites;    // in sites()
+    double distance;
+    Diagram_condition condition;                // which is violated if a site has another distance
+  };
+
+  // Requires: the diagram has a site. Builds the diagram if that is not done; then takes the time of the queries.
+  explicit Diagram_samples(const Diagram& diagram) : m_diagram(diagram), m_tm(diagram.triangle_mesh())
+  {
+    add_arcs();
+    for(const auto& v : m_diagram.vertices())
+      add(v.location(), v.sites(), CGAL::to_double(v.distance()), DIAGRAM_VERTICES);
+    for(const vertex_descriptor v : vertices(m_tm))
+      if(!is_isolated(v))
+        add_vertex_of_mesh(v);
+    for(const face_descriptor f : faces(m_tm))
+      add_points_of_face(f);
+  }
+
+  const std::vector<Sample>& samples() const { return m_samples; }
+
+  // The sites of all samples, one after the other.
+  const std::vector<std::size_t>& sites() const { return m_sites; }
+
+private:
+  // Both ends, the middle and points in between; an arc is a hyperbola, which these determine.
+  void add_arcs()
+  {
+    for(const auto& arc : m_diagram.arcs())
+      for(const double t : {0., 0.125, 0.375, 0.5, 0.625, 0.875, 1.})
+        add(arc.point(t), {arc.sites().first, arc.sites().second}, CGAL::to_double(arc.distance(t)), DIAGRAM_ARCS);
+  }
+
+  void add_vertex_of_mesh(vertex_descriptor v)
+  {
+    add(Face_location(), {m_diagram.nearest_site(v)}, CGAL::to_double(m_diagram.distance_to_nearest_site(v)),
+        DIAGRAM_OWNERS);
+    m_samples.back().vertex = v;
+  }
+
+  // One point in a face that no arc crosses, and eight in one that arcs cross. No two faces get the same coordinates.
+  void add_points_of_face(face_descriptor f)
+  {
+    const std::size_t number = m_diagram.arcs(f).empty() ? 1 : 8;
+    for(std::size_t i = 0; i < number; ++i)
+    {
+      const std::array<double, 2> p = next_point_of_triangle();
+      const Face_location l(f, typename Diagram::Barycentric_coordinates{1 - p[0] - p[1], p[0], p[1]});
+      const double d = CGAL::to_double(m_diagram.distance_to_nearest_site(l));
+      add(l, {m_diagram.nearest_site(l)}, d, DIAGRAM_OWNERS);
+    }
+  }
+
+  // The next one of a sequence of points that fill the unit square evenly, folded to the triangle x + y <= 1. The steps
+  // are the powers of 0.7548..., the inverse of the real root of x^3 = x + 1 (an additive recurrence of low
+  // discrepancy).
+  std::array<double, 2> next_point_of_triangle()
+  {
+    m_sequence[0] = std::fmod(m_sequence[0] + 0.7548776662466927, 1.);
+    m_sequence[1] = std::fmod(m_sequence[1] + 0.5698402909980532, 1.);
+    double x = m_sequence[0], y = m_sequence[1];
+    if(x + y > 1)
+    {
+      x = 1 - x;
+      y = 1 - y;
+    }
+    return {x, y};
+  }
+
+  void add(const Face_location& l, const std::vector<std::size_t>& sites, double distance, Diagram_condition condition)
+  {
+    m_samples.push_back({Graph_traits::null_vertex(), l, m_sites.size(), sites.size(), distance, condition});
+    m_sites.insert(m_sites.end(), sites.begin(), sites.end());
+  }
+
+  // Is the vertex in no face? (It may have edges.)
+  bool is_isolated(vertex_descriptor v) const
+  {
+    if(CGAL::halfedges_around_target(v, m_tm).empty())
+      return true;
+    for(const halfedge_descriptor h : CGAL::halfedges_around_target(v, m_tm))
+      if(!is_border(h, m_tm))
+        return false;
+    return true;
+  }
+
+  const Diagram& m_diagram;
+  const Triangle_mesh& m_tm;
+  std::array<double, 2> m_sequence{{0.5, 0.5}};
+  std::vector<Sample> m_samples;
+  std::vector<std::size_t> m_sites;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_DIAGRAM_SAMPLES_H

@@ -1,0 +1,132 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_LLOYD_RELAXATION_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_LLOYD_RELAXATION_H
+
+// Lloyd's method on a mesh: sites are vertices, and each moves to the vertex of its cell that is nearest to the centroid
+// of the cell (thesis, section 5.4.4). The mesh is read once for all iterations.
+
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/distance_in_space.h>
+
+#include <CGAL/Kernel_traits.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/Surface_mesh_shortest_path/Surface_mesh_shortest_path_traits.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+// A diagram of the type Diagram<Traits, maps...>, which is Surface_mesh_geodesic_Voronoi_diagram, all sites of which are
+// vertices. The mesh is referred to, not copied.
+template <template <typename...> class Diagram_, typename TriangleMesh, typename VertexIndexMap,
+          typename HalfedgeIndexMap, typename FaceIndexMap, typename VertexPointMap>
+class Vertex_site_diagram
+{
+public:
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  using Point = typename boost::property_traits<VertexPointMap>::value_type;
+  using Kernel = typename Kernel_traits<Point>::Kernel;
+  using Diagram = Diagram_<Surface_mesh_shortest_path_traits<Kernel, TriangleMesh>, VertexIndexMap, HalfedgeIndexMap,
+                           FaceIndexMap, VertexPointMap>;
+
+  Vertex_site_diagram(const TriangleMesh& tm, VertexIndexMap vim, HalfedgeIndexMap him, FaceIndexMap fim,
+                      VertexPointMap vpm)
+    : m_tm(tm), m_vpm(vpm), m_diagram(tm, vim, him, fim, vpm)
+  {}
+
+  // Replaces all sites; the mesh is not read again.
+  template <typename Sites>
+  void set_sites(const Sites& sites)
+  {
+    m_diagram.remove_all_sites();
+    m_diagram.add_sites(sites);
+  }
+
+  const Diagram& diagram() const { return m_diagram; }
+
+  // Moves each site to the vertex in its cell that is nearest in space to the centroid of the cell; of equally near
+  // ones to the first vertex of the mesh. A site whose cell has no vertex stays. Returns whether a site has moved.
+  //
+  // The result is that of central_vertex() for each site, in one pass over the mesh instead of one for each site.
+  // Requires: `sites` are the sites of the diagram.
+  bool move_to_centers(std::vector<vertex_descriptor>& sites) const
+  {
+    std::vector<Point> center;
+    for(std::size_t i = 0; i < sites.size(); ++i)
+      center.push_back(m_diagram.centroid(i));
+    std::vector<double> smallest(sites.size(), std::numeric_limits<double>::infinity());
+    const std::vector<vertex_descriptor> before = sites;
+    for(vertex_descriptor v : vertices(m_tm))
+    {
+      const std::size_t i = m_diagram.nearest_site(v);
+      if(i == Diagram::null_site())
+        continue;
+      const double d = distance_in_space<Point>(center[i], get(m_vpm, v));
+      if(d < smallest[i])
+      {
+        smallest[i] = d;
+        sites[i] = v;
+      }
+    }
+    return sites != before;
+  }
+
+private:
+  const TriangleMesh& m_tm;
+  VertexPointMap m_vpm;
+  Diagram m_diagram;
+};
+
+// A diagram without sites, with the maps among the named parameters.
+template <template <typename...> class Diagram, typename TriangleMesh, typename NamedParameters>
+auto make_vertex_site_diagram(const TriangleMesh& tm, const NamedParameters& np)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  auto vim = CGAL::get_initialized_vertex_index_map(tm, np);
+  auto him = CGAL::get_initialized_halfedge_index_map(tm, np);
+  auto fim = CGAL::get_initialized_face_index_map(tm, np);
+  auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
+                              get_const_property_map(CGAL::vertex_point, tm));
+  return Vertex_site_diagram<Diagram, TriangleMesh, decltype(vim), decltype(him), decltype(fim), decltype(vpm)>(
+    tm, vim, him, fim, vpm);
+}
+
+// Moves sites to the centers of their cells until no site moves, the visitor cancels, or the largest number of
+// iterations is reached. Returns the number of iterations that moved a site.
+template <template <typename...> class Diagram, typename TriangleMesh, typename vertex_descriptor, typename Visitor,
+          typename NamedParameters>
+std::size_t relax_sites(const TriangleMesh& tm, std::vector<vertex_descriptor>& sites,
+                        std::size_t number_of_iterations, Visitor& visitor, const NamedParameters& np)
+{
+  auto diagram = make_vertex_site_diagram<Diagram>(tm, np);
+  std::size_t i = 0;
+  for(; i < number_of_iterations; ++i)
+  {
+    diagram.set_sites(sites);
+    if(!diagram.diagram().build(visitor) || !diagram.move_to_centers(sites))
+      break;
+  }
+  return i;
+}
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_LLOYD_RELAXATION_H

@@ -1,0 +1,174 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_LOCATION_SEPARATION_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_LOCATION_SEPARATION_H
+
+// How far two locations on the surface are apart, and how far a location is from the border of the mesh. The certifier
+// of diagrams asks this where arcs of a boundary have to meet. One class measures in space, the other works on a surface
+// that is given by the lengths of its edges.
+//
+// Both are models of the same concept:
+//   separation(a, b)           the distance of two locations, 0 if they are equal up to rounding
+//   separation.from_border(a)  the distance of a location from the border; infinity if there is no border nearby
+// Distances are in the unit of the mesh.
+
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+// Measures straight through space, between the points of the locations.
+template <typename Diagram, typename VertexPointMap>
+class Separation_in_space
+{
+  using Face_location = typename Diagram::Face_location;
+  using Vector = std::array<double, 3>;
+
+public:
+  // Collects the border edges in time linear in the size of the mesh.
+  Separation_in_space(const Diagram& diagram, VertexPointMap vpm) : m_diagram(diagram)
+  {
+    const auto& tm = diagram.triangle_mesh();
+    for(const auto h : halfedges(tm))
+      if(is_border(h, tm))
+        m_border.push_back({vector(get(vpm, source(h, tm))), vector(get(vpm, target(h, tm)))});
+  }
+
+  double operator()(const Face_location& a, const Face_location& b) const
+  {
+    const Vector p = vector(m_diagram.point(a)), q = vector(m_diagram.point(b));
+    return (std::max)(norm(difference(p, q)) - rounding_of(p, q), 0.);
+  }
+
+  // Takes time linear in the number of border edges.
+  double from_border(const Face_location& l) const
+  {
+    double smallest = std::numeric_limits<double>::infinity();
+    const Vector p = vector(m_diagram.point(l));
+    for(const std::array<Vector, 2>& edge : m_border)
+    {
+      const Vector along = difference(edge[1], edge[0]), to_p = difference(p, edge[0]);
+      const double square = product(along, along);
+      const double t = square > 0 ? (std::min)((std::max)(product(along, to_p) / square, 0.), 1.) : 0.;
+      const double d = norm(difference(to_p, {t * along[0], t * along[1], t * along[2]}));
+      smallest = (std::min)(smallest, (std::max)(d - rounding_of(p, edge[0]), 0.));
+    }
+    return smallest;
+  }
+
+private:
+  template <typename Point>
+  static Vector vector(const Point& p)
+  {
+    return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
+  }
+
+  // Two locations of one point get coordinates that differ in their last digits, which matters far from the origin.
+  // Each coordinate is a sum of three products with weights that sum up to 1: it errs by less than 4 epsilon of its
+  // size, and the difference of two of them by less than 8 epsilon.
+  static double rounding_of(const Vector& a, const Vector& b)
+  {
+    return 8 * std::numeric_limits<double>::epsilon() * (std::max)(norm(a), norm(b));
+  }
+
+  static Vector difference(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+  static double product(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+  static double norm(const Vector& a) { return std::hypot(a[0], a[1], a[2]); }
+
+  const Diagram& m_diagram;
+  std::vector<std::array<Vector, 2>> m_border; // both ends of each border edge
+};
+
+// Compares barycentric coordinates, as there are no points. A location is the sum of its corners, weighted with its
+// coordinates; the difference of two such sums moves each corner's share over at most the longest edge of the two
+// faces. So the sum of the differences, times that edge, is an upper bound of the distance.
+template <typename Diagram, typename Length>
+class Separation_by_coordinates
+{
+  using Face_location = typename Diagram::Face_location;
+  using Triangle_mesh = typename Diagram::Triangle_mesh;
+  using Graph_traits = boost::graph_traits<Triangle_mesh>;
+  using Corners = std::array<typename Graph_traits::vertex_descriptor, 3>;
+
+public:
+  // `length(h)` gives the length of a halfedge.
+  Separation_by_coordinates(const Diagram& diagram, Length length) : m_tm(diagram.triangle_mesh()), m_length(length) {}
+
+  double operator()(const Face_location& a, const Face_location& b) const
+  {
+    const Corners of_a = corners(a.first), of_b = corners(b.first);
+    double sum = 0;
+    for(std::size_t k = 0; k < 3; ++k)
+      sum += std::abs(CGAL::to_double(a.second[k]) - coordinate(b, of_b, of_a[k]))
+           + std::abs(CGAL::to_double(b.second[k]) - coordinate(a, of_a, of_b[k]));
+    return sum * (std::max)(longest_edge(a.first), longest_edge(b.first));
+  }
+
+  // Looks at the border edges and border vertices of the face only. A location is on an edge if the coordinate of the
+  // opposite corner is 0, and at a corner if its coordinate is 1.
+  double from_border(const Face_location& l) const
+  {
+    double smallest = std::numeric_limits<double>::infinity();
+    auto h = halfedge(l.first, m_tm);
+    for(std::size_t k = 0; k < 3; ++k, h = next(h, m_tm))
+    {
+      if(is_border(opposite(h, m_tm), m_tm))
+        smallest = (std::min)(smallest, std::abs(CGAL::to_double(l.second[(k + 2) % 3])));
+      for(const auto g : CGAL::halfedges_around_source(h, m_tm))
+        if(is_border(g, m_tm))
+          smallest = (std::min)(smallest, std::abs(1 - CGAL::to_double(l.second[k])));
+    }
+    return smallest * longest_edge(l.first);
+  }
+
+private:
+  // The vertices of a face in the order of its coordinates.
+  Corners corners(typename Graph_traits::face_descriptor f) const
+  {
+    const auto h = halfedge(f, m_tm);
+    return {source(h, m_tm), target(h, m_tm), target(next(h, m_tm), m_tm)};
+  }
+
+  // The weight of a vertex in a location: 0 if it is no corner of the face, a sum if it is several corners.
+  static double coordinate(const Face_location& l, const Corners& of_l, typename Graph_traits::vertex_descriptor v)
+  {
+    double sum = 0;
+    for(std::size_t k = 0; k < 3; ++k)
+      sum += of_l[k] == v ? CGAL::to_double(l.second[k]) : 0.;
+    return sum;
+  }
+
+  double longest_edge(typename Graph_traits::face_descriptor f) const
+  {
+    const auto h = halfedge(f, m_tm), g = next(h, m_tm);
+    return (std::max)(m_length(h), (std::max)(m_length(g), m_length(next(g, m_tm))));
+  }
+
+  const Triangle_mesh& m_tm;
+  Length m_length;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_LOCATION_SEPARATION_H
