@@ -1,4 +1,4 @@
-# What the tests, the examples and the benchmark programs share: every .cpp file of their folder is one program.
+# What the tests, the examples and the benchmark programs share. Each .cpp file of their folders is a program.
 
 set(Surface_mesh_geodesics_WARNING_FLAGS -Wall -Wextra -Wpedantic -Wshadow -Wconversion)
 
@@ -39,30 +39,89 @@ function(surface_mesh_geodesics_leave_out list_of_sources)
   set(${list_of_sources} ${kept} PARENT_SCOPE)
 endfunction()
 
-# Adds a program named like its source file and notes the file for the checks with a second compiler. The headers that
-# the programs of a folder share are in include/ beside them.
-function(surface_mesh_geodesics_add_program source)
+# Tells a program, or a group of them, what it needs: the headers that the programs of the folder share in include/, the
+# libraries, the warnings.
+function(surface_mesh_geodesics_set_up_program target folder uses_eigen uses_tbb)
+  target_include_directories(${target} PRIVATE "${folder}/include")
+  target_link_libraries(${target} PRIVATE CGAL::Surface_mesh_geodesics)
+  if(uses_eigen)
+    target_link_libraries(${target} PRIVATE Eigen3::Eigen)
+    target_compile_definitions(${target} PRIVATE CGAL_EIGEN3_ENABLED)
+  endif()
+  if(uses_tbb AND TARGET CGAL::TBB_support)
+    target_link_libraries(${target} PRIVATE CGAL::TBB_support)
+  endif()
+  target_compile_options(${target} PRIVATE ${Surface_mesh_geodesics_PROGRAM_FLAGS})
+  if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+    target_compile_options(${target} PRIVATE ${Surface_mesh_geodesics_WARNING_FLAGS})
+    if(Surface_mesh_geodesics_WARNINGS_AS_ERRORS)
+      target_compile_options(${target} PRIVATE -Werror)
+    endif()
+  endif()
+endfunction()
+
+# Adds a program named like its source file.
+function(surface_mesh_geodesics_add_program source uses_eigen uses_tbb)
   get_filename_component(folder "${source}" DIRECTORY)
   get_filename_component(name "${source}" NAME_WE)
   add_executable(${name} "${source}")
-  target_include_directories(${name} PRIVATE "${folder}/include")
-  target_link_libraries(${name} PRIVATE CGAL::Surface_mesh_geodesics)
-  surface_mesh_geodesics_uses_eigen("${source}" uses_eigen)
-  if(uses_eigen)
-    target_link_libraries(${name} PRIVATE Eigen3::Eigen)
-    target_compile_definitions(${name} PRIVATE CGAL_EIGEN3_ENABLED)
-  endif()
-  file(STRINGS "${source}" lines_with_tbb REGEX "CGAL_LINKED_WITH_TBB|Parallel_if_available_tag")
-  if(lines_with_tbb AND TARGET CGAL::TBB_support)
-    target_link_libraries(${name} PRIVATE CGAL::TBB_support)
-  endif()
-  if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
-    target_compile_options(${name} PRIVATE ${Surface_mesh_geodesics_WARNING_FLAGS})
-    if(Surface_mesh_geodesics_WARNINGS_AS_ERRORS)
-      target_compile_options(${name} PRIVATE -Werror)
+  surface_mesh_geodesics_set_up_program(${name} "${folder}" ${uses_eigen} ${uses_tbb})
+endfunction()
+
+# Adds one executable that holds several programs, and a link to it for each of them. For the rest of the build, the
+# links are the programs.
+function(surface_mesh_geodesics_add_program_group group uses_eigen uses_tbb)
+  list(GET ARGN 0 source)
+  get_filename_component(folder "${source}" DIRECTORY)
+  set(unit "${CMAKE_CURRENT_BINARY_DIR}/${group}.cpp")
+  set(script "${PROJECT_SOURCE_DIR}/cmake/write_program_group.cmake")
+  add_custom_command(
+    OUTPUT "${unit}"
+    COMMAND "${CMAKE_COMMAND}" "-Doutput=${unit}" "-Dsources=${ARGN}" -P "${script}"
+    DEPENDS ${ARGN} "${script}"
+    COMMENT "Writing ${group}.cpp"
+    VERBATIM)
+  add_executable(${group} "${unit}")
+  surface_mesh_geodesics_set_up_program(${group} "${folder}" ${uses_eigen} ${uses_tbb})
+  foreach(source IN LISTS ARGN)
+    get_filename_component(name "${source}" NAME_WE)
+    set(link "${CMAKE_CURRENT_BINARY_DIR}/${name}")
+    add_custom_command(TARGET ${group} POST_BUILD COMMAND "${CMAKE_COMMAND}" -E create_symlink ${group} "${link}")
+    add_executable(${name} IMPORTED GLOBAL)
+    set_target_properties(${name} PROPERTIES IMPORTED_LOCATION "${link}")
+  endforeach()
+endfunction()
+
+# Adds a program for each source file and notes the files for the checks with a second compiler. Programs are grouped if
+# Surface_mesh_geodesics_GROUP_PROGRAMS is on, `size` in a group, except those that define or undefine macros.
+function(surface_mesh_geodesics_add_programs group size)
+  set_property(GLOBAL APPEND PROPERTY Surface_mesh_geodesics_PROGRAM_SOURCES ${ARGN})
+  foreach(source IN LISTS ARGN)
+    surface_mesh_geodesics_uses_eigen("${source}" uses_eigen)
+    file(STRINGS "${source}" lines_with_tbb REGEX "CGAL_LINKED_WITH_TBB|Parallel_if_available_tag")
+    file(STRINGS "${source}" lines_with_macros REGEX "^#(define|undef|pragma)")
+    set(uses_tbb OFF)
+    if(lines_with_tbb)
+      set(uses_tbb ON)
     endif()
-  endif()
-  set_property(GLOBAL APPEND PROPERTY Surface_mesh_geodesics_PROGRAM_SOURCES "${source}")
+    if(NOT Surface_mesh_geodesics_GROUP_PROGRAMS OR lines_with_macros)
+      surface_mesh_geodesics_add_program("${source}" ${uses_eigen} ${uses_tbb})
+    else()
+      list(APPEND sources_${uses_eigen}_${uses_tbb} "${source}")
+    endif()
+  endforeach()
+  set(number 0)
+  foreach(uses_eigen IN ITEMS OFF ON)
+    foreach(uses_tbb IN ITEMS OFF ON)
+      set(sources ${sources_${uses_eigen}_${uses_tbb}})
+      while(sources)
+        list(SUBLIST sources 0 ${size} part)
+        list(REMOVE_ITEM sources ${part})
+        math(EXPR number "${number} + 1")
+        surface_mesh_geodesics_add_program_group(${group}_${number} ${uses_eigen} ${uses_tbb} ${part})
+      endwhile()
+    endforeach()
+  endforeach()
 endfunction()
 
 # Adds one CTest test per line of arguments in `name.cmd` beside the source file, or one without arguments when there is

@@ -1,8 +1,8 @@
-# Checks of the headers, as CTest tests, with every compiler of g++ and clang++ that is there:
+# Checks of the headers, as CTest tests of the configurations `full` and `long`, with g++ and clang++ if they are there:
 # - each header compiles alone, with warnings as errors, and may be included twice;
 # - two units that both include every header link together into one program (finds a missing `inline`);
-# - the programs compile without warnings with the compiler that does not build them: templates only show their
-#   warnings once they are instantiated.
+# - each program compiles alone and without warnings with the compiler that does not build them. Templates show their
+#   warnings only when they are instantiated, and programs in groups hide missing includes.
 
 find_program(Surface_mesh_geodesics_GCC NAMES g++)
 find_program(Surface_mesh_geodesics_CLANG NAMES clang++)
@@ -31,7 +31,7 @@ file(GENERATE OUTPUT "${check_folder}/flags.txt" CONTENT "${flags}")
 
 # --- the units -------------------------------------------------------------------------------------------------------
 
-# The generated sources are only written when they change, so that a new configuration compiles nothing anew.
+# A source is written only if its text changes, so that a new configuration compiles nothing again.
 function(surface_mesh_geodesics_write_unit file content)
   file(GENERATE OUTPUT "${check_folder}/${file}" CONTENT "${content}")
 endfunction()
@@ -52,19 +52,6 @@ int main()\n{\n  return second_unit();\n}\n")
 surface_mesh_geodesics_write_unit("second_unit.cpp" "${all_includes}\nint second_unit();\n
 int second_unit()\n{\n  return 0;\n}\n")
 
-# What most programs include of the libraries. Clang reads it once for all programs, which halves the time of them all;
-# g++ sees the programs as they are.
-surface_mesh_geodesics_write_unit("libraries.h" "#include <CGAL/Polyhedron_3.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh_shortest_path.h>
-#include <CGAL/boost/graph/graph_traits_Polyhedron_3.h>
-#include <fstream>
-#include <iostream>
-#include <random>
-#include <sstream>
-")
-
 # --- the tests -------------------------------------------------------------------------------------------------------
 
 # CGAL tells its targets the libraries, but a command that is not one of CMake's own has to name them itself.
@@ -74,6 +61,14 @@ foreach(library IN ITEMS "${MPFR_LIBRARIES}" "${GMP_LIBRARIES}")
     list(APPEND number_libraries "${library}")
   endif()
 endforeach()
+
+function(surface_mesh_geodesics_add_header_test name)
+  add_test(
+    NAME "${name}"
+    COMMAND ${ARGN}
+    CONFIGURATIONS full long)
+  set_tests_properties("${name}" PROPERTIES LABELS headers)
+endfunction()
 
 get_property(program_sources GLOBAL PROPERTY Surface_mesh_geodesics_PROGRAM_SOURCES)
 
@@ -86,45 +81,31 @@ foreach(compiler IN ITEMS "${Surface_mesh_geodesics_GCC}" "${Surface_mesh_geodes
   set(compile "${compiler}" "@${check_folder}/flags.txt")
 
   foreach(header IN LISTS headers)
-    set(test "header_alone/${compiler_name}/${header}")
-    add_test(NAME "${test}" COMMAND ${compile} -fsyntax-only "${check_folder}/alone/${header}.cpp")
-    set_tests_properties("${test}" PROPERTIES LABELS headers)
+    surface_mesh_geodesics_add_header_test("header_alone/${compiler_name}/${header}" ${compile} -fsyntax-only
+                                           "${check_folder}/alone/${header}.cpp")
   endforeach()
 
   set(program "${check_folder}/two_units_${compiler_name}")
-  add_test(NAME "two_units_link/${compiler_name}"
-           COMMAND ${compile} "${check_folder}/first_unit.cpp" "${check_folder}/second_unit.cpp" -o "${program}"
-                   ${number_libraries} -pthread)
-  add_test(NAME "two_units_run/${compiler_name}" COMMAND "${program}")
-  set_tests_properties("two_units_link/${compiler_name}" PROPERTIES LABELS headers
-                                                                    FIXTURES_SETUP "two_units_${compiler_name}")
-  set_tests_properties("two_units_run/${compiler_name}" PROPERTIES LABELS headers
-                                                                   FIXTURES_REQUIRED "two_units_${compiler_name}")
+  surface_mesh_geodesics_add_header_test(
+    "two_units_link/${compiler_name}" ${compile} "${check_folder}/first_unit.cpp" "${check_folder}/second_unit.cpp" -o
+    "${program}" ${number_libraries} -pthread)
+  surface_mesh_geodesics_add_header_test("two_units_run/${compiler_name}" "${program}")
+  set_tests_properties("two_units_link/${compiler_name}" PROPERTIES FIXTURES_SETUP "two_units_${compiler_name}")
+  set_tests_properties("two_units_run/${compiler_name}" PROPERTIES FIXTURES_REQUIRED "two_units_${compiler_name}")
 
   if((CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND compiler STREQUAL Surface_mesh_geodesics_GCC)
      OR (CMAKE_CXX_COMPILER_ID MATCHES "Clang" AND compiler STREQUAL Surface_mesh_geodesics_CLANG))
     continue()
   endif()
-  set(libraries "${check_folder}/libraries.pch")
-  if(compiler STREQUAL Surface_mesh_geodesics_CLANG)
-    add_test(NAME program_compiles/libraries
-             COMMAND ${compile} -x c++-header "${check_folder}/libraries.h" -o "${libraries}")
-    set_tests_properties(program_compiles/libraries PROPERTIES LABELS headers FIXTURES_SETUP compiled_libraries)
-  endif()
   foreach(source IN LISTS program_sources)
     get_filename_component(folder "${source}" DIRECTORY)
     get_filename_component(name "${source}" NAME_WE)
-    set(test "program_compiles/${compiler_name}/${name}")
-    set(options)
-    set(fixtures)
     surface_mesh_geodesics_uses_eigen("${source}" uses_eigen)
-    if(uses_eigen) # (a definition that the compiled libraries do not have)
+    set(options)
+    if(uses_eigen)
       set(options -DCGAL_EIGEN3_ENABLED)
-    elseif(compiler STREQUAL Surface_mesh_geodesics_CLANG)
-      set(options -include-pch "${libraries}")
-      set(fixtures compiled_libraries)
     endif()
-    add_test(NAME "${test}" COMMAND ${compile} ${options} "-I${folder}/include" -fsyntax-only "${source}")
-    set_tests_properties("${test}" PROPERTIES LABELS headers FIXTURES_REQUIRED "${fixtures}")
+    surface_mesh_geodesics_add_header_test(
+      "program_compiles/${compiler_name}/${name}" ${compile} ${options} "-I${folder}/include" -fsyntax-only "${source}")
   endforeach()
 endforeach()

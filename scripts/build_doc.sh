@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Builds the documentation with plain doxygen and fails on any warning. Usage: build_doc.sh [output folder]
-# Formulas are drawn by MathJax, from Debian's package libjs-mathjax where it is installed, otherwise from the network.
+# The pages need no network: formulas become plain HTML. Without python3, browsers load MathJax from the network.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 output=${1:-$root/build/doc}
@@ -8,7 +8,6 @@ mkdir -p "$output"
 output=$(cd "$output" && pwd)
 log=$output/doxygen_warnings.log
 rm -f "$log"
-mathjax=/usr/share/javascript/mathjax
 
 cd "$root"
 {
@@ -18,25 +17,23 @@ cd "$root"
   if [ -d doc/Surface_mesh_geodesics/fig ]; then
     echo "IMAGE_PATH = doc/Surface_mesh_geodesics/fig"
   fi
-  if [ -d "$mathjax" ]; then
-    echo "MATHJAX_RELPATH = mathjax"
-  fi
 } | doxygen -
-if [ -d "$mathjax" ]; then
-  ln -sfn "$mathjax" "$output/html/mathjax"
+
+if command -v python3 > /dev/null; then
+  formulas=$(python3 -B scripts/formulas_to_html.py "$output/html") || echo "$formulas" >> "$log"
 fi
 
-# What a function returns may be told by its first words, "returns ...".
+# The brief description may say what a function returns: "returns ...".
 [ ! -f "$log" ] || sed -i '/warning: return type of member .* is not documented$/d' "$log"
 
-# A concept is documented as a class, but is none, and has no header.
+# A concept is documented like a class, but it is not a class and has no header.
 for page in "$output"/html/class*.html; do
   if grep -q 'Concepts/.*\.h</a>&gt;</code>' "$page"; then
     sed -i -e '/#include &lt;.*Concepts\/.*\.h<\/a>&gt;<\/code>/d' -e 's/ Class Reference/ Concept Reference/' "$page"
   fi
 done
 
-# Doxygen takes an asterisk at the beginning of a line away, with which emphasis may begin.
+# Doxygen removes an asterisk at the beginning of a line, where emphasis may begin.
 if grep -nE '^[[:space:]]*\*[[:alnum:]]' doc/Surface_mesh_geodesics/*.txt >> "$log"; then
   echo "lines begin with emphasis: write <em>...</em>" >> "$log"
 fi

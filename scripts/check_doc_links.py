@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Checks that every link, picture, script and style sheet of a folder of web pages is there, down to the anchors.
+"""Checks that every link, picture, script and style sheet of a folder of web pages leads somewhere, anchors included.
 
 Usage: check_doc_links.py FOLDER [FILE.md...] | --self-test
 
-Links to other sites are not followed. What the trees of contents and the search of doxygen link to is checked too: the
-names of pages in the .js files. Files in markdown may link to files and folders beside them.
+Links to other sites are not followed. The names of pages in .js files, which are doxygen's trees of contents and its
+search, are checked too. Markdown files may link to files and folders beside them.
 """
 
 import html.parser
@@ -49,14 +49,14 @@ def links_of_markdown(text):
 
 
 def complaint_about(folder, source, link, pages):
-    """What is wrong with a link from one file, or None."""
+    """The complaint about a link from one file, or None."""
     parts = urllib.parse.urlsplit(link)
     target = source if parts.path == "" else (source.parent / urllib.parse.unquote(parts.path)).resolve()
-    # A script of the search may stand in a folder of its own, and names pages from there or from the top.
+    # A script of the search may be in a folder of its own; it names pages relative to that folder or to the top.
     if source.suffix == ".js" and not target.exists():
         target = (folder / urllib.parse.unquote(parts.path)).resolve()
     if not target.exists():
-        return "is not there"
+        return "does not exist"
     anchor = urllib.parse.unquote(parts.fragment)
     if anchor and target.suffix == ".html" and target in pages and anchor not in pages[target].anchors:
         return "has no such anchor"
@@ -94,14 +94,14 @@ SOUND_PAGES = {
 }
 
 FAULTS = {
-    "page": ("index.html", '<a href="gone.html">', "gone.html is not there"),
+    "page": ("index.html", '<a href="gone.html">', "gone.html does not exist"),
     "anchor": ("index.html", '<a href="other.html#gone">', "other.html#gone has no such anchor"),
     "own anchor": ("other.html", '<a href="#gone">', "#gone has no such anchor"),
-    "picture": ("other.html", '<img src="gone.png">', "gone.png is not there"),
-    "drawing": ("other.html", '<object data="gone.svg"></object>', "gone.svg is not there"),
-    "page in a script": ("tree.js", '"gone.html"', "gone.html is not there"),
-    "markdown": ("read.md", "[x](gone.md)", "gone.md is not there"),
-    "picture in markdown": ("read.md", '<img src="gone.png">', "gone.png is not there"),
+    "picture": ("other.html", '<img src="gone.png">', "gone.png does not exist"),
+    "drawing": ("other.html", '<object data="gone.svg"></object>', "gone.svg does not exist"),
+    "page in a script": ("tree.js", '"gone.html"', "gone.html does not exist"),
+    "markdown": ("read.md", "[x](gone.md)", "gone.md does not exist"),
+    "picture in markdown": ("read.md", '<img src="gone.png">', "gone.png does not exist"),
     "anchor in a script": ("search/all.js", '"../index.html#gone"', "index.html#gone has no such anchor"),
 }
 
@@ -132,7 +132,7 @@ def main(arguments):
         return 2
     number_of_pages, number_of_links, complaints = check(arguments[0], arguments[1:])
     if number_of_pages == 0:
-        complaints.append(f"{arguments[0]}: there are no pages")
+        complaints.append(f"{arguments[0]}: no pages")
     return report(complaints, f"{number_of_pages} pages, {number_of_links} links")
 
 

@@ -3,9 +3,9 @@
 
 Usage: draw_plots.py [FOLDER] | --check | --self-test
 
-The folder is doc/Surface_mesh_geodesics/fig if none is given. --check wants that each plot there tells, in its
-description, the numbers of the results as they are, and, where matplotlib has the version that has drawn it, that it
-would be drawn with the same bits. Only drawing needs matplotlib (Debian: python3-matplotlib).
+The default folder is doc/Surface_mesh_geodesics/fig. --check compares the numbers in the description of each plot with
+the results. If matplotlib has the version that has drawn the plot, it also draws the plot again and compares the bits.
+Only drawing needs matplotlib (Debian: python3-matplotlib).
 """
 
 import importlib
@@ -45,7 +45,7 @@ def draw(picture, results, path):
 
 
 def version_of_matplotlib():
-    """None where there is none."""
+    """The version of matplotlib, or None if it is not installed."""
     try:
         return importlib.import_module("matplotlib").__version__
     except ImportError:
@@ -53,10 +53,10 @@ def version_of_matplotlib():
 
 
 def complaints_about(picture, results, figures):
-    """What is wrong with one plot."""
+    """The complaints about one plot."""
     path = figures / picture
     if not path.exists():
-        return [f"{picture}: is not there"]
+        return [f"{picture}: does not exist"]
     if description(path) != table(results):
         return [f"{picture}: shows other numbers than those in {results.name}; run scripts/draw_plots.py"]
     drawn_by = DRAWN_BY.search(path.read_text(encoding="utf-8"))
@@ -74,7 +74,7 @@ def check(figures):
 
 
 def self_test():
-    """Plots are spoilt in a copy, which has to be noticed."""
+    """Puts faults into copies of the plots. The check must find each of them."""
     failures = []
     with tempfile.TemporaryDirectory() as folder:
         folder = pathlib.Path(folder)
@@ -85,9 +85,9 @@ def self_test():
                       "no description": re.sub(r"(?s)<dc:description>.*</dc:description>", "", text)}
             if DRAWN_BY.search(text).group(1) == version_of_matplotlib():
                 faults["another line"] = text.replace('d="M ', 'd="M 1', 1)
-            for fault, spoilt in faults.items():
-                (folder / picture).write_text(spoilt, encoding="utf-8")
-                if spoilt == text or not complaints_about(picture, RESULTS / (name + ".csv"), folder):
+            for fault, faulty in faults.items():
+                (folder / picture).write_text(faulty, encoding="utf-8")
+                if faulty == text or not complaints_about(picture, RESULTS / (name + ".csv"), folder):
                     failures.append(f"not found: {picture}, {fault}")
     return report(failures, f"self-test: {len(measured_figures.PLOTS)} plots")
 

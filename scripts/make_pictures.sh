@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Makes all pictures of the README and of the manual anew. For the renderings it builds the examples that write them, and
-# runs them on the mesh of the examples and on a scan of CGAL's data; the drawings of the theory, the plots of the
-# committed results of the benchmark and the pictures of the program's page are made by scripts of their own.
-# Everything but the pictures is written below build/. Look at each picture before it is committed.
+# Makes all pictures of the README and of the manual. For the renderings it builds the examples that write the data, and
+# runs them on the mesh of the examples and on a scan of CGAL's data. Scripts of their own make the drawings of the theory,
+# the plots of the committed results and the pictures of the program's page.
+# Writes everything but the pictures below build/. Look at each picture before you commit it.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=$root/build
@@ -12,7 +12,7 @@ examples=$build/examples/Surface_mesh_geodesics
 
 bash "$root/scripts/install_needs.sh" g++ cmake make libcgal-dev libcgal-demo libboost-program-options-dev \
   libjs-three python3-vtk9 python3-matplotlib xvfb chromium
-# The main job unpacks the scan, too.
+# The main job also unpacks the scan.
 bash "$root/scripts/run_main_job.sh" > /dev/null
 scan=$build/cgal_data/data/meshes/bunny00.off
 programs=(distances_as_colored_mesh paths_from_several_sources Voronoi_diagram_of_scan weighted_Voronoi_diagram

@@ -33,7 +33,6 @@ REMOVAL = INTERNAL + "Voronoi/Redundant_window_removal.h"
 RADIX_HEAP = INTERNAL + "numeric/Radix_heap.h"
 SINGLE_PRECISION = INTERNAL + "numeric/single_precision.h"
 BISECTOR = INTERNAL + "numeric/Weighted_bisector.h"
-EDGE_PARTITION = INTERNAL + "Voronoi/Edge_partition.h"
 FACE_PARTITION = INTERNAL + "Voronoi/Face_partition.h"
 COMPLEX = INTERNAL + "Voronoi/Voronoi_complex.h"
 PATH_THINNING = INTERNAL + "paths/Path_thinning.h"
@@ -43,7 +42,8 @@ MEASURES = INTERNAL + "Voronoi/Voronoi_cell_measures.h"
 FACE_CUT = INTERNAL + "Voronoi/Voronoi_face_cut.h"
 CHECKS = INTERNAL + "certificate/Distance_checks.h"
 VIOLATION = INTERNAL + "certificate/Worst_violation.h"
-FROM_GRAPH = INTERNAL + "interface/intrinsic_mesh_from_face_graph.h"
+READER = INTERNAL + "interface/Face_graph_reader.h"
+BUILDER = INTERNAL + "surface/Intrinsic_mesh_builder.h"
 LOWER_BOUND = INTERNAL + "certificate/Lower_bound_check.h"
 EDGE_FUNCTION = INTERNAL + "certificate/Edge_distance_function.h"
 
@@ -205,7 +205,7 @@ MUTANTS = [
      "if(w.root_distance > m_distance[w.root] || w.number_of_faces_crossed() > m_mesh.most_faces_crossed()\n       || (Rules",
      "if(w.root_distance > m_distance[w.root] || (Rules",
      "paths around faces without area never end", (WINDOWS,)),
-    ("lengths_cross_faces_once", FROM_GRAPH,
+    ("lengths_cross_faces_once", READER,
      "    if(!Shape::has_points)\n      mesh.bound_faces_crossed_by_lengths();\n", "",
      "paths between lengths that cross a face more than once are lost", (ANALYTIC,)),
 
@@ -317,7 +317,7 @@ MUTANTS = [
     ("merge_distance_of_a_path_relative_to_the_mesh", PATH_THINNING,
      "m_merge_distance(Tolerance<FT>::gap() * extent)", "m_merge_distance(Tolerance<FT>::gap())",
      "all points of a path on a small component are one", (SMALL,)),
-    ("small_components_accepted", FROM_GRAPH,
+    ("small_components_accepted", BUILDER,
      "if(longest < smallest_component())", "if(longest < 0)",
      "lengths of a component that is too small underflow", (INVALID,)),
     ("diagram_violations_relative_to_the_mesh", DIAGRAM_CERTIFICATE,
@@ -412,13 +412,13 @@ MUTANTS = [
      "return FT((at_first + at_last + length) / 2);", "return (std::max)(at_first, at_last);",
      "a face is said to be done when its corners are", (RANDOM_DIAGRAMS, CUT, HOSTILE_DIAGRAMS)),
     ("curve_drawn_on_to_its_end", FACE_PARTITION,
-     "    if(is_taken_over_before(f, p))\n      lead_back(f, p);\n", "",
+     "    if(completion().is_taken_over_before(f, p))\n      completion().lead_back(f, p);\n", "",
      "a curve that ends near its end goes on with paths that are not the shortest ones", (RANDOM_DIAGRAMS,)),
     ("bisector_turned", BISECTOR,
      "    if(m_tx * ny - m_ty * nx < 0)\n", "    if(m_tx * ny - m_ty * nx > 0)\n",
      "curves run backwards", (CUT,)),
-    ("edge_takes_over_by_rounding", EDGE_PARTITION,
-     "return a < b * (1 - 4 * Tolerance<FT>::distance()); }", "return a <= b; }",
+    ("edge_takes_over_by_rounding", BISECTOR,
+     "return a < b * (1 - Tolerance<FT>::nearer());", "return a <= b;",
      "on an edge two sources that tie take turns", (SYMMETRIC, BY_HAND, RANDOM_DIAGRAMS)),
     ("nodes_on_edge_not_reversed", COMPLEX,
      "result.is_reversed = o != null_id && o < h;\n    const Index_range* const nodes = m_edge_nodes",

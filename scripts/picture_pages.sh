@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Takes pictures of two pages that the program surface_mesh_geodesics writes for browsers, as they are after a click on
-# the middle of the surface: distances, and a Voronoi diagram. Needs Chromium, and a program that was built with three.js.
+# Takes pictures of two pages that the program surface_mesh_geodesics writes for browsers, distances and a Voronoi
+# diagram, after a click on the middle of the surface. Needs Chromium, and a program that was built with three.js.
 # usage: picture_pages.sh PROGRAM SCAN WORK_FOLDER OUTPUT_FOLDER
 set -euo pipefail
 if [ $# -ne 4 ]; then
@@ -14,7 +14,7 @@ work=$(cd "$3" && pwd)
 output=$(cd "$4" && pwd)
 browser=$(command -v chromium || command -v chromium-browser || command -v google-chrome)
 
-# The click of a user, who looks at the surface from where the page shows it first.
+# The click of a user in the first view of the surface.
 click='<script>
 const canvas = document.getElementById("surface"), box = canvas.getBoundingClientRect();
 for (const type of ["pointerdown", "pointerup"])
@@ -25,9 +25,9 @@ for (const type of ["pointerdown", "pointerup"])
 # picture PICTURE PAGE
 picture()
 {
-  # the two last lines of a page are </body> and </html>
+  # the last two lines of a page are </body> and </html>
   { head -n -2 "$work/$2"; printf '%s\n</body>\n</html>\n' "$click"; } > "$work/clicked_$2"
-  # No sandbox: root has none, and the page is our own. No network: every name is unknown.
+  # No sandbox: root has none, and the page is ours. No network: every name is unknown.
   timeout 300 "$browser" --headless=new --no-sandbox --user-data-dir="$work/chromium" --use-angle=swiftshader \
     --enable-unsafe-swiftshader --hide-scrollbars --window-size=1120,640 --virtual-time-budget=20000 \
     --host-resolver-rules='MAP * ~NOTFOUND' --screenshot="$output/$1" "file://$work/clicked_$2" 2> "$work/chromium.log"

@@ -1,21 +1,21 @@
 #!/usr/bin/python3
-"""Renders a mesh with coloured distances, as distances_as_colored_mesh writes it, a mesh without colours, or the cells
-and arcs of a Voronoi diagram, as write_geodesic_Voronoi_diagram() does, to a PNG file without a screen.
+"""Renders a surface to a PNG file, without a screen: a mesh with colored distances, as distances_as_colored_mesh writes
+it, a mesh without colors, or the cells and arcs of a Voronoi diagram, as write_geodesic_Voronoi_diagram() writes them.
 
 usage: render_picture.py mesh.ply|mesh.off|diagram.vtk picture.png [options]
-  --lines paths.polylines.txt  paths on top of the mesh, as paths_from_several_sources writes them; those that end at one
-                        source have one colour
-  --edges               the edges of a mesh without colours, and flat faces
+  --lines paths.polylines.txt  paths on top of the mesh, as paths_from_several_sources writes them; paths that end at the
+                        same source have the same color
+  --edges               the edges of a mesh without colors, and flat faces
   --size WIDTHxHEIGHT   size of the picture (900x900)
   --view X,Y,Z          direction from the mesh to the eye (0,0,1)
   --up X,Y,Z            direction that points upwards in the picture (0,1,0)
   --zoom F              1: the whole mesh with a margin (1)
 
-Needs Debian's python3-vtk9 and, where there is no display, xvfb.
+Needs Debian's python3-vtk9, and xvfb if there is no display.
 
-If the vertices have a property "distance", the colours are looked up by the distance of every pixel instead of being
-mixed inside of the triangles: borders of bands are then as sharp as the picture allows, on coarse meshes too. The
-colours themselves are always those of the file.
+If the vertices have a property "distance", each pixel gets its color from its distance, instead of a mixture of the
+colors of the corners. Borders of bands are then as sharp as the picture allows, on coarse meshes too. The colors
+themselves are always those of the file.
 """
 import argparse
 import math
@@ -30,7 +30,7 @@ PLY_TYPES = {"char": "b", "int8": "b", "uchar": "B", "uint8": "B", "short": "h",
 
 
 def read_ply(name):
-    """Returns (vertices as dictionaries' columns, faces as lists of indices) of a binary little endian PLY file."""
+    """Returns the vertices, as a dictionary of columns, and the faces, as lists of indices, of a PLY file."""
     with open(name, "rb") as file:
         if file.readline().strip() != b"ply":
             sys.exit("%s is not a PLY file" % name)
@@ -65,7 +65,7 @@ def read_ply(name):
                     faces.append(values.unpack_from(data, position))
                     position += values.size
         else:
-            break  # what follows is not drawn
+            break  # the rest is not drawn
     return columns, faces
 
 
@@ -87,8 +87,8 @@ def read_off(name):
 
 
 def lookup_table(vtk, distances, colors, largest, size=8192):
-    """A table from distance to colour, read off the vertices. Inside of a band neighbouring samples are joined by
-    straight lines; between two bands there is a jump, half-way between the nearest vertices of both sides."""
+    """A table from distance to color, read off the vertices. Linear between the samples of a band; jumps between two
+    bands, halfway between the nearest vertices of both sides."""
     samples = sorted((d, c) for d, c in zip(distances, colors) if math.isfinite(d))
     table = vtk.vtkLookupTable()
     table.SetNumberOfTableValues(size)
@@ -146,7 +146,7 @@ def make_actor(vtk, columns, faces):
 
 
 def actor_of_lines(vtk, lines, radius):
-    """Lines as tubes, in the colours of their cells if these have some, else nearly black."""
+    """Lines as tubes, in the colors of their cells if there are any, otherwise nearly black."""
     tubes = vtk.vtkTubeFilter()
     tubes.SetInputData(lines)
     tubes.SetRadius(radius)
@@ -162,7 +162,7 @@ def actor_of_lines(vtk, lines, radius):
 
 
 def make_mesh_actors(vtk, points, faces, has_edges):
-    """A mesh without colours: with its edges and flat faces, or smooth."""
+    """A mesh without colors: with its edges and flat faces, or smooth."""
     mesh = vtk.vtkPolyData()
     vtk_points = vtk.vtkPoints()
     for point in points:
@@ -199,7 +199,7 @@ def read_poly_data(vtk, name):
 
 
 def make_path_actor(vtk, name):
-    """Paths, coloured by their sources, which are their last points."""
+    """Paths, colored by their sources, which are their last points."""
     points, lines, colors = vtk.vtkPoints(), vtk.vtkCellArray(), vtk.vtkUnsignedCharArray()
     colors.SetNumberOfComponents(3)
     sources = []
@@ -229,16 +229,16 @@ def actor_with_surface(vtk, mapper):
     return actor
 
 
-# Light colours that are told apart with any colour vision, by their lightness as well (after Okabe and Ito).
+# Light colors that readers with any color vision can tell apart, by their lightness as well (after Okabe and Ito).
 CELL_COLORS = [(230, 159, 0), (86, 180, 233), (0, 158, 115), (240, 228, 66), (120, 150, 220), (213, 94, 0),
                (204, 121, 167), (235, 235, 235)]
 
-# Colours that stand out on such cells and on bands.
+# Colors that stand out on such cells and on bands.
 PATH_COLORS = [(213, 94, 0), (20, 20, 20), (255, 255, 255), (204, 60, 140)]
 
 
 def colors_of_sites(neighbors):
-    """Sites next to each other get different colours, as far as there are enough."""
+    """Different colors for neighboring sites, as long as there are enough colors."""
     color = {}
     for site in sorted(neighbors, key=lambda s: (-len(neighbors[s]), s)):
         taken = [color[n] for n in neighbors[site] if n in color]
@@ -308,7 +308,7 @@ def render(vtk, actors, options):
     window = vtk.vtkRenderWindow()
     window.SetOffScreenRendering(1)
     window.SetMultiSamples(0)
-    # Twice the size, averaged below: the smoothest borders without relying on the driver's antialiasing.
+    # Twice the size, averaged below: smooth borders that do not depend on the antialiasing of the driver.
     window.SetSize(2 * options.width, 2 * options.height)
     window.AddRenderer(renderer)
     window.Render()

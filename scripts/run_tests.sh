@@ -1,18 +1,13 @@
 #!/usr/bin/env bash
-# Installs what is needed, builds everything with warnings as errors and runs all tests. Everything it writes is below
-# build/. Arguments, if any, go to ctest; the variable JOBS sets the number of jobs at once.
+# The quick check, ten minutes on two cores: installs what is needed, builds the tests, the examples, the benchmark
+# programs and the program with warnings as errors, and runs the tests. scripts/run_all_tests.sh runs the rest.
+#
+# Tests, examples and benchmark programs are compiled in groups, with assertions and little optimization: the answers
+# have the same bits on every level. The program for the command line is optimized.
+# Everything is written below build/. Arguments go to ctest. JOBS is the number of jobs at once.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-build=$root/build
-jobs=${JOBS:-$(nproc)}
+source "$root/scripts/build_and_test.sh"
 
-"$root/scripts/install_needs.sh" \
-  g++ clang cmake make libcgal-dev libcgal-demo libboost-program-options-dev libeigen3-dev libjs-three libtbb-dev \
-  doxygen python3
-
-cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release -DSurface_mesh_geodesics_WARNINGS_AS_ERRORS=ON \
-  -DSurface_mesh_geodesics_EXAMPLES=ON -DSurface_mesh_geodesics_TESTS=ON -DSurface_mesh_geodesics_BENCHMARK=ON \
-  -DSurface_mesh_geodesics_PROGRAM=ON
-cmake --build "$build" --parallel "$jobs"
-cd "$build"
-ctest --output-on-failure --no-tests=error --parallel "$jobs" "$@"
+install_needs_of_tests
+build_and_test "$root/build" "-O1;-UNDEBUG" "$@"

@@ -1,5 +1,5 @@
 // test_fuzz_distances.cpp with many more surfaces. Arguments: the number of surfaces, the seed, and the folder into
-// which cases that fail are written; or --case and the name of such a case, without .off, which is examined again.
+// which failing cases are written; or --case and the name of such a case, without .off, to check it again.
 
 #include "distance_fuzzing.h"
 #include "test_support.h"

@@ -1,12 +1,11 @@
-// The number of windows stays in bounds where ties, needles or coincident vertices are everywhere.
+// The number of windows is bounded on meshes full of ties, needles or coincident vertices.
 //
-// In theory an edge has no more windows than the mesh has faces, times a constant (Mitchell, Mount, Papadimitriou):
-// windows that are next to each other on an edge have come through different faces, and a vertex that both pass tells
-// them apart. This is met by fans of valence n, and by rows of thin faces: a line crosses all of their faces. Where
-// faces are about equal, a line crosses some sqrt(F) of F faces, and there is no reason for more windows than that. So
-// the number of windows per edge must not grow faster than F, or than sqrt(F), from one size to the next, with a
-// quarter more for what small sizes do not show. Besides, it may be twice what it was when its limit was noted: where a
-// rule of pruning fails, it is many times as large.
+// In theory an edge of a mesh with F faces has O(F) windows (Mitchell, Mount, Papadimitriou): adjacent windows of an
+// edge come through different faces, and a vertex that both pass separates them. Fans of degree n and rows of thin
+// faces reach this bound, because a line crosses all of their faces. Where faces are about equal, a line crosses about
+// sqrt(F) faces, and no more windows are expected. So the number of windows per edge must not grow faster than F, or
+// than sqrt(F), from one size to the next, with a margin of a quarter for effects of small sizes. It must also stay
+// below twice the number measured when the limit was set: if a pruning rule fails, it is many times as large.
 
 #include "distance_test_helpers.h"
 #include "test_meshes.h"
@@ -30,7 +29,7 @@ namespace {
 struct Cost
 {
   double faces = 0.;
-  double windows_per_edge = 0.; // propagated ones
+  double windows_per_edge = 0.; // windows that are propagated
   double visits_per_vertex = 0.;
 };
 
@@ -63,7 +62,7 @@ enum class Faces
   THIN
 };
 
-// Three sizes of a family, and the largest number of windows per edge.
+// Checks three sizes of a family against the largest number of windows per edge.
 void check_family(const std::string& name, Faces shape, double windows_per_edge,
                   const std::vector<Indexed_mesh>& sizes, Sources sources = Sources::ONE)
 {
@@ -78,7 +77,7 @@ void check_family(const std::string& name, Faces shape, double windows_per_edge,
     }
     else
     {
-      // The more expensive one of two sources: the first vertex, and one amid the others.
+      // The more expensive one of two sources: the first vertex and the middle one.
       const Cost a = cost_of(tm, {vertex(0)}), b = cost_of(tm, {vertex(num_vertices(tm) / 2)});
       costs.push_back(a.windows_per_edge > b.windows_per_edge ? a : b);
     }
@@ -95,7 +94,7 @@ void check_family(const std::string& name, Faces shape, double windows_per_edge,
     CHECK(costs[i].windows_per_edge <= windows_per_edge);
     if(i > 0)
     {
-      // What is less than one window per edge is no size to grow from.
+      // Numbers below one window per edge are too small to measure growth.
       const double before = (std::max)(1., costs[i - 1].windows_per_edge);
       const double ratio = costs[i].faces / costs[i - 1].faces;
       CHECK(costs[i].windows_per_edge <= 1.25 * before * (shape == Faces::THIN ? ratio : std::sqrt(ratio)));
@@ -114,7 +113,8 @@ Indexed_mesh spikes(std::size_t subdivisions, std::size_t number)
   return mesh;
 }
 
-// Every third vertex is moved to a neighbour that has not been moved: edges without length, faces without area.
+// Moves every third vertex onto a neighbor that has not been moved. The result has edges without length and faces
+// without area.
 Indexed_mesh with_coincident_vertices(const Indexed_mesh& mesh)
 {
   Indexed_mesh result = mesh;
@@ -131,7 +131,7 @@ Indexed_mesh with_coincident_vertices(const Indexed_mesh& mesh)
   return result;
 }
 
-// The convex hull comes in an order that depends on addresses. Here points and faces are sorted.
+// Sorts points and faces: the order of a convex hull depends on addresses.
 Indexed_mesh sorted(const Indexed_mesh& mesh)
 {
   Indexed_mesh result = mesh;
@@ -202,7 +202,7 @@ int main()
   check_family("cube, subdivided", Faces::EQUAL, 33., subdivided(cube(), 4));
   check_family("polycube, subdivided", Faces::EQUAL, 73., subdivided(genus_2_polycube(), 4));
   check_family("spikes", Faces::EQUAL, 27., {spikes(3, 12), spikes(4, 42), spikes(5, 162)});
-  check_family("nothing but spikes", Faces::EQUAL, 90., {spikes(2, 42), spikes(3, 162), spikes(4, 642)});
+  check_family("spikes everywhere", Faces::EQUAL, 90., {spikes(2, 42), spikes(3, 162), spikes(4, 642)});
   check_family("strips of squares", Faces::EQUAL, 1., three(strip, 100, 1000, 10000));
   check_family("grids of squares", Faces::EQUAL, 23.,
                three([](std::size_t n) { return flat_patch(n, n, 0., false, 1); }, 20, 40, 80));

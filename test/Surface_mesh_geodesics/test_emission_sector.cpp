@@ -1,5 +1,5 @@
-// Where paths bend at a vertex, windows start in the faces that a shortest path can go on into, and in no others: those
-// that lie within half a turn of the direction of arrival, on one of its sides, see nothing new.
+// A pseudo-source emits windows into the faces into which a shortest path can go on, and into no others. Faces within
+// half a turn of the direction of arrival, on one of its sides, are not reached by a shortest path through the vertex.
 
 #include "intrinsic_mesh_helpers.h"
 #include "test_meshes.h"
@@ -22,7 +22,7 @@ using internal::Vertex_id;
 using Intrinsic_mesh = internal::Intrinsic_mesh<double>;
 using Field = internal::Vertex_distance_field<double>;
 
-// The faces into which a vertex has sent windows, with the distance that it had then.
+// The faces into which a vertex has emitted windows, and the distance that it had then.
 struct Emission
 {
   Vertex_id vertex;
@@ -30,7 +30,7 @@ struct Emission
   double distance;
 };
 
-// Is told of all windows that are propagated. Those that have crossed no face yet are new.
+// A keeper, which receives all windows that are propagated. Windows that have crossed no face are new.
 class Recorder
 {
 public:
@@ -55,15 +55,15 @@ private:
   std::vector<Emission>* m_emissions;
 };
 
-// the angle at corner k of a face
+// The angle at corner k of a face.
 double angle_of_corner(const Intrinsic_mesh& mesh, Halfedge_id h)
 {
-  const auto corner = Intrinsic_mesh::corner(mesh.face(internal::face_of(h)), internal::index_in_face(h));
+  const auto corner = internal::angle_direction(mesh.face(internal::face_of(h)), internal::index_in_face(h));
   return std::atan2(corner.second, corner.first);
 }
 
-// The angles, counterclockwise from the direction in which the path arrives at a vertex, between which a face lies; the
-// third number is the sum of all angles. Only for vertices that faces surround.
+// The two angles between which a face lies, counterclockwise from the direction in which the path arrives at a vertex.
+// The third number is the sum of all angles. Requires: the vertex is not on the border.
 bool find_angles(const Intrinsic_mesh& mesh, const Field& field, Vertex_id v, internal::Face_id f,
                  std::array<double, 3>& angles)
 {
@@ -99,8 +99,8 @@ struct Counts
   std::size_t emissions = 0, hidden = 0, of_first_face = 0;
 };
 
-// Windows of the final distance are looked at: those of vertices that have been improved since are no longer of use,
-// and a vertex that starts windows once more does so in all faces, which is rare.
+// Considers windows of the final distance only. Windows of vertices that have been improved since are of no use; a
+// vertex that emits windows again does so into all faces, which is rare.
 void look_at_emissions(const Indexed_mesh& indexed, std::size_t source, Counts& counts)
 {
   const Intrinsic_mesh mesh = intrinsic_mesh(to_face_graph(indexed));

@@ -1,6 +1,6 @@
-// Surfaces with sharp edges between flat regions, subdivided: rays that graze the flat vertices, and ties, are everywhere.
-// The subdivision changes no distance, neither does leaving out the rules, the number of lanes, of threads, or of visits
-// under way at a time; and the distances are certified. With the names of files as arguments, their meshes are taken.
+// Subdivided surfaces with sharp edges between flat regions: many rays graze flat vertices, and many distances tie. The
+// distances do not depend on the subdivision, on the pruning rules, or on the numbers of lanes, threads, and visits
+// under way at a time; and they are certified. Arguments are names of files whose meshes are used instead.
 
 #include "distance_test_helpers.h"
 #include "intrinsic_mesh_helpers.h"
@@ -53,7 +53,7 @@ void check_propagation(Propagation& propagation, const internal::Vertex_distance
   }
 }
 
-// All ways through the code, on the intrinsic mesh itself: its vertices have numbers of their own.
+// All variants of the code, on the intrinsic mesh itself, whose vertices have indices of their own.
 void check_ways(const Mesh& tm, std::size_t source, bool takes_rules_out)
 {
   const internal::Intrinsic_mesh<double> mesh = intrinsic_mesh(tm);

@@ -1,5 +1,5 @@
 // Distances on more than 500 small random surfaces of the worst kinds, each checked by the certificate and by referees.
-// Many more of them: fuzz_distances.cpp.
+// fuzz_distances.cpp checks many more.
 
 #include "distance_fuzzing.h"
 #include "test_support.h"
@@ -33,13 +33,14 @@ void distances_are_right(std::size_t number, std::uint64_t seed)
   CHECK(number_certified * 100 >= 99 * number_of_surfaces);
 }
 
-// What the library or its referees have done wrong once, made small:
-// - source_with_offset: the certificate found no path, as the search for it forgot the offset of the source;
-// - source_with_offset_on_gluing: the same, where faces have nearly no height;
-// - crossed_twice, crossed_twice_b: shortest paths that cross a face twice, between which the way through other faces is
-//   shorter than through that face; the referee did not look for them;
+// Reduced cases on which the library or its referees were wrong once:
+// - source_with_offset: the certificate found no path, because the search ignored the offset of the source;
+// - source_with_offset_on_gluing: the same, with faces of nearly no height;
+// - crossed_twice, crossed_twice_b: shortest paths cross a face twice, because in between the path through other faces
+//   is
+//   shorter than through that face; the referee ignored such paths;
 // - gap_between_windows: two windows that should meet do not, by 4e-8 of the edge, behind vertices that are 4e-9 apart;
-//   the proof is no better there than that.
+//   the proof is not more accurate than that there.
 void cases_of_the_past_are_right()
 {
   for(const char* name : {"source_with_offset", "source_with_offset_on_gluing", "crossed_twice", "crossed_twice_b",
@@ -53,7 +54,7 @@ void cases_of_the_past_are_right()
   }
 }
 
-// Neither CGAL's halfedges nor those of the tests can express them.
+// Surfaces that neither CGAL's halfedges nor those of the tests can express.
 void surfaces_without_orientation_are_refused(std::size_t number, std::uint64_t seed)
 {
   CHECK_EQUAL(number_refused(number, seed), number);

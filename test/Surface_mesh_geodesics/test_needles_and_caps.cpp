@@ -1,7 +1,8 @@
-// Faces without area, edges without length, and such that are nearly so: random small meshes with
-// collapsed vertices and caps, moved by 1e-15 to 1e-9. Every one of them once gave a wrong distance.
+// Faces without area or nearly so, and edges without length or nearly so: small random meshes with collapsed vertices
+// and caps, moved by 1e-15 to 1e-9. Each of them gave a wrong distance once.
 
 #include "distance_test_helpers.h"
+#include "distances_with_rules.h"
 #include "test_meshes.h"
 #include "test_support.h"
 
@@ -21,8 +22,8 @@ namespace {
 std::vector<long double> distances_in_long_double(const Mesh& tm, vertex_descriptor source)
 {
   auto map = get(CGAL::dynamic_vertex_property_t<long double>(), tm);
-  SMG::internal::geodesic_distances_with_rules<SMG::internal::All_pruning_rules, long double>(
-    tm, map, source, SMG::Geodesic_distance_options<Mesh>());
+  distances_with_rules<SMG::internal::All_pruning_rules, long double>(tm, map, source,
+                                                                      SMG::Geodesic_distance_options<Mesh>());
   std::vector<long double> result;
   for(const vertex_descriptor v : vertices(tm))
   {
@@ -50,7 +51,7 @@ void distances_are_right(const std::string& filename)
     for(const vertex_descriptor v : vertices(tm))
     {
       const double d = all[std::size_t(s)][std::size_t(v)];
-      // the same with other rounding, from the other end, and not shorter than through the air
+      // the same distance with other rounding and from the other end, and not shorter than in space
       CHECK(std::abs(d - static_cast<double>(more_digits[std::size_t(v)])) <= 1e-12 * (1 + d));
       CHECK(std::abs(d - all[std::size_t(v)][std::size_t(s)]) <= 1e-12 * (1 + d));
       CHECK(d >= length(coordinates(s, tm) - coordinates(v, tm)) - 1e-12);
@@ -58,8 +59,8 @@ void distances_are_right(const std::string& filename)
   }
 }
 
-// A saddle z = x y that is squeezed in x by 1e-11 and flattened: all faces are slivers, folded onto each other. Each
-// vertex has a path along the edges, but one by one all windows to some of them once were lost to rounding.
+// A saddle z = x y, squeezed in x by 1e-11 and flattened: all faces are slivers, folded onto each other. Each vertex
+// has a path along the edges, but all windows to some vertices were once lost to rounding.
 void all_vertices_are_reached()
 {
   test_support::Scope scope("flattened saddle");

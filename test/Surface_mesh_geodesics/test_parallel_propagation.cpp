@@ -1,5 +1,5 @@
-// Distances by several threads from one set of sources: their bits depend neither on the number of threads
-// nor on chance, and with one star at a time they are those of the sequential propagation.
+// Distances by several threads from one set of sources. Their bits depend neither on the number of threads nor on
+// chance. With one star at a time they are the bits of the sequential propagation.
 
 #include "distance_test_helpers.h"
 #include "intrinsic_mesh_helpers.h"
@@ -37,7 +37,7 @@ std::vector<double> tagged_distances(const Mesh& tm, const Sources& sources, con
   return values_at_vertices(tm, map);
 }
 
-// The tag that is always there.
+// The tag that needs no library.
 void distances_with_the_best_tag_there_is(std::uint64_t seed)
 {
   test_support::Scope scope("parallel if available");
@@ -62,7 +62,7 @@ using Vertices = std::vector<internal::Vertex_id>;
 const std::vector<std::size_t> numbers_of_stars{1, 7, 64, 1000};
 const std::vector<std::size_t> numbers_of_threads{1, 2, 5};
 
-// What a run is asked for.
+// The input of a run.
 struct Task
 {
   Vertices sources;
@@ -95,7 +95,7 @@ std::vector<double> run(Propagation& propagation, const Field& field, const Task
   return result;
 }
 
-// `close` to the expected distances, where both are final.
+// Checks that distances are `close` to the expected ones, where both are final.
 void check_close(const std::vector<double>& found, const std::vector<double>& expected, const Task& task)
 {
   for(std::size_t i = 0; i < found.size(); ++i)
@@ -133,7 +133,7 @@ void check_task(const Intrinsic_mesh& mesh, const Task& task)
         first_statistics = statistics;
       }
       CHECK(found == first);
-      if(task.targets.empty() && task.maximum_distance == infinity) // else visits that were not needed count or not
+      if(task.targets.empty() && task.maximum_distance == infinity) // else superfluous visits may be counted
       {
         CHECK_EQUAL(statistics.windows_propagated, first_statistics.windows_propagated);
         CHECK_EQUAL(statistics.vertices_visited, first_statistics.vertices_visited);
@@ -171,7 +171,7 @@ void check_mesh(const Indexed_mesh& indexed, test_support::Random& random)
   check_task(mesh, task);
 }
 
-// A run that is cancelled, or left by an exception, leaves nothing behind.
+// A run that is cancelled or ends by an exception does not influence the next one.
 void runs_that_are_broken_off(std::uint64_t seed)
 {
   test_support::Scope scope("broken off");
@@ -224,7 +224,7 @@ void runs_that_are_broken_off(std::uint64_t seed)
   }
 }
 
-// Threads hand blocks of memory to each other: that must not make new ones necessary in each run.
+// Blocks of memory migrate between threads. This must not make each run allocate new ones.
 void memory_of_many_runs()
 {
   test_support::Scope scope("memory of many runs");
@@ -255,7 +255,7 @@ void with_threads(std::size_t number_of_threads, const Call& call)
   arena.execute(call);
 }
 
-// The public functions, with TBB: sources in faces and nearest sources too.
+// The public functions with TBB, with sources in faces and nearest sources.
 void public_functions(std::uint64_t seed, test_support::Random& random)
 {
   test_support::Scope scope("public functions");

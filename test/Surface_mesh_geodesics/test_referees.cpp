@@ -1,8 +1,9 @@
-// Referees that share no rounding with the library: its own propagation with a hundred digits, with and without its
-// pruning rules, and a search of all edge sequences that is written from the definition. Small hostile meshes, whose
-// number, and the seed, may be given as arguments.
+// Distances against referees that share no rounding with the library: its own propagation with a hundred digits, with
+// and without pruning rules, and a search of all edge sequences that is written from the definition. The meshes are
+// small and hostile. Arguments: the number of meshes and the seed.
 
 #include "distance_test_helpers.h"
+#include "distances_with_rules.h"
 #include "edge_sequence_search.h"
 #include "hostile_meshes.h"
 #include "test_meshes.h"
@@ -28,13 +29,13 @@ namespace {
 using Hundred_digits =
   boost::multiprecision::number<boost::multiprecision::cpp_bin_float<100>, boost::multiprecision::et_off>;
 
-// Relative to the distance: what double may err by. Points that are nearer to each other than a few units of rounding
-// of the extent of the mesh are not told apart.
+// The error of double, relative to the distance. Points nearer to each other than a few units of rounding of the extent
+// of the mesh are not distinguished.
 const double tolerance = 1e-12;
 const double tolerance_of_extent = 8 * std::numeric_limits<double>::epsilon();
 
-// The same for a hundred digits. Some tolerances are square roots of the precision: a vertex of a needle that is
-// thinner than 1e-50 may not be told apart from the edge.
+// The same for a hundred digits. Some tolerances are square roots of the precision: a vertex of a needle thinner than
+// 1e-50 may not be distinguished from the edge.
 const double tolerance_of_hundred_digits = 1e-45;
 
 struct Without_rules_of_pairs : SMG::internal::All_pruning_rules
@@ -66,8 +67,7 @@ std::vector<Hundred_digits> propagated(const Mesh& tm, vertex_descriptor source)
 {
   auto map = get(CGAL::dynamic_vertex_property_t<Hundred_digits>(), tm);
   const SMG::Geodesic_distance_options<Mesh> options;
-  CHECK((SMG::internal::geodesic_distances_with_rules<Rules, Hundred_digits>(tm, map, source, options,
-                                                                             CGAL::parameters::default_values())));
+  CHECK((distances_with_rules<Rules, Hundred_digits>(tm, map, source, options)));
   std::vector<Hundred_digits> result;
   for(const auto v : vertices(tm))
   {
@@ -157,7 +157,7 @@ void hostile_meshes_agree(std::size_t number, std::uint64_t seed)
     {
       tm = to_face_graph(indexed);
     }
-    catch(const std::exception&) // not every one is a surface
+    catch(const std::exception&) // not every mesh is a surface
     {
       continue;
     }
@@ -172,7 +172,8 @@ void hostile_meshes_agree(std::size_t number, std::uint64_t seed)
             << counts.without_rules << " without any rule: worst relative difference " << counts.worst << std::endl;
 }
 
-// Lengths between 1 and 1.9 make triangles of any shape; most vertices are saddles or sharp, and nothing is embedded.
+// Lengths between 1 and 1.9 make triangles of any shape. Most vertices are saddles or sharp; the surface has no
+// embedding.
 void random_metrics_agree(std::size_t number, std::uint64_t seed)
 {
   test_support::Scope scope("random metrics");
@@ -198,7 +199,7 @@ void random_metrics_agree(std::size_t number, std::uint64_t seed)
   }
 }
 
-// The referee itself, where the answer is known.
+// The referees against known distances.
 void the_search_is_right()
 {
   test_support::Scope scope("search");
@@ -215,7 +216,7 @@ void the_search_is_right()
     }
     CHECK(abs(d[v] - sqrt(square)) <= Hundred_digits(1e-80));
   }
-  // from a corner of a cube to the opposite one: two faces side by side
+  // from a corner of a cube to the opposite one, across two faces
   const Indexed_mesh box = cube();
   Edge_sequence_search<Hundred_digits> on_box(box);
   const std::vector<Hundred_digits> from_corner = on_box.from_vertex(0);

@@ -15,7 +15,7 @@ using namespace test_meshes;
 
 namespace {
 
-// the answers below are written down with ten digits
+// The expected distances below have ten digits.
 const double written = 1e-10;
 const double tolerance = 1e-12;
 
@@ -32,7 +32,7 @@ Mesh load(const std::string& name)
   return tm;
 }
 
-// the halfedge from vertex a to vertex b
+// The halfedge from vertex a to vertex b.
 Mesh::Halfedge_index halfedge_between(std::size_t a, std::size_t b, const Mesh& tm)
 {
   return halfedge(vertex(a), vertex(b), tm).first;
@@ -54,7 +54,7 @@ std::vector<Face_location> on_edge(std::size_t a, std::size_t b, double t, const
   return locations;
 }
 
-// a point of the plane z = 0, in the first face that contains it
+// The location of a point of the plane z = 0, in the first face that contains it.
 Face_location locate_in_plane(double x, double y, const Mesh& tm)
 {
   for(const face_descriptor f : faces(tm))
@@ -83,7 +83,7 @@ Face_location locate_in_plane(double x, double y, const Mesh& tm)
   return {boost::graph_traits<Mesh>::null_face(), {0., 0., 0.}};
 }
 
-// Queries at a point that is no vertex: the source moves there, by symmetry.
+// A query at a point that is no vertex: by symmetry, the point is the source.
 double distance_between(const Face_location& a, std::size_t b, const Mesh& tm)
 {
   return distances(tm, a)[b];
@@ -121,7 +121,7 @@ void square_of_two_triangles()
       CHECK_FIELDS_CLOSE(distances(tm, s), Euclidean_field(tm, p), tolerance);
     }
   }
-  // two points of one edge: both are sources, the vertices belong to the nearer one
+  // two points of one edge are sources; each vertex belongs to the nearer one
   for(const Face_location& first : on_edge(0, 2, .25, tm))
   {
     for(const Face_location& second : on_edge(0, 2, .75, tm))
@@ -294,71 +294,75 @@ void flat_meshes_of_the_heat_method()
   }
 }
 
-void degenerate_faces_do_no_harm()
+void needle_without_area_does_no_harm()
 {
   const double r2 = std::sqrt(2.);
+  test_support::Scope scope("needle_dup_position");
+  const Mesh tm = load("needle_dup_position");
+  CHECK_FIELDS_CLOSE(distances(tm, vertex(0)), (std::vector<double>{0, 1, r2, 1, 1, 2, std::sqrt(5.)}), tolerance);
+  for(const vertex_descriptor v : vertices(tm))
   {
-    test_support::Scope scope("needle_dup_position");
-    const Mesh tm = load("needle_dup_position");
-    CHECK_FIELDS_CLOSE(distances(tm, vertex(0)), (std::vector<double>{0, 1, r2, 1, 1, 2, std::sqrt(5.)}), tolerance);
-    for(const vertex_descriptor v : vertices(tm))
+    test_support::Scope source_scope("source " + std::to_string(std::size_t(v)));
+    const std::vector<double> expected = Euclidean_field(tm, coordinates(v, tm));
+    CHECK_FIELDS_CLOSE(distances(tm, v), expected, tolerance);
+    for(const face_descriptor f : faces_around(v, tm))
     {
-      test_support::Scope source_scope("source " + std::to_string(std::size_t(v)));
-      const std::vector<double> expected = Euclidean_field(tm, coordinates(v, tm));
-      CHECK_FIELDS_CLOSE(distances(tm, v), expected, tolerance);
-      for(const face_descriptor f : faces_around(v, tm))
-      {
-        CHECK_FIELDS_CLOSE(distances(tm, location_of_vertex(v, f, tm)), expected, tolerance);
-      }
-    }
-    // inside the needle, which is the segment from vertex 1 to vertex 2
-    CHECK_FIELDS_CLOSE(distances(tm, Face_location(face(2), {.25, .25, .5})),
-                       Euclidean_field(tm, coordinates(Face_location(face(2), {.25, .25, .5}), tm)), tolerance);
-    for(const double t : {.25, .5})
-    {
-      for(const Face_location& s : on_edge(1, 4, t, tm))
-      {
-        CHECK_FIELDS_CLOSE(distances(tm, s), Euclidean_field(tm, {1., 0., 0.}), tolerance);
-      }
-      for(const Face_location& s : on_edge(1, 2, t, tm))
-      {
-        CHECK_FIELDS_CLOSE(distances(tm, s), Euclidean_field(tm, {1., t, 0.}), tolerance);
-      }
+      CHECK_FIELDS_CLOSE(distances(tm, location_of_vertex(v, f, tm)), expected, tolerance);
     }
   }
+  // inside the needle, which is the segment from vertex 1 to vertex 2
+  CHECK_FIELDS_CLOSE(distances(tm, Face_location(face(2), {.25, .25, .5})),
+                     Euclidean_field(tm, coordinates(Face_location(face(2), {.25, .25, .5}), tm)), tolerance);
+  for(const double t : {.25, .5})
   {
-    test_support::Scope scope("cap_zero_area");
-    const Mesh tm = load("cap_zero_area");
-    CHECK_FIELDS_CLOSE(distances(tm, vertex(3)), (std::vector<double>{r2, r2, 1, 0, 2}), tolerance);
-    for(const vertex_descriptor v : vertices(tm))
+    for(const Face_location& s : on_edge(1, 4, t, tm))
     {
-      test_support::Scope source_scope("source " + std::to_string(std::size_t(v)));
-      CHECK_FIELDS_CLOSE(distances(tm, v), Euclidean_field(tm, coordinates(v, tm)), tolerance);
+      CHECK_FIELDS_CLOSE(distances(tm, s), Euclidean_field(tm, {1., 0., 0.}), tolerance);
     }
-    for(const double t : {.25, .5, .75})
+    for(const Face_location& s : on_edge(1, 2, t, tm))
     {
-      test_support::Scope source_scope("long edge at " + std::to_string(t));
-      for(const Face_location& s : on_edge(0, 1, t, tm))
-      {
-        CHECK_FIELDS_CLOSE(distances(tm, s), Euclidean_field(tm, {2. * t, 0., 0.}), tolerance);
-      }
-      for(const Face_location& s : on_edge(0, 2, t, tm))
-      {
-        CHECK_FIELDS_CLOSE(distances(tm, s), Euclidean_field(tm, {t, 0., 0.}), tolerance);
-      }
+      CHECK_FIELDS_CLOSE(distances(tm, s), Euclidean_field(tm, {1., t, 0.}), tolerance);
     }
-    // inside the cap
-    const Face_location inside(face(1), {.25, .25, .5});
-    CHECK_FIELDS_CLOSE(distances(tm, inside), Euclidean_field(tm, coordinates(inside, tm)), tolerance);
   }
+}
+
+void cap_without_area_does_no_harm()
+{
+  const double r2 = std::sqrt(2.);
+  test_support::Scope scope("cap_zero_area");
+  const Mesh tm = load("cap_zero_area");
+  CHECK_FIELDS_CLOSE(distances(tm, vertex(3)), (std::vector<double>{r2, r2, 1, 0, 2}), tolerance);
+  for(const vertex_descriptor v : vertices(tm))
   {
-    test_support::Scope scope("sliver_1e-12");
-    const Mesh tm = load("sliver_1e-12");
-    CHECK_FIELDS_CLOSE(distances(tm, vertex(3)), (std::vector<double>{r2, r2, 1. + 1e-12, 0, 2}), 1e-9);
-    for(const vertex_descriptor v : vertices(tm))
+    test_support::Scope source_scope("source " + std::to_string(std::size_t(v)));
+    CHECK_FIELDS_CLOSE(distances(tm, v), Euclidean_field(tm, coordinates(v, tm)), tolerance);
+  }
+  for(const double t : {.25, .5, .75})
+  {
+    test_support::Scope source_scope("long edge at " + std::to_string(t));
+    for(const Face_location& s : on_edge(0, 1, t, tm))
     {
-      CHECK_FIELDS_CLOSE(distances(tm, v), Euclidean_field(tm, coordinates(v, tm)), 1e-9);
+      CHECK_FIELDS_CLOSE(distances(tm, s), Euclidean_field(tm, {2. * t, 0., 0.}), tolerance);
     }
+    for(const Face_location& s : on_edge(0, 2, t, tm))
+    {
+      CHECK_FIELDS_CLOSE(distances(tm, s), Euclidean_field(tm, {t, 0., 0.}), tolerance);
+    }
+  }
+  // inside the cap
+  const Face_location inside(face(1), {.25, .25, .5});
+  CHECK_FIELDS_CLOSE(distances(tm, inside), Euclidean_field(tm, coordinates(inside, tm)), tolerance);
+}
+
+void thin_sliver_does_no_harm()
+{
+  const double r2 = std::sqrt(2.);
+  test_support::Scope scope("sliver_1e-12");
+  const Mesh tm = load("sliver_1e-12");
+  CHECK_FIELDS_CLOSE(distances(tm, vertex(3)), (std::vector<double>{r2, r2, 1. + 1e-12, 0, 2}), 1e-9);
+  for(const vertex_descriptor v : vertices(tm))
+  {
+    CHECK_FIELDS_CLOSE(distances(tm, v), Euclidean_field(tm, coordinates(v, tm)), 1e-9);
   }
 }
 
@@ -394,7 +398,7 @@ void polyhedra()
     Mesh tm = load("cube");
     CHECK_FIELDS_CLOSE(distances(tm, vertex(0)), (std::vector<double>{0, 1, 1, r2, 1, r2, r2, std::sqrt(5.)}),
                        tolerance);
-    // from the centre of a face, which lies on a diagonal, to the opposite centre
+    // from the center of a face, which lies on a diagonal, to the opposite center
     const Indexed_mesh split = with_point_on_edge(to_indexed_mesh(tm, "cube"), 1, 7, .5);
     const Mesh split_tm = to_face_graph(split);
     CHECK_EQUAL(split.points.size(), 9u);
@@ -434,35 +438,41 @@ void polyhedra()
   }
 }
 
-void borders_and_apices()
+void paths_bend_at_a_reflex_border_vertex()
 {
   const double r2 = std::sqrt(2.);
+  test_support::Scope scope("L_shape");
+  const Mesh tm = load("L_shape");
+  CHECK_FIELDS_CLOSE(distances(tm, vertex(7)),
+                     (std::vector<double>{std::sqrt(5.), 2, 1. + r2, r2, 1, 2, 1, 0}), tolerance);
+}
+
+void nearest_source_on_a_strip()
+{
+  const double r2 = std::sqrt(2.);
+  test_support::Scope scope("strip4");
+  const Mesh tm = load("strip4");
+  const std::vector<vertex_descriptor> sources{vertex(0), vertex(8)};
+  auto nearest = get(CGAL::dynamic_vertex_property_t<std::size_t>(), tm);
+  const std::vector<double> result =
+    distances_with_options(tm, sources, SMG::make_geodesic_distance_options<Mesh>(nearest));
+  CHECK_FIELDS_CLOSE(result, (std::vector<double>{0, 1, 1, r2, 2, std::sqrt(5.), 1, r2, 0, 1}), tolerance);
+  for(std::size_t v = 0; v < 10; ++v)
   {
-    test_support::Scope scope("L_shape");
-    const Mesh tm = load("L_shape");
-    CHECK_FIELDS_CLOSE(distances(tm, vertex(7)),
-                       (std::vector<double>{std::sqrt(5.), 2, 1. + r2, r2, 1, 2, 1, 0}), tolerance);
-  }
-  {
-    test_support::Scope scope("strip4");
-    const Mesh tm = load("strip4");
-    const std::vector<vertex_descriptor> sources{vertex(0), vertex(8)};
-    auto nearest = get(CGAL::dynamic_vertex_property_t<std::size_t>(), tm);
-    const std::vector<double> result =
-      distances_with_options(tm, sources, SMG::make_geodesic_distance_options<Mesh>(nearest));
-    CHECK_FIELDS_CLOSE(result, (std::vector<double>{0, 1, 1, r2, 2, std::sqrt(5.), 1, r2, 0, 1}), tolerance);
-    for(std::size_t v = 0; v < 10; ++v)
+    if(v / 2 != 2)
     {
-      if(v / 2 != 2)
-      {
-        CHECK_EQUAL(get(nearest, vertex(v)), v < 4 ? 0u : 1u);
-      }
-      else
-      {
-        CHECK(get(nearest, vertex(v)) < 2);
-      }
+      CHECK_EQUAL(get(nearest, vertex(v)), v < 4 ? 0u : 1u);
+    }
+    else
+    {
+      CHECK(get(nearest, vertex(v)) < 2);
     }
   }
+}
+
+void paths_around_saddle_and_cone()
+{
+  const double r2 = std::sqrt(2.);
   {
     test_support::Scope scope("saddle_fan8");
     const Mesh tm = load("saddle_fan8");
@@ -487,16 +497,19 @@ void borders_and_apices()
     CHECK_CLOSE(result[17], 1.4910187756, written);
     CHECK_CLOSE(result[33], 2.5340439855, written);
   }
-  {
-    test_support::Scope scope("pinched_vertex");
-    // Paths may pass a vertex that two parts of the surface share.
-    const Mesh tm = load("pinched_vertex");
-    CHECK_FIELDS_CLOSE(distances(tm, vertex(2)), (std::vector<double>{r2, 1, 0, 1. + r2, 2. * r2}), tolerance);
-    CHECK_FIELDS_CLOSE(distances(tm, vertex(0)), (std::vector<double>{0, 1, r2, 1, r2}), tolerance);
-  }
 }
 
-// A mesh that is none must be turned down by the reader or by an exception.
+void paths_pass_a_pinched_vertex()
+{
+  const double r2 = std::sqrt(2.);
+  test_support::Scope scope("pinched_vertex");
+  // Paths may pass a vertex that two parts of the surface share.
+  const Mesh tm = load("pinched_vertex");
+  CHECK_FIELDS_CLOSE(distances(tm, vertex(2)), (std::vector<double>{r2, 1, 0, 1. + r2, 2. * r2}), tolerance);
+  CHECK_FIELDS_CLOSE(distances(tm, vertex(0)), (std::vector<double>{0, 1, r2, 1, r2}), tolerance);
+}
+
+// The reader or an exception must reject an invalid mesh.
 void broken_files_are_refused()
 {
   for(const std::string name : {"edge_three_faces", "index_out_of_range"})
@@ -512,7 +525,7 @@ void broken_files_are_refused()
       }
       else if(num_vertices(tm) > 0)
       {
-        // A reader may also have left out the bad face; the answer must be one then.
+        // A reader may also skip the bad face; then the distances must be valid.
         for(const double d : distances(tm, vertex(0)))
         {
           CHECK(d >= 0.);
@@ -538,10 +551,15 @@ int main()
   noise_at_a_corner_of_grid5();
   unreachable_vertices_are_at_infinity();
   flat_meshes_of_the_heat_method();
-  degenerate_faces_do_no_harm();
+  needle_without_area_does_no_harm();
+  cap_without_area_does_no_harm();
+  thin_sliver_does_no_harm();
   scale_and_position_do_not_matter();
   polyhedra();
-  borders_and_apices();
+  paths_bend_at_a_reflex_border_vertex();
+  nearest_source_on_a_strip();
+  paths_around_saddle_and_cone();
+  paths_pass_a_pinched_vertex();
   broken_files_are_refused();
   return test_result();
 }

@@ -1,9 +1,9 @@
 #ifndef SURFACE_MESH_GEODESICS_BRUTE_FORCE_DISTANCES_H
 #define SURFACE_MESH_GEODESICS_BRUTE_FORCE_DISTANCES_H
 
-// An independent referee without any pruning rule: straight lines are unfolded from
-// every vertex that a shortest path may bend at, through every sequence of faces
-// that is no longer than the largest distance still in question. Any number type.
+// An independent referee without any pruning rule. From every vertex at which a shortest path may bend, it unfolds
+// straight lines through every sequence of faces that is not longer than the largest distance still in question. Works
+// with any number type.
 
 #include "test_meshes.h"
 
@@ -28,7 +28,7 @@ public:
       })
   {}
 
-  // `length(a, b)` is the length of the edge between two vertices; the points do not count.
+  // `length(a, b)` is the length of the edge between two vertices. The points are ignored.
   template <class Length>
   Brute_force_distances(const Indexed_mesh& mesh, const Length& length) : m_mesh(mesh)
   {
@@ -70,14 +70,14 @@ public:
     m_is_pseudo_source.resize(mesh.points.size());
     for(std::size_t v = 0; v < mesh.points.size(); ++v)
     {
-      // Flat vertices are taken too: superfluous, never wrong.
+      // Flat vertices are included: superfluous, never wrong.
       m_is_pseudo_source[v] = on_border[v] || angles[v] > FT(2 * pi) - FT(1e-8);
     }
   }
 
   std::vector<FT> from_vertex(std::size_t source) { return run({{source, FT(0)}}); }
 
-  // several vertices with offsets
+  // Distances from several vertices with offsets.
   std::vector<FT> run(const std::vector<std::pair<std::size_t, FT>>& sources)
   {
     const std::size_t n = m_mesh.points.size();
@@ -144,7 +144,7 @@ private:
     return sqrt(sum);
   }
 
-  // the apex of a triangle with base from (0, 0) to (base, 0)
+  // The apex of a triangle whose base runs from (0, 0) to (base, 0).
   static FT apex_x(const FT& base, const FT& right, const FT& left)
   {
     return (base * base + (left - right) * (left + right)) / (2 * base);
@@ -165,7 +165,7 @@ private:
     }
   }
 
-  // upper bounds: Dijkstra's algorithm, as rounds of relaxation because meshes are small
+  // Upper bounds along edges, by Dijkstra's algorithm.
   void walk_along_edges()
   {
     using Entry = std::pair<FT, std::size_t>;
@@ -206,7 +206,7 @@ private:
 
   void push(std::vector<Strip>& stack, std::size_t f, std::size_t k, const FT& x, const FT& y, FT begin, FT end) const
   {
-    // f, k: the side through which the strip leaves; it is mirrored into the neighbour
+    // The strip leaves face f through side k and enters the neighbor.
     const std::size_t neighbor = m_neighbors[f][k];
     const FT base = m_lengths[f][k];
     begin = (std::max)(begin, FT(0));
@@ -218,9 +218,9 @@ private:
     stack.push_back({neighbor, x, y, begin, end});
   }
 
+  // Spreads the distance of a pseudo-source over all straight strips around it.
   void spread_around(std::size_t v)
   {
-    using std::sqrt;
     const FT offset = m_distances[v];
     std::vector<Strip> stack;
     for(const auto& corner : m_corners[v])
@@ -230,7 +230,7 @@ private:
       const std::size_t opposite = (k + 1) % 3;
       relax(head(f, k), offset + m_lengths[f][k]);
       relax(tail(f, (k + 2) % 3), offset + m_lengths[f][(k + 2) % 3]);
-      // In the frame of the neighbour the opposite side runs the other way.
+      // In the frame of the neighbor the opposite side runs the other way.
       const FT base = m_lengths[f][opposite];
       const FT left = m_lengths[f][k];
       const FT right = m_lengths[f][(k + 2) % 3];
@@ -241,59 +241,63 @@ private:
     {
       const Strip strip = stack.back();
       stack.pop_back();
-      const std::size_t f = strip.side / 3;
-      const std::size_t k = strip.side % 3;
-      const FT base = m_lengths[f][k];
-      const FT right = m_lengths[f][(k + 1) % 3];
-      const FT left = m_lengths[f][(k + 2) % 3];
-      {
-        const FT t = (std::min)((std::max)(strip.x, strip.begin), strip.end);
-        const FT nearest = offset + sqrt((t - strip.x) * (t - strip.x) + strip.y * strip.y);
-        if(nearest > m_bound)
-        {
-          continue;
-        }
-      }
-      const FT px = apex_x(base, right, left);
-      const FT py = apex_y(px, left);
-      if(!(py - strip.y > FT(0)))
-      {
-        continue;
-      }
-      const FT hit = strip.x + (px - strip.x) * (-strip.y) / (py - strip.y);
-      const FT slack = base * std::numeric_limits<FT>::epsilon() * 64;
-      if(strip.begin - slack <= hit && hit <= strip.end + slack)
-      {
-        relax(tail(f, (k + 2) % 3),
-              offset + sqrt((px - strip.x) * (px - strip.x) + (py - strip.y) * (py - strip.y)));
-      }
-      // left side, from the apex to (0, 0) in this face, from (0, 0) to the apex in its neighbour
-      if(strip.begin < hit && left > FT(0))
-      {
-        const FT ux = px / left;
-        const FT uy = py / left;
-        push(stack, f, (k + 2) % 3, strip.x * ux + strip.y * uy, (std::min)(strip.y * ux - strip.x * uy, FT(0)),
-             share_of_side(strip.x, strip.y, strip.begin, px, py) * left,
-             hit <= strip.end ? left : share_of_side(strip.x, strip.y, strip.end, px, py) * left);
-      }
-      // right side, from (base, 0) to the apex in this face, from the apex to (base, 0) in its neighbour
-      if(hit < strip.end && right > FT(0))
-      {
-        const FT ux = (base - px) / right;
-        const FT uy = -py / right;
-        const FT dx = strip.x - px;
-        const FT dy = strip.y - py;
-        push(stack, f, (k + 1) % 3, dx * ux + dy * uy, (std::min)(dy * ux - dx * uy, FT(0)),
-             hit >= strip.begin
-               ? FT(0)
-               : (1 - share_of_side(strip.x - base, strip.y, strip.begin - base, px - base, py)) * right,
-             (1 - share_of_side(strip.x - base, strip.y, strip.end - base, px - base, py)) * right);
-      }
+      unfold(strip, offset, stack);
     }
   }
 
-  // where the ray from (x, y) through (t, 0) meets the segment from the origin to
-  // (px, py), as share of that segment
+  // Unfolds a strip across the face that it enters: improves the apex if the strip covers it, and pushes the strips
+  // that leave through the two other sides. Drops a strip that is farther away than the bound.
+  void unfold(const Strip& strip, const FT& offset, std::vector<Strip>& stack)
+  {
+    using std::sqrt;
+    const std::size_t f = strip.side / 3;
+    const std::size_t k = strip.side % 3;
+    const FT base = m_lengths[f][k];
+    const FT right = m_lengths[f][(k + 1) % 3];
+    const FT left = m_lengths[f][(k + 2) % 3];
+    const FT t = (std::min)((std::max)(strip.x, strip.begin), strip.end);
+    const FT nearest = offset + sqrt((t - strip.x) * (t - strip.x) + strip.y * strip.y);
+    if(nearest > m_bound)
+    {
+      return;
+    }
+    const FT px = apex_x(base, right, left);
+    const FT py = apex_y(px, left);
+    if(!(py - strip.y > FT(0)))
+    {
+      return;
+    }
+    const FT hit = strip.x + (px - strip.x) * (-strip.y) / (py - strip.y);
+    const FT slack = base * std::numeric_limits<FT>::epsilon() * 64;
+    if(strip.begin - slack <= hit && hit <= strip.end + slack)
+    {
+      relax(tail(f, (k + 2) % 3), offset + sqrt((px - strip.x) * (px - strip.x) + (py - strip.y) * (py - strip.y)));
+    }
+    // The left side runs from the apex to (0, 0) in this face, and from (0, 0) to the apex in its neighbor.
+    if(strip.begin < hit && left > FT(0))
+    {
+      const FT ux = px / left;
+      const FT uy = py / left;
+      push(stack, f, (k + 2) % 3, strip.x * ux + strip.y * uy, (std::min)(strip.y * ux - strip.x * uy, FT(0)),
+           share_of_side(strip.x, strip.y, strip.begin, px, py) * left,
+           hit <= strip.end ? left : share_of_side(strip.x, strip.y, strip.end, px, py) * left);
+    }
+    // The right side runs from (base, 0) to the apex in this face, and from the apex to (base, 0) in its neighbor.
+    if(hit < strip.end && right > FT(0))
+    {
+      const FT ux = (base - px) / right;
+      const FT uy = -py / right;
+      const FT dx = strip.x - px;
+      const FT dy = strip.y - py;
+      push(stack, f, (k + 1) % 3, dx * ux + dy * uy, (std::min)(dy * ux - dx * uy, FT(0)),
+           hit >= strip.begin
+             ? FT(0)
+             : (1 - share_of_side(strip.x - base, strip.y, strip.begin - base, px - base, py)) * right,
+           (1 - share_of_side(strip.x - base, strip.y, strip.end - base, px - base, py)) * right);
+    }
+  }
+
+  // The parameter in [0, 1] where the ray from (x, y) through (t, 0) meets the segment from the origin to (px, py).
   static FT share_of_side(const FT& x, const FT& y, const FT& t, const FT& px, const FT& py)
   {
     const FT dx = t - x;

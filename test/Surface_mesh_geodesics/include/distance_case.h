@@ -1,8 +1,8 @@
 #ifndef SURFACE_MESH_GEODESICS_DISTANCE_CASE_H
 #define SURFACE_MESH_GEODESICS_DISTANCE_CASE_H
 
-// A surface with sources, as random tests make them: by numbers only, so that faces can be taken away and the rest be
-// written to files and read again.
+// A surface with sources, for random tests. It consists of indices and numbers only, so that faces can be removed and
+// the rest can be written to files and read again.
 
 #include "distance_test_helpers.h"
 #include "glued_surface.h"
@@ -19,7 +19,7 @@
 
 namespace test_meshes {
 
-// A vertex if it has a number, else a place in a face, by the corners as the face lists them.
+// A source: a vertex if it has a vertex index, else a location in a face, with coordinates in the order of its corners.
 struct Numbered_source
 {
   std::size_t vertex = no_source;
@@ -34,7 +34,7 @@ struct Distance_case
 {
   std::string name;
   Glued_surface<double> surface;
-  bool has_points = true; // else the lengths of the surface count, and its points do not
+  bool has_points = true; // if false, the surface is given by its lengths, and the points are ignored
   std::vector<Numbered_source> sources;
 };
 
@@ -43,7 +43,7 @@ inline Distance_case case_of_mesh(const Indexed_mesh& mesh)
   return {mesh.name, glued_surface<double>(mesh), true, {}};
 }
 
-// the same with any number of digits; lengths are those of the points, if these count.
+// The same surface in another number type. The lengths are computed from the points if has_points is true.
 template <class FT>
 Glued_surface<FT> with_digits(const Distance_case& c)
 {
@@ -58,7 +58,7 @@ Glued_surface<FT> with_digits(const Distance_case& c)
   return result;
 }
 
-// The faces for which `is_kept` holds, with the sources on them.
+// Keeps the faces for which `is_kept` holds, and the sources on them.
 template <class Predicate>
 Distance_case with_faces(const Distance_case& c, const Predicate& is_kept)
 {
@@ -112,8 +112,8 @@ inline Distance_case without_source(Distance_case c, std::size_t i)
 
 // --- files ---
 
-// writes <stem>.off, and <stem>.sources.txt with a line for each source and, if the points do not count, one for each
-// side: `vertex <number> <offset>`, `place <face> <coordinates> <offset>`, `side <face> <side> <edge> <length>`.
+// Writes <stem>.off, and <stem>.sources.txt with a line for each source and, if has_points is false, one for each side:
+// `vertex <number> <offset>`, `place <face> <coordinates> <offset>`, `side <face> <side> <edge> <length>`.
 inline bool write_case(const Distance_case& c, const std::string& stem)
 {
   std::ofstream off(stem + ".off"), text(stem + ".sources.txt");
@@ -149,7 +149,7 @@ inline bool write_case(const Distance_case& c, const std::string& stem)
   return off.flush().good() && text.flush().good();
 }
 
-// reads what write_case() has written.
+// Reads the files of write_case().
 inline Distance_case read_case(const std::string& stem)
 {
   std::ifstream off(stem + ".off"), text(stem + ".sources.txt");

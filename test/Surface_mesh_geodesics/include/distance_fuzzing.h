@@ -1,9 +1,9 @@
 #ifndef SURFACE_MESH_GEODESICS_DISTANCE_FUZZING_H
 #define SURFACE_MESH_GEODESICS_DISTANCE_FUZZING_H
 
-// Distances on random hostile surfaces, checked in two ways that do not believe the propagation: by the certificate,
-// and on small surfaces by unfolding from each source on its own, with more digits. A case that fails is made smaller
-// while it still fails, and saved.
+// Distances on random hostile surfaces, checked in two ways that do not rely on the propagation: by the certificate,
+// and on small surfaces by a referee that unfolds from each source with more digits. A case that fails is reduced while
+// it still fails, and saved.
 
 #include "distance_case.h"
 #include "distance_test_helpers.h"
@@ -44,22 +44,22 @@ using Certificate = SMG::Geodesic_distance_certificate<Mesh>;
 using Condition = Certificate::Condition;
 using Lengths = Mesh::Property_map<Mesh::Edge_index, double>;
 
-// Relative to the distance: what double may err by. Points that are nearer to each other than a few units of rounding
-// of the extent of the surface are not told apart; each source in a face rounds the places in it once more.
+// The error of double, relative to the distance. Points nearer to each other than a few units of rounding of the extent
+// of the surface are not distinguished; each source in a face rounds the locations in it once more.
 const double tolerance = 1e-12;
 const double tolerance_of_extent = 8 * std::numeric_limits<double>::epsilon();
 
-// From which error on the referee gets more digits.
+// Above this error the referee computes again, with more digits.
 const double tolerance_of_referee = 1e-13;
 
-// The function that proves lower bounds may be inaccurate between vertices that are hardly told apart. See also
+// The function that proves lower bounds may be inaccurate between vertices that are hardly apart. See also
 // tolerance_of_proof().
 const double usual_tolerance_of_proof = 1e-8, largest_tolerance_of_proof = 1e-6;
 
 // The largest surfaces on which distances are compared with those of a referee.
 const std::size_t largest_number_of_faces = 60, largest_number_of_faces_subdivided = 200;
 
-// What has been found; `fault` is empty if all is well.
+// The result of a check; `fault` is empty if there is none.
 struct Findings
 {
   std::string fault;
@@ -67,7 +67,7 @@ struct Findings
   double worst_error = 0., worst_violation = 0.;
 };
 
-// The user's side of a case: a mesh, perhaps with lengths, and sources as the functions take them.
+// A case as a user would pass it: a mesh, possibly with lengths, and sources as the functions take them.
 struct Input
 {
   explicit Input(const Distance_case& c) : has_points(c.has_points)
@@ -101,7 +101,7 @@ struct Input
     read_sources(c);
   }
 
-  // calls with the range of vertices or of places
+  // Calls a function with the range of vertices or of locations.
   template <class Call>
   auto with_sources(const Call& call) const
   {
@@ -133,7 +133,7 @@ struct Input
   Options options;
 
 private:
-  // Vertices if all sources are vertices, else places in faces.
+  // Vertices if all sources are vertices, else locations in faces.
   void read_sources(const Distance_case& c)
   {
     bool has_offset = false;
@@ -176,8 +176,8 @@ private:
 
 // --- the referees ---
 
-// The distances of all vertices from one source, without its offset; none where two vertices have several edges even
-// when the surface has been subdivided.
+// The distances of all vertices from one source, without its offset. Empty if two vertices have several edges even
+// after the surface has been subdivided.
 template <class FT>
 std::vector<FT> distances_from(const Distance_case& c, const Numbered_source& s)
 {
@@ -228,10 +228,10 @@ inline double extent_of(const Distance_case& c)
   return extent;
 }
 
-// Places on edges are rounded relative to the lengths of edges. Seen from a vertex that is as near to its neighbour as
-// the shortest edge is long, that is an angle, and as wide may the gap be between two windows that should meet; the
-// function of the proof is too large there. (No vertex is in the gap: then its distance would be wrong, and found to
-// be.)
+// Locations on edges are rounded relative to the lengths of the edges. Seen from a vertex whose nearest neighbor is as
+// near as the shortest edge is long, this rounding is an angle. Two windows that should meet may leave a gap of that
+// angle, in which the function of the proof is too large. No vertex lies in the gap: its distance would be wrong, and
+// the referee would find it.
 inline double tolerance_of_proof(const Distance_case& c)
 {
   const Glued_surface<double> surface = with_digits<double>(c);
@@ -244,7 +244,8 @@ inline double tolerance_of_proof(const Distance_case& c)
   return (std::min)((std::max)(usual_tolerance_of_proof, angle), largest_tolerance_of_proof);
 }
 
-// by how much a number is wrong, relative to the right one, beyond what the extent (times the sources) allows
+// The relative error of a number, beyond what rounding of the extent allows. `extent` is multiplied by the number of
+// sources.
 inline double relative_error(double number, double right, double extent)
 {
   if(number == right)
@@ -255,8 +256,8 @@ inline double relative_error(double number, double right, double extent)
   return std::isfinite(error) && right >= 0. ? (error > 0. ? error / right : 0.) : infinity;
 }
 
-// Faces without height, given by lengths. The cones of the search by edge sequences have no width behind them, so that
-// it may miss paths.
+// Does a surface given by lengths have faces without height? The search by edge sequences may miss paths behind them,
+// because its cones have no width there.
 inline bool may_the_referee_miss_paths(const Distance_case& c)
 {
   for(std::size_t f = 0; f < c.surface.edges.size() && !c.has_points; ++f)
@@ -275,9 +276,9 @@ inline bool may_the_referee_miss_paths(const Distance_case& c)
   return false;
 }
 
-// The distances, and those from the sources that are told to be the nearest ones, against a referee: where it may miss
-// paths, they are not to be longer than its own (that they are not too short, the certificate tells). Negative if there
-// is none.
+// Compares the distances, and the distances from the nearest sources, with those of a referee, and returns the largest
+// error, or a negative number without a referee. Where the referee may miss paths, the distances must not be longer
+// than its own; the certificate shows that they are not too short.
 template <class FT>
 double error_against_referee(const Distance_case& c, const Input& input)
 {
@@ -328,7 +329,7 @@ inline void compare_with_referee(const Distance_case& c, const Input& input, Fin
   }
   findings.is_compared = true;
   findings.worst_error = error;
-  if(!(findings.worst_error <= tolerance_of_referee)) // which of the two has been inaccurate?
+  if(!(findings.worst_error <= tolerance_of_referee)) // which of the two is inaccurate?
   {
     findings.needs_digits = true;
     findings.worst_error = error_against_referee<Fifty_digits>(c, input);
@@ -380,7 +381,7 @@ inline Findings examine(const Distance_case& c)
 
 // --- cases that fail ---
 
-// takes sources and faces away, first many faces and then single ones, while there still is a fault.
+// Removes sources and faces, first many faces and then single ones, as long as a fault remains.
 inline Distance_case shrunk(Distance_case c, std::size_t most_trials = 2000)
 {
   const auto is_faulty = [&](const Distance_case& smaller)
@@ -449,7 +450,7 @@ inline std::uint64_t& seed_at_work()
   return seed;
 }
 
-// A crash does not hide which surface it was.
+// A signal handler: prints the seed of the surface at work, so that a crash can be repeated.
 extern "C" inline void tell_seed_and_die(int signal)
 {
   std::fprintf(stderr, "signal %d at seed %llu; again: fuzz_distances 1 %llu\n", signal,
@@ -502,7 +503,7 @@ inline void print(const std::vector<Counts>& counts, const hostile_cases::Famili
             << " distances compared with those of a referee, " << sum.faults << " faults" << std::endl;
 }
 
-// Surface number i depends on the seed plus i alone.
+// Surface number i depends on the seed plus i only.
 inline std::vector<Counts>
 distances_on_hostile_surfaces(std::size_t number, std::uint64_t seed, const std::string& folder = ".",
                               const hostile_cases::Families& families = hostile_cases::families())
@@ -528,7 +529,7 @@ distances_on_hostile_surfaces(std::size_t number, std::uint64_t seed, const std:
   return counts;
 }
 
-// Surfaces that have no orientation are no meshes of CGAL: they are refused, not computed.
+// Surfaces without orientation are no meshes of CGAL: the functions must reject them.
 inline std::size_t number_refused(std::size_t number, std::uint64_t seed)
 {
   std::size_t result = 0;

@@ -1,19 +1,20 @@
 #ifndef SURFACE_MESH_GEODESICS_EDGE_SEQUENCE_SEARCH_H
 #define SURFACE_MESH_GEODESICS_EDGE_SEQUENCE_SEARCH_H
 
-// A referee for small meshes, written from the definition and with any number of digits. A shortest path is a chain of
-// straight pieces between vertices; each piece crosses a sequence of edges. So all sequences of faces are unfolded into
-// one plane, around each vertex in the order of distances; what is seen of an edge through all edges before it is a
-// cone of directions, and the next vertex is reached straight if it is in the cone.
+// A referee for small meshes, written from the definition, with any number of digits. A shortest path is a chain of
+// straight pieces between vertices; each piece crosses a sequence of edges. The referee visits the vertices in the
+// order of their distances, and unfolds all sequences of faces around each of them into one plane. The part of an edge
+// that is visible through all edges before it is a cone of directions; a straight piece reaches the next vertex if that
+// lies in the cone.
 //
-// On a surface with points no shortest path crosses a face twice, as no way is shorter than the segment between two
-// points of the face. Where lengths are given, a way around through other faces may be shorter than that; then each
-// face may be crossed `most_faces_crossed` times.
+// On a surface with points no shortest path crosses a face twice, because no path is shorter than the segment between
+// two points of the face. On a surface given by lengths, a path through other faces may be shorter than that; there
+// each face may be crossed `most_faces_crossed` times.
 //
-// There are no windows, no frames of edges and no tolerances of distances here: every vertex may bend paths, unless it
-// is clearly convex, and a ray through a vertex counts for that vertex. A sequence ends where nothing is seen any more,
-// where it would come back to a face once too often, or where it is farther than every distance that is still in
-// question (which are bounded by paths along edges).
+// The referee uses no windows, no frames of edges and no tolerances of distances. Paths may bend at every vertex that
+// is not clearly convex, and a ray through a vertex counts for that vertex. A sequence ends where its cone is empty,
+// where it would enter a face too often, or where it is farther than every distance that is still in question; these
+// are bounded by paths along edges.
 
 #include "test_meshes.h"
 
@@ -46,7 +47,7 @@ public:
       })
   {}
 
-  // `length(a, b)` is the length of the edge between two vertices; the points do not count.
+  // `length(a, b)` is the length of the edge between two vertices. The points are ignored.
   template <class Length>
   Edge_sequence_search(const Indexed_mesh& mesh, const Length& length, unsigned int most_faces_crossed = 1)
     : m_mesh(mesh), m_most_faces_crossed(most_faces_crossed), m_lengths(mesh.points.size())
@@ -63,7 +64,7 @@ public:
     find_convex_vertices();
   }
 
-  // infinity where the source does not reach
+  // The distances; infinity for vertices that no path reaches.
   std::vector<FT> from_vertex(std::size_t source)
   {
     const std::size_t n = m_mesh.points.size();
@@ -107,11 +108,11 @@ private:
 
   static FT infinity() { return std::numeric_limits<FT>::infinity(); }
 
-  // positive if b is to the left of a, seen from the origin
+  // Positive if b is to the left of a, seen from the origin.
   static FT turn(const Point& a, const Point& b) { return a.x * b.y - a.y * b.x; }
 
-  // Is there a direction between the two, from the right to the left? At the middle corner of a face without area there
-  // is half a plane of them.
+  // Is there a direction between the two, from the right to the left? At the middle corner of a face without area the
+  // directions fill a half-plane.
   static bool is_open(const Point& first, const Point& last)
   {
     const FT t = turn(first, last);
@@ -171,7 +172,7 @@ private:
     }
   }
 
-  // all straight pieces from v, which is at the origin
+  // Follows all straight pieces from v, which lies at the origin.
   void look_around(std::size_t v)
   {
     m_crossings.assign(m_mesh.faces.size(), 0);
@@ -209,8 +210,8 @@ private:
     return {p.x + along * unit.x - across * unit.y, p.y + along * unit.y + across * unit.x};
   }
 
-  // The edge from the vertex `right` to `left`, at r and l, is seen between the directions `first` and `last`, from the
-  // right to the left.
+  // Follows the pieces that cross the edge from the vertex `right` at r to `left` at l between the directions `first`
+  // and `last`, from the right to the left.
   void look_across(std::size_t right, std::size_t left, const Point& r, const Point& l, const Point& first,
                    const Point& last)
   {
@@ -243,8 +244,8 @@ private:
     --m_crossings[f];
   }
 
-  // A lower bound of the distance of the points that are seen: that of the segment between the points where the edge
-  // leaves the cone.
+  // A lower bound of the distance of the visible points: the distance of the segment that the cone cuts out of the
+  // edge.
   static FT nearest_in_cone(const Point& r, const Point& l, const Point& first, const Point& last)
   {
     const Point edge = {l.x - r.x, l.y - r.y};
@@ -255,7 +256,7 @@ private:
     return norm({p.x + t * pq.x, p.y + t * pq.y});
   }
 
-  // where the line through r in direction `edge` meets the ray
+  // The point where the line through r in direction `edge` meets the ray.
   static Point on_ray(const Point& r, const Point& edge, const Point& ray)
   {
     const FT denominator = turn(ray, edge);

@@ -1,9 +1,9 @@
 #ifndef SURFACE_MESH_GEODESICS_GLUED_SURFACE_H
 #define SURFACE_MESH_GEODESICS_GLUED_SURFACE_H
 
-// Triangles with lengths that are glued along their sides in any way: sides of one triangle with each other, two
-// triangles along several sides. A triangle mesh is the special case where a vertex is in a face once, and two
-// vertices have one edge. Points can be made vertices, with any number of digits.
+// Triangles with given lengths, glued along their sides in any way: two sides of one triangle with each other, or two
+// triangles along several sides. A triangle mesh is the special case in which a face has three different vertices, and
+// two vertices have at most one edge. Points can be inserted as vertices, in any number type.
 
 #include "test_meshes.h"
 
@@ -23,8 +23,8 @@ namespace test_meshes {
 
 const std::size_t no_side = (std::numeric_limits<std::size_t>::max)();
 
-// The sides of one edge have the same number in `edges`; an edge has one side on the border, or two of opposite
-// direction. Side k goes from corner k of its face to the next one. The points of the mesh do not count.
+// The sides of one edge have the same index in `edges`. An edge has one side on the border, else two of opposite
+// direction. Side k leads from corner k of its face to the next corner. The points of the mesh are ignored.
 template <class FT>
 struct Glued_surface
 {
@@ -34,7 +34,7 @@ struct Glued_surface
 
   const FT& length(std::size_t f, std::size_t k) const { return lengths[edges[f][k % 3]]; }
 
-  // 3 * face + side of what is glued to each side, or no_side
+  // For each side, 3 * face + side of the side glued to it, or no_side.
   std::vector<std::array<std::size_t, 3>> neighbors() const
   {
     std::vector<std::array<std::size_t, 3>> result(edges.size(), {no_side, no_side, no_side});
@@ -55,7 +55,8 @@ struct Glued_surface
     return result;
   }
 
-  // Two vertices have one edge, a face has three vertices, and an edge has two faces of the same orientation.
+  // Is this a triangle mesh: two vertices have at most one edge, a face has three different vertices, and the two faces
+  // of an edge have the same orientation?
   bool is_triangle_mesh() const
   {
     std::map<std::pair<std::size_t, std::size_t>, std::size_t> edge_of_ends;
@@ -74,7 +75,7 @@ struct Glued_surface
   }
 };
 
-// the surface of a mesh in space; edges are found by their ends.
+// The surface of a mesh in space. Edges are identified by their ends.
 template <class FT>
 Glued_surface<FT> glued_surface(const Indexed_mesh& mesh)
 {
@@ -111,7 +112,7 @@ inline bool has_vertex_twice_in_face(const Indexed_mesh& mesh)
                      [](const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
 }
 
-// Every triangle becomes four; no length is rounded.
+// Splits every triangle into four, without rounding any length.
 template <class FT>
 Glued_surface<FT> midpoint_subdivision(const Glued_surface<FT>& surface)
 {
@@ -134,7 +135,7 @@ Glued_surface<FT> midpoint_subdivision(const Glued_surface<FT>& surface)
       first[k] = is_met[e] ? 2 * e + 1 : 2 * e;
       second[k] = is_met[e] ? 2 * e : 2 * e + 1;
       is_met[e] = true;
-      inner[k] = result.lengths.size(); // from the middle of side k to that of the next one
+      inner[k] = result.lengths.size(); // from the midpoint of side k to the midpoint of the next side
       result.lengths.push_back(FT(surface.length(f, k + 2) / 2));
     }
     for(std::size_t k = 0; k < 3; ++k)
@@ -148,7 +149,7 @@ Glued_surface<FT> midpoint_subdivision(const Glued_surface<FT>& surface)
   return result;
 }
 
-// Makes a point of a face a vertex, unless it is one; returns the vertex. `coordinates` are barycentric.
+// Inserts a point of a face as a vertex, unless it is one. Returns the vertex. `coordinates` are barycentric.
 template <class FT>
 class Point_insertion
 {
@@ -235,7 +236,7 @@ private:
     return v;
   }
 
-  // `share` is that of the way from corner k of f to the next one
+  // `share` is the parameter in [0, 1] of the point between corner k of f and the next corner
   std::size_t split_edge(std::size_t f, std::size_t k, const FT& share)
   {
     const std::size_t e = m_surface.edges[f][k], v = add_vertex();
@@ -271,8 +272,8 @@ private:
   Glued_surface<FT>& m_surface;
 };
 
-// A halfedge data structure with the same vertices and faces, in their order; halfedge(f) is side 0. `edge_of_side`
-// gets the edge of each side.
+// A halfedge data structure with the same vertices and faces, in the same order; halfedge(f) is side 0. Stores the edge
+// of each side in `edge_of_side`.
 inline Mesh to_face_graph(const Glued_surface<double>& surface,
                           std::vector<std::array<Mesh::Edge_index, 3>>& edge_of_side)
 {

@@ -1,8 +1,8 @@
 #ifndef SURFACE_MESH_GEODESICS_HOSTILE_CASES_H
 #define SURFACE_MESH_GEODESICS_HOSTILE_CASES_H
 
-// Families of hostile surfaces with sources of every kind. What a random number generator makes depends on its seed
-// alone.
+// Families of hostile surfaces with sources of every kind. A case depends on the seed of the random number generator
+// only.
 
 #include "distance_case.h"
 #include "hostile_meshes.h"
@@ -37,7 +37,8 @@ inline Indexed_mesh plain_mesh_with_faces(Random& random)
   return mesh.faces.empty() ? icosphere(0) : mesh;
 }
 
-// puts vertices onto others, mostly onto neighbours: edges without length, faces without area, parts that coincide.
+// Moves vertices onto others, mostly onto neighbors. The result has edges without length, faces without area, and parts
+// that coincide.
 inline Distance_case duplicate_points(Random& random)
 {
   Indexed_mesh mesh = plain_mesh_with_faces(random);
@@ -76,7 +77,7 @@ inline Distance_case exact_ties(Random& random)
   }
 }
 
-// Heights of some 1e-12 in a plane: saddles that hardly differ from flat vertices.
+// A plane with heights of about 1e-12: its saddles hardly differ from flat vertices.
 inline Distance_case nearly_flat(Random& random)
 {
   Indexed_mesh mesh = flat_patch(2 + random.index(4), 2 + random.index(4), random.index(2) == 0 ? 0. : .15,
@@ -90,7 +91,7 @@ inline Distance_case nearly_flat(Random& random)
   return case_of_mesh(mesh);
 }
 
-// Parts that meet in single vertices. (What was vertex `common` is left over, isolated.)
+// Parts that meet in single vertices. The former vertex `common` stays as an isolated vertex.
 inline Distance_case pinched_vertices(Random& random)
 {
   Indexed_mesh mesh = hostile_meshes::fan_of_slivers(random);
@@ -119,7 +120,7 @@ inline Distance_case holes(Random& random)
   return case_of_mesh(cut.faces.empty() ? mesh : cut);
 }
 
-// (of sizes that may differ much)
+// their sizes may differ much
 inline Distance_case several_components(Random& random)
 {
   Indexed_mesh mesh = hostile_meshes::hostile_mesh(random);
@@ -130,7 +131,7 @@ inline Distance_case several_components(Random& random)
   return case_of_mesh(mesh);
 }
 
-// in units of any size, or far from the origin
+// Scales a mesh to units of any size, or moves it far from the origin.
 inline Distance_case any_scale(Random& random)
 {
   Indexed_mesh mesh = hostile_meshes::hostile_mesh(random);
@@ -143,8 +144,8 @@ inline Distance_case any_scale(Random& random)
   return case_of_mesh(mesh);
 }
 
-// Between 1 and 2, so that any three are the sides of a triangle: anywhere, or such that triangles are flat, or hardly
-// not flat.
+// Lengths between 1 and 2, any three of which are the sides of a triangle: uniform, or such that triangles have no
+// height or nearly none.
 inline double random_length(bool is_extreme, Random& random)
 {
   if(!is_extreme)
@@ -181,7 +182,7 @@ inline Distance_case random_lengths(Random& random)
   return c;
 }
 
-// Many faces have no height or nearly none, as in no mesh of points: 1 + 1 = 2.
+// Many faces have no height or nearly none, because 1 + 1 = 2. No mesh of points has that many.
 inline Distance_case faces_without_height(Random& random)
 {
   Distance_case c = case_of_mesh(plain_mesh_with_faces(random));
@@ -203,12 +204,12 @@ inline bool is_glued_to_itself(const std::vector<std::size_t>& sides, std::size_
   return false;
 }
 
-// Triangles whose sides are glued in pairs at random: many handles, few vertices. They are subdivided if a face has a
-// vertex twice, which halfedges can express but functions for triangle meshes do not expect; two vertices may have
-// several edges.
+// Triangles whose sides are glued in pairs at random: many handles, few vertices. If a face has a vertex twice, the
+// surface is subdivided: halfedges can express such a face, but functions for triangle meshes do not expect it. Two
+// vertices may have several edges.
 inline Distance_case random_gluing(Random& random)
 {
-  const std::size_t n = 2 * (1 + random.index(random.index(4) == 0 ? 20 : 5)); // genus n / 4 or so
+  const std::size_t n = 2 * (1 + random.index(random.index(4) == 0 ? 20 : 5)); // the genus is about n / 4
   std::vector<std::size_t> sides(3 * n), vertex_of_corner(3 * n);
   std::iota(sides.begin(), sides.end(), std::size_t(0));
   std::iota(vertex_of_corner.begin(), vertex_of_corner.end(), std::size_t(0));
@@ -279,8 +280,8 @@ inline Families families()
           {"no height", faces_without_height}};
 }
 
-// A rectangle whose sides are identified, one pair of them the wrong way round: a Moebius strip, a Klein bottle, or a
-// projective plane. No list of faces is oriented.
+// A rectangle whose sides are identified, one pair of them reversed: a Moebius strip, a Klein bottle, or a projective
+// plane. These surfaces have no orientation.
 inline Indexed_mesh not_orientable(Random& random)
 {
   const std::size_t m = 4 + random.index(4), n = 4 + random.index(4), kind = random.index(3);
@@ -320,7 +321,7 @@ inline Indexed_mesh not_orientable(Random& random)
 
 // --- sources ---
 
-// a vertex with faces around it, a place on an edge or in a face, mostly near to corners and edges.
+// A vertex with faces around it, or a location on an edge or in a face, mostly near corners and edges.
 inline Numbered_source random_source(const Distance_case& c, Random& random)
 {
   Numbered_source s;

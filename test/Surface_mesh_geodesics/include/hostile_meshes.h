@@ -2,7 +2,7 @@
 #define SURFACE_MESH_GEODESICS_HOSTILE_MESHES_H
 
 // Small random meshes with caps and needles of all heights down to the rounding of coordinates, nearly equal points,
-// and vertices of all scales; and what holds of every path on them.
+// and vertices of all scales. Checks of what every path on them must satisfy.
 
 #include "path_test_helpers.h"
 #include "paths_near_vertices.h"
@@ -28,7 +28,7 @@ namespace hostile_meshes {
 
 using namespace test_meshes;
 
-// a small number of any scale from 10^first to 10^last
+// A small number of any scale from 10^first to 10^last.
 inline double of_any_scale(double first, double last, test_support::Random& random)
 {
   return std::pow(10., random.uniform(first, last));
@@ -40,7 +40,7 @@ inline Coordinates random_vector(double size, test_support::Random& random)
   return {x, y, z};
 }
 
-// A small shift: in space, or along one axis, so that flat meshes stay flat; or none.
+// A small shift: in space, along one axis, so that flat meshes stay flat, or zero.
 inline Coordinates small_shift(test_support::Random& random)
 {
   const double size = of_any_scale(-16., -6., random);
@@ -55,7 +55,7 @@ inline Coordinates small_shift(test_support::Random& random)
   }
 }
 
-// puts a vertex almost onto another one of its faces, or almost onto the opposite edge.
+// Moves a vertex almost onto another vertex of its face, or almost onto the opposite edge.
 inline void collapse_almost(Indexed_mesh& mesh, test_support::Random& random)
 {
   const Triangle t = mesh.faces[random.index(mesh.faces.size())];
@@ -69,7 +69,7 @@ inline void collapse_almost(Indexed_mesh& mesh, test_support::Random& random)
   mesh.points[t[k]] = a + place * (b - a) + small_shift(random);
 }
 
-// splits a face at a point very near to a corner or to an edge, or anywhere.
+// Splits a face at a point very near to a corner or to an edge, or anywhere.
 inline void split_somewhere(Indexed_mesh& mesh, test_support::Random& random)
 {
   const double a = random.index(2) == 0 ? random.uniform() : of_any_scale(-15., -1., random);
@@ -80,7 +80,7 @@ inline void split_somewhere(Indexed_mesh& mesh, test_support::Random& random)
   mesh.points.back() = mesh.points.back() + small_shift(random);
 }
 
-// replaces the edge of two faces by the other diagonal, if there is no such edge yet.
+// Replaces the edge of two faces by the other diagonal, unless that edge exists.
 inline void flip_some_edge(Indexed_mesh& mesh, test_support::Random& random)
 {
   std::set<std::pair<std::size_t, std::size_t>> edges;
@@ -113,7 +113,7 @@ inline void flip_some_edge(Indexed_mesh& mesh, test_support::Random& random)
   }
 }
 
-// faces around a vertex, or a part of them, whose angles and sides are of all scales
+// Faces around a vertex, all or a part of them, whose angles and sides are of all scales.
 inline Indexed_mesh fan_of_slivers(test_support::Random& random)
 {
   Indexed_mesh mesh;
@@ -168,7 +168,7 @@ inline Indexed_mesh plain_mesh(test_support::Random& random)
   }
 }
 
-// squeezes a mesh along an axis, or moves each vertex towards the origin by another factor.
+// Squeezes a mesh along an axis, or moves each vertex towards the origin by another factor.
 inline void change_scales(Indexed_mesh& mesh, test_support::Random& random)
 {
   const std::size_t axis = random.index(4);
@@ -233,19 +233,55 @@ inline Place hostile_place(const Mesh& tm, test_support::Random& random)
   return Place(location);
 }
 
-// What has gone wrong, counted.
+// Counts of faults.
 struct Path_faults
 {
   std::size_t queries = 0, unreached = 0, no_path = 0, no_common_face = 0, wrong_length = 0;
   double worst_error = 0.;
 };
 
-// asks for paths from one or two sources. Each of them exists, lies on the surface from face to face, and is as long
-// as the distance.
+// Do two consecutive items of a path have no face in common?
+inline bool has_gap(const std::vector<Path_item<Geodesic_paths>>& items, const Mesh& tm)
+{
+  bool result = false;
+  for(std::size_t j = 1; j < items.size(); ++j)
+  {
+    const auto before = faces_of_item(items[j - 1], tm), after = faces_of_item(items[j], tm);
+    result = result || std::find_first_of(before.begin(), before.end(), after.begin(), after.end()) == before.end();
+  }
+  return result;
+}
+
+// Checks a path on a mesh of the given size: it leads from face to face, and is as long as the distance.
+inline void check_path_on(const Mesh& tm, double size, const Geodesic_paths& paths,
+                          const std::vector<Path_item<Geodesic_paths>>& items, double distance, Path_faults& faults)
+{
+  using Item = Path_item<Geodesic_paths>;
+  std::vector<Coordinates> points;
+  for(const Item& item : items)
+  {
+    points.push_back(point_of_item(item, paths));
+    CHECK(item.kind != Item::EDGE || (item.t >= 0. && item.t <= 1.));
+  }
+  if(!CHECK(!has_gap(items, tm)))
+  {
+    ++faults.no_common_face;
+  }
+  const double error = std::abs(polyline_length(points) - distance);
+  // the points are rounded, and so are their locations in faces, by 64 units of the extent
+  const double rounding = 128 * std::numeric_limits<double>::epsilon() * size;
+  faults.worst_error = (std::max)(faults.worst_error, (error - rounding) / distance);
+  if(!CHECK(error <= 1e-10 * distance + rounding))
+  {
+    ++faults.wrong_length;
+  }
+}
+
+// Queries paths from one or two sources. Checks that each exists, leads from face to face, and is as long as the
+// distance.
 inline void check_paths_on(const Mesh& tm, std::size_t number_of_queries, test_support::Random& random,
                            Path_faults& faults)
 {
-  using Item = Path_item<Geodesic_paths>;
   const double size = size_of(tm);
   Geodesic_paths paths(tm);
   const std::size_t number_of_sources = random.index(3) == 0 ? 2 : 1;
@@ -274,38 +310,13 @@ inline void check_paths_on(const Mesh& tm, std::size_t number_of_queries, test_s
       ++faults.no_path;
       continue;
     }
-    const std::vector<Item>& items = recorder.items;
     if(answer.distance < 0.)
     {
-      CHECK(items.empty());
+      CHECK(recorder.items.empty());
       ++faults.unreached;
       continue;
     }
-    std::vector<Coordinates> points;
-    for(const Item& item : items)
-    {
-      points.push_back(point_of_item(item, paths));
-      CHECK(item.kind != Item::EDGE || (item.t >= 0. && item.t <= 1.));
-    }
-    bool has_gap = false;
-    for(std::size_t j = 1; j < items.size(); ++j)
-    {
-      const auto before = faces_of_item(items[j - 1], tm), after = faces_of_item(items[j], tm);
-      has_gap = has_gap
-             || std::find_first_of(before.begin(), before.end(), after.begin(), after.end()) == before.end();
-    }
-    if(!CHECK(!has_gap))
-    {
-      ++faults.no_common_face;
-    }
-    const double error = std::abs(polyline_length(points) - answer.distance);
-    // the points are rounded, and so are their places in faces, by 64 units of the extent
-    const double rounding = 128 * std::numeric_limits<double>::epsilon() * size;
-    faults.worst_error = (std::max)(faults.worst_error, (error - rounding) / answer.distance);
-    if(!CHECK(error <= 1e-10 * answer.distance + rounding))
-    {
-      ++faults.wrong_length;
-    }
+    check_path_on(tm, size, paths, recorder.items, answer.distance, faults);
   }
 }
 

@@ -1,8 +1,8 @@
 #ifndef SURFACE_MESH_GEODESICS_TEST_SUPPORT_H
 #define SURFACE_MESH_GEODESICS_TEST_SUPPORT_H
 
-// Checks that always run, also with NDEBUG. A failed check prints where it
-// stands and the values; the program goes on and ends with test_result().
+// Checks that always run, with NDEBUG too. A failed check prints its location and the values. The program goes on and
+// ends with test_result().
 
 #include <algorithm>
 #include <array>
@@ -36,7 +36,7 @@ inline Test_state& state()
   return the_state;
 }
 
-// Names what is being tested; printed in front of every failure inside its scope.
+// Names what is being tested. Each failure inside the scope prints the name first.
 class Scope
 {
 public:
@@ -92,7 +92,7 @@ bool check_equal(const A& a, const B& b, const char* text, const char* file, int
   return false;
 }
 
-// true for equal infinities; false as soon as one of the numbers is NaN
+// True for equal infinities; false if one of the numbers is NaN.
 inline bool is_close(double a, double b, double relative)
 {
   if(a == b)
@@ -135,7 +135,7 @@ inline bool check_near(double a, double b, double absolute, const char* text, co
   return false;
 }
 
-// compares two fields entry by entry and reports the worst entry only
+// Compares two fields entry by entry and reports the worst entry only.
 inline bool check_fields_close(const std::vector<double>& a, const std::vector<double>& b, double relative,
                                const char* text, const char* file, int line)
 {
@@ -189,14 +189,13 @@ inline int test_result()
   return s.number_of_failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
-// Random numbers that are the same on every platform (the distributions of the
-// standard library are not).
+// Random numbers that are the same on every platform. The distributions of the standard library are not.
 class Random
 {
 public:
   explicit Random(std::uint64_t seed) : m_engine(seed) {}
 
-  // in [0, 1)
+  // A number in [0, 1).
   double uniform() { return static_cast<double>(m_engine() >> 11) * 0x1p-53; }
   double uniform(double a, double b) { return a + (b - a) * uniform(); }
   std::size_t index(std::size_t n) { return static_cast<std::size_t>(m_engine() % n); }
@@ -215,7 +214,7 @@ private:
   std::mt19937_64 m_engine;
 };
 
-// the one seed of all programs, printed by each of them
+// The seed of all test programs, which each of them prints.
 inline std::uint64_t announce_seed(std::uint64_t seed)
 {
   std::cout << "seed " << seed << std::endl;

@@ -24,13 +24,13 @@
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Path_solver.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Source_point_list.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Surface_locations.h>
-#include <CGAL/Surface_mesh_geodesics/internal/interface/intrinsic_mesh_from_face_graph.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/Face_shapes.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/path_visitors.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/run_with_visitor.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/source_range.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/Source_insertion.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/barycentric_coordinates.h>
 
 #include <CGAL/number_utils.h>
 
@@ -355,7 +355,7 @@ private:
 
   static bool is_at_corner(Coordinates b)
   {
-    Source_insertion<double>::snap(b);
+    snap_coordinates(b);
     return b[0] == 1 || b[1] == 1 || b[2] == 1;
   }
 

@@ -14,7 +14,7 @@
 // and how one becomes another. There is no state here, the functions are static.
 
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/Source_insertion.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/barycentric_coordinates.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/cgal_compatibility.h>
 
 #include <CGAL/AABB_tree.h>
@@ -220,7 +220,7 @@ private:
     const Face_location location(f, traits.construct_barycentric_coordinates_in_triangle_3_object()(
                                       triangle(f, tm, vertex_point_map, traits), p));
     // A face with nearly no height: its coordinates are lost in rounding, and the point is on its longest side.
-    return Source_insertion<double>::is_valid(weights(location.second, traits))
+    return are_valid_coordinates(weights(location.second, traits))
              ? location
              : location_on_longest_side(f, p, tm, vertex_point_map, traits);
   }

@@ -14,7 +14,7 @@
 // `SurfaceMeshShortestPathVisitor`. `Path_point_writer` and `Path_polyline_writer` are such visitors; they write points.
 // `Isoline_writer` writes the points of isolines.
 
-#include <CGAL/Surface_mesh_geodesics/internal/surface/Source_insertion.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/barycentric_coordinates.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -137,7 +137,7 @@ public:
   {
     const typename Structure::Face_location& location = *m_structure.sources().by_number(number);
     std::array<double, 3> b = m_structure.weights(location.second);
-    Source_insertion<double>::snap(b);
+    snap_coordinates(b);
     halfedge_descriptor h = halfedge(location.first, m_structure.mesh());
     for(std::size_t k = 0; k < 3; ++k, h = next(h, m_structure.mesh()))
       if(b[(k + 2) % 3] == 0)

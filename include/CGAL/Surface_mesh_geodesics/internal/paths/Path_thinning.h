@@ -18,8 +18,8 @@
 // points before and after it lie in one face. So points that follow each other always share a face.
 
 #include <CGAL/Surface_mesh_geodesics/internal/paths/Straight_piece.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Face_parts.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/Source_insertion.h>
 
 #include <CGAL/assertions.h>
 
@@ -50,8 +50,8 @@ public:
   using Item = Path_item<FT>;
 
   // `extent` is that of the component in which the path runs (Intrinsic_mesh.h); the merge distance is relative to it.
-  Path_thinning(const Mesh& mesh, const Source_insertion<FT>& insertion, const FT& extent, Tell tell)
-    : m_mesh(mesh), m_insertion(insertion), m_tell(tell),
+  Path_thinning(const Mesh& mesh, const Face_parts<FT>& parts, const FT& extent, Tell tell)
+    : m_mesh(mesh), m_parts(parts), m_tell(tell),
       m_merge_distance(Tolerance<FT>::gap() * extent)
   {}
 
@@ -76,7 +76,7 @@ public:
     {
       item.halfedge = item.local_halfedge = step.halfedge;
       item.t = step.x / m_mesh.length(step.halfedge);
-      if(!m_insertion.find_on_whole_edge(item.halfedge, item.t))
+      if(!m_parts.find_on_whole_edge(item.halfedge, item.t))
         return;
     }
     item.face = m_entered;
@@ -97,18 +97,18 @@ private:
   // Returns whether the item lies on the face of the first mesh of which `part` is a part.
   bool touches(const Item& item, Face_id part) const
   {
-    const Face_id f = m_insertion.whole(part);
+    const Face_id f = m_parts.whole(part);
     if(item.vertex == null_id)
     {
       if(item.local_halfedge == null_id)
-        return m_insertion.whole(item.face) == f;
+        return m_parts.whole(item.face) == f;
       const Halfedge_id o = m_mesh.opposite(item.local_halfedge);
-      return m_insertion.whole(face_of(item.local_halfedge)) == f
-          || (o != null_id && m_insertion.whole(face_of(o)) == f);
+      return m_parts.whole(face_of(item.local_halfedge)) == f
+          || (o != null_id && m_parts.whole(face_of(o)) == f);
     }
     bool result = false;
     m_mesh.for_each_halfedge_around(item.vertex, [&](Halfedge_id h)
-    { result = result || m_insertion.whole(face_of(h)) == f; });
+    { result = result || m_parts.whole(face_of(h)) == f; });
     return result;
   }
 
@@ -151,7 +151,7 @@ private:
   }
 
   const Mesh& m_mesh;
-  const Source_insertion<FT>& m_insertion;
+  const Face_parts<FT>& m_parts;
   Tell m_tell;
   FT m_merge_distance;
   Item m_last, m_pending; // the last item that was reported, and the next one

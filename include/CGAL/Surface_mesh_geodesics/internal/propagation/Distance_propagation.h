@@ -21,6 +21,7 @@
 // near linear in practice. Memory: the windows of the widest wavefront, and tables of O(n).
 
 #include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Star_propagation.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Stopping_criterion.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Vertex_star.h>
@@ -33,6 +34,7 @@
 #include <CGAL/assertions.h>
 
 #include <cstddef>
+#include <limits>
 
 namespace CGAL {
 namespace Surface_mesh_geodesics {
@@ -153,8 +155,13 @@ private:
     return true;
   }
 
-  // Is a key not smaller than those of the visits before, up to rounding?
-  bool ascends(const FT& key) const { return !is_clearly_less(key, m_end.reached_distance()); }
+  // Is a key not smaller than those of the visits before, up to the error of images (Tolerance.h)? It is relative to the
+  // distance and to the lengths of the mesh, the longest of which is about 1.
+  bool ascends(const FT& key) const
+  {
+    const FT& reached = m_end.reached_distance();
+    return reached - key <= Tolerance<FT>::tie() * (reached + 1) || !(reached < std::numeric_limits<FT>::infinity());
+  }
 
   const Mesh& m_mesh;
   Wavefront<FT> m_wavefront;

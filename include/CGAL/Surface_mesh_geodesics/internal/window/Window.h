@@ -39,6 +39,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/window/one_lane.h>
 
 #include <cstdint>
+#include <limits>
 
 namespace CGAL {
 namespace Surface_mesh_geodesics {
@@ -83,6 +84,16 @@ struct Window : one_lane::Window_numbers<FT>
 constexpr std::uint32_t joined_steps(std::uint32_t a, std::uint32_t b)
 {
   return (a < b ? b : a) | ((a | b) & 1);
+}
+
+// Does a window on an edge of the given length satisfy the invariants of a stored window?
+template <typename FT>
+bool is_valid(const Window<FT>& w, const FT& length)
+{
+  const FT infinity = std::numeric_limits<FT>::infinity();
+  return 0 <= w.begin && w.begin < w.end && w.end <= length && w.image_depth >= 0 && 0 <= w.root_distance
+      && w.root_distance <= w.begin_distance && w.begin_distance < infinity && w.root_distance <= w.end_distance
+      && w.end_distance < infinity && w.key != 0 && w.root != null_id;
 }
 
 // Is the image so near to its interval on an edge of the given length that rounding of the ends of the

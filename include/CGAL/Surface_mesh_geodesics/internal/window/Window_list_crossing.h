@@ -24,6 +24,8 @@
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/bit_counting.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/window_pruning.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -76,6 +78,7 @@ public:
   // fourth edge only.
   void prune(Window_list<FT>& list, const Face_frame<FT>& c, const Corner_rivals<FT>& corners)
   {
+    CGAL_expensive_assertion(internal::is_valid(list, c.length));
     const bool is_unusual = list.may_be_marked() || list.number_of_faces_crossed() > m_mesh.most_faces_crossed();
     if(list.number_of_faces_crossed() % edges_for_pruning != 0 && !is_unusual && !m_has_stale_windows)
       return;
@@ -84,11 +87,13 @@ public:
                                 : trim(list, c, corners);
     if(has_suspects)
       remove_redundant_suspects(list, c, corners);
+    CGAL_expensive_assertion(internal::is_valid(list, c.length));
   }
 
   // finds the shortest path to C through a list that is not empty; the first one if several tie.
   Apex_path find_apex_path(const Window_list<FT>& list, const Face_frame<FT>& c)
   {
+    CGAL_assertion(list.size > 0);
     if(m_abscissa.size() < list.size + m_loops.lanes())
       m_abscissa.resize(2 * list.size + m_loops.lanes());
     const Nearest_window<FT> nearest = m_loops(list.size).find_nearest(list.columns, list.size, c, m_abscissa.data());
@@ -112,6 +117,7 @@ public:
   {
     m_left.start(left_room, list.steps + 2);
     m_right.start(right_room, list.steps + 2);
+    CGAL_assertion(path.index < list.size);
     const FT& s = path.separating_point;
     Edge_cut<FT> to_left{corners.origin, corners.apex, s, path.index};
     Edge_cut<FT> to_right{corners.apex, corners.target, s, path.index};
@@ -120,26 +126,10 @@ public:
     {
       cross(&Window_list_loops<FT>::cross_left, list, 0, path.index + 1, c, to_left, m_left);
       cross(&Window_list_loops<FT>::cross_right, list, path.index, list.size, c, to_right, m_right);
-      return;
     }
-    // A window keeps both sides if its place with respect to the best one is not known, or if it lies
-    // wholly on the other side of the separating point than its key says, in which case nothing can be
-    // proved.
-    const Window<FT> best = list.columns.get(path.index);
-    for(std::size_t i = 0; i < list.size; ++i)
-    {
-      const Window<FT> w = list.columns.get(i);
-      const bool keeps_both = !Rules::rule_1 || i == path.index || is_order_unknown(w, best)
-                           || is_too_close_to_trim(w, c.length)
-                           || (i < path.index ? w.begin > s : w.end < s);
-      to_left.whole_window = to_right.whole_window = keeps_both ? i : path.index;
-      to_left.cut = keeps_both ? c.length : s;
-      to_right.cut = keeps_both ? FT(0) : s;
-      if(keeps_both || i < path.index)
-        cross(&Window_list_loops<FT>::cross_left, list, i, i + 1, c, to_left, m_left);
-      if(keeps_both || i > path.index)
-        cross(&Window_list_loops<FT>::cross_right, list, i, i + 1, c, to_right, m_right);
-    }
+    else
+      split_one_by_one(list, c, path, to_left, to_right);
+    CGAL_expensive_assertion(is_valid(m_left, c.left_length) && is_valid(m_right, c.right_length));
   }
 
   const Window_batch<FT>& left() const { return m_left; }
@@ -287,6 +277,38 @@ private:
         --last;
       }
     }
+    return true;
+  }
+
+  // Splits a list window by window. A window keeps both sides if its position relative to the nearest one is unknown, or
+  // if it lies wholly on the other side of the separating point than its key says: then nothing can be proved.
+  void split_one_by_one(const Window_list<FT>& list, const Face_frame<FT>& c, const Apex_path& path, Edge_cut<FT> to_left,
+                        Edge_cut<FT> to_right)
+  {
+    const FT& s = path.separating_point;
+    const Window<FT> best = list.columns.get(path.index);
+    for(std::size_t i = 0; i < list.size; ++i)
+    {
+      const Window<FT> w = list.columns.get(i);
+      const bool keeps_both = !Rules::rule_1 || i == path.index || is_order_unknown(w, best)
+                           || is_too_close_to_trim(w, c.length)
+                           || (i < path.index ? w.begin > s : w.end < s);
+      to_left.whole_window = to_right.whole_window = keeps_both ? i : path.index;
+      to_left.cut = keeps_both ? c.length : s;
+      to_right.cut = keeps_both ? FT(0) : s;
+      if(keeps_both || i < path.index)
+        cross(&Window_list_loops<FT>::cross_left, list, i, i + 1, c, to_left, m_left);
+      if(keeps_both || i > path.index)
+        cross(&Window_list_loops<FT>::cross_right, list, i, i + 1, c, to_right, m_right);
+    }
+  }
+
+  // Are the new windows of a batch valid on an edge of the given length?
+  static bool is_valid(const Window_batch<FT>& batch, const FT& length)
+  {
+    for(std::size_t i = 0; i < batch.size; ++i)
+      if(!internal::is_valid(batch.list.columns.get(batch.list.size + i), length))
+        return false;
     return true;
   }
 

@@ -26,6 +26,8 @@
 #include <CGAL/Surface_mesh_geodesics/internal/window/simd.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/window_pruning.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -59,6 +61,7 @@ struct Window_batch
 
   void add(const Window<FT>& w)
   {
+    CGAL_assertion(has_room() && list.size + size < list.capacity());
     list.columns.set(list.size + size, w);
     minimum_distance = (std::min)(minimum_distance, w.minimum_distance());
     ++size;

@@ -23,6 +23,8 @@
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/bit_counting.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/simd.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -146,6 +148,33 @@ struct Window_list
   }
 };
 
+// Are the windows of a list in the order of their keys, and `steps` the joined_steps() of numbers that bound theirs?
+template <typename FT>
+bool is_sorted_by_key(const Window_list<FT>& list)
+{
+  if(list.size > list.capacity())
+    return false;
+  for(std::size_t i = 0; i < list.size; ++i)
+  {
+    const Window<FT> w = list.columns.get(i);
+    if((i > 0 && w.key < list.columns.key()[i - 1]) || w.number_of_faces_crossed() > list.number_of_faces_crossed()
+       || (w.is_marked() && !list.may_be_marked()))
+      return false;
+  }
+  return true;
+}
+
+// Does a list on an edge of the given length satisfy the invariants of a stored list? It is sorted by key, and each of
+// its windows is valid.
+template <typename FT>
+bool is_valid(const Window_list<FT>& list, const FT& length)
+{
+  for(std::size_t i = 0; i < list.size; ++i)
+    if(!is_valid(list.columns.get(i), length))
+      return false;
+  return is_sorted_by_key(list);
+}
+
 template <typename FT>
 class Window_pool
 {
@@ -204,6 +233,7 @@ public:
     const Window_key* const key = list.columns.key();
     if(middle > 0 && !(key[middle - 1] < key[middle]))
       merge(list, middle);
+    CGAL_expensive_assertion(is_sorted_by_key(list));
   }
 
   // moves the windows of another list, which came later, into a list.
@@ -377,6 +407,7 @@ public:
   // moves the list of h, which there is, to a list that is empty and has no block.
   void take(Halfedge_id h, List& list)
   {
+    CGAL_assertion(has(h) && list.columns.height == 0);
     std::uint32_t& slot = m_slot_of_halfedge[dense_index(h)];
     list = m_lists[slot];
     m_lists[slot] = List();
@@ -389,6 +420,7 @@ public:
   // moves a list to h; it is merged with the one that waits there, if there is one.
   void put(Halfedge_id h, List& list, Window_pool<FT>& pool)
   {
+    CGAL_assertion(list.size > 0);
     m_number_of_windows += list.size;
     const std::uint32_t occupied = m_slot_of_halfedge[dense_index(h)];
     if(occupied != null_id)

@@ -15,6 +15,8 @@
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Window.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 
 namespace CGAL {
@@ -38,6 +40,7 @@ void window_of_pseudo_source(const Face_frame<FT>& c, const FT& root_distance,
   w.root = c.apex;
   w.steps = 0;
   w.key = initial_window_key;
+  CGAL_expensive_assertion(is_valid(w, c.length));
 }
 
 } // namespace internal
