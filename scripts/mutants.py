@@ -33,7 +33,6 @@ REMOVAL = INTERNAL + "Voronoi/Redundant_window_removal.h"
 RADIX_HEAP = INTERNAL + "numeric/Radix_heap.h"
 SINGLE_PRECISION = INTERNAL + "numeric/single_precision.h"
 BISECTOR = INTERNAL + "numeric/Weighted_bisector.h"
-EDGE_PARTITION = INTERNAL + "Voronoi/Edge_partition.h"
 FACE_PARTITION = INTERNAL + "Voronoi/Face_partition.h"
 COMPLEX = INTERNAL + "Voronoi/Voronoi_complex.h"
 PATH_THINNING = INTERNAL + "paths/Path_thinning.h"
@@ -315,9 +314,9 @@ MUTANTS = [
     ("crossing_tolerance_wide", TOLERANCE,
      "static FT isoline() { return 4096 * unit_roundoff(); }",
      "static FT isoline() { return 4096e6 * unit_roundoff(); }",
-     "isolines are beside their places", (ISOLINE_TEST,)),
-    ("place_of_a_path_relative_to_the_mesh", PATH_THINNING,
-     "m_place(Tolerance<FT>::gap() * extent)", "m_place(Tolerance<FT>::gap())",
+     "isolines are beside their points", (ISOLINE_TEST,)),
+    ("merge_distance_of_a_path_relative_to_the_mesh", PATH_THINNING,
+     "m_merge_distance(Tolerance<FT>::gap() * extent)", "m_merge_distance(Tolerance<FT>::gap())",
      "all points of a path on a small component are one", (SMALL,)),
     ("small_components_accepted", BUILDER,
      "if(longest < smallest_component())", "if(longest < 0)",
@@ -415,13 +414,13 @@ MUTANTS = [
      "return FT((at_first + at_last + length) / 2);", "return (std::max)(at_first, at_last);",
      "a face is said to be done when its corners are", (RANDOM_DIAGRAMS, CUT, HOSTILE_DIAGRAMS)),
     ("curve_drawn_on_to_its_end", FACE_PARTITION,
-     "    if(is_taken_over_before(f, p))\n      lead_back(f, p);\n", "",
+     "    if(completion().is_taken_over_before(f, p))\n      completion().lead_back(f, p);\n", "",
      "a curve that ends near its end goes on with paths that are not the shortest ones", (RANDOM_DIAGRAMS,)),
     ("bisector_turned", BISECTOR,
      "    if(m_tx * ny - m_ty * nx < 0)\n", "    if(m_tx * ny - m_ty * nx > 0)\n",
      "curves run backwards", (CUT,)),
-    ("edge_takes_over_by_rounding", EDGE_PARTITION,
-     "return a < b * (1 - 4 * Tolerance<FT>::distance()); }", "return a <= b; }",
+    ("edge_takes_over_by_rounding", BISECTOR,
+     "return a < b * (1 - Tolerance<FT>::nearer());", "return a <= b;",
      "on an edge two sources that tie take turns", (SYMMETRIC, BY_HAND, RANDOM_DIAGRAMS)),
     ("nodes_on_edge_not_reversed", COMPLEX,
      "result.is_reversed = o != null_id && o < h;\n    const Index_range* const nodes = m_edge_nodes",

@@ -37,6 +37,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/site_images_of_face.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_table.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Radix_heap.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/single_precision.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
@@ -127,7 +128,7 @@ public:
   // large bound is looked at again half-way, as bounds shrink.
   void advance(const FT& reached)
   {
-    const FT below = reached * (1 - 16 * Tolerance<FT>::distance());
+    const FT below = reached * (1 - Tolerance<FT>::succession());
     m_queue.advance(below, [&](Face_id f, const FT& limit)
     {
       const FT last = (std::min)(limit, bound(f));
