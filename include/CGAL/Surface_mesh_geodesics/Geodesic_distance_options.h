@@ -13,6 +13,7 @@
 #include <CGAL/license/Surface_mesh_geodesics.h>
 
 #include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/source_range.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -22,14 +23,6 @@
 
 namespace CGAL {
 namespace Surface_mesh_geodesics {
-
-namespace internal {
-
-// The map that stands for "not asked for".
-struct No_nearest_source_map
-{};
-
-} // namespace internal
 
 /*!
 \ingroup PkgSurfaceMeshGeodesicsClasses

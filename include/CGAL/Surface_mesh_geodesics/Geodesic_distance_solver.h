@@ -16,8 +16,8 @@
 #include <CGAL/Surface_mesh_geodesics/Geodesic_distance_options.h>
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Distance_solver.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/Face_shapes.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Pruning_rules.h>
-#include <CGAL/Surface_mesh_geodesics/internal/interface/intrinsic_mesh_from_face_graph.h>
 
 #include <CGAL/Default.h>
 #include <CGAL/Named_function_parameters.h>

@@ -24,7 +24,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Voronoi_complex.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Voronoi_cut_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/distance_in_space.h>
-#include <CGAL/Surface_mesh_geodesics/internal/interface/intrinsic_mesh_from_face_graph.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/Face_shapes.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/run_with_visitor.h>
 
 #include <CGAL/Default.h>
@@ -45,7 +45,6 @@
 #include <functional>
 #include <iterator>
 #include <limits>
-#include <memory>
 #include <mutex>
 #include <string>
 #include <utility>
@@ -528,13 +527,11 @@ public:
   void remove_all_sites()
   {
     m_sites.clear();
-    m_distance_solver.reset();
     forget_diagram();
   }
 
   /// takes the lengths of the edges from a map instead of from points. They are used until the next call of
-  /// `use_points()`, and read and checked when the mesh is read: by `build()`, and by the first query of a distance in
-  /// a face. Sites are kept. Takes constant time.
+  /// `use_points()`, and read and checked when the mesh is read, by `build()`. Sites are kept. Takes constant time.
   ///
   /// \tparam EdgeLengthMap a model of `ReadablePropertyMap` with the edge descriptor as key type and a number
   ///         type as value type
@@ -649,7 +646,7 @@ public:
   const Surface_mesh_geodesics::Propagation_statistics& statistics() const
   {
     build();
-    return m_solver.statistics();
+    return m_statistics;
   }
 
   /// returns how many windows were kept for the diagram at most at a time, and how many would have been kept without
@@ -750,8 +747,8 @@ public:
     const typename Solver::Query q = m_solver.query(f, weights(location));
     if(!m_solver.needs_windows(q))
       return user_distance(m_solver.arrival(q));
-    const Solver& solver = distance_solver();
-    return user_distance(solver.arrival(solver.query(f, weights(location))));
+    keep_windows();
+    return user_distance(m_solver.arrival(q));
   }
 
   /// does the same.
@@ -1084,7 +1081,6 @@ private:
   Site_index insert(const Site& s)
   {
     m_sites.push_back(s);
-    m_distance_solver.reset();
     forget_diagram();
     return m_sites.size() - 1;
   }
@@ -1110,7 +1106,7 @@ private:
   void forget_mesh()
   {
     m_solver.forget();
-    m_distance_solver.reset();
+    m_statistics = Surface_mesh_geodesics::Propagation_statistics();
     forget_diagram();
   }
 
@@ -1118,7 +1114,7 @@ private:
   // that depends on their size of old.)
   void forget_diagram()
   {
-    m_has_distances = false;
+    m_has_windows = false;
     if(!m_is_built)
       return;
     m_is_built = false;
@@ -1138,8 +1134,7 @@ private:
     return largest;
   }
 
-  // gives the mesh, unless it is known, and the sites to a solver; the largest weight is known. (It is not set here:
-  // other threads may read it while this one prepares the solver for distances.)
+  // Gives the mesh, unless it is known, and the sites to a solver. Requires: the largest weight is set.
   void prepare(Solver& solver) const
   {
     if(!solver.has_mesh())
@@ -1183,6 +1178,7 @@ private:
     }
     removal.finish();
     m_complex.finish(removal.owners());
+    m_statistics = m_solver.statistics();
     m_kept_windows = {removal.windows().maximum_size(), removal.number_of_kept_windows()};
     return true;
   }
@@ -1266,20 +1262,16 @@ private:
     }
   }
 
-  const Solver& distance_solver() const
+  // Makes the solver know the windows: repeats its run on the same mesh with the same sites. Requires: is_built().
+  void keep_windows() const
   {
-    if(!m_has_distances.load(std::memory_order_acquire))
-    {
-      const std::lock_guard<std::mutex> lock(m_mutex);
-      if(!m_has_distances.load(std::memory_order_relaxed))
-      {
-        m_distance_solver.reset(new Solver(m_tm, m_vertex_index_map, m_face_index_map));
-        prepare(*m_distance_solver);
-        m_distance_solver->run(true, [](std::size_t, double) { return true; });
-        m_has_distances.store(true, std::memory_order_release);
-      }
-    }
-    return *m_distance_solver;
+    if(m_has_windows.load(std::memory_order_acquire))
+      return;
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    if(m_has_windows.load(std::memory_order_relaxed))
+      return;
+    m_solver.add_windows([](std::size_t, double) { return true; });
+    m_has_windows.store(true, std::memory_order_release);
   }
 
   const Measures& measures() const
@@ -1404,12 +1396,13 @@ private:
 
   // What is computed on demand, guarded by the mutex.
   mutable std::mutex m_mutex;
-  mutable std::atomic<bool> m_is_built{false}, m_has_measures{false}, m_has_distances{false};
+  mutable std::atomic<bool> m_is_built{false}, m_has_measures{false}, m_has_windows{false};
   mutable Solver m_solver;
   mutable Complex m_complex;
   mutable double m_largest_weight = 0;
   mutable std::pair<std::size_t, std::size_t> m_kept_windows;
-  mutable std::unique_ptr<Solver> m_distance_solver;
+  // Of the propagation for the diagram; that of the solver also counts the one that keeps the windows.
+  mutable Surface_mesh_geodesics::Propagation_statistics m_statistics;
   mutable Measures m_measures;
   mutable std::vector<Vertex> m_vertices;
   mutable std::vector<std::size_t> m_node_of_vertex, m_vertex_of_node;

@@ -14,64 +14,14 @@
 
 #include <CGAL/Surface_mesh_geodesics/Geodesic_distance_solver.h>
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
-#include <CGAL/Surface_mesh_geodesics/internal/interface/Available_tag.h>
-#include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_matrix.h>
-#include <CGAL/Surface_mesh_geodesics/internal/interface/Distance_solver.h>
-#include <CGAL/Surface_mesh_geodesics/internal/interface/intrinsic_mesh_from_face_graph.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/Intrinsic_surface.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/distance_functions.h>
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/tags.h>
-
-#include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_geodesics {
-
-namespace internal {
-
-// reads a mesh and calls use(surface).
-template <typename TriangleMesh, typename NamedParameters, typename Use>
-bool with_surface(const TriangleMesh& tm, const NamedParameters& np, Use use)
-{
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  auto vim = CGAL::get_initialized_vertex_index_map(tm, np);
-  auto fim = CGAL::get_initialized_face_index_map(tm, np);
-  auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
-                              get_const_property_map(CGAL::vertex_point, tm));
-  const Intrinsic_surface<double, TriangleMesh, decltype(vim), decltype(fim)> surface(
-    tm, vim, fim, Shape_from_points<double, TriangleMesh, decltype(vpm)>(tm, vpm));
-  return use(surface);
-}
-
-template <typename ConcurrencyTag, typename Surface, typename Sources, typename Targets, typename RowOutput>
-bool put_distance_matrix(const Surface& surface, const Sources& sources, const Targets& targets, RowOutput& output)
-{
-  const Distance_matrix<double> matrix(surface.mesh(), surface.source_set(sources));
-  return matrix.put_dense_rows(typename Available_tag<ConcurrencyTag>::type(),
-                               surface.checked_ids(targets, "target"), output);
-}
-
-template <typename ConcurrencyTag, typename Surface, typename Vertices, typename RowOutput>
-bool put_symmetric_distance_matrix(const Surface& surface, const Vertices& range, RowOutput& output)
-{
-  Source_set<double> set;
-  set.vertices = surface.checked_ids(range, "source");
-  const Distance_matrix<double> matrix(surface.mesh(), set);
-  return matrix.put_triangular_rows(typename Available_tag<ConcurrencyTag>::type(), output);
-}
-
-template <typename ConcurrencyTag, typename Surface, typename Sources, typename Targets, typename RowOutput>
-bool put_sparse_distance_matrix(const Surface& surface, const Sources& sources, const Targets& targets,
-                                double maximum_distance, RowOutput& output)
-{
-  const Distance_matrix<double> matrix(surface.mesh(), surface.source_set(sources));
-  return matrix.put_sparse_rows(typename Available_tag<ConcurrencyTag>::type(),
-                                surface.checked_ids(targets, "target"), maximum_distance, output);
-}
-
-} // namespace internal
 
 /*!
 \ingroup PkgSurfaceMeshGeodesicsFunctions

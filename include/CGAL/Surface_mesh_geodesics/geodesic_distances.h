@@ -15,91 +15,16 @@
 #include <CGAL/Surface_mesh_geodesics/Geodesic_default_visitor.h>
 #include <CGAL/Surface_mesh_geodesics/Geodesic_distance_options.h>
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
-#include <CGAL/Surface_mesh_geodesics/internal/interface/Distance_solver.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/Face_shapes.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/distance_functions.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Pruning_rules.h>
-#include <CGAL/Surface_mesh_geodesics/internal/interface/intrinsic_mesh_from_face_graph.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/tags.h>
 
-#include <boost/graph/graph_traits.hpp>
-#include <boost/property_map/property_map.hpp>
-
-#include <limits>
-#include <type_traits>
-
 namespace CGAL {
 namespace Surface_mesh_geodesics {
-
-namespace internal {
-
-// Writes the results of a solver to the user's maps.
-template <typename TriangleMesh, typename Solver, typename VertexDistanceMap>
-void write_distances(const TriangleMesh& tm, const Solver& solver, VertexDistanceMap distance_map)
-{
-  using Value = typename boost::property_traits<VertexDistanceMap>::value_type;
-  static_assert(std::numeric_limits<Value>::has_infinity,
-                "the value type of the distance map must be a floating point type");
-  for(const auto v : vertices(tm))
-    put(distance_map, v, static_cast<Value>(solver.distance(v)));
-}
-
-template <typename TriangleMesh, typename Solver, typename NearestSourceMap>
-void write_nearest_sources(const TriangleMesh& tm, const Solver& solver, NearestSourceMap map)
-{
-  for(const auto v : vertices(tm))
-    put(map, v, solver.nearest_source(v));
-}
-
-// Both free functions: `make_shape` tells where the lengths come from.
-template <typename ConcurrencyTag, typename Rules, typename FT, typename TriangleMesh,
-          typename VertexDistanceMap, typename Sources, typename NearestSourceMap, typename MakeShape,
-          typename NamedParameters>
-bool compute_geodesic_distances(
-  const TriangleMesh& tm, VertexDistanceMap vertex_distance_map, const Sources& sources,
-  const Geodesic_distance_options<TriangleMesh, NearestSourceMap>& options, MakeShape make_shape,
-  const NamedParameters& np)
-{
-  using parameters::choose_parameter;
-  using parameters::get_parameter_reference;
-
-  auto vim = CGAL::get_initialized_vertex_index_map(tm, np);
-  auto fim = CGAL::get_initialized_face_index_map(tm, np);
-  Geodesic_default_visitor default_visitor;
-  auto& visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
-
-  check_maximum_distance(options.maximum_distance);
-  check_offsets(options.source_offsets);
-  Distance_solver<ConcurrencyTag, Rules, FT, TriangleMesh, decltype(vim), decltype(fim)> solver(tm, vim, fim,
-                                                                                                 make_shape());
-  if(!solver.run(sources, options, visitor))
-    return false;
-  write_distances(tm, solver, vertex_distance_map);
-  if constexpr(!std::is_same<NearestSourceMap, No_nearest_source_map>::value)
-    write_nearest_sources(tm, solver, options.nearest_source_map);
-  return true;
-}
-
-// `geodesic_distances()` with a choice of rules and of the number type of the computation, for tests.
-template <typename Rules, typename FT = double, typename ConcurrencyTag = Sequential_tag, typename TriangleMesh,
-          typename VertexDistanceMap, typename Sources, typename NearestSourceMap,
-          typename NamedParameters = parameters::Default_named_parameters>
-bool geodesic_distances_with_rules(
-  const TriangleMesh& tm, VertexDistanceMap vertex_distance_map, const Sources& sources,
-  const Geodesic_distance_options<TriangleMesh, NearestSourceMap>& options,
-  const NamedParameters& np = parameters::default_values())
-{
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
-                              get_const_property_map(CGAL::vertex_point, tm));
-  return compute_geodesic_distances<ConcurrencyTag, Rules, FT>(
-    tm, vertex_distance_map, sources, options,
-    [&]() { return Shape_from_points<FT, TriangleMesh, decltype(vpm)>(tm, vpm); }, np);
-}
-
-} // namespace internal
 
 /*!
 \ingroup PkgSurfaceMeshGeodesicsFunctions
@@ -195,8 +120,8 @@ bool geodesic_distances(const TriangleMesh& tm, VertexDistanceMap vertex_distanc
                         const Sources& sources,
                         const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return internal::geodesic_distances_with_rules<internal::All_pruning_rules, double, ConcurrencyTag>(
-    tm, vertex_distance_map, sources, Geodesic_distance_options<TriangleMesh>(), np);
+  return geodesic_distances<ConcurrencyTag>(tm, vertex_distance_map, sources, Geodesic_distance_options<TriangleMesh>(),
+                                            np);
 }
 
 /*!
@@ -234,8 +159,12 @@ bool geodesic_distances(const TriangleMesh& tm, VertexDistanceMap vertex_distanc
                         const Geodesic_distance_options<TriangleMesh, NearestSourceMap>& options,
                         const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return internal::geodesic_distances_with_rules<internal::All_pruning_rules, double, ConcurrencyTag>(
-    tm, vertex_distance_map, sources, options, np);
+  using parameters::choose_parameter;
+  using parameters::get_parameter_reference;
+  Geodesic_default_visitor default_visitor;
+  auto& visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
+  return internal::compute_geodesic_distances<ConcurrencyTag, internal::All_pruning_rules, double>(
+    tm, vertex_distance_map, sources, options, internal::shape_from_points<double>(tm, np), visitor, np);
 }
 
 /*!
@@ -276,14 +205,13 @@ bool geodesic_distances_from_edge_lengths(
   const Sources& sources, const Geodesic_distance_options<TriangleMesh, NearestSourceMap>& options,
   const CGAL_NP_CLASS& np = parameters::default_values())
 {
+  using parameters::choose_parameter;
+  using parameters::get_parameter_reference;
+  Geodesic_default_visitor default_visitor;
+  auto& visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
   return internal::compute_geodesic_distances<ConcurrencyTag, internal::All_pruning_rules, double>(
     tm, vertex_distance_map, sources, options,
-    [&]()
-    {
-      return internal::Shape_from_edge_lengths<double, TriangleMesh, EdgeLengthMap>(tm,
-                                                                                    edge_length_map);
-    },
-    np);
+    internal::Shape_from_edge_lengths<double, TriangleMesh, EdgeLengthMap>(tm, edge_length_map), visitor, np);
 }
 
 /*!

@@ -15,11 +15,8 @@
 #include <CGAL/Surface_mesh_geodesics/Geodesic_default_visitor.h>
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
-#include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_propagation.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/Farthest_vertex_queue.h>
-#include <CGAL/Surface_mesh_geodesics/internal/interface/intrinsic_mesh_from_face_graph.h>
-#include <CGAL/Surface_mesh_geodesics/internal/interface/source_range.h>
-#include <CGAL/Surface_mesh_geodesics/internal/interface/run_with_visitor.h>
+#include <CGAL/Surface_mesh_geodesics/internal/applications/Farthest_point_sampling.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/distance_functions.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -27,7 +24,6 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -58,108 +54,6 @@ struct Geodesic_sampling_options
   /// if not null, what the propagation did is <em>assigned</em> to `*statistics`. The object is not owned.
   Propagation_statistics* statistics = nullptr;
 };
-
-namespace internal {
-
-template <typename TriangleMesh, typename VertexIndexMap, typename FaceIndexMap>
-class Farthest_point_sampling
-{
-  using Graph_traits = boost::graph_traits<TriangleMesh>;
-  using vertex_descriptor = typename Graph_traits::vertex_descriptor;
-  using Field = Vertex_distance_field<double>;
-
-public:
-  Farthest_point_sampling(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim)
-    : m_tm(tm), m_vim(vim), m_fim(fim)
-  {}
-
-  // returns the covering radius.
-  template <typename Shape, typename OutputIterator, typename Visitor>
-  double run(Shape shape, std::size_t n, OutputIterator output, const Geodesic_sampling_options<TriangleMesh>& options,
-             Visitor& visitor)
-  {
-    if(!(options.covering_radius >= 0))
-      throw Invalid_geodesic_input(Invalid_geodesic_input::Reason::INVALID_RADIUS,
-                                   "the covering radius is negative or not a number");
-    Intrinsic_mesh_builder<double, TriangleMesh, VertexIndexMap, FaceIndexMap>(m_tm, m_vim, m_fim)
-      .build(shape, m_mesh, m_table);
-    Distance_propagation<double> propagation(m_mesh, m_field);
-    std::size_t number = options.first_samples.size();
-    bool is_complete = add_first_samples(propagation, options, visitor);
-    Farthest_vertex_queue<double> queue(m_field.distance, ranks(), number_of_candidates());
-    const double unit = m_mesh.unit();
-    double radius = std::numeric_limits<double>::infinity();
-    while(is_complete)
-    {
-      const Vertex_id v = queue.farthest();
-      radius = v == null_id ? 0. : unit * m_field.distance[v];
-      if(number >= n || v == null_id || radius <= options.covering_radius)
-        break;
-      propagation.add_source(v, 0);
-      is_complete = run(propagation, visitor);
-      if(is_complete)
-        *output++ = m_table.vertices[v];
-      ++number;
-    }
-    if(options.statistics != nullptr)
-    {
-      *options.statistics = propagation.statistics();
-      options.statistics->intrinsic_mesh_bytes += m_mesh.memory() + m_table.memory() + m_field.memory();
-    }
-    return radius;
-  }
-
-private:
-  // returns false if the visitor cancels.
-  template <typename Visitor>
-  bool add_first_samples(Distance_propagation<double>& propagation,
-                         const Geodesic_sampling_options<TriangleMesh>& options, Visitor& visitor)
-  {
-    const Element_finder<double, TriangleMesh, VertexIndexMap, FaceIndexMap> finder(m_table, m_vim, m_fim);
-    for(std::size_t i = 0; i < options.first_samples.size(); ++i)
-      propagation.add_source(finder.vertex(options.first_samples[i], "sample", i), 0);
-    return options.first_samples.empty() || run(propagation, visitor);
-  }
-
-  template <typename Visitor>
-  bool run(Distance_propagation<double>& propagation, Visitor& visitor) const
-  {
-    return run_with_visitor(visitor, m_table.vertices.size(), [&](auto go_on)
-    {
-      return propagation.run([&](std::size_t number_of_visits, double distance)
-      { return go_on(number_of_visits, m_mesh.unit() * distance); });
-    });
-  }
-
-  // Of vertices that are equally far the first one of the mesh is taken.
-  const std::vector<Vertex_id>& ranks()
-  {
-    m_rank.resize(m_table.vertices.size());
-    Vertex_id position = 0;
-    for(vertex_descriptor v : vertices(m_tm))
-      m_rank[m_table.vertex_of_index[static_cast<std::size_t>(get(m_vim, v))]] = position++;
-    return m_rank;
-  }
-
-  // Vertices without faces have the last numbers.
-  std::size_t number_of_candidates() const
-  {
-    std::size_t n = m_table.vertices.size();
-    while(n > 0 && m_mesh.halfedge(static_cast<Vertex_id>(n - 1)) == null_id)
-      --n;
-    return n;
-  }
-
-  const TriangleMesh& m_tm;
-  VertexIndexMap m_vim;
-  FaceIndexMap m_fim;
-  Intrinsic_mesh<double> m_mesh;
-  Face_graph_correspondence<TriangleMesh> m_table;
-  Field m_field;
-  std::vector<Vertex_id> m_rank;
-};
-
-} // namespace internal
 
 /*!
 \ingroup PkgSurfaceMeshGeodesicsFunctions
@@ -232,17 +126,13 @@ double geodesic_farthest_point_sampling(const TriangleMesh& tm, std::size_t n, O
                                         const CGAL_NP_CLASS& np = parameters::default_values())
 {
   using parameters::choose_parameter;
-  using parameters::get_parameter;
   using parameters::get_parameter_reference;
   auto vim = CGAL::get_initialized_vertex_index_map(tm, np);
   auto fim = CGAL::get_initialized_face_index_map(tm, np);
-  auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
-                              get_const_property_map(CGAL::vertex_point, tm));
   Geodesic_default_visitor default_visitor;
   auto& visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
   internal::Farthest_point_sampling<TriangleMesh, decltype(vim), decltype(fim)> sampling(tm, vim, fim);
-  return sampling.run(internal::Shape_from_points<double, TriangleMesh, decltype(vpm)>(tm, vpm), n, output,
-                      options, visitor);
+  return sampling.run(internal::shape_from_points<double>(tm, np), n, output, options, visitor);
 }
 
 /*!
