@@ -49,6 +49,7 @@ public:
     return is_new;
   }
 
+  // Returns the point of the last element. Requires: next() has been called.
   const Point_3& point() const { return m_point; }
 
 private:
@@ -100,6 +101,7 @@ private:
   face_descriptor m_face = boost::graph_traits<typename Paths::Triangle_mesh>::null_face();
 };
 
+// Whether a visitor has enter(), and wants the face of each segment.
 template <typename Visitor>
 struct Wants_faces_of_segments : std::false_type
 {};
@@ -122,9 +124,13 @@ public:
 
   Path_sequence_sink(const Structure& structure, Visitor& visitor) : m_structure(structure), m_visitor(visitor) {}
 
+  // The path runs through a vertex.
   void vertex(vertex_descriptor v) { m_visitor(v); }
+
+  // The path crosses an edge, at t from source to target.
   void edge(halfedge_descriptor he, double t) { m_visitor(he, FT(t)); }
 
+  // The path arrives at the next element through face f.
   void face(face_descriptor f)
   {
     static_cast<void>(f);
@@ -136,7 +142,7 @@ public:
   void source(std::size_t number)
   {
     const typename Structure::Face_location& location = *m_structure.sources().by_number(number);
-    std::array<double, 3> b = m_structure.weights(location.second);
+    std::array<double, 3> b = m_structure.weights(location.second); // in the order of the user's corners
     snap_coordinates(b);
     halfedge_descriptor h = halfedge(location.first, m_structure.mesh());
     for(std::size_t k = 0; k < 3; ++k, h = next(h, m_structure.mesh()))
