@@ -452,7 +452,7 @@ MUTANTS = [
      "if(excess <= Tolerance<FT>::gap() * extent)", "if(excess <= Tolerance<FT>::gap())",
      "what is nothing beside the largest component is nothing for all", (CERTIFICATION,)),
     ("lower_bound_one_side", LOWER_BOUND,
-     "      check_pieces(right_side(c), c.target, c.apex);\n", "",
+     "      check_pieces(right_side(c), {c.target, c.apex});\n", "",
      "a bound that is too large on right sides is believed", (CERTIFICATION,)),
     ("function_turning_places", EDGE_FUNCTION,
      "const FT t = (x * other_depth - other_x * depth) / (other_depth - depth);",
