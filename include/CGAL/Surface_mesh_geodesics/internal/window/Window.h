@@ -100,7 +100,7 @@ bool is_valid(const Window<FT>& w, const FT& length)
   const FT infinity = std::numeric_limits<FT>::infinity();
   return 0 <= w.begin && w.begin < w.end && w.end <= length && w.image_depth >= 0 && 0 <= w.root_distance
       && w.root_distance <= w.begin_distance && w.begin_distance < infinity && w.root_distance <= w.end_distance
-      && w.end_distance < infinity && w.key != 0 && w.root != null_id;
+      && w.end_distance < infinity && w.root != null_id;
 }
 
 // Is the image so near to its interval, on an edge of the given length, that rounding of the ends of the interval would
