@@ -9,7 +9,7 @@
 //   removal:    the same, with redundant windows removed; faces in several cells are dropped, not cut, so no arcs;
 //   diagram:    Surface_mesh_geodesic_Voronoi_diagram::build(): removal, and all arcs, vertices and edges;
 //   naive:      one Surface_mesh_shortest_path per site, with queries at all vertices (--naive N: up to N sites).
-// They alternate, and ratios are medians of the ratios of neighbouring runs. Each reads the mesh into the form that the
+// They alternate, and ratios are medians of the ratios of adjacent runs. Each reads the mesh into the form that the
 // package works on; this is a part of the time of all of them. The time is the processor time of the process. What
 // counts as memory: the peak of the resident memory from the start of the construction to the end, minus what was
 // resident before.

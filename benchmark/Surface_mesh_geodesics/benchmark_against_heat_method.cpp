@@ -4,7 +4,7 @@
 // errors of the heat method are measured against.
 //
 // Every measurement is done in a process of its own (this program starts itself again), and the runs of the methods
-// alternate; a ratio is the median of the ratios of neighbouring runs.
+// alternate; a ratio is the median of the ratios of adjacent runs.
 //
 // What is timed:
 //   first:  construction (for the heat method: with its factorisations), one source, the distances of all vertices;

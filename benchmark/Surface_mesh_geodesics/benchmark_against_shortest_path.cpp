@@ -3,7 +3,7 @@
 //
 // Every measurement is done in a process of its own (this program starts itself again), so that the peak of memory
 // belongs to one method and no run profits from memory or caches that another one has warmed up. The runs of the two
-// methods alternate, and the ratio of times is the median of the ratios of neighbouring runs: a machine that becomes
+// methods alternate, and the ratio of times is the median of the ratios of adjacent runs: a machine that becomes
 // slower for a while harms both alike.
 //
 // What is timed:

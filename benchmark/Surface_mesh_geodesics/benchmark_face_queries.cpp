@@ -12,10 +12,10 @@
 //
 // Every measurement is done in a process of its own (this program starts itself again), the alternatives alternate, and
 // medians are printed. Times are processor times. Memory is what is resident above what was resident before the
-// construction, with the mesh and the places of the queries: its peak until all is built, and until the last query.
+// construction, with the mesh and the locations of the queries: its peak until all is built, and until the last query.
 
 #include "benchmark_support.h"
-#include "random_places.h"
+#include "random_locations.h"
 #include "runs_in_process.h"
 
 #include <CGAL/Surface_mesh_geodesics/Geodesic_distance_solver.h>
@@ -205,17 +205,17 @@ int measuring_process(const Settings& settings, const Query_settings& query_sett
   report.faces = mesh.number_of_faces();
   const std::vector<Benchmark_mesh::Face_index> all_faces(mesh.faces().begin(), mesh.faces().end());
   const std::vector<Benchmark_vertex> all_vertices(mesh.vertices().begin(), mesh.vertices().end());
-  Random_places source_places(query_settings.seed), query_places(query_settings.seed + 1);
+  Random_locations source_locations(query_settings.seed), query_locations(query_settings.seed + 1);
   std::vector<Benchmark_vertex> sources;
   for(std::size_t i = 0; i < query_settings.numbers_of_sources.front(); ++i)
   {
-    sources.push_back(source_places.element(all_vertices));
+    sources.push_back(source_locations.element(all_vertices));
   }
   const bool is_backward = settings.method == alternatives[2];
   std::vector<Face_location> queries;
   for(std::size_t i = 0; i < (is_backward ? query_settings.backward_queries : query_settings.queries); ++i)
   {
-    queries.push_back(query_places.inner_location<Face_location>(all_faces));
+    queries.push_back(query_locations.inner_location<Face_location>(all_faces));
   }
   if(is_backward)
   {
@@ -333,7 +333,7 @@ int main(int argc, char* argv[])
               << "  --sources N,N,...     numbers of sources (1,10,50)\n"
               << "  --queries N           queries where windows are kept (20000)\n"
               << "  --backward-queries N  queries where each is a propagation (50)\n"
-              << "  --seed N              of the random places (2026)\n";
+              << "  --seed N              of the random locations (2026)\n";
     print_common_usage();
     return EXIT_FAILURE;
   }

@@ -41,7 +41,7 @@ int main(int argc, char* argv[])
   for(std::size_t i = 0; i < voronoi.number_of_sites(); ++i)
   {
     std::cout << "site " << i << ": area " << voronoi.area(i) << ", " << (voronoi.is_disk(i) ? "a disk" : "no disk")
-              << ", neighbours";
+              << ", neighbors";
     for(std::size_t j : voronoi.adjacent_sites(i))
     {
       std::cout << ' ' << j;
@@ -49,7 +49,7 @@ int main(int argc, char* argv[])
     std::cout << std::endl;
   }
 
-  // The same in files: coloured cells and arcs for MeshLab and ParaView, arcs alone as polylines for Blender.
+  // Write files: colored cells and arcs for MeshLab and ParaView, arcs alone as polylines for Blender.
   const double tolerance = 1e-4 * std::sqrt(voronoi.area(0));
   for(const std::string name : {"voronoi.ply", "voronoi.vtk", "voronoi.obj"})
   {

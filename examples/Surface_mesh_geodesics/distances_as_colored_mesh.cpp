@@ -1,4 +1,4 @@
-// Distances in files: a table, and a mesh with coloured bands for MeshLab, ParaView or Blender.
+// Distances in files: a table, and a mesh with colored bands for MeshLab, ParaView or Blender.
 // Arguments: a mesh, and the number of the source vertex.
 
 #include <CGAL/boost/graph/helpers.h>

@@ -48,7 +48,7 @@ int main(int argc, char* argv[])
     std::cout << samples.size() << " samples: no vertex is farther from them than " << radius << std::endl;
   }
 
-  // Samples, moved to the centres of their cells, are the vertices of a coarse mesh.
+  // Samples, moved to the centers of their cells, are the vertices of a coarse mesh.
   Mesh coarse;
   const Geodesics::Geodesic_dual_report report =
       Geodesics::geodesic_remeshing(mesh, n, coarse, CGAL::parameters::number_of_iterations(10));
