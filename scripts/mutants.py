@@ -52,6 +52,7 @@ EMISSION = "test_emission_sector"
 PIECES = "test_straight_pieces"
 PLANE = "test_planar_geometry"
 ANALYTIC = "test_distances_analytic"
+FLAT = "test_distances_in_the_plane"
 RULES = "test_pruning_rules"
 LANES = "test_numbers_of_lanes"
 NEEDLES = "test_needles_and_caps"
@@ -121,8 +122,8 @@ MUTANTS = [
      "  left.end = pair.left_end;\n  left.end_distance = pair.left_end_distance;\n", "",
      "a window goes on where its right neighbour is nearer", (WINDOWS,)),
     ("pair_swallows_right", LANE_PRUNING,
-     "right_is_redundant = goes_on & left_is_nearer_last & ends_with_right;",
-     "right_is_redundant = goes_on & left_is_nearer_last;",
+     "right_is_redundant = goes_on & at_last.left_is_nearer & ends_with_right;",
+     "right_is_redundant = goes_on & at_last.left_is_nearer;",
      "a window that is trimmed at its beginning is lost as a whole", (WINDOWS,)),
     ("pair_in_lanes_no_margin", LANE_PRUNING,
      "L::all(FT(1 - Tolerance<FT>::distance()))", "L::all(FT(1 + Tolerance<FT>::distance()))",
@@ -131,7 +132,7 @@ MUTANTS = [
      "left_end = L::select(ends_at_first, first,", "left_end = L::select(ends_at_first, last,",
      "a window that should end at the left end of the shared part ends at the right one", (WINDOWS,)),
     ("pair_in_lanes_begins_too_late", LANE_PRUNING,
-     "L::except(goes_on & starts_with_left & left_is_nearer_first,", "L::except(goes_on & left_is_nearer_first,",
+     "L::except(goes_on & starts_with_left & at_first.left_is_nearer,", "L::except(goes_on & at_first.left_is_nearer,",
      "a window begins at the left end of the shared part though it is not inside the other one", (WINDOWS,)),
     ("close_images_trimmed", LANE_PRUNING,
      "(overlap & L::less_equal(depth, L::all(close_depth)))\n"
@@ -163,7 +164,7 @@ MUTANTS = [
      "lists are joined that are out of order", (WINDOWS,)),
     ("last_lane_left_out", LIST_LOOPS,
      "const Mask is_pair = L::first(n - 1 - i);", "const Mask is_pair = L::first(n - i);",
-     "the last window of a list is trimmed by what stands behind it in memory", (LANES, ANALYTIC)),
+     "the last window of a list is trimmed by what stands behind it in memory", (LANES, ANALYTIC, FLAT)),
     ("nearest_takes_last_tie", LIST_LOOPS,
      "const Mask is_better = is_window & L::less(d, distance);",
      "const Mask is_better = is_window & L::less_equal(d, distance);",
@@ -212,7 +213,7 @@ MUTANTS = [
     # --- stars, where windows start, the wavefront ---
     ("first_window_mirrored", FIRST_WINDOW,
      "w.image_x = c.length - c.apex_x;", "w.image_x = c.apex_x;",
-     "the image is at the mirrored place", (ANALYTIC,)),
+     "the image is at the mirrored place", (ANALYTIC, FLAT)),
     ("emission_again_for_rounding", STARS,
      "      && (!may_emit || is_clearly_less(d, distance) ||", "      && (!may_emit || d < distance ||",
      "windows start once more for an improvement by rounding", (WINDOWS,)),
@@ -225,7 +226,7 @@ MUTANTS = [
      "lists are visited too late: distances are said to be final that are not", (OPTIONS,)),
     ("bends_nowhere", WAVEFRONT,
      "      m_emission[v] |= MUST_EMIT;\n      m_queue.push_or_decrease(v, link.distance);\n", "",
-     "no path bends at a saddle", (ANALYTIC,)),
+     "no path bends at a saddle", (ANALYTIC, FLAT)),
     ("unreached_vertices_left", WAVEFRONT,
      "if(reached == m_mesh.number_of_vertices() || reached == m_reached_at_last_start)", "if(reached > 0)",
      "vertices between faces thinner than rounding are not reached", (NEEDLES,)),
@@ -321,7 +322,8 @@ MUTANTS = [
      "if(longest < smallest_component())", "if(longest < 0)",
      "lengths of a component that is too small underflow", (INVALID,)),
     ("diagram_violations_relative_to_the_mesh", DIAGRAM_CERTIFICATE,
-     "{ return m_component[get(m_vertex_index_map, v)]; }", "{ return 0 * m_component[get(m_vertex_index_map, v)]; }",
+     "{ return m_components.component(get(m_vertex_index_map, v)); }",
+     "{ return 0 * m_components.component(get(m_vertex_index_map, v)); }",
      "what is wrong on a small component is not seen beside a large one", (DIAGRAM_CERTIFICATION,)),
     ("depth_zero", TOLERANCE,
      "    return e * e;\n", "    return 0 * e;\n",
@@ -339,7 +341,7 @@ MUTANTS = [
     # --- the mesh, sources ---
     ("split_edge_other_side", SOURCES,
      "= split_side(o, wb, wa, length, v, kept);", "= split_side(o, wa, wb, length, v, kept);",
-     "a source on an edge is at the mirrored place in the face on the other side", (ANALYTIC,)),
+     "a source on an edge is at the mirrored place in the face on the other side", (ANALYTIC, FLAT)),
     ("split_not_undone", SOURCES,
      "    for(; !m_renamed.empty(); m_renamed.pop_back())\n"
      "      rename(m_renamed.back().vertices, m_renamed.back().to, m_renamed.back().from);\n",

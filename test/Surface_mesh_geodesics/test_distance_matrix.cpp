@@ -101,10 +101,9 @@ Rows expected_rows(const Mesh& tm, const Sources& sources, const std::vector<ver
 }
 
 template <class Sources>
-void check_matrix(const Mesh& tm, const Sources& sources, const std::vector<vertex_descriptor>& targets)
+void check_dense_matrix(const Mesh& tm, const Solver& solver, const Sources& sources,
+                        const std::vector<vertex_descriptor>& targets, const Rows& expected)
 {
-  const Rows expected = expected_rows(tm, sources, targets);
-  const Solver solver(tm);
   with_all_tags(
     [&](auto tag)
     {
@@ -131,22 +130,34 @@ void check_matrix(const Mesh& tm, const Sources& sources, const std::vector<vert
                                 output));
     CHECK(collector.rows == expected);
   }
+}
 
-  for(const double radius : {0., .5, 1.5, infinity})
+// The positions and distances within a radius, of the rows of a dense matrix.
+Rows entries_within(const Rows& rows, double radius)
+{
+  Rows entries;
+  for(const std::vector<double>& row : rows)
   {
-    Rows expected_entries;
-    for(const std::vector<double>& row : expected)
+    entries.emplace_back();
+    for(std::size_t j = 0; j < row.size(); ++j)
     {
-      expected_entries.emplace_back();
-      for(std::size_t j = 0; j < row.size(); ++j)
+      if(row[j] <= radius && row[j] < infinity)
       {
-        if(row[j] <= radius && row[j] < infinity)
-        {
-          expected_entries.back().push_back(static_cast<double>(j));
-          expected_entries.back().push_back(row[j]);
-        }
+        entries.back().push_back(static_cast<double>(j));
+        entries.back().push_back(row[j]);
       }
     }
+  }
+  return entries;
+}
+
+template <class Sources>
+void check_sparse_matrix(const Mesh& tm, const Solver& solver, const Sources& sources,
+                         const std::vector<vertex_descriptor>& targets, const Rows& expected)
+{
+  for(const double radius : {0., .5, 1.5, infinity})
+  {
+    const Rows expected_entries = entries_within(expected, radius);
     with_all_tags(
       [&](auto tag)
       {
@@ -163,6 +174,15 @@ void check_matrix(const Mesh& tm, const Sources& sources, const std::vector<vert
         CHECK(from_solver.rows == expected_entries);
       });
   }
+}
+
+template <class Sources>
+void check_matrix(const Mesh& tm, const Sources& sources, const std::vector<vertex_descriptor>& targets)
+{
+  const Rows expected = expected_rows(tm, sources, targets);
+  const Solver solver(tm);
+  check_dense_matrix(tm, solver, sources, targets, expected);
+  check_sparse_matrix(tm, solver, sources, targets, expected);
 }
 
 void check_symmetric_matrix(const Mesh& tm, const std::vector<vertex_descriptor>& range)

@@ -199,6 +199,21 @@ inline vertex_descriptor random_vertex(const Mesh& tm, test_support::Random& ran
   }
 }
 
+// Meshes of many kinds: closed and with borders, rough and smooth, with handles, holes and thin parts.
+inline std::vector<Indexed_mesh> meshes_of_many_kinds(std::uint64_t seed)
+{
+  return {icosphere(2),
+          rough_terrain(10, 2., seed),
+          wavy_tube(20, 24),
+          tetrahedral_ogre(60, seed + 1),
+          square_with_holes(2),
+          spiral_corridor(),
+          midpoint_subdivision(genus_2_polycube()),
+          random_cuts(noisy_sphere(2, .1, seed + 2), .15, seed + 3),
+          two_components_and_an_isolated_vertex(),
+          irregular_tetrahedron()};
+}
+
 } // namespace test_meshes
 
 #endif // SURFACE_MESH_GEODESICS_DISTANCE_TEST_HELPERS_H
