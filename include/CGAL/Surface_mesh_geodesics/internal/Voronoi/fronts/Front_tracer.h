@@ -226,8 +226,8 @@ private:
     return m_first.event();
   }
 
-  // Tries which images take over. The images next to the current two come first: windows are in the order of their
-  // intervals, so that a neighbor is likely to end the piece, and what is behind that end need not be looked at.
+  // Tries which images take over. The images next to the current two come first: windows come nearly in the order
+  // of their intervals, so that a neighbor is likely to end the piece; what is behind that end is not looked at.
   void try_images(const Front& f)
   {
     const std::size_t n = m_images.number();
