@@ -1,5 +1,5 @@
-// The last straight piece of the path to each vertex, followed across the faces as its arrival tells: on meshes without
-// needles it leads to the vertex where it begins, with the right length, at the first attempt.
+// Follows the last straight piece of the path to each vertex across the faces, as the arrival describes it. On meshes
+// without needles it leads to its root, with the right length, at the first attempt.
 
 #include "intrinsic_mesh_helpers.h"
 #include "test_meshes.h"
