@@ -256,12 +256,12 @@ void check_crossed_pair(const Window& left, const Window& right, Pair_outcome ou
   const Exact at_left = exact_distance(left, left.begin + h * left_slope, -h),
               at_right = exact_distance(right, right.end + h * right_slope, -h);
   if(outcome == Pair_outcome::LEFT_IS_REDUNDANT)
-    CHECK(!is_less_by(at_left, at_right, 26));
+    CHECK(!is_less_by(at_left, at_right, 13));
   if(outcome == Pair_outcome::RIGHT_IS_REDUNDANT)
-    CHECK(!is_less_by(at_right, at_left, 26));
-  if(is_less_by(at_left, at_right, 26))
+    CHECK(!is_less_by(at_right, at_left, 13));
+  if(is_less_by(at_left, at_right, 13))
     CHECK(outcome == Pair_outcome::RIGHT_IS_REDUNDANT);
-  if(is_less_by(at_right, at_left, 26))
+  if(is_less_by(at_right, at_left, 13))
     CHECK(outcome == Pair_outcome::LEFT_IS_REDUNDANT);
   ++number_checked;
 }

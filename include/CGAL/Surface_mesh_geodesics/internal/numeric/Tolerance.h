@@ -106,8 +106,8 @@ struct Tolerance
   // The error of images. The stored image is not the exact one: it is unfolded face by face. To first order, crossing a
   // face adds, with r the distance from the image to the farthest corner of the face:
   // - 9 u r for the arithmetic of the child (lanes/window_splitting.h);
-  // - 16 u r for the direction of the new edge, as the apex of a face errs by 6 unit_roundoff() of its sides on the
-  //   shortest side (planar_geometry.h), and by two more on the others;
+  // - 16 u r for the direction of the new edge: in the frame of its shortest side, the apex of a face errs by less than
+  //   7 unit_roundoff() of either side that ends there (planar_geometry.h), and by less than 8 in the other frames;
   // - 16 u L for the position of the apex, where L is the longest side met so far.
   // Rotations do not amplify earlier errors, and needles do not either, because apexes err relative to the nearest side.
   // As r <= d + L, where d is the distance from the image along the window, an image that has crossed n faces errs by

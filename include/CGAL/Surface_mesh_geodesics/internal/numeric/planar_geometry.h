@@ -53,8 +53,8 @@ struct Planar_triangle
 // Error bound, to first order in u = unit_roundoff() / 2, for exact sides. x - y and c - b are exact (Sterbenz's lemma:
 // no side is longer than the sum of the others, and a is the shortest). The four factors err by 3, 2, 2 and 3 u, their
 // product by 13 u, its root by 7.5 u, and apex_y by 10.5 u of itself: less than 6 unit_roundoff(). The summand of a in
-// apex_x errs by 3 u of b + c <= 3 c at most, and apex_x by 5.5 u of c: less than 3 unit_roundoff() of either side at the
-// apex. So the directions of all sides are accurate in needles, too.
+// apex_x errs by 3 u of b + c at most, and apex_x by 5.5 u of c or 6.5 u of b: less than 3 and 4 unit_roundoff(). So the
+// directions of all sides are accurate in needles, too.
 // Laws: a power of two scales the result exactly.
 template <typename FT>
 Planar_triangle<FT> planar_triangle_from_lengths(const FT& a, const FT& b, const FT& c)
