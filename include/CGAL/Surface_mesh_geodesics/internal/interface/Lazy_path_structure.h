@@ -339,7 +339,8 @@ private:
         m_solver.add_source_location(std::make_pair(s.location.first, weights(s.location.second)));
   }
 
-  // An object that never had sources is ready without results. Requires: is_ready(Extent::AT_VERTICES).
+  // An object that never had sources is ready without results.
+  // Requires: is_ready(Extent::AT_VERTICES).
   bool has_results() const { return m_solver.has_run(); }
 
   // --- queries ---

@@ -57,8 +57,8 @@ struct Surface_locations
 
   // --- coordinates ---
 
-  // Returns the coordinates as numbers, rounded to double. Law: weights(coordinates(b)) == b if FT holds doubles
-  // exactly.
+  // Returns the coordinates as numbers, rounded to double.
+  // Law: weights(coordinates(b)) == b if FT holds doubles exactly.
   static Coordinates weights(const Barycentric_coordinates& location, const Traits& traits)
   {
     auto weight = traits.construct_barycentric_coordinates_weight_object();
@@ -80,7 +80,8 @@ struct Surface_locations
 
   // --- points ---
 
-  // Returns the point of a face, constructed by the traits. Requires: f is a triangle.
+  // Returns the point of a face, constructed by the traits.
+  // Requires: f is a triangle.
   static Point_3 point(face_descriptor f, const Barycentric_coordinates& location, const Triangle_mesh& tm,
                        VertexPointMap vertex_point_map, const Traits& traits)
   {

@@ -49,7 +49,8 @@ public:
     return is_new;
   }
 
-  // Returns the point of the last element. Requires: next() has been called.
+  // Returns the point of the last element.
+  // Requires: next() has been called.
   const Point_3& point() const { return m_point; }
 
 private:

@@ -53,7 +53,8 @@ public:
 
   // Appends the path from v; the caller has appended v itself. The length of the path is the distance of v up to
   // `tolerance`, and up to twice that for the rounding of the sum. Returns false, and appends nothing, if no such path
-  // is found or the search gives up. Requires: v is reached.
+  // is found or the search gives up.
+  // Requires: v is reached.
   bool from_vertex(Vertex_id v, const FT& tolerance, Steps& path)
   {
     CGAL_assertion(m_field.distance[v] < Field::infinity());
@@ -80,8 +81,9 @@ private:
   using Index = std::uint32_t;
 
   // The lines from the image (image_x, -image_depth) of a stop to the points from `begin` to `end` of an edge, in the
-  // frame of `halfedge`, which belongs to the face behind the edge. Invariants of cones that add() takes: begin < end,
-  // image_depth >= 0. Rounding may move begin and end out of [0, length] by some units of the length.
+  // frame of `halfedge`, which belongs to the face behind the edge.
+  // Invariants of cones that add() takes: begin < end, image_depth >= 0. Rounding may move begin and end out of [0,
+  // length] by some units of the length.
   struct Cone
   {
     Halfedge_id halfedge;
@@ -201,7 +203,8 @@ private:
   // Returns a lower bound of the length of paths from the image through a cone to the source: the distance from the
   // image to the nearest point of the cone, and the smallest distance that a point of the cone can have. The latter
   // follows from the distances a and b of the ends, as the distance is 1-Lipschitz along the edge: at abscissa x it is
-  // at least a - x and b - (length - x). Error: four units of the sum; the caller adds its tolerance.
+  // at least a - x and b - (length - x).
+  // Error: four units of the sum; the caller adds its tolerance.
   FT least_rest(const Cone& cone) const
   {
     const FT length = m_mesh.length(cone.halfedge);

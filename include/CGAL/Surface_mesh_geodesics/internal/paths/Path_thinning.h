@@ -62,8 +62,8 @@ public:
     m_has_last = m_last_is_first = true;
   }
 
-  // Takes the next step. A step on an edge that is not part of an edge of the first mesh is passed over; its gap and face count for
-  // the next step.
+  // Takes the next step. A step on an edge that is not part of an edge of the first mesh is passed over; its gap and
+  // face count for the next step.
   void add(const Path_step<FT>& step)
   {
     CGAL_expensive_assertion(step.gap >= 0);

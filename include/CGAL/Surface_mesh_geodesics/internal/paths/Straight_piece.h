@@ -111,8 +111,8 @@ public:
   {}
 
   // Follows a piece. Returns the vertex at which it ends, which is the root or another vertex of the path; null_id if
-  // the line goes astray, and then the steps that were appended are of no use. Call it once. Complexity: linear in the
-  // number of faces crossed, of which there are at most mesh.most_faces_crossed() + 1.
+  // the line goes astray, and then the steps that were appended are of no use. Call it once.
+  // Complexity: linear in the number of faces crossed, of which there are at most mesh.most_faces_crossed() + 1.
   Vertex_id trace(const Piece_start<FT>& start)
   {
     CGAL_assertion(start.halfedge != null_id && start.root != null_id);
@@ -142,8 +142,8 @@ public:
 
 private:
   // Where the line is: at the point `abscissa` of `halfedge`, about to leave the face of the halfedge across it. The
-  // image of the pseudo-source is at (image_x, image_y) in the frame of the halfedge. Invariant: image_y <= 0. After
-  // turn(), in the frame of the opposite halfedge, image_y >= 0.
+  // image of the pseudo-source is at (image_x, image_y) in the frame of the halfedge.
+  // Invariant: image_y <= 0. After turn(), in the frame of the opposite halfedge, image_y >= 0.
   struct State
   {
     Halfedge_id halfedge;

@@ -44,7 +44,8 @@ struct Location_arrival
 };
 
 // Returns the point with the barycentric coordinates b in the frame of halfedge k of its face.
-// Formula: b_k A + b_next B + b_apex C with A = (0,0), B = (length,0). Requires: b >= 0; then y >= 0.
+// Formula: b_k A + b_next B + b_apex C with A = (0,0), B = (length,0).
+// Requires: b >= 0; then y >= 0.
 // Error: three units of the longest side, beyond that of the apex.
 template <typename FT>
 std::array<FT, 2> point_in_frame(const Face_frame<FT>& c, const std::array<FT, 3>& b, unsigned int k)
@@ -58,8 +59,9 @@ std::array<FT, 2> point_in_frame(const Face_frame<FT>& c, const std::array<FT, 3
 // `root_distance` is the distance of the root of w.
 //
 // The straight line crosses the edge at (image_x y + x depth) / (y + depth); on the line of the edge itself, where that
-// is 0/0, at x. Error of the distance: the root distance and the norm round once each, and a sum once or twice, so
-// three units beyond the errors of the image and of the point. No bound is known for the image after many faces.
+// is 0/0, at x.
+// Error of the distance: the root distance and the norm round once each, and a sum once or twice, so three units beyond
+// the errors of the image and of the point. No bound is known for the image after many faces.
 // Requires: y >= 0.
 template <typename FT>
 void improve_arrival(Location_arrival<FT>& arrival, const Kept_window<FT>& w, const FT& root_distance,
@@ -83,9 +85,10 @@ void improve_arrival(Location_arrival<FT>& arrival, const Kept_window<FT>& w, co
 
 // Returns the arrival at the point of face f with the barycentric coordinates b: the minimum over the three corners and
 // the windows kept on the three edges. Ties go to the candidate that comes first: edges in the order of their index,
-// the corner at the source of an edge before its windows, windows in the order in which they were kept. Requires:
-// `windows` holds those of the propagation that has filled `field`; b >= 0. Complexity: linear in the number of windows
-// kept on the three edges. Law: at corner k the distance is at most that of the vertex.
+// the corner at the source of an edge before its windows, windows of later lists before those of earlier ones.
+// Requires: `windows` holds those of the propagation that has filled `field`; b >= 0.
+// Complexity: linear in the number of windows kept on the three edges.
+// Law: at corner k the distance is at most that of the vertex.
 template <typename FT>
 Location_arrival<FT> arrival_at_location(const Intrinsic_mesh<FT>& mesh,
                                          const Vertex_distance_field<FT>& field,

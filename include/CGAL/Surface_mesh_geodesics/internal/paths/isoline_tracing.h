@@ -71,8 +71,9 @@ public:
 
   // Calls line(points, is_closed) for each line of points at the distance `value`, first for those that end at the
   // border. A line has at least two points, no vertex twice in a row, and points that follow each other share a face.
-  // There is no line for a value that is negative, infinite or not a number. Complexity: linear in the number of faces,
-  // plus for each crossing a number of distance queries that is logarithmic in the resolution.
+  // There is no line for a value that is negative, infinite or not a number.
+  // Complexity: linear in the number of faces, plus for each crossing a number of distance queries that is logarithmic
+  // in the resolution.
   template <typename Line>
   void trace(const FT& value, Line line)
   {
@@ -234,7 +235,8 @@ private:
     return b;
   }
 
-  // Makes two points neighbors on a line. Requires: each has at most one neighbor so far.
+  // Makes two points neighbors on a line.
+  // Requires: each has at most one neighbor so far.
   void join(Point_index a, Point_index b)
   {
     m_neighbors[a][m_neighbors[a][0] == null_id ? 0 : 1] = b;

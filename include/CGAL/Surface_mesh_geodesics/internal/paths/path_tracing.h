@@ -46,10 +46,11 @@ public:
   Path_tracer(const Mesh& mesh, const Field& field) : m_mesh(mesh), m_field(field) {}
 
   // Appends the path from v to its source, both included. Returns false if no path of the right length has been found;
-  // `path` is of no use then. Requires: v is reached, `path` is empty, the field has images. If it returns true: points
-  // that follow each other share a face, the last one is a source, and the sum of the gaps plus the offset of the
-  // source is the distance of v, up to Tolerance::path() of the distance for each piece. Complexity: linear in the
-  // number of faces crossed, unless the search is needed.
+  // `path` is of no use then.
+  // Requires: v is reached, `path` is empty, the field has images. If it returns true: points that follow each other
+  // share a face, the last one is a source, and the sum of the gaps plus the offset of the source is the distance of v,
+  // up to Tolerance::path() of the distance for each piece.
+  // Complexity: linear in the number of faces crossed, unless the search is needed.
   bool trace_from_vertex(Vertex_id v, Steps& path) const
   {
     CGAL_assertion(m_field.distance[v] < Field::infinity() && path.empty() && m_field.keeps_images);
@@ -67,8 +68,8 @@ public:
     return is_found;
   }
 
-  // The same from the point of face f with the barycentric coordinates b, which is not appended. Requires: `arrival` is
-  // that of the point, its root is not null_id.
+  // The same from the point of face f with the barycentric coordinates b, which is not appended.
+  // Requires: `arrival` is that of the point, its root is not null_id.
   bool trace_from_location(Face_id f, const std::array<FT, 3>& b, const Location_arrival<FT>& arrival,
                            Steps& path) const
   {
@@ -135,7 +136,8 @@ private:
     return false;
   }
 
-  // Returns the last piece of the path to v, as the propagation has recorded it. Requires: v is reached, and no source.
+  // Returns the last piece of the path to v, as the propagation has recorded it.
+  // Requires: v is reached, and no source.
   Piece_start<FT> piece_to(Vertex_id v) const
   {
     CGAL_assertion(m_field.arrival[v].halfedge != null_id);
@@ -147,8 +149,9 @@ private:
   }
 
   // Appends a piece and returns the vertex where it ends; null_id, and nothing appended, if no attempt gives the right
-  // length. The tolerances of the first attempt are relative to the lengths on the way of the line. But the distance and
-  // the image may come from farther away, so those of the second one are relative to the longest length of the mesh, 1.
+  // length. The tolerances of the first attempt are relative to the lengths on the way of the line. But the distance
+  // and the image may come from farther away, so those of the second one are relative to the longest length of the
+  // mesh, 1.
   Vertex_id trace_piece(const Piece_start<FT>& start, Steps& path) const
   {
     const std::size_t size = path.size();
