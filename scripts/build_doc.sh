@@ -46,6 +46,12 @@ for example in examples/Surface_mesh_geodesics/*.cpp; do
   fi
 done
 
+# Files of the code that the manual names exist.
+rooms='numeric|surface|window|propagation|paths|Voronoi|certificate|interface|applications'
+grep -ohE "\`($rooms)/[A-Za-z0-9_/]+\.h\`" doc/Surface_mesh_geodesics/*.txt | tr -d '`' | sort -u | while read -r file; do
+  [ -f "include/CGAL/Surface_mesh_geodesics/internal/$file" ] || echo "the manual names $file, which does not exist" >> "$log"
+done
+
 if [ -s "$log" ]; then
   cat "$log" >&2
   echo "$(wc -l < "$log") lines of warnings" >&2

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Lays the package out in an empty tree of CGAL and checks the result: it holds every header, an example compiles with
-# nothing but folders of the tree and the CGAL that is installed, CMake finds a program for each example, test and
-# benchmark, nothing speaks of what CGAL does not have, and the literature has an entry for each citation.
+# Lays the package out in an empty tree of CGAL and checks the result: it holds every header; an example compiles with
+# nothing but folders of the tree and the installed CGAL; CMake finds a program for each example, test and benchmark, and
+# the program for the command line; no file mentions what CGAL does not have; each citation has an entry.
 # usage: check_cgal_tree.sh WORK_FOLDER [options of cmake]     The variable CXX is the compiler.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -19,23 +19,23 @@ fail()
   exit 1
 }
 
-# Twice, as somebody does who has a newer version.
+# Twice: the second call replaces the first one.
 options=(--owner "A & B | C (Utopia)" --since 9.9)
 bash "$root/scripts/lay_out_in_cgal.sh" "$tree" > "$work/first.txt"
 bash "$root/scripts/lay_out_in_cgal.sh" "${options[@]}" "$tree" > "$work/second.txt"
-diff <(grep -v '^Not told: ' "$work/first.txt") "$work/second.txt"
-[ "$(grep -c '^Not told: ' "$work/first.txt")" = 2 ] || fail "it is not said what has not been told"
+diff <(grep -v '^Missing: ' "$work/first.txt") "$work/second.txt"
+[ "$(grep -c '^Missing: ' "$work/first.txt")" = 2 ] || fail "the script does not name the missing options"
 [ "$(grep -c "^$package " "$tree/Installation/include/CGAL/license/gpl_package_list.txt")" = 1 ] \
-  || fail "the list of licences has not one line for the package"
+  || fail "the list of licenses does not have exactly one line for the package"
 
-# A clone of this repository, which has the name of the package as well, is not replaced.
+# A clone of this repository is not replaced, although it has the name of the package.
 clone=$work/above/$package
 mkdir -p "$clone/.git" "$clone/package_info/$package"
 status=0
 bash "$root/scripts/lay_out_in_cgal.sh" "$work/above" > /dev/null 2> "$work/refused.txt" || status=$?
 [ "$status" = 2 ] && [ -d "$clone/.git" ] || fail "a clone of the repository has been replaced"
 
-# All headers are there, and say whose they are.
+# All headers are there, and are marked as a part of CGAL.
 headers_below() { (cd "$1" && find . -name '*.h' | LC_ALL=C sort); }
 diff <(headers_below "$root/include") \
   <(cat <(headers_below "$tree/$package/include") <(headers_below "$tree/Installation/include") | LC_ALL=C sort)
@@ -43,18 +43,18 @@ mark='This file is part of CGAL (www.cgal.org).'
 grep -rL --include='*.h' "$mark" "$tree/$package/include" "$tree/Installation" > "$work/unmarked.txt" || true
 [ ! -s "$work/unmarked.txt" ] || fail "not marked as a part of CGAL: $(cat "$work/unmarked.txt")"
 
-# They have the owner that was told, and no other one.
+# They name the given owner, and no other one.
 owner='^// Copyright (c) [0-9-]*  A & B | C (Utopia)\.$'
 grep -rL --include='*.h' "$owner" "$tree/$package/include" "$tree/Installation" > "$work/others.txt" || true
 [ ! -s "$work/others.txt" ] || fail "another owner: $(cat "$work/others.txt")"
 grep -qxF 'A & B | C (Utopia)' "$tree/$package/package_info/$package/copyright" || fail "package_info: another owner"
 grep -qxF '\cgalPkgSince{9.9}' "$tree/$package/doc/$package/PackageDescription.txt" || fail "another first version"
 
-# Nothing speaks of what is in this repository only: its scripts, its build folder, the program for the command line.
+# No file mentions what only this repository has: its scripts, its build folder, its folder of the program.
 ours='(^|[^[:alnum:]_/])scripts/|run_(tests|main_job)|build_doc|check_determinism|demo/|not in CGAL'
 ours+='|Surface_mesh_geodesics_(TESTS|EXAMPLES|program)'
 grep -rnE "$ours" "$tree/$package" --include='*.txt' --include='*.h' --include='*.cpp' > "$work/ours.txt" || true
-[ ! -s "$work/ours.txt" ] || fail "what CGAL does not have: $(cat "$work/ours.txt")"
+[ ! -s "$work/ours.txt" ] || fail "mentions of what CGAL does not have: $(cat "$work/ours.txt")"
 unexpected=$(cd "$tree/$package/test/$package" && find . -mindepth 1 -maxdepth 1 -type d ! -name data ! -name include)
 [ -z "$unexpected" ] || fail "folders of tests that CGAL does not build: $unexpected"
 
@@ -81,7 +81,7 @@ example=$tree/$package/examples/$package
 (cd "$example" && "$work/several_sources") > "$work/several_sources.txt"
 grep -q '^source 0 is the nearest one of [1-9]' "$work/several_sources.txt" || fail "the example prints something else"
 
-# A program for each source file.
+# CMake finds a program for each source file, and the program for the command line.
 for part in examples test benchmark; do
   folder=$tree/$package/$part/$package
   cmake -S "$folder" -B "$work/$part" -DCMAKE_BUILD_TYPE=Release "$@" > "$work/$part.log" 2>&1 \
@@ -93,6 +93,12 @@ for part in examples test benchmark; do
       || fail "$part: no program of $name.cpp"
   done
 done
+
+folder=$tree/$package/demo/$package
+cmake -S "$folder" -B "$work/demo" -DCMAKE_BUILD_TYPE=Release "$@" > "$work/demo.log" 2>&1 || fail "$(cat "$work/demo.log")"
+cmake --build "$work/demo" --target help > "$work/demo.targets"
+grep -qw surface_mesh_geodesics_program "$work/demo.targets" || grep -q "NOTICE: Boost" "$work/demo.log" \
+  || fail "demo: no program"
 
 # Citations and literature.
 diff \

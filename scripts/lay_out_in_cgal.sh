@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# Lays the package out in a source tree of CGAL, as that keeps its packages: include/CGAL/..., test, examples,
-# benchmark, doc and package_info in TREE/Surface_mesh_geodesics. What has to change on the way is changed here, so that
-# nothing is renamed or edited by hand; what CGAL has no place for, such as the program for the command line, is left
-# out. The tree may be a clone of CGAL or an empty folder; what an earlier call has laid out is replaced.
+# Lays the package out in a source tree of CGAL, in the way CGAL keeps its packages: include/CGAL/..., test, examples,
+# demo, benchmark, doc and package_info in TREE/Surface_mesh_geodesics. The script makes all necessary changes, so that
+# nobody renames or edits files by hand, and leaves out what CGAL has no place for. The tree may be a clone of CGAL or an
+# empty folder; a second call replaces what the first one has laid out.
 # usage: lay_out_in_cgal.sh [--owner "NAME (COUNTRY)"] [--since VERSION] TREE
 #        lay_out_in_cgal.sh --list    prints the files of the package, relative to the tree
-#   --owner    who holds the copyright, in the form of CGAL's headers; they and package_info/ get it
-#   --since    the version of CGAL that will be the first one with the package; the package description gets it
+#   --owner    the owner of the copyright, in the form of CGAL's headers; goes into them and into package_info/
+#   --since    the first version of CGAL with the package; goes into the package description
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 package=Surface_mesh_geodesics
@@ -31,13 +31,13 @@ if [ "$*" = --help ]; then
   usage
   exit
 fi
-# A name that begins with a dash is a mistake: an option without its value, or one that there is not.
+# A name that begins with a dash is a mistake: an unknown option, or one without its value.
 if [ $# -ne 1 ] || [ -z "$1" ] || [[ "$1" = -* && "$1" != --list ]]; then
   usage >&2
   exit 2
 fi
 
-# The list is that of an empty tree.
+# Lists what the script makes in an empty tree.
 if [ "$1" = --list ]; then
   work=$(mktemp -d)
   trap 'rm -rf "$work"' EXIT
@@ -53,11 +53,11 @@ if [ "$tree" = "$(cd "$root" && pwd -P)" ]; then
   echo "The tree must not be the folder of the package itself." >&2
   exit 2
 fi
-# What is replaced has been laid out by this script: no clone of this repository, as there is in the folder above it if
-# it has the name of the package, and nothing else that somebody keeps under this name.
+# The script replaces only what it has laid out itself: never a clone of this repository that has the name of the package,
+# or anything else under this name.
 if [ -e "$target" ] && [ -n "$(ls -A "$target")" ] \
   && { [ -e "$target/.git" ] || [ -e "$target/README.md" ] || [ ! -d "$target/package_info/$package" ]; }; then
-  echo "$target is there already, and nothing that this script has laid out: it is left as it is." >&2
+  echo "$target exists, but this script has not laid it out: nothing is changed." >&2
   exit 2
 fi
 rm -rf "$target"
@@ -66,19 +66,19 @@ mkdir -p "$target"
 # --- copies ----------------------------------------------------------------------------------------------------------
 
 cd "$root"
-# copy FOLDER: with all that is below it, less what Python leaves behind
+# copy FOLDER: copies the folder with everything in it
 copy()
 {
   mkdir -p "$target/$(dirname "$1")"
   cp -R "$1" "$target/$(dirname "$1")/"
 }
 copy include/CGAL
-for part in test examples benchmark doc package_info; do
+for part in test examples demo benchmark doc package_info; do
   copy "$part/$package"
 done
 find "$target" -name __pycache__ -type d -prune -exec rm -r {} +
 
-# CGAL keeps the headers that ask for licences together, and makes them itself of a list.
+# CGAL keeps the headers that ask for licenses together, and generates them from a list.
 installation=$tree/Installation/include/CGAL/license
 mkdir -p "$installation"
 mv "$target/include/CGAL/license/$package.h" "$installation/"
@@ -88,8 +88,8 @@ if ! grep -qs "^$package " "$list"; then
   echo "$package $title" >> "$list"
 fi
 
-# What tests this repository only: the installed package, the program for the command line, the same bits from several
-# compilers, CGAL's own examples, runs of minutes.
+# These tests are about this repository only: the installed package, the program for the command line, the same bits from
+# several compilers, CGAL's own examples, runs of minutes.
 for part in consumer program determinism run_cgal_examples.sh; do
   rm -r "$target/test/${package:?}/$part"
 done
@@ -128,7 +128,7 @@ fi
 
 # --- building in CGAL's way ------------------------------------------------------------------------------------------
 
-# cmake_lists NAME FOLDER: one program for each source file; those that want TBB or Eigen get it
+# cmake_lists NAME FOLDER: one program for each source file, linked with TBB or Eigen where it uses them
 cmake_lists()
 {
   local name=$1 folder=$2 source
@@ -168,17 +168,37 @@ cmake_lists Examples "$target/examples/$package"
 cmake_lists Tests "$target/test/$package"
 cmake_lists Benchmark "$target/benchmark/$package"
 
+# The program for the command line keeps its own lines, which expect the targets of this repository.
+version=$(sed -nE 's/^ *VERSION ([0-9.]+)$/\1/p' "$root/CMakeLists.txt" | head -n 1)
+{
+  cat << END
+cmake_minimum_required(VERSION 3.19...3.31)
+project(${package}_Demo VERSION $version)
+
+find_package(CGAL REQUIRED)
+add_library(CGAL::$package INTERFACE IMPORTED)
+target_link_libraries(CGAL::$package INTERFACE CGAL::CGAL)
+target_compile_features(CGAL::$package INTERFACE cxx_std_17)
+
+find_package(TBB QUIET)
+include(CGAL_TBB_support)
+find_package(Eigen3 3.1.0 QUIET)
+
+END
+  cat "$root/demo/$package/CMakeLists.txt"
+} > "$target/demo/$package/CMakeLists.txt"
+
 # --- what is left ----------------------------------------------------------------------------------------------------
 
 echo "The package is in $target"
-[ -n "$owner" ] || echo "Not told: the owner of the copyright with a country (--owner)"
-[ -n "$since" ] || echo "Not told: the version of CGAL in \\cgalPkgSince (--since)"
+[ -n "$owner" ] || echo "Missing: the owner of the copyright with a country (--owner)"
+[ -n "$since" ] || echo "Missing: the version of CGAL in \\cgalPkgSince (--since)"
 echo "Left to do in CGAL's own files, as doc/submission/specification.md says:"
 echo "  Documentation/doc/Documentation/packages.txt: \\package_listing{$package}"
 echo "  Documentation/doc/biblio/cgal_manual.bib: the entries of Documentation/doc/biblio/$package.bib"
 echo "  Installation/CHANGES.md: the entry of the package"
 
-# No two files of CGAL may have the same name, in whatever case. (The files of licences are made, and apart.)
+# No two files of CGAL may have the same name, regardless of case. (The license headers are generated, and kept apart.)
 names_below()
 {
   find "$1" -path '*/.git' -prune -o -name '*.h' ! -path '*/license/*' -printf '%f\n' | tr '[:upper:]' '[:lower:]' \

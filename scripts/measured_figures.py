@@ -93,25 +93,30 @@ def mesh_name(row):
 
 
 # --- tables ----------------------------------------------------------------------------------------------------------
-# A column is a title and a function that makes a cell of a row of the CSV file.
+# A column is a pair of a title and a function that makes a cell from a row, or a text "title: key", possibly followed by
+# a blank and .1 or .2 (digits behind the point), ~ (rounded), $ (text), ± (median and range).
 
 
-def column(title, key, form=plain, **options):
-    return title, lambda row: form(row[key], **options)
+def spread(row, key):
+    if row[key] == "":
+        return ""
+    digits = 1 if float(row[key]) < 1000 else 0
+    middle, low, high = (f"{float(row[key + end]):,.{digits}f}" for end in ("", "_min", "_max"))
+    return f"{middle} ({low}–{high})"
 
 
-def spread(title, key):
-    """A median with the least and the greatest value."""
-    def cell(row):
-        if row[key] == "":
-            return ""
-        digits = 1 if float(row[key]) < 1000 else 0
-        middle, low, high = (f"{float(row[key + end]):,.{digits}f}" for end in ("", "_min", "_max"))
-        return f"{middle} ({low}–{high})"
-    return title, cell
+FORMS = {"": lambda row, key: plain(row[key]), ".1": lambda row, key: plain(row[key], 1),
+         ".2": lambda row, key: plain(row[key], 2), "~": lambda row, key: rounded(row[key]),
+         "$": lambda row, key: row[key], "±": spread}
 
 
-MESH, FACES = ("mesh", mesh_name), column("faces", "faces")
+def column(text):
+    title, key = text.rsplit(": ", 1)
+    key, _, form = key.partition(" ")
+    return title, lambda row: FORMS[form](row, key)
+
+
+MESH, FACES = ("mesh", mesh_name), "faces: faces"
 MICROSECONDS = "\\f$ \\mu \\f$s"
 
 
@@ -123,6 +128,7 @@ def markdown(titles, rows, words=1):
 
 def table(name, *columns, words=1, skip=lambda row: False, **wanted):
     """The function of the results that makes the table with these columns of one file."""
+    columns = [column(c) if isinstance(c, str) else c for c in columns]
     return lambda results: markdown(
         [title for title, _ in columns],
         [[cell(row) for _, cell in columns] for row in results.rows(name, **wanted) if not skip(row)], words)
@@ -147,67 +153,55 @@ PATH_QUANTITIES = {
 WAYS = {"always": "always", "backward": "never", "lazily": "when asked for"}
 VARIANT = ("variant", lambda row: {"direct": "direct", "intrinsic": "Delaunay"}[row["variant"]])
 TABLES = {
-    "standard_meshes": table("standard_meshes", MESH, FACES, spread("original, ms", "original_ms"),
-        spread("ours, ms", "ours_ms"), column("time ratio", "time_ratio", digits=1),
-        column("original, added MB", "original_added_mb", digits=1),
-        column("ours, added MB", "ours_added_mb", digits=2), column("memory ratio", "memory_ratio", digits=1)),
+    "standard_meshes": table("standard_meshes", MESH, FACES, "original, ms: original_ms ±", "ours, ms: ours_ms ±",
+        "time ratio: time_ratio .1", "original, added MB: original_added_mb .1", "ours, added MB: ours_added_mb .2",
+        "memory ratio: memory_ratio .1"),
     "paths_on_bunny": paths_on_bunny,
     "paths_on_other_meshes": table("paths",
         ("mesh, faces, sources", lambda row: f"{mesh_name(row)}, {plain(row['faces'], 0)}, {row['sources']}"),
-        *(column(title.rsplit(",", 1)[0], "ratio_" + key, rounded) for key, title in PATH_QUANTITIES.items()
+        *(f"{title.rsplit(',', 1)[0]}: ratio_{key} ~" for key, title in PATH_QUANTITIES.items()
           if key != "vertex_query_us"),
         skip=lambda row: mesh_name(row) == "bunny00"),
-    "face_queries": table("face_queries", column("sources", "sources", str),
-        ("windows are kept", lambda row: WAYS[row["alternative"]]), column("build, ms", "build_ms"),
-        column("first query, ms", "first_query_ms", rounded),
+    "face_queries": table("face_queries", "sources: sources $",
+        ("windows are kept", lambda row: WAYS[row["alternative"]]), "build, ms: build_ms",
+        "first query, ms: first_query_ms ~",
         (f"next queries, {MICROSECONDS}", lambda row: plain(row["query_us"], 1 if float(row["query_us"]) < 100 else 0)),
-        column("memory built, MB", "memory_built_mb", digits=1),
-        column("memory at the end, MB", "memory_end_mb", digits=1), column("1 query, ms", "total_1_ms"),
-        column("100 queries, ms", "total_100_ms"), column("100,000 queries, ms", "total_100000_ms"), words=2),
-    "Voronoi_diagram": table("Voronoi_diagram", MESH, FACES, column("sites", "sites"),
-        column("distances, ms", "distances_ms"), column("windows all kept, ms", "all_kept_ms"),
-        column("removal, ms", "removal_ms"), column("diagram, ms", "diagram_ms"),
-        column("diagram / distances", "diagram_over_distances", digits=1), column("windows kept", "windows_kept"),
-        column("at once", "windows_at_once"), column("ratio", "ratio_of_windows", digits=1),
-        column("all kept, MB", "all_kept_mb"), column("diagram, MB", "diagram_mb"), column("arcs", "arcs"),
-        column("vertices", "vertices"), naive_ms=""),
-    "heat_method_times": table("heat_method", MESH, FACES, VARIANT,
-        column("first source: heat, ms", "heat_first_ms", rounded), column("exact, ms", "exact_first_ms", rounded),
-        column("heat / exact", "ratio_first", rounded), column("next source: heat, ms", "heat_next_ms", rounded),
-        column("exact, ms", "exact_next_ms", rounded), column("heat / exact", "ratio_next", rounded),
-        column("heat, added MB", "heat_added_mb", rounded), column("exact, added MB", "exact_added_mb", rounded)),
-    "heat_method_errors": table("heat_method", MESH, FACES, VARIANT,
-        column("mean error, %", "mean_error_percent", rounded),
-        column("largest error, %", "largest_error_percent", rounded),
-        column("largest error, % of the largest distance", "largest_error_of_extent_percent", rounded)),
-    "all_meshes": table("all_meshes", MESH, FACES, column("original, ms", "original_ms", rounded),
-        column("ours, ms", "ours_ms", rounded), column("time ratio", "time_ratio", digits=1),
-        column("memory ratio", "memory_ratio", digits=1),
+        "memory built, MB: memory_built_mb .1", "memory at the end, MB: memory_end_mb .1", "1 query, ms: total_1_ms",
+        "100 queries, ms: total_100_ms", "100,000 queries, ms: total_100000_ms", words=2),
+    "Voronoi_diagram": table("Voronoi_diagram", MESH, FACES, "sites: sites", "distances, ms: distances_ms",
+        "windows all kept, ms: all_kept_ms", "removal, ms: removal_ms", "diagram, ms: diagram_ms",
+        "diagram / distances: diagram_over_distances .1", "windows kept: windows_kept", "at once: windows_at_once",
+        "ratio: ratio_of_windows .1", "all kept, MB: all_kept_mb", "diagram, MB: diagram_mb", "arcs: arcs",
+        "vertices: vertices", naive_ms=""),
+    "heat_method_times": table("heat_method", MESH, FACES, VARIANT, "first source: heat, ms: heat_first_ms ~",
+        "exact, ms: exact_first_ms ~", "heat / exact: ratio_first ~", "next source: heat, ms: heat_next_ms ~",
+        "exact, ms: exact_next_ms ~", "heat / exact: ratio_next ~", "heat, added MB: heat_added_mb ~",
+        "exact, added MB: exact_added_mb ~"),
+    "heat_method_errors": table("heat_method", MESH, FACES, VARIANT, "mean error, %: mean_error_percent ~",
+        "largest error, %: largest_error_percent ~",
+        "largest error, % of the largest distance: largest_error_of_extent_percent ~"),
+    "all_meshes": table("all_meshes", MESH, FACES, "original, ms: original_ms ~", "ours, ms: ours_ms ~",
+        "time ratio: time_ratio .1", "memory ratio: memory_ratio .1",
         ("windows per face", lambda row: plain(float(row["windows_propagated"]) / float(row["faces"]), 1)),
-        column("ns per window", "ns_per_window")),
-    "growth": table("growth", MESH, FACES, column("reading, ms", "read_ms", rounded),
-        column("run without reading, ms", "run_ms", rounded),
+        "ns per window: ns_per_window"),
+    "growth": table("growth", MESH, FACES, "reading, ms: read_ms ~", "run without reading, ms: run_ms ~",
         ("part of reading, %", lambda row: plain(100 * float(row["read_share"]), 0)),
-        column("windows per face", "windows_per_face", digits=1), column("ns per window", "ns_per_window", digits=1),
-        column("mesh, bytes per face", "mesh_bytes_per_face"), column("windows at once, MB", "window_mb", rounded)),
-    "anisotropy": table("anisotropy", ("stretched", lambda row: row["stretch"] + " times"), FACES,
-        spread("run, ms", "run_ms"), column("windows", "windows"),
-        ("windows per list", lambda row: plain(float(row["windows"]) / float(row["lists"]), 1)),
-        column("ns per window", "ns_per_window", digits=1)),
-    "sources": table("sources", column("sources", "sources", str), column("run, ms", "run_ms", rounded),
-        column("windows", "windows"), column("ns per window", "ns_per_window")),
+        "windows per face: windows_per_face .1", "ns per window: ns_per_window .1",
+        "mesh, bytes per face: mesh_bytes_per_face", "windows at once, MB: window_mb ~"),
+    "anisotropy": table("anisotropy", ("stretched", lambda row: row["stretch"] + " times"), FACES, "run, ms: run_ms ±",
+        "windows: windows", ("windows per list", lambda row: plain(float(row["windows"]) / float(row["lists"]), 1)),
+        "ns per window: ns_per_window .1"),
+    "sources": table("sources", "sources: sources $", "run, ms: run_ms ~", "windows: windows",
+        "ns per window: ns_per_window"),
     "reach": table("reach", ("mesh, faces", lambda row: f"{row['mesh'].rsplit('.', 1)[0]}, {plain(row['faces'], 0)}"),
-        column("end of the run", "end", str), column("part of the largest distance", "part_of_largest_distance", str),
-        column("run, ms", "run_ms", rounded), column("vertices reached", "vertices_reached"),
-        column("windows", "windows"), column(f"{MICROSECONDS} per vertex", "us_per_vertex", rounded), words=2),
-    "rules": table("rules", MESH, column("rules", "rules", str), spread("run, ms", "run_ms"),
-        column("windows propagated", "windows_propagated"), column("windows per face", "windows_per_face", digits=1),
-        column("windows at once", "windows_alive"), words=2),
-    "threads": table("threads", MESH, FACES, column("threads", "threads", str), spread("run, ms", "run_ms"),
-        column("speedup", "speedup", rounded)),
-    "matrix": table("matrix", column("matrix", "matrix", str), column("rows", "rows", str),
-        column("threads", "threads", str), column("ms per row", "ms_per_row", rounded),
-        column("speedup", "speedup", rounded)),
+        "end of the run: end $", "part of the largest distance: part_of_largest_distance $", "run, ms: run_ms ~",
+        "vertices reached: vertices_reached", "windows: windows", f"{MICROSECONDS} per vertex: us_per_vertex ~",
+        words=2),
+    "rules": table("rules", MESH, "rules: rules $", "run, ms: run_ms ±", "windows propagated: windows_propagated",
+        "windows per face: windows_per_face .1", "windows at once: windows_alive", words=2),
+    "threads": table("threads", MESH, FACES, "threads: threads $", "run, ms: run_ms ±", "speedup: speedup ~"),
+    "matrix": table("matrix", "matrix: matrix $", "rows: rows $", "threads: threads $", "ms per row: ms_per_row ~",
+        "speedup: speedup ~"),
 }
 
 

@@ -33,7 +33,6 @@ REMOVAL = INTERNAL + "Voronoi/Redundant_window_removal.h"
 RADIX_HEAP = INTERNAL + "numeric/Radix_heap.h"
 SINGLE_PRECISION = INTERNAL + "numeric/single_precision.h"
 BISECTOR = INTERNAL + "numeric/Weighted_bisector.h"
-EDGE_PARTITION = INTERNAL + "Voronoi/Edge_partition.h"
 FACE_PARTITION = INTERNAL + "Voronoi/Face_partition.h"
 COMPLEX = INTERNAL + "Voronoi/Voronoi_complex.h"
 PATH_THINNING = INTERNAL + "paths/Path_thinning.h"
@@ -43,7 +42,8 @@ MEASURES = INTERNAL + "Voronoi/Voronoi_cell_measures.h"
 FACE_CUT = INTERNAL + "Voronoi/Voronoi_face_cut.h"
 CHECKS = INTERNAL + "certificate/Distance_checks.h"
 VIOLATION = INTERNAL + "certificate/Worst_violation.h"
-FROM_GRAPH = INTERNAL + "interface/intrinsic_mesh_from_face_graph.h"
+READER = INTERNAL + "interface/Face_graph_reader.h"
+BUILDER = INTERNAL + "surface/Intrinsic_mesh_builder.h"
 LOWER_BOUND = INTERNAL + "certificate/Lower_bound_check.h"
 EDGE_FUNCTION = INTERNAL + "certificate/Edge_distance_function.h"
 
@@ -52,6 +52,7 @@ EMISSION = "test_emission_sector"
 PIECES = "test_straight_pieces"
 PLANE = "test_planar_geometry"
 ANALYTIC = "test_distances_analytic"
+FLAT = "test_distances_in_the_plane"
 RULES = "test_pruning_rules"
 LANES = "test_numbers_of_lanes"
 NEEDLES = "test_needles_and_caps"
@@ -121,8 +122,8 @@ MUTANTS = [
      "  left.end = pair.left_end;\n  left.end_distance = pair.left_end_distance;\n", "",
      "a window goes on where its right neighbour is nearer", (WINDOWS,)),
     ("pair_swallows_right", LANE_PRUNING,
-     "right_is_redundant = goes_on & left_is_nearer_last & ends_with_right;",
-     "right_is_redundant = goes_on & left_is_nearer_last;",
+     "right_is_redundant = goes_on & at_last.left_is_nearer & ends_with_right;",
+     "right_is_redundant = goes_on & at_last.left_is_nearer;",
      "a window that is trimmed at its beginning is lost as a whole", (WINDOWS,)),
     ("pair_in_lanes_no_margin", LANE_PRUNING,
      "L::all(FT(1 - Tolerance<FT>::distance()))", "L::all(FT(1 + Tolerance<FT>::distance()))",
@@ -131,7 +132,7 @@ MUTANTS = [
      "left_end = L::select(ends_at_first, first,", "left_end = L::select(ends_at_first, last,",
      "a window that should end at the left end of the shared part ends at the right one", (WINDOWS,)),
     ("pair_in_lanes_begins_too_late", LANE_PRUNING,
-     "L::except(goes_on & starts_with_left & left_is_nearer_first,", "L::except(goes_on & left_is_nearer_first,",
+     "L::except(goes_on & starts_with_left & at_first.left_is_nearer,", "L::except(goes_on & at_first.left_is_nearer,",
      "a window begins at the left end of the shared part though it is not inside the other one", (WINDOWS,)),
     ("close_images_trimmed", LANE_PRUNING,
      "(overlap & L::less_equal(depth, L::all(close_depth)))\n"
@@ -163,7 +164,7 @@ MUTANTS = [
      "lists are joined that are out of order", (WINDOWS,)),
     ("last_lane_left_out", LIST_LOOPS,
      "const Mask is_pair = L::first(n - 1 - i);", "const Mask is_pair = L::first(n - i);",
-     "the last window of a list is trimmed by what stands behind it in memory", (LANES, ANALYTIC)),
+     "the last window of a list is trimmed by what stands behind it in memory", (LANES, ANALYTIC, FLAT)),
     ("nearest_takes_last_tie", LIST_LOOPS,
      "const Mask is_better = is_window & L::less(d, distance);",
      "const Mask is_better = is_window & L::less_equal(d, distance);",
@@ -205,14 +206,14 @@ MUTANTS = [
      "if(w.root_distance > m_distance[w.root] || w.number_of_faces_crossed() > m_mesh.most_faces_crossed()\n       || (Rules",
      "if(w.root_distance > m_distance[w.root] || (Rules",
      "paths around faces without area never end", (WINDOWS,)),
-    ("lengths_cross_faces_once", FROM_GRAPH,
+    ("lengths_cross_faces_once", READER,
      "    if(!Shape::has_points)\n      mesh.bound_faces_crossed_by_lengths();\n", "",
      "paths between lengths that cross a face more than once are lost", (ANALYTIC,)),
 
     # --- stars, where windows start, the wavefront ---
     ("first_window_mirrored", FIRST_WINDOW,
      "w.image_x = c.length - c.apex_x;", "w.image_x = c.apex_x;",
-     "the image is at the mirrored place", (ANALYTIC,)),
+     "the image is at the mirrored place", (ANALYTIC, FLAT)),
     ("emission_again_for_rounding", STARS,
      "      && (!may_emit || is_clearly_less(d, distance) ||", "      && (!may_emit || d < distance ||",
      "windows start once more for an improvement by rounding", (WINDOWS,)),
@@ -225,7 +226,7 @@ MUTANTS = [
      "lists are visited too late: distances are said to be final that are not", (OPTIONS,)),
     ("bends_nowhere", WAVEFRONT,
      "      m_emission[v] |= MUST_EMIT;\n      m_queue.push_or_decrease(v, link.distance);\n", "",
-     "no path bends at a saddle", (ANALYTIC,)),
+     "no path bends at a saddle", (ANALYTIC, FLAT)),
     ("unreached_vertices_left", WAVEFRONT,
      "if(reached == m_mesh.number_of_vertices() || reached == m_reached_at_last_start)", "if(reached > 0)",
      "vertices between faces thinner than rounding are not reached", (NEEDLES,)),
@@ -313,15 +314,16 @@ MUTANTS = [
     ("crossing_tolerance_wide", TOLERANCE,
      "static FT isoline() { return 4096 * unit_roundoff(); }",
      "static FT isoline() { return 4096e6 * unit_roundoff(); }",
-     "isolines are beside their places", (ISOLINE_TEST,)),
-    ("place_of_a_path_relative_to_the_mesh", PATH_THINNING,
-     "m_place(Tolerance<FT>::gap() * extent)", "m_place(Tolerance<FT>::gap())",
+     "isolines are beside their points", (ISOLINE_TEST,)),
+    ("merge_distance_of_a_path_relative_to_the_mesh", PATH_THINNING,
+     "m_merge_distance(Tolerance<FT>::gap() * extent)", "m_merge_distance(Tolerance<FT>::gap())",
      "all points of a path on a small component are one", (SMALL,)),
-    ("small_components_accepted", FROM_GRAPH,
+    ("small_components_accepted", BUILDER,
      "if(longest < smallest_component())", "if(longest < 0)",
      "lengths of a component that is too small underflow", (INVALID,)),
     ("diagram_violations_relative_to_the_mesh", DIAGRAM_CERTIFICATE,
-     "{ return m_component[get(m_vertex_index_map, v)]; }", "{ return 0 * m_component[get(m_vertex_index_map, v)]; }",
+     "{ return m_components.component(get(m_vertex_index_map, v)); }",
+     "{ return 0 * m_components.component(get(m_vertex_index_map, v)); }",
      "what is wrong on a small component is not seen beside a large one", (DIAGRAM_CERTIFICATION,)),
     ("depth_zero", TOLERANCE,
      "    return e * e;\n", "    return 0 * e;\n",
@@ -339,7 +341,7 @@ MUTANTS = [
     # --- the mesh, sources ---
     ("split_edge_other_side", SOURCES,
      "= split_side(o, wb, wa, length, v, kept);", "= split_side(o, wa, wb, length, v, kept);",
-     "a source on an edge is at the mirrored place in the face on the other side", (ANALYTIC,)),
+     "a source on an edge is at the mirrored place in the face on the other side", (ANALYTIC, FLAT)),
     ("split_not_undone", SOURCES,
      "    for(; !m_renamed.empty(); m_renamed.pop_back())\n"
      "      rename(m_renamed.back().vertices, m_renamed.back().to, m_renamed.back().from);\n",
@@ -412,13 +414,13 @@ MUTANTS = [
      "return FT((at_first + at_last + length) / 2);", "return (std::max)(at_first, at_last);",
      "a face is said to be done when its corners are", (RANDOM_DIAGRAMS, CUT, HOSTILE_DIAGRAMS)),
     ("curve_drawn_on_to_its_end", FACE_PARTITION,
-     "    if(is_taken_over_before(f, p))\n      lead_back(f, p);\n", "",
+     "    if(completion().is_taken_over_before(f, p))\n      completion().lead_back(f, p);\n", "",
      "a curve that ends near its end goes on with paths that are not the shortest ones", (RANDOM_DIAGRAMS,)),
     ("bisector_turned", BISECTOR,
      "    if(m_tx * ny - m_ty * nx < 0)\n", "    if(m_tx * ny - m_ty * nx > 0)\n",
      "curves run backwards", (CUT,)),
-    ("edge_takes_over_by_rounding", EDGE_PARTITION,
-     "return a < b * (1 - 4 * Tolerance<FT>::distance()); }", "return a <= b; }",
+    ("edge_takes_over_by_rounding", BISECTOR,
+     "return a < b * (1 - Tolerance<FT>::nearer());", "return a <= b;",
      "on an edge two sources that tie take turns", (SYMMETRIC, BY_HAND, RANDOM_DIAGRAMS)),
     ("nodes_on_edge_not_reversed", COMPLEX,
      "result.is_reversed = o != null_id && o < h;\n    const Index_range* const nodes = m_edge_nodes",

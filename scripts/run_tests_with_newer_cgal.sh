@@ -1,19 +1,18 @@
 #!/usr/bin/env bash
-# Builds everything and runs the tests with the CGAL of a newer Debian, which is unpacked and not installed. Boost, GMP
-# and MPFR stay those of this system. Everything it writes is below build/.
-# The first argument is the name of the Debian release (trixie if there is none); the others go to ctest. The variable
-# JOBS sets the number of jobs at once.
+# Builds everything and runs the quick check with the CGAL of a newer Debian, which is unpacked and not installed. Boost,
+# GMP and MPFR stay those of this system. Everything is written below build/.
+# usage: run_tests_with_newer_cgal.sh [RELEASE [arguments of ctest]]
+# RELEASE is the name of a Debian release (default: trixie). `trixie -C full` runs the long check. JOBS is the number of
+# jobs at once.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 release=${1:-trixie}
 [ $# -eq 0 ] || shift
 work=$root/build/cgal_of_$release
-jobs=${JOBS:-$(nproc)}
+source "$root/scripts/build_and_test.sh"
+install_needs_of_tests
 
-"$root/scripts/install_needs.sh" g++ cmake make libcgal-dev libcgal-demo libboost-program-options-dev \
-  libeigen3-dev libjs-three libtbb-dev python3
-
-# apt-get with lists of its own: the system's are not touched
+# apt-get gets lists of its own; those of the system stay as they are.
 apt=$work/apt
 mkdir -p "$apt/lists/partial" "$apt/cache/archives/partial"
 site=$(apt-get indextargets --format '$(SITE)' 'Created-By: Packages' | head -n 1)
@@ -26,11 +25,7 @@ rm -rf "$work/package" "$apt"/libcgal-dev_*.deb
 dpkg -x "$apt"/libcgal-dev_*.deb "$work/package"
 
 config=$(find "$work/package" -name CGALConfig.cmake)
-cmake -S "$root" -B "$work/build" -DCMAKE_BUILD_TYPE=Release -DCGAL_DIR="$(dirname "$config")" \
-  -DSurface_mesh_geodesics_WARNINGS_AS_ERRORS=ON -DSurface_mesh_geodesics_EXAMPLES=ON \
-  -DSurface_mesh_geodesics_TESTS=ON -DSurface_mesh_geodesics_BENCHMARK=ON \
-  -DSurface_mesh_geodesics_PROGRAM=ON
 grep -h 'define CGAL_VERSION ' "$work/package/usr/include/CGAL/version.h"
+configure "$work/build" "-O1;-UNDEBUG" -DCGAL_DIR="$(dirname "$config")"
 cmake --build "$work/build" --parallel "$jobs"
-cd "$work/build"
-ctest --output-on-failure --no-tests=error --parallel "$jobs" "$@"
+run_ctest "$work/build" "$@"

@@ -49,7 +49,11 @@ void print_row(const Settings& settings, const std::string& file, Benchmark_mesh
     statistics = Geodesics::Propagation_statistics();
     Geodesics::Geodesic_distance_options<Benchmark_mesh> options;
     options.statistics = &statistics;
-    Geodesics::internal::geodesic_distances_with_rules<Rules>(mesh, map, *mesh.vertices().begin(), options);
+    const auto np = CGAL::parameters::default_values();
+    Geodesics::Geodesic_default_visitor visitor;
+    Geodesics::internal::compute_geodesic_distances<CGAL::Sequential_tag, Rules, double>(
+      mesh, map, *mesh.vertices().begin(), options, Geodesics::internal::shape_from_points<double>(mesh, np), visitor,
+      np);
   });
   std::vector<double> distances;
   for(const Benchmark_vertex v : mesh.vertices())

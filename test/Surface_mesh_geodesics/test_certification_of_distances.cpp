@@ -9,7 +9,7 @@
 
 #include <CGAL/Surface_mesh_geodesics/certify_geodesic_distances.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_distances.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/component_extents.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Component_extents.h>
 
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/graph_traits_Polyhedron_3.h>
@@ -480,8 +480,8 @@ struct Witness
     const auto fim = get(boost::face_index, tm);
     const auto vpm = get(CGAL::vertex_point, tm);
     SMGI::Shape_from_points<double, Mesh, std::decay_t<decltype(vpm)>> shape(tm, vpm);
-    SMGI::Intrinsic_mesh_builder<double, Mesh, std::decay_t<decltype(vim)>, std::decay_t<decltype(fim)>>(tm, vim, fim)
-      .build(shape, mesh, table);
+    SMGI::Face_graph_reader<double, Mesh, std::decay_t<decltype(vim)>, std::decay_t<decltype(fim)>>(tm, vim, fim)
+      .read(shape, mesh, table);
     windows.reset(mesh.number_of_faces());
     field.keeps_images = true;
     SMGI::Distance_propagation<double, SMGI::All_pruning_rules, Keeper_without> propagation(
@@ -491,7 +491,7 @@ struct Witness
       propagation.add_source(v, 0.);
     }
     propagation.run([](std::size_t, double) { return true; });
-    extents = SMGI::component_extents(mesh);
+    extents = SMGI::extents_of_components(mesh);
   }
 
   SMGI::Vertex_id id(std::size_t v) const { return table.vertex_of_index[v]; }

@@ -1,5 +1,5 @@
-// Laws that distances obey on every mesh, and independence of everything that must not
-// matter: numbering, scale, order of the sources, type of the mesh.
+// Laws that distances obey on every mesh, and independence of numbering, scale, order of the sources and type of the
+// mesh.
 
 #include "distance_test_helpers.h"
 #include "test_meshes.h"
@@ -94,7 +94,7 @@ void distances_are_1_Lipschitz_along_edges(const Mesh& tm, test_support::Random&
   }
 }
 
-// Vertices strictly farther from the straight line than the surface are impossible.
+// No distance on the surface is shorter than the straight line.
 void distances_are_at_least_Euclidean(const Mesh& tm, test_support::Random& random)
 {
   for(std::size_t i = 0; i < 3; ++i)
@@ -189,8 +189,8 @@ void scaling_by_a_power_of_two_is_exact(const Indexed_mesh& indexed, test_suppor
 
 void translation_costs_only_rounding(const Indexed_mesh& indexed, test_support::Random& random)
 {
-  // Far away the coordinates themselves lose digits; the comparison is with the mesh
-  // that has these digits already lost, and with the original to what is left.
+  // Far away the coordinates themselves lose digits. Compares exactly with the mesh that has lost these digits, and
+  // with the original up to the digits that remain.
   const Coordinates shift{1e6, -1e6, 1e6};
   const Indexed_mesh moved =
     transformed(indexed, "moved", [&](const Coordinates& p) { return p + shift; });
@@ -313,7 +313,7 @@ void the_type_of_the_mesh_does_not_matter(const Indexed_mesh& indexed, test_supp
     using Linear_cell_complex = CGAL::Linear_cell_complex_for_bgl_combinatorial_map_helper<
       2, 3, CGAL::Linear_cell_complex_traits<3, Kernel>>::type;
     other_type_gives_the_same<Polyhedron>(indexed, expected, std::size_t(s), "Polyhedron_3");
-    // The ids are not initialized here, nothing may rely on them.
+    // The ids are not initialized here, and nothing may rely on them.
     other_type_gives_the_same<Polyhedron_with_ids>(indexed, expected, std::size_t(s), "Polyhedron_3 with ids");
     other_type_gives_the_same<Linear_cell_complex>(indexed, expected, std::size_t(s), "Linear_cell_complex");
     other_type_gives_the_same<CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>>(
@@ -350,7 +350,7 @@ void removed_elements_are_not_there(test_support::Random& random)
         continue;
       }
       CGAL::Euler::remove_center_vertex(halfedge(v, tm), tm);
-      // the hole that is left is a polygon; take it away
+      // The remaining hole is a polygon; removes it.
       face_descriptor hole = boost::graph_traits<Mesh>::null_face();
       for(const face_descriptor f : faces(tm))
       {
@@ -392,82 +392,94 @@ void removed_elements_are_not_there(test_support::Random& random)
   }
 }
 
+std::vector<std::size_t> shuffled_numbers(std::size_t n, test_support::Random& random)
+{
+  std::vector<std::size_t> numbers(n);
+  for(std::size_t i = 0; i < n; ++i)
+  {
+    numbers[i] = i;
+  }
+  random.shuffle(numbers);
+  return numbers;
+}
+
+// A map that numbers the elements of a range in a random order.
+template <class Index, class Range>
+Mesh::Property_map<Index, std::size_t> shuffled_index_map(Mesh& tm, const Range& range, std::size_t n,
+                                                          const std::string& name, test_support::Random& random)
+{
+  auto map = tm.add_property_map<Index, std::size_t>(name, 0).first;
+  const std::vector<std::size_t> numbers = shuffled_numbers(n, random);
+  std::size_t i = 0;
+  for(const Index element : range)
+  {
+    map[element] = numbers[i++];
+  }
+  return map;
+}
+
+void index_maps_change_no_distance(Mesh tm, const std::vector<vertex_descriptor>& sources, test_support::Random& random)
+{
+  const std::vector<double> expected = distances(tm, sources);
+  const auto vertex_indices
+    = shuffled_index_map<Mesh::Vertex_index>(tm, vertices(tm), num_vertices(tm), "v:test_index", random);
+  const auto face_indices
+    = shuffled_index_map<Mesh::Face_index>(tm, faces(tm), num_faces(tm), "f:test_index", random);
+  const auto halfedge_indices
+    = shuffled_index_map<Mesh::Halfedge_index>(tm, halfedges(tm), num_halfedges(tm), "h:test_index", random);
+  CHECK_FIELDS_CLOSE(distances_with_parameters(tm, sources, CGAL::parameters::vertex_index_map(vertex_indices)),
+                     expected, tolerance);
+  CHECK_FIELDS_CLOSE(distances_with_parameters(tm, sources, CGAL::parameters::face_index_map(face_indices)),
+                     expected, tolerance);
+  CHECK_FIELDS_CLOSE(
+    distances_with_parameters(tm, sources, CGAL::parameters::halfedge_index_map(halfedge_indices)), expected,
+    tolerance);
+  CHECK_FIELDS_CLOSE(distances_with_parameters(tm, sources,
+                                               CGAL::parameters::vertex_index_map(vertex_indices)
+                                                 .face_index_map(face_indices)
+                                                 .halfedge_index_map(halfedge_indices)
+                                                 .geom_traits(Kernel())),
+                     expected, tolerance);
+  CHECK_FIELDS_CLOSE(distances_with_parameters(tm, sources,
+                                               CGAL::parameters::halfedge_index_map(halfedge_indices)
+                                                 .vertex_index_map(vertex_indices)
+                                                 .face_index_map(face_indices)),
+                     expected, tolerance);
+}
+
+void a_point_map_replaces_the_points(const Indexed_mesh& indexed, Mesh tm,
+                                     const std::vector<vertex_descriptor>& sources)
+{
+  auto points = tm.add_property_map<Mesh::Vertex_index, Kernel::Point_3>("v:test_point").first;
+  for(const auto v : vertices(tm))
+  {
+    points[v] = Kernel::Point_3(3. * tm.point(v).x(), tm.point(v).y(), tm.point(v).z());
+  }
+  const Mesh stretched = to_face_graph(transformed(
+    indexed, "stretched", [](const Coordinates& p) { return Coordinates{3. * p[0], p[1], p[2]}; }));
+  CHECK_FIELDS_CLOSE(distances_with_parameters(tm, sources, CGAL::parameters::vertex_point_map(points)),
+                     distances(stretched, sources), tolerance);
+}
+
+void any_writable_map_takes_the_distances(const Mesh& tm, const std::vector<vertex_descriptor>& sources)
+{
+  std::map<vertex_descriptor, double> store;
+  boost::associative_property_map<std::map<vertex_descriptor, double>> store_map(store);
+  CHECK(SMG::geodesic_distances(tm, store_map, sources));
+  CHECK_EQUAL(store.size(), num_vertices(tm));
+  CHECK_FIELDS_CLOSE(values_at_vertices(tm, store_map), distances(tm, sources), 0.);
+}
+
 void named_parameters_are_used(test_support::Random& random)
 {
   test_support::Scope scope("named parameters");
   for(const Indexed_mesh& indexed : {icosphere(2), rough_terrain(8, 2., 4)})
   {
-    Mesh tm = to_face_graph(indexed);
+    const Mesh tm = to_face_graph(indexed);
     const std::vector<vertex_descriptor> sources{random_vertex(tm, random), random_vertex(tm, random)};
-    const std::vector<double> expected = distances(tm, sources);
-
-    // index maps that number the elements in another order
-    auto shuffled = [&](std::size_t n) {
-      std::vector<std::size_t> numbers(n);
-      for(std::size_t i = 0; i < n; ++i)
-      {
-        numbers[i] = i;
-      }
-      random.shuffle(numbers);
-      return numbers;
-    };
-    auto vertex_indices = tm.add_property_map<Mesh::Vertex_index, std::size_t>("v:test_index", 0).first;
-    auto face_indices = tm.add_property_map<Mesh::Face_index, std::size_t>("f:test_index", 0).first;
-    auto halfedge_indices = tm.add_property_map<Mesh::Halfedge_index, std::size_t>("h:test_index", 0).first;
-    std::size_t i = 0;
-    std::vector<std::size_t> numbers = shuffled(num_vertices(tm));
-    for(const auto v : vertices(tm))
-    {
-      vertex_indices[v] = numbers[i++];
-    }
-    i = 0;
-    numbers = shuffled(num_faces(tm));
-    for(const auto f : faces(tm))
-    {
-      face_indices[f] = numbers[i++];
-    }
-    i = 0;
-    numbers = shuffled(num_halfedges(tm));
-    for(const auto h : halfedges(tm))
-    {
-      halfedge_indices[h] = numbers[i++];
-    }
-    CHECK_FIELDS_CLOSE(distances_with_parameters(tm, sources, CGAL::parameters::vertex_index_map(vertex_indices)),
-                       expected, tolerance);
-    CHECK_FIELDS_CLOSE(distances_with_parameters(tm, sources, CGAL::parameters::face_index_map(face_indices)),
-                       expected, tolerance);
-    CHECK_FIELDS_CLOSE(
-      distances_with_parameters(tm, sources, CGAL::parameters::halfedge_index_map(halfedge_indices)), expected,
-      tolerance);
-    CHECK_FIELDS_CLOSE(distances_with_parameters(tm, sources,
-                                                 CGAL::parameters::vertex_index_map(vertex_indices)
-                                                   .face_index_map(face_indices)
-                                                   .halfedge_index_map(halfedge_indices)
-                                                   .geom_traits(Kernel())),
-                       expected, tolerance);
-    CHECK_FIELDS_CLOSE(distances_with_parameters(tm, sources,
-                                                 CGAL::parameters::halfedge_index_map(halfedge_indices)
-                                                   .vertex_index_map(vertex_indices)
-                                                   .face_index_map(face_indices)),
-                       expected, tolerance);
-
-    // another point map: the mesh stretched
-    auto points = tm.add_property_map<Mesh::Vertex_index, Kernel::Point_3>("v:test_point").first;
-    for(const auto v : vertices(tm))
-    {
-      points[v] = Kernel::Point_3(3. * tm.point(v).x(), tm.point(v).y(), tm.point(v).z());
-    }
-    const Mesh stretched = to_face_graph(transformed(
-      indexed, "stretched", [](const Coordinates& p) { return Coordinates{3. * p[0], p[1], p[2]}; }));
-    CHECK_FIELDS_CLOSE(distances_with_parameters(tm, sources, CGAL::parameters::vertex_point_map(points)),
-                       distances(stretched, sources), tolerance);
-
-    // a distance map that is no internal map
-    std::map<vertex_descriptor, double> store;
-    boost::associative_property_map<std::map<vertex_descriptor, double>> store_map(store);
-    CHECK(SMG::geodesic_distances(tm, store_map, sources));
-    CHECK_EQUAL(store.size(), num_vertices(tm));
-    CHECK_FIELDS_CLOSE(values_at_vertices(tm, store_map), expected, 0.);
+    index_maps_change_no_distance(tm, sources, random);
+    a_point_map_replaces_the_points(indexed, tm, sources);
+    any_writable_map_takes_the_distances(tm, sources);
   }
 }
 

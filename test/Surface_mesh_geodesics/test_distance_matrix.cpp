@@ -1,4 +1,4 @@
-// Matrices of distances: rows are the bits of single runs, in order, whatever the number of threads is.
+// Matrices of distances: rows have the bits of single runs and come in order, whatever the number of threads.
 
 #include "distance_test_helpers.h"
 #include "test_meshes.h"
@@ -55,7 +55,7 @@ void with_all_tags(const Test& test)
 #endif
 }
 
-// Takes rows, and checks that they come in order and never two at a time.
+// Collects rows, and checks that they come in order and never two at a time.
 struct Row_collector
 {
   template <class Row>
@@ -101,10 +101,9 @@ Rows expected_rows(const Mesh& tm, const Sources& sources, const std::vector<ver
 }
 
 template <class Sources>
-void check_matrix(const Mesh& tm, const Sources& sources, const std::vector<vertex_descriptor>& targets)
+void check_dense_matrix(const Mesh& tm, const Solver& solver, const Sources& sources,
+                        const std::vector<vertex_descriptor>& targets, const Rows& expected)
 {
-  const Rows expected = expected_rows(tm, sources, targets);
-  const Solver solver(tm);
   with_all_tags(
     [&](auto tag)
     {
@@ -131,22 +130,34 @@ void check_matrix(const Mesh& tm, const Sources& sources, const std::vector<vert
                                 output));
     CHECK(collector.rows == expected);
   }
+}
 
-  for(const double radius : {0., .5, 1.5, infinity})
+// The positions and distances within a radius, of the rows of a dense matrix.
+Rows entries_within(const Rows& rows, double radius)
+{
+  Rows entries;
+  for(const std::vector<double>& row : rows)
   {
-    Rows expected_entries;
-    for(const std::vector<double>& row : expected)
+    entries.emplace_back();
+    for(std::size_t j = 0; j < row.size(); ++j)
     {
-      expected_entries.emplace_back();
-      for(std::size_t j = 0; j < row.size(); ++j)
+      if(row[j] <= radius && row[j] < infinity)
       {
-        if(row[j] <= radius && row[j] < infinity)
-        {
-          expected_entries.back().push_back(static_cast<double>(j));
-          expected_entries.back().push_back(row[j]);
-        }
+        entries.back().push_back(static_cast<double>(j));
+        entries.back().push_back(row[j]);
       }
     }
+  }
+  return entries;
+}
+
+template <class Sources>
+void check_sparse_matrix(const Mesh& tm, const Solver& solver, const Sources& sources,
+                         const std::vector<vertex_descriptor>& targets, const Rows& expected)
+{
+  for(const double radius : {0., .5, 1.5, infinity})
+  {
+    const Rows expected_entries = entries_within(expected, radius);
     with_all_tags(
       [&](auto tag)
       {
@@ -163,6 +174,15 @@ void check_matrix(const Mesh& tm, const Sources& sources, const std::vector<vert
         CHECK(from_solver.rows == expected_entries);
       });
   }
+}
+
+template <class Sources>
+void check_matrix(const Mesh& tm, const Sources& sources, const std::vector<vertex_descriptor>& targets)
+{
+  const Rows expected = expected_rows(tm, sources, targets);
+  const Solver solver(tm);
+  check_dense_matrix(tm, solver, sources, targets, expected);
+  check_sparse_matrix(tm, solver, sources, targets, expected);
 }
 
 void check_symmetric_matrix(const Mesh& tm, const std::vector<vertex_descriptor>& range)
@@ -211,7 +231,7 @@ void check_mesh(const Indexed_mesh& indexed, test_support::Random& random)
   check_symmetric_matrix(tm, {});
 }
 
-// A row output that says false, or throws, ends the computation: no row comes after that.
+// If the row output returns false or throws, the computation ends: no further row comes.
 void rows_may_end_early()
 {
   test_support::Scope scope("early end");
@@ -273,7 +293,7 @@ void expect_refusal(Reason reason, std::size_t element, const Call& call)
   CHECK(!has_row);
 }
 
-void bad_input_is_refused()
+void invalid_input_is_refused()
 {
   test_support::Scope scope("bad input");
   const Mesh tm = to_face_graph(icosphere(1));
@@ -334,7 +354,7 @@ int main()
     check_mesh(indexed, random);
   }
   rows_may_end_early();
-  bad_input_is_refused();
+  invalid_input_is_refused();
   parameters_are_used();
   return test_result();
 }

@@ -1,5 +1,5 @@
-// Geodesic_distance_solver: whatever has been computed before, the next computation gives the bits of
-// geodesic_distances(), and costs what it reaches.
+// Geodesic_distance_solver: each computation gives the bits of geodesic_distances(), whatever the solver has computed
+// before, and takes time proportional to what it reaches.
 
 #include "distance_test_helpers.h"
 #include "test_meshes.h"
@@ -105,7 +105,7 @@ struct Visitor_that_throws_at_an_end : SMG::Geodesic_default_visitor
   bool m_is_first;
 };
 
-// Whether anything has been computed before or not, nothing is known when the visitor has thrown.
+// After an exception of the visitor nothing is known, whether the solver has computed before or not.
 void visitors_throw_before_and_after_the_run()
 {
   const Mesh tm = to_face_graph(icosphere(1));
@@ -142,8 +142,8 @@ void visitors_throw_before_and_after_the_run()
   }
 }
 
-// Computations that end in the middle, by a visitor or by bad input: nothing is known then.
-void check_broken_computations(Solver& solver, const Mesh& tm, test_support::Random& random)
+// A visitor ends a computation: nothing is known then.
+void check_cancelled_computations(Solver& solver, const Mesh& tm, test_support::Random& random)
 {
   const Face_location location = random_location(tm, random);
   Cancelling_visitor cancelling;
@@ -163,9 +163,13 @@ void check_broken_computations(Solver& solver, const Mesh& tm, test_support::Ran
   }
   CHECK(is_caught);
   CHECK(results(solver, tm) == std::vector<double>(num_vertices(tm), infinity));
+}
 
+// The solver refuses input that is invalid, and keeps the results of the computation before.
+void check_refused_computations(Solver& solver, const Mesh& tm)
+{
   const vertex_descriptor foreign(static_cast<Mesh::size_type>(num_vertices(tm) + 5));
-  is_caught = false;
+  bool is_caught = false;
   try
   {
     solver.compute_distance(vertex(0), foreign);
@@ -178,7 +182,6 @@ void check_broken_computations(Solver& solver, const Mesh& tm, test_support::Ran
   CHECK(is_caught);
   check_vertices_reached(solver, tm);
 
-  // Input that is refused leaves the results of the computation before.
   solver.compute_distances(vertex(0));
   const std::vector<double> before = results(solver, tm);
   Options wrong_number;
@@ -240,7 +243,8 @@ void check_many_computations(const Indexed_mesh& indexed, test_support::Random& 
                            offsets);
     check_against_function(solver, tm, std::vector<vertex_descriptor>{v, v, random_vertex(tm, random)}, offsets);
     check_against_function(solver, tm, std::vector<vertex_descriptor>(), Options());
-    check_broken_computations(solver, tm, random);
+    check_cancelled_computations(solver, tm, random);
+    check_refused_computations(solver, tm);
 
     const vertex_descriptor w = random_vertex(tm, random);
     CHECK_EQUAL(solver.compute_distance(v, w), full[std::size_t(w)]);
@@ -268,7 +272,7 @@ void work_depends_on_the_area_reached()
   CHECK(reached.size() >= 2);
 }
 
-// Runs on one of n components, each a square, up to the farthest corner: the processor time of the best of some tries.
+// Runs on one of n squares up to the farthest corner; returns the shortest processor time of several tries.
 double time_on_one_component(std::size_t n)
 {
   Mesh tm;
@@ -297,30 +301,33 @@ double time_on_one_component(std::size_t n)
   return static_cast<double>(least) / CLOCKS_PER_SEC;
 }
 
-// No run looks at components that have no source. (It did, 200 times as long here, at all faces.)
+// A run does not visit components without a source. (An earlier version visited all faces, and took 200 times as long
+// here.)
 void work_does_not_depend_on_other_components()
 {
   test_support::Scope scope("many components");
   CHECK(time_on_one_component(100000) < 20 * time_on_one_component(100) + .005);
 }
 
-void other_maps_and_meshes(std::uint64_t seed)
+void solvers_from_edge_lengths_can_be_moved(const Indexed_mesh& indexed)
 {
-  test_support::Scope scope("other maps and meshes");
-  const Indexed_mesh indexed = noisy_sphere(2, .1, seed);
+  test_support::Scope scope("edge lengths");
   Mesh tm = to_face_graph(indexed);
   const auto lengths = add_edge_lengths(tm);
   Solver from_lengths = Solver::from_edge_lengths(tm, lengths);
   from_lengths.compute_distances(vertex(3));
   CHECK(results(from_lengths, tm) == distances_from_edge_lengths(tm, lengths, vertex(3)));
 
-  // an object that was moved from another one
   Solver moved(std::move(from_lengths));
   CHECK(results(moved, tm) == distances_from_edge_lengths(tm, lengths, vertex(3)));
   moved.compute_distances(vertex(4));
   CHECK(results(moved, tm) == distances_from_edge_lengths(tm, lengths, vertex(4)));
+}
 
-  // points and indices that are not those of the mesh
+void points_and_indices_may_come_from_other_maps(const Indexed_mesh& indexed)
+{
+  test_support::Scope scope("other maps");
+  Mesh tm = to_face_graph(indexed);
   auto points = tm.add_property_map<vertex_descriptor, Kernel::Point_3>("v:test_point").first;
   std::vector<std::size_t> index_of_vertex(num_vertices(tm)), index_of_face(num_faces(tm));
   for(const vertex_descriptor v : vertices(tm))
@@ -342,14 +349,20 @@ void other_maps_and_meshes(std::uint64_t seed)
   Solver stretched_too(tm, points);
   stretched_too.compute_distances(vertex(3));
   CHECK(results(stretched_too, tm) == results(stretched, tm));
+}
 
-  // a mesh without indices
+void a_mesh_needs_no_indices(const Indexed_mesh& indexed)
+{
+  test_support::Scope scope("polyhedron");
   using Polyhedron = CGAL::Polyhedron_3<Kernel>;
   const Polyhedron polyhedron = to_face_graph<Polyhedron>(indexed);
   SMG::Geodesic_distance_solver<Polyhedron> of_polyhedron(polyhedron);
   of_polyhedron.compute_distances(*vertices(polyhedron).begin());
-  CHECK(results(of_polyhedron, polyhedron) == distances(tm, vertex(0)));
+  CHECK(results(of_polyhedron, polyhedron) == distances(to_face_graph(indexed), vertex(0)));
+}
 
+void the_constructor_refuses_a_mesh_of_quadrangles()
+{
   bool is_caught = false;
   Mesh square;
   square.add_vertex(Kernel::Point_3(0, 0, 0));
@@ -384,6 +397,10 @@ int main()
   work_depends_on_the_area_reached();
   work_does_not_depend_on_other_components();
   visitors_throw_before_and_after_the_run();
-  other_maps_and_meshes(seed);
+  const Indexed_mesh sphere = noisy_sphere(2, .1, seed);
+  solvers_from_edge_lengths_can_be_moved(sphere);
+  points_and_indices_may_come_from_other_maps(sphere);
+  a_mesh_needs_no_indices(sphere);
+  the_constructor_refuses_a_mesh_of_quadrangles();
   return test_result();
 }

@@ -58,7 +58,7 @@ private:
 // The angle at corner k of a face.
 double angle_of_corner(const Intrinsic_mesh& mesh, Halfedge_id h)
 {
-  const auto corner = Intrinsic_mesh::corner(mesh.face(internal::face_of(h)), internal::index_in_face(h));
+  const auto corner = internal::angle_direction(mesh.face(internal::face_of(h)), internal::index_in_face(h));
   return std::atan2(corner.second, corner.first);
 }
 

@@ -1,6 +1,5 @@
-// Lines of equal distance: each point of a line has the distance asked for (by the original class, and by planar
-// geometry), lines cross each edge whose ends are on both sides of the value, and are closed unless they end at the
-// border.
+// Isolines. Each point of a line has the requested distance, according to the original class and to planar geometry.
+// Lines cross each edge whose ends are on both sides of the value. They are closed unless they end at the border.
 
 #include "path_test_helpers.h"
 #include "test_meshes.h"
@@ -66,8 +65,57 @@ bool is_on_border(const Mesh& tm, const Point& p, double tolerance)
   return false;
 }
 
+// Each point has the distance `value`, for both classes.
+void check_distances(const std::vector<Point>& points, double value, const Geodesic_paths& paths, Original& original,
+                     const CGAL::AABB_tree<AABB_traits>& tree, const Mesh& tm, double size)
+{
+  const std::size_t step = points.size() / 150 + 1; // the original is slow
+  for(std::size_t i = 0; i < points.size(); i += step)
+  {
+    auto location = paths.locate(points[i], tree);
+    double sum = 0; // the original needs an exact zero for points on edges
+    for(std::size_t k = 0; k < 3; ++k)
+    {
+      location.second[k] = location.second[k] < 1e-9 ? 0. : location.second[k];
+      sum += location.second[k];
+    }
+    for(std::size_t k = 0; k < 3; ++k)
+    {
+      location.second[k] /= sum;
+    }
+    if(!is_on_border(tm, points[i], 1e-9 * size)) // where the original answers at random
+    {
+      CHECK_NEAR(original.shortest_distance_to_source_points(location.first, location.second).first, value,
+                 1e-8 * size);
+    }
+    CHECK_NEAR(paths.shortest_distance_to_source_points(location.first, location.second).first, value, 1e-8 * size);
+  }
+}
+
+// Each edge whose ends are on both sides of `value` has a point.
+void check_edges_are_crossed(const std::vector<Point>& points, double value, const Geodesic_paths& paths,
+                             const Mesh& tm, double size)
+{
+  for(const Mesh::Edge_index e : tm.edges())
+  {
+    const Mesh::Vertex_index a = tm.vertex(e, 0), b = tm.vertex(e, 1);
+    const double da = paths.shortest_distance_to_source_points(a).first;
+    const double db = paths.shortest_distance_to_source_points(b).first;
+    if(da < 0 || db < 0 || (da < value) == (db < value))
+    {
+      continue;
+    }
+    double nearest = std::numeric_limits<double>::infinity();
+    for(const Point& p : points)
+    {
+      nearest = (std::min)(nearest, distance_to_segment(p, tm.point(a), tm.point(b)));
+    }
+    CHECK_NEAR(nearest, 0., 1e-9 * size);
+  }
+}
+
 // Checks the lines of some values on a mesh from one source vertex against the original class.
-void test_against_original(const Indexed_mesh& indexed, std::size_t source)
+void lines_have_the_distances_of_the_original(const Indexed_mesh& indexed, std::size_t source)
 {
   test_support::Scope scope(indexed.name);
   const Mesh tm = to_face_graph(indexed);
@@ -98,49 +146,13 @@ void test_against_original(const Indexed_mesh& indexed, std::size_t source)
       }
       points.insert(points.end(), line.begin(), line.end());
     }
-    const std::size_t step = points.size() / 150 + 1; // the original is slow
-    for(std::size_t i = 0; i < points.size(); i += step)
-    {
-      auto location = paths.locate(points[i], tree);
-      double sum = 0; // the original needs an exact zero for points on edges
-      for(std::size_t k = 0; k < 3; ++k)
-      {
-        location.second[k] = location.second[k] < 1e-9 ? 0. : location.second[k];
-        sum += location.second[k];
-      }
-      for(std::size_t k = 0; k < 3; ++k)
-      {
-        location.second[k] /= sum;
-      }
-      if(!is_on_border(tm, points[i], 1e-9 * size)) // where the original answers at random
-      {
-        CHECK_NEAR(original.shortest_distance_to_source_points(location.first, location.second).first, value,
-                   1e-8 * size);
-      }
-      CHECK_NEAR(paths.shortest_distance_to_source_points(location.first, location.second).first, value, 1e-8 * size);
-    }
-    // an edge whose ends are on both sides is crossed
-    for(const Mesh::Edge_index e : tm.edges())
-    {
-      const Mesh::Vertex_index a = tm.vertex(e, 0), b = tm.vertex(e, 1);
-      const double da = paths.shortest_distance_to_source_points(a).first;
-      const double db = paths.shortest_distance_to_source_points(b).first;
-      if(da < 0 || db < 0 || (da < value) == (db < value))
-      {
-        continue;
-      }
-      double nearest = std::numeric_limits<double>::infinity();
-      for(const Point& p : points)
-      {
-        nearest = (std::min)(nearest, distance_to_segment(p, tm.point(a), tm.point(b)));
-      }
-      CHECK_NEAR(nearest, 0., 1e-9 * size);
-    }
+    check_distances(points, value, paths, original, tree, tm, size);
+    check_edges_are_crossed(points, value, paths, tm, size);
   }
 }
 
 // In a plane without obstacles the lines are circles.
-void test_circles()
+void lines_around_a_source_in_the_plane_are_circles()
 {
   test_support::Scope scope("circles");
   const Mesh tm = to_face_graph(flat_patch(14, 14, .3, true, 7));
@@ -197,8 +209,8 @@ void test_circles()
   }
 }
 
-// Two sources: around each a line of its own, then one around both.
-void test_two_sources()
+// Near to two sources each has a line of its own; farther away one line surrounds both.
+void lines_of_two_sources_join()
 {
   test_support::Scope scope("two sources");
   const Mesh tm = to_face_graph(flat_patch(20, 10, .2, true, 3));
@@ -228,7 +240,7 @@ void test_two_sources()
   CHECK_EQUAL(number_of_lines(.17 * w), std::size_t(1));
 }
 
-void test_values_without_lines()
+void some_values_have_no_line()
 {
   test_support::Scope scope("no lines");
   const Mesh tm = to_face_graph(two_components_and_an_isolated_vertex());
@@ -264,8 +276,8 @@ void test_values_without_lines()
   }
 }
 
-// What holds for the lines of any mesh: no point twice in a row, ends at the border only, and each edge whose ends are
-// on both sides of the value is crossed.
+// Checks the lines of any mesh: no point comes twice in a row, lines end at the border only, and cross each edge whose
+// ends are on both sides of the value.
 void check_lines(const Mesh& tm, const Geodesic_paths& paths, double value, const std::vector<Line>& lines)
 {
   const double tolerance = 1e-9 * size_of(tm);
@@ -314,8 +326,9 @@ std::size_t times_on_lines(const Point& p, const std::vector<Line>& lines, doubl
   return n;
 }
 
-// The distance of a vertex: lines run through it, once for each sector of nearer points around it, or it is alone.
-void test_values_of_vertices(const Indexed_mesh& indexed)
+// Takes the distance of a vertex: lines run through it, once for each sector of nearer points around it, or it is
+// alone.
+void lines_at_distances_of_vertices_are_valid(const Indexed_mesh& indexed)
 {
   test_support::Scope scope(indexed.name);
   const Mesh tm = to_face_graph(indexed);
@@ -347,9 +360,9 @@ void test_values_of_vertices(const Indexed_mesh& indexed)
   }
 }
 
-// A square of two triangles: from a corner the line through the two neighbours is a border-to-border line of three
+// A square of two triangles: from a corner the line through the two neighbors is a border-to-border line of three
 // points; the corner at the other end is alone.
-void test_square()
+void a_line_crosses_a_square_of_two_triangles()
 {
   test_support::Scope scope("square");
   const Mesh tm = load_data("two_tri_square");
@@ -371,7 +384,7 @@ void test_square()
 }
 
 // Two discs that touch each other in a vertex, and the border in others.
-void test_touching_discs()
+void lines_on_discs_that_touch_are_separate()
 {
   test_support::Scope scope("touching discs");
   const Mesh tm = load_data("grid5");
@@ -396,7 +409,7 @@ void test_touching_discs()
 }
 
 // Far from the source the rounding of distances is more than the resolution on an edge.
-void test_far_from_source()
+void lines_far_from_the_source_end()
 {
   test_support::Scope scope("far from the source");
   const std::size_t n = 30000;
@@ -430,7 +443,7 @@ void test_far_from_source()
 }
 
 // Edges without length and faces without area.
-void test_degenerate_faces()
+void degenerate_faces_have_lines()
 {
   for(const char* name : {"needle_dup_position", "cap_zero_area", "sliver_1e-12", "needle_1e-12", "pinched_vertex",
                           "isolated_vertex", "two_components"})
@@ -451,9 +464,8 @@ void test_degenerate_faces()
   }
 }
 
-// A const object has to be built for queries at any point.
 // A const object gives the same lines, whatever has been built before.
-void test_const_object()
+void const_objects_give_the_same_lines()
 {
   test_support::Scope scope("const");
   const Mesh tm = to_face_graph(icosphere(2));
@@ -488,26 +500,26 @@ void test_const_object()
 int main()
 {
   const std::uint64_t seed = test_support::announce_seed(20260512);
-  test_circles();
-  test_two_sources();
-  test_values_without_lines();
-  test_const_object();
-  test_square();
-  test_touching_discs();
-  test_far_from_source();
-  test_degenerate_faces();
+  lines_around_a_source_in_the_plane_are_circles();
+  lines_of_two_sources_join();
+  some_values_have_no_line();
+  const_objects_give_the_same_lines();
+  a_line_crosses_a_square_of_two_triangles();
+  lines_on_discs_that_touch_are_separate();
+  lines_far_from_the_source_end();
+  degenerate_faces_have_lines();
   for(const Indexed_mesh& indexed :
       {noisy_sphere(2, .1, seed), cube_grid(2), rough_terrain(6, 1.5, seed), saddle_patch(6), square_with_holes(1),
        genus_2_polycube(), flat_patch(7, 7, 0., false, 1), icosphere(2), two_components_and_an_isolated_vertex()})
   {
-    test_values_of_vertices(indexed);
+    lines_at_distances_of_vertices_are_valid(indexed);
   }
-  test_against_original(noisy_sphere(3, .05, seed), 5);
-  test_against_original(torus(2, .7, 24, 12), 17);
-  test_against_original(rough_terrain(12, 1.5, seed), 40);
-  test_against_original(square_with_holes(2), 3);
-  test_against_original(genus_2_polycube(), 1);
-  test_against_original(saddle_patch(10), 30);
-  test_against_original(wavy_tube(12, 10), 8);
+  lines_have_the_distances_of_the_original(noisy_sphere(3, .05, seed), 5);
+  lines_have_the_distances_of_the_original(torus(2, .7, 24, 12), 17);
+  lines_have_the_distances_of_the_original(rough_terrain(12, 1.5, seed), 40);
+  lines_have_the_distances_of_the_original(square_with_holes(2), 3);
+  lines_have_the_distances_of_the_original(genus_2_polycube(), 1);
+  lines_have_the_distances_of_the_original(saddle_patch(10), 30);
+  lines_have_the_distances_of_the_original(wavy_tube(12, 10), 8);
   return test_result();
 }

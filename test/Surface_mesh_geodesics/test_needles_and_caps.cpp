@@ -2,6 +2,7 @@
 // and caps, moved by 1e-15 to 1e-9. Each of them gave a wrong distance once.
 
 #include "distance_test_helpers.h"
+#include "distances_with_rules.h"
 #include "test_meshes.h"
 #include "test_support.h"
 
@@ -21,8 +22,8 @@ namespace {
 std::vector<long double> distances_in_long_double(const Mesh& tm, vertex_descriptor source)
 {
   auto map = get(CGAL::dynamic_vertex_property_t<long double>(), tm);
-  SMG::internal::geodesic_distances_with_rules<SMG::internal::All_pruning_rules, long double>(
-    tm, map, source, SMG::Geodesic_distance_options<Mesh>());
+  distances_with_rules<SMG::internal::All_pruning_rules, long double>(tm, map, source,
+                                                                      SMG::Geodesic_distance_options<Mesh>());
   std::vector<long double> result;
   for(const vertex_descriptor v : vertices(tm))
   {

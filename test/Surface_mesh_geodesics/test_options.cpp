@@ -1,5 +1,4 @@
-// The members of Geodesic_distance_options, the visitor and the statistics; and sets of
-// sources that are unusual but allowed.
+// The members of Geodesic_distance_options, the visitor and the statistics. Sets of sources: test_sets_of_sources.cpp.
 
 #include "distance_test_helpers.h"
 #include "path_test_helpers.h"
@@ -10,10 +9,7 @@
 #include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
 
 #include <algorithm>
-#include <array>
-#include <functional>
 #include <limits>
-#include <list>
 #include <set>
 #include <vector>
 
@@ -39,20 +35,6 @@ std::vector<double> sorted_finite(const std::vector<double>& field)
   return result;
 }
 
-std::vector<Indexed_mesh> meshes(std::uint64_t seed)
-{
-  return {icosphere(2),
-          rough_terrain(10, 2., seed),
-          wavy_tube(20, 24),
-          tetrahedral_ogre(60, seed + 1),
-          square_with_holes(2),
-          spiral_corridor(),
-          midpoint_subdivision(genus_2_polycube()),
-          random_cuts(noisy_sphere(2, .1, seed + 2), .15, seed + 3),
-          two_components_and_an_isolated_vertex(),
-          irregular_tetrahedron()};
-}
-
 // ---------------------------------------------------------------------------
 // radius
 // ---------------------------------------------------------------------------
@@ -64,7 +46,7 @@ void distances_up_to_the_radius_are_exact(const Mesh& tm, const Sources& sources
   const std::vector<double> full = distances(tm, sources);
   const std::vector<double> sorted = sorted_finite(full);
   const double largest = sorted.back();
-  // also radii that are the distance of a vertex, which then is within
+  // also radii that equal the distance of a vertex, which is within the radius then
   std::vector<double> radii{0., .1 * largest, .37 * largest, .8 * largest, 2. * largest, infinity,
                             sorted[sorted.size() / 3], sorted[sorted.size() / 2], largest};
   for(const double radius : radii)
@@ -83,7 +65,7 @@ void distances_up_to_the_radius_are_exact(const Mesh& tm, const Sources& sources
         CHECK_EQUAL(result[i], infinity);
       }
     }
-    // nothing of the radius is left for the next run
+    // The radius does not affect the next run.
     CHECK(distances(tm, sources) == full);
   }
 }
@@ -235,7 +217,7 @@ struct Recording_visitor : SMG::Geodesic_default_visitor
   void on_propagation_end() { ++ends; }
 };
 
-void the_visitor_hears_of_the_progress(const Mesh& tm, test_support::Random& random)
+void the_visitor_follows_the_progress(const Mesh& tm, test_support::Random& random)
 {
   test_support::Scope scope("visitor");
   const vertex_descriptor s = random_vertex(tm, random);
@@ -253,7 +235,7 @@ void the_visitor_hears_of_the_progress(const Mesh& tm, test_support::Random& ran
   CHECK(visitor.is_in_order);
 }
 
-// Has the members that the concept GeodesicPropagationVisitor asks for, and nothing else: no base, no copies.
+// Has exactly the members that the concept GeodesicPropagationVisitor requires: no base class, no copies.
 class Minimal_visitor
 {
 public:
@@ -269,7 +251,7 @@ public:
   std::size_t number_of_questions = 0;
 };
 
-void the_least_visitor_will_do(const Mesh& tm, test_support::Random& random)
+void a_minimal_visitor_is_enough(const Mesh& tm, test_support::Random& random)
 {
   test_support::Scope scope("minimal visitor");
   int something = 0;
@@ -349,7 +331,7 @@ void statistics_are_consistent(const Mesh& tm, test_support::Random& random)
   CHECK_EQUAL(statistics.windows_removed_by_rule_1, again.windows_removed_by_rule_1);
   CHECK_EQUAL(statistics.windows_removed_by_rules_2_and_3, again.windows_removed_by_rules_2_and_3);
   CHECK_EQUAL(statistics.windows_removed_by_vertices, again.windows_removed_by_vertices);
-  // counts of a second run are added, maxima stay
+  // A second run adds its counts; maxima are unchanged.
   distances_with_options(tm, s, options);
   CHECK_EQUAL(again.windows_created, 2 * statistics.windows_created);
   CHECK_EQUAL(again.vertices_visited, 2 * statistics.vertices_visited);
@@ -373,7 +355,7 @@ void a_beaten_source_owns_nothing(const Mesh& tm, test_support::Random& random)
   }
   auto nearest = get(CGAL::dynamic_vertex_property_t<std::size_t>(), tm);
   auto options = SMG::make_geodesic_distance_options<Mesh>(nearest);
-  // The middle one starts later than the first one's wave gets there, if it ever does.
+  // The wave of the first source, if it arrives, reaches the middle source before that one starts.
   const double way = fields[0][std::size_t(sources[1])];
   const double delay = way == infinity ? 0. : 1.5 * way + 1e-3;
   options.source_offsets = {0., delay, .25};
@@ -394,7 +376,7 @@ void a_beaten_source_owns_nothing(const Mesh& tm, test_support::Random& random)
     }
     ++i;
   }
-  // One offset for all only adds to the distances.
+  // The same offset for all sources adds to all distances.
   Options constant;
   constant.source_offsets = {2., 2., 2.};
   const std::vector<double> shifted = distances_with_options(tm, sources, constant);
@@ -403,11 +385,11 @@ void a_beaten_source_owns_nothing(const Mesh& tm, test_support::Random& random)
   {
     CHECK_CLOSE(shifted[j], plain[j] + 2., tolerance);
   }
-  // zero offsets are none
+  // Offsets of zero change nothing.
   Options zero;
   zero.source_offsets = {0., 0., 0.};
   CHECK(distances_with_options(tm, sources, zero) == plain);
-  // The radius counts with the offset.
+  // The radius limits distances that include the offset.
   Options bounded;
   bounded.source_offsets = {2., 2., 2.};
   bounded.maximum_distance = 2. + .5 * sorted_finite(plain).back();
@@ -440,159 +422,8 @@ void a_source_inside_a_face_may_be_beaten()
 }
 
 // ---------------------------------------------------------------------------
-// sets of sources
+// edge lengths
 // ---------------------------------------------------------------------------
-
-void an_empty_range_leaves_all_at_infinity(const Mesh& tm)
-{
-  test_support::Scope scope("empty range");
-  for(const double d : distances(tm, std::vector<vertex_descriptor>()))
-  {
-    CHECK_EQUAL(d, infinity);
-  }
-  auto nearest = get(CGAL::dynamic_vertex_property_t<std::size_t>(), tm);
-  auto options = SMG::make_geodesic_distance_options<Mesh>(nearest);
-  options.targets.push_back(vertex(0));
-  for(const double d : distances_with_options(tm, std::vector<Face_location>(), options))
-  {
-    CHECK_EQUAL(d, infinity);
-  }
-  for(const vertex_descriptor v : vertices(tm))
-  {
-    CHECK_EQUAL(get(nearest, v), no_source);
-  }
-}
-
-void the_empty_mesh_is_no_error()
-{
-  test_support::Scope scope("empty mesh");
-  const Mesh tm;
-  CHECK(distances(tm, std::vector<vertex_descriptor>()).empty());
-}
-
-void any_range_and_any_single_source_will_do(const Mesh& tm, test_support::Random& random)
-{
-  test_support::Scope scope("kinds of ranges");
-  const vertex_descriptor s = random_vertex(tm, random);
-  const vertex_descriptor t = random_vertex(tm, random);
-  const std::vector<double> single = distances(tm, s);
-  CHECK(distances(tm, std::vector<vertex_descriptor>{s}) == single);
-  CHECK(distances(tm, std::list<vertex_descriptor>{s}) == single);
-  CHECK(distances(tm, std::array<vertex_descriptor, 1>{s}) == single);
-  const std::vector<double> both = distances(tm, std::vector<vertex_descriptor>{s, t});
-  CHECK(distances(tm, std::set<vertex_descriptor>{s, t}) == both);
-  CHECK(distances(tm, std::list<vertex_descriptor>{t, s}) == both);
-  const Face_location location = random_location(tm, random);
-  CHECK(distances(tm, std::list<Face_location>{location}) == distances(tm, location));
-  // barycentric coordinates of another type
-  const std::pair<face_descriptor, std::array<float, 3>> quarter(location.first, {.5f, .25f, .25f});
-  CHECK(distances(tm, quarter) == distances(tm, Face_location(location.first, {.5, .25, .25})));
-  // all vertices
-  for(const double d : distances(tm, vertices(tm)))
-  {
-    CHECK_EQUAL(d, 0.);
-  }
-}
-
-void duplicate_and_adjacent_sources_are_harmless(const Mesh& tm, test_support::Random& random)
-{
-  test_support::Scope scope("duplicate and adjacent sources");
-  const vertex_descriptor s = random_vertex(tm, random);
-  const std::vector<double> single = distances(tm, s);
-  CHECK(distances(tm, std::vector<vertex_descriptor>(4, s)) == single);
-
-  const auto h = halfedge(s, tm);
-  const vertex_descriptor neighbor = source(h, tm);
-  const std::vector<double> other = distances(tm, neighbor);
-  auto nearest = get(CGAL::dynamic_vertex_property_t<std::size_t>(), tm);
-  const std::vector<double> both = distances_with_options(tm, std::vector<vertex_descriptor>{s, neighbor, s},
-                                                          SMG::make_geodesic_distance_options<Mesh>(nearest));
-  for(std::size_t i = 0; i < both.size(); ++i)
-  {
-    CHECK_CLOSE(both[i], (std::min)(single[i], other[i]), tolerance);
-  }
-  CHECK(get(nearest, s) == 0u || get(nearest, s) == 2u);
-  CHECK_EQUAL(get(nearest, neighbor), 1u);
-}
-
-void several_sources_in_one_face_and_on_one_edge(const Mesh& tm, test_support::Random& random)
-{
-  test_support::Scope scope("one face, one edge");
-  const face_descriptor f = random_location(tm, random).first;
-  std::vector<Face_location> sources{{f, {.2, .3, .5}}, {f, {.6, .2, .2}}, {f, {.1, .85, .05}}};
-  auto h = halfedge(f, tm);
-  sources.push_back(location_on_halfedge(h, .25, tm));
-  sources.push_back(location_on_halfedge(h, .75, tm));
-  if(!is_border(opposite(h, tm), tm))
-  {
-    sources.push_back(location_on_halfedge(opposite(h, tm), .5, tm));
-    sources.push_back(location_on_halfedge(opposite(h, tm), .25, tm)); // the point at .75 again
-  }
-  sources.push_back(location_on_halfedge(h, 1., tm)); // a vertex
-  std::vector<double> expected(num_vertices(tm), infinity);
-  std::vector<std::vector<double>> fields;
-  for(const Face_location& s : sources)
-  {
-    fields.push_back(distances(tm, s));
-    for(std::size_t i = 0; i < expected.size(); ++i)
-    {
-      expected[i] = (std::min)(expected[i], fields.back()[i]);
-    }
-  }
-  auto nearest = get(CGAL::dynamic_vertex_property_t<std::size_t>(), tm);
-  const std::vector<double> result =
-    distances_with_options(tm, sources, SMG::make_geodesic_distance_options<Mesh>(nearest));
-  CHECK_FIELDS_CLOSE(result, expected, tolerance);
-  for(std::size_t i = 0; i < expected.size(); ++i)
-  {
-    const std::size_t id = get(nearest, vertex(i));
-    if(expected[i] != infinity && CHECK(id < sources.size()))
-    {
-      CHECK_CLOSE(fields[id][i], expected[i], tolerance);
-    }
-  }
-}
-
-// An edge point gives the same field from either face, also on the border.
-void edge_sources_are_the_same_from_both_faces(const Mesh& tm)
-{
-  test_support::Scope scope("edge sources");
-  std::size_t i = 0;
-  for(const auto e : edges(tm))
-  {
-    if(++i % 7 != 0)
-    {
-      continue;
-    }
-    const auto h = halfedge(e, tm);
-    for(const double t : {0., .125, .5, .8125, 1.})
-    {
-      std::vector<std::vector<double>> fields;
-      if(!is_border(h, tm))
-      {
-        fields.push_back(distances(tm, location_on_halfedge(h, t, tm)));
-      }
-      if(!is_border(opposite(h, tm), tm))
-      {
-        fields.push_back(distances(tm, location_on_halfedge(opposite(h, tm), 1. - t, tm)));
-      }
-      CHECK_FIELDS_CLOSE(fields.front(), fields.back(), tolerance);
-      const double length_of_edge =
-        length(coordinates(source(h, tm), tm) - coordinates(target(h, tm), tm));
-      // never farther than along the edge; on it nothing is shorter in these meshes
-      CHECK(fields.front()[std::size_t(source(h, tm))] <= t * length_of_edge * (1. + tolerance));
-      CHECK(fields.front()[std::size_t(target(h, tm))] <= (1. - t) * length_of_edge * (1. + tolerance));
-      if(t == 0.)
-      {
-        CHECK(fields.front() == distances(tm, source(h, tm)));
-      }
-      if(t == 1.)
-      {
-        CHECK(fields.front() == distances(tm, target(h, tm)));
-      }
-    }
-  }
-}
 
 void options_work_with_edge_lengths_too()
 {
@@ -620,7 +451,7 @@ int main()
 {
   const std::uint64_t seed = test_support::announce_seed(20260105);
   test_support::Random random(seed);
-  for(const Indexed_mesh& indexed : meshes(seed))
+  for(const Indexed_mesh& indexed : meshes_of_many_kinds(seed))
   {
     test_support::Scope scope(indexed.name);
     const Mesh tm = to_face_graph(indexed);
@@ -631,22 +462,16 @@ int main()
     targets_get_their_exact_distances(
       tm, std::vector<Face_location>{random_location(tm, random), random_location(tm, random)}, random);
     targets_and_radius_work_together(tm, random);
-    the_visitor_hears_of_the_progress(tm, random);
-    the_least_visitor_will_do(tm, random);
+    the_visitor_follows_the_progress(tm, random);
+    a_minimal_visitor_is_enough(tm, random);
     a_cancelled_run_writes_nothing(tm, random);
     statistics_are_consistent(tm, random);
     a_beaten_source_owns_nothing(tm, random);
-    an_empty_range_leaves_all_at_infinity(tm);
-    any_range_and_any_single_source_will_do(tm, random);
-    duplicate_and_adjacent_sources_are_harmless(tm, random);
-    several_sources_in_one_face_and_on_one_edge(tm, random);
-    edge_sources_are_the_same_from_both_faces(tm);
   }
   a_radius_saves_work();
   a_near_target_saves_work();
   an_unreachable_target_is_at_infinity();
   a_source_inside_a_face_may_be_beaten();
-  the_empty_mesh_is_no_error();
   options_work_with_edge_lengths_too();
   return test_result();
 }

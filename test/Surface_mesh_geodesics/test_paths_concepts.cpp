@@ -1,5 +1,5 @@
-// The class with the least that its parameters have to offer: a traits class with nothing but what the concept
-// SurfaceMeshShortestPathTraits asks for, property maps of all four kinds, meshes of several types, exact kernels.
+// Minimal and unusual parameters of the class: a traits class with only what the concept SurfaceMeshShortestPathTraits
+// requires, property maps of all four kinds, meshes of several types, exact kernels.
 
 #include "path_test_helpers.h"
 #include "test_meshes.h"
@@ -52,84 +52,129 @@ std::array<double, 3> weights_in_face(const Triangle& triangle, const std::array
   return result;
 }
 
-// Asks both objects the same questions, with sources and queries at vertices and in faces. `construct` makes
-// coordinates of three numbers, `scale` is what lengths are multiplied by in the other object.
+// Asks an object of any type and one of the usual type the same questions, with sources and queries at vertices and in
+// faces. `construct` makes coordinates of three numbers; lengths of the first object are `scale` times as long.
+template <class Paths, class Graph, class Construct>
+class Comparison
+{
+public:
+  Comparison(Paths& paths, const Graph& tm, const Indexed_mesh& indexed,
+             const std::vector<typename Paths::vertex_descriptor>& all_vertices,
+             const std::vector<typename Paths::face_descriptor>& all_faces, Construct construct, double scale)
+    : m_paths(paths), m_tm(tm), m_indexed(indexed), m_vertices(all_vertices), m_faces(all_faces),
+      m_construct(construct), m_scale(scale),
+      m_expected_vertices(add_to_face_graph(indexed, m_expected_tm, &m_expected_faces)), m_expected(m_expected_tm),
+      m_random(seed)
+  {}
+
+  void run()
+  {
+    for(std::size_t i = 0; i < 4; ++i)
+    {
+      i % 2 == 0 ? add_vertex() : add_location();
+      for(std::size_t j = 0; j < 20; ++j)
+      {
+        m_points.clear();
+        m_expected_points.clear();
+        j % 2 == 0 ? ask_at_vertex() : ask_at_location();
+        check_points();
+      }
+    }
+  }
+
+private:
+  // A random point of a face for both objects.
+  struct Location_pair
+  {
+    std::size_t face;
+    std::array<double, 3> expected, weights;
+  };
+
+  std::size_t random_index_of_vertex() { return m_indexed.faces[m_random.index(m_indexed.faces.size())][0]; }
+
+  Location_pair random_location_pair()
+  {
+    const std::size_t f = m_random.index(m_faces.size());
+    const double a = m_random.uniform(.1, .4), b = m_random.uniform(.1, .4);
+    const std::array<double, 3> w{a, b, 1. - a - b};
+    return {f, weights_in_face(m_indexed.faces[f], w, m_expected_vertices, m_expected_faces[f], m_expected_tm),
+            weights_in_face(m_indexed.faces[f], w, m_vertices, m_faces[f], m_tm)};
+  }
+
+  void add_vertex()
+  {
+    const std::size_t v = random_index_of_vertex();
+    m_expected.add_source_point(m_expected_vertices[v]);
+    m_paths.add_source_point(m_vertices[v]);
+  }
+
+  void add_location()
+  {
+    const Location_pair l = random_location_pair();
+    m_expected.add_source_point(m_expected_faces[l.face], l.expected);
+    m_paths.add_source_point(m_faces[l.face], m_construct(l.weights[0], l.weights[1], l.weights[2]));
+  }
+
+  void ask_at_vertex()
+  {
+    const std::size_t v = random_index_of_vertex();
+    const double expected =
+      m_expected.shortest_path_points_to_source_points(m_expected_vertices[v], std::back_inserter(m_expected_points))
+        .first;
+    const double distance = CGAL::to_double(
+      m_paths.shortest_path_points_to_source_points(m_vertices[v], std::back_inserter(m_points)).first);
+    CHECK_EQUAL(CGAL::to_double(m_paths.shortest_distance_to_source_points(m_vertices[v]).first), distance);
+    CHECK_CLOSE(distance, m_scale * expected, tolerance);
+  }
+
+  void ask_at_location()
+  {
+    const Location_pair l = random_location_pair();
+    const double expected = m_expected
+                              .shortest_path_points_to_source_points(m_expected_faces[l.face], l.expected,
+                                                                     std::back_inserter(m_expected_points))
+                              .first;
+    const auto b = m_construct(l.weights[0], l.weights[1], l.weights[2]);
+    const double distance = CGAL::to_double(
+      m_paths.shortest_path_points_to_source_points(m_faces[l.face], b, std::back_inserter(m_points)).first);
+    CHECK_EQUAL(CGAL::to_double(m_paths.shortest_distance_to_source_points(m_faces[l.face], b).first), distance);
+    CHECK_CLOSE(distance, m_scale * expected, tolerance);
+  }
+
+  void check_points()
+  {
+    if(!CHECK_EQUAL(m_points.size(), m_expected_points.size()))
+    {
+      return;
+    }
+    for(std::size_t k = 0; k < m_points.size(); ++k)
+    {
+      CHECK_NEAR(length(to_coordinates(m_points[k]) - m_scale * to_coordinates(m_expected_points[k])), 0., 1e-9);
+    }
+  }
+
+  Paths& m_paths;
+  const Graph& m_tm;
+  const Indexed_mesh& m_indexed;
+  const std::vector<typename Paths::vertex_descriptor>& m_vertices;
+  const std::vector<typename Paths::face_descriptor>& m_faces;
+  Construct m_construct;
+  double m_scale;
+  Mesh m_expected_tm;
+  std::vector<face_descriptor> m_expected_faces;
+  std::vector<vertex_descriptor> m_expected_vertices;
+  Geodesic_paths m_expected;
+  test_support::Random m_random;
+  std::vector<typename Paths::Point_3> m_points;
+  std::vector<Kernel::Point_3> m_expected_points;
+};
+
 template <class Paths, class Graph, class Construct>
 void agrees(Paths& paths, const Graph& tm, const Indexed_mesh& indexed,
             const std::vector<typename Paths::vertex_descriptor>& all_vertices,
             const std::vector<typename Paths::face_descriptor>& all_faces, Construct construct, double scale = 1.)
 {
-  Mesh expected_tm;
-  std::vector<face_descriptor> expected_faces;
-  const std::vector<vertex_descriptor> expected_vertices = add_to_face_graph(indexed, expected_tm, &expected_faces);
-  Geodesic_paths expected(expected_tm);
-  test_support::Random random(seed);
-
-  auto random_weights = [&]
-  {
-    const double a = random.uniform(.1, .4), b = random.uniform(.1, .4);
-    return std::array<double, 3>{a, b, 1. - a - b};
-  };
-  for(std::size_t i = 0; i < 4; ++i)
-  {
-    if(i % 2 == 0)
-    {
-      const std::size_t v = indexed.faces[random.index(indexed.faces.size())][0];
-      expected.add_source_point(expected_vertices[v]);
-      paths.add_source_point(all_vertices[v]);
-    }
-    else
-    {
-      const std::size_t f = random.index(all_faces.size());
-      const std::array<double, 3> w = random_weights();
-      expected.add_source_point(
-        expected_faces[f], weights_in_face(indexed.faces[f], w, expected_vertices, expected_faces[f], expected_tm));
-      const auto other = weights_in_face(indexed.faces[f], w, all_vertices, all_faces[f], tm);
-      paths.add_source_point(all_faces[f], construct(other[0], other[1], other[2]));
-    }
-    for(std::size_t j = 0; j < 20; ++j)
-    {
-      std::vector<Kernel::Point_3> expected_points;
-      std::vector<typename Paths::Point_3> points;
-      double expected_distance;
-      double distance;
-      if(j % 2 == 0)
-      {
-        const std::size_t v = indexed.faces[random.index(indexed.faces.size())][0];
-        expected_distance =
-          expected.shortest_path_points_to_source_points(expected_vertices[v], std::back_inserter(expected_points))
-            .first;
-        distance = CGAL::to_double(
-          paths.shortest_path_points_to_source_points(all_vertices[v], std::back_inserter(points)).first);
-        CHECK_EQUAL(CGAL::to_double(paths.shortest_distance_to_source_points(all_vertices[v]).first), distance);
-      }
-      else
-      {
-        const std::size_t f = random.index(all_faces.size());
-        const std::array<double, 3> w = random_weights();
-        expected_distance =
-          expected
-            .shortest_path_points_to_source_points(
-              expected_faces[f],
-              weights_in_face(indexed.faces[f], w, expected_vertices, expected_faces[f], expected_tm),
-              std::back_inserter(expected_points))
-            .first;
-        const auto other = weights_in_face(indexed.faces[f], w, all_vertices, all_faces[f], tm);
-        const auto b = construct(other[0], other[1], other[2]);
-        distance = CGAL::to_double(
-          paths.shortest_path_points_to_source_points(all_faces[f], b, std::back_inserter(points)).first);
-        CHECK_EQUAL(CGAL::to_double(paths.shortest_distance_to_source_points(all_faces[f], b).first), distance);
-      }
-      CHECK_CLOSE(distance, scale * expected_distance, tolerance);
-      if(CHECK_EQUAL(points.size(), expected_points.size()))
-      {
-        for(std::size_t k = 0; k < points.size(); ++k)
-        {
-          CHECK_NEAR(length(to_coordinates(points[k]) - scale * to_coordinates(expected_points[k])), 0., 1e-9);
-        }
-      }
-    }
-  }
+  Comparison<Paths, Graph, Construct>(paths, tm, indexed, all_vertices, all_faces, construct, scale).run();
 }
 
 const auto as_array = [](double a, double b, double c)
@@ -137,8 +182,8 @@ const auto as_array = [](double a, double b, double c)
 
 // --- a minimal traits class ---
 
-// A point with its coordinates, and a triangle and barycentric coordinates of which nothing is known but what the
-// function objects tell.
+// A point with its coordinates. Triangles and barycentric coordinates have no members; only the function objects read
+// them.
 class Archetype_point
 {
 public:

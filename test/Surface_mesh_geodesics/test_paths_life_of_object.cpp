@@ -1,6 +1,6 @@
 // One object through thousands of random steps: sources come and go, one by one and in ranges, the structure is built
 // or cleared, edge lengths replace points, queries of all kinds are made. After every query a fresh object with the
-// same sources has to give the same answer, and so has the same object when it is asked as a const one.
+// same sources gives the same answer, and so does the same object through a const reference.
 
 #include "path_test_helpers.h"
 #include "test_meshes.h"
@@ -55,63 +55,17 @@ public:
     {
       const std::size_t action = m_random.index(40);
       test_support::Scope scope("step " + std::to_string(i) + ", action " + std::to_string(action));
-      if(action < 8)
+      if(action < 16)
       {
-        add_one();
-      }
-      else if(action < 9)
-      {
-        add_range();
-      }
-      else if(action < 15)
-      {
-        remove_one();
-      }
-      else if(action < 16)
-      {
-        m_paths.remove_all_source_points();
-        m_sources.clear();
-      }
-      else if(action < 18)
-      {
-        m_paths.build_sequence_tree();
-        CHECK(!m_paths.changed_since_last_build());
-      }
-      else if(action < 20)
-      {
-        m_paths.build_sequence_tree_for_faces();
-        CHECK(!m_paths.changed_since_last_build());
-      }
-      else if(action < 21)
-      {
-        m_paths.clear();
-        m_sources.clear();
-        m_factor = 0.;
-        CHECK(!m_paths.changed_since_last_build());
-      }
-      else if(action < 23)
-      {
-        cancel();
-      }
-      else if(action < 24)
-      {
-        fail();
+        change_sources(action);
       }
       else if(action < 25)
       {
-        change_lengths();
-      }
-      else if(action < 28)
-      {
-        query_all_vertices();
-      }
-      else if(action < 29)
-      {
-        query_isolines();
+        change_state(action);
       }
       else
       {
-        query();
+        ask_something(action);
       }
       check_sources();
     }
@@ -120,7 +74,72 @@ public:
   std::size_t number_of_queries() const { return m_number_of_queries; }
 
 private:
-  // a vertex, a point of an edge, a point of a face, or a place that is a source already
+  void change_sources(std::size_t action)
+  {
+    if(action < 8)
+    {
+      add_one();
+    }
+    else if(action < 9)
+    {
+      add_range();
+    }
+    else if(action < 15)
+    {
+      remove_one();
+    }
+    else
+    {
+      m_paths.remove_all_source_points();
+      m_sources.clear();
+    }
+  }
+
+  void change_state(std::size_t action)
+  {
+    if(action < 20)
+    {
+      action < 18 ? m_paths.build_sequence_tree() : m_paths.build_sequence_tree_for_faces();
+      CHECK(!m_paths.changed_since_last_build());
+    }
+    else if(action < 21)
+    {
+      m_paths.clear();
+      m_sources.clear();
+      m_factor = 0.;
+      CHECK(!m_paths.changed_since_last_build());
+    }
+    else if(action < 23)
+    {
+      cancel();
+    }
+    else if(action < 24)
+    {
+      fail();
+    }
+    else
+    {
+      change_lengths();
+    }
+  }
+
+  void ask_something(std::size_t action)
+  {
+    if(action < 28)
+    {
+      query_all_vertices();
+    }
+    else if(action < 29)
+    {
+      query_isolines();
+    }
+    else
+    {
+      query();
+    }
+  }
+
+  // Returns a vertex, a point of an edge, a point of a face, or a point that is a source already.
   Place random_place()
   {
     const std::size_t kind = m_random.index(8);
@@ -189,7 +208,7 @@ private:
     CHECK(is_complete || had_changed || !m_sources.empty());
   }
 
-  // a bad source is refused when the structure is built, and taken back
+  // The build refuses a bad source, which is then removed.
   void fail()
   {
     const auto bad = m_paths.add_source_point(face(0), {.7, .7, .7});
@@ -206,7 +225,7 @@ private:
     m_paths.remove_source_point(bad);
   }
 
-  // Lengths from a map, those of the points times a factor; a map that is none is refused, and the points count again.
+  // Takes lengths from a map: those of the points times a factor. Bad lengths are refused, and the points count again.
   void change_lengths()
   {
     if(m_edges.empty())
@@ -242,7 +261,7 @@ private:
     CHECK_EQUAL(is_refused, is_bad);
   }
 
-  // an object with the same sources and the same lengths
+  // Gives an object the same sources and the same lengths.
   void make_alike(Geodesic_paths& fresh)
   {
     if(m_factor > 0.)

@@ -3,6 +3,7 @@
 
 #include "brute_force_distances.h"
 #include "distance_test_helpers.h"
+#include "distances_with_rules.h"
 #include "test_meshes.h"
 #include "test_support.h"
 
@@ -46,8 +47,7 @@ std::vector<double> distances_with_rules(const Mesh& tm, const Sources& sources)
   SMG::Propagation_statistics statistics;
   SMG::Geodesic_distance_options<Mesh> options;
   options.statistics = &statistics;
-  CHECK((SMG::internal::geodesic_distances_with_rules<Rules, NumberType>(tm, map, sources, options,
-                                                                         CGAL::parameters::default_values())));
+  CHECK((test_meshes::distances_with_rules<Rules, NumberType>(tm, map, sources, options)));
   windows_propagated<Rules, NumberType> += statistics.windows_propagated;
   return values_at_vertices(tm, map);
 }

@@ -3,6 +3,7 @@
 // small and hostile. Arguments: the number of meshes and the seed.
 
 #include "distance_test_helpers.h"
+#include "distances_with_rules.h"
 #include "edge_sequence_search.h"
 #include "hostile_meshes.h"
 #include "test_meshes.h"
@@ -66,8 +67,7 @@ std::vector<Hundred_digits> propagated(const Mesh& tm, vertex_descriptor source)
 {
   auto map = get(CGAL::dynamic_vertex_property_t<Hundred_digits>(), tm);
   const SMG::Geodesic_distance_options<Mesh> options;
-  CHECK((SMG::internal::geodesic_distances_with_rules<Rules, Hundred_digits>(tm, map, source, options,
-                                                                             CGAL::parameters::default_values())));
+  CHECK((distances_with_rules<Rules, Hundred_digits>(tm, map, source, options)));
   std::vector<Hundred_digits> result;
   for(const auto v : vertices(tm))
   {

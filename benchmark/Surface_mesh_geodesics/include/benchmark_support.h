@@ -444,7 +444,7 @@ inline double median(std::vector<double> values)
   return (values.size() % 2 == 1) ? values[half] : 0.5 * (values[half - 1] + values[half]);
 }
 
-// The median of the ratios of adjacent runs: a machine that becomes slower for a while harms both methods alike.
+// The median of the ratios of adjacent runs: a machine that becomes slower for a while affects both methods alike.
 inline double median_ratio(const std::vector<double>& a, const std::vector<double>& b)
 {
   std::vector<double> ratios;

@@ -1,4 +1,4 @@
-// Random locations of sources and queries, and how many of them the command line asks for.
+// Random locations of sources and queries, and their numbers on the command line.
 
 #ifndef RANDOM_LOCATIONS_H
 #define RANDOM_LOCATIONS_H
@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-// The same locations in every process: of the distributions of the standard library each implementation has its own.
+// Random locations that are the same on every machine: the distributions of the standard library are not.
 class Random_locations
 {
 public:

@@ -17,7 +17,7 @@
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Distance_certifier.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Distance_solver.h>
-#include <CGAL/Surface_mesh_geodesics/internal/interface/intrinsic_mesh_from_face_graph.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/Face_shapes.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>

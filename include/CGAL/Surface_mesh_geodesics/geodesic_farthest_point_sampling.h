@@ -15,11 +15,8 @@
 #include <CGAL/Surface_mesh_geodesics/Geodesic_default_visitor.h>
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
-#include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_propagation.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/Farthest_vertex_queue.h>
-#include <CGAL/Surface_mesh_geodesics/internal/interface/intrinsic_mesh_from_face_graph.h>
-#include <CGAL/Surface_mesh_geodesics/internal/interface/source_range.h>
-#include <CGAL/Surface_mesh_geodesics/internal/interface/run_with_visitor.h>
+#include <CGAL/Surface_mesh_geodesics/internal/applications/Farthest_point_sampling.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/distance_functions.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -27,7 +24,6 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -47,144 +43,43 @@ struct Geodesic_sampling_options
   /// the type of the samples.
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
 
-  /// vertices that are samples already. They are not written again, and count for the number of samples. If
-  /// there is none, the first vertex of the mesh that has a face is the first sample.
+  /// vertices that are samples already. The function does not write them, but counts them among the samples. If the
+  /// vector is empty, the first vertex of the mesh that has a face becomes the first sample.
   std::vector<vertex_descriptor> first_samples;
 
-  /// no more samples are taken as soon as no vertex is farther from its nearest sample than this, in the unit of the
-  /// mesh. Not negative; 0 by default.
+  /// the sampling ends as soon as no vertex is farther from its nearest sample than this, in the unit of the mesh. Not
+  /// negative; 0 by default.
   double covering_radius = 0;
 
-  /// if not null, what the propagation did is <em>assigned</em> to `*statistics`. The object is not owned.
+  /// if not null, the function <em>assigns</em> the counts of the propagation to `*statistics`. The object is not
+  /// owned.
   Propagation_statistics* statistics = nullptr;
 };
-
-namespace internal {
-
-template <typename TriangleMesh, typename VertexIndexMap, typename FaceIndexMap>
-class Farthest_point_sampling
-{
-  using Graph_traits = boost::graph_traits<TriangleMesh>;
-  using vertex_descriptor = typename Graph_traits::vertex_descriptor;
-  using Field = Vertex_distance_field<double>;
-
-public:
-  Farthest_point_sampling(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim)
-    : m_tm(tm), m_vim(vim), m_fim(fim)
-  {}
-
-  // returns the covering radius.
-  template <typename Shape, typename OutputIterator, typename Visitor>
-  double run(Shape shape, std::size_t n, OutputIterator output, const Geodesic_sampling_options<TriangleMesh>& options,
-             Visitor& visitor)
-  {
-    if(!(options.covering_radius >= 0))
-      throw Invalid_geodesic_input(Invalid_geodesic_input::Reason::INVALID_RADIUS,
-                                   "the covering radius is negative or not a number");
-    Intrinsic_mesh_builder<double, TriangleMesh, VertexIndexMap, FaceIndexMap>(m_tm, m_vim, m_fim)
-      .build(shape, m_mesh, m_table);
-    Distance_propagation<double> propagation(m_mesh, m_field);
-    std::size_t number = options.first_samples.size();
-    bool is_complete = add_first_samples(propagation, options, visitor);
-    Farthest_vertex_queue<double> queue(m_field.distance, ranks(), number_of_candidates());
-    const double unit = m_mesh.unit();
-    double radius = std::numeric_limits<double>::infinity();
-    while(is_complete)
-    {
-      const Vertex_id v = queue.farthest();
-      radius = v == null_id ? 0. : unit * m_field.distance[v];
-      if(number >= n || v == null_id || radius <= options.covering_radius)
-        break;
-      propagation.add_source(v, 0);
-      is_complete = run(propagation, visitor);
-      if(is_complete)
-        *output++ = m_table.vertices[v];
-      ++number;
-    }
-    if(options.statistics != nullptr)
-    {
-      *options.statistics = propagation.statistics();
-      options.statistics->intrinsic_mesh_bytes += m_mesh.memory() + m_table.memory() + m_field.memory();
-    }
-    return radius;
-  }
-
-private:
-  // returns false if the visitor cancels.
-  template <typename Visitor>
-  bool add_first_samples(Distance_propagation<double>& propagation,
-                         const Geodesic_sampling_options<TriangleMesh>& options, Visitor& visitor)
-  {
-    const Element_finder<double, TriangleMesh, VertexIndexMap, FaceIndexMap> finder(m_table, m_vim, m_fim);
-    for(std::size_t i = 0; i < options.first_samples.size(); ++i)
-      propagation.add_source(finder.vertex(options.first_samples[i], "sample", i), 0);
-    return options.first_samples.empty() || run(propagation, visitor);
-  }
-
-  template <typename Visitor>
-  bool run(Distance_propagation<double>& propagation, Visitor& visitor) const
-  {
-    return run_with_visitor(visitor, m_table.vertices.size(), [&](auto go_on)
-    {
-      return propagation.run([&](std::size_t number_of_visits, double distance)
-      { return go_on(number_of_visits, m_mesh.unit() * distance); });
-    });
-  }
-
-  // Of vertices that are equally far the first one of the mesh is taken.
-  const std::vector<Vertex_id>& ranks()
-  {
-    m_rank.resize(m_table.vertices.size());
-    Vertex_id position = 0;
-    for(vertex_descriptor v : vertices(m_tm))
-      m_rank[m_table.vertex_of_index[static_cast<std::size_t>(get(m_vim, v))]] = position++;
-    return m_rank;
-  }
-
-  // Vertices without faces have the last numbers.
-  std::size_t number_of_candidates() const
-  {
-    std::size_t n = m_table.vertices.size();
-    while(n > 0 && m_mesh.halfedge(static_cast<Vertex_id>(n - 1)) == null_id)
-      --n;
-    return n;
-  }
-
-  const TriangleMesh& m_tm;
-  VertexIndexMap m_vim;
-  FaceIndexMap m_fim;
-  Intrinsic_mesh<double> m_mesh;
-  Face_graph_correspondence<TriangleMesh> m_table;
-  Field m_field;
-  std::vector<Vertex_id> m_rank;
-};
-
-} // namespace internal
 
 /*!
 \ingroup PkgSurfaceMeshGeodesicsFunctions
 
-writes vertices that are spread over a triangle mesh: each is the vertex that is farthest from all before, by exact
-geodesic distances.
+writes vertices that are spread over a triangle mesh: each is the vertex that is farthest from all samples before, by
+exact geodesic distances.
 
-A vertex that no sample reaches is farther than all others, so each component gets a sample first; vertices without
-faces are left out. Of vertices that are equally far the first one of the mesh is taken.
+A vertex that no sample reaches is farther than all others, so each component gets a sample first. Vertices without
+faces are never samples. Of vertices that are equally far, the first one of the mesh becomes the sample.
 
-Distances are propagated once. A new sample sends windows over the part of the surface that becomes its Voronoi cell
-and little more; all else stays as it is. So the time is about that of a run of `geodesic_distances()`
-for the first sample, and for each further one in proportion to its cell. The memory is that of such a run.
+There is one propagation for all samples. A new sample sends windows over the part of the surface that becomes its
+Voronoi cell, and hardly farther; the rest is unchanged. So the first sample takes the time of a run of
+`geodesic_distances()`, and each further one takes time proportional to its cell. The memory is that of such a run.
 
-<b>Thread safety.</b> The function uses one thread, and may be called by several threads at once, on the same mesh as
-well, if each call writes to an output of its own; see `geodesic_distances()`.
+<b>Thread safety.</b> The function uses one thread. Several threads may call it at once, also on the same mesh, if each
+call writes to an output of its own; see `geodesic_distances()`.
 
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam OutputIterator a model of `OutputIterator` that holds vertex descriptors of `TriangleMesh`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tm the triangle mesh
-\param n the number of samples, with those that are given as options
-\param output gets the samples, in the order in which they are found; fewer than `n` if every vertex is
-       one, or has one within the radius of the options
+\param n the number of samples, including those in the options
+\param output receives the samples, in the order in which they are found; fewer than `n` if every vertex is a sample, or
+       has one within the radius of the options
 \param options vertices to begin with, a radius, statistics
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 
@@ -211,8 +106,8 @@ well, if each call writes to an output of its own; see `geodesic_distances()`.
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
     \cgalParamDescription{a visitor that follows one propagation for each sample, and one for all samples in the
-                          options; distances begin anew with each, visits are counted on. If it cancels one, no
-                          more samples are written.}
+                          options. Distances start from 0 in each, and the number of visits continues. If the visitor
+                          cancels one, the function writes no more samples.}
     \cgalParamType{a class model of `GeodesicPropagationVisitor`}
     \cgalParamDefault{`Geodesic_default_visitor`}
     \cgalParamExtra{The visitor is not copied if it is passed with `std::ref()`.}
@@ -220,11 +115,11 @@ well, if each call writes to an output of its own; see `geodesic_distances()`.
 \cgalNamedParamsEnd
 
 \return the covering radius: the largest distance of a vertex from its nearest sample, in the unit of the mesh. It is
-        infinite if there is a vertex, with a face, that no sample reaches. If the visitor cancelled a propagation, this
-        is the radius of the samples before, and nothing more has been written; infinite if it was the first one.
+        infinite if no sample reaches some vertex that has a face. If the visitor cancelled a propagation, the function
+        returns the radius of the samples before that one, infinity if it was the first.
 
-\throws Invalid_geodesic_input if the mesh is invalid, as for `geodesic_distances()`, if a vertex in the
-        options is not one of `tm`, or if the radius is negative or not a number. Nothing has been written then.
+\throws Invalid_geodesic_input if the mesh is invalid, as for `geodesic_distances()`, if a vertex in the options is not
+        one of `tm`, or if the radius is negative or not a number. Nothing has been written then.
 */
 template <typename TriangleMesh, typename OutputIterator, typename CGAL_NP_TEMPLATE_PARAMETERS>
 double geodesic_farthest_point_sampling(const TriangleMesh& tm, std::size_t n, OutputIterator output,
@@ -232,23 +127,19 @@ double geodesic_farthest_point_sampling(const TriangleMesh& tm, std::size_t n, O
                                         const CGAL_NP_CLASS& np = parameters::default_values())
 {
   using parameters::choose_parameter;
-  using parameters::get_parameter;
   using parameters::get_parameter_reference;
   auto vim = CGAL::get_initialized_vertex_index_map(tm, np);
   auto fim = CGAL::get_initialized_face_index_map(tm, np);
-  auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
-                              get_const_property_map(CGAL::vertex_point, tm));
   Geodesic_default_visitor default_visitor;
   auto& visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
   internal::Farthest_point_sampling<TriangleMesh, decltype(vim), decltype(fim)> sampling(tm, vim, fim);
-  return sampling.run(internal::Shape_from_points<double, TriangleMesh, decltype(vpm)>(tm, vpm), n, output,
-                      options, visitor);
+  return sampling.run(internal::shape_from_points<double>(tm, np), n, output, options, visitor);
 }
 
 /*!
 \ingroup PkgSurfaceMeshGeodesicsFunctions
 
-writes vertices that are spread over a triangle mesh, with the default options. All else is as for the function above.
+writes vertices that are spread over a triangle mesh, with the default options. Otherwise as the function above.
 
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam OutputIterator a model of `OutputIterator` that holds vertex descriptors of `TriangleMesh`
@@ -256,7 +147,7 @@ writes vertices that are spread over a triangle mesh, with the default options. 
 
 \param tm the triangle mesh
 \param n the number of samples
-\param output gets the samples, in the order in which they are found
+\param output receives the samples, in the order in which they are found
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters", as above
 
 \return the covering radius, in the unit of the mesh, as above

@@ -1,8 +1,8 @@
 #ifndef SURFACE_MESH_GEODESICS_DISTANCE_TEST_HELPERS_H
 #define SURFACE_MESH_GEODESICS_DISTANCE_TEST_HELPERS_H
 
-// Short forms of calls of the distance functions: fields as vectors in the order of
-// vertices(tm), and locations on vertices, edges and faces.
+// Short forms of calls of the distance functions, which return distances in the order of vertices(tm); and locations at
+// vertices, on edges and in faces.
 
 #include "test_meshes.h"
 #include "test_support.h"
@@ -197,6 +197,21 @@ inline vertex_descriptor random_vertex(const Mesh& tm, test_support::Random& ran
       return v;
     }
   }
+}
+
+// Meshes of many kinds: closed and with borders, rough and smooth, with handles, holes and thin parts.
+inline std::vector<Indexed_mesh> meshes_of_many_kinds(std::uint64_t seed)
+{
+  return {icosphere(2),
+          rough_terrain(10, 2., seed),
+          wavy_tube(20, 24),
+          tetrahedral_ogre(60, seed + 1),
+          square_with_holes(2),
+          spiral_corridor(),
+          midpoint_subdivision(genus_2_polycube()),
+          random_cuts(noisy_sphere(2, .1, seed + 2), .15, seed + 3),
+          two_components_and_an_isolated_vertex(),
+          irregular_tetrahedron()};
 }
 
 } // namespace test_meshes

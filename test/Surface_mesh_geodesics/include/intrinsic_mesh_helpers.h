@@ -5,8 +5,9 @@
 
 #include "test_meshes.h"
 
+#include <CGAL/Surface_mesh_geodesics/internal/interface/Face_shapes.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/Intrinsic_surface.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
-#include <CGAL/Surface_mesh_geodesics/internal/interface/intrinsic_mesh_from_face_graph.h>
 
 #include <type_traits>
 
@@ -18,12 +19,9 @@ inline CGAL::Surface_mesh_geodesics::internal::Intrinsic_mesh<double> intrinsic_
   const auto vim = get(boost::vertex_index, tm);
   const auto fim = get(boost::face_index, tm);
   const auto vpm = get(CGAL::vertex_point, tm);
-  internal::Intrinsic_mesh<double> mesh;
-  internal::Face_graph_correspondence<Mesh> table;
-  internal::Shape_from_points<double, Mesh, std::decay_t<decltype(vpm)>> shape(tm, vpm);
-  internal::Intrinsic_mesh_builder<double, Mesh, std::decay_t<decltype(vim)>, std::decay_t<decltype(fim)>>(tm, vim, fim)
-    .build(shape, mesh, table);
-  return mesh;
+  const internal::Intrinsic_surface<double, Mesh, std::decay_t<decltype(vim)>, std::decay_t<decltype(fim)>> surface(
+    tm, vim, fim, internal::Shape_from_points<double, Mesh, std::decay_t<decltype(vpm)>>(tm, vpm));
+  return surface.mesh();
 }
 
 } // namespace test_meshes

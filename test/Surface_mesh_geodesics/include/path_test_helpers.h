@@ -44,7 +44,7 @@ struct Place_of
 
 using Place = Place_of<Geodesic_paths>;
 
-// what a place is called in messages
+// Names a place in messages.
 template <class Any_place>
 std::string description(const Any_place& p)
 {
@@ -111,7 +111,7 @@ struct Path_recorder
   }
 };
 
-// What a query answers: the distance, and the number of the source, counted from the first.
+// The answer to a query: the distance, and the number of the source, counted from the first.
 struct Answer
 {
   double distance;
@@ -132,7 +132,7 @@ std::size_t number_of(typename Paths::Source_point_iterator it, const Paths& pat
   return no_source;
 }
 
-// `Paths` may be const: then the query does not build.
+// `Paths` may be const.
 template <class Paths, class Any_place>
 Answer ask(Paths& paths, const Any_place& q)
 {
@@ -254,102 +254,60 @@ inline double polyline_length(const std::vector<Coordinates>& points)
   return sum;
 }
 
-// Asks for the path in all ways, checks it and returns its points. `size` is the size of the coordinates, for
-// distances that are small against it.
+// Checks the polyline of a path against its points and elements: each segment lies in the face that comes with its end.
 template <class Paths, class Any_place, class TriangleMesh>
-std::vector<Coordinates> checked_path(Paths& paths, const Any_place& q, const TriangleMesh& tm, double size,
-                                      double tolerance = 1e-10)
+void check_polyline(Paths& paths, const Any_place& q, const TriangleMesh& tm, const Answer& answer,
+                    const std::vector<Path_item<std::remove_const_t<Paths>>>& items,
+                    const std::vector<typename Paths::Point_3>& points)
 {
-  using Plain_paths = std::remove_const_t<Paths>;
-  using Item = Path_item<Plain_paths>;
-  using Graph_traits = boost::graph_traits<TriangleMesh>;
-  const Answer answer = ask(paths, q);
-  Path_recorder<Plain_paths> recorder;
-  const Answer of_sequence = ask_sequence(paths, q, recorder);
-  std::vector<typename Plain_paths::Point_3> raw_points;
-  const Answer of_points = ask_points(paths, q, std::back_inserter(raw_points));
-  CHECK_EQUAL(of_sequence.distance, answer.distance);
-  CHECK_EQUAL(of_sequence.source, answer.source);
-  CHECK_EQUAL(of_points.distance, answer.distance);
-  CHECK_EQUAL(of_points.source, answer.source);
-  const std::vector<Item>& items = recorder.items;
-  std::vector<Coordinates> points;
-  for(const auto& p : raw_points)
+  std::vector<std::pair<typename Paths::Point_3, typename Paths::face_descriptor>> polyline;
+  const Answer of_polyline = ask_polyline(paths, q, std::back_inserter(polyline));
+  CHECK_EQUAL(of_polyline.distance, answer.distance);
+  CHECK_EQUAL(of_polyline.source, answer.source);
+  if(!CHECK_EQUAL(polyline.size(), points.size()) || polyline.size() != items.size())
   {
-    points.push_back(to_coordinates(p));
+    return;
   }
-  // the points are those of the elements, without what rounding makes equal to the point before
-  std::vector<Coordinates> points_of_items;
+  for(std::size_t i = 0; i < polyline.size(); ++i)
+  {
+    CHECK(polyline[i].first == points[i]);
+    if(i == 0)
+    {
+      CHECK(polyline[i].second == boost::graph_traits<TriangleMesh>::null_face());
+      continue;
+    }
+    for(const auto& end : {items[i - 1], items[i]})
+    {
+      const auto around = faces_of_item(end, tm);
+      CHECK(std::find(around.begin(), around.end(), polyline[i].second) != around.end());
+    }
+  }
+}
+
+// Checks that all elements are on the surface, that only the ends are inside faces, and that elements that follow each
+// other share a face.
+template <class Paths, class TriangleMesh>
+void check_items(const std::vector<Path_item<Paths>>& items, const TriangleMesh& tm)
+{
+  using Item = Path_item<Paths>;
   for(const Item& item : items)
   {
-    const Coordinates p = point_of_item(item, paths);
-    if(points_of_items.empty() || p != points_of_items.back())
+    if(item.kind == Item::EDGE)
     {
-      points_of_items.push_back(p);
+      CHECK(item.t >= 0. && item.t <= 1.);
     }
-  }
-  CHECK(points == points_of_items);
-  if constexpr(!std::is_const_v<Paths>)
-  {
-    std::vector<std::pair<typename Paths::Point_3, typename Paths::face_descriptor>> polyline;
-    const Answer of_polyline = ask_polyline(paths, q, std::back_inserter(polyline));
-    CHECK_EQUAL(of_polyline.distance, answer.distance);
-    CHECK_EQUAL(of_polyline.source, answer.source);
-    if(CHECK_EQUAL(polyline.size(), points.size()) && polyline.size() == items.size())
-    {
-      for(std::size_t i = 0; i < polyline.size(); ++i)
-      {
-        CHECK(polyline[i].first == raw_points[i]);
-        if(i == 0)
-        {
-          CHECK(polyline[i].second == Graph_traits::null_face());
-          continue;
-        }
-        for(const Item& end : {items[i - 1], items[i]})
-        {
-          const auto around = faces_of_item(end, tm);
-          CHECK(std::find(around.begin(), around.end(), polyline[i].second) != around.end());
-        }
-      }
-    }
-  }
-  if(answer.distance < 0.)
-  {
-    CHECK_EQUAL(answer.distance, -1.);
-    CHECK_EQUAL(answer.source, no_source);
-    CHECK(points.empty());
-    return points;
-  }
-  if(!CHECK(!points.empty()) || !CHECK(answer.source != no_source))
-  {
-    return points;
-  }
-
-  // every point is on the surface
-  for(std::size_t i = 0; i < items.size(); ++i)
-  {
-    if(items[i].kind == Item::EDGE)
-    {
-      CHECK(items[i].t >= 0. && items[i].t <= 1.);
-    }
-    else if(items[i].kind == Item::FACE)
+    else if(item.kind == Item::FACE)
     {
       for(std::size_t k = 0; k < 3; ++k)
       {
-        const double b = CGAL::to_double(items[i].coordinates[k]);
+        const double b = CGAL::to_double(item.coordinates[k]);
         CHECK(b > -1e-12 && b < 1. + 1e-12);
       }
     }
   }
-  // only the ends may be inside faces
   for(std::size_t i = 1; i + 1 < items.size(); ++i)
   {
     CHECK(items[i].kind != Item::FACE);
-  }
-  // neighbours share a face, and differ
-  for(std::size_t i = 1; i < points.size(); ++i)
-  {
-    CHECK(points[i - 1] != points[i]);
   }
   for(std::size_t i = 1; i < items.size(); ++i)
   {
@@ -357,13 +315,15 @@ std::vector<Coordinates> checked_path(Paths& paths, const Any_place& q, const Tr
     const auto after = faces_of_item(items[i], tm);
     CHECK(std::find_first_of(before.begin(), before.end(), after.begin(), after.end()) != before.end());
   }
-  // the length
-  const double path_length = polyline_length(points);
-  if(std::abs(path_length - answer.distance) > 1e-14 * size)
-  {
-    CHECK_CLOSE(path_length, answer.distance, tolerance);
-  }
-  // the ends
+}
+
+// Checks that a path begins at the query and ends at its source.
+template <class Paths, class Any_place>
+void check_ends(Paths& paths, const Any_place& q, const Answer& answer,
+                const std::vector<Path_item<std::remove_const_t<Paths>>>& items,
+                const std::vector<Coordinates>& points, double size)
+{
+  using Item = Path_item<std::remove_const_t<Paths>>;
   if(q.is_vertex())
   {
     CHECK(items.front().kind == Item::VERTEX && items.front().vertex == q.vertex);
@@ -375,7 +335,7 @@ std::vector<Coordinates> checked_path(Paths& paths, const Any_place& q, const Tr
   }
   auto source = paths.source_points_begin();
   std::advance(source, static_cast<std::ptrdiff_t>(answer.source));
-  if(source->first == Graph_traits::null_face()) // an isolated vertex
+  if(source->first == Paths::Graph_traits::null_face()) // an isolated vertex
   {
     CHECK_EQUAL(points.size(), 1u);
     CHECK_EQUAL(answer.distance, 0.);
@@ -384,6 +344,69 @@ std::vector<Coordinates> checked_path(Paths& paths, const Any_place& q, const Tr
   {
     CHECK_NEAR(length(points.back() - to_coordinates(paths.point(source->first, source->second))), 0., 1e-13 * size);
   }
+}
+
+// Returns the points of the elements, without a point that rounding makes equal to the one before.
+template <class Paths>
+std::vector<Coordinates> points_of_items(const std::vector<Path_item<std::remove_const_t<Paths>>>& items, Paths& paths)
+{
+  std::vector<Coordinates> points;
+  for(const auto& item : items)
+  {
+    const Coordinates p = point_of_item(item, paths);
+    if(points.empty() || p != points.back())
+    {
+      points.push_back(p);
+    }
+  }
+  return points;
+}
+
+// Asks for the path in all ways, checks it and returns its points. `size` is the size of the coordinates, for
+// distances that are small against it.
+template <class Paths, class Any_place, class TriangleMesh>
+std::vector<Coordinates> checked_path(Paths& paths, const Any_place& q, const TriangleMesh& tm, double size,
+                                      double tolerance = 1e-10)
+{
+  using Plain_paths = std::remove_const_t<Paths>;
+  const Answer answer = ask(paths, q);
+  Path_recorder<Plain_paths> recorder;
+  const Answer of_sequence = ask_sequence(paths, q, recorder);
+  std::vector<typename Plain_paths::Point_3> raw_points;
+  const Answer of_points = ask_points(paths, q, std::back_inserter(raw_points));
+  CHECK_EQUAL(of_sequence.distance, answer.distance);
+  CHECK_EQUAL(of_sequence.source, answer.source);
+  CHECK_EQUAL(of_points.distance, answer.distance);
+  CHECK_EQUAL(of_points.source, answer.source);
+  std::vector<Coordinates> points;
+  for(const auto& p : raw_points)
+  {
+    points.push_back(to_coordinates(p));
+  }
+  CHECK(points == points_of_items(recorder.items, paths));
+  check_polyline(paths, q, tm, answer, recorder.items, raw_points);
+  if(answer.distance < 0.)
+  {
+    CHECK_EQUAL(answer.distance, -1.);
+    CHECK_EQUAL(answer.source, no_source);
+    CHECK(points.empty());
+    return points;
+  }
+  if(!CHECK(!points.empty()) || !CHECK(answer.source != no_source))
+  {
+    return points;
+  }
+  check_items(recorder.items, tm);
+  for(std::size_t i = 1; i < points.size(); ++i)
+  {
+    CHECK(points[i - 1] != points[i]);
+  }
+  const double path_length = polyline_length(points);
+  if(std::abs(path_length - answer.distance) > 1e-14 * size)
+  {
+    CHECK_CLOSE(path_length, answer.distance, tolerance);
+  }
+  check_ends(paths, q, answer, recorder.items, points, size);
   return points;
 }
 

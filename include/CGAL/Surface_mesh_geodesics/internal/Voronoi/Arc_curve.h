@@ -10,10 +10,13 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_ARC_CURVE_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_ARC_CURVE_H
 
-// The curve of an arc of the diagram as a function of a parameter from 0 to 1, its length, and the integrals
-// along it that areas and centroids are made of.
+// An arc of the diagram as a parametric curve over [0, 1], its length, and the integrals along it from which areas and
+// centroids are computed.
+//
+// Frame: the layout of the arc's face. Error: integrals are exact up to Tolerance::quadrature() of those over the chord.
 
-#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Voronoi_complex.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Voronoi_elements.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Weighted_bisector.h>
 
 #include <boost/math/quadrature/gauss.hpp>
@@ -27,8 +30,8 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// For a region on the left of its border: integrated along the border they add up to the area, and to the
-// integrals of x and y over the region.
+// Integrals along a part of the border of a region that is on its left. Summed over the whole border, they are the area
+// and the integrals of x and y over the region (Green's theorem).
 struct Border_integrals
 {
   double area = 0, x = 0, y = 0;
@@ -41,7 +44,7 @@ struct Border_integrals
   }
 };
 
-// along the segment from p to q.
+// Returns the integrals along the segment from p to q.
 inline Border_integrals segment_integrals(const Planar_point<double>& p, const Planar_point<double>& q)
 {
   const double cross = p.x * q.y - p.y * q.x;
@@ -54,13 +57,15 @@ public:
   using Point = Planar_point<double>;
   using Arc = Voronoi_arc<double>;
 
+  // The curve is the segment between the ends of the arc if the arc is straight up to rounding: it is no bisector, both
+  // weights are equal, or the bisector does not lead from one end to the other.
   explicit Arc_curve(const Arc& a)
     : m_first(a.first), m_last(a.last), m_curve(a.left, a.right, a.first)
   {
     using std::abs;
     const double d = a.left.distance_to(a.first);
     m_is_segment = !a.is_bisector || !m_curve.is_curved()
-                || abs(a.left.weight - a.right.weight) <= 4 * Tolerance<double>::distance() * d;
+                || abs(a.left.weight - a.right.weight) <= Tolerance<double>::curvature() * d;
     m_end = m_is_segment ? 0 : m_curve.angle(a.last);
     m_is_segment = m_is_segment || !(m_end > 0) || !is_better_than_segment(a);
   }
@@ -86,12 +91,12 @@ public:
                            {distance(m_first, m_last)})[0];
   }
 
-  // All are taken from the first point, so that no digits are lost.
+  // Returns the integrals along the arc: those of the chord, plus those between chord and curve. The latter are taken
+  // relative to the first point, so that no digits are lost.
   Border_integrals integrals() const
   {
     if(m_is_segment)
       return segment_integrals(m_first, m_last);
-    // the segment, and what is between it and the curve
     Border_integrals result = segment_integrals(m_first, m_last);
     const double chord = distance(m_first, m_last);
     const Values<3> moments = integrals_of<3>([this](const Point& p, const Point& d)
@@ -106,8 +111,8 @@ public:
     return result;
   }
 
-  // calls visit(point) for points from behind the first one to the last one, between which the curve is not
-  // farther than `tolerance` from the segments.
+  // Calls visit(point) for points of the curve, without the first point and including the last one. The segments between
+  // them are at most `tolerance` away from the curve.
   template <typename Visitor>
   void sample(double tolerance, Visitor visit) const
   {
@@ -117,8 +122,8 @@ public:
   }
 
 private:
-  // Where the images are so near to each other that rounding moves the curve as a whole, it may end before the last
-  // point. Then the segment may be nearer to where the distances are equal.
+  // Returns whether the curve is closer than the segment to the points of equal distance. Where the two images are so close
+  // to each other that rounding moves the curve as a whole, the curve may end before the last point of the arc.
   bool is_better_than_segment(const Arc& a) const
   {
     const double chord = distance(m_first, m_last);
@@ -145,9 +150,8 @@ private:
   template <std::size_t n>
   using Values = std::array<double, n>;
 
-  // The integrals over the curve of values at its points and derivatives by the angle, with errors that are small in
-  // comparison with the scales: what is integrated may be nothing but rounding. The intervals are halved until the
-  // sums do not change.
+  // Returns the integrals over the curve of f(point, derivative by the angle). Intervals are halved until the sums change
+  // by at most Tolerance::quadrature() of `scale`; a relative criterion would fail where f is only rounding.
   template <std::size_t n, typename Function>
   Values<n> integrals_of(Function f, const Values<n>& scale) const
   {
@@ -173,8 +177,8 @@ private:
     return result;
   }
 
-  // adds the integrals from one angle to another by Gauss' formula. Most curves bend so little that few points are
-  // enough. All values are taken at once: the curve costs more than they do.
+  // Adds the integrals from one angle to another by Gauss' formula with seven points, which is enough for most curves,
+  // as they bend little. All values are computed together, since evaluating the curve is the expensive part.
   template <typename Function, std::size_t n>
   void add_Gauss_sums(Function f, double from, double to, Values<n>& sum) const
   {
@@ -209,7 +213,7 @@ private:
     const double middle = (t + u) / 2;
     const Point m = point(middle);
     const Half_plane<double> side = Half_plane<double>::left_of(p, q);
-    if(depth == 0 || 2 * std::abs(side(m)) <= tolerance) // the largest distance is less than twice this one
+    if(depth == 0 || 2 * std::abs(side(m)) <= tolerance) // the largest distance is less than twice that of m
       return;
     refine(t, middle, p, m, tolerance, depth - 1, visit);
     visit(m);
@@ -219,7 +223,7 @@ private:
   Point m_first, m_last;
   Weighted_bisector<double> m_curve;
   bool m_is_segment;
-  double m_end = 0; // the angle of the last point (Weighted_bisector)
+  double m_end = 0; // Weighted_bisector::angle() of the last point
 };
 
 } // namespace internal

@@ -10,16 +10,19 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_CELL_LOCATOR_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_CELL_LOCATOR_H
 
-// The cell in which a point of a face is, by the arcs in the face alone: no windows are left when the diagram has
-// been built.
+// Locates a point of a face in the diagram, by the arcs in the face alone: when a diagram has been built, no windows are
+// left.
 //
-// At a point that is nearly on an arc, the images of the arc are the nearest ones, and are compared. Any
-// other point is joined to a target: a point of the border of the face, whose cell is known, or a point of an
-// arc, whose cells are. The arc that this way meets first tells the cell. On symmetric surfaces arcs run along
-// edges and meet in corners and in the middles of faces, and rounding decides what a way meets there: of
-// several ways the one is taken that is farthest from the ends of arcs, and whose target is farthest from arcs.
+// If the point is on an arc up to rounding, the images of the arc are the nearest ones and are compared. Any other point is
+// joined to a target by a segment; targets are points of the border, whose cells are known, and points of arcs. The arc
+// that the segment meets first, as seen from the point, tells the cell.
+//
+// On symmetric surfaces, arcs run along edges and meet in corners and in the middles of faces, where rounding decides
+// what a segment meets. So of several targets the one with the largest clearance is taken: the distance of the segment
+// from the ends of arcs, and of the target from other arcs.
 
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Voronoi_complex.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Weighted_bisector.h>
 
 #include <algorithm>
@@ -42,25 +45,27 @@ public:
   using Point = Planar_point<FT>;
   using Arc = Voronoi_arc<FT>;
 
-  // for a point in the layout of a face.
+  // Prepares to locate a point p in the layout of face f. The complex is referred to.
   Cell_locator(const Complex& complex, Face_id f, const Point& p)
     : m_complex(complex), m_face(f), m_p(p), m_range(complex.arcs_of_face(f))
   {}
 
-  // a site whose cell the point is in, null_id if there is none. Points of arcs are in several cells.
+  // Returns the site of a cell that the point is in, null_id if the face is not reached. A point of an arc is in several
+  // cells: the nearer site of its images is returned, the left one in a tie. Takes quadratic time in the number of arcs in
+  // the face at most, linear time for most points.
   Vertex_id cell() const
   {
     if(m_range.first == m_range.second)
       return m_complex.owner_of_undivided(m_face);
     const std::array<Point, 3> corner = m_complex.layout(m_face);
-    if(corner[2].y <= resolution()) // all ways are on one line
+    if(corner[2].y <= resolution()) // in a face without height all segments are on one line
       return cell_on_border();
     const Vertex_id site = cell_on_arcs();
     return site == null_id ? cell_on_the_way(best_target()) : site;
   }
 
 private:
-  // A point and the cell that the way from it to p begins in.
+  // A point, and the cell in which the segment from it to p starts.
   struct Target
   {
     Point point;
@@ -83,7 +88,7 @@ private:
     }
   };
 
-  // the cell of the nearest piece of the border.
+  // Returns the cell of the nearest part of the border.
   Vertex_id cell_on_border() const
   {
     Nearest_site nearest;
@@ -92,7 +97,7 @@ private:
     return nearest.site;
   }
 
-  // the nearest site of the arcs that p is on, but for rounding; null_id if it is on none.
+  // Returns the nearest site of the arcs that p is on up to rounding, null_id if p is on none.
   Vertex_id cell_on_arcs() const
   {
     Nearest_site nearest;
@@ -106,7 +111,7 @@ private:
     return nearest.site;
   }
 
-  // from a point of the arc that is the nearest one if x is near to the arc.
+  // Returns the distance of x from a point of an arc, which is the nearest one if x is close to the arc.
   FT distance_from_arc(const Point& x, const Arc& a) const
   {
     const FT to_ends = (std::min)(distance(x, a.first), distance(x, a.last));
@@ -117,7 +122,7 @@ private:
     return t > 0 && t < curve.angle(a.last) ? (std::min)(to_ends, distance(x, curve.point_at_angle(t))) : to_ends;
   }
 
-  // the first kind of target that has a clear one: corners, points of the border, points of arcs.
+  // Returns the best target of the first kind in which one has a clearance: corners, points of the border, points of arcs.
   Target best_target() const
   {
     Target best;
@@ -154,8 +159,9 @@ private:
       best = Target{q, site, clearance};
   }
 
-  // the smallest distance of an end of an arc from the way to q, or of q from an arc that it is not meant to be on; or
-  // less, as soon as it is known to be not larger than `bound`: most targets need a look at few arcs only.
+  // Returns the clearance of a target q: the smallest distance of the end of an arc from the segment to q, and of q from
+  // an arc other than its own. Stops with a larger value as soon as the clearance is known to be at most `bound`, so that
+  // most targets look at few arcs.
   FT clearance_of(const Point& q, const Arc* own, const FT& bound) const
   {
     FT smallest = std::numeric_limits<FT>::infinity();
@@ -179,8 +185,8 @@ private:
     return site;
   }
 
-  // If the way from p to q meets the arc before `first`, p is in the cell on that side, unless it meets another arc
-  // before.
+  // If the segment from p to q meets the arc at a distance less than `first` from p, sets `first` to that distance and
+  // `site` to the cell on the side of p.
   void meet_arc(const Arc& a, const Point& q, Vertex_id& site, FT& first) const
   {
     const Half_plane<FT> way = Half_plane<FT>::left_of(m_p, q);
@@ -210,16 +216,17 @@ private:
         meet(curve.point(t));
   }
 
-  // the cell on the side of p of a point x of an arc.
+  // Returns the cell of an arc on the side of p, as seen from a point x of the arc.
   Vertex_id site_towards_p(const Arc& a, const Weighted_bisector<FT>& curve, const Point& x) const
   {
     if(!is_curved(a, curve))
       return Half_plane<FT>::left_of(a.first, a.last)(m_p) > 0 ? a.left_site : a.right_site;
-    const Point y{FT(x.x + (m_p.x - x.x) / 1024), FT(x.y + (m_p.y - x.y) / 1024)};
+    const FT step = Tolerance<FT>::look_ahead();
+    const Point y{FT(x.x + (m_p.x - x.x) * step), FT(x.y + (m_p.y - x.y) * step)};
     return a.left.distance_to(y) < a.right.distance_to(y) ? a.left_site : a.right_site;
   }
 
-  // what is nearer is not told apart.
+  // Returns the distance below which points are not told apart.
   FT resolution() const
   {
     const std::array<Point, 3> corner = m_complex.layout(m_face);
@@ -227,9 +234,8 @@ private:
          * (std::max)({distance(corner[0], corner[1]), distance(corner[1], corner[2]), distance(corner[2], corner[0])});
   }
 
-  // Else the arc is the segment between its ends, or cannot be told from it; the parameters of a hyperbola that is
-  // nearly a ray are too small to tell its ends, and if its images are nearly one, rounding moves it away from
-  // them.
+  // Returns whether an arc is told apart from the segment between its ends. The parameters of a hyperbola that is nearly
+  // a ray are too small to tell its ends, and if its images are nearly one point, rounding moves it away from its ends.
   bool is_curved(const Arc& a, const Weighted_bisector<FT>& curve) const
   {
     using std::abs;

@@ -10,13 +10,26 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_EDGE_PARTITION_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_EDGE_PARTITION_H
 
-// Which source is nearest along an edge: the lower envelope of the distances by the windows of both sides and
-// by the two ends. It is found by walking from one end to the other, from each image to the one that
-// takes over first. An image takes over only where it is nearer beyond rounding; so where two sources
-// tie along a stretch, the one that came first keeps it, and both faces at the edge are told the same.
+// Divides an edge into the intervals where one image is nearest: the lower envelope of the distances by the windows of
+// both sides and by the two ends (thesis, 5.2, the trimming rule). This decides which site owns each part of the edge;
+// both faces at the edge take over the result.
+//
+// The envelope is found by walking from the first end to the last one, from each image to the one that takes over first.
+//
+// Formula: the distance by an image is weight + |(x - image_x, depth)| in the frame of a halfedge, where x is the abscissa.
+// Two of them are equal at the roots of a quadratic equation (equal_points()), refined by Newton's method.
+// Ties: an image takes over only where it is nearer beyond rounding, is_nearer(). So where two sites tie along a part
+// of the edge, the one whose interval comes first keeps it. If two images take over at the same abscissa, the one whose
+// distance grows more slowly does; if their slopes are equal, too, the one that was added first.
+// Error: the distances at a breakpoint are equal up to their rounding. No bound is known for its abscissa, as the two
+// distances may touch; cells narrower than Tolerance::interval() times the length are dropped.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Weighted_bisector.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
+
+#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <array>
@@ -30,7 +43,7 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// The distances weight + |(x - image_x, depth)| at the points x of an interval.
+// An image as an edge sees it: the distances weight + |(x - image_x, depth)| at the points x from `begin` to `end`.
 template <typename FT>
 struct Edge_image
 {
@@ -40,7 +53,7 @@ struct Edge_image
 
   FT distance_at(const FT& x) const { return weight + norm<FT>(x - image_x, depth); }
 
-  // the derivative of the distance.
+  // Returns the derivative of the distance, 0 at the image itself.
   FT slope_at(const FT& x) const
   {
     const FT n = norm<FT>(x - image_x, depth);
@@ -48,7 +61,7 @@ struct Edge_image
   }
 };
 
-// A point of an edge where one cell ends and the next one begins.
+// A breakpoint: the abscissa where the cell of `before` ends and that of `after` begins.
 template <typename FT>
 struct Edge_breakpoint
 {
@@ -56,8 +69,8 @@ struct Edge_breakpoint
   Vertex_id before, after;
 };
 
-// The interval where an image is nearest. Images are numbered as they were added; the first two are the
-// ends of the edge.
+// An interval where an image is nearest, given by its index: 0 and 1 are the ends of the edge, then come the images in the
+// order in which they were added. The partition may append images of its own, for paths that bend.
 template <typename FT>
 struct Edge_interval
 {
@@ -72,10 +85,12 @@ public:
   using Image = Edge_image<FT>;
   using Breakpoint = Edge_breakpoint<FT>;
 
-  // Images are added after a call of start(), which is told the sites and distances of the ends.
+  // Starts an edge, given the sites and the distances of its ends. Then images are added, and build() is called.
+  // Requires: length > 0.
   void start(const FT& length, Vertex_id first_site, const FT& first_distance, Vertex_id last_site,
              const FT& last_distance)
   {
+    CGAL_assertion(length > 0);
     m_length = length;
     m_last_site = last_site;
     m_images.clear();
@@ -85,6 +100,7 @@ public:
 
   void add(const Image& g) { m_images.push_back(g); }
 
+  // Finds the intervals and breakpoints. Takes time proportional to the number of images times that of intervals.
   void build()
   {
     m_breakpoints.clear();
@@ -92,24 +108,45 @@ public:
     m_x = 0;
     m_current = 0;
     m_left_here.clear();
-    std::size_t steps = 8 * m_images.size() + 64; // rounding must not let it walk for ever
+    std::size_t steps = 8 * m_images.size() + 64; // a bound, should rounding lead round in a circle
     while(steps-- > 0 && take_over())
     {
     }
     m_intervals.push_back(Edge_interval<FT>{m_x, m_length, m_current});
     change_site(m_length, m_last_site);
+    CGAL_expensive_assertion(is_partition());
   }
 
-  // Both are in ascending order, and valid until the next call of start().
+  // Both are in ascending order, and valid until the next call of build(). The intervals cover the edge.
   const std::vector<Breakpoint>& breakpoints() const { return m_breakpoints; }
   const std::vector<Edge_interval<FT>>& intervals() const { return m_intervals; }
 
   const Image& image(std::size_t i) const { return m_images[i]; }
 
 private:
-  static bool is_nearer(const FT& a, const FT& b) { return a < b * (1 - 4 * Tolerance<FT>::distance()); }
+  // Returns whether the intervals cover the edge without overlap, and the breakpoints ascend from site to site.
+  bool is_partition() const
+  {
+    FT x = 0;
+    for(const Edge_interval<FT>& i : m_intervals)
+    {
+      if(i.begin != x || i.end < x)
+        return false;
+      x = i.end;
+    }
+    Vertex_id site = m_images[0].site;
+    FT last = 0;
+    for(const Breakpoint& b : m_breakpoints)
+    {
+      if(b.before != site || b.after == site || b.x < last)
+        return false;
+      site = b.after;
+      last = b.x;
+    }
+    return x == m_length && site == m_last_site;
+  }
 
-  // goes on to the next image; false at the end of the edge.
+  // Goes on to the image that takes over first. Returns false if the current image is nearest up to the end of the edge.
   bool take_over()
   {
     FT x = m_images[m_current].end;
@@ -148,66 +185,77 @@ private:
     return true;
   }
 
-  // Near to a source, distances are smaller than the rounding of places: two images may each seem to be nearer
-  // than the other one where they take over. One that has been left comes back a bit farther on at the earliest.
+  // Returns whether an image has been left at the current abscissa. It comes back a bit farther on at the earliest:
+  // close to a site, distances are smaller than the rounding of abscissas, and each of two images may seem to be nearer
+  // than the other one where it takes over.
   bool has_been_left_here(std::size_t image) const
   {
     return std::find(m_left_here.begin(), m_left_here.end(), image) != m_left_here.end();
   }
 
-  // Parts of the edge that are not longer are products of rounding.
+  // Parts of the edge that are not longer come from rounding.
   FT width() const { return Tolerance<FT>::interval() * m_length; }
 
-  // Is g nearer than c somewhere from `x` on, before c ends, and not only behind `until`? Then `start` is where that
-  // begins.
+  // Returns whether g is nearer than c somewhere from `x` on, before c ends and not only behind `until`; `start` is then
+  // the abscissa where that begins. (The test with `until` is a cheap one: both slopes are at most 1.)
   bool takes_over(const Image& g, const Image& c, const FT& x, const FT& until, FT& start) const
   {
     const FT first = (std::max)(x, g.begin), last = (std::min)(c.end, g.end);
     if(!(first < last))
       return false;
-    // both distances grow and shrink with x at most
     if(g.distance_at(first) > c.distance_at(first) + 2 * ((std::min)(until, last) - first))
       return false;
-    const std::array<FT, 2> root = equal_points(g, c);
-    std::array<FT, 4> place{root[0], root[1], last, last};
-    // Where both images are on the line of the edge, one may be on all paths from the other one to a part of the edge.
-    // They tie there, up to one of the images, and the equation tells nothing.
-    if(g.depth + c.depth <= Tolerance<FT>::closeness() * m_length)
-    {
-      place[2] = g.image_x;
-      place[3] = c.image_x;
-      std::sort(place.begin(), place.end());
-    }
     FT from = first;
-    for(unsigned int i = 0; i < 5; ++i)
+    for(const FT& abscissa : points_of_change(g, c, last))
     {
-      const FT to = i < 4 ? (std::min)((std::max)(place[i], from), last) : last;
+      const FT to = (std::min)((std::max)(abscissa, from), last);
       if(from < to)
       {
         const FT middle = from + (to - from) / 2;
-        if(is_nearer(g.distance_at(middle), c.distance_at(middle)))
+        if(is_nearer<FT>(g.distance_at(middle), c.distance_at(middle)))
         {
-          start = from;
-          if(from > first || g.distance_at(from) > c.distance_at(from)) // (else it is nearer from the beginning)
-          {
-            const FT equal = polished(g, c, from);
-            if(equal >= first && equal <= last)
-              start = equal;
-          }
+          start = refined_start(g, c, first, from, last);
           return true;
         }
       }
       from = to;
     }
-    // Roots that are near to each other are known to the square root of rounding: g may be nearer between them only.
+    // Roots that are close to each other are known up to the square root of rounding: g may be nearer only between them.
     const FT foot = (std::min)((std::max)(g.image_x, first), last);
-    if(!is_nearer(g.distance_at(foot), c.distance_at(foot)))
+    if(!is_nearer<FT>(g.distance_at(foot), c.distance_at(foot)))
       return false;
     start = equidistant_abscissa(g, c, first, foot);
     return true;
   }
 
-  // where g becomes nearer than c between two places, at the second of which it is so.
+  // Returns the abscissas between which one of two images stays nearer, in ascending order; the last one is `last`.
+  //
+  // Where both images are on the line of the edge, all paths from one to a part of the edge may lead through the other.
+  // They tie there, up to one of the images, and the equation tells nothing: then the images themselves divide the edge.
+  std::array<FT, 5> points_of_change(const Image& g, const Image& c, const FT& last) const
+  {
+    const std::array<FT, 2> root = equal_points(g, c);
+    std::array<FT, 5> result{root[0], root[1], last, last, last};
+    if(g.depth + c.depth <= Tolerance<FT>::closeness() * m_length)
+    {
+      result[2] = g.image_x;
+      result[3] = c.image_x;
+      std::sort(result.begin(), result.begin() + 4);
+    }
+    return result;
+  }
+
+  // Refines the abscissa `from` where g becomes nearer than c, within [first, last]. At `first` itself nothing is to be
+  // refined if g is nearer from the beginning.
+  static FT refined_start(const Image& g, const Image& c, const FT& first, const FT& from, const FT& last)
+  {
+    if(!(from > first) && !(g.distance_at(from) > c.distance_at(from)))
+      return from;
+    const FT equal = polished(g, c, from);
+    return equal >= first && equal <= last ? equal : from;
+  }
+
+  // Returns the abscissa where g becomes nearer than c, by bisection. Requires: g is nearer at `to`.
   static FT equidistant_abscissa(const Image& g, const Image& c, FT from, FT to)
   {
     if(!(c.distance_at(from) < g.distance_at(from)))
@@ -220,20 +268,21 @@ private:
     return to;
   }
 
-  // where the distances of two images are the same, in ascending order; infinity for what is not there.
+  // Returns the abscissas where the distances of two images are equal, in ascending order, infinity in place of those that
+  // do not exist. A root may be one of the squared equation only; it divides the edge once more, which does no harm.
+  //
+  // With y measured from the image of c, and s the weight of c minus that of g, the equation is
+  // |(y - d, depth of g)| = |(y, depth of c)| + s. Squared, it becomes a y + b = s |(y, depth of c)|; squared again,
+  // qa y^2 + 2 qb y + qc = 0.
   static std::array<FT, 2> equal_points(const Image& g, const Image& c)
   {
     using std::sqrt;
     const FT infinity = std::numeric_limits<FT>::infinity();
     std::array<FT, 2> r{infinity, infinity};
-    // With y measured from the image of c and s the weight of c less that of g: squared, the equation
-    // |(y - d, depth of g)| = |(y, depth of c)| + s is a y + b = s |(y, depth of c)|, once more squared
-    // a quadratic one.
     const FT s = c.weight - g.weight, d = g.image_x - c.image_x;
     const FT a = -d;
     const FT b = ((d - s) * (d + s) + (g.depth - c.depth) * (g.depth + c.depth)) / 2;
     const FT qa = (a - s) * (a + s), qb = a * b, qc = (b - s * c.depth) * (b + s * c.depth);
-    // qa y^2 + 2 qb y + qc = 0
     const FT square = b * b + qa * c.depth * c.depth;
     const FT root = square > 0 ? FT(sqrt(square) * (s < 0 ? FT(-s) : s)) : FT(0);
     const FT q = -(qb + (qb < 0 ? FT(-root) : root));
@@ -246,8 +295,8 @@ private:
     return r;
   }
 
-  // Newton's method; where it does not help, x is what it was. (A root of the squared equation that is none
-  // of the equation divides the edge at one place more, which does no harm.)
+  // Improves an abscissa x where two distances are equal by at most two steps of Newton's method. Returns the last one
+  // that made their difference smaller.
   static FT polished(const Image& g, const Image& c, FT x)
   {
     using std::abs;
@@ -262,14 +311,14 @@ private:
     return x;
   }
 
-  // The image that goes on where the current one ends. Rounding may leave a gap there, through which paths
-  // bend at the end of the interval.
+  // Returns the image that follows where the current one ends: the nearest one there, the lowest index in a tie. Rounding
+  // may leave a gap between intervals. Paths through the gap bend at the end of the interval; an image is added for them.
   std::size_t successor(const FT& x)
   {
     const Image c = m_images[m_current];
     std::size_t best = m_images.size();
     FT best_distance = c.distance_at(x);
-    best_distance = best_distance + 16 * Tolerance<FT>::distance() * best_distance;
+    best_distance = best_distance + Tolerance<FT>::succession() * best_distance;
     for(std::size_t j = 0; j < m_images.size(); ++j)
       if(j != m_current && m_images[j].begin <= x && x < m_images[j].end
          && m_images[j].distance_at(x) < best_distance)
@@ -282,7 +331,7 @@ private:
     return best;
   }
 
-  // The cell of another site begins at x. A cell without width is left out.
+  // Notes that the cell of another site begins at x. A cell without width is dropped.
   void change_site(const FT& x, Vertex_id site)
   {
     const Vertex_id before = m_breakpoints.empty() ? m_images[0].site : m_breakpoints.back().after;
@@ -303,9 +352,9 @@ private:
   std::vector<Image> m_images;
   std::vector<Breakpoint> m_breakpoints;
   std::vector<Edge_interval<FT>> m_intervals;
-  FT m_x = 0;
-  std::size_t m_current = 0;
-  std::vector<std::size_t> m_left_here; // the images that ended at m_x
+  FT m_x = 0;                // how far the walk has come
+  std::size_t m_current = 0; // the image that is nearest from there on
+  std::vector<std::size_t> m_left_here; // the images that have been left at m_x
 };
 
 } // namespace internal

@@ -10,30 +10,37 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_FACE_PARTITION_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_FACE_PARTITION_H
 
-// The cells in a face, given where they begin and end along its border (Edge_partition.h).
+// Divides a face into cells, given where the cells begin and end along its border (Edge_partition.h).
 //
-// Sources are vertices, so each shortest path to a point of the face comes in from the border, and all of
-// its points have the same source: each piece of a cell touches the border, and the curves between the cells
-// are a forest whose leaves are the breakpoints of the border. The leaves are traced inwards (each is a
-// front, between the cells on its left and on its right). Where the fronts of three cells meet, two of them
-// with nothing between them become one; where two fronts have the same cells, they are the two ends of one
-// curve, and what lies on either side of it goes on by itself.
+// Sites are vertices, so that each shortest path to a point of the face comes in from the border and stays in one cell.
+// So every piece of a cell touches the border, and the curves between the cells are a forest whose leaves are the
+// breakpoints of the border. A front (fronts/Cell_front.h) is traced into the face from each breakpoint. Where the fronts
+// of three cells meet, the two with nothing between them are joined in a vertex, and one front goes on. Two fronts
+// between the same two cells are the two ends of one curve; they are connected, and the parts of the face on both sides
+// of it are closed on their own.
 //
-// Only the sources decide which fronts may meet, numbers decide which of them do. So whatever rounding does,
-// the result is a forest with these breakpoints, and fits those of the neighbours. Fronts that numbers tell nothing
-// about (two sources that tie in a region) are joined by straight pieces.
+// Only the sites decide which fronts may meet; distances decide which of them do. So whatever rounding does, the result
+// is a forest with these leaves and matches those of the adjacent faces. Fronts for which rounding does not tell how they
+// meet (two sites tie in a region) are joined by segments.
+//
+// Formula: the points of an arc are equally far from its two images, and no other image is nearer.
+// Frame: the layout of the face (corners 0, 1 and 2 at (0,0), (length[0],0) and (apex_x,apex_y)).
+// Ties: of several pairs of fronts, the two whose ends are closest to each other are joined first, the first pair if
+// that ties, too. Error: no bound is known; tests compare distances on arcs with a tolerance of 1e-10.
 
-#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Cell_front.h>
-#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Site_image.h>
-#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Front_tracer.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/fronts/Cell_front.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/fronts/Face_images.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/fronts/Front_completion.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/fronts/Front_meeting.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/fronts/Front_tracer.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Weighted_bisector.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
-#include <CGAL/Surface_mesh_geodesics/internal/numeric/Newton_refinement.h>
+
+#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <utility>
@@ -43,8 +50,8 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// A piece of the curve between two cells, from `first` to `last`; both nodes are numbers of nodes of the
-// partition. It is a piece of a hyperbola or of a line.
+// A piece of the curve between two cells of a face, from `first` to `last` with the cell of left_site on the left: part
+// of the bisector of two images, or a segment. The nodes are indices in nodes().
 template <typename FT>
 struct Face_arc
 {
@@ -52,7 +59,7 @@ struct Face_arc
   Additively_weighted_point<FT> left, right;
   Planar_point<FT> first, last;
   std::size_t first_node, last_node;
-  bool is_bisector; // else it is straight whatever the points are
+  bool is_bisector; // otherwise the arc is straight, whatever the two images are
 };
 
 template <typename FT_>
@@ -65,8 +72,8 @@ public:
   using Breakpoint = Border_breakpoint<FT>;
   using Arc = Face_arc<FT>;
 
-  // The nodes: first the breakpoints, then what has been found inside. A node inside with three sites is a
-  // vertex; they are in counterclockwise order.
+  // A point where arcs end. The breakpoints come first, in their order, then the nodes inside. Of a vertex, where three
+  // cells meet, the sites are in counterclockwise order; other nodes have two sites, and null_id.
   struct Node
   {
     Point p;
@@ -74,7 +81,8 @@ public:
     bool is_vertex;
   };
 
-  // Images and breakpoints (counterclockwise) are added after a call of start(), then build() is called.
+  // Starts a face, given its corners. Then images are added, and breakpoints in counterclockwise order; then build() is
+  // called.
   void start(const std::array<Point, 3>& corner)
   {
     m_tracer.start(corner);
@@ -83,18 +91,20 @@ public:
     m_number_of_joints = 0;
   }
 
-  void add(const Image& g) { m_tracer.add(g); }
+  void add(const Image& image) { m_tracer.add(image); }
   void add(const Breakpoint& b) { m_tracer.add(b); }
 
+  // Makes the nodes and arcs. Requires: the cell that begins at a breakpoint is the one that ends at the next one.
   void build()
   {
+    CGAL_assertion(do_breakpoints_match());
     std::vector<Front>& fronts = m_fronts;
     fronts.clear();
     for(std::size_t i = 0; i < m_tracer.breakpoints().size(); ++i)
     {
-      const Breakpoint& l = m_tracer.breakpoints()[i];
-      m_nodes.push_back(Node{l.p, {l.left, l.right, null_id}, false});
-      fronts.emplace_back(l.left, l.right, l.p, i);
+      const Breakpoint& b = m_tracer.breakpoints()[i];
+      m_nodes.push_back(Node{b.p, {b.left, b.right, null_id}, false});
+      fronts.emplace_back(b.left, b.right, b.p, i);
     }
     m_waiting.clear();
     close(fronts);
@@ -104,16 +114,17 @@ public:
       m_waiting.pop_back();
       close(next);
     }
+    CGAL_expensive_assertion(is_forest());
   }
 
   const std::vector<Node>& nodes() const { return m_nodes; }
   const std::vector<Arc>& arcs() const { return m_arcs; }
-  const std::vector<Image>& images() const { return m_tracer.images(); }
+  const std::vector<Image>& images() const { return m_tracer.images().all(); }
 
-  // how many fronts had to be joined where the numbers did not tell how.
+  // Returns how many fronts were joined without distances that tell how.
   std::size_t number_of_joints() const { return m_number_of_joints; }
 
-  // how often a front was followed: the cost of all this.
+  // Returns how many traces have been made: the cost of the partition.
   std::size_t number_of_traces() const { return m_tracer.number_of_traces(); }
 
 private:
@@ -122,7 +133,40 @@ private:
   using Stop = Front_stop;
   static constexpr std::size_t none = Front::none;
 
-  // joins fronts, which are in counterclockwise order, until none is left.
+  const Face_images<FT>& images_of_face() const { return m_tracer.images(); }
+  Front_meeting<FT> meeting() const { return Front_meeting<FT>(images_of_face()); }
+  Front_completion<FT> completion() const { return Front_completion<FT>(images_of_face()); }
+
+  // --- contracts ---
+
+  // Returns whether the cells along the border follow each other.
+  bool do_breakpoints_match() const
+  {
+    const std::vector<Breakpoint>& all = m_tracer.breakpoints();
+    for(std::size_t i = 0; i < all.size(); ++i)
+      if(all[i].right != all[(i + 1) % all.size()].left)
+        return false;
+    return true;
+  }
+
+  // Returns whether one arc ends at each breakpoint, two at each other node of two sites, and three at each vertex.
+  bool is_forest() const
+  {
+    std::vector<std::size_t> degree(m_nodes.size(), 0);
+    for(const Arc& a : m_arcs)
+    {
+      ++degree[a.first_node];
+      ++degree[a.last_node];
+    }
+    for(std::size_t i = 0; i < m_nodes.size(); ++i)
+      if(degree[i] != (m_nodes[i].is_vertex ? 3u : i < m_tracer.breakpoints().size() ? 1u : 2u))
+        return false;
+    return true;
+  }
+
+  // --- closing a part of the face ---
+
+  // Joins and connects fronts, which are in counterclockwise order, until none is left.
   void close(std::vector<Front>& fronts)
   {
     while(fronts.size() > 2)
@@ -143,6 +187,7 @@ private:
     }
   }
 
+  // Tells the tracer the sites of some fronts.
   void find_sites(const std::vector<Front>& fronts)
   {
     std::vector<Vertex_id>& sites = m_tracer.sites();
@@ -152,13 +197,17 @@ private:
     std::sort(sites.begin(), sites.end());
   }
 
-  // Where a cell has no width between two fronts, nothing is to be traced.
+  // Returns whether two fronts are the two ends of one curve: they have the same cells on their other sides.
+  static bool are_ends_of_curve(const Front& f, const Front& g) { return f.left == g.right && f.right == g.left; }
+
+  // Connects the first two fronts that start at one point, if there are any: a cell between them has no width, and there
+  // is nothing to trace.
   bool connect_touching(std::vector<Front>& fronts)
   {
     for(std::size_t i = 0; i < fronts.size(); ++i)
       for(std::size_t j = i + 1; j < fronts.size(); ++j)
-        if(fronts[i].left == fronts[j].right && fronts[i].right == fronts[j].left
-           && distance(fronts[i].p, fronts[j].p) <= m_tracer.width())
+        if(are_ends_of_curve(fronts[i], fronts[j])
+           && distance(fronts[i].p, fronts[j].p) <= images_of_face().width())
         {
           split_at(fronts, i, j);
           return true;
@@ -166,7 +215,7 @@ private:
     return false;
   }
 
-  // a front that leads to the beginning of another one with the same sites is connected with it.
+  // Connects the first front that leads to the start of another one with the same sites, if there is one.
   bool split(std::vector<Front>& fronts)
   {
     for(std::size_t i = 0; i < fronts.size(); ++i)
@@ -180,16 +229,17 @@ private:
     return false;
   }
 
-  // the front through whose beginning the front i goes first; else the one at whose beginning it leaves the face.
+  // Returns the front through whose start front i leads first, otherwise the closest one to where it leaves the face,
+  // otherwise `none`.
   std::size_t other_end(const std::vector<Front>& fronts, std::size_t i) const
   {
     const Front& f = fronts[i];
     std::size_t first = none, nearest = none;
-    FT way = std::numeric_limits<FT>::infinity(), gap = m_tracer.joining_distance();
+    FT way = std::numeric_limits<FT>::infinity(), gap = images_of_face().joining_distance();
     for(std::size_t j = 0; j < fronts.size(); ++j)
     {
       const Front& g = fronts[j];
-      if(j == i || g.left != f.right || g.right != f.left)
+      if(j == i || !are_ends_of_curve(f, g))
         continue;
       if(distance(f.p, g.p) < way && f.piece_through(g.p) != none)
       {
@@ -205,6 +255,8 @@ private:
     return first != none ? first : nearest;
   }
 
+  // Connects the fronts i and j. Leaves the fronts on one side of that curve, and lets those on the other side wait. Fronts
+  // that have met a cell that is not in their part are traced again.
   void split_at(std::vector<Front>& fronts, std::size_t i, std::size_t j)
   {
     connect(fronts[i], fronts[j]);
@@ -213,12 +265,11 @@ private:
     std::vector<Front> inner(all + first + 1, all + last);
     std::vector<Front> outer(all + last + 1, all + fronts.size());
     outer.insert(outer.end(), all, all + first);
-    // a front may have met a cell that is not in its part
     for(std::vector<Front>* part : {&inner, &outer})
     {
       find_sites(*part);
       for(Front& f : *part)
-        if(f.stop == Stop::LOST || (f.stop == Stop::SITE && !m_tracer.has_front(f.third)))
+        if(f.stop == Stop::LOST || (f.stop == Stop::SITE && !m_tracer.has_site(f.third)))
           f.stop = Stop::NOT_TRACED;
     }
     fronts = std::move(outer);
@@ -226,7 +277,7 @@ private:
       m_waiting.push_back(std::move(inner));
   }
 
-  // two neighbours that meet each other's other cell meet in a vertex.
+  // Joins the two adjacent fronts that agree and whose ends are closest to each other, if any agree.
   bool join_agreeing(std::vector<Front>& fronts)
   {
     const std::size_t n = fronts.size();
@@ -235,7 +286,7 @@ private:
     for(std::size_t i = 0; i < n; ++i)
     {
       const Front &f = fronts[i], &g = fronts[(i + 1) % n];
-      if(!agree(f, g) || f.left == g.right)
+      if(!Front_meeting<FT>::agree(f, g) || f.left == g.right)
         continue;
       const FT d = distance(f.end, g.end);
       if(d < gap)
@@ -250,76 +301,7 @@ private:
     return true;
   }
 
-  // Does each of two neighbours meet the other cell of the other one?
-  static bool agree(const Front& f, const Front& g)
-  {
-    return f.stop == Stop::SITE && g.stop == Stop::SITE && f.third == g.right && g.third == f.left;
-  }
-
-  // where two fronts meet that agree.
-  Point common_end(const Front& f, const Front& g) const
-  {
-    return vertex_in_face(f, g, midpoint(f.end, g.end));
-  }
-
-  // do the cells of two neighbours tie at v, and is no other site nearer?
-  bool is_vertex(const Front& f, const Front& g, const Point& v) const
-  {
-    const FT rounding = m_tracer.width() + Tolerance<FT>::tie() * distance_from(f.right, v);
-    return excess_at(v, {f.left, f.right, g.right}) <= rounding;
-  }
-
-  // Of the points on the ways of two neighbours that do not meet, the one that is best for a vertex of their cells: no
-  // site is nearer there than the farthest of the three, and the other way leads there, too; or nearly.
-  Point best_vertex(const Front& f, const Front& g) const
-  {
-    Point best = f.p;
-    FT smallest = std::numeric_limits<FT>::infinity();
-    const auto look_at = [&](const Point& p)
-    {
-      const FT cost = excess_at(p, {f.left, f.right, g.right}) + f.distance_from(p) + g.distance_from(p);
-      if(!(cost < smallest))
-        return;
-      best = p;
-      smallest = cost;
-    };
-    for(const Front* way : {&f, &g})
-    {
-      look_at(way->end);
-      for(const Piece& piece : way->pieces)
-        look_at(piece.end);
-      look_at(way->p);
-    }
-    return best;
-  }
-
-  // how much farther the farthest of some sources is from p than the nearest one.
-  FT excess_at(const Point& p, const std::array<Vertex_id, 3>& sites) const
-  {
-    FT nearest = std::numeric_limits<FT>::infinity(), farthest = 0;
-    for(const Image& g : m_tracer.images())
-      nearest = (std::min)(nearest, g.distance_to(p));
-    for(const Vertex_id site : sites)
-      farthest = (std::max)(farthest, distance_from(site, p));
-    return farthest - nearest;
-  }
-
-  FT distance_from(Vertex_id site, const Point& p) const
-  {
-    const std::size_t i = m_tracer.nearest_of(site, p);
-    return i != none ? m_tracer.images()[i].distance_to(p) : std::numeric_limits<FT>::infinity();
-  }
-
-  // makes a front that has not found its way to v go straight to it from the place where it was nearest.
-  void lead_to(Front& f, const Point& v) const
-  {
-    const std::pair<std::size_t, FT> nearest = f.nearest_end(v);
-    f.pieces.resize(nearest.first);
-    if(!(nearest.second <= m_tracer.touching()))
-      f.stop = Stop::LOST;
-  }
-
-  // Nothing agrees: the neighbours whose ends are nearest to each other are joined.
+  // Joins or connects the two adjacent fronts whose ends are closest to each other.
   void join_nearest(std::vector<Front>& fronts)
   {
     ++m_number_of_joints;
@@ -342,99 +324,85 @@ private:
       join(fronts, best);
   }
 
-  // joins the fronts i and i + 1 in a vertex, from which one front goes on.
+  // Joins the fronts i and i + 1 in a vertex, from which one front goes on. The cell between them is closed; fronts that
+  // have met it are traced again.
   void join(std::vector<Front>& fronts, std::size_t i)
   {
     const std::size_t next = (i + 1) % fronts.size();
     Front& f = fronts[i];
     Front& g = fronts[next];
-    const bool do_agree = agree(f, g);
-    Point v = do_agree ? common_end(f, g) : f.p;
-    const bool do_meet = do_agree && (distance(f.end, g.end) <= m_tracer.touching() || is_vertex(f, g, v));
+    const bool do_agree = Front_meeting<FT>::agree(f, g);
+    Point v = do_agree ? meeting().common_end(f, g) : f.p;
+    const bool do_meet
+      = do_agree && (distance(f.end, g.end) <= images_of_face().touching() || meeting().is_vertex(f, g, v));
     if(!do_meet)
-      v = best_vertex(f, g);
+      v = meeting().best_vertex(f, g);
     const std::size_t node = m_nodes.size();
     m_nodes.push_back(Node{v, {f.left, f.right, g.right}, true});
-    for(Front* way : {&f, &g})
-      if(!way->cut_at(v) && !do_meet)
-        lead_to(*way, v);
+    for(Front* front : {&f, &g})
+      if(!front->cut_at(v) && !do_meet)
+        completion().lead_to(*front, v);
     finish(f, v, node);
     finish(g, v, node);
     const Vertex_id closed = f.right;
     const Front joined(f.left, g.right, v, node);
     fronts[i] = joined;
     fronts.erase(fronts.begin() + static_cast<std::ptrdiff_t>(next));
-    for(Front& h : fronts) // the cell between is closed: what met it there has to look again
+    for(Front& h : fronts)
       if(h.stop == Stop::LOST || (h.stop == Stop::SITE && h.third == closed))
         h.stop = Stop::NOT_TRACED;
   }
 
-  // traces f until it reaches the beginning of g, which has the same cells on the other sides.
+  // --- one curve from end to end ---
+
+  // Connects two fronts that are the ends of one curve. Traces from a point of the border if there is one, since the
+  // border is a sure end.
   void connect(Front& f, Front& g)
   {
-    if(starts_at_border(f) && !starts_at_border(g)) // the border is a sure end
+    if(starts_at_border(f) && !starts_at_border(g))
       return connect(g, f);
-    if(distance(f.p, g.p) <= m_tracer.width()) // four cells meet in a point: there is nothing to trace
+    if(distance(f.p, g.p) <= images_of_face().width()) // four cells meet in a point: there is nothing to trace
     {
       f.pieces.clear();
       f.stop = Stop::OUTSIDE;
-      finish(f, g.p, g.node);
-      return;
+      return finish(f, g.p, g.node);
     }
-    if(m_tracer.has_no_height())
-    {
-      finish(f, g.p, g.node);
-      return;
-    }
+    if(images_of_face().has_no_height())
+      return finish(f, g.p, g.node);
     m_tracer.sites() = {(std::min)(f.left, f.right), (std::max)(f.left, f.right)};
-    Half_plane<FT> before_end;
-    const bool has_direction = !starts_at_border(g) && m_tracer.line_in_front_of(g, before_end);
-    m_tracer.trace(f, has_direction ? &before_end : nullptr);
-    if(!(distance(f.end, g.p) <= m_tracer.touching()))
-      end_at(f, g.p);
-    const FT gap = distance(f.end, g.p);
-    if(!(gap <= m_tracer.touching()) && comes_back(g, f))
+    const FT gap = trace_to(f, g);
+    const bool is_touching = gap <= images_of_face().touching();
+    if(!is_touching && trace_to(g, f) <= images_of_face().touching()) // the way back is the better one
       return finish(g, f.p, f.node);
-    if(f.stop == Stop::LOST || !(gap <= m_tracer.joining_distance()))
+    if(f.stop == Stop::LOST || !(gap <= images_of_face().joining_distance()))
       ++m_number_of_joints;
-    if(!(gap <= m_tracer.touching()) && !f.cut_at(g.p))
-      lead_to(f, g.p);
+    if(!is_touching && !f.cut_at(g.p))
+      completion().lead_to(f, g.p);
     finish(f, g.p, g.node);
   }
 
-  // Does the way from g lead to the beginning of f?
-  bool comes_back(Front& g, const Front& f)
+  // Traces f towards the start of g, which is the other end of its curve, up to the line across the curve there. Returns
+  // the distance that remains.
+  FT trace_to(Front& f, const Front& g)
   {
     Half_plane<FT> before_end;
-    const bool has_direction = !starts_at_border(f) && m_tracer.line_in_front_of(f, before_end);
-    m_tracer.trace(g, has_direction ? &before_end : nullptr);
-    if(!(distance(g.end, f.p) <= m_tracer.touching()))
-      end_at(g, f.p);
-    return distance(g.end, f.p) <= m_tracer.touching();
-  }
-
-  // A curve along the border may have passed its end.
-  void end_at(Front& f, const Point& p) const
-  {
-    const auto piece = std::find_if(f.pieces.begin(), f.pieces.end(),
-                                    [&](const Piece& q) { return distance(q.end, p) <= m_tracer.touching(); });
-    if(piece == f.pieces.end())
-      return;
-    f.pieces.erase(piece + 1, f.pieces.end());
-    f.end = piece->end;
-    f.stop = Stop::OUTSIDE;
+    const bool has_direction = !starts_at_border(g) && m_tracer.find_half_plane_ahead(g, before_end);
+    m_tracer.trace(f, has_direction ? &before_end : nullptr);
+    if(!(distance(f.end, g.p) <= images_of_face().touching()))
+      completion().end_at(f, g.p);
+    return distance(f.end, g.p);
   }
 
   bool starts_at_border(const Front& f) const { return f.node < m_tracer.breakpoints().size(); }
 
-  // makes arcs of the pieces of f, the last of which ends at p.
+  // Makes arcs of the pieces of f, the last of which ends at p.
   void finish(Front& f, const Point& p, std::size_t node)
   {
-    if(is_taken_over_before(f, p))
-      lead_back(f, p);
+    if(completion().is_taken_over_before(f, p))
+      completion().lead_back(f, p);
     const std::size_t number_traced = f.pieces.size();
     if(f.pieces.empty() || f.stop == Stop::LOST)
-      add_straight_pieces(f, f.pieces.empty() ? f.p : f.pieces.back().end, p);
+      completion().add_straight_pieces(f, f.pieces.empty() ? f.p : f.pieces.back().end, p);
     Point from = f.p;
     std::size_t from_node = f.node;
     for(std::size_t i = 0; i < f.pieces.size(); ++i)
@@ -448,140 +416,17 @@ private:
         to_node = m_nodes.size();
         m_nodes.push_back(Node{to, {f.left, f.right, null_id}, false});
       }
-      m_arcs.push_back(Arc{f.left, f.right, piece.left, piece.right, from, to, from_node, to_node,
-                           i < number_traced});
+      m_arcs.push_back(Arc{f.left, f.right, piece.left, piece.right, from, to, from_node, to_node, i < number_traced});
       from = to;
       from_node = to_node;
     }
-  }
-
-  // The last piece is drawn on to p, though it may have ended at some distance: places are known to the square root of
-  // rounding only. Do other paths become the shortest ones in between, or where it touches the border and turns?
-  bool is_taken_over_before(const Front& f, const Point& p) const
-  {
-    if(f.pieces.empty())
-      return false;
-    const Piece& last = f.pieces.back();
-    return distance(last.end, p) > m_tracer.width()
-        && !(is_nearest_at(f, last.left, p) && is_nearest_at(f, last.right, p));
-  }
-
-  // makes a front that ends near p, but not with the shortest paths to it, go straight from there.
-  void lead_back(Front& f, const Point& p) const
-  {
-    const std::pair<std::size_t, FT> nearest = f.nearest_end(p);
-    if(!(nearest.second <= m_tracer.touching()))
-      return;
-    f.pieces.resize(nearest.first);
-    f.stop = Stop::LOST;
-  }
-
-  // appends the segment pq to f, divided where other paths become the shortest ones: it is halved until its pieces are
-  // right at both ends, and those of the same paths are joined again.
-  void add_straight_pieces(Front& f, const Point& p, const Point& q) const
-  {
-    std::size_t halvings = 8 * m_tracer.images().size() + 64; // rounding must not let it halve for ever
-    std::vector<Point> ends{q};
-    const std::size_t number_traced = f.pieces.size();
-    for(Point from = p; !ends.empty();)
-    {
-      const Point to = ends.back();
-      const Piece piece = straight_piece(f, from, to);
-      if(halvings > 0 && distance(from, to) > m_tracer.width()
-         && !(is_nearest_at(f, piece.left, from) && is_nearest_at(f, piece.left, to)))
-      {
-        --halvings;
-        ends.push_back(midpoint(from, to));
-        continue;
-      }
-      ends.pop_back();
-      from = to;
-      if(f.pieces.size() > number_traced && are_same(f.pieces.back(), piece))
-        f.pieces.back().end = to;
-      else
-        f.pieces.push_back(piece);
-    }
-  }
-
-  // Does an image tell the length of the shortest path of the two cells to x? (Behind the end of a cone it is less.)
-  bool is_nearest_at(const Front& f, const Additively_weighted_point<FT>& image, const Point& x) const
-  {
-    using std::abs;
-    const FT nearest = (std::min)(distance_from(f.left, x), distance_from(f.right, x));
-    return abs(FT(image.distance_to(x) - nearest)) <= Tolerance<FT>::tie() * nearest + m_tracer.width();
-  }
-
-  static bool are_same(const Piece& a, const Piece& b)
-  {
-    const auto same = [](const Additively_weighted_point<FT>& v, const Additively_weighted_point<FT>& w)
-    { return v.x == w.x && v.y == w.y && v.weight == w.weight; };
-    return same(a.left, b.left) && same(a.right, b.right);
-  }
-
-  // The segment pq as a piece of f. Where two cells meet along an edge, paths of one of them may come from the other
-  // face only; what is nearest along the segment stands for both then.
-  Piece straight_piece(const Front& f, const Point& p, const Point& q) const
-  {
-    const Point middle = midpoint(p, q);
-    const std::size_t l = m_tracer.nearest_of(f.left, middle), r = m_tracer.nearest_of(f.right, middle);
-    Piece piece;
-    piece.end = q;
-    if(l != none)
-      piece.left = m_tracer.image_towards(m_tracer.images()[l], middle);
-    piece.right = r != none ? m_tracer.image_towards(m_tracer.images()[r], middle) : piece.left;
-    if(l == none)
-      piece.left = piece.right;
-    const FT at_left = piece.left.distance_to(middle), at_right = piece.right.distance_to(middle);
-    if(is_clearly_less(at_left, at_right))
-      piece.right = piece.left;
-    else if(is_clearly_less(at_right, at_left))
-      piece.left = piece.right;
-    return piece;
-  }
-
-  // the images of the three sites at the end of a front that meets a third one; false if the last trace has not them,
-  // as a path bends there.
-  bool find_images_at_end(const Front& f, std::array<Additively_weighted_point<FT>, 3>& image) const
-  {
-    const std::array<std::size_t, 3> number{f.left_image, f.right_image, f.third_image};
-    for(std::size_t i = 0; i < 3; ++i)
-    {
-      if(number[i] >= m_tracer.images().size())
-        return false;
-      image[i] = m_tracer.images()[number[i]].point;
-    }
-    return true;
-  }
-
-  // Where curves run along the border of the face or touch it, the point that three images tie at is not well
-  // known, and may be found outside. Then one of the points where the fronts begin or end is the vertex.
-  Point vertex_in_face(const Front& f, const Front& g, const Point& near_to) const
-  {
-    std::array<Additively_weighted_point<FT>, 3> image;
-    if(!find_images_at_end(f, image))
-      return near_to;
-    Point best = polished_vertex(image[0], image[1], image[2], near_to, m_tracer.size());
-    if(m_tracer.is_in_face(best))
-      return best;
-    FT smallest = std::numeric_limits<FT>::infinity();
-    for(const Point* p : {&f.end, &g.end, &f.p, &g.p})
-    {
-      const FT a = image[0].distance_to(*p), b = image[1].distance_to(*p), c = image[2].distance_to(*p);
-      const FT difference = (std::max)({a, b, c}) - (std::min)({a, b, c});
-      if(m_tracer.is_in_face(*p) && difference < smallest)
-      {
-        best = *p;
-        smallest = difference;
-      }
-    }
-    return best;
   }
 
   Front_tracer<FT> m_tracer;
   std::vector<Node> m_nodes;
   std::vector<Arc> m_arcs;
   std::vector<Front> m_fronts;
-  std::vector<std::vector<Front>> m_waiting;
+  std::vector<std::vector<Front>> m_waiting; // parts of the face that are still to be closed
   std::size_t m_number_of_joints = 0;
 };
 

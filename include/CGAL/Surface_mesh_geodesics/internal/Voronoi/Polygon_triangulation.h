@@ -10,13 +10,15 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_POLYGON_TRIANGULATION_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_POLYGON_TRIANGULATION_H
 
-// Triangulation of a small polygon whose sides and vertices must be kept, whatever rounding has made of its shape:
-// by dynamic programming over the diagonals (G. T. Klincsek, Minimal triangulations of polygonal domains, 1980). Each
-// triangulation of the sequence of vertices is a candidate, the one with the fewest triangles that are not
-// counterclockwise is taken, and the best shaped of these. For a simple polygon none is clockwise, so the triangles
-// do not overlap; for any other one there is still a result with the right combinatorics.
+// Triangulates a small polygon whose sides and vertices must be kept, even if rounding has made it overlap itself, by
+// dynamic programming over the diagonals (G. T. Klincsek, Minimal triangulations of polygonal domains, 1980).
+//
+// All triangulations of the cyclic sequence of vertices are candidates. The result has as few triangles as possible that
+// are not counterclockwise, and among these candidates the best shapes. In a simple polygon all triangles are
+// counterclockwise, so that they do not overlap; for any other polygon the result still has the right combinatorics.
 
-#include <CGAL/Surface_mesh_geodesics/internal/numeric/Weighted_bisector.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
 
 #include <array>
 #include <cstddef>
@@ -34,8 +36,9 @@ public:
   using Point = Planar_point<double>;
   using Triangle = std::array<std::uint32_t, 3>;
 
-  // Positions 0, 1, ... of the vertices, counterclockwise. is_allowed(i, j) tells whether a diagonal is;
-  // one that is not counts for more than all triangles that are not counterclockwise. Takes cubic time.
+  // Triangulates a polygon, given counterclockwise; triangles refer to the indices of its vertices. is_allowed(i, j) tells
+  // whether a diagonal may be used; a forbidden one counts more than all triangles that are not counterclockwise. Of
+  // equal candidates the one with the lowest apex is taken. Takes cubic time.
   template <typename IsAllowed>
   void build(const std::vector<Point>& polygon, IsAllowed is_allowed)
   {
@@ -44,31 +47,16 @@ public:
     const std::size_t n = polygon.size();
     if(n < 3)
       return;
-    // of the part between the diagonal (i, j) and the sides i, ..., j
+    // At i * n + j: the cost and the apex for the part between the diagonal (i, j) and the sides i, ..., j.
     m_cost.assign(n * n, Cost());
     m_apex.assign(n * n, 0);
     for(std::size_t width = 2; width < n; ++width)
       for(std::size_t i = 0; i + width < n; ++i)
       {
         const std::size_t j = i + width;
-        Cost best;
-        best.badness = (std::numeric_limits<std::uint64_t>::max)();
-        for(std::size_t k = i + 1; k < j; ++k)
-        {
-          Cost c = m_cost[i * n + k];
-          c.add(m_cost[k * n + j]);
-          if(!c.is_less(best))
-            continue;
-          c.add(cost(polygon[i], polygon[k], polygon[j]));
-          if(c.is_less(best))
-          {
-            best = c;
-            m_apex[i * n + j] = static_cast<std::uint32_t>(k);
-          }
-        }
+        m_cost[i * n + j] = cheapest(polygon, i, j);
         if(width + 1 < n && !is_allowed(i, j))
-          best.badness += FORBIDDEN;
-        m_cost[i * n + j] = best;
+          m_cost[i * n + j].badness += FORBIDDEN;
       }
     m_badness = m_cost[n - 1].badness;
     collect(0, static_cast<std::uint32_t>(n - 1), n);
@@ -76,7 +64,7 @@ public:
 
   const std::vector<Triangle>& triangles() const { return m_triangles; }
 
-  // 0 if all triangles are counterclockwise and all diagonals allowed.
+  // Returns 0 if all triangles are counterclockwise and all diagonals allowed, a larger number otherwise.
   std::uint64_t badness() const { return m_badness; }
 
 private:
@@ -99,14 +87,38 @@ private:
     }
   };
 
-  // The squares of the sides over the area: small if the sides are about the same.
+  // Finds the apex of the triangle at the diagonal (i, j) for which the part behind the diagonal is cheapest, and returns
+  // its cost. Requires: all smaller parts are known.
+  Cost cheapest(const std::vector<Point>& polygon, std::size_t i, std::size_t j)
+  {
+    const std::size_t n = polygon.size();
+    Cost best;
+    best.badness = (std::numeric_limits<std::uint64_t>::max)();
+    for(std::size_t k = i + 1; k < j; ++k)
+    {
+      Cost c = m_cost[i * n + k];
+      c.add(m_cost[k * n + j]);
+      if(!c.is_less(best))
+        continue;
+      c.add(cost(polygon[i], polygon[k], polygon[j]));
+      if(c.is_less(best))
+      {
+        best = c;
+        m_apex[i * n + j] = static_cast<std::uint32_t>(k);
+      }
+    }
+    return best;
+  }
+
+  // Returns the cost of a triangle; its shape is the sum of the squares of the sides over twice the area, which is smallest
+  // for equal sides.
   static Cost cost(const Point& a, const Point& b, const Point& c)
   {
     const double ux = b.x - a.x, uy = b.y - a.y, vx = c.x - a.x, vy = c.y - a.y, wx = c.x - b.x, wy = c.y - b.y;
     const double squares = ux * ux + uy * uy + vx * vx + vy * vy + wx * wx + wy * wy;
     const double area = ux * vy - uy * vx;
     Cost result;
-    if(area > 4 * Tolerance<double>::unit_roundoff() * squares)
+    if(area > Tolerance<double>::area() * squares)
       result.shape = squares / area;
     else
       result.badness = 1;

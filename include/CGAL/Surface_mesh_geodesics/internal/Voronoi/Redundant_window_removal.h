@@ -37,6 +37,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/site_images_of_face.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_table.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Radix_heap.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/single_precision.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
@@ -103,7 +104,7 @@ public:
       return;
     Face_record& record = m_faces[f];
     const auto& columns = list.columns;
-    CGAL_expensive_assertion(is_sorted(list));
+    CGAL_expensive_assertion(are_on_edge(list, m_mesh->length(h)));
     Vertex_id last = null_id; // (adjacent windows often have the same root)
     m_windows.add(h, list.size, [&](std::size_t i)
     {
@@ -127,7 +128,7 @@ public:
   // large bound is looked at again half-way, as bounds shrink.
   void advance(const FT& reached)
   {
-    const FT below = reached * (1 - 16 * Tolerance<FT>::distance());
+    const FT below = reached * (1 - Tolerance<FT>::succession());
     m_queue.advance(below, [&](Face_id f, const FT& limit)
     {
       const FT last = (std::min)(limit, bound(f));
@@ -174,11 +175,14 @@ public:
   }
 
 private:
-  // Returns whether the windows of a list are in the order of their intervals.
-  static bool is_sorted(const Window_list<FT>& list)
+  // Returns whether the intervals of the windows of a list are parts of their edge.
+  static bool are_on_edge(const Window_list<FT>& list, const FT& length)
   {
-    const FT* const begin = list.columns.begin();
-    return std::is_sorted(begin, begin + list.size);
+    for(std::size_t i = 0; i < list.size; ++i)
+      if(!(0 <= list.columns.begin()[i] && list.columns.begin()[i] <= list.columns.end()[i]
+           && list.columns.end()[i] <= length))
+        return false;
+    return true;
   }
 
   Vertex_id first_of_equal(Vertex_id source) const
@@ -275,7 +279,8 @@ private:
   }
 
   // Bounds the distances on the edge of h by the windows of a list. The distance by a window is convex along the edge,
-  // so that it is largest at an end of the interval; gaps between windows are bounded by bound_between().
+  // so that it is largest at an end of the interval; gaps between windows are bounded by bound_between(). (Windows that
+  // overlap may be out of order; then the bound is larger than need be.)
   void bound_by_windows(Halfedge_id h, const Window_list<FT>& list)
   {
     const auto& columns = list.columns;

@@ -10,9 +10,9 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_VORONOI_CELL_MEASURES_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_VORONOI_CELL_MEASURES_H
 
-// Areas and centroids of cells. Each face adds to the cells in it; a face in several cells by integrals along the
-// borders of their parts: along the border of the face from breakpoint to breakpoint, and along each arc once
-// for both of its sides. So the areas add up to that of the mesh.
+// Areas and centroids of cells. Each face adds its parts to the cells that it lies in, by integrals along the borders of
+// these parts: along the border of the face from breakpoint to breakpoint, and along each arc once for both of its
+// sides. So the areas of all cells add up to the area that is reached, up to rounding.
 
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Arc_curve.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Voronoi_complex.h>
@@ -38,7 +38,7 @@ public:
     m_last_sum = nullptr;
   }
 
-  // adds a face whose corners are at the points given.
+  // Adds a face, given the positions of its corners in space.
   void add_face(const Voronoi_complex<double>& complex, Face_id f, const std::array<Space_point, 3>& corner)
   {
     const auto layout = complex.layout(f);
@@ -58,13 +58,14 @@ public:
       add_part(sum(p.site), p.integrals, layout, corner);
   }
 
+  // Returns the area of a cell, 0 if it is empty.
   double area(Vertex_id site) const
   {
     const auto it = m_sums.find(site);
     return it == m_sums.end() ? 0 : it->second.area;
   }
 
-  // is not finite if the cell has no area.
+  // Returns the centroid of a cell in space. It is not finite if the cell has no area.
   Space_point centroid(Vertex_id site) const
   {
     Sum s;
@@ -83,14 +84,14 @@ private:
     Space_point moment{};
   };
 
-  // What a cell has of a face.
+  // The part of a face in a cell.
   struct Part
   {
     Vertex_id site;
     Border_integrals integrals;
   };
 
-  // There are few in a face, mostly one.
+  // Returns the part of the current face in a cell. Few cells share a face, so a linear search is fastest.
   Border_integrals& part(Vertex_id site)
   {
     for(Part& p : m_parts)
@@ -100,7 +101,7 @@ private:
     return m_parts.back().integrals;
   }
 
-  // is mostly that of the face before.
+  // Returns the sums of a cell. The last one is remembered, as adjacent faces mostly share it.
   Sum& sum(Vertex_id site)
   {
     if(m_last_sum == nullptr || m_last_site != site)
@@ -117,7 +118,7 @@ private:
     s.area += i.area;
     if(!(layout[1].x > 0) || !(layout[2].y > 0))
       return;
-    // the integrals of the barycentric coordinates
+    // The integrals of the three barycentric coordinates over the part.
     const double b2 = i.y / layout[2].y, b1 = (i.x - b2 * layout[2].x) / layout[1].x, b0 = i.area - b1 - b2;
     for(unsigned int k = 0; k < 3; ++k)
       s.moment[k] += b0 * corner[0][k] + b1 * corner[1][k] + b2 * corner[2][k];

@@ -23,6 +23,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Voronoi_elements.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_table.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 
 #include <CGAL/assertions.h>
@@ -529,8 +530,14 @@ public:
   {
     const typename Mesh::Face& face = m_mesh->face(a.face);
     const FT size = longest_side(face);
-    return distance(a.first, a.last)
-         > Tolerance<FT>::interval() * (size + m_nodes[a.first_node].distance / 8);
+    return distance(a.first, a.last) > rounding_at(a.first_node, size);
+  }
+
+  // Returns the length by which rounding may move a node, in a face or on an edge of a given size: the rounding of
+  // coordinates there, plus that of the images, which are as far away as the sites and err by a smaller part of that.
+  FT rounding_at(std::uint32_t node, const FT& size) const
+  {
+    return Tolerance<FT>::interval() * (size + m_nodes[node].distance / 8);
   }
 
 private:

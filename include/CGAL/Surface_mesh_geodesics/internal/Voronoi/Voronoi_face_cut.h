@@ -10,21 +10,22 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_VORONOI_FACE_CUT_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_VORONOI_FACE_CUT_H
 
-// A face cut along the arcs in it, in its layout: triangles that belong to one cell each.
+// Cuts a face along its arcs into triangles that belong to one cell each, in the layout of the face.
 //
-// The complex is generic, the cut is not: what has no length there becomes one vertex here. Nodes on an edge that are
-// nearer to a vertex of the mesh, or to each other, than rounding can tell are the same; this is decided for the
-// edge, so that both of its faces do the same (Edge_contraction). Inside a face, nodes are contracted along arcs
-// without length. All else is combinatorics: the pieces of cells are closed walks along the border and along curves,
-// each of them is divided into cycles without repeated vertices, and cycles of two vertices (arcs along an edge) are
-// left out. So the cut fits together whatever numbers are.
+// The complex is generic, the cut is not: an arc without length there becomes one vertex here. Nodes on an edge that
+// rounding does not tell from a vertex of the mesh, or from each other, are contracted; this is decided for the edge, so
+// that both of its faces agree (Edge_contraction). Inside a face, nodes are contracted along arcs without length.
 //
-// Curves are sampled. If segments cross where curves are near to each other, the face is sampled more finely.
+// The rest is combinatorics. A part of a cell is a closed walk along the border and along curves. Each walk is divided
+// into cycles without repeated vertices; cycles of two vertices (an arc along an edge) are dropped; the others are
+// triangulated. So the cut of all faces fits together whatever rounding does.
+//
+// Curves are sampled. If segments cross where curves are close to each other, the face is sampled more finely.
 
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Arc_curve.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Polygon_triangulation.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Voronoi_complex.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 
 #include <CGAL/assertions.h>
 
@@ -42,8 +43,8 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// The vertices of a cut edge, from the source of a halfedge: 0 is its source, last() its target, and the nodes
-// between are at 1, ..., last() - 1.
+// The vertices of a cut edge by their positions from the source of a halfedge: 0 is the source, last() the target, and
+// 1, ..., last() - 1 are nodes of the complex. Several nodes may have one position.
 class Edge_contraction
 {
 public:
@@ -52,22 +53,21 @@ public:
 
   Edge_contraction(const Mesh& mesh, const Complex& complex, Halfedge_id h) : m_nodes(complex.nodes_on_edge(h))
   {
-    // as the halfedge with the smaller number sees it
+    // Positions are found as the halfedge with the smaller index sees them.
     const double length = mesh.length(h);
-    const auto is_near = [&](std::uint32_t node, double gap)
-    { return gap <= Tolerance<double>::interval() * (length + complex.nodes()[node].distance / 8); };
+    const auto is_rounding = [&](std::uint32_t node, double gap) { return gap <= complex.rounding_at(node, length); };
     m_position.resize(m_nodes.number);
     double last_abscissa = 0; // of the vertex at m_last
     for(std::uint32_t i = 0; i < m_nodes.number; ++i)
     {
       const std::uint32_t node = m_nodes.first + i;
       const double x = complex.nodes()[node].abscissa;
-      if(is_near(node, length - x) && length - x < x)
+      if(is_rounding(node, length - x) && length - x < x)
       {
         m_position[i] = null_id;
         continue;
       }
-      if(!is_near(node, x - last_abscissa))
+      if(!is_rounding(node, x - last_abscissa))
       {
         ++m_last;
         last_abscissa = x;
@@ -82,14 +82,14 @@ public:
   std::uint32_t last() const { return m_last; }
   std::uint32_t number_of_nodes() const { return m_nodes.number; }
 
-  // the i-th node from the source of the halfedge, and the position at which it is.
+  // Returns the i-th node from the source of the halfedge, and its position.
   std::uint32_t node(std::uint32_t i) const { return m_nodes.node(i); }
   std::uint32_t position(std::uint32_t i) const
   {
     return m_nodes.is_reversed ? m_last - m_position[m_nodes.number - 1 - i] : m_position[i];
   }
 
-  // a node at a position between the ends.
+  // Returns the first node at a position. Requires: 0 < position < last().
   std::uint32_t node_at(std::uint32_t position) const
   {
     return m_first_node[m_nodes.is_reversed ? m_last - position - 1 : position - 1];
@@ -116,22 +116,42 @@ public:
 
   Voronoi_face_cut(const Mesh& mesh, const Complex& complex) : m_mesh(mesh), m_complex(complex) {}
 
-  // cuts face f; the segments are not farther from the arcs than `tolerance`, in units of the mesh.
+  // Cuts face f. The segments are at most `tolerance` away from the arcs, in the unit of the intrinsic mesh.
   void cut(Face_id f, double tolerance)
   {
     m_face = f;
     collect_border();
     if(m_border_nodes.empty() || m_complex.has_one_cell(f))
-    {
-      start();
-      std::vector<std::uint32_t> all(m_points.size());
-      for(std::uint32_t i = 0; i < all.size(); ++i)
-        all[i] = i;
-      triangulate(all, m_complex.owner(m_mesh.face(f).vertex[0]));
-      return;
-    }
-    // Closer polylines help where curves cross; a triangle may have no area at any tolerance, and each attempt has up
-    // to four times the vertices of the one before, in cubic time.
+      cut_undivided();
+    else
+      cut_until_valid(tolerance);
+  }
+
+  // Returns the vertices: first those on the border, counterclockwise from corner 0, then those inside.
+  const std::vector<Point>& points() const { return m_points; }
+  std::size_t number_of_border_vertices() const { return m_border_points.size(); }
+
+  const std::vector<Triangle>& triangles() const { return m_triangles; }
+
+  // Returns 0 if no triangle is degenerate or clockwise in the layout of the face, a larger number otherwise.
+  std::uint64_t badness() const { return m_badness; }
+
+private:
+  // Triangulates a face in one cell, which may have vertices on its border.
+  void cut_undivided()
+  {
+    start();
+    std::vector<std::uint32_t> all(m_points.size());
+    for(std::uint32_t i = 0; i < all.size(); ++i)
+      all[i] = i;
+    triangulate(all, m_complex.owner(m_mesh.face(m_face).vertex[0]));
+  }
+
+  // Cuts a divided face with finer and finer curves until no triangle is bad, and keeps the best result. Finer curves help
+  // where curves cross; but a triangle may have no area at any tolerance. So the number of attempts is bounded: each one
+  // has up to four times the vertices of the one before, and takes cubic time.
+  void cut_until_valid(double tolerance)
+  {
     const int number_of_attempts = 6;
     const std::size_t many = 256;
     cut_divided(tolerance);
@@ -152,24 +172,14 @@ public:
     }
   }
 
-  // The vertices: first those on the border, counterclockwise from corner 0, then those inside.
-  const std::vector<Point>& points() const { return m_points; }
-  std::size_t number_of_border_vertices() const { return m_border_points.size(); }
-
-  const std::vector<Triangle>& triangles() const { return m_triangles; }
-
-  // 0 if no triangle is degenerate or clockwise in the layout of the face.
-  std::uint64_t badness() const { return m_badness; }
-
-private:
-  // A node on the border, and the vertex at which it is, in the order of the border. For nodes at the end of the last
-  // side, which is corner 0, `position` is the number of border vertices.
+  // A node of the complex on the border, and the border vertex at which it is. For nodes at the end of the last side,
+  // which is corner 0, `position` is the number of border vertices, so that positions ascend along the border.
   struct Border_node
   {
     std::uint32_t node, position;
   };
 
-  // A curve from vertex to vertex of the cut, through nodes of two cells only.
+  // A curve between the same two cells from vertex to vertex of the cut, as a polyline.
   struct Cut_curve
   {
     Vertex_id left_site, right_site;
@@ -225,8 +235,8 @@ private:
     collect_regions();
   }
 
-  // The nodes of the face: those on the border have vertices already; an inner node where three cells meet shares the
-  // vertex of its neighbour along an arc without length, if it has one.
+  // Gives vertices to the nodes of the face. Those on the border have vertices already. An inner node where three cells
+  // meet shares the vertex at the other end of an arc without length, if there is one; otherwise it gets a new one.
   void find_vertices_of_nodes()
   {
     m_vertex_of_node.clear();
@@ -253,7 +263,7 @@ private:
         }
   }
 
-  // gives one of two nodes the vertex of the other, if only that one has one.
+  // Gives one of two nodes the vertex of the other one, and returns true, if exactly one of them has a vertex.
   bool share_vertex(std::uint32_t a, std::uint32_t b)
   {
     const auto at_a = m_vertex_of_node.find(a), at_b = m_vertex_of_node.find(b);
@@ -265,7 +275,7 @@ private:
     return true;
   }
 
-  // gives the vertex of a node to all that arcs without length connect with it.
+  // Gives the vertex of a node to all nodes that arcs without length connect with it.
   void spread(std::uint32_t node, std::uint32_t vertex)
   {
     std::vector<std::uint32_t> waiting{node};
@@ -315,7 +325,8 @@ private:
           add_curve(a, node, tolerance, is_used);
   }
 
-  // the curve that leaves a node by an arc.
+  // Adds the curve that leaves a node by an arc: follows arcs to the next node where a curve ends, samples them, and keeps
+  // the samples that the tolerance needs.
   void add_curve(std::uint32_t arc, std::uint32_t node, double tolerance, std::vector<char>& is_used)
   {
     const std::pair<std::uint32_t, std::uint32_t> range = m_complex.arcs_of_face(m_face);
@@ -356,7 +367,7 @@ private:
     const std::size_t first = m_samples.size();
     const Arc_curve curve(a);
     curve.sample(tolerance, [&](const Point& p) { m_samples.push_back(p); });
-    if(m_samples.size() == first + 1) // so that there is something inside if that is needed
+    if(m_samples.size() == first + 1) // a curve along a side may need a vertex inside (has_to_leave_side())
       m_samples.insert(m_samples.end() - 1, curve.point(0.5));
     if(!is_backwards)
       return;
@@ -364,14 +375,16 @@ private:
     m_samples.back() = a.first;
   }
 
-  // A curve between vertices of one side must not be replaced by the segment if there are others between them.
+  // Returns whether a curve between two vertices of one side must not become a segment, as other vertices are between
+  // them.
   bool has_to_leave_side(std::uint32_t a, std::uint32_t b) const
   {
     const std::uint32_t n = static_cast<std::uint32_t>(m_border_points.size());
     return (m_sides[a] & m_sides[b]) != 0 && (a + 1) % n != b && (b + 1) % n != a;
   }
 
-  // adds vertices for those samples between i and j that are needed (D. H. Douglas, T. K. Peucker).
+  // Adds vertices for those samples between i and j that the tolerance needs, at least one if `is_forced` (the algorithm
+  // of D. H. Douglas and T. K. Peucker).
   void simplify(std::size_t i, std::size_t j, double tolerance, bool is_forced, std::vector<std::uint32_t>& vertices)
   {
     std::size_t best = i;
@@ -402,7 +415,7 @@ private:
 
   // --- pieces of cells ---
 
-  // Walks around each piece once: along the border from node to node, and along the curves back to the border.
+  // Walks around each part of a cell once: along the border from node to node, and along curves back to the border.
   void collect_regions()
   {
     const std::size_t n = m_border_nodes.size();
@@ -425,7 +438,7 @@ private:
     }
   }
 
-  // the cell on the border behind a border node, as this face sees it.
+  // Returns the cell on the border behind a border node, as this face sees it.
   Vertex_id site_behind(std::size_t border_node) const
   {
     const std::uint32_t node = m_border_nodes[border_node].node;
@@ -445,7 +458,7 @@ private:
       walk.push_back(i % n);
   }
 
-  // along the curves with the cell on the left, from a border node to the next border node, which is returned.
+  // Walks along the curves with the cell on the left, from a border node to the next border node, which is returned.
   std::size_t walk_along_curves(std::size_t border_node, Vertex_id site, std::vector<std::uint32_t>& walk) const
   {
     std::uint32_t node = m_border_nodes[border_node].node;
@@ -473,7 +486,7 @@ private:
     return border_node;
   }
 
-  // A vertex that is met twice cuts off what is between.
+  // Triangulates the cycles of a walk: when a vertex is met again, the vertices since the last time are a cycle.
   void divide_into_cycles(const std::vector<std::uint32_t>& walk, Vertex_id site)
   {
     std::vector<std::uint32_t> open;
@@ -498,7 +511,7 @@ private:
     m_polygon.clear();
     for(std::uint32_t v : cycle)
       m_polygon.push_back(m_points[v]);
-    // A diagonal along a side of the face, or one that is there already, would be a second edge of its vertices.
+    // A diagonal along a side of the face, or one that exists already, would be a second edge between its vertices.
     m_triangulation.build(m_polygon, [&](std::size_t i, std::size_t j)
     {
       const std::uint32_t a = cycle[i], b = cycle[j];

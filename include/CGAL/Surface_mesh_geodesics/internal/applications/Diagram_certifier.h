@@ -23,6 +23,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/applications/Location_separation.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/distance_in_space.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Component_extents.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -30,8 +31,6 @@
 #include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
-#include <boost/iterator/counting_iterator.hpp>
-#include <boost/pending/disjoint_sets.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
@@ -93,33 +92,27 @@ private:
 
   // --- components ---
 
-  // Finds for each vertex the index of one vertex of its component, and the longest edge of each component.
+  // Components have the index of one of their vertices.
   void find_components()
   {
-    const std::size_t n = num_vertices(m_tm);
-    m_component.resize(n);
-    std::vector<std::size_t> rank(n);
-    boost::disjoint_sets<std::size_t*, std::size_t*> sets(rank.data(), m_component.data());
-    for(std::size_t v = 0; v < n; ++v)
-      sets.make_set(v);
-    for(const face_descriptor f : faces(m_tm))
-      for(const vertex_descriptor v : CGAL::vertices_around_face(halfedge(f, m_tm), m_tm))
-        sets.union_set(std::size_t(get(m_vertex_index_map, corner(f))), std::size_t(get(m_vertex_index_map, v)));
-    sets.compress_sets(boost::counting_iterator<std::size_t>(0), boost::counting_iterator<std::size_t>(n));
-    m_longest_edge.assign(n, 0.);
+    m_components = Component_extents<double>(num_vertices(m_tm));
     for(const face_descriptor f : faces(m_tm))
     {
-      double& longest = m_longest_edge[component_of(f)];
-      longest = (std::max)(longest, longest_edge(f));
+      std::array<std::size_t, 3> corners{};
+      std::size_t k = 0;
+      for(const vertex_descriptor v : CGAL::vertices_around_face(halfedge(f, m_tm), m_tm))
+        corners[k++] = std::size_t(get(m_vertex_index_map, v));
+      m_components.add_face(corners, longest_edge(f));
     }
+    m_components.finish();
   }
 
   vertex_descriptor corner(face_descriptor f) const { return target(halfedge(f, m_tm), m_tm); }
 
-  std::size_t component_of(vertex_descriptor v) const { return m_component[get(m_vertex_index_map, v)]; }
+  std::size_t component_of(vertex_descriptor v) const { return m_components.component(get(m_vertex_index_map, v)); }
   std::size_t component_of(face_descriptor f) const { return component_of(corner(f)); }
 
-  double extent_around(vertex_descriptor v) const { return m_longest_edge[component_of(v)]; }
+  double extent_around(vertex_descriptor v) const { return m_components.extent(component_of(v)); }
   double extent_around(face_descriptor f) const { return extent_around(corner(f)); }
 
   // `excess / scale`, but 0 for no excess on a component all of whose edges have length 0.
@@ -255,11 +248,11 @@ private:
   // of its site.
   void check_areas()
   {
-    std::vector<double> expected(m_longest_edge.size(), 0.), sum(expected);
+    std::vector<double> expected(num_vertices(m_tm), 0.), sum(expected);
     for(const face_descriptor f : faces(m_tm))
       if(m_diagram.nearest_site(source(halfedge(f, m_tm), m_tm)) != no_site())
         expected[component_of(f)] += area(f);
-    const auto scale = [&](std::size_t c) { return expected[c] + m_longest_edge[c] * m_longest_edge[c]; };
+    const auto scale = [&](std::size_t c) { return expected[c] + m_components.extent(c) * m_components.extent(c); };
     for(std::size_t i = 0; i < m_diagram.number_of_sites(); ++i)
     {
       const face_descriptor f = m_diagram.site(i).first;
@@ -270,7 +263,7 @@ private:
       look_at(DIAGRAM_AREAS, relative(-a, scale(component_of(f))), i);
     }
     for(std::size_t c = 0; c < sum.size(); ++c)
-      if(m_longest_edge[c] > 0)
+      if(m_components.component(c) == c && m_components.extent(c) > 0)
         look_at(DIAGRAM_AREAS, relative(std::abs(sum[c] - expected[c]), scale(c)), no_site());
   }
 
@@ -298,8 +291,7 @@ private:
   VertexIndexMap m_vertex_index_map;
   Length m_length;
   Separation m_separation;
-  std::vector<std::size_t> m_component; // by the index of a vertex
-  std::vector<double> m_longest_edge;   // by component
+  Component_extents<double> m_components{0}; // by the index of a vertex
   double m_largest_weight = 0;          // in absolute value
   Diagram_violations m_violations;
 };

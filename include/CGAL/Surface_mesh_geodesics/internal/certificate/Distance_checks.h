@@ -20,7 +20,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/paths/Straight_piece.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/certificate/Worst_violation.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/component_extents.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Component_extents.h>
 #include <CGAL/Surface_mesh_geodesics/internal/paths/path_tracing.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
 
@@ -49,7 +49,7 @@ public:
   Distance_checks(const Mesh& mesh, std::size_t number_of_values)
     : values(mesh.number_of_vertices(), infinity()), offsets(mesh.number_of_vertices(), infinity()), m_mesh(mesh),
       m_number_of_values(number_of_values), m_scale(mesh.number_of_vertices(), FT(0)),
-      m_extents(component_extents(mesh))
+      m_extents(extents_of_components(mesh))
   {
     for(Face_id f = 0; f < mesh.number_of_faces(); ++f)
       for(const Vertex_id v : mesh.face(f).vertex)

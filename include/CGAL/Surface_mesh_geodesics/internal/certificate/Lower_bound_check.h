@@ -26,6 +26,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/certificate/Edge_distance_function.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Edge_window_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/unfolding.h>
 #include <CGAL/Surface_mesh_geodesics/internal/certificate/Worst_violation.h>
 
 #include <algorithm>
@@ -185,12 +186,14 @@ private:
   // the sides from A to C and from B to C in the frame of AB; they have a length.
   static Line left_side(const Face_frame<FT>& c)
   {
-    return {{FT(0), FT(0)}, {c.apex_x / c.left_length, c.apex_y / c.left_length}, c.left_length};
+    const Side_angle<FT> angle = left_angle(c);
+    return {{FT(0), FT(0)}, {angle.cosine, angle.sine}, c.left_length};
   }
 
   static Line right_side(const Face_frame<FT>& c)
   {
-    return {{c.length, FT(0)}, {-c.apex_rest / c.right_length, c.apex_y / c.right_length}, c.right_length};
+    const Side_angle<FT> angle = right_angle(c);
+    return {{c.length, FT(0)}, {-angle.cosine, angle.sine}, c.right_length};
   }
 
   static Line reversed(const Line& l)

@@ -15,14 +15,13 @@
 
 #include <CGAL/Surface_mesh_geodesics/internal/certificate/Distance_checks.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_propagation.h>
-#include <CGAL/Surface_mesh_geodesics/internal/interface/Distance_solver.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/Intrinsic_surface.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Edge_window_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/certificate/Lower_bound_check.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Pruning_rules.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Source_insertion.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/certificate/Worst_violation.h>
-#include <CGAL/Surface_mesh_geodesics/internal/interface/source_range.h>
 
 #include <CGAL/number_utils.h>
 

@@ -10,32 +10,27 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_DISTANCE_SOLVER_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_DISTANCE_SOLVER_H
 
-// Distances in terms of the user's mesh: it is read once, and then asked from many sources. What the free
-// functions build and drop, and what the public solver keeps.
+// The solver for distances of vertices: it reads the user's mesh once, and then propagates from other sources again and
+// again. It keeps no windows; Path_solver is the one that does, and answers at any point. The free functions for
+// distances make a Distance_solver for one run; the public class Geodesic_distance_solver keeps one.
 
-#include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
-#include <CGAL/Surface_mesh_geodesics/internal/interface/Available_tag.h>
-#include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_propagation.h>
-#include <CGAL/Surface_mesh_geodesics/internal/propagation/Repeated_propagation.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
-#include <CGAL/Surface_mesh_geodesics/internal/propagation/Parallel_distance_propagation.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/Source_insertion.h>
-#include <CGAL/Surface_mesh_geodesics/internal/propagation/Worker_team.h>
-#include <CGAL/Surface_mesh_geodesics/internal/interface/intrinsic_mesh_from_face_graph.h>
-#include <CGAL/Surface_mesh_geodesics/internal/interface/source_range.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/Intrinsic_surface.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/run_with_visitor.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/Available_tag.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_propagation.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/Parallel_distance_propagation.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/Repeated_propagation.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/Worker_team.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Source_insertion.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Source_set.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 
 #include <CGAL/tags.h>
 
 #include <boost/graph/graph_traits.hpp>
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <limits>
-#include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -43,111 +38,7 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-inline void check_maximum_distance(double maximum_distance)
-{
-  if(!(maximum_distance >= 0))
-    throw Invalid_geodesic_input(Invalid_geodesic_input::Reason::INVALID_RADIUS,
-                                 "the maximum distance is negative or not a number");
-}
-
-inline void check_offsets(const std::vector<double>& offsets)
-{
-  for(std::size_t i = 0; i < offsets.size(); ++i)
-    if(!(offsets[i] >= 0) || !std::isfinite(offsets[i]))
-      throw Invalid_geodesic_input(Invalid_geodesic_input::Reason::INVALID_OFFSET,
-                                   "the offset of source " + std::to_string(i)
-                                     + " is negative or not finite", i);
-}
-
-// The intrinsic mesh of a mesh of the user, and the way from the user's descriptors to its elements.
-template <typename FT, typename TriangleMesh, typename VertexIndexMap, typename FaceIndexMap>
-class Intrinsic_surface
-{
-  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
-
-public:
-  // reads the mesh; throws Invalid_geodesic_input.
-  template <typename Shape>
-  Intrinsic_surface(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim, Shape shape)
-    : m_vim(vim), m_fim(fim)
-  {
-    Intrinsic_mesh_builder<FT, TriangleMesh, VertexIndexMap, FaceIndexMap>(tm, m_vim, m_fim)
-      .build(shape, m_mesh, m_table);
-  }
-
-  const Intrinsic_mesh<FT>& mesh() const { return m_mesh; }
-  Intrinsic_mesh<FT>& mesh() { return m_mesh; }
-  const FT& unit() const { return m_mesh.unit(); }
-
-  std::size_t number_of_vertices() const { return m_table.vertices.size(); }
-  vertex_descriptor descriptor(Vertex_id v) const { return m_table.vertices[v]; }
-
-  // of a vertex of the mesh.
-  Vertex_id id(vertex_descriptor v) const
-  {
-    return m_table.vertex_of_index[static_cast<std::size_t>(get(m_vim, v))];
-  }
-
-  // checks the descriptor; `what` and `position` name the culprit in the exception.
-  Vertex_id checked_id(vertex_descriptor v, const char* what, std::size_t position) const
-  {
-    return finder().vertex(v, what, position);
-  }
-
-  // `offsets`, in the user's unit, are none or one for each source.
-  template <typename Sources>
-  Source_set<FT> source_set(const Sources& sources, const std::vector<double>& offsets = {}) const
-  {
-    check_offsets(offsets);
-    Source_set<FT> set;
-    for_each_source<TriangleMesh>(sources, [&](std::size_t position, const auto& source)
-    {
-      set.vertices.push_back(null_id);
-      if constexpr(Is_vertex<TriangleMesh, std::decay_t<decltype(source)>>::value)
-        set.vertices.back() = finder().vertex(source, "source", position);
-      else
-        set.located.push_back(locate_source<FT>(finder(), source, position));
-    });
-    if(!offsets.empty() && offsets.size() != set.vertices.size())
-      throw Invalid_geodesic_input(Invalid_geodesic_input::Reason::INVALID_OFFSET,
-                                   std::to_string(offsets.size()) + " offsets for "
-                                     + std::to_string(set.vertices.size()) + " sources");
-    for(const double offset : offsets)
-    {
-      set.offsets.push_back(FT(FT(offset) / unit()));
-      if(!(set.offsets.back() < Vertex_distance_field<FT>::infinity()))
-        throw Invalid_geodesic_input(Invalid_geodesic_input::Reason::INVALID_OFFSET,
-                                     "the offset of source " + std::to_string(set.offsets.size() - 1)
-                                       + " is too large for a mesh of this extent", set.offsets.size() - 1);
-    }
-    return set;
-  }
-
-  // The vertices of a range, which are called `what` in the exception.
-  template <typename Vertices>
-  std::vector<Vertex_id> checked_ids(const Vertices& range, const char* what) const
-  {
-    std::vector<Vertex_id> result;
-    for(const vertex_descriptor v : range)
-      // NOLINTNEXTLINE(performance-inefficient-vector-operation): a range need not know its size
-      result.push_back(checked_id(v, what, result.size()));
-    return result;
-  }
-
-  std::size_t memory() const { return m_mesh.memory() + m_table.memory(); }
-
-private:
-  Element_finder<FT, TriangleMesh, VertexIndexMap, FaceIndexMap> finder() const
-  {
-    return Element_finder<FT, TriangleMesh, VertexIndexMap, FaceIndexMap>(m_table, m_vim, m_fim);
-  }
-
-  VertexIndexMap m_vim;
-  FaceIndexMap m_fim;
-  Intrinsic_mesh<FT> m_mesh;
-  Face_graph_correspondence<TriangleMesh> m_table;
-};
-
+// The sequential or the parallel propagation.
 template <typename Tag, typename FT, typename Rules>
 struct Propagation_for_tag
 {
@@ -173,8 +64,9 @@ class Distance_solver
 public:
   using Surface = Intrinsic_surface<FT, TriangleMesh, VertexIndexMap, FaceIndexMap>;
 
-  static constexpr std::size_t no_source = (std::numeric_limits<std::size_t>::max)();
+  static constexpr std::size_t no_source = Source_numbers::none;
 
+  // Reads the mesh; throws Invalid_geodesic_input.
   template <typename Shape>
   Distance_solver(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim, Shape shape)
     : m_surface(tm, vim, fim, std::move(shape)), m_insertion(m_surface.mesh()),
@@ -186,7 +78,8 @@ public:
 
   const Surface& surface() const { return m_surface; }
 
-  // Returns false if the visitor cancelled: no vertex has been reached then.
+  // Propagates from the sources. Returns false if the visitor cancelled: no vertex has been reached then. Throws
+  // Invalid_geodesic_input, before anything changes, if a source, a target or a number is invalid.
   template <typename Sources, typename Options, typename Visitor>
   bool run(const Sources& sources, const Options& options, Visitor& visitor)
   {
@@ -209,28 +102,27 @@ public:
     {
       Propagation_statistics statistics = m_runner.statistics();
       statistics.intrinsic_mesh_bytes += m_surface.memory() + m_runner.field_memory();
-      add_statistics(statistics, *options.statistics);
+      options.statistics->add(statistics);
     }
-    find_positions_of_sources(set);
+    m_numbers.assign(set);
     unfinished.runner = nullptr;
     return is_complete;
   }
 
-  // The distance of a vertex of the mesh in the user's unit, infinity if it was not reached.
+  // Returns the distance of a vertex of the mesh in the user's unit, infinity if it was not reached.
   FT distance(vertex_descriptor v) const { return m_runner.distance(m_surface.id(v)) * m_surface.unit(); }
 
-  // The position of the source from which the distance of v is measured, or no_source.
+  // Returns the number of the source from which the distance of v is measured, or no_source if v is not reached. Takes
+  // time logarithmic in the number of sources, and linear in the number of vertices where the path bends.
   std::size_t nearest_source(vertex_descriptor v) const
   {
     const Vertex_id i = m_surface.id(v);
     if(!(m_runner.distance(i) < Vertex_distance_field<FT>::infinity()))
       return no_source;
-    const auto first = std::lower_bound(m_positions.begin(), m_positions.end(),
-                                        std::make_pair(m_runner.source_of(i), std::size_t(0)));
-    return first->second;
+    return m_numbers.number_at(m_runner.source_of(i));
   }
 
-  // calls visit(vertex_descriptor, distance) for all vertices that have been reached.
+  // Calls visit(vertex_descriptor, distance) for all vertices that have been reached.
   template <typename Visit>
   void for_each_vertex_reached(Visit visit) const
   {
@@ -242,7 +134,7 @@ public:
 private:
   using Runner = Repeated_propagation<Propagation>;
 
-  // No vertex has been reached if a run is left by an exception, whatever part of it or of the visitor throws.
+  // Forgets the distances if an exception ends the run, whether the propagation or the visitor throws it.
   struct Unfinished_run
   {
     Runner* runner;
@@ -254,26 +146,10 @@ private:
     }
   };
 
-  // Of the sources at one vertex, the first of those with the smallest offset counts.
-  void find_positions_of_sources(const Source_set<FT>& set)
-  {
-    m_positions.clear();
-    for(std::size_t i = 0; i < set.vertices.size(); ++i)
-      m_positions.emplace_back(set.vertices[i], i);
-    const auto offset = [&](std::size_t i) { return set.offsets.empty() ? FT(0) : set.offsets[i]; };
-    using Entry = std::pair<Vertex_id, std::size_t>;
-    std::stable_sort(m_positions.begin(), m_positions.end(), [&](const Entry& a, const Entry& b)
-                     { return a.first < b.first
-                           || (a.first == b.first && offset(a.second) < offset(b.second)); });
-    m_positions.erase(std::unique(m_positions.begin(), m_positions.end(),
-                                  [](const Entry& a, const Entry& b) { return a.first == b.first; }),
-                      m_positions.end());
-  }
-
   Surface m_surface;
   Source_insertion<FT> m_insertion;
   Runner m_runner;
-  std::vector<std::pair<Vertex_id, std::size_t>> m_positions; // of sources, sorted by vertex
+  Source_numbers m_numbers; // of the sources of the last run
 };
 
 } // namespace internal

@@ -10,8 +10,8 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_LAZY_PATH_STRUCTURE_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_LAZY_PATH_STRUCTURE_H
 
-// What `Surface_mesh_geodesic_paths` knows, and when it computes it: the source points, the solver, and how much of what
-// the solver knows still fits the source points.
+// What `Surface_mesh_geodesic_paths` knows, and when it computes it: the source points, the solver, and how much of
+// what the solver knows still fits the source points.
 //
 // One rule holds for all queries. A query is const, and computes what it needs under a mutex if that is missing. Once
 // it is there, a query reads one atomic number and takes no lock, so any number of threads may ask one object.
@@ -21,16 +21,16 @@
 // nobody reads. The second one adds the windows on the edges, which queries at other points read; it writes nothing
 // that queries at vertices read, as those may be running in other threads.
 
+#include <CGAL/Surface_mesh_geodesics/internal/interface/Face_shapes.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Path_solver.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Source_point_list.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Surface_locations.h>
-#include <CGAL/Surface_mesh_geodesics/internal/interface/intrinsic_mesh_from_face_graph.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/path_visitors.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/run_with_visitor.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/source_range.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/Source_insertion.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/barycentric_coordinates.h>
 
 #include <CGAL/number_utils.h>
 
@@ -48,6 +48,13 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
+// Invariants, between the calls of functions that are not const:
+// - m_ready is NOWHERE if the sources differ from those of the last build, or a build has ended early.
+// - From AT_VERTICES on, the solver has the results of the vertices for the present sources, and m_sources their
+//   numbers. An object that never had sources is an exception: it is ready and has no results.
+// - At EVERYWHERE the solver has the windows as well.
+// A const function only raises m_ready, and only under the mutex. A reader loads m_ready with `acquire` before it reads
+// anything that a build writes; the build stores it with `release` after the last write.
 template <typename Traits, typename VertexIndexMap, typename FaceIndexMap, typename VertexPointMap>
 class Lazy_path_structure
 {
@@ -107,6 +114,7 @@ public:
     return add_source_point({location, Graph_traits::null_vertex()});
   }
 
+  // Adds vertices or locations. Returns the iterator to the first of them, end() if the range is empty.
   template <typename InputIterator>
   Source_point_iterator add_sources(InputIterator begin, InputIterator end)
   {
@@ -118,6 +126,7 @@ public:
     return first;
   }
 
+  // Keeps the source point until the next build, for those who hold its iterator.
   void remove_source(Source_point_iterator it)
   {
     if(m_sources.remove(it))
@@ -146,6 +155,7 @@ public:
 
   bool build(Extent wanted) { return build(wanted, Run_to_the_end()); }
 
+  // Builds, and reports the progress to a visitor that may cancel.
   template <typename Visitor>
   bool build_with_visitor(Extent wanted, Visitor& visitor)
   {
@@ -165,6 +175,7 @@ public:
     m_solver.build_mesh(Shape_from_edge_lengths<double, Triangle_mesh, EdgeLengthMap>(m_tm, edge_length_map));
   }
 
+  // Forgets sources, results, mesh and edge lengths.
   void clear()
   {
     m_sources.clear();
@@ -183,6 +194,7 @@ public:
 
   // All of them throw Invalid_geodesic_input for a vertex or location that is not on the mesh, and what a build throws.
 
+  // Returns the distance and the source point; -1 and end() if no source reaches the point.
   Result distance(vertex_descriptor v) const { return result(query(v)); }
 
   Result distance(face_descriptor f, const Barycentric_coordinates& location) const
@@ -190,6 +202,7 @@ public:
     return result(query(f, location));
   }
 
+  // Returns the number of the source point, in the order of the list, or no_source.
   std::size_t nearest_source(vertex_descriptor v) const { return nearest_source(query(v)); }
 
   std::size_t nearest_source(face_descriptor f, const Barycentric_coordinates& location) const
@@ -205,7 +218,7 @@ public:
     return sequence(query(v), visitor, [] {});
   }
 
-  // The same from a point of a face. The first call tells the visitor the location as it was given.
+  // The same from a point of a face. The first call passes the location as it was given.
   template <typename Visitor>
   Result sequence(face_descriptor f, const Barycentric_coordinates& location, Visitor& visitor) const
   {
@@ -225,8 +238,8 @@ public:
     }
   }
 
-  // Returns the reached vertex with the largest distance, the first of several, and the distance; the null vertex and -1
-  // if no vertex is reached.
+  // Returns the reached vertex with the largest distance, the first of several, and the distance; the null vertex and
+  // -1 if no vertex is reached.
   std::pair<vertex_descriptor, FT> farthest_vertex() const
   {
     prepare(Extent::AT_VERTICES);
@@ -263,6 +276,7 @@ private:
   using Query = typename Solver::Query;
   using Arrival = typename Solver::Arrival;
 
+  // For build(): a propagation that nobody watches.
   struct Run_to_the_end
   {
     template <typename Propagate>
@@ -312,6 +326,7 @@ private:
     return true;
   }
 
+  // Reads the mesh if that has not been done, and checks all sources. Throws Invalid_geodesic_input.
   void give_sources_to_solver() const
   {
     if(!m_solver.has_mesh())
@@ -324,11 +339,13 @@ private:
         m_solver.add_source_location(std::make_pair(s.location.first, weights(s.location.second)));
   }
 
-  // An object that never had sources is ready without results. Requires: is_ready(Extent::AT_VERTICES).
+  // An object that never had sources is ready without results.
+  // Requires: is_ready(Extent::AT_VERTICES).
   bool has_results() const { return m_solver.has_run(); }
 
   // --- queries ---
 
+  // Prepares the object for a query at v, and checks v.
   Query query(vertex_descriptor v) const
   {
     prepare(Extent::AT_VERTICES);
@@ -338,6 +355,8 @@ private:
     return Query();
   }
 
+  // The same for a point of a face. A location at a vertex, or at a source that has become one, needs no windows. The
+  // first prepare() decides by the coordinates alone whether one propagation shall do for both stages.
   Query query(face_descriptor f, const Barycentric_coordinates& location) const
   {
     const Coordinates b = weights(location);
@@ -353,9 +372,10 @@ private:
     return q;
   }
 
+  // Returns whether the location is a vertex of its face, after snapping.
   static bool is_at_corner(Coordinates b)
   {
-    Source_insertion<double>::snap(b);
+    snap_coordinates(b);
     return b[0] == 1 || b[1] == 1 || b[2] == 1;
   }
 
@@ -385,8 +405,8 @@ private:
   }
 
   // Traces the path before it calls the visitor, because tracing may throw.
-  template <typename Visitor, typename TellQuery>
-  Result sequence(const Query& q, Visitor& visitor, TellQuery tell_query) const
+  template <typename Visitor, typename ReportQuery>
+  Result sequence(const Query& q, Visitor& visitor, ReportQuery report_query) const
   {
     if(!has_results())
       return no_result();
@@ -394,9 +414,9 @@ private:
     if(is_reached(a))
     {
       const auto path = m_solver.path(q, a);
-      tell_query();
+      report_query();
       Path_sequence_sink<Lazy_path_structure, Visitor> sink(*this, visitor);
-      m_solver.tell(q, a, path, sink);
+      m_solver.report(q, a, path, sink);
     }
     return result_of(a);
   }
@@ -405,7 +425,7 @@ private:
   const Triangle_mesh& m_tm;
   VertexIndexMap m_vertex_index_map;
   VertexPointMap m_vertex_point_map;
-  // What const queries may compute, under the mutex. m_ready tells readers what they may read without it.
+  // What const queries may compute, under the mutex. m_ready says what readers may read without it.
   mutable std::mutex m_mutex;
   mutable std::atomic<Extent> m_ready{Extent::EVERYWHERE}; // nothing is missing as long as there are no sources
   mutable Sources m_sources;                               // a build numbers them, and frees those that were removed

@@ -83,6 +83,8 @@ private:
   Underlying m_iterator{};
 };
 
+// Takes constant time for all functions but clear() and set_built(), which are linear in the number of source
+// points. Not safe for threads by itself; Lazy_path_structure.h says who calls what when.
 template <typename FaceLocation, typename VertexDescriptor>
 class Source_point_list
 {
@@ -90,6 +92,7 @@ public:
   using Source = Source_point<FaceLocation, VertexDescriptor>;
   using Iterator = Source_point_iterator<FaceLocation, VertexDescriptor>;
 
+  // The source points that have not been removed, in the order of addition.
   Iterator begin() const { return Iterator(m_sources.begin()); }
   Iterator end() const { return Iterator(m_sources.end()); }
   std::size_t size() const { return m_sources.size(); }
@@ -127,7 +130,8 @@ public:
     m_removed.clear();
   }
 
-  // Returns the source point with a number that the last build has given. Requires: number < size() at that build.
+  // Returns the source point with a number that the last build has given.
+  // Requires: number < size() at that build.
   Iterator by_number(std::size_t number) const
   {
     CGAL_assertion(number < m_by_number.size());

@@ -10,12 +10,16 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_SURFACE_LOCATIONS_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_SURFACE_LOCATIONS_H
 
-// Points of the surface in the user's terms: vertices, positions on halfedges, coordinates in faces, points of space,
-// and how one becomes another. There is no state here, the functions are static.
+// Points of the surface in the user's terms, and how one form becomes another: vertices, positions on halfedges,
+// barycentric coordinates in faces, points of space. All functions are static and have no state, so threads may call
+// them at once.
+//
+// Conventions. A Face_location has the coordinates of source(h), target(h) and target(next(h)) for h = halfedge(f), in
+// this order. A position t on a halfedge is 0 at its source and 1 at its target. The null location has the null face.
 
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/Source_insertion.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/cgal_compatibility.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/barycentric_coordinates.h>
 
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Bbox_3.h>
@@ -53,6 +57,8 @@ struct Surface_locations
 
   // --- coordinates ---
 
+  // Returns the coordinates as numbers, rounded to double.
+  // Law: weights(coordinates(b)) == b if FT holds doubles exactly.
   static Coordinates weights(const Barycentric_coordinates& location, const Traits& traits)
   {
     auto weight = traits.construct_barycentric_coordinates_weight_object();
@@ -60,12 +66,13 @@ struct Surface_locations
             CGAL::to_double(weight(location, 2))};
   }
 
+  // Returns numbers as coordinates of the traits.
   static Barycentric_coordinates coordinates(const Coordinates& b, const Traits& traits)
   {
     return traits.construct_barycentric_coordinates_object()(FT(b[0]), FT(b[1]), FT(b[2]));
   }
 
-  // what stands for "nowhere"
+  // Returns the location that stands for no point of the surface.
   static Face_location null_location(const Traits& traits)
   {
     return Face_location(Graph_traits::null_face(), coordinates({0., 0., 0.}, traits));
@@ -73,6 +80,8 @@ struct Surface_locations
 
   // --- points ---
 
+  // Returns the point of a face, constructed by the traits.
+  // Requires: f is a triangle.
   static Point_3 point(face_descriptor f, const Barycentric_coordinates& location, const Triangle_mesh& tm,
                        VertexPointMap vertex_point_map, const Traits& traits)
   {
@@ -83,6 +92,7 @@ struct Surface_locations
                                                   vertex(t, 2), weight(location, 2));
   }
 
+  // Returns the point at t of a halfedge, constructed by the traits.
   static Point_3 point(halfedge_descriptor he, const FT& t, const Triangle_mesh& tm, VertexPointMap vertex_point_map,
                        const Traits& traits)
   {
@@ -92,7 +102,8 @@ struct Surface_locations
 
   // --- locations ---
 
-  // a halfedge with a face that leads to v, or the null halfedge if v is in no face.
+  // Returns a halfedge with a face and the target v; the null halfedge if v has no face in the umbrella of halfedge(v).
+  // Complexity: linear in the degree of v.
   static halfedge_descriptor halfedge_in_face(vertex_descriptor v, const Triangle_mesh& tm)
   {
     const halfedge_descriptor first = halfedge(v, tm);
@@ -100,13 +111,13 @@ struct Surface_locations
     while(h != Graph_traits::null_halfedge() && is_border(h, tm))
     {
       h = opposite(next(h, tm), tm);
-      if(h == first) // edges may have no face on either side
+      if(h == first) // the edges around v have no face on either side
         return Graph_traits::null_halfedge();
     }
     return h;
   }
 
-  // the null location if v is in no face.
+  // Returns the location of a vertex in one of its faces; the null location if it has none.
   static Face_location location(vertex_descriptor v, const Triangle_mesh& tm, const Traits& traits)
   {
     const halfedge_descriptor h = halfedge_in_face(v, tm);
@@ -114,7 +125,8 @@ struct Surface_locations
                                               : location_in_face(next(h, tm), FT(0), tm, traits);
   }
 
-  // the null location if the edge is in no face.
+  // Returns the location at t of a halfedge, in its face, or in the opposite face if it is a border halfedge; the null
+  // location if the edge has no face.
   static Face_location location(halfedge_descriptor he, const FT& t, const Triangle_mesh& tm, const Traits& traits)
   {
     if(!is_border(he, tm))
@@ -125,6 +137,7 @@ struct Surface_locations
 
   // --- locations of points of space ---
 
+  // Complexity: O(n log n) for n faces.
   template <typename AABBTraits>
   static void build_tree(const Triangle_mesh& tm, AABB_tree<AABBTraits>& tree, VertexPointMap vertex_point_map)
   {
@@ -133,6 +146,8 @@ struct Surface_locations
     tree.build();
   }
 
+  // Returns the location nearest to a point. The tree chooses between equally near faces.
+  // Requires: the tree holds the faces of tm, at least one. Throws Invalid_geodesic_input if sizes are out of range.
   template <typename AABBTraits>
   static Face_location locate(const Point_3& p, const AABB_tree<AABBTraits>& tree, const Triangle_mesh& tm,
                               VertexPointMap vertex_point_map, const Traits& traits)
@@ -142,7 +157,8 @@ struct Surface_locations
     return location_of_point(nearest.second, nearest.first, tm, vertex_point_map, traits);
   }
 
-  // the null location if the ray meets no face in a point.
+  // Returns the location where a ray meets the mesh first; the null location if it meets no face in a point. Of equal
+  // distances from the source of the ray the first one that the tree reports counts.
   template <typename AABBTraits>
   static Face_location locate(const Ray_3& ray, const AABB_tree<AABBTraits>& tree, const Triangle_mesh& tm,
                               VertexPointMap vertex_point_map, const Traits& traits)
@@ -152,15 +168,14 @@ struct Surface_locations
     std::vector<Intersection> intersections;
     tree.all_intersections(ray, std::back_inserter(intersections));
 
-    auto squared_distance = traits.compute_squared_distance_3_object();
     const Point_3* nearest = nullptr;
     face_descriptor nearest_face = Graph_traits::null_face();
+    auto squared_distance = traits.compute_squared_distance_3_object();
     for(const Intersection& i : intersections)
     {
       const Point_3* p = held_value<Point_3>(i.first);
-      if(p == nullptr)
-        continue;
-      if(nearest == nullptr || squared_distance(*p, ray.source()) < squared_distance(*nearest, ray.source()))
+      if(p != nullptr
+         && (nearest == nullptr || squared_distance(*p, ray.source()) < squared_distance(*nearest, ray.source())))
       {
         nearest = p;
         nearest_face = i.second;
@@ -171,8 +186,8 @@ struct Surface_locations
   }
 
 private:
-  // CGAL's trees and kernels multiply four lengths, which overflow or vanish in `double`: throws then, as the location
-  // would be wrong.
+  // Throws if the mesh, or the mesh with the point, is too large or too small for CGAL's trees and kernels: the
+  // location would be wrong.
   template <typename AABBTraits>
   static void check_size(const AABB_tree<AABBTraits>& tree, const Point_3& p)
   {
@@ -181,7 +196,7 @@ private:
     const Bbox_3 mesh = tree.bbox(), all = mesh + p.bbox();
     if(!(largest_span(all) <= largest_size) || (largest_span(mesh) > 0 && largest_span(mesh) < 1 / largest_size))
       throw Invalid_geodesic_input(Invalid_geodesic_input::Reason::NON_FINITE_POINT,
-                                   "the mesh, or its distance from the point to be located, is too large or too small");
+                                   "the mesh is too large or too small to locate points, or the point is too far");
   }
 
   static double largest_span(const Bbox_3& box)
@@ -189,6 +204,8 @@ private:
     return (std::max)(box.xmax() - box.xmin(), (std::max)(box.ymax() - box.ymin(), box.zmax() - box.zmin()));
   }
 
+  // The trees and kernels multiply four lengths: (1e75)^4 = 1e300 is finite in `double`, and (1e-75)^4 = 1e-300 is
+  // normal.
   static constexpr double largest_size = 1e75;
 
   static Triangle_3 triangle(face_descriptor f, const Triangle_mesh& tm, VertexPointMap vertex_point_map,
@@ -200,7 +217,7 @@ private:
                                                 get(vertex_point_map, target(next(h, tm), tm)));
   }
 
-  // the location at t of a halfedge with a face.
+  // Requires: `he` has a face.
   static Face_location location_in_face(halfedge_descriptor he, const FT& t, const Triangle_mesh& tm,
                                         const Traits& traits)
   {
@@ -214,17 +231,20 @@ private:
     return Face_location(f, traits.construct_barycentric_coordinates_object()(c[0], c[1], c[2]));
   }
 
+  // Returns the location of a point that lies on face f. In a face with nearly no height the coordinates are lost in
+  // rounding; then the point is taken for one of the longest side.
   static Face_location location_of_point(face_descriptor f, const Point_3& p, const Triangle_mesh& tm,
                                          VertexPointMap vertex_point_map, const Traits& traits)
   {
     const Face_location location(f, traits.construct_barycentric_coordinates_in_triangle_3_object()(
                                       triangle(f, tm, vertex_point_map, traits), p));
-    // A face with nearly no height: its coordinates are lost in rounding, and the point is on its longest side.
-    return Source_insertion<double>::is_valid(weights(location.second, traits))
+    return are_valid_coordinates(weights(location.second, traits))
              ? location
              : location_on_longest_side(f, p, tm, vertex_point_map, traits);
   }
 
+  // Returns the location on the longest side, the first of several, that is nearest to p. Its error is the height of
+  // the face, and a few units of the side.
   static Face_location location_on_longest_side(face_descriptor f, const Point_3& p, const Triangle_mesh& tm,
                                                 VertexPointMap vertex_point_map, const Traits& traits)
   {

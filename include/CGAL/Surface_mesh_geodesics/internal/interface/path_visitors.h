@@ -11,10 +11,10 @@
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_PATH_VISITORS_H
 
 // Receivers of paths and isolines. `Path_sequence_sink` turns the elements that the solver reports into the calls of a
-// `SurfaceMeshShortestPathVisitor`. `Path_point_writer` and `Path_polyline_writer` are such visitors; they write points.
-// `Isoline_writer` writes the points of isolines.
+// `SurfaceMeshShortestPathVisitor`. `Path_point_writer` and `Path_polyline_writer` are such visitors; they write
+// points. `Isoline_writer` writes the points of isolines.
 
-#include <CGAL/Surface_mesh_geodesics/internal/surface/Source_insertion.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/barycentric_coordinates.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -49,6 +49,8 @@ public:
     return is_new;
   }
 
+  // Returns the point of the last element.
+  // Requires: next() has been called.
   const Point_3& point() const { return m_point; }
 
 private:
@@ -100,6 +102,7 @@ private:
   face_descriptor m_face = boost::graph_traits<typename Paths::Triangle_mesh>::null_face();
 };
 
+// Whether a visitor has enter(), and wants the face of each segment.
 template <typename Visitor>
 struct Wants_faces_of_segments : std::false_type
 {};
@@ -122,9 +125,13 @@ public:
 
   Path_sequence_sink(const Structure& structure, Visitor& visitor) : m_structure(structure), m_visitor(visitor) {}
 
+  // The path runs through a vertex.
   void vertex(vertex_descriptor v) { m_visitor(v); }
+
+  // The path crosses an edge, at t from source to target.
   void edge(halfedge_descriptor he, double t) { m_visitor(he, FT(t)); }
 
+  // The path arrives at the next element through face f.
   void face(face_descriptor f)
   {
     static_cast<void>(f);
@@ -136,8 +143,8 @@ public:
   void source(std::size_t number)
   {
     const typename Structure::Face_location& location = *m_structure.sources().by_number(number);
-    std::array<double, 3> b = m_structure.weights(location.second);
-    Source_insertion<double>::snap(b);
+    std::array<double, 3> b = m_structure.weights(location.second); // in the order of the user's corners
+    snap_coordinates(b);
     halfedge_descriptor h = halfedge(location.first, m_structure.mesh());
     for(std::size_t k = 0; k < 3; ++k, h = next(h, m_structure.mesh()))
       if(b[(k + 2) % 3] == 0)

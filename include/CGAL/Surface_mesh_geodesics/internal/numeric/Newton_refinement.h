@@ -10,9 +10,10 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_NEWTON_REFINEMENT_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_NEWTON_REFINEMENT_H
 
-// Points of a face that are given by conditions on distances, and known nearly: the vertex of three cells, the crossing
-// of a curve and a line. Newton's method makes the most of what numbers tell.
+// Refines points that satisfy two conditions on distances: the vertex of three cells, the intersection of a bisector and
+// a line. Newton's method reduces their error to the rounding of the distances.
 
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Weighted_bisector.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
 
@@ -23,9 +24,15 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// Newton's method for f(p) = g(p) = 0, as long as it helps; `size` is that of the face. f is the difference of
-// the distances from two points. If they are near to each other, f tells nothing about the place on a line that
-// points away from them, and g decides it alone.
+// Improves a solution p of f(p) = g(p) = 0 by at most four steps of Newton's method, and returns the last point at which
+// |f| + |g| became smaller. residuals(p) returns f, g, and their gradients as (f, g, fx, fy, gx, gy). `size` is the size
+// of the face; a step longer than Tolerance::newton_step() of it is not made.
+//
+// f is the difference of the distances from two points. If these are close to each other, the gradient of f vanishes:
+// then f tells nothing about the position, and g decides it alone.
+//
+// Error: where the method converges, |f| + |g| is at most the rounding of the distances (`precision`). No bound is known
+// for the position, since the two curves may touch.
 template <typename FT, typename Residuals>
 Planar_point<FT> polished_point(Planar_point<FT> p, const FT& size_of_distances, const FT& size, Residuals residuals)
 {
@@ -39,13 +46,13 @@ Planar_point<FT> polished_point(Planar_point<FT> p, const FT& size_of_distances,
       return p;
     const Planar_point<FT> across{FT(r[2] / n), FT(r[3] / n)}, along{FT(-across.y), across.x};
     const FT slope = r[4] * along.x + r[5] * along.y;
-    if(!(abs(slope) > Tolerance<FT>::angle()))
+    if(!(abs(slope) > Tolerance<FT>::slope()))
       return p;
     const FT x = n > Tolerance<FT>::closeness() ? FT(-r[0] / n) : FT(0);
     const FT y = -(r[1] + x * (r[4] * across.x + r[5] * across.y)) / slope;
     const Planar_point<FT> q{FT(p.x + x * across.x + y * along.x), FT(p.y + x * across.y + y * along.y)};
     const std::array<FT, 6> s = residuals(q);
-    if(!(abs(s[0]) + abs(s[1]) < abs(r[0]) + abs(r[1])) || distance(p, q) > size / (1 << 20))
+    if(!(abs(s[0]) + abs(s[1]) < abs(r[0]) + abs(r[1])) || distance(p, q) > Tolerance<FT>::newton_step() * size)
       return p;
     p = q;
     r = s;
@@ -53,7 +60,7 @@ Planar_point<FT> polished_point(Planar_point<FT> p, const FT& size_of_distances,
   return p;
 }
 
-// the direction to a point.
+// Returns the unit vector from a weighted point to a point, zero if they are equal.
 template <typename FT>
 Planar_point<FT> direction_from(const Additively_weighted_point<FT>& from, const Planar_point<FT>& to)
 {
@@ -61,7 +68,7 @@ Planar_point<FT> direction_from(const Additively_weighted_point<FT>& from, const
   return n > 0 ? Planar_point<FT>{FT(dx / n), FT(dy / n)} : Planar_point<FT>();
 }
 
-// the point near to p that is as far from a as from b and c.
+// Returns the point close to p that is as far from a as from b and from c.
 template <typename FT>
 Planar_point<FT> polished_vertex(const Additively_weighted_point<FT>& a, const Additively_weighted_point<FT>& b,
                                  const Additively_weighted_point<FT>& c, const Planar_point<FT>& p, const FT& size)
@@ -75,7 +82,7 @@ Planar_point<FT> polished_vertex(const Additively_weighted_point<FT>& a, const A
   });
 }
 
-// the point near to p on the line of h that is as far from a as from b.
+// Returns the point close to p on the line of h that is as far from a as from b.
 template <typename FT>
 Planar_point<FT> polished_crossing(const Additively_weighted_point<FT>& a, const Additively_weighted_point<FT>& b,
                                    const Half_plane<FT>& h, const Planar_point<FT>& p, const FT& size)
@@ -88,7 +95,7 @@ Planar_point<FT> polished_crossing(const Additively_weighted_point<FT>& a, const
   });
 }
 
-// the line through p across the curve of two points.
+// Returns the line through p perpendicular to the bisector of a and b.
 template <typename FT>
 Half_plane<FT> line_across(const Additively_weighted_point<FT>& a, const Additively_weighted_point<FT>& b,
                            const Planar_point<FT>& p)

@@ -98,8 +98,30 @@ struct Tolerance
 
   // --- Windows: window/ and propagation/ -----------------------------------------------------------------------------
 
-  // Of a distance: windows whose distances differ by less are not told apart when the longer one would be pruned.
-  // Window::distance_at() errs by less than two units, and two distances are compared.
+  // Of a distance: windows whose distances differ by less are not told apart when the longer one would be pruned. This
+  // covers the rounding of one comparison: two distances that err by two units each (Window_numbers::distance_at()). With
+  // u = unit_roundoff() / 2, is_clearly_less(a, b) implies A < B (1 + u) for the exact distances A and B that the stored
+  // images have.
+  //
+  // The error of images. The stored image is not the exact one: it is unfolded face by face. To first order, crossing a
+  // face adds, with r the distance from the image to the farthest corner of the face:
+  // - 9 u r for the arithmetic of the child (lanes/window_splitting.h);
+  // - 16 u r for the direction of the new edge: in the frame of its shortest side, the apex of a face errs by less than
+  //   7 unit_roundoff() of either side that ends there (planar_geometry.h), and by less than 8 in the other frames;
+  // - 16 u L for the position of the apex, where L is the longest side met so far.
+  // Rotations do not amplify earlier errors, and needles do not either, because apexes err relative to the nearest side.
+  // As r <= d + L, where d is the distance from the image along the window, an image that has crossed n faces errs by
+  //   24 n unit_roundoff() (d + L)
+  // at most, and so does each of its distances. test_predicate_laws measures less than 2 in place of 24. The lengths of
+  // the pieces of a path that bends at pseudo-sources add up, and so do their errors.
+  // The ends of an interval err by the same amount across the rays, so that a path may pass a vertex on the wrong side by
+  // this much; the path around the vertex is longer by no more than that.
+  //
+  // What is known, and what is not. Where two windows differ by less than their errors of images, pruning may remove the
+  // shorter one. It never removes both, and the other one is a path on the surface, longer by at most the sum of the two
+  // errors. No bound is proved for many such losses along one path; their number is at most n, which gives n times the
+  // bound above. The certificate does not rest on any of this: it checks the final distances against a lower bound
+  // (certificate/Lower_bound_check.h), with the largest violation that it finds.
   static FT distance() { return 4 * unit_roundoff(); }
 
   // Of the length of an edge: narrower intervals come from rounding (a ray that meets a vertex) and are dropped. No path

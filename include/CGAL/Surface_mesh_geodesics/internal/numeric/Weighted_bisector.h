@@ -10,19 +10,24 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_WEIGHTED_BISECTOR_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_WEIGHTED_BISECTOR_H
 
-// Curves of equal distance from two weighted points of a plane: branches of hyperbolas, or lines.
+// Bisectors of additively weighted points of a plane: the curves of equal distance from two of them, which are branches
+// of hyperbolas, or lines. Along a bisector, the questions "which of three points is nearer" and "on which side of a
+// line" become signs of quadratic polynomials.
 //
-// Let F be one of the two points (a focus), d the vector to the other one, s the weight of F less that of
-// the other one, and u the direction from F to a point of the curve at distance r. Squaring
-// r + s = |r u - d| gives 1/r = (s + u d) / K with 2 K = d^2 - s^2: an affine function of u. This stays
-// so for the curves of a third point against F, and for lines; so "which focus is nearer", and "on which
-// side of a line", are linear inequalities in u along the curve.
+// Let F be one of the two points (a focus), d the vector to the other one, s the weight of F minus that of the other one,
+// and u the unit vector from F to a point of the curve at distance r. Squaring r + s = |r u - d| gives
+// 1/r = (s + u d) / K with 2 K = d^2 - s^2: an affine function of u. The same holds for the bisector of F and a third
+// point, and 1/r is affine in u along a line, too. So both questions are linear inequalities in u.
 //
-// Directions are measured from that of a point p0 of the curve, by the tangent t of half the angle: u is a
-// quotient of polynomials in t of degree two, the point of the curve as well, and each inequality becomes one
-// for such a polynomial. All is written as a difference from p0, so that no digits are lost where the
-// foci are far away in comparison with the piece of the curve that matters.
+// Directions are measured from that of a point p0 of the curve. The parameter t is the tangent of half the angle from
+// it: u is a quotient of quadratic polynomials in t, the point of the curve is one, and each inequality becomes one for
+// a quadratic polynomial. Everything is written as a difference from p0, so that no digits are lost where the foci are
+// far away in comparison with the relevant piece of the curve.
+//
+// Error: no bound is known for points of a bisector in general. Newton_refinement.h refines those that matter; tests
+// sample arcs and compare both distances.
 
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
 
 #include <algorithm>
@@ -47,7 +52,7 @@ Planar_point<FT> midpoint(const Planar_point<FT>& p, const Planar_point<FT>& q)
   return {FT((p.x + q.x) / 2), FT((p.y + q.y) / 2)};
 }
 
-// The distance of a point from it is `weight` plus the distance in the plane.
+// A point with a distance of its own: the distance of p from it is `weight` plus the distance in the plane.
 template <typename FT>
 struct Additively_weighted_point
 {
@@ -56,7 +61,23 @@ struct Additively_weighted_point
   FT distance_to(const Planar_point<FT>& p) const { return weight + norm<FT>(p.x - x, p.y - y); }
 };
 
-// The side of a line: a x + b y + c >= 0.
+// Returns whether the distance a is smaller than b beyond the rounding of images: stricter than is_clearly_less().
+// Ties are not nearer, so that of two images that tie the current one stays.
+template <typename FT>
+bool is_nearer(const FT& a, const FT& b)
+{
+  return a < b * (1 - Tolerance<FT>::nearer());
+}
+
+// The same for the distances of p from a and from b.
+template <typename FT>
+bool is_nearer(const Additively_weighted_point<FT>& a, const Additively_weighted_point<FT>& b,
+               const Planar_point<FT>& p)
+{
+  return is_nearer<FT>(a.distance_to(p), b.distance_to(p));
+}
+
+// One side of a line: a x + b y + c >= 0.
 template <typename FT>
 struct Half_plane
 {
@@ -64,13 +85,14 @@ struct Half_plane
 
   FT operator()(const Planar_point<FT>& p) const { return a * p.x + b * p.y + c; }
 
-  // the points on the left of the line from p to q; the value is the distance from the line.
+  // Returns the points on the left of the line from p to q. Values are signed distances from the line.
   static Half_plane left_of(const Planar_point<FT>& p, const Planar_point<FT>& q)
   {
     return along(FT(q.x - p.x), FT(q.y - p.y), p);
   }
 
-  // the points on the left of the line through p in the direction (dx, dy).
+  // Returns the points on the left of the line through p in the direction (dx, dy). Values are zero everywhere if the
+  // direction is zero.
   static Half_plane along(const FT& dx, const FT& dy, const Planar_point<FT>& p)
   {
     const FT n = norm(dx, dy);
@@ -81,7 +103,7 @@ struct Half_plane
   Half_plane opposite() const { return Half_plane{FT(-a), FT(-b), FT(-c)}; }
 };
 
-// c0 + 2 c1 t + c2 t^2
+// The polynomial c0 + 2 c1 t + c2 t^2.
 template <typename FT>
 struct Quadratic
 {
@@ -89,23 +111,24 @@ struct Quadratic
 
   FT operator()(const FT& t) const { return c0 + t * (2 * c1 + t * c2); }
 
-  // is it negative from 0 to t beyond doubt? (Its coefficients in Bernstein form are.)
+  // Returns true only if the polynomial is negative from 0 to t: its coefficients in Bernstein form are.
   bool is_negative_until(const FT& t) const
   {
     const FT b1 = c0 + c1 * t;
     return c0 < 0 && b1 < 0 && b1 + t * (c1 + c2 * t) < 0;
   }
 
-  // is it positive from 0 to t, and so by more than rounding?
+  // Returns true only if the polynomial is positive from 0 to t by more than the rounding of its value.
   bool is_positive_until(const FT& t) const
   {
     using std::abs;
-    const FT rounding = 16 * Tolerance<FT>::unit_roundoff() * (abs(c0) + t * (2 * abs(c1) + t * abs(c2)));
+    const FT rounding = Tolerance<FT>::polynomial() * (abs(c0) + t * (2 * abs(c1) + t * abs(c2)));
     const FT b1 = c0 + c1 * t;
     return c0 > rounding && b1 > rounding && b1 + t * (c1 + c2 * t) > rounding;
   }
 
-  // its positive roots, in ascending order; infinity for those that do not exist.
+  // Returns the positive roots in ascending order, infinity in place of those that do not exist. Neither root is computed
+  // as a difference of nearly equal numbers.
   std::array<FT, 2> positive_roots() const
   {
     using std::sqrt;
@@ -125,6 +148,8 @@ struct Quadratic
   }
 };
 
+// Frame: that of the two points given. Ties: none, since a bisector is the set of ties. Degenerate cases are decided by the
+// constructor: is_valid(), is_ray(), is_curved().
 template <typename FT_>
 class Weighted_bisector
 {
@@ -133,8 +158,8 @@ public:
   using Point = Planar_point<FT>;
   using Focus = Additively_weighted_point<FT>;
 
-  // The curve of equal distance from `left` and `right` that starts at p, which is on it but for rounding,
-  // with the points nearer to `left` on its left.
+  // Makes the bisector of `left` and `right` from p on, in the direction that has the points nearer to `left` on its
+  // left. Requires: p is on the bisector up to rounding.
   Weighted_bisector(const Focus& left, const Focus& right, const Point& p)
     : m_p(p)
   {
@@ -148,9 +173,9 @@ public:
     const FT dx = other.x - m_focus.x, dy = other.y - m_focus.y;
     const FT d = norm(dx, dy), s = m_focus.weight - other.weight;
     const FT k = (d - s) * (d + s) / 2;
-    // where one focus is on the way from the other one, the curve is a ray
-    const FT rounding = relative_rounding() * (m_focus.weight + r);
-    m_is_valid = r > 0 && k > 4 * Tolerance<FT>::distance() * d * d && d - s > rounding && d + s > rounding;
+    // Where one point is on the way from the other one, the bisector is a ray.
+    const FT rounding = Tolerance<FT>::bisector() * (m_focus.weight + r);
+    m_is_valid = r > 0 && k > Tolerance<FT>::curvature() * d * d && d - s > rounding && d + s > rounding;
     if(!m_is_valid)
     {
       find_ray(left, right);
@@ -169,18 +194,7 @@ public:
     m_a = (dx * m_ux + dy * m_uy) / k;
     m_b = (dx * m_vx + dy * m_vy) / k;
     set_tangent();
-    // the gradient of the difference of the distances points to the side of `left`
-    const FT nx = (to_right > 0 ? FT((p.x - right.x) / to_right) : FT(0))
-                - (to_left > 0 ? FT((p.x - left.x) / to_left) : FT(0));
-    const FT ny = (to_right > 0 ? FT((p.y - right.y) / to_right) : FT(0))
-                - (to_left > 0 ? FT((p.y - left.y) / to_left) : FT(0));
-    if(m_tx * ny - m_ty * nx < 0)
-    {
-      m_vx = -m_vx;
-      m_vy = -m_vy;
-      m_b = -m_b;
-      set_tangent();
-    }
+    orient(left, right, to_left, to_right);
     const FT rho = 1 / r;
     m_denominator = Quadratic<FT>{rho, m_b, FT(rho - 2 * m_a)};
     m_bend = 1 - m_a * r;
@@ -188,14 +202,14 @@ public:
 
   const Point& start() const { return m_p; }
 
-  // false where the two distances do not differ in their precision, or no curve exists.
+  // Returns false where the two distances do not differ beyond rounding, or no curve exists.
   bool is_valid() const { return m_is_valid; }
 
-  // Paths from one focus bend at the other one, and the points of the ray behind it are as far from both. The other
-  // functions are then those of the ray, as far as they exist, and the parameter is the length.
+  // Returns whether the bisector is a ray: paths from one point run through the other one, and all points behind that one
+  // are equally far from both. The other functions are then those of the ray, and the parameter is the length.
   bool is_ray() const { return m_is_straight && !m_is_valid; }
 
-  // Is it `left` by whose distances the curve is described? At a ray it is the one where paths bend.
+  // Returns whether the focus F is `left`. For a ray, F is the point where paths bend.
   bool is_left_focus() const { return m_is_left_focus; }
 
   Point point(const FT& t) const
@@ -206,7 +220,7 @@ public:
     return Point{FT(m_p.x + factor * (m_tx - g * m_ux)), FT(m_p.y + factor * (m_ty - g * m_uy))};
   }
 
-  // No point of the curve from 0 to t is farther from its start than this.
+  // Returns a distance from the start that no point of the curve from 0 to t exceeds.
   FT extent(const FT& t) const
   {
     using std::abs;
@@ -219,10 +233,10 @@ public:
     return 2 * t * (norm(m_tx, m_ty) + t * abs(m_bend)) / smallest;
   }
 
-  // Is it a curve that bends? Those that are straight, as far as one can tell, have no angles and no derivative.
+  // Returns whether the curve bends. One that is straight up to rounding has no angles and no derivative.
   bool is_curved() const { return m_is_valid && !m_is_straight; }
 
-  // the arc tangent of the parameter of a point.
+  // Returns half the angle of a point: the arc tangent of its parameter. Requires: is_curved().
   FT angle(const Point& p) const
   {
     using std::atan2;
@@ -237,7 +251,7 @@ public:
     return point(tan(angle));
   }
 
-  // dp/dt
+  // Returns dp/dt. Requires: is_curved().
   Point derivative(const FT& t) const
   {
     // p - p0 = n / w
@@ -248,25 +262,26 @@ public:
     return Point{FT((mx * wt - nx * dw) / square), FT((my * wt - ny * dw) / square)};
   }
 
-  // is positive where the curve exists.
+  // Positive where the curve exists.
   const Quadratic<FT>& denominator() const { return m_denominator; }
 
-  // where the curve ends, at infinity; behind it point() is on the other branch.
+  // Returns the parameter at which the curve goes to infinity. Behind it, point() is on the other branch.
   FT end() const { return denominator().positive_roots()[0]; }
 
-  // The parameters lose their digits far away from the focus, where all are near to the end, and when the curve has
-  // gone half round it: it is to be described anew from here. Infinity if the curve does not come here.
+  // Returns the parameter from which the curve should be described anew, infinity if there is none. Parameters lose their
+  // digits far away from the focus, where all of them are close to end(), and after more than half a turn around it.
   FT end_of_precision() const
   {
     if(m_is_straight)
       return std::numeric_limits<FT>::infinity();
-    const FT reach = FT(1 << 20); // times the distance of p from the focus
+    const FT reach = FT(1 << 20); // in distances of p from the focus: 20 of the 52 bits of a double are lost
+    const FT half_turn = FT(4); // the tangent of half the angle at about 150 degrees
     const FT t = Quadratic<FT>{FT(1 - reach), FT(-reach * m_radius * m_b), FT(1 - reach + 2 * reach * m_a * m_radius)}
                    .positive_roots()[0];
-    return (std::min)(t, FT(4));
+    return (std::min)(t, half_turn);
   }
 
-  // is positive where the curve is in the half-plane.
+  // Returns a polynomial in the parameter that is positive where the curve is in the half-plane.
   Quadratic<FT> side(const Half_plane<FT>& h) const
   {
     const FT h0 = h(m_p);
@@ -278,8 +293,8 @@ public:
                          FT(h0 * w.c2 - 2 * m_bend * along_u)};
   }
 
-  // is positive where a third focus is nearer than the two, except if it never is. `to_g` is the distance of its
-  // point from the start.
+  // Returns a polynomial in the parameter that is positive where a third point g is nearer than the two; it is negative
+  // everywhere if g never is. `to_g` is the distance of g from the start in the plane.
   Quadratic<FT> nearer(const Focus& g, const FT& to_g) const
   {
     if(m_is_straight)
@@ -295,7 +310,7 @@ public:
     return Quadratic<FT>{g0, FT(dv - k * m_b), FT(g0 - 2 * du + 2 * k * m_a)};
   }
 
-  // the direction of the curve at its start.
+  // Returns the unit tangent at the start, zero if there is none.
   Point tangent() const
   {
     const FT n = norm(m_tx, m_ty);
@@ -303,10 +318,24 @@ public:
   }
 
 private:
-  // of distances of foci
-  static FT relative_rounding() { return 16 * Tolerance<FT>::distance(); }
+  // Turns the parameter so that `left` is nearer on the left: the gradient of the difference of the two distances has to
+  // point to the left of the tangent.
+  void orient(const Focus& left, const Focus& right, const FT& to_left, const FT& to_right)
+  {
+    const FT nx = (to_right > 0 ? FT((m_p.x - right.x) / to_right) : FT(0))
+                - (to_left > 0 ? FT((m_p.x - left.x) / to_left) : FT(0));
+    const FT ny = (to_right > 0 ? FT((m_p.y - right.y) / to_right) : FT(0))
+                - (to_left > 0 ? FT((m_p.y - left.y) / to_left) : FT(0));
+    if(m_tx * ny - m_ty * nx < 0)
+    {
+      m_vx = -m_vx;
+      m_vy = -m_vy;
+      m_b = -m_b;
+      set_tangent();
+    }
+  }
 
-  // the ray behind the focus with the larger weight, if that is on the way from the other one.
+  // Finds the ray behind the point with the larger weight, if that point is on the way from the other one.
   void find_ray(const Focus& left, const Focus& right)
   {
     m_is_left_focus = right.weight < left.weight;
@@ -315,7 +344,7 @@ private:
     const FT dx = m_focus.x - other.x, dy = m_focus.y - other.y, d = norm(dx, dy);
     m_radius = norm<FT>(m_p.x - m_focus.x, m_p.y - m_focus.y);
     const FT detour = other.weight + d - m_focus.weight, size = m_focus.weight + m_radius;
-    const FT rounding = relative_rounding() * size;
+    const FT rounding = Tolerance<FT>::bisector() * size;
     if(!(d > Tolerance<FT>::closeness() * size) || !(detour <= rounding && -detour <= rounding))
       return;
     m_tx = dx / d;
@@ -324,7 +353,7 @@ private:
     m_is_straight = m_radius <= rounding || along >= m_radius / 2;
   }
 
-  // Seen from p the foci are one: the curve is the line through them, as exactly as distances are known.
+  // Makes the curve the line through both points, which are one point as seen from p.
   void find_line(const Focus& left, const Focus& right)
   {
     m_is_straight = true;
@@ -333,7 +362,7 @@ private:
     m_ty = m_is_outward ? m_uy : FT(-m_uy);
   }
 
-  // see nearer(): |p + t (tx, ty) - g| < s + t, or s - t on the way to the focus, squared.
+  // Returns nearer() for a line: |p + t (tx, ty) - g| < s + t, or s - t on the way to the focus, squared.
   Quadratic<FT> nearer_on_line(const Focus& g, const FT& d) const
   {
     const FT dx = m_p.x - g.x, dy = m_p.y - g.y, s = m_focus.weight + m_radius - g.weight;
@@ -356,7 +385,7 @@ private:
   FT m_ux = 0, m_uy = 0;          // the direction from the focus to p0
   FT m_vx = 0, m_vy = 0;          // across, to the side of growing parameters
   FT m_a = 0, m_b = 0;            // d / K along u and v
-  FT m_tx = 0, m_ty = 0;
+  FT m_tx = 0, m_ty = 0;          // the tangent at p0
   Quadratic<FT> m_denominator{1, 0, 0};
   FT m_bend = 1;
 };

@@ -10,7 +10,8 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_PLANAR_GEOMETRY_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_PLANAR_GEOMETRY_H
 
-// Plane geometry on bare numbers: points, norms, and triangles that are laid out from their lengths.
+// Plane geometry on bare numbers: points, norms, and triangles that are laid out from their lengths. Each formula states
+// its error bound; test_predicate_laws compares it with a hundred digits.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
 
@@ -27,27 +28,34 @@ struct Planar_point
   FT x = 0, y = 0;
 };
 
-// Are the corners of a triangle on one line as far as numbers tell? `longest` is its longest side.
+// Are the corners of a triangle on one line, up to rounding? `longest` is its longest side. The answer does not depend on
+// the unit of length.
 template <typename FT>
 bool is_without_height(const FT& twice_the_area, const FT& longest)
 {
   return twice_the_area <= Tolerance<FT>::length() * longest * longest;
 }
 
-// A triangle laid out in the plane: the corners 0, 1, 2 are at (0,0), (base,0), (apex_x, apex_y)
-// with apex_y >= 0.
+// A triangle laid out in the plane. Its corners are (0,0), (base,0) and (apex_x, apex_y), where apex_y >= 0.
 template <typename FT>
 struct Planar_triangle
 {
   FT base, apex_x, apex_y;
 };
 
-// lays out the triangle whose sides are a (from corner 0 to 1), b (1 to 2) and c (2 to 0), where a
-// is not longer than b and c.
+// Lays out the triangle with the sides a (from corner 0 to corner 1), b (1 to 2) and c (2 to 0). Sides that violate the
+// triangle inequality by rounding give a triangle without area.
+// Requires: 0 <= a <= b, a <= c.
 //
-// The area is computed after W. Kahan ("Miscalculating area and angles of a needle-like triangle",
-// 2014), whose order of operations is accurate for needles; a side that exceeds the sum of the
-// others by rounding gives a triangle without area.
+// Formula: twice the area is the root of (x + y + a) (a - x + y) (a + x - y) (x + y - a) / 4 with x = max(b,c),
+// y = min(b,c), in the order of operations of W. Kahan ("Miscalculating area and angles of a needle-like triangle", 2014).
+//
+// Error bound, to first order in u = unit_roundoff() / 2, for exact sides. x - y and c - b are exact (Sterbenz's lemma:
+// no side is longer than the sum of the others, and a is the shortest). The four factors err by 3, 2, 2 and 3 u, their
+// product by 13 u, its root by 7.5 u, and apex_y by 10.5 u of itself: less than 6 unit_roundoff(). The summand of a in
+// apex_x errs by 3 u of b + c at most, and apex_x by 5.5 u of c or 6.5 u of b: less than 3 and 4 unit_roundoff(). So the
+// directions of all sides are accurate in needles, too.
+// Laws: a power of two scales the result exactly.
 template <typename FT>
 Planar_triangle<FT> planar_triangle_from_lengths(const FT& a, const FT& b, const FT& c)
 {
@@ -64,15 +72,15 @@ Planar_triangle<FT> planar_triangle_from_lengths(const FT& a, const FT& b, const
   if(x < y)
     std::swap(x, y);
   // x >= y >= a
-  // in units of the longest side, so that nothing underflows
+  // Relative to the longest side, so that nothing underflows.
   const FT product = ((x + (y + a)) / x) * ((a - (x - y)) / x) * ((a + (x - y)) / x) * ((x + (y - a)) / x);
   t.apex_y = product > 0 ? FT(x * (sqrt(product) * (x / (2 * a)))) : FT(0);
   t.apex_x = (a + (c - b) * (c + b) / a) / 2;
   return t;
 }
 
-// The norm of a vector of the plane. The coordinates of an intrinsic mesh are normalised, so that
-// the squares neither overflow nor vanish.
+// The length of a vector. The lengths of an intrinsic mesh are about 1, so that squares neither overflow nor vanish.
+// Errs by at most 2 u = unit_roundoff() of itself if x and y are exact.
 template <typename FT>
 FT norm(const FT& x, const FT& y)
 {

@@ -10,20 +10,24 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PATHS_PATH_SEARCH_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PATHS_PATH_SEARCH_H
 
-// A shortest path found without knowing where it goes: the distances of the vertices are enough. What is seen
-// along straight lines from the beginning of the path is looked through, cone by cone, from face to face. A vertex
-// is on the path if the way to it and its distance make up the distance of the beginning; from there the search
-// goes on. A cone whose points are all too far from the source is left: the distance of a point of an edge is known
-// from those of the ends, but for the length of the edge. So a strip around the path is searched.
+// The last resort of path_tracing.h: finds a shortest path from the distances of the vertices alone, without knowing
+// where it goes. The search looks along straight lines from the beginning of the path, cone by cone, from face to face.
+// A vertex is on the path if the length of the way to it and its distance add up to the distance of the beginning; from
+// there the search goes on. A cone is dropped if all of its points are too far from the source: the distance of a point
+// of an edge follows from those of the ends, up to the length of the edge. So the search stays in a strip around the
+// path.
 //
-// Rounding. A vertex next to a cone is reached by a path that bends at the border of the cone. Every path that is
-// looked at is a path on the surface, with the length that is told; whether it is short enough is all that is asked,
-// and no decision about sides is needed.
+// Rounding. A vertex beside a cone is reached by a path that bends at the border of the cone. So every path that the
+// search considers is a path on the surface, of the length that the search computes. The only question is whether it is
+// short enough, and no decision about sides is needed.
 
-#include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/paths/Straight_piece.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/paths/distance_at_location.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/unfolding.h>
+
+#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <array>
@@ -47,10 +51,13 @@ public:
 
   Path_search(const Mesh& mesh, const Field& field) : m_mesh(mesh), m_field(field) {}
 
-  // appends the path from v, which itself has been appended. Its length is the distance but for `tolerance`.
-  // Returns false if none has been found.
+  // Appends the path from v; the caller has appended v itself. The length of the path is the distance of v up to
+  // `tolerance`, and up to twice that for the rounding of the sum. Returns false, and appends nothing, if no such path
+  // is found or the search gives up.
+  // Requires: v is reached.
   bool from_vertex(Vertex_id v, const FT& tolerance, Steps& path)
   {
+    CGAL_assertion(m_field.distance[v] < Field::infinity());
     begin(v, m_field.distance[v], tolerance);
     if(m_field.is_source(v))
       return true;
@@ -60,7 +67,8 @@ public:
     return go_on(path);
   }
 
-  // the same from the point of face f with the coordinates b. `root` is on the path.
+  // The same from the point of face f with the barycentric coordinates b, which is at `distance`. `root` is the root of
+  // its arrival; the path leads to the source of the root.
   bool from_location(Face_id f, const std::array<FT, 3>& b, Vertex_id root, const FT& distance, const FT& tolerance,
                      Steps& path)
   {
@@ -72,23 +80,25 @@ public:
 private:
   using Index = std::uint32_t;
 
-  // What is seen through a part of an edge, in the frame of the halfedge of the face behind it: the lines from
-  // the image (image_x, -image_depth) to the points from begin to end.
+  // The lines from the image (image_x, -image_depth) of a stop to the points from `begin` to `end` of an edge, in the
+  // frame of `halfedge`, which belongs to the face behind the edge.
+  // Invariants of cones that add() takes: begin < end, image_depth >= 0. Rounding may move begin and end out of [0,
+  // length] by some units of the length.
   struct Cone
   {
     Halfedge_id halfedge;
     FT begin, end, image_x, image_depth;
-    Index parent; // the cone in which it is, or null_id
-    Index stop;   // from which it is seen
-    Index other;  // another cone through the same edge, or null_id
+    Index parent; // the cone through the edge before, or null_id
+    Index stop;   // where the lines begin
+    Index other;  // the next cone in the list of this edge, or null_id
   };
 
-  // A vertex on the path. It has been reached through a cone, or directly in a face; then `cone` is null_id.
+  // A vertex on the path. It is reached through a cone, or directly in a face; then `cone` is null_id.
   struct Stop
   {
     Vertex_id vertex;
     FT length; // of the path so far
-    FT gap;    // the last part of it
+    FT gap;    // the length of the path from `previous`, or of its part behind the last cone
     Face_id face;
     Index cone, previous;
   };
@@ -109,10 +119,12 @@ private:
     m_last_cone.clear();
   }
 
-  // A search for longer would rather fill the memory than find something. (Cones and comparisons of cones count.)
+  // The search gives up after this number of cones and comparisons of cones. It bounds the memory: a cone takes about
+  // 50 bytes, so the limit is some 200 MB. A longer search would fill the memory rather than find a path.
   static constexpr std::size_t maximum_effort = 1 << 22;
 
-  // Vertices come before cones; of these the one that has been found last, so that the search goes straight on.
+  // Searches until a source is reached. New stops come before cones, and the youngest cone before older ones, so the
+  // search goes straight on.
   bool go_on(Steps& path)
   {
     std::size_t next_stop = 0;
@@ -123,7 +135,7 @@ private:
         m_stop = static_cast<Index>(next_stop++);
         const Stop stop = m_stops[m_stop];
         if(m_field.is_source(stop.vertex))
-          return tell(path);
+          return append_path(path);
         m_length = stop.length;
         look_around(stop.vertex);
       }
@@ -139,7 +151,7 @@ private:
     return false;
   }
 
-  // looks from a vertex at what is around.
+  // Looks from a vertex into the faces around it: at their other corners, and across their opposite edges.
   void look_around(Vertex_id v)
   {
     m_mesh.for_each_halfedge_around(v, [this](Halfedge_id h)
@@ -152,7 +164,7 @@ private:
     });
   }
 
-  // looks from a point of a face.
+  // Looks from a point of a face at its corners and across its edges.
   void look_around(Face_id f, const std::array<FT, 3>& b)
   {
     for(unsigned int k = 0; k < 3; ++k)
@@ -165,13 +177,14 @@ private:
     }
   }
 
-  // what is seen across h from the point (x, y) in its face.
+  // Adds the cone from the point (x, y) of the face of h through the whole edge of h.
   void add_whole_edge(Halfedge_id h, const FT& x, const FT& y)
   {
     const FT length = m_mesh.length(h);
     add(Cone{m_mesh.opposite(h), FT(0), length, FT(length - x), y, null_id, m_stop, null_id});
   }
 
+  // Adds a cone unless it is empty, too far from the source, or useless beside what is known.
   void add(Cone cone)
   {
     if(cone.halfedge == null_id || !(cone.begin < cone.end) || cone.image_depth < 0
@@ -187,7 +200,11 @@ private:
     m_cones.push_back(cone);
   }
 
-  // a lower bound of the length of paths from the image through a cone.
+  // Returns a lower bound of the length of paths from the image through a cone to the source: the distance from the
+  // image to the nearest point of the cone, and the smallest distance that a point of the cone can have. The latter
+  // follows from the distances a and b of the ends, as the distance is 1-Lipschitz along the edge: at abscissa x it is
+  // at least a - x and b - (length - x).
+  // Error: four units of the sum; the caller adds its tolerance.
   FT least_rest(const Cone& cone) const
   {
     const FT length = m_mesh.length(cone.halfedge);
@@ -197,8 +214,8 @@ private:
     return norm<FT>(x - cone.image_x, cone.image_depth) + (std::max)(behind, FT(0));
   }
 
-  // Is the path through an end of the edge not longer, for all points of the cone? It is for all if it is for the
-  // farthest one.
+  // Returns whether the path through one end of the edge is not longer, for all points of the cone. It is for all if it
+  // is for the one farthest from that end. A tie beats the cone.
   bool is_beaten(const Cone& cone) const
   {
     const FT rest = m_mesh.length(cone.halfedge) - cone.begin;
@@ -206,8 +223,9 @@ private:
         || is_beaten(m_mesh.target(cone.halfedge), rest, norm<FT>(cone.begin - cone.image_x, cone.image_depth));
   }
 
-  // Is another cone seen from the same stop behind which this one lies, with the farther image? The points that are
-  // nearer to one of two images are a half-plane, so that the ends tell.
+  // Returns whether a known cone from the same stop covers this one with a nearer image. The points that are nearer to
+  // one of two images form a half-plane, so the comparison at the two ends decides for all points between them. A tie
+  // hides the new cone.
   bool is_hidden(const Cone& cone)
   {
     const auto known = m_last_cone.find(cone.halfedge);
@@ -230,6 +248,8 @@ private:
     return (x - cone.image_x) * (x - cone.image_x) + cone.image_depth * cone.image_depth;
   }
 
+  // The same for one vertex v, at the distance `from_vertex` from the farthest point, which is `from_image` from the
+  // image.
   bool is_beaten(Vertex_id v, const FT& from_vertex, const FT& from_image) const
   {
     const auto known = m_shortest.find(v);
@@ -237,7 +257,9 @@ private:
         && m_field.source_of(v) == m_source;
   }
 
-  // A vertex is at the length `gap` from where one looks: is it on the path?
+  // Notes that v can be reached by a way of length `gap` from the current stop. Makes v a stop if it is on the path:
+  // the length so far and its distance add up to the distance of the beginning, up to the tolerance, and its source is
+  // the right one.
   void reach(Vertex_id v, const FT& gap, Face_id f, Index cone)
   {
     using std::abs;
@@ -250,7 +272,8 @@ private:
     m_stops.push_back(Stop{v, length, gap, f, cone, m_stop});
   }
 
-  // the abscissa at which the line from (x, y) to the image crosses the edge, in the cone.
+  // Returns the abscissa at which the line from (x, y) to the image crosses the edge, moved into the cone.
+  // Requires: y >= 0. On the line of the edge itself (height 0) the result is x, moved into the cone.
   static FT abscissa_of(const Cone& cone, const FT& x, const FT& y)
   {
     const FT height = y + cone.image_depth;
@@ -258,7 +281,7 @@ private:
     return (std::min)((std::max)(t, cone.begin), cone.end);
   }
 
-  // looks at the third corner of the face behind a cone, and through the two other edges.
+  // Looks at the apex of the face behind a cone, and through the two other sides of the face.
   void look_through(Index i)
   {
     const Cone cone = m_cones[i];
@@ -274,45 +297,46 @@ private:
       add(right_part(cone, c, i, t));
   }
 
-  // the part on the edge from A to C, through the edge from begin to t
+  // Returns the part of a cone on the side AC, through the points of AB from begin to t.
   static Cone left_part(const Cone& cone, const Face_frame<FT>& c, Index i, const FT& t)
   {
-    const FT cosine = c.apex_x / c.left_length, sine = c.apex_y / c.left_length;
-    const FT image_x = cone.image_x * cosine - cone.image_depth * sine;
-    const FT depth = cone.image_x * sine + cone.image_depth * cosine;
-    const FT first = along_side(cone.begin, cone.image_x, cone.image_depth, cosine, sine, c.left_length);
-    const FT last = t < cone.end ? c.left_length
-                                 : along_side(cone.end, cone.image_x, cone.image_depth, cosine, sine, c.left_length);
-    return Cone{c.left, first, (std::max)(first, last), image_x, depth, i, cone.stop, null_id};
+    const Side_angle<FT> angle = left_angle(c);
+    const Image_below_edge<FT> image = image_below_side(angle, cone.image_x, cone.image_depth);
+    const FT first = along_side(cone.begin, cone.image_x, cone.image_depth, angle, c.left_length);
+    const FT last
+      = t < cone.end ? c.left_length : along_side(cone.end, cone.image_x, cone.image_depth, angle, c.left_length);
+    return Cone{c.left, first, (std::max)(first, last), image.x, image.depth, i, cone.stop, null_id};
   }
 
-  // the part on the edge from C to B, through the edge from t to end
+  // Returns the part of a cone on the side CB, through the points of AB from t to end. Computes as left_part() does in
+  // the mirror image, from B, and turns the result round.
   static Cone right_part(const Cone& cone, const Face_frame<FT>& c, Index i, const FT& t)
   {
-    // seen from B
-    const FT cosine = c.apex_rest / c.right_length, sine = c.apex_y / c.right_length, x = c.length - cone.image_x;
-    const FT image_x = x * cosine - cone.image_depth * sine;
-    const FT depth = x * sine + cone.image_depth * cosine;
-    const FT last = along_side(c.length - cone.end, x, cone.image_depth, cosine, sine, c.right_length);
-    const FT first = t > cone.begin ? c.right_length
-                                    : along_side(c.length - cone.begin, x, cone.image_depth, cosine, sine,
-                                                 c.right_length);
+    const Side_angle<FT> angle = right_angle(c);
+    const FT x = c.length - cone.image_x;
+    const Image_below_edge<FT> image = image_below_side(angle, x, cone.image_depth);
+    const FT last = along_side(c.length - cone.end, x, cone.image_depth, angle, c.right_length);
+    const FT first = t > cone.begin
+                       ? c.right_length
+                       : along_side(c.length - cone.begin, x, cone.image_depth, angle, c.right_length);
     return Cone{c.right, FT(c.right_length - (std::max)(first, last)), FT(c.right_length - last),
-                FT(c.right_length - image_x), depth, i, cone.stop, null_id};
+                FT(c.right_length - image.x), image.depth, i, cone.stop, null_id};
   }
 
-  // where the ray from the image through x on the edge meets the side that leaves the origin in the given direction
-  static FT along_side(const FT& x, const FT& image_x, const FT& depth, const FT& cosine, const FT& sine,
-                       const FT& length)
+  // Returns the abscissa, along a side that leaves the origin at the given angle, at which the ray from the image
+  // through x on the edge meets the side: s = x depth / (depth cos - (x - image_x) sin), at most the length of the
+  // side. A ray that does not meet the side gives its length, a ray through the origin gives 0.
+  static FT along_side(const FT& x, const FT& image_x, const FT& depth, const Side_angle<FT>& angle, const FT& length)
   {
     if(!(x > 0))
       return FT(0);
-    const FT divisor = depth * cosine - (x - image_x) * sine;
+    const FT divisor = depth * angle.cosine - (x - image_x) * angle.sine;
     return divisor > 0 ? (std::min)(FT(x * depth / divisor), length) : length;
   }
 
-  // appends the path to the last stop, if it is long enough.
-  bool tell(Steps& path) const
+  // Appends the path to the current stop, which is a source, if its length is the distance. Each stop has been accepted
+  // with an error of up to the tolerance; the sum over the gaps is rounded differently, so it may err by twice that.
+  bool append_path(Steps& path) const
   {
     using std::abs;
     Steps reversed;
@@ -327,7 +351,7 @@ private:
     return true;
   }
 
-  // appends the points of a piece from its end on.
+  // Appends the points of the piece that ends at a stop, from its end to its beginning, which is not appended.
   void add_piece(const Stop& stop, Steps& reversed) const
   {
     Path_step<FT> step;
@@ -340,7 +364,7 @@ private:
       return;
     }
     const Face_frame<FT> last = m_mesh.face_frame(m_cones[stop.cone].halfedge);
-    FT x = last.apex_x, y = last.apex_y;
+    FT x = last.apex_x, y = last.apex_y; // of the last step, in the frame of the cone
     for(Index i = stop.cone; i != null_id; i = m_cones[i].parent)
     {
       const Cone& cone = m_cones[i];
@@ -355,7 +379,6 @@ private:
         reversed.push_back(step);
         return;
       }
-      // in the frame of the edge before
       const Halfedge_id before = m_cones[cone.parent].halfedge;
       const Face_frame<FT> c = m_mesh.face_frame(before);
       const bool is_left = h == previous_halfedge(before);
@@ -369,15 +392,15 @@ private:
   const Field& m_field;
   Vertex_id m_source = null_id;
   FT m_distance = 0, m_tolerance = 0;
-  Index m_stop = null_id; // from which one looks; null_id for the beginning
-  FT m_length = 0;        // of the path to it
+  Index m_stop = null_id; // the current stop; null_id for the beginning
+  FT m_length = 0;        // of the path to the current stop
   std::size_t m_effort = 0;
   std::vector<Cone> m_cones;
   std::vector<Stop> m_stops;
-  std::vector<Index> m_waiting; // the cones that have not been looked through
-  std::unordered_set<Vertex_id> m_seen;
-  std::unordered_map<Halfedge_id, Index> m_last_cone; // through an edge
-  std::unordered_map<Vertex_id, FT> m_shortest; // the shortest path to a vertex that has been looked at
+  std::vector<Index> m_waiting;                       // cones through which the search has not looked yet
+  std::unordered_set<Vertex_id> m_seen;               // vertices that are stops, and the beginning
+  std::unordered_map<Halfedge_id, Index> m_last_cone; // the first cone in the list of an edge
+  std::unordered_map<Vertex_id, FT> m_shortest;       // the shortest way found to each vertex that has been looked at
 };
 
 } // namespace internal

@@ -10,22 +10,26 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PATHS_STRAIGHT_PIECE_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PATHS_STRAIGHT_PIECE_H
 
-// A straight piece of a shortest path, followed from its end to its pseudo-source by unfolding: the image
-// of the pseudo-source is carried from face to face, and the line to the image tells which edge comes next.
-// As soon as the pseudo-source is a corner of the face that the line enters, the piece ends there: no
-// shortest path passes through a face of its own end to reach it from another side.
+// A straight piece of a shortest path, followed from its end back to its pseudo-source. The faces on the way are laid
+// out in one plane (unfolding, thesis 3.3.1): the image of the pseudo-source is carried from face to face, and the line
+// to the image shows which edge comes next. As soon as the pseudo-source is a corner of the face that the line enters,
+// the piece ends there. No shortest path leaves a face of its own end to reach that end from another side.
 //
-// Rounding. On which side of a vertex the line passes cannot always be told, and on the wrong side of one
-// that is not flat the line never meets its end. But where the line passes so near to a vertex, the distance
-// of the vertex tells whether the path may just as well run through it: if that makes it no longer, the
-// piece ends at the vertex. This needs no decision about sides, and is right wherever the line may be. (The
-// path through the vertex is longer than the straight one by the square of the shift, in theory.)
+// Rounding. On which side of a vertex the line passes cannot always be decided, and on the wrong side of a vertex that
+// is not flat the line never meets its end. Where the line passes so near to a vertex, the distance of the vertex shows
+// whether the path may as well run through it: if that makes the path no longer, the piece ends at the vertex. This
+// needs no decision about sides, and is right on whichever side the line lies. (In exact numbers, a path through a
+// vertex at the distance s from the line is longer than the line by the order of s squared.)
 //
-// The distances of all vertices that the line passes are compared with what remains of the way. So a line
-// that has gone astray is found out at once.
+// The distance of each vertex that the line passes is compared with the rest of the way, so a line that has gone astray
+// is found out at once. Straight_piece promises this: if trace() returns a vertex, the points that it has
+// appended lie on the surface, points that follow each other share a face, and the length is right up to
+// Tolerance::path() and Tolerance::lengthwise().
 
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
+
+#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -35,22 +39,35 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// A point of a path: a vertex, or the point at the length x from the source of a halfedge. The path comes
-// there in `face` (null_id for the first point), and `gap` is its length from the point before, which may be
-// zero where edges have no length or faces no area.
+// A point of a path: a vertex, or, if `vertex` is null_id, the point at the abscissa x of a halfedge.
+//
+// Invariants: 0 < x < length of the halfedge; gap >= 0. The gap may be zero where edges have no length or faces no
+// area.
 template <typename FT>
 struct Path_step
 {
   Vertex_id vertex = null_id;
   Halfedge_id halfedge = null_id;
-  Face_id face = null_id;
-  FT x = 0, gap = 0;
+  Face_id face = null_id; // through which the path arrives; null_id for the first point
+  FT x = 0;
+  FT gap = 0; // the length of the path from the point before
 };
 
 template <typename FT>
 using Path_steps = std::vector<Path_step<FT>>;
 
-// the point at the length x from the source of h, to which the path comes in the face of h.
+// Returns the sum of the gaps.
+template <typename FT>
+FT length_of(const Path_steps<FT>& steps)
+{
+  FT length = 0;
+  for(const Path_step<FT>& step : steps)
+    length = length + step.gap;
+  return length;
+}
+
+// Returns the point at the abscissa x of h, at which the path arrives through the face of h. An abscissa at or beyond
+// an end of the edge gives the vertex there.
 template <typename FT>
 Path_step<FT> step_on_edge(const Intrinsic_mesh<FT>& mesh, Halfedge_id h, const FT& x)
 {
@@ -66,9 +83,11 @@ Path_step<FT> step_on_edge(const Intrinsic_mesh<FT>& mesh, Halfedge_id h, const 
   return step;
 }
 
-// Where a piece begins: at the point (x, y) in the frame of a halfedge, in the face of it. The piece runs
-// through the point `abscissa` of the halfedge to the image of `root` at (image_x, -image_depth); `distance`
-// is that of the point.
+// Where a piece begins: at the point (x, y) of the face of `halfedge`, in the frame of that halfedge. The piece runs
+// through the point `abscissa` of the halfedge to the image of `root` at (image_x, -image_depth). `distance` is the
+// distance of the point from its source.
+//
+// Invariants: y >= 0, image_depth >= 0, distance is finite.
 template <typename FT>
 struct Piece_start
 {
@@ -85,15 +104,19 @@ public:
   using Mesh = Intrinsic_mesh<FT>;
   using Field = Vertex_distance_field<FT>;
 
-  // Points are appended to `steps`. Tolerances are relative to the longest length that the line meets, which is
-  // taken to be at least smallest_scale.
+  // Points are appended to `steps`. Tolerances are relative to the longest length on the way, but at least to
+  // `smallest_scale`.
   Straight_piece(const Mesh& mesh, const Field& field, const FT& smallest_scale, Path_steps<FT>& steps)
     : m_mesh(mesh), m_field(field), m_smallest_scale(smallest_scale), m_steps(steps)
   {}
 
-  // follows a piece to the vertex where it ends, which is returned; null_id if it goes astray.
+  // Follows a piece. Returns the vertex at which it ends, which is the root or another vertex of the path; null_id if
+  // the line goes astray, and then the steps that were appended are of no use. Call it once.
+  // Complexity: linear in the number of faces crossed, of which there are at most mesh.most_faces_crossed() + 1.
   Vertex_id trace(const Piece_start<FT>& start)
   {
+    CGAL_assertion(start.halfedge != null_id && start.root != null_id);
+    CGAL_assertion(start.y >= 0 && start.image_depth >= 0 && start.distance < Field::infinity());
     m_start = start;
     m_length = 0;
     m_scale = m_smallest_scale;
@@ -118,15 +141,16 @@ public:
   }
 
 private:
-  // Where the line is: at the point `abscissa` of `halfedge`, about to leave the face of the halfedge
-  // across it; the image of the pseudo-source is at (image_x, image_y) in its frame, with image_y <= 0.
-  // turn() turns it into the frame of the opposite halfedge.
+  // Where the line is: at the point `abscissa` of `halfedge`, about to leave the face of the halfedge across it. The
+  // image of the pseudo-source is at (image_x, image_y) in the frame of the halfedge.
+  // Invariant: image_y <= 0. After turn(), in the frame of the opposite halfedge, image_y >= 0.
   struct State
   {
     Halfedge_id halfedge;
     FT abscissa, image_x, image_y;
   };
 
+  // Changes to the frame of the opposite halfedge: a rotation by pi about the middle of the edge.
   static void turn(const Face_frame<FT>& c, State& s)
   {
     s.abscissa = c.length - s.abscissa;
@@ -134,7 +158,8 @@ private:
     s.image_y = -s.image_y;
   }
 
-  // the state where the line leaves the first face. The piece may end in that face already.
+  // Returns the state in which the line leaves the first face. The piece may end in that face already; then m_end is
+  // set.
   State first_state()
   {
     const Halfedge_id h = m_start.halfedge;
@@ -142,7 +167,7 @@ private:
     const State s{h, m_start.abscissa, m_start.image_x, -m_start.image_depth};
     const FT inside = norm<FT>(m_start.x - s.abscissa, m_start.y);
     const FT outside = norm<FT>(s.image_x - s.abscissa, s.image_y);
-    meet((std::max)(inside + outside, (std::max)(length, m_start.distance)));
+    use_length((std::max)(inside + outside, (std::max)(length, m_start.distance)));
     // the sine of the smaller one of the angles at which the line meets the edge
     const FT sine = (std::min)(inside > 0 ? FT(m_start.y / inside) : FT(0),
                                outside > 0 ? FT(-s.image_y / outside) : FT(0));
@@ -162,14 +187,19 @@ private:
     return s;
   }
 
-  // looks at the third corner of the face that the line enters. The piece may end there. Returns false if
-  // its distance tells that the line has gone astray.
+  // Looks at the apex C of the face that the line enters. The piece ends there if C is the root, or if the line passes
+  // within sideways() of C and may run through it. Returns false if the distance of C shows that the line has gone
+  // astray: it differs from the rest of the way by more than the gap between the line and C.
+  //
+  // The distance of C from the line from P to the image I is |(C-P) x (I-P)| / |I-P|; both sides are multiplied by
+  // |I-P| and squared, which needs no root. No bound is known for the error of the image after many faces; sideways()
+  // stands for it.
   bool pass_apex(Halfedge_id o, const Face_frame<FT>& c, const State& s)
   {
     using std::abs;
     const FT dx = c.apex_x - s.abscissa, ix = s.image_x - s.abscissa;
     const FT squared_gap = dx * dx + c.apex_y * c.apex_y;
-    meet((std::max)(c.left_length, c.right_length));
+    use_length((std::max)(c.left_length, c.right_length));
     const FT area = dx * s.image_y - c.apex_y * ix;
     const FT reach = sideways();
     if(c.apex == m_start.root || area * area <= reach * reach * (ix * ix + s.image_y * s.image_y))
@@ -186,8 +216,9 @@ private:
     return excess <= 0 || excess * excess <= squared_gap;
   }
 
-  // from the edge to the next one, through the face of o. The image lies on this side of C, and beyond the edge.
-  // Very near to the image the first is next to unknown, and the second decides.
+  // Moves through the face of o, to its left side if C lies on the right of the line, and else to its right side. A
+  // line through C goes right. Very near to the image this sign is nearly unknown; if the image then lies above the
+  // line of the side, the other side counts if it has the lower image.
   State next_state(Halfedge_id o, const Face_frame<FT>& c, const State& s)
   {
     const bool has_left = c.left_length > 0, has_right = c.right_length > 0;
@@ -212,33 +243,36 @@ private:
     const FT abscissa = height > 0 ? FT(view.x + (n.image_x - view.x) * (view.y / height)) : n.image_x;
     n.abscissa = (std::min)((std::max)(abscissa, FT(0)), view.length);
     m_gap = m_gap + norm<FT>(view.x - n.abscissa, view.y);
+    CGAL_expensive_assertion(n.abscissa >= 0 && n.abscissa <= m_mesh.length(n.halfedge) && n.image_y <= 0);
     return n;
   }
 
-  // The point where the line is and the image, in the frame of one of the two next edges.
+  // The point (x, y) where the line is, and the image, in the frame of one of the two next edges.
   struct Edge_view
   {
     FT length, x, y, image_x, image_y;
   };
 
-  // zero where all edges of a face have no length
+  // Returns zero where no edge of a face has a length.
   static FT inverse_of(const FT& length) { return length > 0 ? FT(1 / length) : FT(0); }
 
-  // from C to A
+  // The frame of the left side, from C to A. It differs from the text of unfolding.h in two ways that show in the bits:
+  // the axis is multiplied by the inverse of the length, which exists for a length of zero as well, and the right side
+  // is not the mirror image of the left one.
   static Edge_view left_view(const Face_frame<FT>& c, const State& s)
   {
     const FT inverse = inverse_of(c.left_length);
     return edge_view(c.left_length, c.apex_x, c.apex_y, -c.apex_x * inverse, -c.apex_y * inverse, s);
   }
 
-  // from B to C
+  // The frame of the right side, from B to C.
   static Edge_view right_view(const Face_frame<FT>& c, const State& s)
   {
     const FT inverse = inverse_of(c.right_length);
     return edge_view(c.right_length, c.length, FT(0), -c.apex_rest * inverse, c.apex_y * inverse, s);
   }
 
-  // in the frame with the origin (x, y) and the axis (cosine, sine)
+  // Changes to the frame with the origin (x, y) and the axis (cosine, sine).
   static Edge_view edge_view(const FT& length, const FT& x, const FT& y, const FT& cosine, const FT& sine,
                              const State& s)
   {
@@ -247,23 +281,25 @@ private:
             FT(iy * cosine - ix * sine)};
   }
 
-  // May the line run through a vertex that it passes very near, without becoming longer? The vertex is at the
-  // distance `gap`. Where several sources are at the same distance, the path has to go on to the one that is reported.
+  // Returns whether the path may run through v, which the line passes very near and which is at the distance `gap`: its
+  // distance makes the path no longer, up to slack(). Where several sources are equally far, v must have the source
+  // that is reported.
   bool may_run_through(Vertex_id v, const FT& gap) const
   {
     return m_field.distance[v] < m_start.distance && gap + m_field.distance[v] <= rest() + slack()
         && m_field.source_of(v) == m_field.source_of(m_start.root);
   }
 
-  // what remains of the way
+  // The rest of the way, from the last step to the source.
   FT rest() const { return m_start.distance - m_length - m_gap; }
 
-  // the distance at which the line cannot be told from a vertex
+  // Below this distance a line and a vertex count as one.
   FT sideways() const { return Tolerance<FT>::sideways() * m_scale; }
 
-  void meet(const FT& length) { m_scale = (std::max)(m_scale, length); }
+  // Notes a length that enters the computation.
+  void use_length(const FT& length) { m_scale = (std::max)(m_scale, length); }
 
-  // what rounding may make of lengths and distances
+  // The error that rounding may cause in lengths and distances.
   FT slack() const { return Tolerance<FT>::lengthwise() * m_scale; }
 
   bool has_right_length() const
@@ -291,6 +327,7 @@ private:
 
   void add(Path_step<FT>& step)
   {
+    CGAL_expensive_assertion(m_gap >= 0);
     step.gap = m_gap;
     m_length = m_length + m_gap;
     m_gap = 0;
@@ -302,9 +339,9 @@ private:
   FT m_smallest_scale;
   Path_steps<FT>& m_steps;
   Piece_start<FT> m_start{};
-  FT m_scale = 0;  // of the lengths that have been rounded
+  FT m_scale = 0;  // the longest length that has been rounded
   FT m_length = 0; // of the piece, so far
-  FT m_gap = 0;    // from the last step
+  FT m_gap = 0;    // from the last step to the line
   Vertex_id m_end = null_id;
 };
 

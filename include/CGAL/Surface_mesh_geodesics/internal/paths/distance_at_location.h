@@ -10,12 +10,15 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PATHS_DISTANCE_AT_LOCATION_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PATHS_DISTANCE_AT_LOCATION_H
 
-// The distance at any point of a face: the shortest path comes straight from a corner of the face, or
-// through one of its edges with a window that has been kept there.
+// The distance at any point of a face. The shortest path to it comes straight from a corner of the face, or through one
+// of the edges with a window that has been kept there (Edge_window_field.h).
 
-#include <CGAL/Surface_mesh_geodesics/internal/window/Edge_window_field.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/Edge_window_field.h>
+
+#include <CGAL/assertions.h>
 
 #include <array>
 
@@ -23,10 +26,12 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// How the shortest path arrives at a point of a face: straight from the vertex `root` which is a
-// corner of the face (then halfedge is null_id), or from the image of `root` through the point
-// `abscissa` of `halfedge`, in the frame of that halfedge, where the point is at (x, y). `inside` is the
-// length of the path in the face. `root` is null_id if there is no path.
+// How the shortest path arrives at a point of a face. There are three cases:
+// - `root` is null_id: no source reaches the point, and `distance` is infinite.
+// - `halfedge` is null_id: the path comes straight from `root`, which is a corner of the face.
+// - else the path comes from the image of `root` at (image_x, -image_depth), through the point `abscissa` of
+//   `halfedge`, to the point at (x, y), all in the frame of that halfedge.
+// `inside` is the length of the path in the face.
 template <typename FT>
 struct Location_arrival
 {
@@ -38,7 +43,10 @@ struct Location_arrival
   FT x = 0, y = 0;
 };
 
-// The point of face f with the barycentric coordinates b, in the frame of its halfedge k.
+// Returns the point with the barycentric coordinates b in the frame of halfedge k of its face.
+// Formula: b_k A + b_next B + b_apex C with A = (0,0), B = (length,0).
+// Requires: b >= 0; then y >= 0.
+// Error: three units of the longest side, beyond that of the apex.
 template <typename FT>
 std::array<FT, 2> point_in_frame(const Face_frame<FT>& c, const std::array<FT, 3>& b, unsigned int k)
 {
@@ -46,14 +54,20 @@ std::array<FT, 2> point_in_frame(const Face_frame<FT>& c, const std::array<FT, 3
   return {FT(b[next_corner(k)] * c.length + b[apex] * c.apex_x), FT(b[apex] * c.apex_y)};
 }
 
-// The shortest path from the image of a window's pseudo-source to the point (x, y) above the edge:
-// straight, or bent at an end of the interval.
+// Replaces the arrival at the point (x, y) above the edge of h if a path through window w is shorter: straight from the
+// image, or, if the straight line passes beside the window, bent at the nearer end of it. A tie keeps the arrival.
+// `root_distance` is the distance of the root of w.
+//
+// The straight line crosses the edge at (image_x y + x depth) / (y + depth); on the line of the edge itself, where that
+// is 0/0, at x.
+// Error of the distance: the root distance and the norm round once each, and a sum once or twice, so three units beyond
+// the errors of the image and of the point. No bound is known for the image after many faces.
+// Requires: y >= 0.
 template <typename FT>
 void improve_arrival(Location_arrival<FT>& arrival, const Kept_window<FT>& w, const FT& root_distance,
                      Halfedge_id h, const FT& x, const FT& y)
 {
   const FT height = y + w.image_depth;
-  // the abscissa at which the straight path crosses the edge; it may run along the edge
   const FT t = height > 0 ? FT((w.image_x * y + x * w.image_depth) / height) : x;
   FT abscissa = t, distance;
   if(t < w.begin || t > w.end)
@@ -69,14 +83,20 @@ void improve_arrival(Location_arrival<FT>& arrival, const Kept_window<FT>& w, co
                                    norm<FT>(x - abscissa, y), x, y};
 }
 
-// The arrival at the point of face f with the barycentric coordinates b. Takes time linear in the
-// number of windows kept on the three edges.
+// Returns the arrival at the point of face f with the barycentric coordinates b: the minimum over the three corners and
+// the windows kept on the three edges. Ties go to the candidate that comes first: edges in the order of their index,
+// the corner at the source of an edge before its windows, windows of later lists before those of earlier ones.
+// Requires: `windows` holds those of the propagation that has filled `field`; b >= 0.
+// Complexity: linear in the number of windows kept on the three edges.
+// Law: at corner k the distance is at most that of the vertex.
 template <typename FT>
 Location_arrival<FT> arrival_at_location(const Intrinsic_mesh<FT>& mesh,
                                          const Vertex_distance_field<FT>& field,
                                          const Edge_window_field<FT>& windows, Face_id f,
                                          const std::array<FT, 3>& b)
 {
+  CGAL_assertion(f < mesh.number_of_faces());
+  CGAL_expensive_assertion(b[0] >= 0 && b[1] >= 0 && b[2] >= 0);
   Location_arrival<FT> arrival;
   arrival.distance = Vertex_distance_field<FT>::infinity();
   for(unsigned int k = 0; k < 3; ++k)

@@ -10,22 +10,27 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PATHS_ISOLINE_TRACING_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PATHS_ISOLINE_TRACING_H
 
-// The line of all points at one distance, which separates what is nearer from what is not. Along an edge the distance
-// is known at every point, and it changes by at most the length that one walks (it is 1-Lipschitz). So a part of an
-// edge between two points with known distances either cannot hold a point of the line, or is halved: a crossing that
-// separates nearer points from farther ones is found down to the resolution, whatever the number of windows. Pairs of
-// crossings are looked for down to a coarser width only, since an edge that the line touches would be halved without
-// end. Inside a face the points are joined by segments; where a face has more than two, the distance in their middle
-// tells which belong together. A closed line inside one face, around a point farther than all its edges, is not found.
+// Isolines: the lines of all points at one distance, which separate nearer points from farther ones.
 //
-// Whether an edge is crossed is decided by comparing the distances of its ends with the value, never by a bound: so
-// each face has an even number of crossings, and lines end at the border only, whatever rounding does. A vertex exactly
-// at the value is not nearer: all crossings of its edges with nearer neighbours are the vertex itself.
+// Crossings of edges. Along an edge the distance is known at every point, and it is 1-Lipschitz: it changes by at most
+// the length of the way. So a part of an edge between two points with known distances either cannot hold a point of the
+// line, or is halved. A crossing that separates nearer points from farther ones is found down to the resolution,
+// whatever the number of windows is. Pairs of crossings are looked for down to a coarser width only, because an edge
+// that the line touches would be halved without end.
+//
+// Lines. Segments join the crossings in a face. Where a face has more than two, the distance at their centroid decides
+// which belong together. A closed line inside one face, around a point farther than all its edges, is not found.
+//
+// Rounding. Whether an edge is crossed is decided by comparing the distances of its ends with the value, never by a
+// bound. So each face has an even number of crossings, and lines end at the border only, whatever rounding does. A
+// vertex exactly at the value counts as farther: the crossings of its edges to nearer neighbors are the vertex itself.
 
-#include <CGAL/Surface_mesh_geodesics/internal/window/Edge_window_field.h>
+#include <CGAL/Surface_mesh_geodesics/internal/paths/distance_at_location.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
-#include <CGAL/Surface_mesh_geodesics/internal/paths/distance_at_location.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/Edge_window_field.h>
+
+#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <array>
@@ -38,7 +43,7 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// A point of the line: at t (from 0 to 1) of a halfedge of the mesh.
+// A point of a line: at t of a halfedge of the mesh, 0 at its source and 1 at its target.
 template <typename FT>
 struct Isoline_point
 {
@@ -56,17 +61,24 @@ public:
   using Windows = Edge_window_field<FT>;
   using Point = Isoline_point<FT>;
 
-  // Points are found with an error of `resolution` times the length of their edge.
+  // The error of a point is at most `resolution` times the length of its edge, beyond that of the distances.
+  // Requires: `windows` holds those of the propagation that has filled `field`; resolution > 0.
   Isoline_tracer(const Mesh& mesh, const Field& field, const Windows& windows, const FT& resolution)
     : m_mesh(mesh), m_field(field), m_windows(windows), m_resolution(resolution)
-  {}
+  {
+    CGAL_assertion(resolution > 0);
+  }
 
-  // calls line(points, is_closed) for each line of points with the given distance.
+  // Calls line(points, is_closed) for each line of points at the distance `value`, first for those that end at the
+  // border. A line has at least two points, no vertex twice in a row, and points that follow each other share a face.
+  // There is no line for a value that is negative, infinite or not a number.
+  // Complexity: linear in the number of faces, plus for each crossing a number of distance queries that is logarithmic
+  // in the resolution.
   template <typename Line>
   void trace(const FT& value, Line line)
   {
     m_points.clear();
-    m_neighbours.clear();
+    m_neighbors.clear();
     m_first_point.clear();
     if(!(value < Field::infinity()))
       return;
@@ -85,16 +97,19 @@ private:
     std::uint32_t size;
   };
 
-  // May a part of an edge of this length hold a point of the line, between points with these distances?
+  // Returns whether a part of an edge may hold a point of the line. The part has this length, its ends the distances d
+  // and e. By the Lipschitz bound the distances on the part are between (d + e - length) / 2 and (d + e + length) / 2.
+  // Error: three units of the sum. So of two crossings within that error of each other both may be missed, but none
+  // that separates the ends.
   static bool may_hold(const FT& length, const FT& d, const FT& e, const FT& value)
   {
     if((d < value) != (e < value))
       return true;
-    const FT nearest = (d + e - length) / 2, farthest = (d + e + length) / 2; // by the Lipschitz bound
+    const FT nearest = (d + e - length) / 2, farthest = (d + e + length) / 2;
     return nearest < value && value <= farthest;
   }
 
-  // Both faces of an edge give the same answer.
+  // The same for all edges of a face. Both faces of an edge decide alike for that edge.
   bool may_hold(Face_id f, const FT& value) const
   {
     for(unsigned int k = 0; k < 3; ++k)
@@ -106,7 +121,7 @@ private:
     return false;
   }
 
-  // the halfedge that stands for the edge of h
+  // Returns the halfedge that stands for the edge of h.
   Halfedge_id edge_of(Halfedge_id h) const
   {
     const Halfedge_id o = m_mesh.opposite(h);
@@ -127,12 +142,15 @@ private:
     return distance_at(face_of(h), b);
   }
 
-  // Relative to an edge: two crossings that are nearer to each other may be missed.
+  // Relative to the length of an edge: two crossings that are nearer to each other may be missed. Halving down to here
+  // takes 14 steps where the line comes near to an edge without crossing it; the manual promises 1e-4.
   static FT touching_width() { return FT(1) / 16384; }
 
-  // finds the crossings between s and t, in order.
+  // Appends the crossings between the positions s < t of h, in order. Their distances are ds and dt.
+  // The recursion halves t - s, so it ends after -log2(resolution) steps, 41 for doubles.
   void find_crossings(Halfedge_id h, const FT& value, const FT& s, const FT& ds, const FT& t, const FT& dt)
   {
+    CGAL_expensive_assertion(s < t);
     if(!may_hold(FT((t - s) * m_mesh.length(h)), ds, dt, value))
       return;
     const FT middle = (s + t) / 2;
@@ -148,7 +166,7 @@ private:
     find_crossings(h, value, middle, dm, t, dt);
   }
 
-  // the points on the edge of h, found once from either side.
+  // Returns the points on the edge of h. The first of its two faces that asks finds them.
   Edge_points points_on_edge(Halfedge_id h, const FT& value)
   {
     const Halfedge_id key = edge_of(h);
@@ -160,14 +178,31 @@ private:
     find_crossings(key, value, FT(0), m_field.distance[m_mesh.source(key)], FT(1),
                    m_field.distance[m_mesh.target(key)]);
     e.size = static_cast<std::uint32_t>(m_points.size() - e.first);
-    m_neighbours.resize(m_points.size(), {null_id, null_id});
+    m_neighbors.resize(m_points.size(), {null_id, null_id});
     m_first_point[key] = e;
     return e;
   }
 
-  // The points around a face come in pairs; after the first one along the border of the face, the
-  // distance is on the other side of the value than at corner 0.
+  // Joins the crossings around a face in pairs. They divide its boundary into arcs that are nearer and farther in turn;
+  // after the first crossing the arc is on the other side of the value than corner 0. With more than two crossings the
+  // distance at their centroid decides whether the segments cut off the nearer arcs or the farther ones.
   void connect_in_face(Face_id f, const FT& value)
+  {
+    const std::vector<Point_index> around = points_around(f, value);
+    const std::size_t n = around.size();
+    CGAL_assertion(n % 2 == 0);
+    if(n == 0)
+      return;
+    const bool starts_near = m_field.distance[m_mesh.face(f).vertex[0]] < value;
+    const bool middle_is_near = n > 2 && distance_at(f, middle_of(f, around)) < value;
+    const bool even_arcs_are_near = !starts_near; // those behind the points with even numbers
+    const std::size_t shift = n > 2 && even_arcs_are_near == middle_is_near ? 1 : 0;
+    for(std::size_t i = 0; i < n; i += 2)
+      join(around[(i + shift) % n], around[(i + shift + 1) % n]);
+  }
+
+  // Returns the crossings of the edges of a face, in their order around it from corner 0 on.
+  std::vector<Point_index> points_around(Face_id f, const FT& value)
   {
     std::vector<Point_index> around;
     for(unsigned int k = 0; k < 3; ++k)
@@ -178,18 +213,10 @@ private:
       for(std::uint32_t i = 0; i < e.size; ++i)
         around.push_back(e.first + (is_reversed ? e.size - 1 - i : i));
     }
-    const std::size_t n = around.size();
-    if(n == 0)
-      return;
-    const bool starts_near = m_field.distance[m_mesh.face(f).vertex[0]] < value;
-    // the arcs behind the points with even numbers are near if corner 0 is not
-    const bool middle_is_near = n > 2 && distance_at(f, middle_of(f, around)) < value;
-    const bool even_arcs_are_near = !starts_near;
-    const std::size_t shift = n > 2 && even_arcs_are_near == middle_is_near ? 1 : 0;
-    for(std::size_t i = 0; i < n; i += 2)
-      join(around[(i + shift) % n], around[(i + shift + 1) % n]);
+    return around;
   }
 
+  // Returns the barycentric coordinates of the centroid of some crossings of a face.
   std::array<FT, 3> middle_of(Face_id f, const std::vector<Point_index>& around) const
   {
     std::array<FT, 3> b{};
@@ -208,36 +235,27 @@ private:
     return b;
   }
 
+  // Makes two points neighbors on a line.
+  // Requires: each has at most one neighbor so far.
   void join(Point_index a, Point_index b)
   {
-    m_neighbours[a][m_neighbours[a][0] == null_id ? 0 : 1] = b;
-    m_neighbours[b][m_neighbours[b][0] == null_id ? 0 : 1] = a;
+    m_neighbors[a][m_neighbors[a][0] == null_id ? 0 : 1] = b;
+    m_neighbors[b][m_neighbors[b][0] == null_id ? 0 : 1] = a;
   }
 
-  // lines that end at the border first, then the closed ones.
+  // Passes the lines on: first those that end at the border, each from its end with the smaller index, then the closed
+  // ones, each from its point with the smallest index.
   template <typename Line>
   void collect_lines(Line line)
   {
     std::vector<char> is_done(m_points.size(), 0);
-    for(int pass = 0; pass < 2; ++pass)
+    for(const bool is_closed : {false, true})
       for(Point_index i = 0; i < m_points.size(); ++i)
       {
-        const bool is_end = m_neighbours[i][1] == null_id;
-        if(is_done[i] || m_neighbours[i][0] == null_id || (pass == 0 && !is_end))
+        const bool is_end = m_neighbors[i][1] == null_id;
+        if(is_done[i] || m_neighbors[i][0] == null_id || (!is_closed && !is_end))
           continue;
-        std::vector<Point> points;
-        Point_index previous = null_id, current = i;
-        while(current != null_id && !is_done[current])
-        {
-          is_done[current] = 1;
-          if(points.empty() || !is_same_vertex(points.back(), m_points[current]))
-            points.push_back(m_points[current]);
-          const std::array<Point_index, 2>& next = m_neighbours[current];
-          const Point_index step = next[0] != previous ? next[0] : next[1];
-          previous = current;
-          current = step;
-        }
-        const bool is_closed = pass == 1;
+        std::vector<Point> points = line_from(i, is_done);
         if(is_closed && points.size() > 1 && is_same_vertex(points.back(), points.front()))
           points.pop_back();
         if(points.size() > 1) // not a vertex alone that is farther than all around it
@@ -245,7 +263,25 @@ private:
       }
   }
 
-  // the vertex at which a point is, or null_id
+  // Returns the points of the line from point i on, without a vertex twice in a row, and marks them.
+  std::vector<Point> line_from(Point_index i, std::vector<char>& is_done) const
+  {
+    std::vector<Point> points;
+    Point_index previous = null_id, current = i;
+    while(current != null_id && !is_done[current])
+    {
+      is_done[current] = 1;
+      if(points.empty() || !is_same_vertex(points.back(), m_points[current]))
+        points.push_back(m_points[current]);
+      const std::array<Point_index, 2>& next = m_neighbors[current];
+      const Point_index step = next[0] != previous ? next[0] : next[1];
+      previous = current;
+      current = step;
+    }
+    return points;
+  }
+
+  // Returns the vertex at which a point lies, or null_id.
   Vertex_id vertex_at(const Point& p) const
   {
     return p.t == 0 ? m_mesh.source(p.halfedge) : p.t == 1 ? m_mesh.target(p.halfedge) : null_id;
@@ -262,8 +298,8 @@ private:
   const Windows& m_windows;
   FT m_resolution;
   std::vector<Point> m_points;
-  std::vector<std::array<Point_index, 2>> m_neighbours; // on the line
-  std::unordered_map<Halfedge_id, Edge_points> m_first_point; // by the smaller halfedge of the edge
+  std::vector<std::array<Point_index, 2>> m_neighbors;        // of each point, on its line; null_id if missing
+  std::unordered_map<Halfedge_id, Edge_points> m_first_point; // of each edge, by the halfedge that stands for it
 };
 
 } // namespace internal

@@ -10,20 +10,24 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PATHS_PATH_TRACING_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PATHS_PATH_TRACING_H
 
-// Shortest paths, from their end back to the source. A path is a chain of straight pieces; each of them
-// ends at a vertex, from where the path goes on as it arrived there. No windows are needed, only how the
-// path arrives at each vertex (Vertex_distance_field.h, with images).
+// Traces shortest paths from their end back to the source. A path is a chain of straight pieces. Each of them ends at a
+// vertex, from where the path goes on in the direction in which it arrived there. Tracing needs no windows, only how
+// the shortest path arrives at each vertex (Vertex_distance_field.h, with images); so the memory is that of the
+// distances (thesis 3.3.3.1).
 //
-// The length of the path is checked against the distance, piece by piece. If rounding has led the line
-// astray, it is followed once more, and runs through vertices from which it was just told apart before. If that
-// fails as well, the path is looked for by its length alone (Path_search.h).
+// The length of the path is checked against the distance, piece by piece. If rounding has led a line astray, the line
+// is followed a second time with wider tolerances, so that it may run through vertices from which it was just told
+// apart. If that fails as well, the path is searched for by its length alone (Path_search.h).
 
-#include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/paths/Path_search.h>
 #include <CGAL/Surface_mesh_geodesics/internal/paths/Straight_piece.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/paths/distance_at_location.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 
+#include <CGAL/assertions.h>
+
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -41,33 +45,48 @@ public:
 
   Path_tracer(const Mesh& mesh, const Field& field) : m_mesh(mesh), m_field(field) {}
 
-  // appends the path from v, which is reached, to its source; both belong to it. Returns false if no path
-  // of the right length has been found.
+  // Appends the path from v to its source, both included. Returns false if no path of the right length has been found;
+  // `path` is of no use then.
+  // Requires: v is reached, `path` is empty, the field has images. If it returns true: points that follow each other
+  // share a face, the last one is a source, and the sum of the gaps plus the offset of the source is the distance of v,
+  // up to Tolerance::path() of the distance for each piece.
+  // Complexity: linear in the number of faces crossed, unless the search is needed.
   bool trace_from_vertex(Vertex_id v, Steps& path) const
   {
+    CGAL_assertion(m_field.distance[v] < Field::infinity() && path.empty() && m_field.keeps_images);
     Path_step<FT> first;
     first.vertex = v;
     path.push_back(first);
-    if(trace_onwards(v, path))
-      return true;
-    path.resize(1);
-    return search(m_field.distance[v], [&](Path_search<FT>& s, const FT& tolerance)
-    { return s.from_vertex(v, tolerance, path); });
+    bool is_found = trace_onwards(v, path);
+    if(!is_found)
+    {
+      path.resize(1);
+      is_found = search(m_field.distance[v], [&](Path_search<FT>& s, const FT& tolerance)
+      { return s.from_vertex(v, tolerance, path); });
+    }
+    CGAL_expensive_assertion(!is_found || is_path_of_length(path, m_field.distance[v]));
+    return is_found;
   }
 
-  // appends the path from the point of face f with the coordinates b, which does not belong to it itself.
+  // The same from the point of face f with the barycentric coordinates b, which is not appended.
+  // Requires: `arrival` is that of the point, its root is not null_id.
   bool trace_from_location(Face_id f, const std::array<FT, 3>& b, const Location_arrival<FT>& arrival,
                            Steps& path) const
   {
-    if(trace_along(f, arrival, path))
-      return true;
-    path.clear();
-    return search(arrival.distance, [&](Path_search<FT>& s, const FT& tolerance)
-    { return s.from_location(f, b, arrival.root, arrival.distance, tolerance, path); });
+    CGAL_assertion(arrival.root != null_id && path.empty() && m_field.keeps_images);
+    bool is_found = trace_along(f, arrival, path);
+    if(!is_found)
+    {
+      path.clear();
+      is_found = search(arrival.distance, [&](Path_search<FT>& s, const FT& tolerance)
+      { return s.from_location(f, b, arrival.root, arrival.distance, tolerance, path); });
+    }
+    CGAL_expensive_assertion(!is_found || is_path_of_length(path, arrival.distance));
+    return is_found;
   }
 
 private:
-  // the path from a point of face f as it arrives there.
+  // Follows the path from a point of face f as it arrives there: straight from a corner, or through an edge.
   bool trace_along(Face_id f, const Location_arrival<FT>& arrival, Steps& path) const
   {
     Vertex_id v = arrival.root;
@@ -86,8 +105,13 @@ private:
     return v != null_id && trace_onwards(v, path);
   }
 
-  // looks for a path of the length `distance`, first for one that is as near to it as rounding lets hope: relative to
-  // the distance, then to the lengths of the mesh, of which the longest is about 1.
+  // Searches for a path whose length is `distance`, with wider and wider tolerances: the first search should not stop
+  // at a path that is longer than necessary. Distances err by some units for each face, relative to themselves and, on
+  // small distances, to the lengths of the mesh, of which the longest is about 1.
+  // - relative / 64 is the error of a path through few faces.
+  // - relative, and relative + absolute, are what Straight_piece accepts for one piece.
+  // - The last one is wider than the sum for the pieces of any path that the tests know. No bound is known; a path that
+  //   is longer still is reported as hidden by rounding.
   template <typename Search>
   bool search(const FT& distance, Search search_with) const
   {
@@ -99,8 +123,8 @@ private:
     return false;
   }
 
-  // appends the path from v, which itself has been appended. The distances along the chain of vertices
-  // decrease; each vertex may come once where they are all the same.
+  // Appends the path from v; the caller has appended v itself. Returns false if a piece goes astray. The distances do
+  // not increase along the chain of vertices, so a chain longer than the number of vertices is wrong.
   bool trace_onwards(Vertex_id v, Steps& path) const
   {
     for(std::size_t i = 0; i <= m_mesh.number_of_vertices() && v != null_id; ++i)
@@ -112,8 +136,11 @@ private:
     return false;
   }
 
+  // Returns the last piece of the path to v, as the propagation has recorded it.
+  // Requires: v is reached, and no source.
   Piece_start<FT> piece_to(Vertex_id v) const
   {
+    CGAL_assertion(m_field.arrival[v].halfedge != null_id);
     const Vertex_arrival<FT>& arrival = m_field.arrival[v];
     const Arrival_image<FT>& image = m_field.image[v];
     const Face_frame<FT> c = m_mesh.face_frame(arrival.halfedge);
@@ -121,9 +148,10 @@ private:
             m_field.distance[v]};
   }
 
-  // appends a piece; returns the vertex where it ends, or null_id if no way of following the line gives the
-  // right length. The first attempt takes only lengths for rounded that it meets itself; but the distance
-  // and the image may come from farther away, so the next one takes all lengths of the mesh.
+  // Appends a piece and returns the vertex where it ends; null_id, and nothing appended, if no attempt gives the right
+  // length. The tolerances of the first attempt are relative to the lengths on the way of the line. But the distance
+  // and the image may come from farther away, so those of the second one are relative to the longest length of the
+  // mesh, 1.
   Vertex_id trace_piece(const Piece_start<FT>& start, Steps& path) const
   {
     const std::size_t size = path.size();
@@ -136,6 +164,18 @@ private:
       path.resize(size);
     }
     return null_id;
+  }
+
+  // Checks what the trace functions promise: a source at the end, and the length, with a tolerance for each step. (Each
+  // piece, and the search, has checked its own length with the tolerances below; the errors of the pieces add up.)
+  bool is_path_of_length(const Steps& path, const FT& distance) const
+  {
+    using std::abs;
+    const FT one = Tolerance<FT>::path() * distance + Tolerance<FT>::lengthwise() * (std::max)(FT(1), distance);
+    const Vertex_id end = path.back().vertex;
+    const FT number = FT(static_cast<double>(path.size() + 128));
+    return end != null_id && m_field.is_source(end)
+        && abs(FT(length_of(path) + m_field.distance[end] - distance)) <= number * one;
   }
 
   const Mesh& m_mesh;

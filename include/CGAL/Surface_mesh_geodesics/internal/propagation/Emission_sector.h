@@ -129,7 +129,7 @@ private:
   void add_corner(const Star& star, std::uint32_t f, Angle_sum<FT>& angle) const
   {
     const Halfedge_id h = star.faces[f].halfedge;
-    const std::pair<FT, FT> corner = Mesh::corner(m_mesh.face(face_of(h)), index_in_face(h));
+    const std::pair<FT, FT> corner = angle_direction(m_mesh.face(face_of(h)), index_in_face(h));
     angle.add(corner.first, corner.second);
   }
 

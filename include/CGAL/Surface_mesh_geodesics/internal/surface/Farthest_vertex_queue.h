@@ -10,9 +10,9 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_FARTHEST_VERTEX_QUEUE_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_FARTHEST_VERTEX_QUEUE_H
 
-// The vertex with the largest distance, while distances shrink: a heap of distances as they were when they were put in.
-// One that is found to have shrunk when it comes to the top is put in again, so each call of farthest() costs no more
-// than the changes since the last one, but for a logarithm.
+// Finds the vertex with the largest distance while distances shrink. A heap holds distances as they were when they
+// entered it. If a distance has shrunk when it reaches the top, it enters again, so farthest() takes time proportional
+// to the number of changes since the last call, times a logarithm.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 
@@ -29,7 +29,8 @@ template <typename FT>
 class Farthest_vertex_queue
 {
 public:
-  // `rank[v]` decides between vertices with the same distance: the smaller one wins. Vertices are 0, 1, ...
+  // Contains the vertices 0 .. n-1. Of vertices with the same distance, the one with the smallest rank[v] is the
+  // farthest. Both vectors are referred to, not copied; distances may shrink, but not grow.
   Farthest_vertex_queue(const std::vector<FT>& distance, const std::vector<Vertex_id>& rank, std::size_t n)
     : m_distance(distance), m_rank(rank)
   {
@@ -38,7 +39,7 @@ public:
     std::make_heap(m_heap.begin(), m_heap.end(), less());
   }
 
-  // null_id if there are no vertices.
+  // Returns the vertex with the largest distance; null_id if there are no vertices. The vertex stays in the queue.
   Vertex_id farthest()
   {
     while(!m_heap.empty())

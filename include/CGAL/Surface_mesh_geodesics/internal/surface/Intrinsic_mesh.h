@@ -12,26 +12,26 @@
 
 // A triangulated surface known by its lengths alone: the only surface that the propagation sees.
 //
-// One record holds all there is to know of a face, in 64 bytes (a cache line) for double: its
-// layout in the plane, its three lengths, its vertices and its neighbours. The shortest edge of a
-// face is its halfedge 0, which is the base of the layout: the coordinates of the two other corners
-// are then accurate relative to every edge, for needles and for caps (a layout on a long edge would
-// lose the direction of a short one).
+// Each vertex is surrounded by one umbrella of faces or by several (a pinched vertex); an umbrella is closed, or starts
+// and ends at the border.
 //
-// Vertices are surrounded by one umbrella of faces or more (a pinched vertex), each closed or
-// starting and ending at the border.
+// All lengths are divided by a power of two, the unit, when the mesh is built, such that the longest is about 1. The
+// squares of lengths then stay far from the ends of the range of numbers, and a surface scaled by a power of two gives
+// the same bits.
 //
-// All lengths are multiplied by a power of two when the mesh is built, so that the longest is about
-// 1: the squares of lengths then stay far from the ends of the range of numbers, and the results for
-// a surface scaled by a power of two are the same bits.
+// Life: the builder (Intrinsic_mesh_builder.h) calls reset() and finish(); Source_insertion.h then adds vertices and
+// faces for sources that are not vertices, and removes them. The invariants hold between these steps, not within one:
+// see mesh_invariants.h. Queries take constant time unless they say otherwise, and may run in several threads.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Angle_sum.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/prefetch.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_face.h>
+
+#include <CGAL/assertions.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -41,54 +41,6 @@
 namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
-
-// A face: halfedge k leads from vertex[k] to vertex[k+1], has length[k], and opposite[k] is the
-// halfedge of the neighbour, or null_id at the border. Corners 0, 1 and 2 are laid out at (0,0),
-// (length[0],0) and (apex_x, apex_y), counterclockwise.
-template <typename FT>
-struct alignas(sizeof(FT) == 8 ? 64 : alignof(FT)) Intrinsic_face
-{
-  std::array<FT, 3> length;
-  FT apex_x, apex_y;
-  std::array<Vertex_id, 3> vertex;
-  std::array<Halfedge_id, 3> opposite;
-
-  // (A constructor of its own: without one, all would be set to zero before it is set.)
-  Intrinsic_face() {}
-};
-
-template <typename FT>
-std::array<Planar_point<FT>, 3> layout_of_face(const Intrinsic_face<FT>& face)
-{
-  return {Planar_point<FT>{FT(0), FT(0)}, Planar_point<FT>{face.length[0], FT(0)},
-          Planar_point<FT>{face.apex_x, face.apex_y}};
-}
-
-// (Its first side is the shortest one.)
-template <typename FT>
-FT longest_side(const Intrinsic_face<FT>& f)
-{
-  return (std::max)(f.length[1], f.length[2]);
-}
-
-// A face whose corners are on one line as far as numbers tell.
-template <typename FT>
-bool has_no_height(const Intrinsic_face<FT>& f)
-{
-  return is_without_height<FT>(f.apex_y * f.length[0], longest_side(f));
-}
-
-// The face on the left of a halfedge AB in the frame of the halfedge: A = (0,0), B = (length,0) and
-// the third vertex C = (apex_x, apex_y) with apex_y >= 0. apex_rest is length - apex_x, with all the digits
-// that it has if C is near to B. The windows that enter the face across AB
-// leave it across the left edge AC or the right edge CB.
-template <typename FT>
-struct Face_frame
-{
-  FT length, apex_x, apex_rest, apex_y, left_length, right_length;
-  Vertex_id origin, target, apex;
-  Halfedge_id left, right; // the halfedges AC and CB of the neighbours, or null_id
-};
 
 template <typename FT_>
 class Intrinsic_mesh
@@ -101,17 +53,20 @@ public:
   enum Vertex_kind : unsigned char
   {
     PSEUDO_SOURCE = 1, // shortest paths may bend here: a saddle, a reflex border vertex, a pinch
-    PINCHED = 2,       // surrounded by several umbrellas
-    DEGENERATE = 4,    // of an edge or a face that is nearly lost in rounding: its angles say nothing
+    PINCHED = 2,       // surrounded by several umbrellas; also a PSEUDO_SOURCE
+    DEGENERATE = 4,    // of an edge or a face that rounding nearly erases, so that its angles mean nothing; also a
+                       // PSEUDO_SOURCE
     REFINED = 8        // its faces have changed since the mesh was built
   };
 
-  // The faces from `first` on to those of the next component are connected over edges.
+  // The faces from `first` on, up to the first one of the next component, are connected across edges.
   struct Component
   {
     Face_id first;
     FT longest_edge;
   };
+
+  // --- faces and halfedges ---
 
   std::size_t number_of_vertices() const { return m_vertex_halfedge.size(); }
   std::size_t number_of_faces() const { return m_faces.size(); }
@@ -123,8 +78,8 @@ public:
   Halfedge_id opposite(Halfedge_id h) const { return m_faces[face_of(h)].opposite[index_in_face(h)]; }
   const FT& length(Halfedge_id h) const { return m_faces[face_of(h)].length[index_in_face(h)]; }
 
-  // The halfedge that leaves the same vertex one face further, counterclockwise and clockwise;
-  // null_id beyond the border.
+  // Returns the halfedge that leaves the same vertex one face further, counterclockwise or clockwise; null_id beyond
+  // the border.
   Halfedge_id next_around_source(Halfedge_id h) const { return opposite(previous_halfedge(h)); }
   Halfedge_id previous_around_source(Halfedge_id h) const
   {
@@ -132,19 +87,40 @@ public:
     return o == null_id ? null_id : next_halfedge(o);
   }
 
-  // A halfedge that leaves v, the first one counterclockwise if its umbrella has a border; null_id
-  // for an isolated vertex.
+  // Returns the face of h in the frame of h. The halfedges of the neighbors run from A to C and from C to B, so that an
+  // observer who looks across AB sees both edges from left to right.
+  Face_frame<FT> face_frame(Halfedge_id h) const
+  {
+    const Face& f = m_faces[face_of(h)];
+    const unsigned int k = index_in_face(h), k1 = next_corner(k), k2 = previous_corner(k);
+    Face_frame<FT> c;
+    c.length = f.length[k];
+    c.right_length = f.length[k1];
+    c.left_length = f.length[k2];
+    c.origin = f.vertex[k];
+    c.target = f.vertex[k1];
+    c.apex = f.vertex[k2];
+    c.right = f.opposite[k1];
+    c.left = f.opposite[k2];
+    set_apex(f, k, c);
+    return c;
+  }
+
+  // --- vertices and what surrounds them ---
+
+  // Returns a halfedge that leaves v, the first one counterclockwise if its umbrella has a border; null_id for an
+  // isolated vertex.
   Halfedge_id halfedge(Vertex_id v) const { return m_vertex_halfedge[v]; }
 
   bool has(Vertex_id v, Vertex_kind kind) const { return (m_vertex_kind[v] & kind) != 0; }
 
-  // The halfedges with a face that leave v, counterclockwise, for a vertex that is neither pinched nor refined.
-  // (To go from face to face would wait for the memory at each step.)
+  // The halfedges with a face that leave v, counterclockwise. Requires: has_star(v), that is, v is neither pinched nor
+  // refined. (They are stored in a row, as a walk from face to face would wait for the memory at each step.)
   const Halfedge_id* star_begin(Vertex_id v) const { return m_star.data() + m_star_begin[v]; }
   const Halfedge_id* star_end(Vertex_id v) const { return m_star.data() + m_star_begin[v + 1]; }
   bool has_star(Vertex_id v) const { return (m_vertex_kind[v] & (PINCHED | REFINED)) == 0; }
 
-  // ask for the memory of these halfedges; and, when it has come, for that of their faces.
+  // Ask the processor for the memory of these halfedges and, once it has arrived, for that of their faces.
   void prefetch_star(Vertex_id v) const
   {
     if(has_star(v))
@@ -157,7 +133,8 @@ public:
         prefetch(&face(face_of(*h)));
   }
 
-  // calls visit(h) for one halfedge h of each umbrella of v, the first one if it has a border.
+  // Calls visit(h) for one halfedge h of each umbrella of v, the first one if it has a border. Takes time linear in
+  // the number of umbrellas, and logarithmic in the number of pinched vertices.
   template <typename Visitor>
   void for_each_umbrella(Vertex_id v, Visitor visit) const
   {
@@ -172,7 +149,7 @@ public:
       visit(it->second);
   }
 
-  // calls visit(h) for each halfedge h with a face that leaves v.
+  // Calls visit(h) for each halfedge h with a face that leaves v.
   template <typename Visitor>
   void for_each_halfedge_around(Vertex_id v, Visitor visit) const
   {
@@ -187,37 +164,9 @@ public:
     });
   }
 
-  // The face of h in the frame of h. The neighbours' halfedges run the other way, from A to C and
-  // from C to B, so that both edges are seen from left to right by whoever looks across AB.
-  Face_frame<FT> face_frame(Halfedge_id h) const
-  {
-    const Face& f = m_faces[face_of(h)];
-    const unsigned int k = index_in_face(h), k1 = next_corner(k), k2 = previous_corner(k);
-    Face_frame<FT> c;
-    c.length = f.length[k];
-    c.right_length = f.length[k1];
-    c.left_length = f.length[k2];
-    c.origin = f.vertex[k];
-    c.target = f.vertex[k1];
-    c.apex = f.vertex[k2];
-    c.right = f.opposite[k1];
-    c.left = f.opposite[k2];
-    place_apex(f, k, c);
-    return c;
-  }
+  // --- sizes and bounds ---
 
-  // The dot product and the cross product of the two sides at corner k of a face: they have the
-  // direction of the angle.
-  static std::pair<FT, FT> corner(const Face& f, unsigned int k)
-  {
-    // (all three: which one is asked for is hard to predict)
-    const FT& base = f.length[0];
-    const FT rest = base - f.apex_x;
-    const FT dot[3] = {base * f.apex_x, base * rest, f.apex_y * f.apex_y - f.apex_x * rest};
-    return {dot[k], base * f.apex_y};
-  }
-
-  // The factor from the lengths of this mesh to those of the user: a power of two.
+  // Returns the factor from the lengths of this mesh to those of the user: a power of two.
   const FT& unit() const { return m_unit; }
 
   std::size_t memory() const
@@ -227,21 +176,23 @@ public:
          + m_star_begin.capacity() * sizeof(std::uint32_t) + m_star.capacity() * sizeof(Halfedge_id);
   }
 
-  // No shortest path crosses more faces.
+  // Returns a number of faces that no shortest path exceeds.
   //
-  // On a surface with points none crosses a face twice (thesis, lemma 3.2): the segment between two points of a face is
-  // the shortest way in space. If lengths are given, the way around through other faces may be shorter than that. Then,
-  // let h be the least height of a face. Between two crossings of an edge e a shortest path does not turn around
-  // one vertex only, as straight on around a vertex it is longer than along e. So it crosses three edges in a row
-  // without a common vertex, xv, vw, wy, the middle one at the part t: from the first to the middle one it is t times
-  // the height of w above xv at least, from there to the last one 1-t times that of v above wy; together h at least.
-  // All crossings of e are on a part of the path that is not longer than e, so there are 1 + |e|/h at most.
+  // On a surface with points no shortest path crosses a face twice (thesis, lemma 3.2): the segment between two points
+  // of a face is the shortest way in space. If lengths are given, the detour through other faces may be shorter. Then
+  // let h be the least height of a face. Between two crossings of an edge e a shortest path does not turn around one
+  // vertex only, as going straight around a vertex is longer than following e. So it crosses three edges in a row
+  // without a common vertex, xv, vw, wy, the middle one at the fraction t. From the first to the middle one it is at
+  // least t times the height of w above xv long, from there to the last one at least 1-t times that of v above wy;
+  // together at least h. All crossings of e are on a part of the path that is not longer than e, so there are at most
+  // 1 + |e|/h of them.
   //
-  // This ends what else would never end: where faces have no area, paths may run around without growing.
+  // The bound ends computations that would never end: where faces have no area, paths may run around without growing.
   std::size_t most_faces_crossed() const { return m_most_faces_crossed; }
 
-  // What lengths around a face are relative to. It tells components of very different sizes apart: those of a mesh that
-  // has one component are relative to its unit.
+  // Returns the extent that tolerances around a face are relative to: 1 if the mesh has one component, else the
+  // longest edge of the component, as the others may be far larger. Takes time logarithmic in their number.
+  // Requires: f is a face of the mesh as it was built.
   FT extent_around(Face_id f) const
   {
     if(m_components.empty())
@@ -251,23 +202,23 @@ public:
     return (next - 1)->longest_edge;
   }
 
-  // Building: reset(), set_unit(), all members of all faces, set_components(), finish(). For lengths without points,
-  // bound_faces_crossed_by_lengths().
-  //
-  // There is room for the faces that a few sources inside faces need: else the first one would double the memory.
+  // --- building: reset(), set_unit(), all members of all faces, set_components(), finish(); and, for lengths without
+  // points, bound_faces_crossed_by_lengths() ---
+
+  // Reserves room for the faces that a few sources inside faces need: else the first source would double the memory.
   void reset(std::size_t number_of_faces)
   {
-    m_faces.reserve(number_of_faces + 64);
+    m_faces.reserve(number_of_faces + room_for_sources);
     m_faces.resize(number_of_faces);
     m_components.clear();
   }
   void set_unit(const FT& unit) { m_unit = unit; }
-  // (if there are several)
+  // Requires: there are several components, sorted by face.
   void set_components(const std::vector<Component>& components) { m_components = components; }
 
   Face& face(Face_id f) { return m_faces[f]; }
 
-  // finds the umbrellas and the kinds of the vertices 0 .. n-1, once all faces are set.
+  // Finds the umbrellas and the kinds of the vertices 0 .. n-1. Requires: all faces are set.
   void finish(std::size_t number_of_vertices)
   {
     m_vertex_halfedge.assign(number_of_vertices, null_id);
@@ -281,8 +232,9 @@ public:
     count_most_faces_crossed();
   }
 
-  // lets shortest paths cross faces more than once; see most_faces_crossed(). Where a face is so flat that the square of
-  // its angles is lost in rounding, there is no bound that would end the computation, and thin faces are left out.
+  // Lets shortest paths cross faces more than once; see most_faces_crossed(). If some face is flatter than
+  // ratio_of_lost_face, no bound from its height would end the computation in practice; the bound then ignores faces
+  // that are flatter than ratio_of_thick_face.
   void bound_faces_crossed_by_lengths()
   {
     double height = std::numeric_limits<double>::infinity(), height_of_thick = height, sum = 0;
@@ -297,12 +249,15 @@ public:
         height_of_thick = (std::min)(height_of_thick, least_height);
       sum += static_cast<double>(FT(f.length[0] + f.length[1] + f.length[2]));
     }
-    m_faces_crossed_by_lengths = 3. * static_cast<double>(number_of_faces()) + sum / (is_lost ? height_of_thick : height);
+    m_faces_crossed_by_lengths
+      = 3. * static_cast<double>(number_of_faces()) + sum / (is_lost ? height_of_thick : height);
     m_number_of_faces_before = number_of_faces();
     count_most_faces_crossed();
   }
 
-  // Refinement and its undoing, for the sources inside faces and on edges (Source_insertion.h).
+  // --- refinement and its reversal, for sources inside faces and on edges (Source_insertion.h) ---
+
+  // Adds a vertex with a total angle of 2 pi, or pi on the border, which h leaves.
   Vertex_id add_flat_vertex(Halfedge_id h)
   {
     m_vertex_halfedge.push_back(h);
@@ -317,8 +272,10 @@ public:
     return static_cast<Face_id>(m_faces.size() - 1);
   }
 
+  // Removes the last vertices and faces.
   void truncate(std::size_t number_of_vertices, std::size_t number_of_faces)
   {
+    CGAL_assertion(number_of_vertices <= this->number_of_vertices() && number_of_faces <= this->number_of_faces());
     m_vertex_halfedge.resize(number_of_vertices);
     m_vertex_kind.resize(number_of_vertices);
     m_faces.resize(number_of_faces);
@@ -330,7 +287,7 @@ public:
   unsigned char kind(Vertex_id v) const { return m_vertex_kind[v]; }
   void set_kind(Vertex_id v, unsigned char kind) { m_vertex_kind[v] = kind; }
 
-  // replaces each halfedge h that is kept for v by new_name(h).
+  // Replaces each halfedge h that is stored for v by new_name(h).
   template <typename NewName>
   void rename_halfedges(Vertex_id v, NewName new_name)
   {
@@ -342,22 +299,7 @@ public:
   }
 
 private:
-  static void place_apex(const Face& f, unsigned int k, Face_frame<FT>& c)
-  {
-    // (One way for all three: which one is asked for is hard to predict. The ratio of the base to itself is 1.)
-    const FT& base = f.length[0];
-    const FT& side = f.length[k];
-    const FT part[3] = {f.apex_x, base - f.apex_x, f.apex_x};
-    const FT ratio = side > 0 ? FT(base / side) : FT(k == 0 ? 1 : 0); // 0: all edges of the face have no length
-    FT end[2]; // of the sides below the apex
-    end[0] = part[k] * ratio;
-    end[1] = side - end[0];
-    c.apex_x = end[k >> 1];
-    c.apex_rest = end[1 - (k >> 1)];
-    c.apex_y = f.apex_y * ratio;
-  }
-
-  // finds the first umbrella of each vertex, and all those with a border, and makes room for the stars.
+  // Finds the first umbrella of each vertex and all those with a border, and makes room for the stars.
   void find_umbrellas()
   {
     m_star_begin.assign(number_of_vertices() + 1, 0);
@@ -370,7 +312,7 @@ private:
         ++m_star_begin[v + 1];
         first[v] = halfedge_of(f, k);
       }
-    // umbrellas with a border begin where there is no face on the right
+    // An umbrella with a border begins where there is no face on the right.
     for(Face_id f = 0; f < n; ++f)
       for(unsigned int k = 0; k < 3; ++k)
         if(m_faces[f].opposite[k] == null_id)
@@ -384,7 +326,7 @@ private:
     m_star.resize(m_star_begin.back());
   }
 
-  // Umbrellas beyond the first are kept sorted by vertex; they are rare.
+  // Umbrellas beyond the first are rare; they are stored sorted by vertex.
   void add_umbrella(Vertex_id v, Halfedge_id h)
   {
     if(m_vertex_halfedge[v] == null_id)
@@ -398,6 +340,7 @@ private:
       std::lower_bound(m_other_umbrellas.begin(), m_other_umbrellas.end(), entry), entry);
   }
 
+  // Adds the closed umbrellas of vertices that have more faces than their known umbrellas.
   void complete_closed_umbrellas(const std::vector<Vertex_id>& incomplete)
   {
     std::vector<char> is_incomplete(number_of_vertices(), 0);
@@ -424,7 +367,8 @@ private:
         }
   }
 
-  // A vertex with more faces than its umbrellas have is pinched between closed umbrellas.
+  // Fills the stars, and marks the vertices where shortest paths may bend: the total angle exceeds 2 pi, or pi on the
+  // border, by more than Tolerance::angle().
   void find_kinds()
   {
     std::vector<Vertex_id> incomplete;
@@ -432,15 +376,15 @@ private:
     {
       if(m_vertex_halfedge[v] == null_id)
         continue;
-      std::uint32_t place = m_star_begin[v];
+      std::uint32_t end = m_star_begin[v];
       Angle_sum<FT> angle;
       for_each_halfedge_around(v, [&](Halfedge_id h)
       {
-        m_star[place++] = h;
-        const std::pair<FT, FT> direction = corner(m_faces[face_of(h)], index_in_face(h));
+        m_star[end++] = h;
+        const std::pair<FT, FT> direction = angle_direction(m_faces[face_of(h)], index_in_face(h));
         angle.add(direction.first, direction.second);
       });
-      if(place != m_star_begin[v + 1])
+      if(end != m_star_begin[v + 1])
         incomplete.push_back(v);
       const bool is_on_border = opposite(m_vertex_halfedge[v]) == null_id;
       if(is_on_border ? angle.is_more_than_half() : angle.is_more_than_full())
@@ -450,8 +394,8 @@ private:
       complete_closed_umbrellas(incomplete);
   }
 
-  // The ends of an edge that is nearly lost in rounding are pseudo-sources, whatever their angles; so are
-  // the corners of a face whose height is.
+  // Marks the ends of an edge that rounding nearly erases, and the corners of a face whose height it nearly erases, as
+  // pseudo-sources, whatever their angles are. Their angles have no correct digit, so no bound on them helps.
   void mark_degenerate(const Face& f)
   {
     const bool is_flat = has_no_height(f);
@@ -465,21 +409,26 @@ private:
       }
   }
 
-  // A face that has been divided by sources is crossed in not more parts than there are new faces, and one.
+  // If sources have divided a face into n+1 faces, a path that crosses the face once crosses at most n+1 of them.
   void count_most_faces_crossed()
   {
     m_most_faces_crossed = number_of_faces();
     if(m_faces_crossed_by_lengths > 0)
     {
       const double parts = static_cast<double>(number_of_faces() - m_number_of_faces_before + 1);
-      m_most_faces_crossed = static_cast<std::size_t>((std::min)(parts * m_faces_crossed_by_lengths, largest_faces_crossed));
+      m_most_faces_crossed
+        = static_cast<std::size_t>((std::min)(parts * m_faces_crossed_by_lengths, largest_faces_crossed));
     }
   }
 
-  // Of the least height to the longest side.
+  // Ratios of the least height of a face to its longest side. Below 2^-24, |e|/h bounds paths by millions of faces for
+  // each edge, which no computation reaches in practice, and the square of the ratio, below 2^-48, is near the rounding
+  // of double. 2^-12 is the geometric mean of that ratio and 1: the bound is then a few thousand faces for each edge.
   static constexpr double ratio_of_lost_face = 0x1p-24, ratio_of_thick_face = 0x1p-12;
 
-  static constexpr double largest_faces_crossed = 1 << 30; // (windows count them in 31 bits)
+  static constexpr double largest_faces_crossed = 1 << 30; // windows count faces in 31 bits
+
+  static constexpr std::size_t room_for_sources = 64; // faces; a source needs two or three
 
   std::vector<Face> m_faces;
   std::vector<Halfedge_id> m_vertex_halfedge;

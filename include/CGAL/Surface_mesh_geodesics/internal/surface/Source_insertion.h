@@ -10,23 +10,27 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_SOURCE_INSERTION_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_SOURCE_INSERTION_H
 
-// A source inside a face or on an edge becomes a vertex (thesis, 3.1 and figure 3.1): the intrinsic
-// mesh is refined around it, and the refinement can be undone. The surface stays the same, and the
-// new vertices are flat.
+// Makes a vertex of a source inside a face or on an edge (thesis, section 3.1 and figure 3.1): refines the intrinsic
+// mesh around it, and can undo all refinements. The surface stays the same, and the new vertices are flat.
 //
-// Why not simply start windows on the edges around the source? The order of windows (Window.h) is
-// that of sequences of edges. A window that crosses the face of the source may pass the source on
-// either side, and its edge sequence tells on which side only if the source is a vertex.
+// Windows could start on the edges around the source instead. But the order of windows (Window.h) is that of sequences
+// of edges: a window that crosses the face of the source may pass the source on either side, and its edge sequence
+// tells the side only if the source is a vertex.
+//
+// The invariants of the mesh (mesh_invariants.h) hold before and after each public function.
 
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Face_parts.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/Place_in_part.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/barycentric_coordinates.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/mesh_invariants.h>
+
+#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <limits>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -41,98 +45,23 @@ public:
   using FT = FT_;
   using Mesh = Intrinsic_mesh<FT>;
   using Face = Intrinsic_face<FT>;
-  using Barycentric = std::array<FT, 3>;
+  using Coordinates = Barycentric<FT>;
 
-  explicit Source_insertion(Mesh& mesh)
-    : m_mesh(mesh), m_number_of_vertices(mesh.number_of_vertices()),
-      m_number_of_faces(mesh.number_of_faces())
-  {}
+  // Takes the mesh as it is for the first one. The mesh has to outlive this object and must not move.
+  explicit Source_insertion(Mesh& mesh) : m_mesh(mesh) { restart(); }
 
-  // are b the coordinates of a point of a triangle, up to rounding?
-  static bool is_valid(const Barycentric& b)
+  // Which part of a face of the first mesh contains a point, and where points of parts are in the first mesh.
+  const Face_parts<FT>& parts() const { return m_parts; }
+
+  // Returns the vertex at the point b of face f of the first mesh, and makes it if there is none. A point that is up to
+  // rounding on an edge or at a vertex is there; see snap_coordinates().
+  // Requires: are_valid_coordinates(b).
+  Vertex_id insert(Face_id f, Coordinates b)
   {
-    using std::abs;
-    const FT tolerance = Tolerance<FT>::location();
-    for(const FT& x : b)
-      if(!(x >= -tolerance) || !(x <= 1 + tolerance))
-        return false;
-    return abs(FT(b[0] + b[1] + b[2] - 1)) <= tolerance;
-  }
-
-  // sets coordinates that are nearly zero to zero, and their sum to one.
-  static void snap(Barycentric& b)
-  {
-    FT sum = 0;
-    for(FT& x : b)
-    {
-      if(x <= Tolerance<FT>::barycentric())
-        x = 0;
-      sum = sum + x;
-    }
-    for(FT& x : b)
-      x = x / sum;
-  }
-
-  // the part of face f (of the mesh as it was at first) with the point that has the coordinates b,
-  // which become those in the part.
-  Face_id part_with(Face_id f, Barycentric& b) const
-  {
-    const auto parts = m_parts.find(f);
-    if(parts == m_parts.end())
-      return f;
-    const Barycentric whole = b;
-    const Face_id part = find_part(parts->second, whole, b);
-    snap(b);
-    return part;
-  }
-
-  // the face of the first mesh of which f is a part.
-  Face_id whole(Face_id f) const
-  {
-    const auto part = m_part_of.find(f);
-    return part == m_part_of.end() ? f : part->second.whole;
-  }
-
-  // turns the coordinates of a point of f into those in the face of the first mesh of which f is a part,
-  // which is returned.
-  Face_id coordinates_in_whole(Face_id f, Barycentric& b) const
-  {
-    const auto part = m_part_of.find(f);
-    if(part == m_part_of.end())
-      return f;
-    b = combination(part->second.corner, b);
-    return part->second.whole;
-  }
-
-  // The point at t (from 0 to 1) of a halfedge of the mesh as it is: if it is on an edge of the first
-  // mesh, h and t become the halfedge and the place there. Returns whether it is.
-  bool find_on_whole_edge(Halfedge_id& h, FT& t) const
-  {
-    const auto it = m_part_of.find(face_of(h));
-    if(it == m_part_of.end())
-      return true;
-    const Barycentric& a = it->second.corner[index_in_face(h)];
-    const Barycentric& b = it->second.corner[next_corner(index_in_face(h))];
-    for(unsigned int k = 0; k < 3; ++k)
-    {
-      const unsigned int opposite = previous_corner(k); // of the edge from corner k
-      if(a[opposite] == 0 && b[opposite] == 0)
-      {
-        h = halfedge_of(it->second.whole, k);
-        t = (1 - t) * a[next_corner(k)] + t * b[next_corner(k)];
-        return true;
-      }
-    }
-    return false;
-  }
-
-  // returns the vertex at the point of face f (of the mesh as it was at first) with the coordinates b,
-  // which are valid; makes it if there is none. Coordinates that are nearly zero are taken for zero.
-  Vertex_id insert(Face_id f, Barycentric b)
-  {
-    snap(b);
-    Barycentric local = b;
-    const Face_id s = part_with(f, local);
+    CGAL_assertion(f < m_number_of_faces && are_valid_coordinates(b));
+    snap_coordinates(b);
+    Coordinates local = b;
+    const Face_id s = m_parts.part_with(f, local);
     unsigned int number_of_zeros = 0, zero = 0;
     for(unsigned int k = 0; k < 3; ++k)
       if(local[k] == 0)
@@ -143,7 +72,7 @@ public:
     if(number_of_zeros == 0)
       return split_face(s, local);
     if(number_of_zeros == 2)
-      return m_mesh.face(s).vertex[position_of_one(local)];
+      return m_mesh.face(s).vertex[nearest_corner(local)];
     // on the edge opposite to corner `zero`
     const unsigned int k = next_corner(zero);
     if(!(m_mesh.face(s).length[k] > 0))
@@ -151,16 +80,18 @@ public:
     return split_edge(halfedge_of(s, k), local[k], local[next_corner(k)]);
   }
 
-  // takes the mesh as it is for the first one.
+  // Takes the mesh as it is for the first one. Requires: nothing is inserted.
   void restart()
   {
     m_number_of_vertices = m_mesh.number_of_vertices();
     m_number_of_faces = m_mesh.number_of_faces();
   }
 
-  // makes the mesh what it was.
+  // Removes all inserted vertices: each face, vertex and kind becomes what it was, to the same bits.
   void undo()
   {
+    if(m_saved.empty())
+      return;
     for(; !m_renamed.empty(); m_renamed.pop_back())
       rename(m_renamed.back().vertices, m_renamed.back().to, m_renamed.back().from);
     for(; !m_saved.empty(); m_saved.pop_back())
@@ -169,7 +100,7 @@ public:
       m_mesh.set_kind(m_saved_kinds.back().first, m_saved_kinds.back().second);
     m_mesh.truncate(m_number_of_vertices, m_number_of_faces);
     m_parts.clear();
-    m_part_of.clear();
+    CGAL_expensive_assertion(are_invariants_kept(m_mesh));
   }
 
 private:
@@ -178,14 +109,7 @@ private:
     FT x, y;
   };
 
-  // A part of a face of the first mesh, with the coordinates of its corners there.
-  struct Part
-  {
-    Face_id whole;
-    std::array<Barycentric, 3> corner;
-  };
-
-  // What halfedges that leave some vertices were called, and what they are called now.
+  // The old and the new names of halfedges that leave some vertices.
   struct Renaming
   {
     std::vector<Vertex_id> vertices;
@@ -198,48 +122,10 @@ private:
     std::array<Vertex_id, 3> vertex;
     std::array<Vector_2, 3> side;
     std::array<FT, 3> length;
-    std::array<Barycentric, 3> corner;
+    std::array<Coordinates, 3> corner;
   };
 
-  static unsigned int position_of_one(const Barycentric& b)
-  {
-    return static_cast<unsigned int>(std::max_element(b.begin(), b.end()) - b.begin());
-  }
-
-  // the part that holds the point b, and the coordinates of b in it. A point that lies in several parts, as far as one
-  // can tell, is put into the one where it is known best.
-  Face_id find_part(const std::vector<Face_id>& parts, const Barycentric& b, Barycentric& local) const
-  {
-    Face_id best = parts.front();
-    FT best_minimum = -std::numeric_limits<FT>::infinity(), best_rounding = -best_minimum;
-    for(Face_id s : parts)
-    {
-      Place_in_part<FT> place(m_part_of.at(s).corner, b);
-      if(!place.is_known())
-        continue;
-      place.snap();
-      const FT minimum = (std::min)(FT(0), place.least_coordinate());
-      if(!(minimum > best_minimum || (minimum == best_minimum && place.rounding() < best_rounding)))
-        continue;
-      best_minimum = minimum;
-      best_rounding = place.rounding();
-      best = s;
-      local = place.coordinates();
-    }
-    return best;
-  }
-
-  // The corners of face f with respect to the whole of which it is a part.
-  const Part& part(Face_id f)
-  {
-    const auto it = m_part_of.find(f);
-    if(it != m_part_of.end())
-      return it->second;
-    m_parts[f].push_back(f);
-    return m_part_of[f] = Part{f, {Barycentric{1, 0, 0}, Barycentric{0, 1, 0}, Barycentric{0, 0, 1}}};
-  }
-
-  // where the corners of a face are in its layout.
+  // Returns the positions of the corners of a face in its layout.
   static std::array<Vector_2, 3> layout(const Face& f)
   {
     return {Vector_2{0, 0}, Vector_2{f.length[0], 0}, Vector_2{f.apex_x, f.apex_y}};
@@ -252,30 +138,23 @@ private:
 
   static Vector_2 negated(const Vector_2& a) { return Vector_2{FT(-a.x), FT(-a.y)}; }
 
-  // from corner k to the point with the coordinates b: accurate also where the point is near to it.
-  static Vector_2 from_corner(const std::array<Vector_2, 3>& p, const Barycentric& b, unsigned int k)
+  // Returns the vector from corner k to the point b. Its relative error stays small if the point is near the corner,
+  // as no positions are subtracted.
+  static Vector_2 from_corner(const std::array<Vector_2, 3>& p, const Coordinates& b, unsigned int k)
   {
     const unsigned int i = next_corner(k), j = previous_corner(k);
     const Vector_2 u = difference(p[i], p[k]), v = difference(p[j], p[k]);
     return Vector_2{FT(b[i] * u.x + b[j] * v.x), FT(b[i] * u.y + b[j] * v.y)};
   }
 
-  static Barycentric combination(const std::array<Barycentric, 3>& c, const Barycentric& b)
-  {
-    Barycentric r;
-    for(std::size_t i = 0; i < 3; ++i)
-      r[i] = b[0] * c[0][i] + b[1] * c[1][i] + b[2] * c[2][i];
-    return r;
-  }
-
-  // makes a face of a draft, in place of `f` or at the end if f is null_id; returns the halfedge that
-  // is side 0. Its opposites are not set.
+  // Makes a face of a draft, in the place of face f, or at the end if f is null_id; returns the halfedge that is side 0
+  // of the draft. The opposites are not set.
   Halfedge_id make_face(const Draft& draft, Face_id whole, Face_id f)
   {
     const unsigned int shift = static_cast<unsigned int>(
       std::min_element(draft.length.begin(), draft.length.end()) - draft.length.begin());
     Face face;
-    Part p;
+    Face_part<FT> p;
     p.whole = whole;
     for(unsigned int k = 0; k < 3; ++k)
     {
@@ -284,9 +163,27 @@ private:
       p.corner[k] = draft.corner[(k + shift) % 3];
       face.opposite[k] = null_id;
     }
+    set_apex_of(draft, shift, face);
+    if(f == null_id)
+    {
+      f = m_mesh.add_face(face);
+      m_parts.add(f, p);
+    }
+    else
+    {
+      m_mesh.face(f) = face;
+      m_parts.set(f, p);
+    }
+    return halfedge_of(f, (3 - shift) % 3);
+  }
+
+  // Sets the apex by the projection of the third side on the base, side `shift` of the draft.
+  static void set_apex_of(const Draft& draft, unsigned int shift, Face& face)
+  {
     const Vector_2& base = draft.side[shift];
     const Vector_2 apex = negated(draft.side[(shift + 2) % 3]);
-    const FT base_length = norm(base.x, base.y); // length[0] but for rounding, which would rescale the apex
+    // Equal to length[0] up to rounding. length[0] itself would rescale the apex by the difference.
+    const FT base_length = norm(base.x, base.y);
     if(base_length > 0)
     {
       face.apex_x = (base.x * apex.x + base.y * apex.y) / base_length;
@@ -297,15 +194,6 @@ private:
       face.apex_x = face.length[2];
       face.apex_y = 0;
     }
-    if(f == null_id)
-    {
-      f = m_mesh.add_face(face);
-      m_parts[whole].push_back(f);
-    }
-    else
-      m_mesh.face(f) = face;
-    m_part_of[f] = p;
-    return halfedge_of(f, (3 - shift) % 3);
   }
 
   void save(Face_id f) { m_saved.emplace_back(f, m_mesh.face(f)); }
@@ -318,15 +206,15 @@ private:
       m_mesh.face(face_of(b)).opposite[index_in_face(b)] = a;
   }
 
-  // An edge of a face that is replaced: what it was called, what it is called now.
+  // An edge that survives the replacement of its face: its old and new name, its opposite and its source.
   struct Kept_edge
   {
     Halfedge_id from, opposite, to;
     Vertex_id source;
   };
 
-  // links the edges that the new faces have from the old ones, and settles the new vertex. Both of two
-  // opposite edges are among the kept ones if the faces of both have been replaced.
+  // Links the kept edges of the new faces, and completes the new vertex v, which `leaving` leaves. If the faces of two
+  // opposite edges have both been replaced, both edges are among the kept ones.
   void finish_split(Vertex_id v, Halfedge_id leaving, const std::vector<Kept_edge>& kept,
                     Renaming renaming)
   {
@@ -352,9 +240,9 @@ private:
     mark_near_vertices(v);
   }
 
-  // The vertices around a source become pseudo-sources. Paths that graze them run through a gap between the
-  // windows on both sides, whose directions are known with the rounding of the edges around, relative to the
-  // distance of the source. A point very near to a vertex makes both degenerate, as an edge of the mesh would.
+  // Makes pseudo-sources of the vertices around a source. Paths that graze them run through a gap between the windows on
+  // both sides, whose directions err by the rounding of the edges around, relative to the distance of the source. A
+  // source very near to a vertex makes both degenerate, as an edge of the mesh with that length would.
   void mark_near_vertices(Vertex_id v)
   {
     m_mesh.for_each_halfedge_around(v, [this, v](Halfedge_id h)
@@ -379,7 +267,7 @@ private:
     m_mesh.set_kind(v, static_cast<unsigned char>(m_mesh.kind(v) | kind));
   }
 
-  // The halfedges in `from` are called like those in `to` at the same places.
+  // Replaces each halfedge from[i] that is stored for one of the vertices by to[i].
   void rename(const std::vector<Vertex_id>& vertices, const std::vector<Halfedge_id>& from,
               const std::vector<Halfedge_id>& to)
   {
@@ -391,12 +279,12 @@ private:
       });
   }
 
-  // splits a face at an inner point into three.
-  Vertex_id split_face(Face_id s, const Barycentric& b)
+  // Splits face s at the inner point b into three; returns the new vertex.
+  Vertex_id split_face(Face_id s, const Coordinates& b)
   {
-    const Part whole = part(s);
+    const Face_part<FT> whole = m_parts.part(s);
     const Face old = m_mesh.face(s);
-    const Barycentric where = combination(whole.corner, b);
+    const Coordinates where = combination(whole.corner, b);
     const std::array<Vector_2, 3> p = layout(old);
     std::array<Vector_2, 3> spoke; // from corner to point
     std::array<FT, 3> spoke_length;
@@ -405,7 +293,7 @@ private:
       spoke[k] = from_corner(p, b, k);
       spoke_length[k] = norm(spoke[k].x, spoke[k].y);
     }
-    save_with_neighbours(s);
+    save_with_neighbors(s);
     const Vertex_id v = m_mesh.add_flat_vertex(null_id);
     std::array<Halfedge_id, 3> made; // made[k] is the old edge k
     std::vector<Kept_edge> kept;
@@ -426,20 +314,20 @@ private:
     return v;
   }
 
-  // splits the edge h = (a, b) at wa a + wb b, and the faces on both sides. Both weights are given, as the
-  // smaller one has digits that its difference from 1 has not.
+  // Splits the edge h = (a, b) at wa a + wb b, and the faces on both sides; returns the new vertex. Both weights are
+  // given, as 1 minus the larger one would lose digits of the smaller one.
   Vertex_id split_edge(Halfedge_id h, const FT& wa, const FT& wb)
   {
     const Halfedge_id o = m_mesh.opposite(h);
     if(o != null_id && face_of(o) == face_of(h))
       return split_glued_edge(h, wa, wb);
-    save_with_neighbours(face_of(h));
+    save_with_neighbors(face_of(h));
     if(o != null_id)
-      save_with_neighbours(face_of(o));
+      save_with_neighbors(face_of(o));
     const FT length = m_mesh.length(h);
     const Vertex_id v = m_mesh.add_flat_vertex(null_id);
     std::vector<Kept_edge> kept;
-    // the halfedges that leave a and b along the split edge now lead to v
+    // The halfedges that leave a and b along the split edge now lead to v.
     Renaming renaming;
     renaming.vertices = {m_mesh.source(h), m_mesh.target(h)};
     const std::pair<Halfedge_id, Halfedge_id> first
@@ -459,36 +347,36 @@ private:
     return v;
   }
 
-  // splits an edge that has the same face on both sides: that face is split into three first.
+  // Splits an edge with the same face on both sides. First splits that face into three, so that the sides differ.
   Vertex_id split_glued_edge(Halfedge_id h, const FT& wa, const FT& wb)
   {
-    const Part whole = part(face_of(h));
+    const Face_part<FT> whole = m_parts.part(face_of(h));
     const unsigned int k = index_in_face(h);
-    Barycentric b;
+    Coordinates b;
     b[k] = wa;
     b[next_corner(k)] = wb;
     b[previous_corner(k)] = 0;
     const FT third = FT(1) / 3;
-    split_face(face_of(h), Barycentric{third, third, third});
+    split_face(face_of(h), Coordinates{third, third, third});
     return insert(whole.whole, combination(whole.corner, b));
   }
 
-  // splits the face of h = (a, b), with the third vertex c, at the point v = wa a + wb b; returns the
-  // halfedges (a, v) and (v, b). The edge (a, b) itself is not kept.
+  // Splits the face of h = (a, b), with the third vertex c, at the point v = wa a + wb b; returns the halfedges (a, v)
+  // and (v, b). The edge (a, b) is not among the kept ones.
   std::pair<Halfedge_id, Halfedge_id> split_side(Halfedge_id h, const FT& wa, const FT& wb,
                                                  const FT& length, Vertex_id v,
                                                  std::vector<Kept_edge>& kept)
   {
     const Face_id s = face_of(h);
     const unsigned int ka = index_in_face(h), kb = next_corner(ka), kc = previous_corner(ka);
-    const Part whole = part(s);
+    const Face_part<FT> whole = m_parts.part(s);
     const Face old = m_mesh.face(s);
     const std::array<Vector_2, 3> p = layout(old);
-    Barycentric b;
+    Coordinates b;
     b[ka] = wa;
     b[kb] = wb;
     b[kc] = 0;
-    const Barycentric where = combination(whole.corner, b);
+    const Coordinates where = combination(whole.corner, b);
     const Vector_2 ab = difference(p[kb], p[ka]), to_c = negated(from_corner(p, b, kc));
     const FT to_c_length = norm(to_c.x, to_c.y);
 
@@ -514,7 +402,7 @@ private:
     return {av, vb};
   }
 
-  void save_with_neighbours(Face_id s)
+  void save_with_neighbors(Face_id s)
   {
     save(s);
     for(const Halfedge_id o : m_mesh.face(s).opposite)
@@ -523,9 +411,8 @@ private:
   }
 
   Mesh& m_mesh;
-  std::size_t m_number_of_vertices, m_number_of_faces; // at first
-  std::unordered_map<Face_id, std::vector<Face_id>> m_parts;
-  std::unordered_map<Face_id, Part> m_part_of;
+  std::size_t m_number_of_vertices, m_number_of_faces; // of the first mesh
+  Face_parts<FT> m_parts;
   std::vector<std::pair<Face_id, Face>> m_saved; // in the order of the changes
   std::vector<Renaming> m_renamed;
   std::vector<std::pair<Vertex_id, unsigned char>> m_saved_kinds;

@@ -10,11 +10,11 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_VERTEX_DISTANCE_FIELD_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_VERTEX_DISTANCE_FIELD_H
 
-// What a propagation tells of the vertices: the distance, and how the shortest path arrives. That is
-// all that a path to a vertex can be traced back with; no windows are needed.
+// The result of a propagation at the vertices: the distance, and how the shortest path arrives. A path to a vertex can be
+// traced back from that; no windows are needed.
 //
-// The vertices that have been reached are listed, so that the results of a propagation that ended early
-// can be read, and removed, in time proportional to the area that it reached.
+// The field lists the vertices that have been reached. The results of a propagation that ended early can so be read,
+// and removed, in time proportional to the area that it reached.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 
@@ -26,10 +26,9 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// The last straight piece of the shortest path to a vertex: it comes from the vertex `root`, and
-// enters the vertex from the face of `halfedge`, which lies opposite to it, through the point
-// `abscissa` of that halfedge (measured from its source). For a source, `halfedge` is null_id and
-// `root` the vertex itself.
+// The last straight piece of the shortest path to a vertex: it comes from the vertex `root`, crosses `halfedge`, which is
+// opposite to the vertex in a face, at `abscissa` (measured from the source of the halfedge), and enters the vertex
+// through that face. For a source, `halfedge` is null_id and `root` is the vertex itself.
 template <typename FT>
 struct Vertex_arrival
 {
@@ -38,7 +37,7 @@ struct Vertex_arrival
   Vertex_id root = null_id;
 };
 
-// Where the image of the root is, in the frame of the halfedge of arrival: (x, -depth).
+// The image of the root in the frame of the halfedge of arrival: the point (x, -depth).
 template <typename FT>
 struct Arrival_image
 {
@@ -51,11 +50,12 @@ struct Vertex_distance_field
   std::vector<FT> distance;
   std::vector<Vertex_arrival<FT>> arrival;
   std::vector<Vertex_id> reached; // the vertices with a finite distance, each once
-  // Needed to trace paths only. A path that just grazes a vertex may bend where it crosses the edge, by an angle that
-  // changes no digit of the distance; so the image cannot be told from the abscissa of that point.
+  // By vertex, if keeps_images; needed to trace paths only. A path that grazes a vertex may bend where it crosses the
+  // edge, by an angle that changes no digit of the distance. So the abscissa does not determine the image.
   std::vector<Arrival_image<FT>> image;
   bool keeps_images = false;
 
+  // Sets all distances to infinity. Takes time linear in the number of vertices.
   void reset(std::size_t number_of_vertices)
   {
     image.assign(keeps_images ? number_of_vertices : 0, Arrival_image<FT>());
@@ -64,7 +64,7 @@ struct Vertex_distance_field
     reached.clear();
   }
 
-  // forgets what is known, in time proportional to that.
+  // Does the same in time proportional to the number of vertices that were reached.
   void restart(std::size_t number_of_vertices)
   {
     for(const Vertex_id v : reached)
@@ -80,6 +80,7 @@ struct Vertex_distance_field
     arrival.resize(number_of_vertices);
   }
 
+  // Requires: d is finite.
   void set_distance(Vertex_id v, const FT& d)
   {
     if(!(distance[v] < infinity()))
@@ -94,7 +95,8 @@ struct Vertex_distance_field
     return arrival[v].root == v && arrival[v].halfedge == null_id;
   }
 
-  // the source vertex from which the shortest path to v comes, or null_id.
+  // Returns the vertex of the source from which the shortest path to v comes, or null_id if v is not reached. Takes time
+  // linear in the number of vertices where the path bends.
   Vertex_id source_of(Vertex_id v) const
   {
     while(arrival[v].root != null_id && arrival[v].root != v)

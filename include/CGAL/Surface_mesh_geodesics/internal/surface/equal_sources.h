@@ -10,12 +10,12 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_EQUAL_SOURCES_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_EQUAL_SOURCES_H
 
-// Sources that are not the same, but so near to each other that all distances from them tie, as far as numbers tell.
-// Nobody knows where the curve between their cells is.
+// Sources at different points that are so near to each other that all distances from them tie up to rounding. The
+// bisector of two such sources cannot be computed, so one of them gets the whole cell.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 
 #include <cmath>
 #include <cstddef>
@@ -26,14 +26,16 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// calls visit(v, u) for each vertex v of a source that has an edge to the vertex u of an earlier one, and ties with it.
-// None of the vertices u is such a vertex v. (The extent of the mesh is about 1.)
+// Calls visit(v, u) for each source at a vertex v with an edge to the vertex u of an earlier source such that the two
+// tie: the length of the edge plus the difference of the offsets is at most Tolerance::tie(), relative to the extent of
+// the mesh, which is about 1. No vertex occurs both as a v and as a u, so ties do not form chains. Takes time linear in
+// the number of faces around the sources.
 template <typename FT, typename Visitor>
 void for_each_equal_source(const Intrinsic_mesh<FT>& mesh, const std::vector<Vertex_id>& vertex,
                            const std::vector<FT>& offset, Visitor visit)
 {
   using std::abs;
-  std::unordered_map<Vertex_id, FT> offset_of; // of the vertices u
+  std::unordered_map<Vertex_id, FT> offset_of; // of the vertices u so far
   for(std::size_t i = 0; i < vertex.size(); ++i)
   {
     const Vertex_id v = vertex[i];

@@ -10,12 +10,11 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_EDGE_WINDOW_FIELD_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_EDGE_WINDOW_FIELD_H
 
-// The windows that a propagation has carried across each halfedge, kept for queries at any point of
-// the surface. A window that has been propagated was redundant nowhere as far as was known then; what
-// has been dominated later costs memory only.
+// The windows that a propagation has carried across each halfedge, kept for queries at any point of the surface.
 //
-// A kept window does not remember the distance of its pseudo-source, which may have shrunk since: the
-// final one gives a path that exists as well, and is not longer.
+// No rule had found these windows redundant when they were propagated. Windows that have been dominated since cost memory
+// only. A kept window does not store the distance of its pseudo-source, which may have shrunk since: the final distance
+// belongs to a path that exists as well and is not longer.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Window.h>
@@ -31,6 +30,7 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
+// The part of a window that is kept, in the frame of its halfedge (Window.h).
 template <typename FT>
 struct Kept_window
 {
@@ -39,6 +39,7 @@ struct Kept_window
   Vertex_id root;
 };
 
+// Batches of windows, and for each halfedge the chain of its batches, the latest first. Windows are never removed.
 template <typename FT_>
 class Edge_window_field
 {
@@ -54,7 +55,7 @@ public:
     m_chunk_size = 0;
   }
 
-  // is called by the propagation with each list that it carries across h.
+  // Keeps the windows of a list that a propagation carries across h.
   void keep(Halfedge_id h, const Window_list<FT>& list)
   {
     std::size_t done = 0;
@@ -80,7 +81,7 @@ public:
     }
   }
 
-  // calls visit(window) for all windows of h.
+  // Calls visit(window) for all windows of h, the lists in the reverse order of their coming.
   template <typename Visitor>
   void for_each_window(Halfedge_id h, Visitor visit) const
   {
@@ -112,7 +113,7 @@ private:
   std::vector<std::uint32_t> m_last_batch;
 };
 
-// Lets a propagation keep its windows in a field.
+// The keeper of a propagation whose windows go into a field.
 template <typename FT>
 class Window_keeper
 {
@@ -126,7 +127,7 @@ private:
   Edge_window_field<FT>* m_field;
 };
 
-// For a propagation whose windows are not needed any more.
+// The keeper of a propagation that keeps no windows.
 struct No_window_keeper
 {
   template <typename List>

@@ -10,11 +10,11 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_FACE_WINDOWS_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_FACE_WINDOWS_H
 
-// Windows that are kept for the face that they have entered, by the halfedge across which they came. Those of
-// a halfedge can be given back, and their memory is used again.
+// Windows that are kept for the face that they have entered, by the halfedge across which they came. The windows of a
+// halfedge can be released, and their memory is used again.
 //
-// Windows lie in chunks. How chunks hang together is written in a place of its own, which is small enough for the
-// caches: on large meshes, a chunk that is used again is in none.
+// Windows lie in chunks of a few. The links between chunks are stored apart from them and are small enough for the caches:
+// on large meshes, a chunk that is reused is in no cache.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 
@@ -29,7 +29,7 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// What remains of a window when it has been propagated (in the frame of its halfedge, see Window.h).
+// The part of a window that is kept, in the frame of its halfedge (Window.h).
 template <typename FT>
 struct Face_window
 {
@@ -56,7 +56,7 @@ public:
     add(h, 1, [&](std::size_t) { return w; });
   }
 
-  // adds window(i) for i < n.
+  // Adds window(i) for i = 0 .. n-1.
   template <typename Window_at>
   void add(Halfedge_id h, std::size_t n, Window_at window)
   {
@@ -65,17 +65,17 @@ public:
     {
       if(last == null_id || m_links[last].number % Chunk::capacity == 0)
         add_chunk(last);
-      std::uint32_t place = m_links[last].number % Chunk::capacity;
-      const std::size_t end = (std::min)(n, i + (Chunk::capacity - place));
+      std::uint32_t position = m_links[last].number % Chunk::capacity;
+      const std::size_t end = (std::min)(n, i + (Chunk::capacity - position));
       m_links[last].number += static_cast<std::uint32_t>(end - i);
       for(Chunk& chunk = m_chunks[last]; i < end; ++i)
-        chunk.put(place++, window(i));
+        chunk.put(position++, window(i));
     }
     m_size += n;
     m_maximum_size = (std::max)(m_maximum_size, m_size);
   }
 
-  // gives the windows of h back, in constant time.
+  // Releases the windows of h, in constant time.
   void release(Halfedge_id h)
   {
     std::uint32_t& last = m_last_chunk[dense_index(h)];
@@ -86,7 +86,7 @@ public:
     last = null_id;
   }
 
-  // calls visit(window) for the windows of h, in the order in which they were added.
+  // Calls visit(window) for the windows of h, in the order in which they were added.
   template <typename Visitor>
   void for_each(Halfedge_id h, Visitor visit) const
   {
@@ -103,7 +103,7 @@ public:
     }
   }
 
-  // how many windows there are, and have been at most at a time.
+  // The number of windows, and its maximum since reset().
   std::size_t size() const { return m_size; }
   std::size_t maximum_size() const { return m_maximum_size; }
 
@@ -114,33 +114,33 @@ public:
   }
 
 private:
-  // Some windows of a halfedge.
+  // A few windows of one halfedge.
   struct Chunk
   {
     static constexpr std::uint32_t capacity = 6;
     std::array<Vertex_id, capacity> root;
-    std::array<std::array<FT, 4>, capacity> place;
+    std::array<std::array<FT, 4>, capacity> numbers;
 
     Face_window<FT> get(std::uint32_t i) const
     {
-      return Face_window<FT>{place[i][0], place[i][1], place[i][2], place[i][3], root[i]};
+      return Face_window<FT>{numbers[i][0], numbers[i][1], numbers[i][2], numbers[i][3], root[i]};
     }
 
     void put(std::uint32_t i, const Face_window<FT>& w)
     {
       root[i] = w.root;
-      place[i] = {w.begin, w.end, w.image_x, w.image_depth};
+      numbers[i] = {w.begin, w.end, w.image_x, w.image_depth};
     }
   };
 
-  // The chunks of a halfedge are a ring, from the first one to the last one, in which there may be room.
+  // The chunks of a halfedge form a ring: the last one, which may have room left, is followed by the first one.
   struct Link
   {
-    std::uint32_t number; // of the windows in the chunk and in those before it
+    std::uint32_t number; // of windows in this chunk and in those before it
     std::uint32_t next;
   };
 
-  // puts an empty chunk behind the last one.
+  // Puts an empty chunk behind the last one.
   void add_chunk(std::uint32_t& last)
   {
     const std::uint32_t c = new_chunk();
@@ -169,7 +169,7 @@ private:
   std::vector<std::uint32_t> m_last_chunk; // by halfedge
   std::vector<Chunk> m_chunks;
   std::vector<Link> m_links; // by chunk
-  std::uint32_t m_first_free = null_id; // of the chunks that are free, each of which knows the next one
+  std::uint32_t m_first_free = null_id; // the free chunks form a list along their links
   std::size_t m_size = 0, m_maximum_size = 0;
 };
 

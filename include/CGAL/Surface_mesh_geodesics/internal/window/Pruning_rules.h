@@ -10,12 +10,14 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_PRUNING_RULES_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_PRUNING_RULES_H
 
+// Which pruning rules a propagation applies. Tests switch them off.
+
 namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// The rules that a propagation applies, as a policy. Each of them only saves work: the tests switch
-// them off one by one and demand the same distances. Without any rule no window ever ends.
+// All rules: the policy of every propagation but those of tests. Each rule only saves work: without it the distances are
+// the same. Without any rule no propagation ends.
 struct All_pruning_rules
 {
   static constexpr bool rule_1 = true;      // one angle, two sides (thesis, 4.2.3.1)

@@ -10,29 +10,26 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_WINDOW_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_WINDOW_H
 
-// The window (thesis, 3.3.1): the straight paths from one pseudo-source that cross one sequence of
-// edges and end in one interval of the last of them, AB.
+// A window (thesis, 3.3.1): the straight paths from one pseudo-source that cross one sequence of edges and end in one
+// interval of the last of them, AB.
 //
-// Frame. A window belongs to the halfedge AB of the face ABC that it is about to enter. A is the
-// origin, AB the positive x axis, C lies above. The image of the pseudo-source, unfolded into the
-// plane of ABC along the edge sequence, lies below, at (image_x, -image_depth) with
-// image_depth > 0. Looking from the image across AB, A is on the left and B on the right.
+// Frame. A window belongs to the halfedge AB of the face ABC that it is about to enter. A is the origin, AB the positive
+// x axis, C lies above. The image of the pseudo-source, unfolded into the plane of ABC along the edge sequence, lies
+// below, at (image_x, -image_depth). Looking from the image across AB, A is on the left and B on the right.
 //
-// Order. The key tells where the edge sequence of a window runs with respect to those of the other
-// windows on AB: it holds the last 64 turns (0 = the window left the face before across its left
-// edge, 1 = right), the latest turn in the highest bit, followed by a single 1 where the sequence
-// begins at its pseudo-source. Take two windows on AB whose keys differ. Their edge sequences agree
-// back to some face, which they enter across different edges, or in which one of them begins at the
-// vertex that these edges share: the smaller key comes from the left. Beyond that face both run
-// through the same triangles, which unfold to a disk. So if a path of the window with the smaller
-// key ends on the right of a path of the other, the two really cross, in that disk. This is what
-// every pruning of pairs needs to know, and the key is the only place where it is known: the
-// positions of images or intervals do not tell it.
+// Order. The key tells where the edge sequence of a window runs relative to those of the other windows on AB. It holds
+// the last 64 turns (0: the window left the previous face across its left edge, 1: across its right edge), the latest
+// turn in the highest bit, followed by a single 1 where the sequence begins at its pseudo-source. Take two windows on AB
+// with different keys. Their edge sequences agree back to some face, which they enter across different edges, or in
+// which one of them begins at the vertex that these edges share: the smaller key comes from the left. Beyond that face
+// both run through the same triangles, which unfold to a disk. So if a path of the window with the smaller key ends on
+// the right of a path of the other window, the two paths really cross, in that disk. Every pruning of pairs needs this
+// fact, and only the key tells it: the positions of images or intervals do not.
 //
-// Windows with equal keys have edge sequences that agree for 64 faces. Lists are split and joined
-// without changing the order of such windows, so it is still known; only where lists are merged that
-// came to an edge at different times may it be lost. The windows that came later are marked then, and
-// so are their children: no rule is applied to two windows of equal keys one of which is marked.
+// Windows with equal keys have edge sequences that agree for 64 faces. Splitting and joining lists keeps the order of
+// such windows, so it is still known. It may be lost only where lists are merged that came to an edge at different times.
+// The windows that came later are marked then, and so are their children: no rule is applied to two windows of equal keys
+// if one of them is marked.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
@@ -52,19 +49,29 @@ enum Turn : unsigned int { LEFT_TURN = 0, RIGHT_TURN = 1 };
 // The key of an edge sequence that begins at its pseudo-source.
 constexpr Window_key initial_window_key = Window_key(1) << 63;
 
-// The root of a window and its number of steps (see below), in the lower and the higher half.
+// The root of a window in the lower half, and its number of steps (Window::steps) in the higher half.
 using Window_history = std::uint64_t;
 
 constexpr Window_history one_step = Window_history(1) << 32;
 
-// Invariants: 0 <= begin < end <= |AB|; image_depth > 0; begin_distance and end_distance are the
-// distances at the ends of the interval, root_distance the distance of the pseudo-source.
+// A window as the functions for single windows see it; Window_columns has the same fields for lists.
+//
+// begin_distance and end_distance are the distances at the ends of the interval, root_distance is the distance of the
+// pseudo-source, root its vertex. Up to rounding, begin_distance == distance_at(begin), and so at the end.
+//
+// Invariants; is_valid() checks them:
+// - 0 <= begin < end <= |AB|. Holds for new windows, in stored lists, and after Window_list_crossing::prune(). Trimming a
+//   list against neighbors from both sides may break begin < end; prune() removes such windows before it returns.
+// - image_depth >= 0. New windows have a positive depth (Tolerance::depth()). The image of a child may come to lie on its
+//   edge by rounding: then the depth is 0, and is_too_close_to_trim() keeps rules away that divide by it.
+// - 0 <= root_distance <= begin_distance, end_distance < infinity.
+// Windows behind the end of a list, which loops over lanes read and write, satisfy none of this.
 template <typename FT>
 struct Window : one_lane::Window_numbers<FT>
 {
   Window_key key;
   Vertex_id root;
-  std::uint32_t steps; // twice the number of faces crossed, plus 1 if marked (see above)
+  std::uint32_t steps; // twice the number of faces crossed, plus 1 if marked
 
   std::uint32_t number_of_faces_crossed() const { return steps / 2; }
   bool is_marked() const { return (steps & 1) != 0; }
@@ -79,8 +86,8 @@ struct Window : one_lane::Window_numbers<FT>
   }
 };
 
-// The steps to keep for a list: a number of crossings that is not less than that of any of its windows,
-// and a mark if one of them may be marked.
+// The steps of a list from those of two parts: at least the number of faces that each window has crossed, and a mark if one
+// of them may be marked.
 constexpr std::uint32_t joined_steps(std::uint32_t a, std::uint32_t b)
 {
   return (a < b ? b : a) | ((a | b) & 1);
@@ -96,8 +103,8 @@ bool is_valid(const Window<FT>& w, const FT& length)
       && w.end_distance < infinity && w.key != 0 && w.root != null_id;
 }
 
-// Is the image so near to its interval on an edge of the given length that rounding of the ends of the
-// interval would turn the paths? It is where a pseudo-source lies on the edge: in front of a flat face.
+// Is the image so near to its interval, on an edge of the given length, that rounding of the ends of the interval would
+// turn the rays? This happens where a pseudo-source lies on the edge, in front of a flat face.
 template <typename FT>
 bool is_too_close_to_trim(const Window<FT>& w, const FT& length)
 {
@@ -105,7 +112,7 @@ bool is_too_close_to_trim(const Window<FT>& w, const FT& length)
       && w.minimum_distance() - w.root_distance <= Tolerance<FT>::closeness() * length;
 }
 
-// is the place of two windows of one edge with respect to each other not known?
+// Is the order of two windows of one edge unknown? The answer does not depend on the order of the arguments.
 template <typename FT>
 bool is_order_unknown(const Window<FT>& a, const Window<FT>& b)
 {

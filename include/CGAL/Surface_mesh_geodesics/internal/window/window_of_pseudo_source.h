@@ -10,7 +10,7 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_WINDOW_OF_PSEUDO_SOURCE_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_WINDOW_OF_PSEUDO_SOURCE_H
 
-// The windows that start at a pseudo-source. How windows go on is told in lanes/window_splitting.h.
+// The windows that start at a pseudo-source. lanes/window_splitting.h makes their children.
 
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Window.h>
@@ -23,9 +23,10 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// The window on the whole edge e of the face in front of a pseudo-source v, where `c` is the
-// crossing of the halfedge opposite to v, which has v as its apex. It belongs to the opposite
-// halfedge, which runs from c.target to c.origin.
+// Sets w to the window on the whole edge opposite to a pseudo-source in one face. `c` is the frame of that edge with the
+// pseudo-source as its apex; the window belongs to the opposite halfedge, which runs from c.target to c.origin.
+// A pseudo-source on the line of the edge gets an image of a small positive depth, Tolerance::depth().
+// Requires: root_distance <= target_distance, origin_distance, the distances of the ends of the edge along the window.
 template <typename FT>
 void window_of_pseudo_source(const Face_frame<FT>& c, const FT& root_distance,
                              const FT& target_distance, const FT& origin_distance, Window<FT>& w)

@@ -10,8 +10,11 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_WINDOW_PRUNING_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_WINDOW_PRUNING_H
 
-// What makes a window, or a part of its interval, redundant: no shortest path runs through it, or one
-// of the same length runs elsewhere. See the manual, Implementation Details, for the proofs.
+// The rules that prune single windows. A window, or a part of its interval, is redundant if no shortest path runs through
+// it, or if a path of the same length runs elsewhere. The manual (Implementation Details) has the proofs.
+//
+// The rules that also run over whole lists are written in lanes/lane_pruning.h, for any number of lanes; the functions here
+// call their one-lane instances.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Vertex_rival.h>
@@ -32,17 +35,25 @@ bool is_beaten_by_vertices(const Window<FT>& w, const FT& length, const Vertex_r
 
 enum class Pair_outcome { KEEP_BOTH, LEFT_IS_REDUNDANT, RIGHT_IS_REDUNDANT };
 
-// Rule 3 of the pairs (thesis, cases 3 and 6): the window `left`, whose key is smaller, has its whole
-// interval on the right of that of `right`. Then each path of one crosses each path of the other, and
-// whichever is nearer at the crossing u of the two innermost ones is nearer at all.
+// Rule 3 of the pairs (thesis, cases 3 and 6): the interval of `left`, whose key is smaller, lies wholly on the right of
+// that of `right`. Then each path of one crosses each path of the other, and the window that is nearer at the crossing U
+// of the two innermost paths is nearer everywhere.
+//
+// Formula. At the height -h below AB, the path to left.begin is at left.begin + h * left_slope and the path to right.end
+// at right.end + h * right_slope. They meet at h = (left.begin - right.end) / (right_slope - left_slope). From the edge
+// back to U, a distance shrinks by its straight part in proportion to h.
+// This rule has no text for lanes: pairs of this kind are rare, and lists leave them undecided.
+//
+// Ties, and paths that do not cross below the edge (which contradicts the order, by rounding), keep both windows. Error
+// bound: rounding of the slopes makes the two points differ by 5 u of the straight parts, and each distance there errs by
+// 8 u, so that the decision is right if the distances differ by 26 u = 13 unit_roundoff() of the longer one.
 template <typename FT>
 Pair_outcome prune_crossed_windows(const Window<FT>& left, const Window<FT>& right)
 {
-  // Where the paths are at height -h: left.begin + h * left_slope and right.end + h * right_slope.
   const FT left_slope = (left.image_x - left.begin) / left.image_depth;
   const FT right_slope = (right.image_x - right.end) / right.image_depth;
   const FT approach = right_slope - left_slope;
-  if(!(approach > 0)) // contradicts the order: rounding, so nothing is known
+  if(!(approach > 0))
     return Pair_outcome::KEEP_BOTH;
   const FT h = (left.begin - right.end) / approach;
   const FT at_left = left.begin_distance

@@ -7,10 +7,10 @@
 //
 // Author(s)     : The Surface_mesh_geodesics authors
 
-#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_AVAILABLE_TAG_H
-#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_AVAILABLE_TAG_H
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_AVAILABLE_TAG_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_AVAILABLE_TAG_H
 
-// What a concurrency tag of the user means in this compilation.
+// Maps a concurrency tag of the user to what this compilation offers: Parallel_tag needs TBB.
 
 #include <CGAL/tags.h>
 
@@ -38,4 +38,4 @@ struct Available_tag
 } // namespace Surface_mesh_geodesics
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_AVAILABLE_TAG_H
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_AVAILABLE_TAG_H

@@ -7,16 +7,17 @@
 //
 // Author(s)     : The Surface_mesh_geodesics authors
 
-#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_PLACE_IN_PART_H
-#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_PLACE_IN_PART_H
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_LOCATION_IN_PART_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_LOCATION_IN_PART_H
 
-// Where a point of a face is in a triangle that is a part of the face. Points and corners are given by their
-// coordinates in the face; those in the part are looked for, and how much of each may be rounding.
+// The location of a point of a face in a triangle that is a part of the face. The point and the corners of the part are
+// given by barycentric coordinates in the face; the class computes the coordinates in the part, and a bound on the
+// rounding error of each.
 //
-// Parts may be narrow: between points on a line they have the width of rounding. There the coordinates are not well
-// known, but the point that they describe has to be the one that is given. So they are improved by the coordinates of
-// what is left of the difference; and a point that may be on an edge is put at the nearest point of that edge, instead
-// of dropping a coordinate, which would move it along the part.
+// Parts may be narrow: between points on a line they are as wide as rounding makes them. The coordinates are uncertain
+// then, but the point that they describe must be the given one. So one step of iterative refinement adds the
+// coordinates of the residual; and a point that may be on an edge moves to the nearest point of that edge. Dropping a
+// coordinate instead would move it along the part.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
 
@@ -30,14 +31,14 @@ namespace Surface_mesh_geodesics {
 namespace internal {
 
 template <typename FT>
-class Place_in_part
+class Location_in_part
 {
 public:
   using Barycentric = std::array<FT, 3>;
 
-  // Two corners may be very near to each other. Then all is measured from one of them, without its largest coordinate:
-  // the differences of the others are accurate relative to the distance of the two.
-  Place_in_part(const std::array<Barycentric, 3>& corner, const Barycentric& point)
+  // Measures from a corner of the shortest side and leaves out the largest coordinate of that corner. If two corners are
+  // very near to each other, differences of the other coordinates are accurate relative to the distance of the two.
+  Location_in_part(const std::array<Barycentric, 3>& corner, const Barycentric& point)
   {
     using std::abs;
     for(unsigned int i = 1; i < 3; ++i)
@@ -53,7 +54,7 @@ public:
     const FT area = cross(u, v);
     if(area == 0)
       return;
-    m_exists = true;
+    m_has_area = true;
     FT s = cross(m_point, v) / area, t = cross(u, m_point) / area;
     const Difference rest{FT(m_point.x - s * u.x - t * v.x), FT(m_point.y - s * u.y - t * v.y), FT(0), FT(0)};
     s += cross(rest, v) / area;
@@ -66,17 +67,19 @@ public:
     m_rounding[m_first] = m_rounding[i] + m_rounding[j];
   }
 
-  // false if the part has no area, or if its width is rounding: then the coordinates mean nothing.
-  bool is_known() const { return m_exists && rounding() < FT(1) / 4; }
+  // Returns whether the coordinates mean anything: the part has an area, and no coordinate is uncertain by
+  // largest_rounding or more, as it is if rounding makes up the width of the part.
+  bool is_known() const { return m_has_area && rounding() < largest_rounding(); }
 
   const Barycentric& coordinates() const { return m_coordinates; }
 
-  // the largest part of a coordinate that may be rounding.
+  // Returns the largest of the error bounds of the coordinates: Tolerance::placement() times the magnitudes of the
+  // terms of the cross products, over the area. The rounding of the products themselves is not included.
   FT rounding() const { return *std::max_element(m_rounding.begin(), m_rounding.end()); }
 
   FT least_coordinate() const { return *std::min_element(m_coordinates.begin(), m_coordinates.end()); }
 
-  // puts the point on the edge or the corner where it may be.
+  // Moves the point to the edge or the corner on which it may be, given the error bounds. Requires: is_known().
   void snap()
   {
     using std::abs;
@@ -95,7 +98,10 @@ public:
   }
 
 private:
-  // Two coordinates relative to the first corner, and what rounding may have made of them.
+  // A quarter: with an error of at most that, the largest of the three coordinates, at least 1/3, is not zero.
+  static FT largest_rounding() { return FT(1) / 4; }
+
+  // Two coordinates relative to the first corner, and bounds on their rounding errors.
   struct Difference
   {
     FT x, y, rounding_of_x, rounding_of_y;
@@ -119,7 +125,8 @@ private:
          + abs(u.y) * v.rounding_of_x;
   }
 
-  // the place between corner i and corner j that is nearest to the point.
+  // Returns the fraction of the side from corner i to corner j at which the line is nearest to the point; 0 if the side
+  // has no length.
   FT parameter_on_edge(unsigned int i, unsigned int j) const
   {
     const FT x = m_corner[j].x - m_corner[i].x, y = m_corner[j].y - m_corner[i].y, square = x * x + y * y;
@@ -133,7 +140,7 @@ private:
   }
 
   unsigned int m_first = 0, m_without = 0;
-  bool m_exists = false;
+  bool m_has_area = false;
   std::array<Difference, 3> m_corner;
   Difference m_point;
   Barycentric m_coordinates{}, m_rounding{};
@@ -143,4 +150,4 @@ private:
 } // namespace Surface_mesh_geodesics
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_PLACE_IN_PART_H
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_LOCATION_IN_PART_H

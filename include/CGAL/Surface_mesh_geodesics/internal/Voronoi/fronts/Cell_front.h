@@ -7,12 +7,14 @@
 //
 // Author(s)     : The Surface_mesh_geodesics authors
 
-#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_CELL_FRONT_H
-#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_CELL_FRONT_H
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_FRONTS_CELL_FRONT_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_FRONTS_CELL_FRONT_H
 
-// The curves between cells in a face while they are traced: where they begin on the border, and how far they have come.
+// A front: the growing end of the curve between two cells in a face. It starts at a breakpoint of the border, or at a
+// vertex of the diagram inside, and advances into the face until it meets the cell of a third site or another front.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Weighted_bisector.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
 
@@ -26,8 +28,8 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// A breakpoint of the border, where the cell of `right` begins and that of `left` ends if the border is
-// followed counterclockwise.
+// A breakpoint as one face sees it: walking counterclockwise along the border of the face, the cell of `left` ends at p
+// and that of `right` begins. (So `left` is on the left of a front that starts here.)
 template <typename FT>
 struct Border_breakpoint
 {
@@ -35,7 +37,8 @@ struct Border_breakpoint
   Vertex_id left, right;
 };
 
-// A piece of the way of a front.
+// A part of the way of a front along which one image of each of the two sites is nearest. It starts where the piece
+// before ends.
 template <typename FT>
 struct Front_piece
 {
@@ -43,33 +46,34 @@ struct Front_piece
   Planar_point<FT> end;
 };
 
-// Why a front ends: at the cell of a third site, where it leaves what it is traced in, or because numbers do not tell
-// how it goes on.
+// Why a trace ends: SITE, it meets the cell of a third site; OUTSIDE, it leaves the face or the half-plane that it is
+// traced in; LOST, rounding does not tell how it goes on.
 enum class Front_stop { NOT_TRACED, SITE, OUTSIDE, LOST };
 
-// The way of the curve between two cells from a point of the face on, as far as it has been traced.
+// The curve between two cells from a node of the partition on, as far as it has been traced.
 template <typename FT>
 struct Cell_front
 {
   using Point = Planar_point<FT>;
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
-  Vertex_id left, right; // the sites
-  Point p;               // where it begins, which is a node of the partition
-  std::size_t node;
-  // how it goes on, if it has been traced
+  Vertex_id left, right; // the sites on its two sides
+  Point p;               // where it starts
+  std::size_t node;      // the node of the partition at p
+
+  // The result of the last trace.
   Front_stop stop = Front_stop::NOT_TRACED;
   std::vector<Front_piece<FT>> pieces;
   Point end;
-  Vertex_id third = null_id;                       // which it meets
-  std::size_t left_image = none, right_image = none; // the images at the end
-  std::size_t third_image = none;
+  Vertex_id third = null_id; // the site whose cell it meets
+  // The indices of the images at the end; larger than all images where the path bends at the end of an interval.
+  std::size_t left_image = none, right_image = none, third_image = none;
 
   Cell_front(Vertex_id left_site, Vertex_id right_site, const Point& start, std::size_t start_node)
     : left(left_site), right(right_site), p(start), node(start_node)
   {}
 
-  // how many pieces lead to the end of a piece that is nearest to q, and how far that is from q.
+  // Returns the number of pieces up to the end of a piece (or the start) that is nearest to q, and its distance from q.
   std::pair<std::size_t, FT> nearest_end(const Point& q) const
   {
     std::pair<std::size_t, FT> nearest(0, distance(p, q));
@@ -82,13 +86,13 @@ struct Cell_front
     return nearest;
   }
 
-  // how far q is from the nearest end of a piece, zero if the front leads through q.
+  // Returns the distance of q from the nearest end of a piece, zero if a piece leads through q.
   FT distance_from(const Point& q) const
   {
     return piece_through(q) != none ? FT(0) : nearest_end(q).second;
   }
 
-  // the piece of the way that leads through v, `none` if there is none.
+  // Returns the index of the piece that leads through v, up to rounding; `none` if no piece does.
   std::size_t piece_through(const Point& v) const
   {
     using std::abs;
@@ -108,8 +112,8 @@ struct Cell_front
     return none;
   }
 
-  // Where two sources nearly tie, a front may have met a third cell behind the vertex v: it ends where it passes v.
-  // Returns whether it does.
+  // Ends the front at v if a piece leads through v, and returns whether it does. (Where two sites nearly tie, a trace may
+  // have met a third cell behind the vertex v.)
   bool cut_at(const Point& v)
   {
     const std::size_t i = piece_through(v);
@@ -117,7 +121,7 @@ struct Cell_front
       return false;
     pieces.resize(i + 1);
     pieces.back().end = v;
-    stop = Front_stop::OUTSIDE; // and is not lost
+    stop = Front_stop::OUTSIDE; // the way is known up to v, so that the front is not lost
     return true;
   }
 };
@@ -126,4 +130,4 @@ struct Cell_front
 } // namespace Surface_mesh_geodesics
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_CELL_FRONT_H
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_FRONTS_CELL_FRONT_H

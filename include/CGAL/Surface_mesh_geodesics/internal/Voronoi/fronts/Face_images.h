@@ -1,0 +1,164 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_FRONTS_FACE_IMAGES_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_FRONTS_FACE_IMAGES_H
+
+// The site images of a face together with the shape of the face: which image of a site is nearest to a point, and what
+// rounding means for lengths in this face.
+
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Site_image.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Weighted_bisector.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+template <typename FT_>
+class Face_images
+{
+public:
+  using FT = FT_;
+  using Point = Planar_point<FT>;
+  using Image = Site_image<FT>;
+  static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
+
+  // Starts a face, given its corners in counterclockwise order. Then images are added.
+  void start(const std::array<Point, 3>& corner)
+  {
+    m_images.clear();
+    m_cones.clear();
+    for(unsigned int k = 0; k < 3; ++k)
+      m_side[k] = Half_plane<FT>::left_of(corner[k], corner[(k + 1) % 3]);
+    m_size = (std::max)({distance(corner[0], corner[1]), distance(corner[1], corner[2]),
+                         distance(corner[2], corner[0])});
+    m_has_no_height = is_without_height<FT>(m_side[0](corner[2]) * distance(corner[0], corner[1]), m_size);
+  }
+
+  void add(const Image& image)
+  {
+    m_images.push_back(image);
+    m_cones.add(image);
+  }
+
+  std::size_t number() const { return m_images.size(); }
+  const Image& operator[](std::size_t i) const { return m_images[i]; }
+  const std::vector<Image>& all() const { return m_images; }
+  const Cone_columns<FT>& cones() const { return m_cones; }
+
+  // The three half-planes whose intersection is the face.
+  const std::array<Half_plane<FT>, 3>& sides() const { return m_side; }
+
+  // The longest side.
+  const FT& size() const { return m_size; }
+
+  // Whether the corners are on one line up to rounding. Then curves are known on the border only.
+  bool has_no_height() const { return m_has_no_height; }
+
+  // Shorter distances in the face come from rounding.
+  FT width() const { return Tolerance<FT>::interval() * m_size; }
+
+  // The precision of a point where a curve touches a line.
+  FT touching() const { return Tolerance<FT>::touching() * m_size; }
+
+  // Ends of curves that are closer to each other may be meant to be one point.
+  FT joining_distance() const { return Tolerance<FT>::near_end() * m_size; }
+
+  bool is_in_face(const Point& p) const
+  {
+    return std::all_of(m_side.begin(), m_side.end(), [&](const Half_plane<FT>& h) { return h(p) >= -width(); });
+  }
+
+  // Returns the image of a site that is nearest to p, `none` if the site has no image. If images tie, one that sees p is
+  // preferred; of these the nearest one, and of equal ones the lowest index.
+  std::size_t nearest_of(Vertex_id site, const Point& p) const
+  {
+    std::size_t best = none, best_seeing = none;
+    FT best_distance = std::numeric_limits<FT>::infinity(), best_seen = best_distance;
+    for(std::size_t i = 0; i < m_images.size(); ++i)
+    {
+      const Image& image = m_images[i];
+      if(image.site != site)
+        continue;
+      const bool sees = image.sees(p, width());
+      const FT d = sees ? image.point.distance_to(p) : image.distance_to(p);
+      if(d < best_distance)
+      {
+        best = i;
+        best_distance = d;
+      }
+      if(sees && d < best_seen)
+      {
+        best_seeing = i;
+        best_seen = d;
+      }
+    }
+    const bool is_tie = best_seen <= best_distance + best_distance * Tolerance<FT>::tie();
+    return best_seeing != none && is_tie ? best_seeing : best;
+  }
+
+  // Returns the images of a site that tie with its nearest one at p, in ascending order.
+  std::vector<std::size_t> tied_images(Vertex_id site, const Point& p) const
+  {
+    std::vector<std::size_t> result;
+    FT smallest = std::numeric_limits<FT>::infinity();
+    for(const Image& image : m_images)
+      if(image.site == site)
+        smallest = (std::min)(smallest, image.distance_to(p));
+    for(std::size_t i = 0; i < m_images.size(); ++i)
+      if(m_images[i].site == site && m_images[i].distance_to(p) <= smallest + Tolerance<FT>::tie() * smallest)
+        result.push_back(i);
+    return result;
+  }
+
+  // Returns the distance of p from a site by its images, infinity if it has none.
+  FT distance_from(Vertex_id site, const Point& p) const
+  {
+    const std::size_t i = nearest_of(site, p);
+    return i != none ? m_images[i].distance_to(p) : std::numeric_limits<FT>::infinity();
+  }
+
+  // Returns the point that the shortest paths by an image to p come from straight: the image, or the end of its interval.
+  Additively_weighted_point<FT> point_towards(const Image& image, const Point& p) const
+  {
+    return image.sees(p, width()) ? image.point : bend(image, p).point;
+  }
+
+  // Returns the image of paths that bend at the end of the interval nearer to p. Requires: image.has_cone.
+  static Image bend(const Image& image, const Point& p)
+  {
+    Image result;
+    const Point& q = image.left(p) < image.right(p) ? image.left_end : image.right_end;
+    result.point = Additively_weighted_point<FT>{q.x, q.y, image.point.distance_to(q)};
+    result.site = image.site;
+    return result;
+  }
+
+private:
+  std::array<Half_plane<FT>, 3> m_side;
+  FT m_size = 0;
+  bool m_has_no_height = false;
+  std::vector<Image> m_images;
+  Cone_columns<FT> m_cones; // of m_images
+};
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_FRONTS_FACE_IMAGES_H

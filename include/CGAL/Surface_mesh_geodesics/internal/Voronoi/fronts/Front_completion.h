@@ -1,0 +1,162 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_FRONTS_FRONT_COMPLETION_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_FRONTS_FRONT_COMPLETION_H
+
+// Leads a front to the point where it is known to end: the start of another front, or a vertex.
+//
+// Traces end close to that point, up to rounding. Where they do not (two sites tie in a region, or many images tie), the
+// rest is drawn as segments, each of them with images that really are the nearest ones along it.
+
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/fronts/Cell_front.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/fronts/Face_images.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Weighted_bisector.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+// Refers to the images of a face.
+template <typename FT_>
+class Front_completion
+{
+public:
+  using FT = FT_;
+  using Point = Planar_point<FT>;
+  using Front = Cell_front<FT>;
+  using Piece = Front_piece<FT>;
+
+  explicit Front_completion(const Face_images<FT>& images) : m_images(images) {}
+
+  // Lets f end at the end of the first piece that touches p, if there is one: a curve along the border may have passed
+  // its end.
+  void end_at(Front& f, const Point& p) const
+  {
+    const auto piece = std::find_if(f.pieces.begin(), f.pieces.end(),
+                                    [&](const Piece& q) { return distance(q.end, p) <= m_images.touching(); });
+    if(piece == f.pieces.end())
+      return;
+    f.pieces.erase(piece + 1, f.pieces.end());
+    f.end = piece->end;
+    f.stop = Front_stop::OUTSIDE;
+  }
+
+  // Lets a front that has not found its way to v go straight to it, from where it has been closest.
+  void lead_to(Front& f, const Point& v) const
+  {
+    const std::pair<std::size_t, FT> nearest = f.nearest_end(v);
+    f.pieces.resize(nearest.first);
+    if(!(nearest.second <= m_images.touching()))
+      f.stop = Front_stop::LOST;
+  }
+
+  // Returns whether other paths become the shortest ones between the end of the last piece and p. The last piece of a
+  // front is drawn on to p though it may end at some distance: points are known up to the square root of rounding only.
+  bool is_taken_over_before(const Front& f, const Point& p) const
+  {
+    if(f.pieces.empty())
+      return false;
+    const Piece& last = f.pieces.back();
+    return distance(last.end, p) > m_images.width()
+        && !(is_nearest_at(f, last.left, p) && is_nearest_at(f, last.right, p));
+  }
+
+  // Lets a front that ends close to p go straight from there.
+  void lead_back(Front& f, const Point& p) const
+  {
+    const std::pair<std::size_t, FT> nearest = f.nearest_end(p);
+    if(!(nearest.second <= m_images.touching()))
+      return;
+    f.pieces.resize(nearest.first);
+    f.stop = Front_stop::LOST;
+  }
+
+  // Appends the segment pq to f, divided where other paths become the shortest ones: it is halved until the images of
+  // each part are nearest at both of its ends, then adjacent parts with the same images are joined.
+  void add_straight_pieces(Front& f, const Point& p, const Point& q) const
+  {
+    std::size_t halvings = 8 * m_images.number() + 64; // a bound, should rounding never let the ends agree
+    std::vector<Point> ends{q};
+    const std::size_t number_traced = f.pieces.size();
+    for(Point from = p; !ends.empty();)
+    {
+      const Point to = ends.back();
+      const Piece piece = straight_piece(f, from, to);
+      if(halvings > 0 && distance(from, to) > m_images.width()
+         && !(is_nearest_at(f, piece.left, from) && is_nearest_at(f, piece.left, to)))
+      {
+        --halvings;
+        ends.push_back(midpoint(from, to));
+        continue;
+      }
+      ends.pop_back();
+      from = to;
+      if(f.pieces.size() > number_traced && are_same(f.pieces.back(), piece))
+        f.pieces.back().end = to;
+      else
+        f.pieces.push_back(piece);
+    }
+  }
+
+private:
+  // Returns whether the distance of x by an image is that of the nearer one of the two cells, up to rounding. (Behind the
+  // end of a cone it is smaller.)
+  bool is_nearest_at(const Front& f, const Additively_weighted_point<FT>& point, const Point& x) const
+  {
+    using std::abs;
+    const FT nearest = (std::min)(m_images.distance_from(f.left, x), m_images.distance_from(f.right, x));
+    return abs(FT(point.distance_to(x) - nearest)) <= Tolerance<FT>::tie() * nearest + m_images.width();
+  }
+
+  static bool are_same(const Piece& a, const Piece& b)
+  {
+    const auto same = [](const Additively_weighted_point<FT>& v, const Additively_weighted_point<FT>& w)
+    { return v.x == w.x && v.y == w.y && v.weight == w.weight; };
+    return same(a.left, b.left) && same(a.right, b.right);
+  }
+
+  // Returns the segment pq as a piece of f, with the images that are nearest at its middle. Where two cells meet along an
+  // edge, the paths of one of them may come from the other face only; then the nearer image stands for both.
+  Piece straight_piece(const Front& f, const Point& p, const Point& q) const
+  {
+    const Point middle = midpoint(p, q);
+    const std::size_t none = Front::none;
+    const std::size_t l = m_images.nearest_of(f.left, middle), r = m_images.nearest_of(f.right, middle);
+    Piece piece;
+    piece.end = q;
+    if(l != none)
+      piece.left = m_images.point_towards(m_images[l], middle);
+    piece.right = r != none ? m_images.point_towards(m_images[r], middle) : piece.left;
+    if(l == none)
+      piece.left = piece.right;
+    const FT at_left = piece.left.distance_to(middle), at_right = piece.right.distance_to(middle);
+    if(is_clearly_less(at_left, at_right))
+      piece.right = piece.left;
+    else if(is_clearly_less(at_right, at_left))
+      piece.left = piece.right;
+    return piece;
+  }
+
+  const Face_images<FT>& m_images;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_FRONTS_FRONT_COMPLETION_H

@@ -1,0 +1,238 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_FRONTS_FRONT_EVENT_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_FRONTS_FRONT_EVENT_H
+
+// The first event along a bisector: where a piece of a front ends. Events are where the curve leaves the face, where it
+// leaves the cone of one of its two images, where a third image becomes nearer, and where its parameters lose precision.
+//
+// Each candidate is a quadratic polynomial of the curve's parameter t (Weighted_bisector.h), positive on one side of the
+// event. Candidates are given one by one; each search ends at the first event known so far, so that the order of candidates
+// matters for the time, and for events at the same t: the one that was given first stays.
+
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Site_image.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Weighted_bisector.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+template <typename FT>
+struct Front_event
+{
+  enum Kind { NOTHING, BORDER, UNTIL, LEFT_CONE, RIGHT_CONE, NEARER, IMPRECISE } kind = NOTHING;
+  FT t = std::numeric_limits<FT>::infinity();
+  std::size_t index = 0;   // of the side or of the image
+  Half_plane<FT> line{};   // that the curve leaves
+  FT extent = std::numeric_limits<FT>::infinity(); // no point of the curve before t is farther from its start
+
+  bool is_bounded() const { return t < std::numeric_limits<FT>::infinity(); }
+};
+
+template <typename FT_>
+class First_event
+{
+public:
+  using FT = FT_;
+  using Point = Planar_point<FT>;
+  using Image = Site_image<FT>;
+  using Event = Front_event<FT>;
+  using Bisector = Weighted_bisector<FT>;
+
+  // Starts a search along a curve up to the parameter `end`. `width` is the rounding of lengths in the face, `slack` the
+  // distance by which the start of the curve may be outside of half-planes that it is to leave. The curve is referred to.
+  void start(const Bisector& curve, const FT& end, const FT& width, const FT& slack)
+  {
+    m_curve = &curve;
+    m_width = width;
+    m_slack = slack;
+    m_event = Event();
+    m_event.t = end;
+  }
+
+  // The same up to where the curve ends or its parameters lose precision; the latter is an event.
+  void start(const Bisector& curve, const FT& width, const FT& slack)
+  {
+    start(curve, (std::min)(curve.end(), curve.end_of_precision()), width, slack);
+    if(m_event.t < curve.end())
+      m_event.kind = Event::IMPRECISE;
+  }
+
+  const Event& event() const { return m_event; }
+
+  // Bounds the part of the curve before the event. Call it after the half-planes and before the images.
+  void find_extent()
+  {
+    if(m_event.is_bounded())
+      m_event.extent = m_curve->extent(m_event.t);
+  }
+
+  // Finds the first parameter behind which the curve is outside of a half-plane.
+  //
+  // A curve that starts on the line may be outside by rounding, and so may be one that touches it. Therefore the curve
+  // is outside next to its start, or between two roots, only if it is so by more than `slack` or `width`.
+  void leave(const Half_plane<FT>& h, typename Event::Kind kind, std::size_t index)
+  {
+    const Quadratic<FT> q = m_curve->side(h);
+    if(m_event.is_bounded() && q.is_positive_until(m_event.t))
+      return;
+    const std::array<FT, 2> root = q.positive_roots();
+    FT from = 0;
+    for(unsigned int i = 0; i < 3; ++i)
+    {
+      const FT to = i < 2 ? (std::min)(root[i], m_event.t) : m_event.t;
+      if(from < to)
+      {
+        const FT middle = to < std::numeric_limits<FT>::infinity() ? FT(from + (to - from) / 2)
+                                                                    : FT(2 * from + 1);
+        const bool may_be_rounding = !(from > 0) || (i == 1 && to < m_event.t);
+        if(q(middle) < 0 && (!may_be_rounding || h(m_curve->point(middle)) < -(from > 0 ? m_width : m_slack)))
+          return set(kind, from, index, h);
+      }
+      if(!(to < m_event.t))
+        return;
+      from = to;
+    }
+  }
+
+  // Finds where the curve leaves the cone of an image.
+  void leave_cone(const Image& image, typename Event::Kind kind)
+  {
+    if(!image.has_cone)
+      return;
+    leave(image.left, kind, 0);
+    leave(image.right, kind, 1);
+  }
+
+  // Finds where the curve leaves a half-plane that it may have to enter first.
+  void enter_and_leave(const Half_plane<FT>& h)
+  {
+    if(h(m_curve->start()) >= -m_width)
+      return leave(h, Event::UNTIL, 0);
+    const FT t = m_curve->side(h).positive_roots()[1];
+    if(t < m_event.t)
+      set(Event::UNTIL, t, m_event.index, h);
+  }
+
+  // Finds where the image g, of index `index`, becomes nearer than `left`, one of the two images of the curve, at points
+  // that g sees. `at_start` is the distance by `left` at the start of the curve. g has to be nearer beyond rounding
+  // (Tolerance::nearer()), on a part of the curve longer than `width`. If `has_been_left` is set, g does not become
+  // nearer at the start of the curve: otherwise rounding could lead from one image to the other and back.
+  void take_over(const Image& left, const FT& at_start, const Image& g, std::size_t index, bool has_been_left)
+  {
+    Challenge c;
+    if(!may_take_over(at_start, g, c) || !find_roots(g, c))
+      return;
+    std::sort(m_roots.begin(), m_roots.end());
+    const FT last = m_event.is_bounded() ? m_event.t : FT(m_roots.empty() ? FT(1) : FT(2 * m_roots.back() + 1));
+    m_roots.push_back(last);
+    FT from = 0;
+    for(const FT& to : m_roots)
+      if(from < to)
+      {
+        if((from > 0 || !has_been_left) && is_taken_over_between(from, to, left, g, c))
+        {
+          set(Event::NEARER, from, index, m_event.line);
+          m_event.extent = m_curve->extent(from);
+          return;
+        }
+        from = to;
+      }
+  }
+
+private:
+  // A third image along the curve: positive where it is nearer, and where the curve is inside of each side of its cone.
+  struct Challenge
+  {
+    Quadratic<FT> nearer{}, in_left{}, in_right{};
+  };
+
+  void set(typename Event::Kind kind, const FT& t, std::size_t index, const Half_plane<FT>& line)
+  {
+    m_event.kind = kind;
+    m_event.t = t;
+    m_event.index = index;
+    m_event.line = line;
+  }
+
+  // Returns false if g takes over nowhere before the event; sets c otherwise. The cheap tests come first: distances
+  // change by at most the length of the way, for g as for the images of the curve.
+  bool may_take_over(const FT& at_start, const Image& g, Challenge& c) const
+  {
+    const Point& p = m_curve->start();
+    const FT to_g = norm<FT>(p.x - g.point.x, p.y - g.point.y);
+    if(g.point.weight + to_g > at_start + 2 * m_event.extent)
+      return false;
+    const bool is_bounded = m_event.is_bounded();
+    if(g.has_cone)
+    {
+      c.in_left = m_curve->side(g.left);
+      if(is_bounded && c.in_left.is_negative_until(m_event.t))
+        return false;
+      c.in_right = m_curve->side(g.right);
+      if(is_bounded && c.in_right.is_negative_until(m_event.t))
+        return false;
+    }
+    c.nearer = m_curve->nearer(g.point, to_g);
+    return !(is_bounded && c.nearer.is_negative_until(m_event.t));
+  }
+
+  // Collects the parameters where g may become or cease to be nearer or visible. Returns false if it is nowhere nearer.
+  bool find_roots(const Image& g, const Challenge& c)
+  {
+    m_roots.clear();
+    add_roots(c.nearer);
+    if(m_roots.empty() && !(c.nearer((std::min)(FT(1), FT(m_event.t / 2))) > 0))
+      return false;
+    if(g.has_cone)
+    {
+      add_roots(c.in_left);
+      add_roots(c.in_right);
+    }
+    return true;
+  }
+
+  void add_roots(const Quadratic<FT>& q)
+  {
+    if(m_event.is_bounded() && q.is_positive_until(m_event.t))
+      return;
+    for(const FT& r : q.positive_roots())
+      if(r < m_event.t)
+        m_roots.push_back(r);
+  }
+
+  // Returns whether g is nearer between two parameters, with no root between them.
+  bool is_taken_over_between(const FT& from, const FT& to, const Image& left, const Image& g, const Challenge& c) const
+  {
+    const FT middle = from + (to - from) / 2;
+    return c.nearer(middle) > 0 && (!g.has_cone || (c.in_left(middle) > 0 && c.in_right(middle) > 0))
+        && is_nearer(g.point, left.point, m_curve->point(middle))
+        && distance(m_curve->point(from), m_curve->point(to)) > m_width;
+  }
+
+  const Bisector* m_curve = nullptr;
+  FT m_width = 0, m_slack = 0;
+  Event m_event;
+  std::vector<FT> m_roots;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_FRONTS_FRONT_EVENT_H

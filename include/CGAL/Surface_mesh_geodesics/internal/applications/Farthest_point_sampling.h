@@ -1,0 +1,135 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_FARTHEST_POINT_SAMPLING_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_FARTHEST_POINT_SAMPLING_H
+
+// Farthest point sampling: takes, again and again, the vertex that is farthest from all samples so far.
+//
+// Distances are propagated once. A new sample is a further source of the same propagation, whose windows cover its
+// Voronoi cell and little more (Distance_propagation::add_source() says why that is right).
+
+#include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/Intrinsic_surface.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/run_with_visitor.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_propagation.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Farthest_vertex_queue.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+template <typename TriangleMesh, typename VertexIndexMap, typename FaceIndexMap>
+class Farthest_point_sampling
+{
+  using Surface = Intrinsic_surface<double, TriangleMesh, VertexIndexMap, FaceIndexMap>;
+  using vertex_descriptor = typename Surface::vertex_descriptor;
+  using Propagation = Distance_propagation<double>;
+
+public:
+  Farthest_point_sampling(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim)
+    : m_tm(tm), m_surface(tm, vim, fim)
+  {}
+
+  // Writes samples until there are n, with those in the options, or the covering radius of the options is reached.
+  // Returns the covering radius; infinity if the visitor cancels the first propagation. Options is
+  // Geodesic_sampling_options. Throws Invalid_geodesic_input.
+  template <typename Shape, typename OutputIterator, typename Options, typename Visitor>
+  double run(Shape shape, std::size_t n, OutputIterator output, const Options& options, Visitor& visitor)
+  {
+    if(!(options.covering_radius >= 0))
+      throw Invalid_geodesic_input(Invalid_geodesic_input::Reason::INVALID_RADIUS,
+                                   "the covering radius is negative or not a number");
+    m_surface.read(std::move(shape));
+    Propagation propagation(m_surface.mesh(), m_field);
+    std::size_t number = options.first_samples.size();
+    bool is_complete = add_first_samples(propagation, options.first_samples, visitor);
+    Farthest_vertex_queue<double> queue(m_field.distance, ranks(), number_of_candidates());
+    const double unit = m_surface.unit();
+    double radius = std::numeric_limits<double>::infinity();
+    while(is_complete)
+    {
+      const Vertex_id v = queue.farthest();
+      radius = v == null_id ? 0. : unit * m_field.distance[v];
+      if(number >= n || v == null_id || radius <= options.covering_radius)
+        break;
+      propagation.add_source(v, 0);
+      is_complete = propagate(propagation, visitor);
+      if(is_complete)
+        *output++ = m_surface.descriptor(v);
+      ++number;
+    }
+    if(options.statistics != nullptr)
+    {
+      *options.statistics = propagation.statistics();
+      options.statistics->intrinsic_mesh_bytes += m_surface.memory() + m_field.memory();
+    }
+    return radius;
+  }
+
+private:
+  // Returns false if the visitor cancels.
+  template <typename Visitor>
+  bool add_first_samples(Propagation& propagation, const std::vector<vertex_descriptor>& samples, Visitor& visitor)
+  {
+    for(std::size_t i = 0; i < samples.size(); ++i)
+      propagation.add_source(m_surface.checked_id(samples[i], "sample", i), 0);
+    return samples.empty() || propagate(propagation, visitor);
+  }
+
+  template <typename Visitor>
+  bool propagate(Propagation& propagation, Visitor& visitor) const
+  {
+    return run_with_visitor(visitor, m_surface.number_of_vertices(), [&](auto go_on)
+    {
+      return propagation.run([&](std::size_t number_of_visits, double distance)
+      { return go_on(number_of_visits, m_surface.unit() * distance); });
+    });
+  }
+
+  // Returns the positions of the vertices in the range of the user: of vertices that are equally far, the first one in
+  // that range becomes a sample.
+  const std::vector<Vertex_id>& ranks()
+  {
+    m_rank.resize(m_surface.number_of_vertices());
+    Vertex_id position = 0;
+    for(const vertex_descriptor v : vertices(m_tm))
+      m_rank[m_surface.id(v)] = position++;
+    return m_rank;
+  }
+
+  // Vertices without faces are no candidates; they have the last numbers.
+  std::size_t number_of_candidates() const
+  {
+    std::size_t n = m_surface.number_of_vertices();
+    while(n > 0 && m_surface.mesh().halfedge(static_cast<Vertex_id>(n - 1)) == null_id)
+      --n;
+    return n;
+  }
+
+  const TriangleMesh& m_tm;
+  Surface m_surface;
+  Vertex_distance_field<double> m_field;
+  std::vector<Vertex_id> m_rank;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_FARTHEST_POINT_SAMPLING_H

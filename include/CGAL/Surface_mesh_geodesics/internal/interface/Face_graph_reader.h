@@ -1,0 +1,248 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_FACE_GRAPH_READER_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_FACE_GRAPH_READER_H
+
+// Reads a model of FaceListGraph: makes its intrinsic mesh, and the tables between the elements of both. This is the
+// only file that walks over the mesh of a user. The mesh half is in surface/Intrinsic_mesh_builder.h.
+
+#include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/Face_shapes.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh_builder.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/mesh_invariants.h>
+
+#include <CGAL/assertions.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+// The elements of a mesh of the user and those of its intrinsic mesh.
+template <typename TriangleMesh>
+struct Face_graph_correspondence
+{
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor;
+
+  std::vector<vertex_descriptor> vertices; // of a vertex of the intrinsic mesh
+  std::vector<face_descriptor> faces;      // of a face of the intrinsic mesh
+  std::vector<Vertex_id> vertex_of_index;  // by the index of the user's map, null_id if unused
+  // By the index of the user's map: the halfedge of the intrinsic mesh that is halfedge(f, tm).
+  std::vector<Halfedge_id> halfedge_of_face_index;
+
+  std::size_t memory() const
+  {
+    return vertices.capacity() * sizeof(vertex_descriptor) + faces.capacity() * sizeof(face_descriptor)
+         + vertex_of_index.capacity() * sizeof(Vertex_id)
+         + halfedge_of_face_index.capacity() * sizeof(Halfedge_id);
+  }
+};
+
+// Reads a mesh once. Positions in messages are those in the ranges vertices(tm) and faces(tm).
+template <typename FT, typename TriangleMesh, typename VertexIndexMap, typename FaceIndexMap>
+class Face_graph_reader
+{
+  using Graph_traits = boost::graph_traits<TriangleMesh>;
+  using vertex_descriptor = typename Graph_traits::vertex_descriptor;
+  using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
+  using face_descriptor = typename Graph_traits::face_descriptor;
+  using Correspondence = Face_graph_correspondence<TriangleMesh>;
+  using Builder = Intrinsic_mesh_builder<FT>;
+  using Reason = Invalid_geodesic_input::Reason;
+
+public:
+  Face_graph_reader(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim) : m_tm(tm), m_vim(vim), m_fim(fim) {}
+
+  // Builds the mesh and the tables; throws Invalid_geodesic_input. Shape is described in Face_shapes.h. Takes linear
+  // time.
+  template <typename Shape>
+  void read(Shape& shape, Intrinsic_mesh<FT>& mesh, Correspondence& table)
+  {
+    read_faces();
+    find_neighbors();
+    Builder builder(std::move(m_connectivity));
+    const std::size_t number_in_faces = number_vertices(builder, table);
+    const int exponent = shape.prepare(table.vertices, number_in_faces);
+    mesh.set_unit(FT(std::ldexp(1., exponent)));
+    builder.set_faces([&](std::uint32_t f, const std::array<Vertex_id, 3>& v, Intrinsic_face<FT>& face)
+                      { return shape.shape(m_halfedges[f], f, v, face); }, mesh);
+    builder.set_components([&](std::uint32_t f)
+    {
+      const std::array<halfedge_descriptor, 3>& h = m_halfedges[f];
+      return shape.has_length(h[0]) || shape.has_length(h[1]) || shape.has_length(h[2]);
+    }, mesh);
+    mesh.finish(table.vertices.size());
+    if(!Shape::has_points)
+      mesh.bound_faces_crossed_by_lengths();
+    CGAL_expensive_assertion(are_invariants_kept(mesh));
+    fill_face_tables(builder, table);
+  }
+
+private:
+  // Reads the faces with their halfedges and corners, and checks them and the index maps.
+  void read_faces()
+  {
+    // (Some models count their elements in each call.)
+    const std::size_t range_of_indices = num_faces(m_tm), number_of_vertices = num_vertices(m_tm);
+    m_faces.reserve(range_of_indices);
+    m_halfedges.reserve(range_of_indices);
+    m_connectivity.corners.reserve(range_of_indices);
+    for(face_descriptor f : faces(m_tm))
+    {
+      const halfedge_descriptor h0 = halfedge(f, m_tm), h1 = next(h0, m_tm), h2 = next(h1, m_tm);
+      if(next(h2, m_tm) != h0 || h1 == h0 || h2 == h0)
+        throw_for_face(Reason::NOT_A_TRIANGLE, " is not a triangle");
+      register_index(f, range_of_indices);
+      m_faces.push_back(f);
+      m_halfedges.push_back({h0, h1, h2});
+      read_corners(m_halfedges.back(), number_of_vertices);
+      if(m_faces.size() >= maximum_number_of_faces)
+        throw Invalid_geodesic_input(Reason::TOO_LARGE, "the mesh has too many faces");
+    }
+  }
+
+  // Throws for the face at position m_faces.size().
+  [[noreturn]] void throw_for_face(Reason reason, const char* fault) const
+  {
+    throw Invalid_geodesic_input(reason, "face " + std::to_string(m_faces.size()) + fault, m_faces.size());
+  }
+
+  [[noreturn]] void throw_for_index(const char* fault) const
+  {
+    throw Invalid_geodesic_input(Reason::INVALID_INDEX_MAP,
+                                 "the index of face " + std::to_string(m_faces.size()) + fault, m_faces.size());
+  }
+
+  void register_index(face_descriptor f, std::size_t range_of_indices)
+  {
+    const std::size_t index = index_of(f);
+    if(index >= range_of_indices)
+      throw_for_index(" is out of range");
+    if(index >= m_position_of_index.size())
+      m_position_of_index.resize(range_of_indices, null_id);
+    if(m_position_of_index[index] != null_id)
+      throw_for_index(" is that of another face");
+    m_position_of_index[index] = static_cast<std::uint32_t>(m_faces.size());
+  }
+
+  void read_corners(const std::array<halfedge_descriptor, 3>& h, std::size_t number_of_vertices)
+  {
+    // (A halfedge data structure stores targets; a source is one step away.)
+    const vertex_descriptor v0 = target(h[2], m_tm), v1 = target(h[0], m_tm), v2 = target(h[1], m_tm);
+    if(v0 == v1 || v1 == v2 || v2 == v0)
+      throw Invalid_geodesic_input(Reason::NON_MANIFOLD,
+                                   "face " + std::to_string(m_faces.size() - 1) + " has a vertex twice",
+                                   m_faces.size() - 1);
+    m_connectivity.corners.push_back({vertex_index(v0, number_of_vertices), vertex_index(v1, number_of_vertices),
+                                      vertex_index(v2, number_of_vertices)});
+  }
+
+  void find_neighbors()
+  {
+    m_connectivity.neighbors.resize(m_faces.size());
+    for(std::size_t f = 0; f < m_faces.size(); ++f)
+      for(unsigned int j = 0; j < 3; ++j)
+        m_connectivity.neighbors[f][j] = neighbor(m_halfedges[f][j]);
+  }
+
+  // Returns 4 * (position of the face across h) + (the edge there), or null_id if there is no face.
+  Halfedge_id neighbor(halfedge_descriptor h) const
+  {
+    const halfedge_descriptor o = opposite(h, m_tm);
+    if(is_border(o, m_tm))
+      return null_id;
+    const std::size_t index = index_of(face(o, m_tm));
+    const std::uint32_t g = index < m_position_of_index.size() ? m_position_of_index[index] : null_id;
+    if(g == null_id)
+      return null_id;
+    // (Without branches, as none could be predicted.)
+    const std::array<halfedge_descriptor, 3>& around = m_halfedges[g];
+    const unsigned int j = 1u * (around[1] == o) + 2u * (around[2] == o);
+    return around[j] == o ? halfedge_of(g, j) : null_id;
+  }
+
+  // Numbers the vertices in the order of the faces, and the isolated ones last. Returns how many are in faces.
+  std::size_t number_vertices(Builder& builder, Correspondence& table) const
+  {
+    const std::size_t range_of_indices = num_vertices(m_tm);
+    table.vertex_of_index.assign(range_of_indices, null_id);
+    const std::size_t number_in_faces = builder.number_vertices(table.vertex_of_index);
+    std::size_t n = number_in_faces;
+    table.vertices.resize(range_of_indices);
+    std::vector<char> is_known(range_of_indices, 0);
+    std::size_t number_known = 0;
+    for(vertex_descriptor v : vertices(m_tm))
+    {
+      const std::uint32_t index = vertex_index(v, range_of_indices);
+      const Vertex_id id = Builder::number_of(index, table.vertex_of_index, n);
+      if(is_known[id] != 0)
+        throw Invalid_geodesic_input(Reason::INVALID_INDEX_MAP, "two vertices have the index " + std::to_string(index));
+      is_known[id] = 1;
+      ++number_known;
+      table.vertices[id] = v;
+    }
+    if(number_known != n)
+      throw Invalid_geodesic_input(Reason::INVALID_INDEX_MAP,
+                                   "a face has a vertex that is not among those of the mesh");
+    table.vertices.resize(n); // num_vertices() may count vertices that have been removed
+    return number_in_faces;
+  }
+
+  // Returns the index of a vertex in the user's map; throws if it is out of range.
+  std::uint32_t vertex_index(vertex_descriptor v, std::size_t number_of_vertices) const
+  {
+    const std::size_t index = static_cast<std::size_t>(get(m_vim, v));
+    if(index >= number_of_vertices)
+      throw Invalid_geodesic_input(Reason::INVALID_INDEX_MAP,
+                                   "the index " + std::to_string(index) + " of a vertex is out of range");
+    return static_cast<std::uint32_t>(index);
+  }
+
+  void fill_face_tables(const Builder& builder, Correspondence& table) const
+  {
+    table.faces.resize(m_faces.size());
+    for(Face_id i = 0; i < m_faces.size(); ++i)
+      table.faces[i] = m_faces[builder.position_of(i)];
+    table.halfedge_of_face_index.assign(m_position_of_index.size(), null_id);
+    for(std::size_t index = 0; index < m_position_of_index.size(); ++index)
+      if(m_position_of_index[index] != null_id)
+        table.halfedge_of_face_index[index] = builder.halfedge_at(halfedge_of(m_position_of_index[index], 0));
+  }
+
+  std::size_t index_of(face_descriptor f) const { return static_cast<std::size_t>(get(m_fim, f)); }
+
+  const TriangleMesh& m_tm;
+  VertexIndexMap m_vim;
+  FaceIndexMap m_fim;
+  std::vector<face_descriptor> m_faces; // by position, like the two below
+  std::vector<std::array<halfedge_descriptor, 3>> m_halfedges;
+  Face_connectivity m_connectivity; // corners are indices of the user's map; moved to the builder
+  std::vector<std::uint32_t> m_position_of_index;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_FACE_GRAPH_READER_H

@@ -1,0 +1,197 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_FACE_SHAPES_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_FACE_SHAPES_H
+
+// Where the shapes of faces come from: the points of the vertices, or a map of edge lengths. Both classes read the
+// user's maps, check the numbers, and leave the geometry to surface/face_shape.h.
+//
+// A model of Shape has
+// - has_points: whether the surface is embedded in space;
+// - prepare(): reads and checks what is scaled; returns the exponent of the power of two by which lengths are divided;
+// - shape(): sets one face of the intrinsic mesh;
+// - has_length(): whether an edge of the user has a length before scaling and rounding.
+
+#include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_face.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/face_shape.h>
+
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+// Shapes from the points of the vertices. prepare() reads each point once, in the order in which the faces will ask for
+// them, and scales it by a power of two.
+template <typename FT, typename TriangleMesh, typename VertexPointMap>
+class Shape_from_points
+{
+  using Graph_traits = boost::graph_traits<TriangleMesh>;
+  using vertex_descriptor = typename Graph_traits::vertex_descriptor;
+  using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
+
+public:
+  static constexpr bool has_points = true;
+
+  Shape_from_points(const TriangleMesh& tm, VertexPointMap vpm) : m_tm(tm), m_vpm(vpm) {}
+
+  // Reads the points of the vertices of the intrinsic mesh. Those behind the first `number_in_faces` are isolated; they
+  // have no lengths and do not count for the scale.
+  int prepare(const std::vector<vertex_descriptor>& numbered_vertices, std::size_t number_in_faces)
+  {
+    m_points.reserve(numbered_vertices.size());
+    double largest = 0;
+    for(vertex_descriptor v : numbered_vertices)
+    {
+      const auto& p = get(m_vpm, v);
+      m_points.push_back({CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())});
+      for(std::size_t i = 0; i < 3; ++i)
+      {
+        const double extent = std::abs(m_points.back()[i] - m_points.front()[i]);
+        if(!(extent <= largest_extent()))
+          refuse_point();
+        if(m_points.size() <= number_in_faces)
+          largest = (std::max)(largest, extent);
+      }
+    }
+    const int exponent = scaling_exponent(largest);
+    scale_points(std::ldexp(1., -exponent));
+    return exponent;
+  }
+
+  unsigned int shape(const std::array<halfedge_descriptor, 3>&, std::size_t, const std::array<Vertex_id, 3>& v,
+                     Intrinsic_face<FT>& f) const
+  {
+    return set_shape_from_sides<FT>({difference(v[1], v[0]), difference(v[2], v[1]), difference(v[0], v[2])}, f);
+  }
+
+  bool has_length(halfedge_descriptor h) const
+  {
+    const auto& p = get(m_vpm, source(h, m_tm));
+    const auto& q = get(m_vpm, target(h, m_tm));
+    return p.x() != q.x() || p.y() != q.y() || p.z() != q.z();
+  }
+
+private:
+  // If a coordinate overflows, all vertices in faces share it: the next larger number would be farther away than the
+  // extent. Any number serves then.
+  void scale_points(double factor)
+  {
+    for(std::array<double, 3>& p : m_points)
+      for(double& x : p)
+        x = std::isfinite(x * factor) ? x * factor : 0.;
+  }
+
+  // Throws for the first vertex whose point is not finite or too far away from that of the first vertex.
+  [[noreturn]] void refuse_point() const
+  {
+    std::size_t position = 0, culprit = 0;
+    for(vertex_descriptor v : vertices(m_tm))
+    {
+      const auto& p = get(m_vpm, v);
+      for(const double x : {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())})
+        if(!(std::abs(x) <= largest_extent()) && culprit == 0)
+          culprit = position + 1;
+      ++position;
+    }
+    const std::size_t element = culprit == 0 ? Invalid_geodesic_input::no_element : culprit - 1;
+    throw Invalid_geodesic_input(Invalid_geodesic_input::Reason::NON_FINITE_POINT,
+                                 culprit == 0 ? std::string("the extent of the points is too large")
+                                              : "vertex " + std::to_string(element)
+                                                  + " has a coordinate that is not finite, or too large",
+                                 element);
+  }
+
+  Space_vector<FT> difference(Vertex_id b, Vertex_id a) const
+  {
+    const std::array<double, 3>&p = m_points[a], &q = m_points[b];
+    return {FT(FT(q[0]) - FT(p[0])), FT(FT(q[1]) - FT(p[1])), FT(FT(q[2]) - FT(p[2]))};
+  }
+
+  const TriangleMesh& m_tm;
+  VertexPointMap m_vpm;
+  std::vector<std::array<double, 3>> m_points; // of the numbered vertices, scaled
+};
+
+// Shapes from a map of edge lengths. prepare() checks the range of all lengths, shape() the triangle inequality.
+template <typename FT, typename TriangleMesh, typename EdgeLengthMap>
+class Shape_from_edge_lengths
+{
+  using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
+  using edge_descriptor = typename boost::graph_traits<TriangleMesh>::edge_descriptor;
+  using Reason = Invalid_geodesic_input::Reason;
+
+public:
+  static constexpr bool has_points = false;
+
+  Shape_from_edge_lengths(const TriangleMesh& tm, EdgeLengthMap elm) : m_tm(tm), m_elm(elm) {}
+
+  template <typename Vertices>
+  int prepare(const Vertices&, std::size_t)
+  {
+    double largest = 0;
+    std::size_t n = 0;
+    for(edge_descriptor e : edges(m_tm))
+    {
+      const double l = CGAL::to_double(get(m_elm, e));
+      if(!std::isfinite(l) || l > largest_extent())
+        throw Invalid_geodesic_input(Reason::NON_FINITE_LENGTH,
+                                     "the length of edge " + std::to_string(n)
+                                       + " is not finite, or too large", n);
+      if(l < 0)
+        throw Invalid_geodesic_input(Reason::NEGATIVE_LENGTH,
+                                     "the length of edge " + std::to_string(n) + " is negative", n);
+      largest = (std::max)(largest, l);
+      ++n;
+    }
+    const int exponent = scaling_exponent(largest);
+    m_factor = std::ldexp(1., -exponent);
+    return exponent;
+  }
+
+  unsigned int shape(const std::array<halfedge_descriptor, 3>& h, std::size_t face_position,
+                     const std::array<Vertex_id, 3>&, Intrinsic_face<FT>& f) const
+  {
+    std::array<FT, 3> length;
+    for(std::size_t i = 0; i < 3; ++i)
+      length[i] = FT(m_factor * CGAL::to_double(get(m_elm, edge(h[i], m_tm))));
+    const unsigned int shift = set_shape_from_lengths(length, f);
+    if(violates_triangle_inequality(f))
+      throw Invalid_geodesic_input(Reason::TRIANGLE_INEQUALITY,
+                                   "an edge of face " + std::to_string(face_position)
+                                     + " is longer than the two others together", face_position);
+    return shift;
+  }
+
+  bool has_length(halfedge_descriptor h) const { return CGAL::to_double(get(m_elm, edge(h, m_tm))) > 0; }
+
+private:
+  const TriangleMesh& m_tm;
+  EdgeLengthMap m_elm;
+  double m_factor = 1;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_FACE_SHAPES_H

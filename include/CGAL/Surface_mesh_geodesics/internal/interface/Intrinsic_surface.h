@@ -1,0 +1,277 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_INTRINSIC_SURFACE_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_INTRINSIC_SURFACE_H
+
+// A mesh of the user as all computations see it: its intrinsic mesh, and the way from descriptors of the user to
+// elements of that mesh and back. Each computation has one; a Voronoi diagram, a solver or a certifier that needs a
+// second run on the same mesh shares it.
+//
+// Here sources become a Source_set: they are numbered, their descriptors, coordinates and offsets are checked, and
+// offsets are divided by the unit. No other file does that.
+
+#include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/Face_graph_reader.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/source_range.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Source_set.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
+
+#include <CGAL/assertions.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+// Throws unless the radius is a number that is not negative.
+inline void check_maximum_distance(double maximum_distance)
+{
+  if(!(maximum_distance >= 0))
+    throw Invalid_geodesic_input(Invalid_geodesic_input::Reason::INVALID_RADIUS,
+                                 "the maximum distance is negative or not a number");
+}
+
+// Throws unless all offsets are finite and not negative. Needs no mesh, so that a wrong offset is found before the mesh
+// is read.
+inline void check_offsets(const std::vector<double>& offsets)
+{
+  for(std::size_t i = 0; i < offsets.size(); ++i)
+    if(!(offsets[i] >= 0) || !std::isfinite(offsets[i]))
+      throw Invalid_geodesic_input(Invalid_geodesic_input::Reason::INVALID_OFFSET,
+                                   "the offset of source " + std::to_string(i)
+                                     + " is negative or not finite", i);
+}
+
+// Refers to the user's mesh and copies the index maps. Functions that take a descriptor to be checked throw
+// Invalid_geodesic_input; `what` and `position` name the culprit. All other functions take constant time and require
+// is_read(), unless they say otherwise.
+template <typename FT, typename TriangleMesh, typename VertexIndexMap, typename FaceIndexMap>
+class Intrinsic_surface
+{
+  using Graph_traits = boost::graph_traits<TriangleMesh>;
+
+public:
+  using vertex_descriptor = typename Graph_traits::vertex_descriptor;
+  using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
+  using face_descriptor = typename Graph_traits::face_descriptor;
+  using Coordinates = Barycentric<FT>;
+
+  // --- reading ---
+
+  // A surface that has not been read.
+  Intrinsic_surface(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim) : m_tm(tm), m_vim(vim), m_fim(fim) {}
+
+  // Reads the mesh; throws Invalid_geodesic_input. Shape is described in Face_shapes.h. Takes linear time.
+  template <typename Shape>
+  Intrinsic_surface(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim, Shape shape)
+    : Intrinsic_surface(tm, vim, fim)
+  {
+    read(std::move(shape));
+  }
+
+  // Reads the mesh, or reads it again. If that throws, the surface has not been read.
+  template <typename Shape>
+  void read(Shape shape)
+  {
+    m_is_read = false;
+    Face_graph_reader<FT, TriangleMesh, VertexIndexMap, FaceIndexMap>(m_tm, m_vim, m_fim).read(shape, m_mesh, m_table);
+    m_is_read = true;
+  }
+
+  bool is_read() const { return m_is_read; }
+  void forget() { m_is_read = false; }
+
+  const Intrinsic_mesh<FT>& mesh() const { return m_mesh; }
+  Intrinsic_mesh<FT>& mesh() { return m_mesh; }
+  const FT& unit() const { return m_mesh.unit(); }
+  std::size_t memory() const { return m_mesh.memory() + m_table.memory(); }
+
+  // --- vertices ---
+
+  // The vertices of the user; those of inserted sources do not count.
+  std::size_t number_of_vertices() const { return m_table.vertices.size(); }
+
+  // Requires: v < number_of_vertices().
+  vertex_descriptor descriptor(Vertex_id v) const { return m_table.vertices[v]; }
+
+  // Returns the null vertex for an inserted source.
+  vertex_descriptor descriptor_or_null(Vertex_id v) const
+  {
+    return v < number_of_vertices() ? descriptor(v) : Graph_traits::null_vertex();
+  }
+
+  // Requires: v is a vertex of the mesh.
+  Vertex_id id(vertex_descriptor v) const
+  {
+    return m_table.vertex_of_index[static_cast<std::size_t>(get(m_vim, v))];
+  }
+
+  Vertex_id checked_id(vertex_descriptor v, const char* what, std::size_t position) const
+  {
+    if(v != Graph_traits::null_vertex())
+    {
+      const std::size_t index = static_cast<std::size_t>(get(m_vim, v));
+      if(index < m_table.vertex_of_index.size())
+      {
+        const Vertex_id id = m_table.vertex_of_index[index];
+        if(id != null_id && m_table.vertices[id] == v)
+          return id;
+      }
+    }
+    refuse_vertex(what, position);
+  }
+
+  // Does the same for each vertex of a range. Takes linear time.
+  template <typename Vertices>
+  std::vector<Vertex_id> checked_ids(const Vertices& range, const char* what) const
+  {
+    std::vector<Vertex_id> result;
+    for(const vertex_descriptor v : range)
+      // NOLINTNEXTLINE(performance-inefficient-vector-operation): a range need not know its size
+      result.push_back(checked_id(v, what, result.size()));
+    return result;
+  }
+
+  // --- faces and halfedges; those of the intrinsic mesh are faces and halfedges of the mesh as it was read ---
+
+  face_descriptor descriptor_of_face(Face_id f) const { return m_table.faces[f]; }
+
+  // Returns the halfedge of the intrinsic mesh that is halfedge(f, tm).
+  Halfedge_id checked_halfedge(face_descriptor f, const char* what, std::size_t position) const
+  {
+    if(f == Graph_traits::null_face())
+      refuse_null_face(what, position);
+    const std::size_t index = static_cast<std::size_t>(get(m_fim, f));
+    if(index < m_table.halfedge_of_face_index.size())
+    {
+      const Halfedge_id h = m_table.halfedge_of_face_index[index];
+      if(h != null_id && m_table.faces[face_of(h)] == f)
+        return h;
+    }
+    refuse_face(what, position);
+  }
+
+  halfedge_descriptor descriptor_of_halfedge(Halfedge_id h) const
+  {
+    const face_descriptor f = m_table.faces[face_of(h)];
+    halfedge_descriptor result = halfedge(f, m_tm);
+    for(unsigned int k = index_in_face(first_halfedge(f)); k != index_in_face(h); k = next_corner(k))
+      result = next(result, m_tm);
+    return result;
+  }
+
+  // Returns the coordinates of a point of a face in the order of the user's corners.
+  std::pair<face_descriptor, Coordinates> location(Face_id f, const Coordinates& b) const
+  {
+    const face_descriptor face = m_table.faces[f];
+    const unsigned int first = index_in_face(first_halfedge(face));
+    Coordinates user;
+    for(unsigned int j = 0; j < 3; ++j)
+      user[j] = b[(first + j) % 3];
+    return {face, user};
+  }
+
+  // --- sources ---
+
+  // Returns the sources of a range, or the single source, with their offsets in the user's unit: none, or one for each
+  // source. Throws if a source or an offset is invalid. Takes linear time.
+  template <typename Sources>
+  Source_set<FT> source_set(const Sources& sources, const std::vector<double>& offsets = {}) const
+  {
+    check_offsets(offsets);
+    Source_set<FT> set;
+    for_each_source<TriangleMesh>(sources, [&](const auto& source) { add_source(source, set); });
+    if(!offsets.empty() && offsets.size() != set.size())
+      throw Invalid_geodesic_input(Invalid_geodesic_input::Reason::INVALID_OFFSET,
+                                   std::to_string(offsets.size()) + " offsets for " + std::to_string(set.size())
+                                     + " sources");
+    for(const double offset : offsets)
+      add_offset(offset, set);
+    return set;
+  }
+
+  // Appends a source, whose number is the number of those before it.
+  template <typename Source>
+  void add_source(const Source& source, Source_set<FT>& set) const
+  {
+    const std::size_t position = set.size();
+    if constexpr(Is_vertex<TriangleMesh, Source>::value)
+      set.vertices.push_back(checked_id(source, "source", position));
+    else
+    {
+      const Halfedge_id h = checked_halfedge(source.first, "source", position);
+      set.located.push_back(Located_source<FT>{
+        face_of(h), intrinsic_coordinates<FT>(h, source.second, "source", position), position});
+      set.vertices.push_back(null_id);
+    }
+  }
+
+  // Appends the offset of the source with the number set.offsets.size(). Throws if it is infinite in the unit of the
+  // intrinsic mesh. Requires: it is finite and not negative.
+  void add_offset(double offset, Source_set<FT>& set) const
+  {
+    CGAL_assertion(offset >= 0);
+    const std::size_t position = set.offsets.size();
+    set.offsets.push_back(FT(FT(offset) / unit()));
+    if(!(set.offsets.back() < Vertex_distance_field<FT>::infinity()))
+      throw Invalid_geodesic_input(Invalid_geodesic_input::Reason::INVALID_OFFSET,
+                                   "the offset of source " + std::to_string(position)
+                                     + " is too large for a mesh of this extent", position);
+  }
+
+  // --- checks that need no mesh that is read; they see no more than indices tell ---
+
+  void check_vertex(vertex_descriptor v, const char* what, std::size_t position) const
+  {
+    if(!is_vertex_of(v, m_tm, m_vim))
+      refuse_vertex(what, position);
+  }
+
+  template <typename BarycentricCoordinates>
+  void check_location(face_descriptor f, const BarycentricCoordinates& b, const char* what, std::size_t position) const
+  {
+    if(f == Graph_traits::null_face())
+      refuse_null_face(what, position);
+    if(!is_face_of(f, m_tm, m_fim))
+      refuse_face(what, position);
+    intrinsic_coordinates<FT>(halfedge_of(0, 0), b, what, position);
+  }
+
+private:
+  // Requires: f is a face of the mesh.
+  Halfedge_id first_halfedge(face_descriptor f) const
+  {
+    return m_table.halfedge_of_face_index[static_cast<std::size_t>(get(m_fim, f))];
+  }
+
+  const TriangleMesh& m_tm;
+  VertexIndexMap m_vim;
+  FaceIndexMap m_fim;
+  Intrinsic_mesh<FT> m_mesh;
+  Face_graph_correspondence<TriangleMesh> m_table;
+  bool m_is_read = false;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_INTRINSIC_SURFACE_H

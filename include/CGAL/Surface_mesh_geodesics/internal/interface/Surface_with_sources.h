@@ -1,0 +1,188 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_SURFACE_WITH_SOURCES_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_SURFACE_WITH_SOURCES_H
+
+// A surface of the user on which sources are vertices. Sources inside faces and on edges refine the intrinsic mesh; the
+// class translates between the user's faces and the parts of the refined ones. All runs of a Path_solver from the same
+// sources use one object, also when it repeats a run to keep the windows.
+
+#include <CGAL/Surface_mesh_geodesics/internal/interface/Intrinsic_surface.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/source_range.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Source_insertion.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Source_set.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/barycentric_coordinates.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+// A point of a query: a vertex, or a point of a face of the refined mesh.
+struct Surface_query
+{
+  Vertex_id vertex = null_id;
+  Face_id face = null_id;
+  Barycentric<double> coordinates{};
+  bool is_location = false; // the user gave a location, not a vertex
+  bool is_in_face = false;  // a location that is not a vertex of the first mesh
+  bool is_on_edge = false;  // a location on an edge of the first mesh. Rounding may move other ones there, too.
+};
+
+template <typename TriangleMesh, typename VertexIndexMap, typename FaceIndexMap>
+class Surface_with_sources
+{
+public:
+  using Surface = Intrinsic_surface<double, TriangleMesh, VertexIndexMap, FaceIndexMap>;
+  using vertex_descriptor = typename Surface::vertex_descriptor;
+  using halfedge_descriptor = typename Surface::halfedge_descriptor;
+  using face_descriptor = typename Surface::face_descriptor;
+  using Coordinates = typename Surface::Coordinates;
+  using Query = Surface_query;
+
+  Surface_with_sources(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim)
+    : m_surface(tm, vim, fim), m_insertion(m_surface.mesh())
+  {}
+
+  Surface_with_sources(const Surface_with_sources&) = delete;
+  Surface_with_sources& operator=(const Surface_with_sources&) = delete;
+
+  const Surface& surface() const { return m_surface; }
+
+  // The mesh with the sources as vertices, once they are inserted.
+  const Intrinsic_mesh<double>& mesh() const { return m_surface.mesh(); }
+
+  // --- building ---
+
+  // Reads the user's mesh; throws Invalid_geodesic_input. There are no sources then.
+  template <typename Shape>
+  void read(Shape shape)
+  {
+    clear_sources();
+    m_surface.read(std::move(shape));
+    m_insertion.restart();
+  }
+
+  void forget()
+  {
+    clear_sources();
+    m_surface.forget();
+  }
+
+  // Removes all sources; the mesh becomes what it was.
+  void clear_sources()
+  {
+    m_insertion.undo();
+    m_are_inserted = false;
+    m_sources = Source_set<double>();
+  }
+
+  // Appends a source; throws Invalid_geodesic_input. The offset is in the user's unit, finite and not negative.
+  // Requires: the sources are not inserted.
+  template <typename Source>
+  void add_source(const Source& source, double offset)
+  {
+    CGAL_assertion(!m_are_inserted);
+    m_surface.add_source(source, m_sources);
+    m_surface.add_offset(offset, m_sources);
+  }
+
+  // Makes vertices of all sources, unless they are vertices already.
+  void insert_sources()
+  {
+    if(m_are_inserted)
+      return;
+    insert_located_sources(m_sources.located, m_insertion, m_sources.vertices);
+    m_numbers.assign(m_sources);
+    m_are_inserted = true;
+  }
+
+  // --- sources, once they are inserted ---
+
+  const Source_set<double>& sources() const { return m_sources; }
+
+  // Returns the number of the source that counts at v. Requires: there is a source at v.
+  std::size_t source_at(Vertex_id v) const { return m_numbers.number_at(v); }
+
+  // --- from the refined mesh to the user ---
+
+  std::pair<face_descriptor, Coordinates> user_location(Face_id f, Coordinates b) const
+  {
+    const Face_id whole = m_insertion.parts().coordinates_in_whole(f, b);
+    return m_surface.location(whole, b);
+  }
+
+  // Returns the user's face of which a face is a part.
+  face_descriptor user_face(Face_id f) const { return m_surface.descriptor_of_face(m_insertion.parts().whole(f)); }
+
+  const Face_parts<double>& parts() const { return m_insertion.parts(); }
+
+  // --- queries: they throw Invalid_geodesic_input ---
+
+  Query query(vertex_descriptor v) const
+  {
+    Query q;
+    q.vertex = m_surface.checked_id(v, "query", 0);
+    return q;
+  }
+
+  // A location with coordinates that are nearly those of a vertex is that vertex. Takes time linear in the number of
+  // parts of the face.
+  template <typename BarycentricCoordinates>
+  Query query(face_descriptor f, const BarycentricCoordinates& b) const
+  {
+    const Halfedge_id h = m_surface.checked_halfedge(f, "query", 0);
+    Coordinates c = intrinsic_coordinates<double>(h, b, "query", 0);
+    snap_coordinates(c);
+    Query q;
+    q.is_location = true;
+    for(unsigned int k = 0; k < 3; ++k)
+      if(c[k] == 1)
+        q.vertex = corner_vertex(face_of(h), k);
+    if(q.vertex != null_id)
+      return q;
+    q.is_in_face = true;
+    q.is_on_edge = c[0] == 0 || c[1] == 0 || c[2] == 0;
+    q.face = parts().part_with(face_of(h), c);
+    q.coordinates = c;
+    for(unsigned int k = 0; k < 3; ++k) // at a source
+      if(c[k] == 1)
+        q.vertex = mesh().face(q.face).vertex[k];
+    return q;
+  }
+
+private:
+  // Returns the vertex at corner k of a face of the mesh as it was before sources were inserted.
+  Vertex_id corner_vertex(Face_id f, unsigned int k) const
+  {
+    Coordinates c{};
+    c[k] = 1;
+    const Face_id part = parts().part_with(f, c);
+    return mesh().face(part).vertex[nearest_corner(c)];
+  }
+
+  Surface m_surface;
+  Source_insertion<double> m_insertion;
+  Source_set<double> m_sources;
+  Source_numbers m_numbers;
+  bool m_are_inserted = false;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_SURFACE_WITH_SOURCES_H

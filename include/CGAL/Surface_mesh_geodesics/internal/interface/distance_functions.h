@@ -1,0 +1,140 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_DISTANCE_FUNCTIONS_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_DISTANCE_FUNCTIONS_H
+
+// What the free functions for distances and for matrices of distances do behind their documentation: read the named
+// parameters, read the mesh, compute, and write to the user's maps.
+
+#include <CGAL/Surface_mesh_geodesics/internal/interface/Distance_solver.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/Face_shapes.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/Intrinsic_surface.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/source_range.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/Available_tag.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_matrix.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Source_set.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/tags.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <limits>
+#include <utility>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+// --- distances ---
+
+// Writes the distances of a solver to a map of the user.
+template <typename TriangleMesh, typename Solver, typename VertexDistanceMap>
+void write_distances(const TriangleMesh& tm, const Solver& solver, VertexDistanceMap distance_map)
+{
+  using Value = typename boost::property_traits<VertexDistanceMap>::value_type;
+  static_assert(std::numeric_limits<Value>::has_infinity,
+                "the value type of the distance map must be a floating point type");
+  for(const auto v : vertices(tm))
+    put(distance_map, v, static_cast<Value>(solver.distance(v)));
+}
+
+// Writes the numbers of the nearest sources to a map of the user.
+template <typename TriangleMesh, typename Solver, typename NearestSourceMap>
+void write_nearest_sources(const TriangleMesh& tm, const Solver& solver, NearestSourceMap map)
+{
+  for(const auto v : vertices(tm))
+    put(map, v, solver.nearest_source(v));
+}
+
+template <typename TriangleMesh, typename Solver>
+void write_nearest_sources(const TriangleMesh&, const Solver&, No_nearest_source_map)
+{}
+
+// Computes the distances from sources for all functions of geodesic_distances.h. `shape` tells where the lengths come
+// from (Face_shapes.h), `visitor` is told of the progress. Rules and FT, the pruning rules and the number type of the
+// computation, are the defaults except in tests. Checks the numbers in the options before it reads the mesh; writes
+// nothing if an exception or the visitor ends the computation.
+template <typename ConcurrencyTag, typename Rules, typename FT, typename TriangleMesh, typename VertexDistanceMap,
+          typename Sources, typename Options, typename Shape, typename Visitor, typename NamedParameters>
+bool compute_geodesic_distances(const TriangleMesh& tm, VertexDistanceMap vertex_distance_map, const Sources& sources,
+                                const Options& options, Shape shape, Visitor& visitor, const NamedParameters& np)
+{
+  auto vim = CGAL::get_initialized_vertex_index_map(tm, np);
+  auto fim = CGAL::get_initialized_face_index_map(tm, np);
+  check_maximum_distance(options.maximum_distance);
+  check_offsets(options.source_offsets);
+  Distance_solver<ConcurrencyTag, Rules, FT, TriangleMesh, decltype(vim), decltype(fim)> solver(tm, vim, fim,
+                                                                                                 std::move(shape));
+  if(!solver.run(sources, options, visitor))
+    return false;
+  write_distances(tm, solver, vertex_distance_map);
+  write_nearest_sources(tm, solver, options.nearest_source_map);
+  return true;
+}
+
+// Returns the shape of the faces from the point map among the named parameters.
+template <typename FT, typename TriangleMesh, typename NamedParameters>
+auto shape_from_points(const TriangleMesh& tm, const NamedParameters& np)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
+                              get_const_property_map(CGAL::vertex_point, tm));
+  return Shape_from_points<FT, TriangleMesh, decltype(vpm)>(tm, vpm);
+}
+
+// --- matrices of distances ---
+
+// Reads a mesh with the maps among the named parameters, and returns use(surface).
+template <typename TriangleMesh, typename NamedParameters, typename Use>
+bool with_surface(const TriangleMesh& tm, const NamedParameters& np, Use use)
+{
+  auto vim = CGAL::get_initialized_vertex_index_map(tm, np);
+  auto fim = CGAL::get_initialized_face_index_map(tm, np);
+  const Intrinsic_surface<double, TriangleMesh, decltype(vim), decltype(fim)> surface(
+    tm, vim, fim, shape_from_points<double>(tm, np));
+  return use(surface);
+}
+
+// The functions below compute the rows of a matrix and pass them to `output`; they return false if `output` ends the
+// computation.
+template <typename ConcurrencyTag, typename Surface, typename Sources, typename Targets, typename RowOutput>
+bool put_distance_matrix(const Surface& surface, const Sources& sources, const Targets& targets, RowOutput& output)
+{
+  const Distance_matrix<double> matrix(surface.mesh(), surface.source_set(sources));
+  return matrix.put_dense_rows(typename Available_tag<ConcurrencyTag>::type(),
+                               surface.checked_ids(targets, "target"), output);
+}
+
+template <typename ConcurrencyTag, typename Surface, typename Vertices, typename RowOutput>
+bool put_symmetric_distance_matrix(const Surface& surface, const Vertices& range, RowOutput& output)
+{
+  Source_set<double> set;
+  set.vertices = surface.checked_ids(range, "source");
+  const Distance_matrix<double> matrix(surface.mesh(), set);
+  return matrix.put_triangular_rows(typename Available_tag<ConcurrencyTag>::type(), output);
+}
+
+template <typename ConcurrencyTag, typename Surface, typename Sources, typename Targets, typename RowOutput>
+bool put_sparse_distance_matrix(const Surface& surface, const Sources& sources, const Targets& targets,
+                                double maximum_distance, RowOutput& output)
+{
+  const Distance_matrix<double> matrix(surface.mesh(), surface.source_set(sources));
+  return matrix.put_sparse_rows(typename Available_tag<ConcurrencyTag>::type(),
+                                surface.checked_ids(targets, "target"), maximum_distance, output);
+}
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_DISTANCE_FUNCTIONS_H

@@ -1,0 +1,155 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_FACE_PARTS_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_FACE_PARTS_H
+
+// The parts into which sources divide faces of the first mesh: which part holds a point, and where a point of a part is
+// in the whole face.
+
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Location_in_part.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/barycentric_coordinates.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <unordered_map>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+// A part of a face of the first mesh, with the coordinates of its corners there.
+template <typename FT>
+struct Face_part
+{
+  Face_id whole;
+  std::array<Barycentric<FT>, 3> corner;
+};
+
+// A face that is not in the tables has not been divided: it is its own only part. Queries take expected constant time,
+// and part_with() a time linear in the number of parts of the face.
+template <typename FT>
+class Face_parts
+{
+public:
+  // Returns the part of face f of the first mesh that contains the point b; b become its coordinates there.
+  Face_id part_with(Face_id f, Barycentric<FT>& b) const
+  {
+    const auto parts = m_parts.find(f);
+    if(parts == m_parts.end())
+      return f;
+    const Barycentric<FT> whole = b;
+    const Face_id part = find_part(parts->second, whole, b);
+    snap_coordinates(b);
+    return part;
+  }
+
+  // Returns the face of the first mesh of which f is a part.
+  Face_id whole(Face_id f) const
+  {
+    const auto part = m_part_of.find(f);
+    return part == m_part_of.end() ? f : part->second.whole;
+  }
+
+  // Returns the face of the first mesh of which f is a part; the coordinates b in f become coordinates there.
+  Face_id coordinates_in_whole(Face_id f, Barycentric<FT>& b) const
+  {
+    const auto part = m_part_of.find(f);
+    if(part == m_part_of.end())
+      return f;
+    b = combination(part->second.corner, b);
+    return part->second.whole;
+  }
+
+  // Returns whether the point at fraction t of halfedge h is on an edge of the first mesh; if so, h and t become that
+  // halfedge and the fraction there.
+  bool find_on_whole_edge(Halfedge_id& h, FT& t) const
+  {
+    const auto it = m_part_of.find(face_of(h));
+    if(it == m_part_of.end())
+      return true;
+    const Barycentric<FT>& a = it->second.corner[index_in_face(h)];
+    const Barycentric<FT>& b = it->second.corner[next_corner(index_in_face(h))];
+    for(unsigned int k = 0; k < 3; ++k)
+    {
+      const unsigned int opposite = previous_corner(k); // of the edge from corner k
+      if(a[opposite] == 0 && b[opposite] == 0)
+      {
+        h = halfedge_of(it->second.whole, k);
+        t = (1 - t) * a[next_corner(k)] + t * b[next_corner(k)];
+        return true;
+      }
+    }
+    return false;
+  }
+
+  // Returns the corners of f in its whole face. A face that has not been divided enters the tables.
+  const Face_part<FT>& part(Face_id f)
+  {
+    const auto it = m_part_of.find(f);
+    if(it != m_part_of.end())
+      return it->second;
+    m_parts[f].push_back(f);
+    return m_part_of[f]
+         = Face_part<FT>{f, {Barycentric<FT>{1, 0, 0}, Barycentric<FT>{0, 1, 0}, Barycentric<FT>{0, 0, 1}}};
+  }
+
+  // Replaces the corners of the part f.
+  void set(Face_id f, const Face_part<FT>& p) { m_part_of[f] = p; }
+
+  // Adds f to the parts of its whole face.
+  void add(Face_id f, const Face_part<FT>& p)
+  {
+    m_parts[p.whole].push_back(f);
+    set(f, p);
+  }
+
+  void clear()
+  {
+    m_parts.clear();
+    m_part_of.clear();
+  }
+
+private:
+  // Returns the part that contains b, and sets its coordinates there. If rounding leaves several parts, the one where
+  // no coordinate is negative, or the least one is largest, wins; then the one where the coordinates are known best;
+  // then the first one.
+  Face_id find_part(const std::vector<Face_id>& parts, const Barycentric<FT>& b, Barycentric<FT>& local) const
+  {
+    Face_id best = parts.front();
+    FT best_minimum = -std::numeric_limits<FT>::infinity(), best_rounding = -best_minimum;
+    for(Face_id s : parts)
+    {
+      Location_in_part<FT> location(m_part_of.at(s).corner, b);
+      if(!location.is_known())
+        continue;
+      location.snap();
+      const FT minimum = (std::min)(FT(0), location.least_coordinate());
+      if(!(minimum > best_minimum || (minimum == best_minimum && location.rounding() < best_rounding)))
+        continue;
+      best_minimum = minimum;
+      best_rounding = location.rounding();
+      best = s;
+      local = location.coordinates();
+    }
+    return best;
+  }
+
+  std::unordered_map<Face_id, std::vector<Face_id>> m_parts; // of a face of the first mesh
+  std::unordered_map<Face_id, Face_part<FT>> m_part_of;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_FACE_PARTS_H
