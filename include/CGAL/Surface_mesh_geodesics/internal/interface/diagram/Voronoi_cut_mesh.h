@@ -7,12 +7,15 @@
 //
 // Author(s)     : The Surface_mesh_geodesics authors
 
-#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_VORONOI_CUT_MESH_H
-#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_VORONOI_CUT_MESH_H
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_DIAGRAM_VORONOI_CUT_MESH_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_DIAGRAM_VORONOI_CUT_MESH_H
 
-// The cut faces as a mesh of the user. The connectivity is that of the intrinsic mesh: each of its edges becomes a
-// chain of edges that both faces share, and each face is filled with its triangles. Halfedges are linked one
-// by one, as a mesh may have what Euler operations refuse: pinched vertices, two edges with the same ends.
+// Adds the surface, cut along the arcs of a Voronoi complex, to a mesh of the user. The connectivity is that of the
+// refined intrinsic mesh: each of its edges becomes a chain of edges that both faces share, and each face is filled
+// with the triangles that Voronoi_face_cut makes of it.
+//
+// Halfedges are linked one by one, without Euler operations: these refuse pinched vertices and two edges with the same
+// ends, both of which a surface may have.
 
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Voronoi_complex.h>
@@ -20,8 +23,10 @@
 
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/properties.h>
+#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <array>
@@ -35,6 +40,7 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
+// `VertexPointMap` is writable, with the points of the output as values.
 template <typename OutputMesh, typename VertexPointMap>
 class Voronoi_cut_mesh
 {
@@ -50,8 +56,9 @@ public:
     : m_mesh(mesh), m_complex(complex), m_output(output), m_vpm(vpm)
   {}
 
-  // adds the cut surface to the output. point_of_vertex(v) gives the point of a vertex of the mesh,
-  // point_in_face(f, p) that at the point p of the layout of a face; set_site(f, s) is called for each new face.
+  // Adds the cut surface to the output. `point_of_vertex(v)` gives the point of a vertex of the refined mesh,
+  // `point_in_face(f, p)` the point at p in the plane of a face; `set_site(f, s)` is called for each new face and the
+  // vertex of its site, or null_id. Tolerances are in the unit of the intrinsic mesh. Is to be called once.
   template <typename PointOfVertex, typename PointInFace, typename SetSite>
   void build(double tolerance, PointOfVertex point_of_vertex, PointInFace point_in_face, SetSite set_site)
   {
@@ -74,6 +81,7 @@ public:
   }
 
 private:
+  // Is h the halfedge of its edge along which the pieces are stored?
   bool is_first(Halfedge_id h) const
   {
     const Halfedge_id o = m_mesh.opposite(h);
@@ -99,6 +107,7 @@ private:
     return h;
   }
 
+  // Divides the edge of h where arcs end on it, and adds the pieces from its source to its target.
   template <typename PointInFace>
   void add_edge_pieces(Halfedge_id h, PointInFace point_in_face)
   {
@@ -119,10 +128,10 @@ private:
       m_pieces.push_back(new_edge(from, to));
       from = to;
     }
-    m_pieces.push_back(Graph_traits::null_halfedge()); // the end
+    m_pieces.push_back(Graph_traits::null_halfedge()); // ends the pieces of this edge
   }
 
-  // adds the halfedges of the border of a face along the halfedge h.
+  // Appends the pieces along h to the border of its face.
   void collect_border(Halfedge_id h)
   {
     const bool is_reversed = !is_first(h);
@@ -134,6 +143,8 @@ private:
       std::reverse(m_border.begin() + static_cast<std::ptrdiff_t>(begin), m_border.end());
   }
 
+  // Adds the triangles of a face. They fill the polygon that the pieces of its edges form, so each halfedge is used
+  // once.
   template <typename PointInFace, typename SetSite>
   void fill_face(Face_id f, const Voronoi_face_cut& cut, PointInFace point_in_face, SetSite set_site)
   {
@@ -156,7 +167,8 @@ private:
     CGAL_assertion_msg(m_open.empty(), "a face is not filled");
   }
 
-  // a halfedge between vertices of the face of which the triangle on the left is still to be made.
+  // Returns the halfedge between two vertices of the face whose triangle on the left is not made yet; adds the edge if
+  // it is the first one of its two triangles.
   halfedge_descriptor take_halfedge(std::uint32_t from, std::uint32_t to)
   {
     const auto it = m_open.find(std::make_pair(from, to));
@@ -200,8 +212,8 @@ private:
     return m_pieces[i];
   }
 
-  // The halfedges without a face at a vertex: the one that leads to it along one umbrella is followed by the one that
-  // leaves it along the next umbrella, so that a walk around the vertex meets all of them.
+  // Links the border halfedges at a vertex. The one that enters along one umbrella is followed by the one that leaves
+  // along the next umbrella, so that a walk around a pinched vertex meets all umbrellas.
   void link_border_at(Vertex_id v)
   {
     std::vector<halfedge_descriptor> entering, leaving;
@@ -219,6 +231,7 @@ private:
     }
   }
 
+  // Links the border halfedges at the vertices that divide a border edge.
   void link_border_inside_edges()
   {
     for(Halfedge_id h = 0; h < m_first_piece.size(); ++h)
@@ -238,16 +251,35 @@ private:
   const Complex& m_complex;
   OutputMesh& m_output;
   VertexPointMap m_vpm;
-  std::vector<vertex_descriptor> m_vertices;   // of vertices of the mesh
-  std::vector<std::uint32_t> m_first_piece;    // of a halfedge, in m_pieces
-  std::vector<halfedge_descriptor> m_pieces;   // of an edge from its source on, and the null halfedge
-  std::vector<halfedge_descriptor> m_border;   // of a face
-  std::vector<vertex_descriptor> m_local;      // the vertices in a face
+  std::vector<vertex_descriptor> m_vertices;   // of the output, by vertex of the refined mesh
+  std::vector<std::uint32_t> m_first_piece;    // index in m_pieces, by halfedge; null_id if it is not the first one
+  std::vector<halfedge_descriptor> m_pieces;   // of each edge, from its source on, then the null halfedge
+  std::vector<halfedge_descriptor> m_border;   // of the present face
+  std::vector<vertex_descriptor> m_local;      // of the output, by vertex of the cut of the present face
+  // Halfedges of the present face without a triangle, by their ends in m_local.
   std::map<std::pair<std::uint32_t, std::uint32_t>, halfedge_descriptor> m_open;
 };
+
+// Adds the cut surface of a lazy diagram to a mesh; the tolerance is in the user's unit. `face_site_map` receives the
+// number of the site of each new face. Requires: the diagram is built.
+template <typename Diagram, typename OutputMesh, typename VertexPointMap, typename FaceSiteMap>
+void add_cut_mesh(const Diagram& diagram, double tolerance, OutputMesh& output, VertexPointMap vpm,
+                  FaceSiteMap face_site_map)
+{
+  using Output_point = typename boost::property_traits<VertexPointMap>::value_type;
+  const auto output_point = [](const typename Diagram::Point_3& p)
+  { return Output_point(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())); };
+  const auto point_of_vertex = [&](Vertex_id v) { return output_point(diagram.point_of_vertex(v)); };
+  const auto point_in_face = [&](Face_id f, const Planar_point<double>& p)
+  { return output_point(diagram.point(diagram.location(f, p))); };
+  const auto set_site = [&](typename boost::graph_traits<OutputMesh>::face_descriptor f, Vertex_id s)
+  { put(face_site_map, f, diagram.site_at(s)); };
+  Voronoi_cut_mesh<OutputMesh, VertexPointMap> cut_mesh(diagram.refined_mesh(), diagram.complex(), output, vpm);
+  cut_mesh.build(tolerance / diagram.unit(), point_of_vertex, point_in_face, set_site);
+}
 
 } // namespace internal
 } // namespace Surface_mesh_geodesics
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_VORONOI_CUT_MESH_H
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_DIAGRAM_VORONOI_CUT_MESH_H

@@ -1,0 +1,508 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_DIAGRAM_LAZY_VORONOI_DIAGRAM_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_DIAGRAM_LAZY_VORONOI_DIAGRAM_H
+
+// What Surface_mesh_geodesic_Voronoi_diagram knows, and when it computes it: the sites, the solver, the complex and the
+// elements of the diagram, areas and centroids of cells, and the windows for distances at points of faces.
+//
+// One rule holds for all queries, as for shortest paths (Lazy_path_structure). A query is const, and computes what it
+// needs under a mutex if that is missing. Once it is there, a query reads one atomic flag and takes no lock, so any
+// number of threads may ask one object. Functions that are not const (sites, lengths, clear()) need the object for
+// themselves.
+//
+// Results appear in three independent steps, each with a flag of its own: the diagram; the measures of cells; the
+// windows. The later two require the first and write nothing that a query reads without asking for them.
+
+#include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Cell_locator.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Redundant_window_removal.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Voronoi_cell_measures.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Voronoi_complex.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/Face_shapes.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/Path_solver.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/Surface_locations.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Weighted_site_list.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/run_with_visitor.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/distance_in_space.h>
+
+#include <CGAL/assertions.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+// `Elements` is Voronoi_elements<Diagram>, where Diagram is the public class. Its parameters are those of the latter.
+template <typename Traits, typename VertexIndexMap, typename FaceIndexMap, typename VertexPointMap, typename Elements>
+class Lazy_Voronoi_diagram
+{
+public:
+  using Locations = Surface_locations<Traits, VertexPointMap>;
+  using Triangle_mesh = typename Locations::Triangle_mesh;
+  using Graph_traits = typename Locations::Graph_traits;
+  using vertex_descriptor = typename Locations::vertex_descriptor;
+  using face_descriptor = typename Locations::face_descriptor;
+  using FT = typename Locations::FT;
+  using Point_3 = typename Locations::Point_3;
+  using Barycentric_coordinates = typename Locations::Barycentric_coordinates;
+  using Face_location = typename Locations::Face_location;
+  using Coordinates = typename Locations::Coordinates;
+  using Sites = Weighted_site_list<vertex_descriptor, Face_location, FT>;
+  using Solver = Path_solver<Triangle_mesh, VertexIndexMap, FaceIndexMap>;
+  using Complex = Voronoi_complex<double>;
+
+  // Stands for "no site".
+  static constexpr std::size_t no_site = (std::numeric_limits<std::size_t>::max)();
+
+  Lazy_Voronoi_diagram(const Triangle_mesh& tm, VertexIndexMap vertex_index_map, FaceIndexMap face_index_map,
+                       VertexPointMap vertex_point_map, const Traits& traits, const Elements& elements)
+    : m_traits(traits), m_tm(tm), m_vertex_index_map(vertex_index_map), m_face_index_map(face_index_map),
+      m_vertex_point_map(vertex_point_map), m_solver(tm, vertex_index_map, face_index_map), m_elements(elements)
+  {
+    use_points();
+  }
+
+  Lazy_Voronoi_diagram(const Lazy_Voronoi_diagram&) = delete;
+  Lazy_Voronoi_diagram& operator=(const Lazy_Voronoi_diagram&) = delete;
+
+  const Triangle_mesh& mesh() const { return m_tm; }
+
+  // --- sites ---
+
+  const Sites& sites() const { return m_sites; }
+
+  // Adds a vertex. The build refuses an invalid one.
+  std::size_t add_site(vertex_descriptor v, const FT& weight) { return add({true, v, Face_location(), weight}); }
+
+  // Adds a point of a face. The build refuses an invalid one.
+  std::size_t add_site(const Face_location& location, const FT& weight)
+  {
+    return add({false, Graph_traits::null_vertex(), location, weight});
+  }
+
+  void remove_all_sites()
+  {
+    m_sites.clear();
+    forget_diagram();
+  }
+
+  void clear()
+  {
+    m_sites.clear();
+    forget_mesh();
+  }
+
+  // Returns the null location for a vertex that is in no face, or not in the mesh.
+  Face_location location_of_site(std::size_t i) const
+  {
+    const typename Sites::Site& s = m_sites[i];
+    if(!s.is_vertex)
+      return s.location;
+    return is_vertex_of(s.vertex, m_tm, m_vertex_index_map) ? Locations::location(s.vertex, m_tm, m_traits)
+                                                            : Locations::null_location(m_traits);
+  }
+
+  // --- lengths: they are read by the next build ---
+
+  template <typename EdgeLengthMap>
+  void use_edge_lengths(EdgeLengthMap edge_length_map)
+  {
+    m_read_mesh = [this, edge_length_map]
+    { m_solver.build_mesh(Shape_from_edge_lengths<double, Triangle_mesh, EdgeLengthMap>(m_tm, edge_length_map)); };
+    forget_mesh();
+  }
+
+  void use_points()
+  {
+    m_read_mesh = [this]
+    { m_solver.build_mesh(Shape_from_points<double, Triangle_mesh, VertexPointMap>(m_tm, m_vertex_point_map)); };
+    forget_mesh();
+  }
+
+  // --- building: all functions throw Invalid_geodesic_input if the mesh or a site is invalid ---
+
+  bool is_built() const { return m_is_built.load(std::memory_order_acquire); }
+
+  void build() const
+  {
+    build_with([](auto propagate) { return propagate([](std::size_t, double) { return true; }); });
+  }
+
+  // Returns false if the visitor cancels; nothing is known then.
+  template <typename Visitor>
+  bool build(Visitor& visitor) const
+  {
+    return build_with([&](auto propagate) { return run_with_visitor(visitor, num_vertices(m_tm), propagate); });
+  }
+
+  // What the propagation did, and how many windows the diagram kept: at most at a time, and without the removal of
+  // redundant ones. Both build the diagram.
+  const Propagation_statistics& statistics() const
+  {
+    build();
+    return m_statistics;
+  }
+
+  std::pair<std::size_t, std::size_t> number_of_kept_windows() const
+  {
+    build();
+    return m_kept_windows;
+  }
+
+  // --- what is built; all functions require is_built() ---
+
+  const Complex& complex() const
+  {
+    CGAL_assertion(is_built());
+    return m_complex;
+  }
+
+  const Elements& elements() const
+  {
+    CGAL_assertion(is_built());
+    return m_elements;
+  }
+
+  // The number of the site at a vertex of the refined mesh, no_site for null_id.
+  std::size_t site_at(Vertex_id v) const { return v == null_id ? no_site : m_solver.source_at(v); }
+
+  // The vertex of the refined mesh at a site. Several sites may be at one vertex.
+  Vertex_id vertex_of_site(std::size_t i) const { return m_solver.source_vertex(i); }
+
+  // Does the site have a cell? No other site at the same point, or nearby, has taken it, and none hides it.
+  bool has_cell(std::size_t i) const
+  {
+    const Vertex_id v = m_solver.source_vertex(i);
+    return complex().owner(v) == v && m_solver.source_at(v) == i;
+  }
+
+  // The user's unit: lengths of the intrinsic mesh are multiples of it. 1 if there are no sites.
+  double unit() const { return m_sites.empty() ? 1. : m_solver.unit(); }
+
+  // A distance of the propagation in the user's unit, less the weight of the site.
+  FT user_distance(double d) const { return FT(d * m_solver.unit() - m_largest_weight); }
+
+  face_descriptor user_face(Face_id f) const { return m_solver.user_face(f); }
+
+  // The location of a point of the plane of a face of the refined mesh.
+  Face_location location(Face_id f, const Planar_point<double>& p) const
+  {
+    const auto l = m_solver.user_location(f, complex().coordinates(f, p));
+    return Face_location(l.first, Locations::coordinates(l.second, m_traits));
+  }
+
+  const Intrinsic_mesh<double>& refined_mesh() const { return m_solver.mesh(); }
+
+  // The point of a vertex of the refined mesh: of the user's mesh, or of a site.
+  Point_3 point_of_vertex(Vertex_id v) const
+  {
+    const vertex_descriptor user = m_solver.user_vertex(v);
+    return user != Graph_traits::null_vertex() ? Point_3(get(m_vertex_point_map, user))
+                                               : point(location_of_site(m_solver.source_at(v)));
+  }
+
+  // --- queries: they build what they need ---
+
+  std::size_t nearest_site(vertex_descriptor v) const
+  {
+    build();
+    return m_sites.empty() ? no_site : site_at(m_complex.owner(m_solver.query(v).vertex));
+  }
+
+  std::size_t nearest_site(face_descriptor f, const Barycentric_coordinates& location) const
+  {
+    build();
+    if(m_sites.empty())
+      return no_site;
+    const typename Solver::Query q = m_solver.query(f, weights(location));
+    if(q.vertex != null_id)
+      return site_at(m_complex.owner(q.vertex));
+    const auto corner = m_complex.layout(q.face);
+    Planar_point<double> p;
+    for(unsigned int k = 0; k < 3; ++k)
+    {
+      p.x += q.coordinates[k] * corner[k].x;
+      p.y += q.coordinates[k] * corner[k].y;
+    }
+    return site_at(Cell_locator<double>(m_complex, q.face, p).cell());
+  }
+
+  // -1 if no site reaches the point.
+  FT distance_to_nearest_site(vertex_descriptor v) const
+  {
+    build();
+    return m_sites.empty() ? FT(-1) : user_distance(m_solver.arrival(m_solver.query(v)));
+  }
+
+  FT distance_to_nearest_site(face_descriptor f, const Barycentric_coordinates& location) const
+  {
+    build();
+    if(m_sites.empty())
+      return FT(-1);
+    const typename Solver::Query q = m_solver.query(f, weights(location));
+    if(m_solver.needs_windows(q))
+      add_windows();
+    return user_distance(m_solver.arrival(q));
+  }
+
+  std::vector<typename Elements::Arc> arcs(face_descriptor f) const
+  {
+    build();
+    return m_elements.arcs_in_face(face_index(f));
+  }
+
+  // 0 for an empty cell.
+  FT area(std::size_t i) const
+  {
+    build();
+    const double u = unit();
+    return FT(measures().area(cell_vertex(i)) * u * u);
+  }
+
+  // The site if the cell has no area.
+  Point_3 centroid(std::size_t i) const
+  {
+    build();
+    const std::array<double, 3> c = measures().centroid(cell_vertex(i));
+    return std::isfinite(c[0]) ? Point_3(c[0], c[1], c[2]) : point_of_site(i);
+  }
+
+  // The vertex in the cell that is nearest to the centroid, the first of several; the null vertex if there is none.
+  vertex_descriptor central_vertex(std::size_t i) const
+  {
+    const Point_3 c = centroid(i);
+    vertex_descriptor best = Graph_traits::null_vertex();
+    double best_distance = std::numeric_limits<double>::infinity();
+    for(const vertex_descriptor v : vertices(m_tm))
+    {
+      if(nearest_site(v) != i)
+        continue;
+      const double d = distance_in_space<Point_3>(c, get(m_vertex_point_map, v));
+      if(d < best_distance)
+      {
+        best = v;
+        best_distance = d;
+      }
+    }
+    return best;
+  }
+
+  Point_3 point(const Face_location& location) const
+  {
+    return Locations::point(location.first, location.second, m_tm, m_vertex_point_map, m_traits);
+  }
+
+private:
+  using Removal = Redundant_window_removal<double, Complex>;
+  using Measures = Voronoi_cell_measures;
+
+  // --- forgetting ---
+
+  std::size_t add(const typename Sites::Site& site)
+  {
+    const std::size_t i = m_sites.add(site);
+    forget_diagram();
+    return i;
+  }
+
+  void forget_mesh()
+  {
+    m_solver.forget();
+    m_statistics = Propagation_statistics();
+    forget_diagram();
+  }
+
+  // Does nothing unless the diagram is built: sites are added one after the other, and clearing tables takes time that
+  // depends on their former size.
+  void forget_diagram()
+  {
+    if(!is_built())
+      return;
+    m_is_built = false;
+    m_has_measures = false;
+    m_has_windows = false;
+    m_complex.clear();
+    m_elements.clear();
+  }
+
+  // --- computing ---
+
+  // Calls compute() unless the flag is set, and sets it unless compute() returns false or throws. Of several threads
+  // one computes; the others wait.
+  template <typename Compute>
+  bool compute_once(std::atomic<bool>& is_done, Compute compute) const
+  {
+    if(is_done.load(std::memory_order_acquire))
+      return true;
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    if(is_done.load(std::memory_order_relaxed)) // another thread has computed meanwhile
+      return true;
+    if(!compute())
+      return false;
+    is_done.store(true, std::memory_order_release);
+    return true;
+  }
+
+  // `run(propagate)` calls propagate(go_on) and returns its result, which is false if go_on() ends the propagation.
+  template <typename Run>
+  bool build_with(Run run) const
+  {
+    return compute_once(m_is_built, [&]
+    {
+      give_sites_to_solver();
+      if(!propagate(run))
+        return false;
+      m_elements.collect(m_complex, [this](Vertex_id v) { return site_at(v); },
+                         [this](Face_id f) { return face_index(m_solver.user_face(f)); });
+      return true;
+    });
+  }
+
+  void give_sites_to_solver() const
+  {
+    m_largest_weight = m_sites.largest_weight();
+    if(!m_solver.has_mesh())
+      m_read_mesh();
+    m_solver.begin_sources();
+    m_sites.for_each_offset(m_solver.unit(), [this](const typename Sites::Site& s, double offset)
+    {
+      if(s.is_vertex)
+        m_solver.add_source(s.vertex, offset);
+      else
+        m_solver.add_source_location(std::make_pair(s.location.first, weights(s.location.second)), offset);
+    });
+  }
+
+  // Propagates from all sites at once; faces that arcs cross are cut behind the wavefront.
+  template <typename Run>
+  bool propagate(Run run) const
+  {
+    Removal removal;
+    const auto start = [&]
+    {
+      removal.reset(m_solver.mesh(), m_solver.field(), m_complex);
+      m_solver.for_each_equal_source([&](Vertex_id v, Vertex_id first) { removal.unite(v, first); });
+      m_complex.start(m_solver.mesh());
+      return Redundant_window_remover<Removal>(removal);
+    };
+    const bool is_complete = run([&](auto go_on)
+    {
+      return m_solver.run_with_keeper(start, [&](std::size_t number_of_visits, double reached)
+      { return go_on(number_of_visits, reached - m_largest_weight); });
+    });
+    if(!is_complete)
+    {
+      m_complex.clear();
+      return false;
+    }
+    removal.finish();
+    m_complex.finish(removal.owners());
+    m_statistics = m_solver.statistics();
+    m_kept_windows = {removal.windows().maximum_size(), removal.number_of_kept_windows()};
+    return true;
+  }
+
+  // Propagates once more on the same mesh and keeps all windows: the diagram has removed those that it does not need.
+  void add_windows() const
+  {
+    compute_once(m_has_windows, [&] { return m_solver.add_windows([](std::size_t, double) { return true; }); });
+  }
+
+  // Requires: the diagram is built.
+  const Measures& measures() const
+  {
+    compute_once(m_has_measures, [&]
+    {
+      measure();
+      return true;
+    });
+    return m_measures;
+  }
+
+  void measure() const
+  {
+    m_measures.clear();
+    const std::size_t n = m_sites.empty() ? 0 : m_solver.mesh().number_of_faces();
+    for(Face_id f = 0; f < n; ++f)
+    {
+      std::array<std::array<double, 3>, 3> corner;
+      for(unsigned int k = 0; k < 3; ++k)
+      {
+        Coordinates b{};
+        b[k] = 1;
+        const auto l = m_solver.user_location(f, b);
+        const Point_3 p = point(Face_location(l.first, Locations::coordinates(l.second, m_traits)));
+        corner[k] = {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
+      }
+      m_measures.add_face(m_complex, f, corner);
+    }
+  }
+
+  // --- helpers ---
+
+  Vertex_id cell_vertex(std::size_t i) const { return has_cell(i) ? m_solver.source_vertex(i) : null_id; }
+
+  FT user_distance(const typename Solver::Arrival& a) const
+  {
+    return a.root == null_id ? FT(-1) : user_distance(a.distance);
+  }
+
+  // Works for a vertex in no face, too.
+  Point_3 point_of_site(std::size_t i) const
+  {
+    const typename Sites::Site& s = m_sites[i];
+    return s.is_vertex ? Point_3(get(m_vertex_point_map, s.vertex)) : point(s.location);
+  }
+
+  std::size_t face_index(face_descriptor f) const { return static_cast<std::size_t>(get(m_face_index_map, f)); }
+
+  Coordinates weights(const Barycentric_coordinates& location) const { return Locations::weights(location, m_traits); }
+
+  const Traits m_traits;
+  const Triangle_mesh& m_tm;
+  VertexIndexMap m_vertex_index_map;
+  FaceIndexMap m_face_index_map;
+  VertexPointMap m_vertex_point_map;
+  Sites m_sites;
+  std::function<void()> m_read_mesh;
+
+  mutable std::mutex m_mutex; // held by the thread that computes
+  mutable std::atomic<bool> m_is_built{false}, m_has_measures{false}, m_has_windows{false};
+  mutable Solver m_solver;
+
+  // Valid if m_is_built.
+  mutable Complex m_complex;
+  mutable Elements m_elements;
+  mutable double m_largest_weight = 0;
+  mutable Propagation_statistics m_statistics;
+  mutable std::pair<std::size_t, std::size_t> m_kept_windows;
+
+  mutable Measures m_measures; // valid if m_has_measures
+};
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_DIAGRAM_LAZY_VORONOI_DIAGRAM_H

@@ -1,0 +1,217 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_DIAGRAM_VORONOI_ELEMENTS_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_DIAGRAM_VORONOI_ELEMENTS_H
+
+// The vertices, arcs and edges that users see, made from the Voronoi complex. The complex may hold arcs and chains
+// without length, where the diagram is degenerate; users see none of them, and the nodes that such chains connect are
+// one vertex. This table has the handles of all elements, and leads from each element to the complex and back.
+//
+// Elements are numbered in the order of the complex.
+
+#include <boost/pending/disjoint_sets.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+// `Diagram` has the handle types Vertex, Arc and Edge, which are constructible from a pointer to it and a number.
+template <typename Diagram>
+class Voronoi_elements
+{
+public:
+  using Vertex = typename Diagram::Vertex;
+  using Arc = typename Diagram::Arc;
+  using Edge = typename Diagram::Edge;
+  using Directed_arc = std::pair<Arc, bool>; // and whether it runs from its end to its start
+
+  // Stands for "no element".
+  static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
+
+  explicit Voronoi_elements(const Diagram& diagram) : m_diagram(&diagram) {}
+
+  void clear()
+  {
+    m_vertices.clear();
+    m_arcs.clear();
+    m_edges.clear();
+  }
+
+  // Makes the elements of a complex. `site_at(v)` gives the number of the site at a vertex of the refined mesh,
+  // `face_index(f)` the user's index of a face of the refined mesh. Takes time linear in the size of the complex.
+  template <typename Complex, typename SiteAt, typename FaceIndex>
+  void collect(const Complex& complex, SiteAt site_at, FaceIndex face_index)
+  {
+    collect_edges(complex, collect_arcs(complex, face_index));
+    collect_vertices(complex, site_at);
+  }
+
+  // --- elements, by number ---
+
+  const std::vector<Vertex>& vertices() const { return m_vertices; }
+  const std::vector<Arc>& arcs() const { return m_arcs; }
+  const std::vector<Edge>& edges() const { return m_edges; }
+
+  // The arcs of an edge, from its start to its end.
+  const std::vector<Directed_arc>& arcs_of_edge(std::size_t e) const { return m_edge_arcs[e]; }
+
+  // The sites whose cells meet at a vertex, in ascending order.
+  const std::vector<std::size_t>& sites_of_vertex(std::size_t v) const { return m_vertex_sites[v]; }
+
+  // The arcs in a face, which is given by its index. Takes O(log n + k) time for n arcs in all and k in the face.
+  std::vector<Arc> arcs_in_face(std::size_t face_index) const
+  {
+    std::vector<Arc> result;
+    auto it = std::lower_bound(m_arcs_by_face.begin(), m_arcs_by_face.end(), Run_of_arcs{face_index, 0, 0});
+    for(; it != m_arcs_by_face.end() && it->face_index == face_index; ++it)
+      result.insert(result.end(), m_arcs.begin() + it->first, m_arcs.begin() + it->last);
+    return result;
+  }
+
+  // --- from elements to the complex and back ---
+
+  std::size_t node_of_vertex(std::size_t v) const { return m_node_of_vertex[v]; }
+  std::size_t complex_arc(std::size_t a) const { return m_arc_ids[a]; }
+  std::size_t chain_of_edge(std::size_t e) const { return m_chain_ids[e]; }
+
+  // Returns none for a node that is not a vertex of the diagram.
+  std::size_t vertex_of_node(std::size_t n) const { return m_vertex_of_node[n]; }
+
+  // Returns none for a chain without length.
+  std::size_t edge_of_chain(std::size_t c) const { return m_edge_of_chain[c]; }
+
+private:
+  // Consecutive arcs in one face. A face that holds sites may have several such runs.
+  struct Run_of_arcs
+  {
+    std::size_t face_index;
+    std::ptrdiff_t first, last;
+
+    bool operator<(const Run_of_arcs& other) const
+    {
+      return face_index != other.face_index ? face_index < other.face_index : first < other.first;
+    }
+  };
+
+  // Makes the arcs that have a length. Returns the number of the arc for each arc of the complex, or none.
+  template <typename Complex, typename FaceIndex>
+  std::vector<std::size_t> collect_arcs(const Complex& complex, FaceIndex face_index)
+  {
+    const auto& arcs = complex.arcs();
+    m_arcs.clear();
+    m_arc_ids.clear();
+    m_arcs_by_face.clear();
+    std::vector<std::size_t> number(arcs.size(), none);
+    for(std::size_t a = 0; a < arcs.size(); ++a)
+    {
+      if(!complex.has_length(arcs[a]))
+        continue;
+      number[a] = m_arcs.size();
+      const auto position = static_cast<std::ptrdiff_t>(m_arcs.size());
+      if(m_arcs.empty() || arcs[a].face != arcs[m_arc_ids.back()].face)
+        m_arcs_by_face.push_back(Run_of_arcs{face_index(arcs[a].face), position, position});
+      m_arcs_by_face.back().last = position + 1;
+      m_arcs.push_back(Arc(m_diagram, m_arcs.size()));
+      m_arc_ids.push_back(a);
+    }
+    std::sort(m_arcs_by_face.begin(), m_arcs_by_face.end());
+    return number;
+  }
+
+  // Makes an edge of each chain that has a length.
+  template <typename Complex>
+  void collect_edges(const Complex& complex, const std::vector<std::size_t>& number_of_arc)
+  {
+    const auto& chains = complex.chains();
+    m_edges.clear();
+    m_edge_arcs.clear();
+    m_chain_ids.clear();
+    m_edge_of_chain.assign(chains.size(), none);
+    for(std::size_t c = 0; c < chains.size(); ++c)
+    {
+      if(!chains[c].has_length)
+        continue;
+      m_edge_of_chain[c] = m_edges.size();
+      m_edges.push_back(Edge(m_diagram, m_edges.size()));
+      m_chain_ids.push_back(c);
+      m_edge_arcs.emplace_back();
+      for(const std::pair<std::uint32_t, bool>& a : chains[c].arcs)
+        if(number_of_arc[a.first] != none)
+          m_edge_arcs.back().emplace_back(m_arcs[number_of_arc[a.first]], a.second);
+    }
+  }
+
+  // Makes one vertex of all nodes that chains without length connect.
+  template <typename Complex, typename SiteAt>
+  void collect_vertices(const Complex& complex, SiteAt site_at)
+  {
+    const auto& nodes = complex.nodes();
+    std::vector<std::size_t> rank(nodes.size()), parent(nodes.size());
+    boost::disjoint_sets<std::size_t*, std::size_t*> sets(rank.data(), parent.data());
+    for(std::size_t n = 0; n < nodes.size(); ++n)
+      sets.make_set(n);
+    for(const auto& c : complex.chains())
+      if(!c.has_length && nodes[c.first_node].is_vertex() && nodes[c.last_node].is_vertex())
+        sets.union_set(c.first_node, c.last_node);
+    m_vertices.clear();
+    m_node_of_vertex.clear();
+    m_vertex_sites.clear();
+    m_vertex_of_node.assign(nodes.size(), none);
+    for(std::size_t n = 0; n < nodes.size(); ++n)
+    {
+      if(!nodes[n].is_vertex())
+        continue;
+      std::size_t& v = m_vertex_of_node[sets.find_set(n)];
+      if(v == none)
+        v = add_vertex_at(n);
+      for(const auto s : nodes[n].sites)
+        m_vertex_sites[v].push_back(site_at(s));
+      m_vertex_of_node[n] = v;
+    }
+    for(std::vector<std::size_t>& s : m_vertex_sites)
+    {
+      std::sort(s.begin(), s.end());
+      s.erase(std::unique(s.begin(), s.end()), s.end());
+    }
+  }
+
+  std::size_t add_vertex_at(std::size_t node)
+  {
+    const std::size_t v = m_vertices.size();
+    m_vertices.push_back(Vertex(m_diagram, v));
+    m_node_of_vertex.push_back(node);
+    m_vertex_sites.emplace_back();
+    return v;
+  }
+
+  const Diagram* m_diagram;
+  std::vector<Vertex> m_vertices;
+  std::vector<std::size_t> m_node_of_vertex, m_vertex_of_node;
+  std::vector<std::vector<std::size_t>> m_vertex_sites;
+  std::vector<Arc> m_arcs;
+  std::vector<std::size_t> m_arc_ids;                    // arcs of the complex, by number
+  std::vector<Run_of_arcs> m_arcs_by_face;               // sorted
+  std::vector<Edge> m_edges;
+  std::vector<std::size_t> m_chain_ids, m_edge_of_chain; // chains of the complex
+  std::vector<std::vector<Directed_arc>> m_edge_arcs;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_DIAGRAM_VORONOI_ELEMENTS_H

@@ -1,0 +1,103 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_DIAGRAM_WEIGHTED_SITE_LIST_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_DIAGRAM_WEIGHTED_SITE_LIST_H
+
+// The sites of a geodesic Voronoi diagram as the user gave them: vertices or locations, with weights in the user's
+// unit. A propagation knows offsets instead of weights: it starts from each site with the difference from the largest
+// weight, so the heaviest site starts at 0 and no offset is negative.
+
+#include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
+
+#include <CGAL/assertions.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+template <typename vertex_descriptor, typename Face_location, typename FT>
+class Weighted_site_list
+{
+public:
+  struct Site
+  {
+    bool is_vertex;
+    vertex_descriptor vertex; // if is_vertex
+    Face_location location;   // otherwise
+    FT weight;
+  };
+
+  std::size_t size() const { return m_sites.size(); }
+  bool empty() const { return m_sites.empty(); }
+  void clear() { m_sites.clear(); }
+  auto begin() const { return m_sites.begin(); }
+  auto end() const { return m_sites.end(); }
+
+  const Site& operator[](std::size_t i) const
+  {
+    CGAL_precondition_msg(i < m_sites.size(), "there is no site with this number");
+    return m_sites[i];
+  }
+
+  // Appends a site and returns its number. Throws Invalid_geodesic_input if the weight is not finite.
+  std::size_t add(const Site& site)
+  {
+    if(!std::isfinite(CGAL::to_double(site.weight)))
+      refuse_weight("is not finite", m_sites.size());
+    m_sites.push_back(site);
+    return m_sites.size() - 1;
+  }
+
+  // Returns 0 if there are no sites.
+  double largest_weight() const
+  {
+    double largest = m_sites.empty() ? 0. : CGAL::to_double(m_sites.front().weight);
+    for(const Site& s : m_sites)
+      largest = (std::max)(largest, CGAL::to_double(s.weight));
+    return largest;
+  }
+
+  // Calls add(site, offset) for each site. Throws Invalid_geodesic_input if an offset is infinite, also as a multiple
+  // of `unit`, the unit of the intrinsic mesh.
+  template <typename Add>
+  void for_each_offset(double unit, Add add) const
+  {
+    const double largest = largest_weight();
+    for(std::size_t i = 0; i < m_sites.size(); ++i)
+    {
+      const double offset = largest - CGAL::to_double(m_sites[i].weight);
+      if(!std::isfinite(offset / unit))
+        refuse_weight("is too far from the largest one", i);
+      add(m_sites[i], offset);
+    }
+  }
+
+private:
+  [[noreturn]] static void refuse_weight(const char* reason, std::size_t i)
+  {
+    throw Invalid_geodesic_input(Invalid_geodesic_input::Reason::INVALID_OFFSET,
+                                 "the weight of site " + std::to_string(i) + ' ' + reason, i);
+  }
+
+  std::vector<Site> m_sites;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_DIAGRAM_WEIGHTED_SITE_LIST_H
