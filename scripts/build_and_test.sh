@@ -36,13 +36,3 @@ run_ctest()
   fi
   return $status
 }
-
-# build_and_test BUILD FLAGS [arguments of ctest]
-build_and_test()
-{
-  local build=$1 flags=$2
-  shift 2
-  configure "$build" "$flags"
-  cmake --build "$build" --parallel "$jobs"
-  run_ctest "$build" "$@"
-}

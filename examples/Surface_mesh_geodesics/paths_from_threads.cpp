@@ -20,8 +20,8 @@ using Traits = CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>;
 using Paths = CGAL::Surface_mesh_geodesic_paths<Traits>;
 using vertex_descriptor = boost::graph_traits<Mesh>::vertex_descriptor;
 
-// Counts the points of the paths from the vertices first, first + step, first + 2 step, ... Queries are const: any number
-// of threads may ask the same object.
+// Counts the points of the paths from the vertices first, first + step, first + 2 step, ... Queries are const: any
+// number of threads may ask the same object.
 void count_points(const Paths& paths, std::size_t first, std::size_t step, std::vector<std::size_t>& numbers)
 {
   std::vector<Kernel::Point_3> points;

@@ -1,5 +1,5 @@
-// Isolines. Each point of a line has the requested distance, according to the original class and to planar geometry. Lines
-// cross each edge whose ends are on both sides of the value. They are closed unless they end at the border.
+// Isolines. Each point of a line has the requested distance, according to the original class and to planar geometry.
+// Lines cross each edge whose ends are on both sides of the value. They are closed unless they end at the border.
 
 #include "path_test_helpers.h"
 #include "test_meshes.h"
@@ -326,7 +326,8 @@ std::size_t times_on_lines(const Point& p, const std::vector<Line>& lines, doubl
   return n;
 }
 
-// Takes the distance of a vertex: lines run through it, once for each sector of nearer points around it, or it is alone.
+// Takes the distance of a vertex: lines run through it, once for each sector of nearer points around it, or it is
+// alone.
 void lines_at_distances_of_vertices_are_valid(const Indexed_mesh& indexed)
 {
   test_support::Scope scope(indexed.name);
@@ -359,7 +360,7 @@ void lines_at_distances_of_vertices_are_valid(const Indexed_mesh& indexed)
   }
 }
 
-// A square of two triangles: from a corner the line through the two neighbours is a border-to-border line of three
+// A square of two triangles: from a corner the line through the two neighbors is a border-to-border line of three
 // points; the corner at the other end is alone.
 void a_line_crosses_a_square_of_two_triangles()
 {

@@ -1,5 +1,5 @@
-// What Surface_mesh_geodesic_paths computes when: states, iterators through builds, const queries, edge lengths, visitors
-// that cancel or throw.
+// What Surface_mesh_geodesic_paths computes when: states, iterators through builds, const queries, edge lengths,
+// visitors that cancel or throw.
 
 #include "path_interface_helpers.h"
 #include "path_test_helpers.h"

@@ -1,5 +1,5 @@
-// The class with the least that its parameters have to offer: a traits class with nothing but what the concept
-// SurfaceMeshShortestPathTraits asks for, property maps of all four kinds, meshes of several types, exact kernels.
+// Minimal and unusual parameters of the class: a traits class with only what the concept SurfaceMeshShortestPathTraits
+// requires, property maps of all four kinds, meshes of several types, exact kernels.
 
 #include "path_test_helpers.h"
 #include "test_meshes.h"
@@ -182,8 +182,8 @@ const auto as_array = [](double a, double b, double c)
 
 // --- a minimal traits class ---
 
-// A point with its coordinates, and a triangle and barycentric coordinates of which nothing is known but what the
-// function objects tell.
+// A point with its coordinates. Triangles and barycentric coordinates have no members; only the function objects read
+// them.
 class Archetype_point
 {
 public:

@@ -1,6 +1,7 @@
 // Queries from several threads at once give the same bits as one after the other. First four threads ask an object that
 // is built; some know it as const, others do not. Then eight threads ask a const object of which nothing is built, or
-// the distances of the vertices only: the first query that misses something computes it, while the others go on or wait.
+// the distances of the vertices only: the first query that misses something computes it, while the others go on or
+// wait.
 
 #include "path_test_helpers.h"
 #include "test_meshes.h"

@@ -1,5 +1,5 @@
-// Paths in plane domains, convex or with holes. The distances are known from a visibility graph, or by hand: random points
-// in all the ways to give them, sources near to vertices, paths that bend at corners.
+// Paths in plane domains, convex or with holes. The distances are known from a visibility graph, or by hand: random
+// points in all the ways to give them, sources near to vertices, paths that bend at corners.
 
 #include "path_places.h"
 #include "path_test_helpers.h"

@@ -1,6 +1,6 @@
 // One object through thousands of random steps: sources come and go, one by one and in ranges, the structure is built
-// or cleared, edge lengths replace points, queries of all kinds are made. After every query a fresh object with the same
-// sources gives the same answer, and so does the same object through a const reference.
+// or cleared, edge lengths replace points, queries of all kinds are made. After every query a fresh object with the
+// same sources gives the same answer, and so does the same object through a const reference.
 
 #include "path_test_helpers.h"
 #include "test_meshes.h"

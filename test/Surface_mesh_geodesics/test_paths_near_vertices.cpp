@@ -10,7 +10,7 @@ using namespace paths_near_vertices;
 
 namespace {
 
-// A line that passes a vertex at 1e-16 on faces of 1 x 1e-6; it was once followed on the wrong side.
+// A line that passes a vertex at 1e-16 on faces of 1 x 1e-6; an earlier version followed it on the wrong side.
 void line_through_a_vertex_of_needles()
 {
   test_support::Scope scope("line through a vertex");
@@ -23,7 +23,7 @@ void line_through_a_vertex_of_needles()
       v.push_back(tm.add_vertex(Kernel::Point_3(i, 1e-6 * j, 0.)));
     }
   }
-  // all ways to cut the cells
+  // in all ways to cut the cells
   for(unsigned int cuts = 0; cuts < 64; ++cuts)
   {
     Mesh cut = tm;

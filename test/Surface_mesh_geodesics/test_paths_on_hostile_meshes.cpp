@@ -1,4 +1,4 @@
-// Paths on small random meshes of the worst kind: each of them is found, goes from face to face, and is as long as the
+// Paths on small random meshes of the worst kind: each of them is found, goes from face to face, and is as long as its
 // distance. The same with many more meshes: fuzz_paths_on_hostile_meshes.cpp.
 
 #include "hostile_meshes.h"

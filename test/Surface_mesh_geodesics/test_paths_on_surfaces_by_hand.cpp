@@ -19,8 +19,8 @@ const double tolerance = 1e-12;
 
 // --- the cube, by rolling it over a plane ---
 
-// Rolls the cube in all ways with at most three turns. Where the face of q comes to lie on the plane, which holds p, the
-// distance of p and q is a candidate for the shortest one.
+// Rolls the cube in all ways with at most three turns. Where the face of q comes to lie on the plane, which holds p,
+// the distance of p and q is a candidate for the shortest one.
 void roll(Coordinates q, std::vector<Coordinates> centers, double x, double y, const Coordinates& p, double& best)
 {
   if(std::abs(q[2]) < 1e-14)

@@ -1,5 +1,5 @@
-// Situations in which other programs are wrong or crash: sources on edges, with noise, on the border, several in a face,
-// vertices without faces, edges without length. Then each file of the folder data/.
+// Situations in which other programs are wrong or crash: sources on edges, with noise, on the border, several in a
+// face, vertices without faces, edges without length. Then each file of the folder data/.
 
 #include "path_places.h"
 #include "path_test_helpers.h"

@@ -1,5 +1,5 @@
-// What Surface_mesh_geodesic_paths says of bad input: sources, queries and meshes that it refuses, elements that have been
-// removed, vertices and edges without faces.
+// What Surface_mesh_geodesic_paths says of bad input: sources, queries and meshes that it refuses, elements that have
+// been removed, vertices and edges without faces.
 
 #include "path_interface_helpers.h"
 #include "path_test_helpers.h"

@@ -20,11 +20,11 @@ namespace Surface_mesh_geodesics {
 /*!
 \ingroup PkgSurfaceMeshGeodesicsClasses
 
-The class `Geodesic_default_visitor` is the visitor that takes no notice of anything and never cancels.
+The class `Geodesic_default_visitor` is a visitor that does nothing and never cancels.
 
-A visitor of one's own may derive from it and declare those functions that it needs; the others are inherited. (No
-function is virtual: the type of the visitor that is passed decides which ones are called.) The functions take constant
-time, throw nothing, and may be called from several threads at once, as the class has no data.
+A user's visitor may derive from it, declare the functions that it needs, and inherit the others. No function is
+virtual: the type of the visitor that is passed decides which functions are called. All functions take constant time,
+throw nothing, and may be called by several threads at once, as the class has no data.
 
 \cgalModels{GeodesicPropagationVisitor}
 */

@@ -34,8 +34,7 @@ The class `Geodesic_distance_options` holds the options of `geodesic_distances()
 \tparam NearestSourceMap a model of `WritablePropertyMap` with the vertex descriptor of `TriangleMesh`
         as key type and `std::size_t` as value type, if `nearest_source_map` is used
 
-Objects can be copied, and used for any number of calls. Functions look at them during the call only; what is in them is
-checked there, not before.
+Objects can be copied, and used for any number of calls. A function reads and checks them during its call only.
 
 \sa `make_geodesic_distance_options()`
 */
@@ -54,27 +53,26 @@ struct Geodesic_distance_options
   /// the value of `nearest_source_map` at a vertex that no source reaches.
   static constexpr std::size_t no_source = (std::numeric_limits<std::size_t>::max)();
 
-  /// the radius, in the unit of the mesh. Distances that are not greater are computed; all other
-  /// vertices get infinity. Faces that are farther away than the radius cost nothing in the
-  /// propagation. Not negative; infinite by default.
+  /// the radius, in the unit of the mesh. Vertices that are farther away get infinity. Faces that are farther away cost
+  /// nothing in the propagation. Not negative; infinite by default.
   double maximum_distance = std::numeric_limits<double>::infinity();
 
   /// if not empty, the computation stops as soon as the distances of all these vertices are final. Vertices whose
-  /// distances are not final then get infinity. If one of them cannot be reached, all distances are computed.
+  /// distances are not final then get infinity. If no source reaches one of the targets, all distances are computed.
   std::vector<vertex_descriptor> targets;
 
-  /// empty, or one number for each source, finite (also as a multiple of the extent of the mesh) and not negative, in
-  /// the unit of the mesh. It is added to all distances from that source. A source that another one reaches with a
-  /// distance smaller than its own offset is the nearest source of no vertex.
+  /// empty, or one number for each source, which is added to all distances from that source. In the unit of the mesh,
+  /// not negative, and finite, also as a multiple of the extent of the mesh. If another source reaches a source with a
+  /// distance smaller than its offset, it is the nearest source of no vertex.
   std::vector<double> source_offsets;
 
-  /// gets, for each vertex, the position in the range of sources, counted from 0, of a source from which its
-  /// distance is measured, or `no_source`. If several sources have this distance, any of them is taken; if they are at
-  /// the same place with the same offset, the first. Nothing is put into the map if the visitor cancels or the input
+  /// receives, for each vertex, the position in the range of sources, counted from 0, of a source from which its
+  /// distance is measured, or `no_source`. If several sources have this distance, it is the position of one of them; of
+  /// those at the same point with the same offset, the first. The map is unchanged if the visitor cancels or the input
   /// is invalid.
   NearestSourceMap nearest_source_map = NearestSourceMap();
 
-  /// if not null, what the computation did is <em>added to</em> `*statistics`, also if the visitor cancelled it. The
+  /// if not null, the computation <em>adds</em> its counts to `*statistics`, also if the visitor cancelled it. The
   /// object is not owned. Computations that run at the same time must not share one.
   Propagation_statistics* statistics = nullptr;
 };
@@ -82,7 +80,7 @@ struct Geodesic_distance_options
 /*!
 \ingroup PkgSurfaceMeshGeodesicsFunctions
 
-returns default options with the given `nearest_source_map`. The type of the mesh is told by the caller:
+returns default options with the given `nearest_source_map`. The caller names the type of the mesh:
 `make_geodesic_distance_options<Mesh>(map)`.
 
 \tparam TriangleMesh a model of `FaceListGraph`
@@ -91,7 +89,7 @@ returns default options with the given `nearest_source_map`. The type of the mes
 
 \param nearest_source_map the map, which is copied
 
-\return the options, all but the map with their default values
+\return the options; all members except the map have their default values
 */
 template <typename TriangleMesh, typename NearestSourceMap>
 Geodesic_distance_options<TriangleMesh, NearestSourceMap>

@@ -40,10 +40,10 @@ namespace Surface_mesh_geodesics {
 The class `Geodesic_distance_solver` computes exact geodesic distances on one triangle mesh again and again,
 each time from another source or other sources.
 
-It gives the distances of `geodesic_distances()` with the same tag, bit by bit. The mesh is read once, when
-the object is constructed, and all memory is kept from one computation to the next. A computation that ends early, at
-a radius or when the distances of some targets are final, takes time proportional to the windows in the area that
-it reaches, and none for the rest of the mesh.
+It gives the distances of `geodesic_distances()` with the same tag, to the same bits. The constructor reads the mesh
+once, and each computation reuses the memory of the one before. A computation that ends early, at a radius or when the
+distances of some targets are final, takes time proportional to the number of windows in the area that it reaches, and
+none for the rest of the mesh.
 
 \code
 Geodesic_distance_solver<Mesh> solver(tm);
@@ -52,16 +52,16 @@ std::cout << solver.compute_distance(v, w) << "\n";         // one to one
 Geodesic_distance_options<Mesh> options;
 options.maximum_distance = 0.1;
 solver.compute_distances(v, options);                       // one to all within a radius
-solver.vertices_reached(std::back_inserter(neighbours));
+solver.vertices_reached(std::back_inserter(nearby));
 \endcode
 
-<b>Thread safety.</b> Member functions that are `const` may be called by several threads at once. The others may be
-called by one thread at a time, and not together with the `const` ones. Each thread may have an object of its own on the
-same mesh; `geodesic_distance_matrix()` does that with less memory.
+<b>Thread safety.</b> Several threads may call `const` member functions at once. A thread that calls another member
+function needs the object for itself. Each thread may have an object of its own on the same mesh;
+`geodesic_distance_matrix()` does the same with less memory.
 
-<b>Validity.</b> An object refers to the mesh and keeps copies of the maps; the mesh must neither be changed nor die
-before the object. (Points and lengths are read by the constructor, and not again.) Objects can be moved, and not
-copied. One that has been moved from may be assigned to or destroyed, and nothing else.
+<b>Validity.</b> An object refers to the mesh and stores copies of the maps. The mesh must not change and must outlive
+the object; the constructor reads points and lengths, and nothing reads them later. Objects can be moved, but not
+copied. An object that has been moved from may only be assigned to or destroyed.
 
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`: whether each computation
@@ -196,24 +196,23 @@ public:
   /// @}
 
   /// \name Computation
-  /// What was computed before is forgotten, unless the input is found to be invalid. The time is that of a propagation
-  /// over the area that is reached; see `geodesic_distances()`.
+  /// A computation replaces the results of the one before, unless its input is invalid. It takes the time of a
+  /// propagation over the area that it reaches; see `geodesic_distances()`.
   /// @{
 
-  /// computes the distances from a source or from the nearest of several sources; these are given as for
-  /// `geodesic_distances()`.
+  /// computes the distances from a source or from the nearest of several sources.
   ///
   /// \tparam Sources a source or a range of sources
   /// \tparam Visitor a model of `GeodesicPropagationVisitor`
   ///
-  /// \param sources the source or sources
+  /// \param sources the source or sources, as for `geodesic_distances()`
   /// \param options the options
-  /// \param visitor is told of the progress; what it throws is passed on, and no vertex has been reached then
+  /// \param visitor follows the progress. What it throws is passed on; no vertex has been reached then.
   ///
   /// \return `true`, or `false` if the visitor cancelled: no vertex has been reached then
   ///
-  /// \throws Invalid_geodesic_input for a source, a target or a number for which `geodesic_distances()` does. The
-  ///         results of the computation before stay as they are.
+  /// \throws Invalid_geodesic_input for a source, a target or a number that `geodesic_distances()` refuses. The
+  ///         results of the computation before are unchanged then.
   template <typename Sources, typename Visitor>
   bool compute_distances(const Sources& sources, const Options& options, Visitor& visitor)
   {
@@ -260,8 +259,8 @@ public:
   /// Before the first one, no vertex has been reached.
   /// @{
 
-  /// returns the distance of a vertex, in the unit of the mesh. It is infinity if no source reaches the
-  /// vertex or if the computation ended before its distance was final. Takes constant time.
+  /// returns the distance of a vertex, in the unit of the mesh. It is infinity if no source reaches the vertex, or if
+  /// the computation ended before the distance was final. Takes constant time.
   ///
   /// \param v a vertex
   /// \pre `v` is a vertex of the mesh (this is not checked).
@@ -269,17 +268,17 @@ public:
 
   /// returns the position in the range of sources of a source from which the distance of `v` is measured,
   /// counted from 0, or `Options::no_source` if the distance is infinity. Takes time logarithmic in the number of
-  /// sources, and linear in the number of times that the path bends.
+  /// sources, and linear in the number of vertices at which the path bends.
   ///
   /// \param v a vertex
   /// \pre `v` is a vertex of the mesh (this is not checked).
   std::size_t nearest_source(vertex_descriptor v) const { return m_solver->nearest_source(v); }
 
-  /// puts the vertices whose distance is not infinity, each once and in no particular order, into an output iterator.
+  /// writes the vertices whose distance is not infinity to an output iterator, each once and in no particular order.
   /// Takes time proportional to the number of vertices that the wavefront has touched.
   ///
   /// \tparam VertexOutputIterator a model of `OutputIterator` that holds vertex descriptors of `TriangleMesh`
-  /// \param output gets the vertices
+  /// \param output receives the vertices
   /// \return the new position of `output`
   template <typename VertexOutputIterator>
   VertexOutputIterator vertices_reached(VertexOutputIterator output) const

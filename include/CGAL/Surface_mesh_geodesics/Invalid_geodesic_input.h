@@ -23,9 +23,9 @@ namespace Surface_mesh_geodesics {
 /*!
 \ingroup PkgSurfaceMeshGeodesicsClasses
 
-The class `Invalid_geodesic_input` is the exception that reports input for which geodesic distances are
-not defined. It is thrown whether assertions are enabled or not, before anything is written to a
-property map of the user.
+The class `Invalid_geodesic_input` is the exception that reports input for which geodesic distances are not
+defined. Functions throw it whether assertions are enabled or not, before they write to a property map of
+the user.
 */
 class Invalid_geodesic_input
   : public std::invalid_argument
@@ -49,14 +49,14 @@ public:
     TOO_SMALL            ///< one of several components is smaller than the mesh by more than 10<sup>60</sup>
   };
 
-  /// the value of `element()` where no single element is to blame.
+  /// the value of `element()` if the fault is not that of a single element.
   static constexpr std::size_t no_element = (std::numeric_limits<std::size_t>::max)();
 
   /// creates an exception.
   ///
   /// \param reason what is wrong
-  /// \param message what `what()` returns: a sentence for people
-  /// \param element which element is to blame
+  /// \param message what `what()` returns: a sentence for the user
+  /// \param element the element at fault
   Invalid_geodesic_input(Reason reason, const std::string& message, std::size_t element = no_element)
     : std::invalid_argument(message), m_reason(reason), m_element(element)
   {}
@@ -64,9 +64,9 @@ public:
   /// returns what is wrong.
   Reason reason() const { return m_reason; }
 
-  /// returns which element is to blame: the position of a vertex, a face or an edge in the range
-  /// `vertices(tm)`, `faces(tm)` or `edges(tm)`, or that of a source, an offset, a target, a sample or a site in the
-  /// range of these, counted from 0; `no_element` if there is none.
+  /// returns the element at fault: the position of a vertex, a face or an edge in the range `vertices(tm)`,
+  /// `faces(tm)` or `edges(tm)`, or that of a source, an offset, a target, a sample or a site in its range, counted
+  /// from 0; `no_element` if no single element is at fault.
   std::size_t element() const { return m_element; }
 
 private:

@@ -21,29 +21,29 @@ namespace Surface_mesh_geodesics {
 /*!
 \ingroup PkgSurfaceMeshGeodesicsClasses
 
-The class `Propagation_statistics` counts what one propagation did, or several.
+The class `Propagation_statistics` counts the work of one propagation or of several.
 
-- An object that `Geodesic_distance_options::statistics` points to is <em>added to</em>, by `geodesic_distances()`,
-  `geodesic_distances_from_edge_lengths()` and `Geodesic_distance_solver`, so that it may be used for several runs:
-  counts are summed up, maxima and bytes are those of the largest run. The other functions that take these options do
-  not look at the pointer.
-- An object that `Geodesic_sampling_options::statistics` points to is <em>assigned</em> the counts of the call.
+- `geodesic_distances()`, `geodesic_distances_from_edge_lengths()` and `Geodesic_distance_solver` <em>add</em> to an
+  object that `Geodesic_distance_options::statistics` points to, so that it may serve for several runs; see `add()`.
+  The other functions that take these options ignore the pointer.
+- `geodesic_farthest_point_sampling()` <em>assigns</em> its counts to an object that
+  `Geodesic_sampling_options::statistics` points to.
 - `Surface_mesh_geodesic_paths::statistics()` and `Surface_mesh_geodesic_Voronoi_diagram::statistics()` return those of
   the last propagation alone.
 
-A propagation that a visitor has cancelled is counted as far as it went, and none that has ended by an exception.
+A propagation that a visitor cancelled counts up to that point. One that an exception ended does not count.
 
 \sa `Geodesic_distance_options`
 */
 struct Propagation_statistics
 {
-  /// number of times that a vertex was taken from the wavefront.
+  /// number of times that a vertex left the wavefront.
   std::size_t vertices_visited = 0;
 
-  /// number of windows that were put on an edge.
+  /// number of windows made on an edge.
   std::size_t windows_created = 0;
 
-  /// number of windows that were propagated across a face, after pruning.
+  /// number of windows propagated across a face, after pruning.
   std::size_t windows_propagated = 0;
 
   /// number of propagated windows left without a child: by Rule 1 (\ref Surface_mesh_geodesics_rules), at a border, or
@@ -56,46 +56,44 @@ struct Propagation_statistics
   /// number of windows removed because a path through a vertex is shorter.
   std::size_t windows_removed_by_vertices = 0;
 
-  /// number of windows dropped because their interval was a product of rounding.
+  /// number of windows removed because their interval was as narrow as rounding makes it.
   std::size_t windows_removed_as_slivers = 0;
 
   /// number of window lists propagated across a face.
   std::size_t window_lists = 0;
 
-  /// number of pairs of neighbouring windows to which no rule was applied because their order
-  /// is not known.
+  /// number of pairs of neighboring windows to which no rule was applied because their order is not known.
   std::size_t ambiguous_pairs = 0;
 
-  /// largest number of windows that waited on the wavefront at a time.
+  /// largest number of windows that waited on the wavefront at one time.
   std::size_t maximum_windows_alive = 0;
 
   /// memory of the windows, in bytes.
   std::size_t maximum_window_bytes = 0;
 
-  /// memory of the intrinsic mesh, of the results, and of what else there is for each vertex and each edge, in bytes.
+  /// memory of the intrinsic mesh, of the results, and of other data for each vertex and each edge, in bytes.
   std::size_t intrinsic_mesh_bytes = 0;
+
+  /// adds the counts of other runs: numbers are summed up; of maxima and of bytes the larger one remains.
+  ///
+  /// \param other the counts of the other runs
+  void add(const Propagation_statistics& other)
+  {
+    vertices_visited += other.vertices_visited;
+    windows_created += other.windows_created;
+    windows_propagated += other.windows_propagated;
+    windows_removed_by_rule_1 += other.windows_removed_by_rule_1;
+    windows_removed_by_rules_2_and_3 += other.windows_removed_by_rules_2_and_3;
+    windows_removed_by_vertices += other.windows_removed_by_vertices;
+    windows_removed_as_slivers += other.windows_removed_as_slivers;
+    window_lists += other.window_lists;
+    ambiguous_pairs += other.ambiguous_pairs;
+    maximum_windows_alive = (std::max)(maximum_windows_alive, other.maximum_windows_alive);
+    maximum_window_bytes = (std::max)(maximum_window_bytes, other.maximum_window_bytes);
+    intrinsic_mesh_bytes = (std::max)(intrinsic_mesh_bytes, other.intrinsic_mesh_bytes);
+  }
 };
 
-namespace internal {
-
-// adds the counts of a run to those of others.
-inline void add_statistics(const Propagation_statistics& from, Propagation_statistics& to)
-{
-  to.vertices_visited += from.vertices_visited;
-  to.windows_created += from.windows_created;
-  to.windows_propagated += from.windows_propagated;
-  to.windows_removed_by_rule_1 += from.windows_removed_by_rule_1;
-  to.windows_removed_by_rules_2_and_3 += from.windows_removed_by_rules_2_and_3;
-  to.windows_removed_by_vertices += from.windows_removed_by_vertices;
-  to.windows_removed_as_slivers += from.windows_removed_as_slivers;
-  to.window_lists += from.window_lists;
-  to.ambiguous_pairs += from.ambiguous_pairs;
-  to.maximum_windows_alive = (std::max)(to.maximum_windows_alive, from.maximum_windows_alive);
-  to.maximum_window_bytes = (std::max)(to.maximum_window_bytes, from.maximum_window_bytes);
-  to.intrinsic_mesh_bytes = (std::max)(to.intrinsic_mesh_bytes, from.intrinsic_mesh_bytes);
-}
-
-} // namespace internal
 } // namespace Surface_mesh_geodesics
 } // namespace CGAL
 

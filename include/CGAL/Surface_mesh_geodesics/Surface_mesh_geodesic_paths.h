@@ -586,8 +586,8 @@ public:
   /// @}
 
 #ifndef DOXYGEN_RUNNING
-  // The queries of Surface_mesh_shortest_path are not const. These overloads have its signatures, for programs that take
-  // the address of a member. Each calls the const query.
+  // The queries of Surface_mesh_shortest_path are not const. These overloads have its signatures, for programs that
+  // take the address of a member. Each calls the const query.
   Shortest_path_result shortest_distance_to_source_points(vertex_descriptor v)
   {
     return std::as_const(*this).shortest_distance_to_source_points(v);
@@ -633,11 +633,12 @@ public:
   /// writes the lines of all points at the distance `value` from the source points as polylines. No point comes twice
   /// in a row. A closed line ends with its first point; any other one begins and ends at the border.
   ///
-  /// The points on edges have an error of at most \f$ 10^{-12} \f$ of the length of the edge, or of the rounding of the
-  /// distance if that is more. Segments in the faces join them. A vertex at the distance `value` is a point of the lines
-  /// that separate nearer points from farther ones there. If all points around it are nearer, it is a point by itself
-  /// and is not written. Two crossings of an edge that are nearer to each other than \f$ 10^{-4} \f$ of its length may
-  /// be left out. So may a closed line that meets no edge, around a point that is farther than all edges of its face.
+  /// The points on edges have an error of at most \f$ 10^{-12} \f$ of the length of the edge, or of the rounding of
+  /// the distance if that is more. Segments in the faces join them. A vertex at the distance `value` is a point of the
+  /// lines that separate nearer points from farther ones there. If all points around it are nearer, it is a point by
+  /// itself and is not written. Two crossings of an edge that are nearer to each other than \f$ 10^{-4} \f$ of its
+  /// length may be left out. So may a closed line that meets no edge, around a point that is farther than all edges of
+  /// its face.
   /// There is no line where no source point reaches, and none for a value that is negative, infinite or not a number.
   /// Takes time linear in the number of faces, and a number of face queries around each point.
   ///

@@ -28,28 +28,27 @@ namespace Surface_mesh_geodesics {
 
 computes the exact geodesic distances from each of several sources to each of several target vertices.
 
-The rows of the matrix are put out one by one: `row_output(i, row)` is called for each source, where `i` is the
-position of the source and `row[j]` the distance of the target with the position `j`. So the matrix need not fit in
-memory. No matter how many threads compute them, rows are put out one after the other, in the order of the sources;
-the calls may come from different threads, but never two at a time. A row is what `geodesic_distances()` computes
-from its source alone, bit by bit, whatever the tag and the number of threads are.
+The function passes the rows of the matrix on one by one, so the matrix need not fit in memory: it calls
+`row_output(i, row)` for each source, where `i` is the position of the source and `row[j]` is the distance of the target
+at position `j`. Rows come one after the other, in the order of the sources, whatever the number of threads that compute
+them. The calls may come from different threads, but never two at a time. A row has the bits that `geodesic_distances()`
+computes from its source alone, whatever the tag and the number of threads are.
 
-<b>Complexity.</b> Each row takes the time of a propagation up to the farthest target. The mesh is read once, and each
-thread uses its memory for all its rows again; there are four rows for each thread in memory at most. If there are
-sources in faces, each thread also has a copy of what was read of the mesh.
+<b>Complexity.</b> Each row takes the time of a propagation up to the farthest target. The function reads the mesh once;
+each thread reuses its memory for all its rows, and at most four rows for each thread are in memory. If there are
+sources in faces, each thread also has a copy of the intrinsic mesh.
 
-<b>Thread safety.</b> As for `geodesic_distances()`. `row_output` is called by one thread at a time, and all that one
-call does is seen by the next one; it must not change the mesh.
+<b>Thread safety.</b> As for `geodesic_distances()`. One thread at a time calls `row_output`, and each call sees the
+effects of those before. `row_output` must not change the mesh.
 
 \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`: whether rows are computed in
         parallel. The number of threads is that of \tbb, which may be limited with `tbb::task_arena` or
         `tbb::global_control`.
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam Sources a source or a range of sources, as for `geodesic_distances()`: vertices, or locations in faces
-\tparam Targets a range of vertex descriptors of `TriangleMesh`; the same one may be there several times
-\tparam RowOutput a function object that is called with a `std::size_t` and a `const std::vector<double>&`, which is
-        valid during the call only. If it returns something else than `void`, that is converted to `bool`, and `false`
-        ends the computation.
+\tparam Targets a range of vertex descriptors of `TriangleMesh`; it may contain a vertex several times
+\tparam RowOutput a function object that takes a `std::size_t` and a `const std::vector<double>&`, which is valid during
+        the call only. If it returns a value, the value is converted to `bool`, and `false` ends the computation.
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tm the triangle mesh
@@ -82,10 +81,10 @@ call does is seen by the next one; it must not change the mesh.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return `true`, or `false` if `row_output` has ended the computation
+\return `true`, or `false` if `row_output` ended the computation
 
-\throws Invalid_geodesic_input for a mesh, a source or a target for which `geodesic_distances()` does, before any row
-        is put out. What `row_output` throws ends the computation and is thrown on.
+\throws Invalid_geodesic_input for a mesh, a source or a target that `geodesic_distances()` refuses, before the first
+        call of `row_output`. What `row_output` throws ends the computation and is passed on.
 */
 template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename Sources, typename Targets,
           typename RowOutput, typename CGAL_NP_TEMPLATE_PARAMETERS>
@@ -101,12 +100,12 @@ bool geodesic_distance_matrix(const TriangleMesh& tm, const Sources& sources, co
 /*!
 \ingroup PkgSurfaceMeshGeodesicsFunctions
 
-computes a matrix of distances as the function above does, on the mesh that a solver has read; the last computation of
-the solver is not changed. This is the way to matrices on surfaces that are given by edge lengths.
+computes a matrix of distances as the function above does, on the mesh that a solver has read. The results of the last
+computation of the solver are unchanged. Use this function for surfaces that are given by edge lengths.
 
 <b>Thread safety.</b> That of a `const` member function of `Geodesic_distance_solver`.
 
-\tparam ConcurrencyTag as above; that of the solver, `SolverTag`, is not regarded
+\tparam ConcurrencyTag as above; that of the solver, `SolverTag`, has no effect
 \tparam Sources as above
 \tparam Targets as above
 \tparam RowOutput as above
@@ -116,9 +115,9 @@ the solver is not changed. This is the way to matrices on surfaces that are give
 \param targets the targets
 \param row_output is called for each row, as above
 
-\return `true`, or `false` if `row_output` has ended the computation
+\return `true`, or `false` if `row_output` ended the computation
 
-\throws Invalid_geodesic_input if a source or a target is invalid, before any row is put out
+\throws Invalid_geodesic_input if a source or a target is invalid, before the first call of `row_output`
 */
 template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename SolverTag,
           typename VertexIndexMap, typename FaceIndexMap, typename Sources, typename Targets, typename RowOutput>
@@ -135,9 +134,9 @@ bool geodesic_distance_matrix(
 computes the exact geodesic distances between all pairs of several vertices.
 
 It does what `geodesic_distance_matrix()` does, with the vertices as sources and targets, but computes the distance of
-each pair once: `row[k]` is the distance from the vertex with the position `i` to that with the position `i + k`, for
-`k = 0`, ..., `n - 1 - i` if there are `n` vertices. So row `i` ends as soon as the distances of all later vertices are
-final. (In floating point arithmetic the distances there and back may differ in the last digits.)
+each pair once: `row[k]` is the distance from the vertex at position `i` to the one at position `i + k`, for `k = 0`,
+..., `n - 1 - i` if there are `n` vertices. So the computation of row `i` ends as soon as the distances of all later
+vertices are final. (Distances there and back may differ in the last digits.)
 
 \tparam ConcurrencyTag as for `geodesic_distance_matrix()`
 \tparam TriangleMesh a model of `FaceListGraph`
@@ -151,9 +150,9 @@ final. (In floating point arithmetic the distances there and back may differ in 
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among those of
        `geodesic_distance_matrix()`
 
-\return `true`, or `false` if `row_output` has ended the computation
+\return `true`, or `false` if `row_output` ended the computation
 
-\throws Invalid_geodesic_input if the mesh or a vertex is invalid, before any row is put out
+\throws Invalid_geodesic_input if the mesh or a vertex is invalid, before the first call of `row_output`
 */
 template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename Vertices, typename RowOutput,
           typename CGAL_NP_TEMPLATE_PARAMETERS>
@@ -170,9 +169,9 @@ bool symmetric_geodesic_distance_matrix(const TriangleMesh& tm, const Vertices& 
 \ingroup PkgSurfaceMeshGeodesicsFunctions
 
 computes the distances between all pairs of several vertices as the function above does, on the mesh that a solver has
-read; the last computation of the solver is not changed.
+read. The results of the last computation of the solver are unchanged.
 
-\tparam ConcurrencyTag as above; that of the solver, `SolverTag`, is not regarded
+\tparam ConcurrencyTag as above; that of the solver, `SolverTag`, has no effect
 \tparam Vertices as above
 \tparam RowOutput as above
 
@@ -180,9 +179,9 @@ read; the last computation of the solver is not changed.
 \param vertices the vertices
 \param row_output is called for each vertex, as above
 
-\return `true`, or `false` if `row_output` has ended the computation
+\return `true`, or `false` if `row_output` ended the computation
 
-\throws Invalid_geodesic_input if a vertex is invalid, before any row is put out
+\throws Invalid_geodesic_input if a vertex is invalid, before the first call of `row_output`
 */
 template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename SolverTag,
           typename VertexIndexMap, typename FaceIndexMap, typename Vertices, typename RowOutput>
@@ -199,16 +198,15 @@ bool symmetric_geodesic_distance_matrix(
 computes the exact geodesic distances from each of several sources to those of several target vertices that are within
 a radius.
 
-It does what `geodesic_distance_matrix()` does, but a row is a `const std::vector<std::pair<std::size_t, double>>&`:
-the positions of the targets whose distance is not greater than `maximum_distance`, in ascending order, with their
-distances. A row takes time that depends on the area within the radius, not on the number of targets or on the size of
-the mesh.
+It does what `geodesic_distance_matrix()` does, but a row is a `const std::vector<std::pair<std::size_t, double>>&`: the
+positions of the targets whose distance is at most `maximum_distance`, in ascending order, with their distances. The
+time for a row depends on the area within the radius, not on the number of targets or on the size of the mesh.
 
 \tparam ConcurrencyTag as for `geodesic_distance_matrix()`
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam Sources as for `geodesic_distance_matrix()`
 \tparam Targets as for `geodesic_distance_matrix()`
-\tparam RowOutput as for `geodesic_distance_matrix()`, but for the type of a row
+\tparam RowOutput as for `geodesic_distance_matrix()`, except for the type of a row
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tm the triangle mesh
@@ -219,7 +217,7 @@ the mesh.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among those of
        `geodesic_distance_matrix()`
 
-\return `true`, or `false` if `row_output` has ended the computation
+\return `true`, or `false` if `row_output` ended the computation
 
 \throws Invalid_geodesic_input also if the radius is negative or not a number
 */
@@ -240,10 +238,10 @@ bool sparse_geodesic_distance_matrix(const TriangleMesh& tm, const Sources& sour
 /*!
 \ingroup PkgSurfaceMeshGeodesicsFunctions
 
-computes the distances within a radius as the function above does, on the mesh that a solver has read; the last
-computation of the solver is not changed.
+computes the distances within a radius as the function above does, on the mesh that a solver has read. The results of
+the last computation of the solver are unchanged.
 
-\tparam ConcurrencyTag as above; that of the solver, `SolverTag`, is not regarded
+\tparam ConcurrencyTag as above; that of the solver, `SolverTag`, has no effect
 \tparam Sources as above
 \tparam Targets as above
 \tparam RowOutput as above
@@ -254,9 +252,9 @@ computation of the solver is not changed.
 \param maximum_distance the radius, in the unit of the mesh; not negative
 \param row_output is called for each row, as above
 
-\return `true`, or `false` if `row_output` has ended the computation
+\return `true`, or `false` if `row_output` ended the computation
 
-\throws Invalid_geodesic_input if a source, a target or the radius is invalid, before any row is put out
+\throws Invalid_geodesic_input if a source, a target or the radius is invalid, before the first call of `row_output`
 */
 template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename SolverTag,
           typename VertexIndexMap, typename FaceIndexMap, typename Sources, typename Targets, typename RowOutput>

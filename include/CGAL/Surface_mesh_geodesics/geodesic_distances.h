@@ -33,27 +33,27 @@ computes the exact geodesic distance from a source, or from the nearest of sever
 vertex of a triangle mesh.
 
 The function writes to `vertex_distance_map`, for each vertex of `tm`, the length of a shortest path on
-the surface from a source to the vertex, in the unit of the points. The distance is exact but for
-rounding: it is computed with `double`, and the relative error is in general some \f$ 10^{-15} \f$.
-A vertex that no source reaches gets infinity, as do all vertices if the range of sources is empty.
-The distance of a source vertex is its offset, which is 0 by default.
+the surface from a source to the vertex, in the unit of the points. The distance is exact up to
+rounding: the function computes with `double`, and the relative error is in general a few
+\f$ 10^{-15} \f$. A vertex that no source reaches gets infinity; so do all vertices if the range of
+sources is empty. The distance of a source vertex is its offset, which is 0 by default.
 
-Shortest paths run over edges and through vertices; they may pass a pinched vertex. Edges without
+Shortest paths cross edges, run along them and pass vertices, also pinched ones. Edges without
 length, faces without area, duplicate points, borders, several components and isolated vertices are
 allowed.
 
-The algorithm is VTP \cgalCite{qin2016fast}: windows grouped by edge, pruned in a triangle, propagated
-by a wavefront sorted by vertices. It takes \cgalBigO{n^2} time and memory in the worst case for
-\f$ n \f$ vertices (thesis, section 4.4); the memory is linear plus that of the windows of the wavefront. On usual
-meshes the time is nearly linear: see \ref Surface_mesh_geodesics_performance.
+The algorithm is VTP \cgalCite{qin2016fast}: a wavefront of vertices, nearest first, moves lists of
+windows from edge to edge, and prunes them in each triangle. It takes \cgalBigO{n^2} time and memory
+in the worst case for \f$ n \f$ vertices (thesis, section 4.4). The memory is linear, plus that of the windows on the
+wavefront. On usual meshes the time is nearly linear: see \ref Surface_mesh_geodesics_performance.
 
-With `Parallel_tag`, several vertices of the wavefront are visited at the same time. The distances then do not depend on
-the number of threads; they may differ from those of `Sequential_tag` in the last digits. Functions of the visitor are
-called by the calling thread, and less often.
+With `Parallel_tag`, several threads visit vertices of the wavefront at the same time. The distances do not depend on
+the number of threads; they may differ from those of `Sequential_tag` in the last digits. The calling thread calls the
+functions of the visitor, and less often.
 
-<b>Thread safety.</b> The function may be called by several threads at once, on the same mesh as well, if each call
-writes to maps of its own and nobody changes the mesh or its points. Indices that are kept in the elements of the mesh
-(such as those of `Polyhedron_items_with_id_3`) have to be set before, as the first call would set them otherwise.
+<b>Thread safety.</b> Several threads may call the function at once, also on the same mesh, if each call writes to maps
+of its own and no thread changes the mesh or its points. Indices that are stored in the elements of the mesh (such as
+those of `Polyhedron_items_with_id_3`) must be set before, as the first call would set them otherwise.
 
 \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`. The number of threads is that of
         \tbb, which may be limited with `tbb::task_arena` or `tbb::global_control`.
@@ -67,12 +67,12 @@ writes to maps of its own and nobody changes the mesh or its points. Indices tha
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tm the triangle mesh
-\param vertex_distance_map gets the distance of each vertex
+\param vertex_distance_map receives the distance of each vertex
 \param sources the source or sources. Barycentric coordinates are those of
        `source(halfedge(f,tm),tm)`, `target(halfedge(f,tm),tm)` and
-       `target(next(halfedge(f,tm),tm),tm)`, in this order, for a face `f`. Coordinates below
-       \f$ 64 \epsilon \approx 1.4 \cdot 10^{-14} \f$ are taken for zero, and their sum for one, so
-       that a location at a vertex or on an edge may be rounded and may be given in any face around.
+       `target(next(halfedge(f,tm),tm),tm)`, in this order, for a face `f`. Coordinates up to
+       \f$ 64 \epsilon \approx 1.4 \cdot 10^{-14} \f$ count as zero, and their sum as one. So
+       a location at a vertex or on an edge may be rounded, and may be given in any face around it.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
        below
 
@@ -98,21 +98,22 @@ writes to maps of its own and nobody changes the mesh or its points. Indices tha
     \cgalParamDefault{an automatically indexed internal map}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
-    \cgalParamDescription{a visitor that is told of the progress and may cancel the computation}
+    \cgalParamDescription{a visitor that follows the progress and may cancel the computation}
     \cgalParamType{a class model of `GeodesicPropagationVisitor`}
     \cgalParamDefault{`Geodesic_default_visitor`}
     \cgalParamExtra{The visitor is not copied if it is passed with `std::ref()`.}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return `true`, or `false` if the visitor cancelled the computation; nothing has been written then.
+\return `true`, or `false` if the visitor cancelled the computation; the map is unchanged then.
 
-\throws Invalid_geodesic_input if a face is not a triangle or has a vertex twice, two faces disagree about the ends of
-        their edge, a coordinate is not finite or the extent of the points exceeds \f$ 2^{960} \f$, a location is not
-        in its face or has a null face, a descriptor is not one of `tm` as far as the index maps tell, an index map is
-        not one, or the mesh is too large. Nothing has been written then.
-\throws std::bad_alloc if there is not enough memory. Nothing has been written then, and neither if the visitor throws,
-        which is passed on.
+\throws Invalid_geodesic_input if a face is not a triangle or has a vertex twice, if two faces disagree about the ends
+        of their edge, if a coordinate is not finite or the extent of the points exceeds \f$ 2^{960} \f$, if one of
+        several components is too small beside the mesh, if a location is not in its face or has a null face, if a
+        descriptor is not one of `tm` according to the index maps, if an index map has values that are out of range or
+        equal, or if the mesh is too large. The map is unchanged then.
+\throws std::bad_alloc if there is not enough memory. The map is unchanged then, and also if the visitor throws; its
+        exception is passed on.
 */
 template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename VertexDistanceMap,
           typename Sources, typename CGAL_NP_TEMPLATE_PARAMETERS>
@@ -130,8 +131,9 @@ bool geodesic_distances(const TriangleMesh& tm, VertexDistanceMap vertex_distanc
 computes geodesic distances as the function above does, with options: a radius, targets, an offset for
 each source, the nearest source of each vertex, statistics.
 
-With a radius or with targets the propagation takes time in proportion to the windows in the area that it reaches; the
-mesh is read as a whole nevertheless, in linear time. (A `Geodesic_distance_solver` reads it once for many calls.)
+With a radius or with targets, the propagation takes time proportional to the number of windows in the area that it
+reaches. Each call still reads the whole mesh, in linear time; a `Geodesic_distance_solver` reads it once for many
+computations.
 
 \tparam ConcurrencyTag as above
 \tparam TriangleMesh a model of `FaceListGraph`
@@ -141,13 +143,13 @@ mesh is read as a whole nevertheless, in linear time. (A `Geodesic_distance_solv
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tm the triangle mesh
-\param vertex_distance_map gets the distance of each vertex, in the unit of the points; infinity beyond the radius, and
-       where the distance is not final when those of all targets are
+\param vertex_distance_map receives the distance of each vertex, in the unit of the points; infinity beyond the radius,
+       and where the distance is not final yet when those of all targets are
 \param sources the source or sources, as above
 \param options the options
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among those of the function above
 
-\return `true`, or `false` if the visitor cancelled the computation; nothing has been written then but the statistics.
+\return `true`, or `false` if the visitor cancelled the computation; only the statistics have changed then.
 
 \throws Invalid_geodesic_input also if a target is not a vertex of `tm`, if the radius is negative or not a number, if
         an offset is negative or not finite, or if there is not one offset for each source
@@ -170,8 +172,8 @@ bool geodesic_distances(const TriangleMesh& tm, VertexDistanceMap vertex_distanc
 /*!
 \ingroup PkgSurfaceMeshGeodesicsFunctions
 
-computes geodesic distances, with options, on a surface that is given by the lengths of its edges; it
-need not be embedded in space. Complexity and thread safety are those of `geodesic_distances()`.
+computes geodesic distances, with options, on a surface that is given by the lengths of its edges. The
+surface need not be embedded in space. Complexity and thread safety are those of `geodesic_distances()`.
 
 \tparam ConcurrencyTag as for `geodesic_distances()`
 \tparam TriangleMesh a model of `FaceListGraph`
@@ -185,13 +187,13 @@ need not be embedded in space. Complexity and thread safety are those of `geodes
 \param tm the triangle mesh
 \param edge_length_map the lengths: finite, not negative, and such that no edge is longer than the two
        others of a face (beyond rounding)
-\param vertex_distance_map gets the distance of each vertex, in the unit of the lengths
+\param vertex_distance_map receives the distance of each vertex, in the unit of the lengths
 \param sources the source or sources, as for `geodesic_distances()`
 \param options the options, as for `geodesic_distances()`
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among those of
-       `geodesic_distances()`, but for `vertex_point_map`, which is not used
+       `geodesic_distances()`, except `vertex_point_map`, which is not used
 
-\return `true`, or `false` if the visitor cancelled the computation; nothing has been written then but the statistics.
+\return `true`, or `false` if the visitor cancelled the computation; only the statistics have changed then.
 
 \throws Invalid_geodesic_input also if a length is negative or not finite, or if a face violates the
         triangle inequality by more than \f$ 64 \epsilon \approx 1.4 \cdot 10^{-14} \f$ of its longest
@@ -229,11 +231,11 @@ options. All else is as for the function above.
 
 \param tm the triangle mesh
 \param edge_length_map the lengths, as above
-\param vertex_distance_map gets the distance of each vertex, in the unit of the lengths
+\param vertex_distance_map receives the distance of each vertex, in the unit of the lengths
 \param sources the source or sources, as for `geodesic_distances()`
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters", as above
 
-\return `true`, or `false` if the visitor cancelled the computation; nothing has been written then.
+\return `true`, or `false` if the visitor cancelled the computation; the map is unchanged then.
 
 \throws Invalid_geodesic_input as above
 */

@@ -43,42 +43,43 @@ struct Geodesic_sampling_options
   /// the type of the samples.
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
 
-  /// vertices that are samples already. They are not written again, and count for the number of samples. If
-  /// there is none, the first vertex of the mesh that has a face is the first sample.
+  /// vertices that are samples already. The function does not write them, but counts them among the samples. If the
+  /// vector is empty, the first vertex of the mesh that has a face becomes the first sample.
   std::vector<vertex_descriptor> first_samples;
 
-  /// no more samples are taken as soon as no vertex is farther from its nearest sample than this, in the unit of the
-  /// mesh. Not negative; 0 by default.
+  /// the sampling ends as soon as no vertex is farther from its nearest sample than this, in the unit of the mesh. Not
+  /// negative; 0 by default.
   double covering_radius = 0;
 
-  /// if not null, what the propagation did is <em>assigned</em> to `*statistics`. The object is not owned.
+  /// if not null, the function <em>assigns</em> the counts of the propagation to `*statistics`. The object is not
+  /// owned.
   Propagation_statistics* statistics = nullptr;
 };
 
 /*!
 \ingroup PkgSurfaceMeshGeodesicsFunctions
 
-writes vertices that are spread over a triangle mesh: each is the vertex that is farthest from all before, by exact
-geodesic distances.
+writes vertices that are spread over a triangle mesh: each is the vertex that is farthest from all samples before, by
+exact geodesic distances.
 
-A vertex that no sample reaches is farther than all others, so each component gets a sample first; vertices without
-faces are left out. Of vertices that are equally far the first one of the mesh is taken.
+A vertex that no sample reaches is farther than all others, so each component gets a sample first. Vertices without
+faces are never samples. Of vertices that are equally far, the first one of the mesh becomes the sample.
 
-Distances are propagated once. A new sample sends windows over the part of the surface that becomes its Voronoi cell
-and little more; all else stays as it is. So the time is about that of a run of `geodesic_distances()`
-for the first sample, and for each further one in proportion to its cell. The memory is that of such a run.
+There is one propagation for all samples. A new sample sends windows over the part of the surface that becomes its
+Voronoi cell, and hardly farther; the rest is unchanged. So the first sample takes the time of a run of
+`geodesic_distances()`, and each further one takes time proportional to its cell. The memory is that of such a run.
 
-<b>Thread safety.</b> The function uses one thread, and may be called by several threads at once, on the same mesh as
-well, if each call writes to an output of its own; see `geodesic_distances()`.
+<b>Thread safety.</b> The function uses one thread. Several threads may call it at once, also on the same mesh, if each
+call writes to an output of its own; see `geodesic_distances()`.
 
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam OutputIterator a model of `OutputIterator` that holds vertex descriptors of `TriangleMesh`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tm the triangle mesh
-\param n the number of samples, with those that are given as options
-\param output gets the samples, in the order in which they are found; fewer than `n` if every vertex is
-       one, or has one within the radius of the options
+\param n the number of samples, including those in the options
+\param output receives the samples, in the order in which they are found; fewer than `n` if every vertex is a sample, or
+       has one within the radius of the options
 \param options vertices to begin with, a radius, statistics
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 
@@ -105,8 +106,8 @@ well, if each call writes to an output of its own; see `geodesic_distances()`.
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
     \cgalParamDescription{a visitor that follows one propagation for each sample, and one for all samples in the
-                          options; distances begin anew with each, visits are counted on. If it cancels one, no
-                          more samples are written.}
+                          options. Distances start from 0 in each, and the number of visits continues. If the visitor
+                          cancels one, the function writes no more samples.}
     \cgalParamType{a class model of `GeodesicPropagationVisitor`}
     \cgalParamDefault{`Geodesic_default_visitor`}
     \cgalParamExtra{The visitor is not copied if it is passed with `std::ref()`.}
@@ -114,11 +115,11 @@ well, if each call writes to an output of its own; see `geodesic_distances()`.
 \cgalNamedParamsEnd
 
 \return the covering radius: the largest distance of a vertex from its nearest sample, in the unit of the mesh. It is
-        infinite if there is a vertex, with a face, that no sample reaches. If the visitor cancelled a propagation, this
-        is the radius of the samples before, and nothing more has been written; infinite if it was the first one.
+        infinite if no sample reaches some vertex that has a face. If the visitor cancelled a propagation, the function
+        returns the radius of the samples before that one, infinity if it was the first.
 
-\throws Invalid_geodesic_input if the mesh is invalid, as for `geodesic_distances()`, if a vertex in the
-        options is not one of `tm`, or if the radius is negative or not a number. Nothing has been written then.
+\throws Invalid_geodesic_input if the mesh is invalid, as for `geodesic_distances()`, if a vertex in the options is not
+        one of `tm`, or if the radius is negative or not a number. Nothing has been written then.
 */
 template <typename TriangleMesh, typename OutputIterator, typename CGAL_NP_TEMPLATE_PARAMETERS>
 double geodesic_farthest_point_sampling(const TriangleMesh& tm, std::size_t n, OutputIterator output,
@@ -138,7 +139,7 @@ double geodesic_farthest_point_sampling(const TriangleMesh& tm, std::size_t n, O
 /*!
 \ingroup PkgSurfaceMeshGeodesicsFunctions
 
-writes vertices that are spread over a triangle mesh, with the default options. All else is as for the function above.
+writes vertices that are spread over a triangle mesh, with the default options. Otherwise as the function above.
 
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam OutputIterator a model of `OutputIterator` that holds vertex descriptors of `TriangleMesh`
@@ -146,7 +147,7 @@ writes vertices that are spread over a triangle mesh, with the default options. 
 
 \param tm the triangle mesh
 \param n the number of samples
-\param output gets the samples, in the order in which they are found
+\param output receives the samples, in the order in which they are found
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters", as above
 
 \return the covering radius, in the unit of the mesh, as above

@@ -21,7 +21,7 @@ namespace paths_near_vertices {
 
 using namespace test_meshes;
 
-// Coordinates that are taken for zero would move the point: make them zero.
+// Makes coordinates zero that the class takes for zero, because snapping would move the point.
 inline void clear_small_coordinates(std::array<double, 3>& b)
 {
   const auto largest = std::max_element(b.begin(), b.end());
@@ -71,7 +71,7 @@ struct Worst
   double path = 0., distance = 0.;
 };
 
-// asks for some paths; each has the length of the distance.
+// Asks for some paths; each has the length of its distance.
 inline void check_paths(Geodesic_paths& paths, const Mesh& tm, bool is_convex_and_flat, test_support::Random& random,
                         Worst& worst)
 {
@@ -115,8 +115,8 @@ inline void check_paths(Geodesic_paths& paths, const Mesh& tm, bool is_convex_an
       {
         straight = (std::min)(straight, length(s - point_of(q, paths)));
       }
-      // Windows narrower than 1e-13 of their edge are dropped, and so are those that are not shorter than what runs
-      // through a vertex, as far as rounding lets one see. That costs points very near to the gap.
+      // Windows narrower than 1e-13 of their edge are dropped. So are windows that rounding does not show to be shorter
+      // than a path through a vertex. That costs accuracy at points very near to the gap.
       const double sliver = 1e-12 * size;
       const double error = std::abs(straight - answer.distance);
       if(!CHECK(error <= 1e-9 * straight + sliver))
@@ -128,7 +128,7 @@ inline void check_paths(Geodesic_paths& paths, const Mesh& tm, bool is_convex_an
   }
 }
 
-// m x n cells of dx x dy, each cut along one of its diagonals
+// Makes m x n cells of size dx x dy, each cut along one of its diagonals.
 inline Indexed_mesh rectangle(std::size_t m, std::size_t n, double dx, double dy, test_support::Random& random)
 {
   Indexed_mesh mesh;
@@ -179,7 +179,7 @@ inline void rectangles_of_long_faces(std::size_t number, test_support::Random& r
             << worst.distance << "\n";
 }
 
-// other meshes, squeezed in a random direction
+// Checks other meshes, squeezed in a random direction.
 inline void squeezed_meshes(std::size_t number, test_support::Random& random)
 {
   Worst worst;

@@ -102,7 +102,7 @@ public:
     {
       Propagation_statistics statistics = m_runner.statistics();
       statistics.intrinsic_mesh_bytes += m_surface.memory() + m_runner.field_memory();
-      add_statistics(statistics, *options.statistics);
+      options.statistics->add(statistics);
     }
     m_numbers.assign(set);
     unfinished.runner = nullptr;

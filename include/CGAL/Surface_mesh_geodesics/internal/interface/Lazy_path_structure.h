@@ -10,8 +10,8 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_LAZY_PATH_STRUCTURE_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_LAZY_PATH_STRUCTURE_H
 
-// What `Surface_mesh_geodesic_paths` knows, and when it computes it: the source points, the solver, and how much of what
-// the solver knows still fits the source points.
+// What `Surface_mesh_geodesic_paths` knows, and when it computes it: the source points, the solver, and how much of
+// what the solver knows still fits the source points.
 //
 // One rule holds for all queries. A query is const, and computes what it needs under a mutex if that is missing. Once
 // it is there, a query reads one atomic number and takes no lock, so any number of threads may ask one object.
@@ -50,8 +50,8 @@ namespace internal {
 
 // Invariants, between the calls of functions that are not const:
 // - m_ready is NOWHERE if the sources differ from those of the last build, or a build has ended early.
-// - From AT_VERTICES on, the solver has the results of the vertices for the present sources, and m_sources their numbers.
-//   An object that never had sources is an exception: it is ready and has no results.
+// - From AT_VERTICES on, the solver has the results of the vertices for the present sources, and m_sources their
+//   numbers. An object that never had sources is an exception: it is ready and has no results.
 // - At EVERYWHERE the solver has the windows as well.
 // A const function only raises m_ready, and only under the mutex. A reader loads m_ready with `acquire` before it reads
 // anything that a build writes; the build stores it with `release` after the last write.
@@ -218,7 +218,7 @@ public:
     return sequence(query(v), visitor, [] {});
   }
 
-  // The same from a point of a face. The first call tells the visitor the location as it was given.
+  // The same from a point of a face. The first call passes the location as it was given.
   template <typename Visitor>
   Result sequence(face_descriptor f, const Barycentric_coordinates& location, Visitor& visitor) const
   {
@@ -238,8 +238,8 @@ public:
     }
   }
 
-  // Returns the reached vertex with the largest distance, the first of several, and the distance; the null vertex and -1
-  // if no vertex is reached.
+  // Returns the reached vertex with the largest distance, the first of several, and the distance; the null vertex and
+  // -1 if no vertex is reached.
   std::pair<vertex_descriptor, FT> farthest_vertex() const
   {
     prepare(Extent::AT_VERTICES);
@@ -339,7 +339,8 @@ private:
         m_solver.add_source_location(std::make_pair(s.location.first, weights(s.location.second)));
   }
 
-  // An object that never had sources is ready without results. Requires: is_ready(Extent::AT_VERTICES).
+  // An object that never had sources is ready without results.
+  // Requires: is_ready(Extent::AT_VERTICES).
   bool has_results() const { return m_solver.has_run(); }
 
   // --- queries ---
@@ -404,8 +405,8 @@ private:
   }
 
   // Traces the path before it calls the visitor, because tracing may throw.
-  template <typename Visitor, typename TellQuery>
-  Result sequence(const Query& q, Visitor& visitor, TellQuery tell_query) const
+  template <typename Visitor, typename ReportQuery>
+  Result sequence(const Query& q, Visitor& visitor, ReportQuery report_query) const
   {
     if(!has_results())
       return no_result();
@@ -413,9 +414,9 @@ private:
     if(is_reached(a))
     {
       const auto path = m_solver.path(q, a);
-      tell_query();
+      report_query();
       Path_sequence_sink<Lazy_path_structure, Visitor> sink(*this, visitor);
-      m_solver.tell(q, a, path, sink);
+      m_solver.report(q, a, path, sink);
     }
     return result_of(a);
   }
@@ -424,7 +425,7 @@ private:
   const Triangle_mesh& m_tm;
   VertexIndexMap m_vertex_index_map;
   VertexPointMap m_vertex_point_map;
-  // What const queries may compute, under the mutex. m_ready tells readers what they may read without it.
+  // What const queries may compute, under the mutex. m_ready says what readers may read without it.
   mutable std::mutex m_mutex;
   mutable std::atomic<Extent> m_ready{Extent::EVERYWHERE}; // nothing is missing as long as there are no sources
   mutable Sources m_sources;                               // a build numbers them, and frees those that were removed

@@ -182,7 +182,7 @@ public:
     return m_sites.query(f, b);
   }
 
-  // The same checks before the mesh has been read, as far as indices tell.
+  // The same checks before the mesh has been read, as far as indices allow.
   void check_query(vertex_descriptor v) const { surface().check_vertex(v, "query", 0); }
 
   template <typename BarycentricCoordinates>
@@ -233,9 +233,9 @@ public:
   // at the end if the source is not a vertex; and, if Sink::wants_faces, sink.face(face_descriptor) before each of them
   // but the first.
   template <typename Sink>
-  void tell(const Query& q, const Arrival& a, const Path_steps<double>& steps, Sink& sink) const
+  void report(const Query& q, const Arrival& a, const Path_steps<double>& steps, Sink& sink) const
   {
-    auto tell_item = [&](const Path_item<double>& item)
+    auto report_item = [&](const Path_item<double>& item)
     {
       if(Sink::wants_faces && item.face != null_id)
         sink.face(user_face(item.face));
@@ -246,7 +246,7 @@ public:
       else
         sink.source(source_number(a));
     };
-    Path_thinning<double, decltype(tell_item)> thinning(mesh(), m_sites.parts(), extent_around(steps), tell_item);
+    Path_thinning<double, decltype(report_item)> thinning(mesh(), m_sites.parts(), extent_around(steps), report_item);
     if(q.is_location)
       thinning.begin_behind(path_item(q));
     for(const Path_step<double>& step : steps)

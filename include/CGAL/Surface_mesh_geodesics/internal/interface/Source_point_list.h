@@ -130,7 +130,8 @@ public:
     m_removed.clear();
   }
 
-  // Returns the source point with a number that the last build has given. Requires: number < size() at that build.
+  // Returns the source point with a number that the last build has given.
+  // Requires: number < size() at that build.
   Iterator by_number(std::size_t number) const
   {
     CGAL_assertion(number < m_by_number.size());

@@ -11,11 +11,11 @@
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_SURFACE_LOCATIONS_H
 
 // Points of the surface in the user's terms, and how one form becomes another: vertices, positions on halfedges,
-// barycentric coordinates in faces, points of space. All functions are static and have no state, so threads may call them
-// at once.
+// barycentric coordinates in faces, points of space. All functions are static and have no state, so threads may call
+// them at once.
 //
-// Conventions. A Face_location has the coordinates of source(h), target(h) and target(next(h)) for h = halfedge(f), in this
-// order. A position t on a halfedge is 0 at its source and 1 at its target. The null location has the null face.
+// Conventions. A Face_location has the coordinates of source(h), target(h) and target(next(h)) for h = halfedge(f), in
+// this order. A position t on a halfedge is 0 at its source and 1 at its target. The null location has the null face.
 
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/cgal_compatibility.h>
@@ -57,7 +57,8 @@ struct Surface_locations
 
   // --- coordinates ---
 
-  // Returns the coordinates as numbers, rounded to double. Law: weights(coordinates(b)) == b if FT holds doubles exactly.
+  // Returns the coordinates as numbers, rounded to double.
+  // Law: weights(coordinates(b)) == b if FT holds doubles exactly.
   static Coordinates weights(const Barycentric_coordinates& location, const Traits& traits)
   {
     auto weight = traits.construct_barycentric_coordinates_weight_object();
@@ -79,7 +80,8 @@ struct Surface_locations
 
   // --- points ---
 
-  // Returns the point of a face, constructed by the traits. Requires: f is a triangle.
+  // Returns the point of a face, constructed by the traits.
+  // Requires: f is a triangle.
   static Point_3 point(face_descriptor f, const Barycentric_coordinates& location, const Triangle_mesh& tm,
                        VertexPointMap vertex_point_map, const Traits& traits)
   {
@@ -184,8 +186,8 @@ struct Surface_locations
   }
 
 private:
-  // Throws if the mesh, or the mesh with the point, is too large or too small for CGAL's trees and kernels: the location
-  // would be wrong.
+  // Throws if the mesh, or the mesh with the point, is too large or too small for CGAL's trees and kernels: the
+  // location would be wrong.
   template <typename AABBTraits>
   static void check_size(const AABB_tree<AABBTraits>& tree, const Point_3& p)
   {
@@ -194,7 +196,7 @@ private:
     const Bbox_3 mesh = tree.bbox(), all = mesh + p.bbox();
     if(!(largest_span(all) <= largest_size) || (largest_span(mesh) > 0 && largest_span(mesh) < 1 / largest_size))
       throw Invalid_geodesic_input(Invalid_geodesic_input::Reason::NON_FINITE_POINT,
-                                   "the mesh is too large or too small to locate a point, or the point is too far away");
+                                   "the mesh is too large or too small to locate points, or the point is too far");
   }
 
   static double largest_span(const Bbox_3& box)
@@ -202,7 +204,8 @@ private:
     return (std::max)(box.xmax() - box.xmin(), (std::max)(box.ymax() - box.ymin(), box.zmax() - box.zmin()));
   }
 
-  // The trees and kernels multiply four lengths: (1e75)^4 = 1e300 is finite in `double`, and (1e-75)^4 = 1e-300 is normal.
+  // The trees and kernels multiply four lengths: (1e75)^4 = 1e300 is finite in `double`, and (1e-75)^4 = 1e-300 is
+  // normal.
   static constexpr double largest_size = 1e75;
 
   static Triangle_3 triangle(face_descriptor f, const Triangle_mesh& tm, VertexPointMap vertex_point_map,
@@ -240,8 +243,8 @@ private:
              : location_on_longest_side(f, p, tm, vertex_point_map, traits);
   }
 
-  // Returns the location on the longest side, the first of several, that is nearest to p. Its error is the height of the
-  // face, and a few units of the side.
+  // Returns the location on the longest side, the first of several, that is nearest to p. Its error is the height of
+  // the face, and a few units of the side.
   static Face_location location_on_longest_side(face_descriptor f, const Point_3& p, const Triangle_mesh& tm,
                                                 VertexPointMap vertex_point_map, const Traits& traits)
   {

@@ -11,8 +11,8 @@
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_PATH_VISITORS_H
 
 // Receivers of paths and isolines. `Path_sequence_sink` turns the elements that the solver reports into the calls of a
-// `SurfaceMeshShortestPathVisitor`. `Path_point_writer` and `Path_polyline_writer` are such visitors; they write points.
-// `Isoline_writer` writes the points of isolines.
+// `SurfaceMeshShortestPathVisitor`. `Path_point_writer` and `Path_polyline_writer` are such visitors; they write
+// points. `Isoline_writer` writes the points of isolines.
 
 #include <CGAL/Surface_mesh_geodesics/internal/surface/barycentric_coordinates.h>
 
@@ -49,7 +49,8 @@ public:
     return is_new;
   }
 
-  // Returns the point of the last element. Requires: next() has been called.
+  // Returns the point of the last element.
+  // Requires: next() has been called.
   const Point_3& point() const { return m_point; }
 
 private:

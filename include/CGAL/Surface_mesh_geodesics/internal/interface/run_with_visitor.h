@@ -18,8 +18,9 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// calls run(go_on), a propagation that asks go_on(number of visits, distance in the user's unit) at each visit and
-// returns whether the answer was always yes; returns the same.
+// Calls run(go_on), a propagation, between the first and the last function of the visitor, and returns its result. The
+// propagation calls go_on(number of visits, distance in the user's unit) at each visit of a vertex, and ends with false
+// as soon as that returns false.
 template <typename Visitor, typename Run>
 bool run_with_visitor(Visitor& visitor, std::size_t number_of_vertices, Run run)
 {
@@ -33,7 +34,8 @@ bool run_with_visitor(Visitor& visitor, std::size_t number_of_vertices, Run run)
   return is_complete;
 }
 
-// For a function that propagates several times: the visitor of the user, asked nothing more once it has cancelled.
+// The visitor of a function that propagates several times. Once the user's visitor has cancelled, go_further() returns
+// false without asking it again.
 template <typename Visitor>
 class Visitor_of_several_runs
 {

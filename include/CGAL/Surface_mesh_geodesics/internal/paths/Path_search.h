@@ -10,11 +10,12 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PATHS_PATH_SEARCH_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PATHS_PATH_SEARCH_H
 
-// The last resort of path_tracing.h: finds a shortest path from the distances of the vertices alone, without knowing where
-// it goes. The search looks along straight lines from the beginning of the path, cone by cone, from face to face. A
-// vertex is on the path if the length of the way to it and its distance add up to the distance of the beginning; from
+// The last resort of path_tracing.h: finds a shortest path from the distances of the vertices alone, without knowing
+// where it goes. The search looks along straight lines from the beginning of the path, cone by cone, from face to face.
+// A vertex is on the path if the length of the way to it and its distance add up to the distance of the beginning; from
 // there the search goes on. A cone is dropped if all of its points are too far from the source: the distance of a point
-// of an edge follows from those of the ends, up to the length of the edge. So the search stays in a strip around the path.
+// of an edge follows from those of the ends, up to the length of the edge. So the search stays in a strip around the
+// path.
 //
 // Rounding. A vertex beside a cone is reached by a path that bends at the border of the cone. So every path that the
 // search considers is a path on the surface, of the length that the search computes. The only question is whether it is
@@ -51,8 +52,9 @@ public:
   Path_search(const Mesh& mesh, const Field& field) : m_mesh(mesh), m_field(field) {}
 
   // Appends the path from v; the caller has appended v itself. The length of the path is the distance of v up to
-  // `tolerance`, and up to twice that for the rounding of the sum. Returns false, and appends nothing, if no such path is
-  // found or the search gives up. Requires: v is reached.
+  // `tolerance`, and up to twice that for the rounding of the sum. Returns false, and appends nothing, if no such path
+  // is found or the search gives up.
+  // Requires: v is reached.
   bool from_vertex(Vertex_id v, const FT& tolerance, Steps& path)
   {
     CGAL_assertion(m_field.distance[v] < Field::infinity());
@@ -66,7 +68,7 @@ public:
   }
 
   // The same from the point of face f with the barycentric coordinates b, which is at `distance`. `root` is the root of
-  // its arrival: it tells the source to which the path has to lead.
+  // its arrival; the path leads to the source of the root.
   bool from_location(Face_id f, const std::array<FT, 3>& b, Vertex_id root, const FT& distance, const FT& tolerance,
                      Steps& path)
   {
@@ -78,10 +80,10 @@ public:
 private:
   using Index = std::uint32_t;
 
-  // The lines from the image (image_x, -image_depth) of a stop to the points from `begin` to `end` of an edge, in the frame
-  // of `halfedge`, which belongs to the face behind the edge.
-  // Invariants of cones that add() takes: begin < end, image_depth >= 0. Rounding may move begin and end out of
-  // [0, length] by some units of the length.
+  // The lines from the image (image_x, -image_depth) of a stop to the points from `begin` to `end` of an edge, in the
+  // frame of `halfedge`, which belongs to the face behind the edge.
+  // Invariants of cones that add() takes: begin < end, image_depth >= 0. Rounding may move begin and end out of [0,
+  // length] by some units of the length.
   struct Cone
   {
     Halfedge_id halfedge;
@@ -117,8 +119,8 @@ private:
     m_last_cone.clear();
   }
 
-  // The search gives up after this number of cones and comparisons of cones. It bounds the memory: a cone takes about 50
-  // bytes, so the limit is some 200 MB. A longer search would fill the memory rather than find a path.
+  // The search gives up after this number of cones and comparisons of cones. It bounds the memory: a cone takes about
+  // 50 bytes, so the limit is some 200 MB. A longer search would fill the memory rather than find a path.
   static constexpr std::size_t maximum_effort = 1 << 22;
 
   // Searches until a source is reached. New stops come before cones, and the youngest cone before older ones, so the
@@ -133,7 +135,7 @@ private:
         m_stop = static_cast<Index>(next_stop++);
         const Stop stop = m_stops[m_stop];
         if(m_field.is_source(stop.vertex))
-          return tell(path);
+          return append_path(path);
         m_length = stop.length;
         look_around(stop.vertex);
       }
@@ -198,10 +200,11 @@ private:
     m_cones.push_back(cone);
   }
 
-  // Returns a lower bound of the length of paths from the image through a cone to the source: the distance from the image
-  // to the nearest point of the cone, and the smallest distance that a point of the cone can have. The latter follows from
-  // the distances a and b of the ends, as the distance is 1-Lipschitz along the edge: at abscissa x it is at least a - x
-  // and b - (length - x). Error: four units of the sum; the caller adds its tolerance.
+  // Returns a lower bound of the length of paths from the image through a cone to the source: the distance from the
+  // image to the nearest point of the cone, and the smallest distance that a point of the cone can have. The latter
+  // follows from the distances a and b of the ends, as the distance is 1-Lipschitz along the edge: at abscissa x it is
+  // at least a - x and b - (length - x).
+  // Error: four units of the sum; the caller adds its tolerance.
   FT least_rest(const Cone& cone) const
   {
     const FT length = m_mesh.length(cone.halfedge);
@@ -211,8 +214,8 @@ private:
     return norm<FT>(x - cone.image_x, cone.image_depth) + (std::max)(behind, FT(0));
   }
 
-  // Returns whether the path through one end of the edge is not longer, for all points of the cone. It is for all if it is
-  // for the one farthest from that end. A tie beats the cone.
+  // Returns whether the path through one end of the edge is not longer, for all points of the cone. It is for all if it
+  // is for the one farthest from that end. A tie beats the cone.
   bool is_beaten(const Cone& cone) const
   {
     const FT rest = m_mesh.length(cone.halfedge) - cone.begin;
@@ -220,9 +223,9 @@ private:
         || is_beaten(m_mesh.target(cone.halfedge), rest, norm<FT>(cone.begin - cone.image_x, cone.image_depth));
   }
 
-  // Returns whether a known cone from the same stop covers this one with a nearer image. The points that are nearer to one
-  // of two images form a half-plane, so the comparison at the two ends decides for all points between them. A tie hides
-  // the new cone.
+  // Returns whether a known cone from the same stop covers this one with a nearer image. The points that are nearer to
+  // one of two images form a half-plane, so the comparison at the two ends decides for all points between them. A tie
+  // hides the new cone.
   bool is_hidden(const Cone& cone)
   {
     const auto known = m_last_cone.find(cone.halfedge);
@@ -245,7 +248,8 @@ private:
     return (x - cone.image_x) * (x - cone.image_x) + cone.image_depth * cone.image_depth;
   }
 
-  // The same for one vertex v, at the distance `from_vertex` from the farthest point, which is `from_image` from the image.
+  // The same for one vertex v, at the distance `from_vertex` from the farthest point, which is `from_image` from the
+  // image.
   bool is_beaten(Vertex_id v, const FT& from_vertex, const FT& from_image) const
   {
     const auto known = m_shortest.find(v);
@@ -253,9 +257,9 @@ private:
         && m_field.source_of(v) == m_source;
   }
 
-  // Notes that v can be reached by a way of length `gap` from the current stop. Makes v a stop if it is on the path: the
-  // length so far and its distance add up to the distance of the beginning, up to the tolerance, and its source is the
-  // right one.
+  // Notes that v can be reached by a way of length `gap` from the current stop. Makes v a stop if it is on the path:
+  // the length so far and its distance add up to the distance of the beginning, up to the tolerance, and its source is
+  // the right one.
   void reach(Vertex_id v, const FT& gap, Face_id f, Index cone)
   {
     using std::abs;
@@ -304,8 +308,8 @@ private:
     return Cone{c.left, first, (std::max)(first, last), image.x, image.depth, i, cone.stop, null_id};
   }
 
-  // Returns the part of a cone on the side CB, through the points of AB from t to end. Computes as left_part() does in the
-  // mirror image, from B, and turns the result round.
+  // Returns the part of a cone on the side CB, through the points of AB from t to end. Computes as left_part() does in
+  // the mirror image, from B, and turns the result round.
   static Cone right_part(const Cone& cone, const Face_frame<FT>& c, Index i, const FT& t)
   {
     const Side_angle<FT> angle = right_angle(c);
@@ -319,9 +323,9 @@ private:
                 FT(c.right_length - image.x), image.depth, i, cone.stop, null_id};
   }
 
-  // Returns the abscissa, along a side that leaves the origin at the given angle, at which the ray from the image through
-  // x on the edge meets the side: s = x depth / (depth cos - (x - image_x) sin), at most the length of the side. A ray that
-  // does not meet the side gives its length, a ray through the origin gives 0.
+  // Returns the abscissa, along a side that leaves the origin at the given angle, at which the ray from the image
+  // through x on the edge meets the side: s = x depth / (depth cos - (x - image_x) sin), at most the length of the
+  // side. A ray that does not meet the side gives its length, a ray through the origin gives 0.
   static FT along_side(const FT& x, const FT& image_x, const FT& depth, const Side_angle<FT>& angle, const FT& length)
   {
     if(!(x > 0))
@@ -332,7 +336,7 @@ private:
 
   // Appends the path to the current stop, which is a source, if its length is the distance. Each stop has been accepted
   // with an error of up to the tolerance; the sum over the gaps is rounded differently, so it may err by twice that.
-  bool tell(Steps& path) const
+  bool append_path(Steps& path) const
   {
     using std::abs;
     Steps reversed;

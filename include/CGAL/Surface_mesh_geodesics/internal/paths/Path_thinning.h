@@ -10,8 +10,8 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PATHS_PATH_THINNING_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PATHS_PATH_THINNING_H
 
-// Turns the points of a path on the refined mesh into those that the user gets: the vertices of the path, and its points on
-// edges of the mesh as it was before sources were inserted.
+// Turns the points of a path on the refined mesh into those that the user gets: the vertices of the path, and its
+// points on edges of the mesh as it was before sources were inserted.
 //
 // Points that are nearer to each other along the path than the merge distance count as one. Of those the last one is
 // reported, as it is nearest to the source; but the first point of the path always is. A point is left out only if the
@@ -27,10 +27,10 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// A point that is reported: a vertex, or, if `vertex` is null_id, the point at t of a halfedge of the first mesh, 0 at its
-// source and 1 at its target. In the refined mesh this point lies on `local_halfedge`. The path arrives through `face` of
-// the refined mesh, which is null_id for the first point. Only the first point may be neither a vertex nor on an edge;
-// then it is inside `face`.
+// A point that is reported: a vertex, or, if `vertex` is null_id, the point at t of a halfedge of the first mesh, 0 at
+// its source and 1 at its target. In the refined mesh this point lies on `local_halfedge`. The path arrives through
+// `face` of the refined mesh, which is null_id for the first point. Only the first point may be neither a vertex nor on
+// an edge; then it is inside `face`.
 template <typename FT>
 struct Path_item
 {
@@ -40,9 +40,9 @@ struct Path_item
   Face_id face = null_id;
 };
 
-// Calls `tell` with each item, in the order of the path. Call begin_behind() first if the path begins at a point that is
-// reported elsewhere, then add() for each step, then finish().
-template <typename FT, typename Tell>
+// Calls `report` with each item, in the order of the path. Call begin_behind() first if the path begins at a point that
+// is reported elsewhere, then add() for each step, then finish().
+template <typename FT, typename Report>
 class Path_thinning
 {
 public:
@@ -50,8 +50,8 @@ public:
   using Item = Path_item<FT>;
 
   // `extent` is that of the component in which the path runs (Intrinsic_mesh.h); the merge distance is relative to it.
-  Path_thinning(const Mesh& mesh, const Face_parts<FT>& parts, const FT& extent, Tell tell)
-    : m_mesh(mesh), m_parts(parts), m_tell(tell),
+  Path_thinning(const Mesh& mesh, const Face_parts<FT>& parts, const FT& extent, Report report)
+    : m_mesh(mesh), m_parts(parts), m_report(report),
       m_merge_distance(Tolerance<FT>::gap() * extent)
   {}
 
@@ -62,8 +62,8 @@ public:
     m_has_last = m_last_is_first = true;
   }
 
-  // Takes the next step. A step on an edge that is none of the first mesh is passed over; its gap and face count for the
-  // next step.
+  // Takes the next step. A step on an edge that is not part of an edge of the first mesh is passed over; its gap and
+  // face count for the next step.
   void add(const Path_step<FT>& step)
   {
     CGAL_expensive_assertion(step.gap >= 0);
@@ -89,7 +89,7 @@ public:
   void finish()
   {
     if(m_has_pending && !(m_last_is_first && m_to_pending <= m_merge_distance))
-      m_tell(m_pending);
+      m_report(m_pending);
     m_has_pending = false;
   }
 
@@ -112,8 +112,8 @@ private:
     return result;
   }
 
-  // Takes the next item, at the length `gap` from the one before. An item stays pending until the next one shows whether
-  // they count as one. There are three cases:
+  // Takes the next item, at the length `gap` from the one before. An item stays pending until the next one shows
+  // whether they count as one. There are three cases:
   // - The new item and all that the pending one stands for are within the merge distance: the new item replaces it.
   // - The pending item is within the merge distance of the last one that was reported: it is left out.
   // - Else the pending item is reported.
@@ -122,7 +122,7 @@ private:
   {
     if(!m_has_last)
     {
-      m_tell(item);
+      m_report(item);
       begin_behind(item);
       return;
     }
@@ -139,7 +139,7 @@ private:
         to_item = m_to_pending + gap;
       else
       {
-        m_tell(m_pending);
+        m_report(m_pending);
         m_last = m_pending;
         m_last_is_first = false;
       }
@@ -152,7 +152,7 @@ private:
 
   const Mesh& m_mesh;
   const Face_parts<FT>& m_parts;
-  Tell m_tell;
+  Report m_report;
   FT m_merge_distance;
   Item m_last, m_pending; // the last item that was reported, and the next one
   bool m_has_last = false, m_last_is_first = false, m_has_pending = false;

@@ -10,16 +10,16 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PATHS_STRAIGHT_PIECE_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PATHS_STRAIGHT_PIECE_H
 
-// A straight piece of a shortest path, followed from its end back to its pseudo-source. The faces on the way are laid out
-// in one plane (unfolding, thesis 3.3.1): the image of the pseudo-source is carried from face to face, and the line to
-// the image tells which edge comes next. As soon as the pseudo-source is a corner of the face that the line enters, the
-// piece ends there. No shortest path leaves a face of its own end to reach that end from another side.
+// A straight piece of a shortest path, followed from its end back to its pseudo-source. The faces on the way are laid
+// out in one plane (unfolding, thesis 3.3.1): the image of the pseudo-source is carried from face to face, and the line
+// to the image shows which edge comes next. As soon as the pseudo-source is a corner of the face that the line enters,
+// the piece ends there. No shortest path leaves a face of its own end to reach that end from another side.
 //
-// Rounding. On which side of a vertex the line passes cannot always be decided, and on the wrong side of a vertex that is
-// not flat the line never meets its end. Where the line passes so near to a vertex, the distance of the vertex tells
-// whether the path may as well run through it: if that makes the path no longer, the piece ends at the vertex. This needs
-// no decision about sides, and is right on whichever side the line lies. (In exact numbers, a path through a vertex at the
-// distance s from the line is longer than the line by the order of s squared.)
+// Rounding. On which side of a vertex the line passes cannot always be decided, and on the wrong side of a vertex that
+// is not flat the line never meets its end. Where the line passes so near to a vertex, the distance of the vertex shows
+// whether the path may as well run through it: if that makes the path no longer, the piece ends at the vertex. This
+// needs no decision about sides, and is right on whichever side the line lies. (In exact numbers, a path through a
+// vertex at the distance s from the line is longer than the line by the order of s squared.)
 //
 // The distance of each vertex that the line passes is compared with the rest of the way, so a line that has gone astray
 // is found out at once. Straight_piece promises this: if trace() returns a vertex, the points that it has
@@ -41,7 +41,8 @@ namespace internal {
 
 // A point of a path: a vertex, or, if `vertex` is null_id, the point at the abscissa x of a halfedge.
 //
-// Invariants: 0 < x < length of the halfedge; gap >= 0. The gap may be zero where edges have no length or faces no area.
+// Invariants: 0 < x < length of the halfedge; gap >= 0. The gap may be zero where edges have no length or faces no
+// area.
 template <typename FT>
 struct Path_step
 {
@@ -65,8 +66,8 @@ FT length_of(const Path_steps<FT>& steps)
   return length;
 }
 
-// Returns the point at the abscissa x of h, at which the path arrives through the face of h. An abscissa at or beyond an
-// end of the edge gives the vertex there.
+// Returns the point at the abscissa x of h, at which the path arrives through the face of h. An abscissa at or beyond
+// an end of the edge gives the vertex there.
 template <typename FT>
 Path_step<FT> step_on_edge(const Intrinsic_mesh<FT>& mesh, Halfedge_id h, const FT& x)
 {
@@ -103,14 +104,14 @@ public:
   using Mesh = Intrinsic_mesh<FT>;
   using Field = Vertex_distance_field<FT>;
 
-  // Points are appended to `steps`. Tolerances are relative to the longest length that the line meets, but at least to
+  // Points are appended to `steps`. Tolerances are relative to the longest length on the way, but at least to
   // `smallest_scale`.
   Straight_piece(const Mesh& mesh, const Field& field, const FT& smallest_scale, Path_steps<FT>& steps)
     : m_mesh(mesh), m_field(field), m_smallest_scale(smallest_scale), m_steps(steps)
   {}
 
-  // Follows a piece. Returns the vertex at which it ends, which is the root or another vertex of the path; null_id if the
-  // line goes astray, and then the steps that were appended are of no use. Call it once.
+  // Follows a piece. Returns the vertex at which it ends, which is the root or another vertex of the path; null_id if
+  // the line goes astray, and then the steps that were appended are of no use. Call it once.
   // Complexity: linear in the number of faces crossed, of which there are at most mesh.most_faces_crossed() + 1.
   Vertex_id trace(const Piece_start<FT>& start)
   {
@@ -140,8 +141,8 @@ public:
   }
 
 private:
-  // Where the line is: at the point `abscissa` of `halfedge`, about to leave the face of the halfedge across it. The image
-  // of the pseudo-source is at (image_x, image_y) in the frame of the halfedge.
+  // Where the line is: at the point `abscissa` of `halfedge`, about to leave the face of the halfedge across it. The
+  // image of the pseudo-source is at (image_x, image_y) in the frame of the halfedge.
   // Invariant: image_y <= 0. After turn(), in the frame of the opposite halfedge, image_y >= 0.
   struct State
   {
@@ -157,7 +158,8 @@ private:
     s.image_y = -s.image_y;
   }
 
-  // Returns the state in which the line leaves the first face. The piece may end in that face already; then m_end is set.
+  // Returns the state in which the line leaves the first face. The piece may end in that face already; then m_end is
+  // set.
   State first_state()
   {
     const Halfedge_id h = m_start.halfedge;
@@ -165,7 +167,7 @@ private:
     const State s{h, m_start.abscissa, m_start.image_x, -m_start.image_depth};
     const FT inside = norm<FT>(m_start.x - s.abscissa, m_start.y);
     const FT outside = norm<FT>(s.image_x - s.abscissa, s.image_y);
-    meet((std::max)(inside + outside, (std::max)(length, m_start.distance)));
+    use_length((std::max)(inside + outside, (std::max)(length, m_start.distance)));
     // the sine of the smaller one of the angles at which the line meets the edge
     const FT sine = (std::min)(inside > 0 ? FT(m_start.y / inside) : FT(0),
                                outside > 0 ? FT(-s.image_y / outside) : FT(0));
@@ -197,7 +199,7 @@ private:
     using std::abs;
     const FT dx = c.apex_x - s.abscissa, ix = s.image_x - s.abscissa;
     const FT squared_gap = dx * dx + c.apex_y * c.apex_y;
-    meet((std::max)(c.left_length, c.right_length));
+    use_length((std::max)(c.left_length, c.right_length));
     const FT area = dx * s.image_y - c.apex_y * ix;
     const FT reach = sideways();
     if(c.apex == m_start.root || area * area <= reach * reach * (ix * ix + s.image_y * s.image_y))
@@ -214,9 +216,9 @@ private:
     return excess <= 0 || excess * excess <= squared_gap;
   }
 
-  // Moves through the face of o, to its left side if C lies on the right of the line, and else to its right side. A line
-  // through C goes right. Very near to the image this sign is nearly unknown; if the image then lies above the line of the
-  // side, the other side counts if it has the lower image.
+  // Moves through the face of o, to its left side if C lies on the right of the line, and else to its right side. A
+  // line through C goes right. Very near to the image this sign is nearly unknown; if the image then lies above the
+  // line of the side, the other side counts if it has the lower image.
   State next_state(Halfedge_id o, const Face_frame<FT>& c, const State& s)
   {
     const bool has_left = c.left_length > 0, has_right = c.right_length > 0;
@@ -255,8 +257,8 @@ private:
   static FT inverse_of(const FT& length) { return length > 0 ? FT(1 / length) : FT(0); }
 
   // The frame of the left side, from C to A. It differs from the text of unfolding.h in two ways that show in the bits:
-  // the axis is multiplied by the inverse of the length, which exists for a length of zero as well, and the right side is
-  // not the mirror image of the left one.
+  // the axis is multiplied by the inverse of the length, which exists for a length of zero as well, and the right side
+  // is not the mirror image of the left one.
   static Edge_view left_view(const Face_frame<FT>& c, const State& s)
   {
     const FT inverse = inverse_of(c.left_length);
@@ -280,8 +282,8 @@ private:
   }
 
   // Returns whether the path may run through v, which the line passes very near and which is at the distance `gap`: its
-  // distance makes the path no longer, up to slack(). Where several sources are equally far, v must have the source that
-  // is reported.
+  // distance makes the path no longer, up to slack(). Where several sources are equally far, v must have the source
+  // that is reported.
   bool may_run_through(Vertex_id v, const FT& gap) const
   {
     return m_field.distance[v] < m_start.distance && gap + m_field.distance[v] <= rest() + slack()
@@ -294,7 +296,8 @@ private:
   // Below this distance a line and a vertex count as one.
   FT sideways() const { return Tolerance<FT>::sideways() * m_scale; }
 
-  void meet(const FT& length) { m_scale = (std::max)(m_scale, length); }
+  // Notes a length that enters the computation.
+  void use_length(const FT& length) { m_scale = (std::max)(m_scale, length); }
 
   // The error that rounding may cause in lengths and distances.
   FT slack() const { return Tolerance<FT>::lengthwise() * m_scale; }

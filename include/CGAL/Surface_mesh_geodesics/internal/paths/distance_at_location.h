@@ -10,8 +10,8 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PATHS_DISTANCE_AT_LOCATION_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PATHS_DISTANCE_AT_LOCATION_H
 
-// The distance at any point of a face. The shortest path to it comes straight from a corner of the face, or through one of
-// the edges with a window that has been kept there (Edge_window_field.h).
+// The distance at any point of a face. The shortest path to it comes straight from a corner of the face, or through one
+// of the edges with a window that has been kept there (Edge_window_field.h).
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
@@ -29,8 +29,8 @@ namespace internal {
 // How the shortest path arrives at a point of a face. There are three cases:
 // - `root` is null_id: no source reaches the point, and `distance` is infinite.
 // - `halfedge` is null_id: the path comes straight from `root`, which is a corner of the face.
-// - else the path comes from the image of `root` at (image_x, -image_depth), through the point `abscissa` of `halfedge`,
-//   to the point at (x, y), all in the frame of that halfedge.
+// - else the path comes from the image of `root` at (image_x, -image_depth), through the point `abscissa` of
+//   `halfedge`, to the point at (x, y), all in the frame of that halfedge.
 // `inside` is the length of the path in the face.
 template <typename FT>
 struct Location_arrival
@@ -44,7 +44,8 @@ struct Location_arrival
 };
 
 // Returns the point with the barycentric coordinates b in the frame of halfedge k of its face.
-// Formula: b_k A + b_next B + b_apex C with A = (0,0), B = (length,0). Requires: b >= 0; then y >= 0.
+// Formula: b_k A + b_next B + b_apex C with A = (0,0), B = (length,0).
+// Requires: b >= 0; then y >= 0.
 // Error: three units of the longest side, beyond that of the apex.
 template <typename FT>
 std::array<FT, 2> point_in_frame(const Face_frame<FT>& c, const std::array<FT, 3>& b, unsigned int k)
@@ -57,9 +58,10 @@ std::array<FT, 2> point_in_frame(const Face_frame<FT>& c, const std::array<FT, 3
 // image, or, if the straight line passes beside the window, bent at the nearer end of it. A tie keeps the arrival.
 // `root_distance` is the distance of the root of w.
 //
-// The straight line crosses the edge at (image_x y + x depth) / (y + depth); on the line of the edge itself, where that is
-// 0/0, at x. Error of the distance: the root distance and the norm round once each, and a sum once or twice, so three
-// units beyond the errors of the image and of the point. No bound is known for the image after many faces.
+// The straight line crosses the edge at (image_x y + x depth) / (y + depth); on the line of the edge itself, where that
+// is 0/0, at x.
+// Error of the distance: the root distance and the norm round once each, and a sum once or twice, so three units beyond
+// the errors of the image and of the point. No bound is known for the image after many faces.
 // Requires: y >= 0.
 template <typename FT>
 void improve_arrival(Location_arrival<FT>& arrival, const Kept_window<FT>& w, const FT& root_distance,
@@ -82,8 +84,8 @@ void improve_arrival(Location_arrival<FT>& arrival, const Kept_window<FT>& w, co
 }
 
 // Returns the arrival at the point of face f with the barycentric coordinates b: the minimum over the three corners and
-// the windows kept on the three edges. Ties go to the candidate that comes first: edges in the order of their index, the
-// corner at the source of an edge before its windows, windows in the order in which they were kept.
+// the windows kept on the three edges. Ties go to the candidate that comes first: edges in the order of their index,
+// the corner at the source of an edge before its windows, windows of later lists before those of earlier ones.
 // Requires: `windows` holds those of the propagation that has filled `field`; b >= 0.
 // Complexity: linear in the number of windows kept on the three edges.
 // Law: at corner k the distance is at most that of the vertex.

@@ -12,18 +12,18 @@
 
 // Isolines: the lines of all points at one distance, which separate nearer points from farther ones.
 //
-// Crossings of edges. Along an edge the distance is known at every point, and it is 1-Lipschitz: it changes by at most the
-// length of the way. So a part of an edge between two points with known distances either cannot hold a point of the line,
-// or is halved. A crossing that separates nearer points from farther ones is found down to the resolution, whatever the
-// number of windows is. Pairs of crossings are looked for down to a coarser width only, because an edge that the line
-// touches would be halved without end.
+// Crossings of edges. Along an edge the distance is known at every point, and it is 1-Lipschitz: it changes by at most
+// the length of the way. So a part of an edge between two points with known distances either cannot hold a point of the
+// line, or is halved. A crossing that separates nearer points from farther ones is found down to the resolution,
+// whatever the number of windows is. Pairs of crossings are looked for down to a coarser width only, because an edge
+// that the line touches would be halved without end.
 //
 // Lines. Segments join the crossings in a face. Where a face has more than two, the distance at their centroid decides
 // which belong together. A closed line inside one face, around a point farther than all its edges, is not found.
 //
-// Rounding. Whether an edge is crossed is decided by comparing the distances of its ends with the value, never by a bound.
-// So each face has an even number of crossings, and lines end at the border only, whatever rounding does. A vertex exactly
-// at the value counts as farther: the crossings of its edges to nearer neighbors are the vertex itself.
+// Rounding. Whether an edge is crossed is decided by comparing the distances of its ends with the value, never by a
+// bound. So each face has an even number of crossings, and lines end at the border only, whatever rounding does. A
+// vertex exactly at the value counts as farther: the crossings of its edges to nearer neighbors are the vertex itself.
 
 #include <CGAL/Surface_mesh_geodesics/internal/paths/distance_at_location.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
@@ -69,11 +69,11 @@ public:
     CGAL_assertion(resolution > 0);
   }
 
-  // Calls line(points, is_closed) for each line of points at the distance `value`, first for those that end at the border.
-  // A line has at least two points, no vertex twice in a row, and points that follow each other share a face. There is no
-  // line for a value that is negative, infinite or not a number.
-  // Complexity: linear in the number of faces, plus for each crossing a number of distance queries that is logarithmic in
-  // the resolution.
+  // Calls line(points, is_closed) for each line of points at the distance `value`, first for those that end at the
+  // border. A line has at least two points, no vertex twice in a row, and points that follow each other share a face.
+  // There is no line for a value that is negative, infinite or not a number.
+  // Complexity: linear in the number of faces, plus for each crossing a number of distance queries that is logarithmic
+  // in the resolution.
   template <typename Line>
   void trace(const FT& value, Line line)
   {
@@ -97,10 +97,10 @@ private:
     std::uint32_t size;
   };
 
-  // Returns whether a part of an edge may hold a point of the line. The part has this length, its ends the distances d and
-  // e. By the Lipschitz bound the distances on the part are between (d + e - length) / 2 and (d + e + length) / 2.
-  // Error: three units of the sum. So of two crossings within that error of each other both may be missed, but none that
-  // separates the ends.
+  // Returns whether a part of an edge may hold a point of the line. The part has this length, its ends the distances d
+  // and e. By the Lipschitz bound the distances on the part are between (d + e - length) / 2 and (d + e + length) / 2.
+  // Error: three units of the sum. So of two crossings within that error of each other both may be missed, but none
+  // that separates the ends.
   static bool may_hold(const FT& length, const FT& d, const FT& e, const FT& value)
   {
     if((d < value) != (e < value))
@@ -235,7 +235,8 @@ private:
     return b;
   }
 
-  // Makes two points neighbors on a line. Requires: each has at most one neighbor so far.
+  // Makes two points neighbors on a line.
+  // Requires: each has at most one neighbor so far.
   void join(Point_index a, Point_index b)
   {
     m_neighbors[a][m_neighbors[a][0] == null_id ? 0 : 1] = b;

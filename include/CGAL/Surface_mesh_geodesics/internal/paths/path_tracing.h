@@ -11,13 +11,13 @@
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PATHS_PATH_TRACING_H
 
 // Traces shortest paths from their end back to the source. A path is a chain of straight pieces. Each of them ends at a
-// vertex, from where the path goes on in the direction in which it arrived there. Tracing needs no windows, only how the
-// shortest path arrives at each vertex (Vertex_distance_field.h, with images); so the memory is that of the distances
-// (thesis 3.3.3.1).
+// vertex, from where the path goes on in the direction in which it arrived there. Tracing needs no windows, only how
+// the shortest path arrives at each vertex (Vertex_distance_field.h, with images); so the memory is that of the
+// distances (thesis 3.3.3.1).
 //
-// The length of the path is checked against the distance, piece by piece. If rounding has led a line astray, the line is
-// followed a second time with wider tolerances, so that it may run through vertices from which it was just told apart.
-// If that fails as well, the path is searched for by its length alone (Path_search.h).
+// The length of the path is checked against the distance, piece by piece. If rounding has led a line astray, the line
+// is followed a second time with wider tolerances, so that it may run through vertices from which it was just told
+// apart. If that fails as well, the path is searched for by its length alone (Path_search.h).
 
 #include <CGAL/Surface_mesh_geodesics/internal/paths/Path_search.h>
 #include <CGAL/Surface_mesh_geodesics/internal/paths/Straight_piece.h>
@@ -46,9 +46,10 @@ public:
   Path_tracer(const Mesh& mesh, const Field& field) : m_mesh(mesh), m_field(field) {}
 
   // Appends the path from v to its source, both included. Returns false if no path of the right length has been found;
-  // `path` is of no use then. Requires: v is reached, `path` is empty, the field has images.
-  // If it returns true: points that follow each other share a face, the last one is a source, and the sum of the gaps plus
-  // the offset of the source is the distance of v, up to Tolerance::path() of the distance for each piece.
+  // `path` is of no use then.
+  // Requires: v is reached, `path` is empty, the field has images. If it returns true: points that follow each other
+  // share a face, the last one is a source, and the sum of the gaps plus the offset of the source is the distance of v,
+  // up to Tolerance::path() of the distance for each piece.
   // Complexity: linear in the number of faces crossed, unless the search is needed.
   bool trace_from_vertex(Vertex_id v, Steps& path) const
   {
@@ -67,8 +68,8 @@ public:
     return is_found;
   }
 
-  // The same from the point of face f with the barycentric coordinates b, which is not appended. Requires: `arrival` is
-  // that of the point, its root is not null_id.
+  // The same from the point of face f with the barycentric coordinates b, which is not appended.
+  // Requires: `arrival` is that of the point, its root is not null_id.
   bool trace_from_location(Face_id f, const std::array<FT, 3>& b, const Location_arrival<FT>& arrival,
                            Steps& path) const
   {
@@ -104,9 +105,9 @@ private:
     return v != null_id && trace_onwards(v, path);
   }
 
-  // Searches for a path whose length is `distance`, with wider and wider tolerances: the first search should not stop at a
-  // path that is longer than necessary. Distances err by some units for each face, relative to themselves and, on small
-  // distances, to the lengths of the mesh, of which the longest is about 1.
+  // Searches for a path whose length is `distance`, with wider and wider tolerances: the first search should not stop
+  // at a path that is longer than necessary. Distances err by some units for each face, relative to themselves and, on
+  // small distances, to the lengths of the mesh, of which the longest is about 1.
   // - relative / 64 is the error of a path through few faces.
   // - relative, and relative + absolute, are what Straight_piece accepts for one piece.
   // - The last one is wider than the sum for the pieces of any path that the tests know. No bound is known; a path that
@@ -122,8 +123,8 @@ private:
     return false;
   }
 
-  // Appends the path from v; the caller has appended v itself. Returns false if a piece goes astray. The distances do not
-  // increase along the chain of vertices, so a chain longer than the number of vertices is wrong.
+  // Appends the path from v; the caller has appended v itself. Returns false if a piece goes astray. The distances do
+  // not increase along the chain of vertices, so a chain longer than the number of vertices is wrong.
   bool trace_onwards(Vertex_id v, Steps& path) const
   {
     for(std::size_t i = 0; i <= m_mesh.number_of_vertices() && v != null_id; ++i)
@@ -135,7 +136,8 @@ private:
     return false;
   }
 
-  // Returns the last piece of the path to v, as the propagation has recorded it. Requires: v is reached, and no source.
+  // Returns the last piece of the path to v, as the propagation has recorded it.
+  // Requires: v is reached, and no source.
   Piece_start<FT> piece_to(Vertex_id v) const
   {
     CGAL_assertion(m_field.arrival[v].halfedge != null_id);
@@ -147,8 +149,9 @@ private:
   }
 
   // Appends a piece and returns the vertex where it ends; null_id, and nothing appended, if no attempt gives the right
-  // length. The tolerances of the first attempt are relative to the lengths that the line meets. But the distance and the
-  // image may come from farther away, so those of the second one are relative to the longest length of the mesh, 1.
+  // length. The tolerances of the first attempt are relative to the lengths on the way of the line. But the distance
+  // and the image may come from farther away, so those of the second one are relative to the longest length of the
+  // mesh, 1.
   Vertex_id trace_piece(const Piece_start<FT>& start, Steps& path) const
   {
     const std::size_t size = path.size();

@@ -10,7 +10,7 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_AVAILABLE_TAG_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_AVAILABLE_TAG_H
 
-// What a concurrency tag of the user means in this compilation.
+// Maps a concurrency tag of the user to what this compilation offers: Parallel_tag needs TBB.
 
 #include <CGAL/tags.h>
 

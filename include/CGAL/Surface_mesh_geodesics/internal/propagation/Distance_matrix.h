@@ -10,7 +10,8 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_DISTANCE_MATRIX_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_DISTANCE_MATRIX_H
 
-// Distances from many sources, one by one: a run of the propagation for each row, on one intrinsic mesh.
+// Distances from many sources, one by one: a run of the propagation for each row, all on one intrinsic mesh. Threads
+// compute rows at the same time; Ordered_rows.h passes them on in order.
 
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_propagation.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Repeated_propagation.h>
@@ -31,8 +32,8 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// What a thread has for itself. Sources in faces change the mesh for the time of a run: the thread has a
-// copy then.
+// The data of one thread. A source in a face changes the mesh during a run; if there are such sources, the thread works
+// on a copy of the mesh.
 template <typename FT>
 class Matrix_worker
 {
@@ -52,7 +53,7 @@ public:
       m_runner = std::make_unique<Runner>(mesh);
   }
 
-  // runs from one source, unless it is stopped, in which case no distances are known.
+  // Runs from one source, and returns the result. If `stop` is set meanwhile, no distances are known.
   const Runner& run(Vertex_id vertex, const Located_source<FT>* location, const Run_limits<FT>& limits,
                     const Stop_flag& stop)
   {
@@ -72,7 +73,7 @@ private:
   Source_set<FT> m_source;
 };
 
-// What the user's function for the output of rows says: whether to go on.
+// Passes a row to the function of the user; returns whether to go on. A function that returns void never stops.
 template <typename Output, typename Row>
 bool put_row(Output& output, std::size_t i, const Row& row)
 {
@@ -93,7 +94,7 @@ public:
   using Worker = Matrix_worker<FT>;
   using Runner = typename Worker::Runner;
   using Dense_row = std::vector<double>;
-  using Sparse_row = std::vector<std::pair<std::size_t, double>>; // positions of targets, and distances
+  using Sparse_row = std::vector<std::pair<std::size_t, double>>; // positions of targets, and their distances
 
   Distance_matrix(const Mesh& mesh, Source_set<FT> sources)
     : m_mesh(mesh), m_sources(std::move(sources)), m_location(m_sources.vertices.size(), nullptr)
@@ -105,6 +106,10 @@ public:
   Distance_matrix(const Distance_matrix&) = delete;
   Distance_matrix& operator=(const Distance_matrix&) = delete;
 
+  // The functions below pass the rows to output(i, row), in the order of the sources, and return false if `output` ends
+  // the computation.
+
+  // Row i has the distances of all targets from source i.
   template <typename Tag, typename Output>
   bool put_dense_rows(Tag tag, const std::vector<Vertex_id>& targets, Output& output) const
   {
@@ -114,7 +119,7 @@ public:
     });
   }
 
-  // Row i has the distances of the sources i, i+1, ..., which are vertices.
+  // Row i has the distances of the sources i, i+1, ... from source i. Requires: all sources are vertices.
   template <typename Tag, typename Output>
   bool put_triangular_rows(Tag tag, Output& output) const
   {
@@ -125,7 +130,7 @@ public:
     });
   }
 
-  // Row i has those of the targets whose distance is not greater than the maximum, in their order.
+  // Row i has the targets whose distance from source i is at most the maximum, in the order of their positions.
   template <typename Tag, typename Output>
   bool put_sparse_rows(Tag tag, const std::vector<Vertex_id>& targets, double maximum_distance,
                        Output& output) const
@@ -149,7 +154,7 @@ public:
   }
 
 private:
-  // The positions of each vertex in a range of targets, which may be there more than once.
+  // The positions of each vertex in a range of targets, which may contain it several times.
   class Target_positions
   {
   public:
@@ -163,10 +168,11 @@ private:
       }
     }
 
+    // Calls visit(position) for all positions of v. An inserted source has none.
     template <typename Visit>
     void for_each(Vertex_id v, Visit visit) const
     {
-      if(v < m_first.size()) // not an inserted source
+      if(v < m_first.size())
         for(std::size_t j = m_first[v]; j != none; j = m_next[j])
           visit(j);
     }

@@ -193,7 +193,7 @@ public:
     Propagation_statistics sum;
     for(const std::unique_ptr<Worker>& worker : m_workers)
     {
-      add_statistics(worker->statistics(), sum);
+      sum.add(worker->statistics());
       sum.maximum_window_bytes += worker->memory();
     }
     sum.maximum_windows_alive = m_wavefront.maximum_windows_alive();

@@ -10,9 +10,9 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_REPEATED_PROPAGATION_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_REPEATED_PROPAGATION_H
 
-// Runs of the propagation, one after the other, on the same mesh: the buffers stay, and a run costs what
-// it reaches (see Distance_propagation::restart()). Here is all that a thread needs for itself to compute
-// distances; it knows nothing of the user's mesh.
+// Runs of the propagation, one after the other, on the same mesh. The runs share all buffers, and each takes time
+// proportional to what it reaches (see Distance_propagation::restart()). An object holds all that one thread needs to
+// compute distances of vertices. It does not know the user's mesh.
 
 #include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
@@ -27,7 +27,7 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// Where a run may end early. No targets: nowhere but at the maximum distance.
+// Where a run may end early: at the maximum distance and, if there are targets, when their distances are final.
 template <typename FT>
 struct Run_limits
 {
@@ -45,21 +45,18 @@ public:
   using Mesh = Intrinsic_mesh<FT>;
   using Field = Vertex_distance_field<FT>;
 
-  // On a mesh that others may read at the same time: all sources have to be vertices.
+  // On a mesh that other threads may read at the same time. All sources have to be vertices.
   explicit Repeated_propagation(const Mesh& mesh)
     : m_mesh(mesh), m_insertion(nullptr), m_propagation(mesh, m_field)
   {}
 
-  // On a mesh that nobody else reads during a run: sources are inserted, and removed at the end.
+  // On a mesh that no other thread reads during a run, which inserts sources in faces and removes them at its end.
   Repeated_propagation(const Mesh& mesh, Source_insertion<FT>& insertion)
     : m_mesh(mesh), m_insertion(&insertion), m_propagation(mesh, m_field)
   {}
 
-  // propagates; returns false, and knows nothing then, if go_on(number of visits, distance) does. The
-  // vertices of the sources in faces are set.
-  //
-  // The locations are inserted in the order of their places, so that the result does not depend on the order
-  // of the range.
+  // Propagates from the sources, and sets the vertices of those in faces. Returns false if go_on(number of visits,
+  // distance) does; no vertex has been reached then. The result does not depend on the order of the sources.
   template <typename GoOn>
   bool run(Source_set<FT>& sources, const Run_limits<FT>& limits, GoOn go_on)
   {
@@ -79,26 +76,26 @@ public:
     return true;
   }
 
-  // From now on no vertex has been reached.
+  // Forgets the result: no vertex has been reached.
   void forget() { m_limit = -1; }
 
-  // The distance of a vertex, infinity if it was not reached or is not final.
+  // Returns the distance of a vertex; infinity if it was not reached, or if the distance is not final.
   FT distance(Vertex_id v) const
   {
     return m_field.distance[v] <= m_limit ? m_field.distance[v] : Field::infinity();
   }
 
-  // The vertex of the source from which the distance of v is measured; v has been reached.
+  // Returns the vertex of the source from which the distance of v is measured. Requires: v has been reached.
   Vertex_id source_of(Vertex_id v) const { return m_field.source_of(v); }
 
-  // Vertices of sources in faces are among them.
+  // Returns all vertices that the last run touched, each once; those of sources in faces are among them.
   const std::vector<Vertex_id>& vertices_reached() const { return m_field.reached; }
 
   Propagation_statistics statistics() const { return m_propagation.statistics(); }
   std::size_t field_memory() const { return m_field.memory(); }
 
 private:
-  // removes what a run has inserted, also if it is left by an exception.
+  // Removes the inserted sources, also if an exception ends the run.
   struct Removal_of_sources
   {
     Source_insertion<FT>* insertion;
@@ -114,7 +111,7 @@ private:
   Source_insertion<FT>* m_insertion;
   Field m_field;
   Propagation m_propagation;
-  FT m_limit = -1; // greater distances are not final
+  FT m_limit = -1; // distances beyond it are not final
 };
 
 } // namespace internal

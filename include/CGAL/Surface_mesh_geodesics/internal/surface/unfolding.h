@@ -15,8 +15,8 @@
 // axis. This is one step of unfolding (thesis 3.3.1), for one image.
 //
 // Two places do the same with other operations, and so with other bits. Lanes (window/lanes/window_splitting.h) compute
-// the depth from the abscissa below C, which they need anyway. Straight_piece.h multiplies by the inverse of the length,
-// and takes the right side from B to C.
+// the depth from the abscissa below C, which they need anyway. Straight_piece.h multiplies by the inverse of the
+// length, and takes the right side from B to C.
 
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 
