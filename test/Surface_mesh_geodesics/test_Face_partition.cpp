@@ -1,4 +1,4 @@
-// The curves in a face that many cells meet in: fronts are not traced again and again.
+// The partition of a face in which many cells meet: fronts are not traced again and again.
 
 #include "test_support.h"
 
@@ -37,15 +37,15 @@ void test_parallel_curves(std::size_t n)
   {
     partition.add(image((static_cast<double>(i) + .5) * step, -.5, static_cast<Site>(i)));
   }
-  const auto place = [&](std::size_t i) { return static_cast<double>(i) * step; };
+  const auto abscissa = [&](std::size_t i) { return static_cast<double>(i) * step; };
   for(std::size_t i = 1; i <= n; ++i)
   {
-    partition.add(Partition::Breakpoint{Point{place(i), 0.}, static_cast<Site>(i - 1), static_cast<Site>(i)});
+    partition.add(Partition::Breakpoint{Point{abscissa(i), 0.}, static_cast<Site>(i - 1), static_cast<Site>(i)});
   }
   for(std::size_t i = n; i > 0; --i)
   {
-    const double y = 2. * (std::min)(place(i), 1. - place(i));
-    partition.add(Partition::Breakpoint{Point{place(i), y}, static_cast<Site>(i), static_cast<Site>(i - 1)});
+    const double y = 2. * (std::min)(abscissa(i), 1. - abscissa(i));
+    partition.add(Partition::Breakpoint{Point{abscissa(i), y}, static_cast<Site>(i), static_cast<Site>(i - 1)});
   }
   partition.build();
   CHECK_EQUAL(partition.arcs().size(), n);
@@ -54,65 +54,75 @@ void test_parallel_curves(std::size_t n)
   CHECK(partition.number_of_traces() <= 3 * n);
 }
 
-// An image above the face, whose cell is beyond a row of small ones: curves between these end at its border.
+// Adds n images in a row below the first side, with indices from 0 on, and the breakpoints between them on that side.
+void add_row(Partition& partition, std::size_t n, double depth)
+{
+  const double step = 1. / static_cast<double>(n);
+  const auto abscissa = [&](std::size_t i) { return static_cast<double>(i) * step; };
+  for(std::size_t i = 0; i < n; ++i)
+  {
+    partition.add(image(abscissa(i) + step / 2, -depth, static_cast<Site>(i)));
+  }
+  for(std::size_t i = 1; i < n; ++i)
+  {
+    partition.add(Partition::Breakpoint{Point{abscissa(i), 0.}, static_cast<Site>(i - 1), static_cast<Site>(i)});
+  }
+}
+
+Site nearest_site(const Partition& partition, const Point& p)
+{
+  Site best = 0;
+  double smallest = 1e300;
+  for(const Partition::Image& g : partition.images())
+  {
+    const double d = g.point.distance_to(p);
+    if(d < smallest)
+    {
+      best = g.site;
+      smallest = d;
+    }
+  }
+  return best;
+}
+
+// Adds the breakpoints on a side, which are found by walking in small steps and halving.
+void add_breakpoints(Partition& partition, unsigned int side, std::size_t steps)
+{
+  const auto on_side = [&](double t)
+  {
+    const Point &a = corner[side], &b = corner[(side + 1) % 3];
+    return Point{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
+  };
+  for(std::size_t i = 0; i < steps; ++i)
+  {
+    double from = static_cast<double>(i) / static_cast<double>(steps);
+    double to = static_cast<double>(i + 1) / static_cast<double>(steps);
+    const Site before = nearest_site(partition, on_side(from)), after = nearest_site(partition, on_side(to));
+    if(before == after)
+    {
+      continue;
+    }
+    for(int k = 0; k < 60; ++k)
+    {
+      const double middle = (from + to) / 2.;
+      (nearest_site(partition, on_side(middle)) == before ? from : to) = middle;
+    }
+    partition.add(Partition::Breakpoint{on_side(to), before, after});
+  }
+}
+
+// An image above the face, whose cell is beyond a row of small ones: the curves between these end at its boundary.
 void test_row_of_cells(std::size_t n)
 {
   test_support::Scope scope("a row of " + std::to_string(n) + " cells");
   Partition partition;
   partition.start(corner);
-  const double step = 1. / static_cast<double>(n);
-  const auto place = [&](std::size_t i) { return static_cast<double>(i) * step; };
   const double depth = .125, height = 1.125;
-  for(std::size_t i = 0; i < n; ++i)
-  {
-    partition.add(image(place(i) + step / 2, -depth, static_cast<Site>(i)));
-  }
-  const Site last = static_cast<Site>(n);
-  partition.add(image(.5, height, last));
-  for(std::size_t i = 1; i < n; ++i)
-  {
-    partition.add(Partition::Breakpoint{Point{place(i), 0.}, static_cast<Site>(i - 1), static_cast<Site>(i)});
-  }
-  // along the other sides the nearest image of the row, or the one above, which is found by walking in small steps
-  const auto nearest = [&](const Point& p)
-  {
-    Site best = 0;
-    double smallest = 1e300;
-    for(const Partition::Image& g : partition.images())
-    {
-      const double d = g.point.distance_to(p);
-      if(d < smallest)
-      {
-        best = g.site;
-        smallest = d;
-      }
-    }
-    return best;
-  };
+  add_row(partition, n, depth);
+  partition.add(image(.5, height, static_cast<Site>(n)));
   for(unsigned int side = 1; side < 3; ++side)
   {
-    const auto on_side = [&](double t)
-    {
-      const Point &a = corner[side], &b = corner[(side + 1) % 3];
-      return Point{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
-    };
-    const std::size_t steps = 64 * n;
-    for(std::size_t i = 0; i < steps; ++i)
-    {
-      double from = static_cast<double>(i) / static_cast<double>(steps);
-      double to = static_cast<double>(i + 1) / static_cast<double>(steps);
-      const Site before = nearest(on_side(from)), after = nearest(on_side(to));
-      if(before == after)
-      {
-        continue;
-      }
-      for(int k = 0; k < 60; ++k)
-      {
-        const double middle = (from + to) / 2.;
-        (nearest(on_side(middle)) == before ? from : to) = middle;
-      }
-      partition.add(Partition::Breakpoint{on_side(to), before, after});
-    }
+    add_breakpoints(partition, side, 64 * n);
   }
   partition.build();
   const std::size_t vertices = static_cast<std::size_t>(

@@ -74,7 +74,75 @@ void check_vertices(const Voronoi& diagram, const std::vector<std::pair<Point_2,
   number_of_vertices += number;
 }
 
-// Edges of the plane with a vertex inside the square are adjacencies of the surface; and those are Delaunay edges.
+using Pair = std::pair<std::size_t, std::size_t>;
+
+// The adjacent pairs of sites in the plane, and those of them that are adjacent inside of the square, too.
+struct Adjacencies
+{
+  std::set<Pair> all, needed;
+
+  // Adds a pair, given the finite ends of its edge of the diagram. An edge without length (four sites on a circle) need
+  // not be found on the surface.
+  void add(const Pair& pair, const std::vector<Point_2>& ends, double size)
+  {
+    all.insert(pair);
+    const bool has_length
+      = ends.size() == 1 || (ends.size() == 2 && std::sqrt(CGAL::squared_distance(ends[0], ends[1])) > 1e-9 * size);
+    if(has_length && std::any_of(ends.begin(), ends.end(),
+                                 [&](const Point_2& p) { return is_inside(p, size, 1e-9 * size); }))
+    {
+      needed.insert(pair);
+    }
+  }
+};
+
+// Edges of the plane with a vertex inside the square are adjacencies on the surface, and all of these are edges of the
+// plane.
+void check_adjacencies(const Voronoi& diagram, const Adjacencies& expected)
+{
+  std::set<Pair> found;
+  for(std::size_t i = 0; i < diagram.number_of_sites(); ++i)
+  {
+    for(const std::size_t j : diagram.adjacent_sites(i))
+    {
+      found.insert(std::minmax(i, j));
+    }
+  }
+  CHECK(std::includes(expected.all.begin(), expected.all.end(), found.begin(), found.end()));
+  CHECK(std::includes(found.begin(), found.end(), expected.needed.begin(), expected.needed.end()));
+}
+
+Adjacencies adjacencies_of(const Delaunay& delaunay, const std::map<Point_2, std::size_t>& first, double size)
+{
+  Adjacencies result;
+  for(auto e = delaunay.finite_edges_begin(); e != delaunay.finite_edges_end(); ++e)
+  {
+    const std::size_t i = first.at(e->first->vertex(Delaunay::cw(e->second))->point());
+    const std::size_t j = first.at(e->first->vertex(Delaunay::ccw(e->second))->point());
+    const auto f = e->first, g = f->neighbor(e->second);
+    std::vector<Point_2> ends;
+    for(const auto& side : {f, g})
+    {
+      if(!delaunay.is_infinite(side))
+      {
+        ends.push_back(delaunay.dual(side));
+      }
+    }
+    result.add(std::minmax(i, j), ends, size);
+  }
+  return result;
+}
+
+// Arcs between sites without weights are straight, also where a path of one of them bends at a flat vertex.
+void check_straight_arcs(const Voronoi& diagram, const Mesh& tm, double size)
+{
+  for(const Voronoi::Arc& a : diagram.arcs())
+  {
+    const Coordinates p = coordinates(a.point(0.), tm), q = coordinates(a.point(1.), tm);
+    CHECK_NEAR(length(cross(q - p, coordinates(a.point(.5), tm) - p)), 0., 1e-10 * length(q - p) * size);
+  }
+}
+
 void test_Delaunay(const Mesh& tm, double size, std::size_t number, test_support::Random& random)
 {
   test_support::Scope scope(std::to_string(number) + " sites");
@@ -90,7 +158,6 @@ void test_Delaunay(const Mesh& tm, double size, std::size_t number, test_support
   Voronoi diagram(tm);
   add_sites(diagram, sites);
   std::vector<std::pair<Point_2, std::set<std::size_t>>> expected;
-  std::set<std::pair<std::size_t, std::size_t>> edges, needed;
   for(auto f = delaunay.finite_faces_begin(); f != delaunay.finite_faces_end(); ++f)
   {
     std::set<std::size_t> corners;
@@ -101,46 +168,71 @@ void test_Delaunay(const Mesh& tm, double size, std::size_t number, test_support
     const Point_2 center = delaunay.dual(f);
     expected.emplace_back(center, corners);
   }
-  for(auto e = delaunay.finite_edges_begin(); e != delaunay.finite_edges_end(); ++e)
-  {
-    const std::size_t i = first.at(e->first->vertex(Delaunay::cw(e->second))->point());
-    const std::size_t j = first.at(e->first->vertex(Delaunay::ccw(e->second))->point());
-    edges.insert(std::minmax(i, j));
-    const auto f = e->first, g = f->neighbor(e->second);
-    std::vector<Point_2> ends;
-    for(const auto& side : {f, g})
-    {
-      if(!delaunay.is_infinite(side))
-      {
-        ends.push_back(delaunay.dual(side));
-      }
-    }
-    // (four sites on a circle: the edge has no length)
-    const bool has_length = ends.size() == 1 || std::sqrt(CGAL::squared_distance(ends[0], ends.back())) > 1e-9 * size;
-    if(has_length && std::any_of(ends.begin(), ends.end(),
-                                 [&](const Point_2& p) { return is_inside(p, size, 1e-9 * size); }))
-    {
-      needed.insert(std::minmax(i, j));
-    }
-  }
   check_vertices(diagram, expected, size);
-  std::set<std::pair<std::size_t, std::size_t>> found;
-  for(std::size_t i = 0; i < sites.size(); ++i)
+  check_adjacencies(diagram, adjacencies_of(delaunay, first, size));
+  check_straight_arcs(diagram, tm, size);
+}
+
+// The additively weighted diagram of the plane, and which of our sites its sites are.
+struct Apollonius_diagram
+{
+  Apollonius graph;
+  std::map<std::pair<Point_2, double>, std::size_t> number_of_site;
+
+  Apollonius_diagram(const std::vector<Point_2>& points, const Weighted_sites& sites)
   {
-    for(const std::size_t j : diagram.adjacent_sites(i))
+    for(std::size_t i = 0; i < points.size(); ++i)
     {
-      found.insert(std::minmax(i, j));
+      number_of_site.emplace(std::make_pair(points[i], sites[i].weight), i);
+      graph.insert(Apollonius::Site_2(points[i], sites[i].weight));
     }
   }
-  CHECK(std::includes(edges.begin(), edges.end(), found.begin(), found.end()));
-  CHECK(std::includes(found.begin(), found.end(), needed.begin(), needed.end()));
-  for(const Voronoi::Arc& a : diagram.arcs())
+
+  std::size_t site_of(const Apollonius::Site_2& s) const
   {
-    // straight, also where images of a source are a way round a vertex
-    const Coordinates p = coordinates(a.point(0.), tm), q = coordinates(a.point(1.), tm);
-    CHECK_NEAR(length(cross(q - p, coordinates(a.point(.5), tm) - p)), 0., 1e-10 * length(q - p) * size);
+    return number_of_site.at(std::make_pair(s.point(), CGAL::to_double(s.weight())));
   }
-}
+
+  std::vector<std::pair<Point_2, std::set<std::size_t>>> vertices() const
+  {
+    std::vector<std::pair<Point_2, std::set<std::size_t>>> result;
+    for(auto f = graph.finite_faces_begin(); f != graph.finite_faces_end(); ++f)
+    {
+      const Apollonius::Site_2 s = graph.dual(f);
+      std::set<std::size_t> corners;
+      for(int k = 0; k < 3; ++k)
+      {
+        corners.insert(site_of(f->vertex(k)->site()));
+      }
+      result.emplace_back(s.point(), corners);
+    }
+    return result;
+  }
+
+  Adjacencies adjacencies(double size) const
+  {
+    using Structure = Apollonius::Triangulation_data_structure;
+    Adjacencies result;
+    for(auto e = graph.finite_edges_begin(); e != graph.finite_edges_end(); ++e)
+    {
+      const auto f = e->first, g = f->neighbor(e->second);
+      const Pair pair = std::minmax(site_of(f->vertex(Structure::cw(e->second))->site()),
+                                    site_of(f->vertex(Structure::ccw(e->second))->site()));
+      std::vector<Point_2> ends;
+      for(const auto& side : {f, g})
+      {
+        if(!graph.is_infinite(side))
+        {
+          Apollonius::Site_2 center;
+          CHECK(CGAL::assign(center, graph.dual(side)));
+          ends.push_back(center.point());
+        }
+      }
+      result.add(pair, ends, size);
+    }
+    return result;
+  }
+};
 
 void test_Apollonius(const Mesh& tm, double size, std::size_t number, test_support::Random& random)
 {
@@ -150,76 +242,20 @@ void test_Apollonius(const Mesh& tm, double size, std::size_t number, test_suppo
   {
     s.weight = random.uniform(0., .08) * size;
   }
-  const std::vector<Point_2> points = points_of(sites, tm);
-  Apollonius graph;
-  std::map<std::pair<Point_2, double>, std::size_t> number_of_site;
-  for(std::size_t i = 0; i < points.size(); ++i)
-  {
-    number_of_site.emplace(std::make_pair(points[i], sites[i].weight), i);
-    graph.insert(Apollonius::Site_2(points[i], sites[i].weight));
-  }
+  const Apollonius_diagram plane(points_of(sites, tm), sites);
   Voronoi diagram(tm);
   add_sites(diagram, sites);
   std::set<std::size_t> visible;
-  const auto site_of = [&](const Apollonius::Site_2& s)
-  { return number_of_site.at(std::make_pair(s.point(), CGAL::to_double(s.weight()))); };
-  for(auto v = graph.finite_vertices_begin(); v != graph.finite_vertices_end(); ++v)
+  for(auto v = plane.graph.finite_vertices_begin(); v != plane.graph.finite_vertices_end(); ++v)
   {
-    visible.insert(site_of(v->site()));
+    visible.insert(plane.site_of(v->site()));
   }
   for(std::size_t i = 0; i < sites.size(); ++i)
   {
     CHECK_EQUAL(diagram.is_empty(i), visible.count(i) == 0);
   }
-  std::vector<std::pair<Point_2, std::set<std::size_t>>> expected;
-  for(auto f = graph.finite_faces_begin(); f != graph.finite_faces_end(); ++f)
-  {
-    const Apollonius::Site_2 s = graph.dual(f);
-    std::set<std::size_t> corners;
-    for(int k = 0; k < 3; ++k)
-    {
-      corners.insert(site_of(f->vertex(k)->site()));
-    }
-    expected.emplace_back(s.point(), corners);
-  }
-  check_vertices(diagram, expected, size);
-
-  // Edges of the plane with a vertex inside the square are adjacencies of the surface; and those are Apollonius edges.
-  std::set<std::pair<std::size_t, std::size_t>> edges, needed, found;
-  for(auto e = graph.finite_edges_begin(); e != graph.finite_edges_end(); ++e)
-  {
-    const auto f = e->first, g = f->neighbor(e->second);
-    const std::pair<std::size_t, std::size_t> pair
-      = std::minmax(site_of(f->vertex(Apollonius::Triangulation_data_structure::cw(e->second))->site()),
-                    site_of(f->vertex(Apollonius::Triangulation_data_structure::ccw(e->second))->site()));
-    edges.insert(pair);
-    std::vector<Point_2> ends;
-    for(const auto& side : {f, g})
-    {
-      if(!graph.is_infinite(side))
-      {
-        Apollonius::Site_2 center;
-        CHECK(CGAL::assign(center, graph.dual(side)));
-        ends.push_back(center.point());
-      }
-    }
-    const bool has_length = ends.size() == 1
-                         || (ends.size() == 2 && std::sqrt(CGAL::squared_distance(ends[0], ends[1])) > 1e-9 * size);
-    if(has_length && std::any_of(ends.begin(), ends.end(),
-                                 [&](const Point_2& p) { return is_inside(p, size, 1e-9 * size); }))
-    {
-      needed.insert(pair);
-    }
-  }
-  for(std::size_t i = 0; i < sites.size(); ++i)
-  {
-    for(const std::size_t j : diagram.adjacent_sites(i))
-    {
-      found.insert(std::minmax(i, j));
-    }
-  }
-  CHECK(std::includes(edges.begin(), edges.end(), found.begin(), found.end()));
-  CHECK(std::includes(found.begin(), found.end(), needed.begin(), needed.end()));
+  check_vertices(diagram, plane.vertices(), size);
+  check_adjacencies(diagram, plane.adjacencies(size));
 }
 
 void test_mesh(const Mesh& tm, double size, const std::string& name, test_support::Random& random)
