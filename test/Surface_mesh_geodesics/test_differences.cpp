@@ -1,8 +1,8 @@
-// What Surface_mesh_shortest_path answers on the smallest meshes that were found for each of its faults, and what is
-// right: all of them are plane, so that the distance is the length of a straight line, and the line is in the mesh.
+// The answers of Surface_mesh_shortest_path on the smallest meshes that show each of its faults, beside the right ones.
+// All meshes are plane and contain the straight line between the two points, so the distance is the length of the line.
 //
-// The program prints the table of the user manual. It fails where our answers are wrong, not where the other class has
-// been mended. Its assertions are a part of its answers: they are switched on here.
+// The program prints the table of the user manual. It fails if our answers are wrong, not if the other class has been
+// repaired. The assertions of that class are a part of its answers, so they are enabled here.
 #undef NDEBUG
 #undef CGAL_NDEBUG
 
@@ -25,7 +25,7 @@
 #include <string>
 #include <vector>
 
-// Where an assertion of the other class fails, its memory is lost. The leak sanitizer asks for what does not count.
+// If an assertion of the other class fails, its memory leaks. Tells the leak sanitizer to ignore that.
 extern "C" const char* __lsan_default_suppressions();
 
 extern "C" const char* __lsan_default_suppressions()
@@ -52,7 +52,7 @@ std::string text(double number)
   return out.str();
 }
 
-// One row of the table; the numbers are told in the unit of the mesh.
+// One row of the table. Numbers are in the unit of the mesh.
 class Row
 {
 public:
@@ -73,7 +73,7 @@ public:
     });
   }
 
-  // The distance is `expected` times the unit. If `asks_original` is false, the other class is not asked any more.
+  // The distance is `expected` times the unit. If `asks_original` is false, the other class is no longer queried.
   void ask_distance(const Place& q, double expected, bool asks_original = true)
   {
     const double d = ask(m_ours, q).distance;
@@ -100,7 +100,7 @@ public:
     });
   }
 
-  // The points of our path are these; their number is returned.
+  // Checks that our path has these points; returns their number.
   std::size_t check_path(const Place& q, const std::vector<Coordinates>& expected)
   {
     std::vector<Kernel::Point_3> points;
@@ -114,7 +114,7 @@ public:
     return points.size();
   }
 
-  // The distances of all vertices from a vertex are certified, whatever has been asked.
+  // Certifies the distances of all vertices from a vertex, whatever the query is.
   void certify(std::size_t source)
   {
     const auto map = m_tm.add_property_map<vertex_descriptor, double>("v:distance", 0.).first;
@@ -155,7 +155,7 @@ private:
                          : m_original.shortest_distance_to_source_points(q.location.first, q.location.second).first;
   }
 
-  // After a failure the object of the other class is not used any more.
+  // After a failure the object of the other class is no longer used.
   template <class Question>
   void ask_original(const Question& question)
   {
@@ -218,7 +218,7 @@ Indexed_mesh fan_of_four()
           {{0, 1, 2}, {2, 1, 3}, {2, 3, 4}, {2, 4, 5}}};
 }
 
-// --- places ---
+// --- locations ---
 
 // the point a + t (b - a) of an edge
 Place on_edge(std::size_t a, std::size_t b, double t, const Mesh& tm)
@@ -264,7 +264,7 @@ void sources_on_edges()
   row.print();
 }
 
-void sources_at_vertices_but_for_rounding()
+void sources_at_vertices_up_to_rounding()
 {
   {
     Row row("triangle", triangle(), "from (0, 4), and 1.1e-16 of its weight at (0, 0), to the corners");
@@ -345,7 +345,7 @@ void points_of_paths()
 }
 
 // From (0, 2) to (5, 4) the line has the points (5/2, 3), (15/4, 7/2) and (25/6, 11/3) on inner edges.
-void rays_near_to_vertices(double unit, const std::string& name)
+void rays_near_vertices(double unit, const std::string& name)
 {
   Row row("fan of four triangles, unit " + name, fan_of_four(), "from (0, 2) to (5, 4)", unit);
   row.add_source(vertex(0));
@@ -377,16 +377,16 @@ int main()
             << "| mesh | faces | question | `Surface_mesh_shortest_path` | this package |\n"
             << "|---|--:|---|---|---|\n";
   sources_on_edges();
-  sources_at_vertices_but_for_rounding();
+  sources_at_vertices_up_to_rounding();
   queries_on_the_border();
   several_sources();
   edges_without_length();
   isolated_vertices();
   points_of_paths();
-  rays_near_to_vertices(3., "3");
-  rays_near_to_vertices(1., "1");
-  rays_near_to_vertices(1e-120, "1e-120");
-  rays_near_to_vertices(1e120, "1e120");
+  rays_near_vertices(3., "3");
+  rays_near_vertices(1., "1");
+  rays_near_vertices(1e-120, "1e-120");
+  rays_near_vertices(1e120, "1e120");
   small_meshes();
   return test_result();
 }

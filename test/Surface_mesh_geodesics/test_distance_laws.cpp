@@ -1,5 +1,5 @@
-// Laws that distances obey on every mesh, and independence of everything that must not
-// matter: numbering, scale, order of the sources, type of the mesh.
+// Laws that distances obey on every mesh, and independence of numbering, scale, order of the sources and type of the
+// mesh.
 
 #include "distance_test_helpers.h"
 #include "test_meshes.h"
@@ -94,7 +94,7 @@ void distances_are_1_Lipschitz_along_edges(const Mesh& tm, test_support::Random&
   }
 }
 
-// Vertices strictly farther from the straight line than the surface are impossible.
+// No distance on the surface is shorter than the straight line.
 void distances_are_at_least_Euclidean(const Mesh& tm, test_support::Random& random)
 {
   for(std::size_t i = 0; i < 3; ++i)
@@ -189,8 +189,8 @@ void scaling_by_a_power_of_two_is_exact(const Indexed_mesh& indexed, test_suppor
 
 void translation_costs_only_rounding(const Indexed_mesh& indexed, test_support::Random& random)
 {
-  // Far away the coordinates themselves lose digits; the comparison is with the mesh
-  // that has these digits already lost, and with the original to what is left.
+  // Far away the coordinates themselves lose digits. Compares exactly with the mesh that has lost these digits, and
+  // with the original up to the digits that remain.
   const Coordinates shift{1e6, -1e6, 1e6};
   const Indexed_mesh moved =
     transformed(indexed, "moved", [&](const Coordinates& p) { return p + shift; });
@@ -313,7 +313,7 @@ void the_type_of_the_mesh_does_not_matter(const Indexed_mesh& indexed, test_supp
     using Linear_cell_complex = CGAL::Linear_cell_complex_for_bgl_combinatorial_map_helper<
       2, 3, CGAL::Linear_cell_complex_traits<3, Kernel>>::type;
     other_type_gives_the_same<Polyhedron>(indexed, expected, std::size_t(s), "Polyhedron_3");
-    // The ids are not initialized here, nothing may rely on them.
+    // The ids are not initialized here, and nothing may rely on them.
     other_type_gives_the_same<Polyhedron_with_ids>(indexed, expected, std::size_t(s), "Polyhedron_3 with ids");
     other_type_gives_the_same<Linear_cell_complex>(indexed, expected, std::size_t(s), "Linear_cell_complex");
     other_type_gives_the_same<CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>>(
@@ -350,7 +350,7 @@ void removed_elements_are_not_there(test_support::Random& random)
         continue;
       }
       CGAL::Euler::remove_center_vertex(halfedge(v, tm), tm);
-      // the hole that is left is a polygon; take it away
+      // The remaining hole is a polygon; removes it.
       face_descriptor hole = boost::graph_traits<Mesh>::null_face();
       for(const face_descriptor f : faces(tm))
       {
@@ -447,7 +447,8 @@ void index_maps_change_no_distance(Mesh tm, const std::vector<vertex_descriptor>
                      expected, tolerance);
 }
 
-void a_point_map_replaces_the_points(const Indexed_mesh& indexed, Mesh tm, const std::vector<vertex_descriptor>& sources)
+void a_point_map_replaces_the_points(const Indexed_mesh& indexed, Mesh tm,
+                                     const std::vector<vertex_descriptor>& sources)
 {
   auto points = tm.add_property_map<Mesh::Vertex_index, Kernel::Point_3>("v:test_point").first;
   for(const auto v : vertices(tm))

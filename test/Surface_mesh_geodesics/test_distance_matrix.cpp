@@ -1,4 +1,4 @@
-// Matrices of distances: rows are the bits of single runs, in order, whatever the number of threads is.
+// Matrices of distances: rows have the bits of single runs and come in order, whatever the number of threads.
 
 #include "distance_test_helpers.h"
 #include "test_meshes.h"
@@ -55,7 +55,7 @@ void with_all_tags(const Test& test)
 #endif
 }
 
-// Takes rows, and checks that they come in order and never two at a time.
+// Collects rows, and checks that they come in order and never two at a time.
 struct Row_collector
 {
   template <class Row>
@@ -231,7 +231,7 @@ void check_mesh(const Indexed_mesh& indexed, test_support::Random& random)
   check_symmetric_matrix(tm, {});
 }
 
-// A row output that says false, or throws, ends the computation: no row comes after that.
+// If the row output returns false or throws, the computation ends: no further row comes.
 void rows_may_end_early()
 {
   test_support::Scope scope("early end");
@@ -293,7 +293,7 @@ void expect_refusal(Reason reason, std::size_t element, const Call& call)
   CHECK(!has_row);
 }
 
-void bad_input_is_refused()
+void invalid_input_is_refused()
 {
   test_support::Scope scope("bad input");
   const Mesh tm = to_face_graph(icosphere(1));
@@ -354,7 +354,7 @@ int main()
     check_mesh(indexed, random);
   }
   rows_may_end_early();
-  bad_input_is_refused();
+  invalid_input_is_refused();
   parameters_are_used();
   return test_result();
 }

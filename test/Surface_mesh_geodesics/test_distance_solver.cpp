@@ -1,5 +1,5 @@
-// Geodesic_distance_solver: whatever has been computed before, the next computation gives the bits of
-// geodesic_distances(), and costs what it reaches.
+// Geodesic_distance_solver: each computation gives the bits of geodesic_distances(), whatever the solver has computed
+// before, and takes time proportional to what it reaches.
 
 #include "distance_test_helpers.h"
 #include "test_meshes.h"
@@ -105,7 +105,7 @@ struct Visitor_that_throws_at_an_end : SMG::Geodesic_default_visitor
   bool m_is_first;
 };
 
-// Whether anything has been computed before or not, nothing is known when the visitor has thrown.
+// After an exception of the visitor nothing is known, whether the solver has computed before or not.
 void visitors_throw_before_and_after_the_run()
 {
   const Mesh tm = to_face_graph(icosphere(1));
@@ -272,7 +272,7 @@ void work_depends_on_the_area_reached()
   CHECK(reached.size() >= 2);
 }
 
-// Runs on one of n components, each a square, up to the farthest corner: the processor time of the best of some tries.
+// Runs on one of n squares up to the farthest corner; returns the shortest processor time of several tries.
 double time_on_one_component(std::size_t n)
 {
   Mesh tm;
@@ -301,7 +301,8 @@ double time_on_one_component(std::size_t n)
   return static_cast<double>(least) / CLOCKS_PER_SEC;
 }
 
-// No run looks at components that have no source. (It did, 200 times as long here, at all faces.)
+// A run does not visit components without a source. (An earlier version visited all faces, and took 200 times as long
+// here.)
 void work_does_not_depend_on_other_components()
 {
   test_support::Scope scope("many components");

@@ -1,7 +1,6 @@
-// Compares with CGAL::Surface_mesh_shortest_path where that class can be trusted: one
-// source at a vertex or strictly inside a face, queries at vertices. Several sources
-// are the minimum over runs with one source, a source on an edge is a vertex of the
-// mesh that is split there.
+// Compares with CGAL::Surface_mesh_shortest_path where that class is reliable: one source at a vertex or strictly
+// inside a face, queries at vertices. For several sources the reference is the minimum over runs with one source; for a
+// source on an edge it is a mesh with a vertex at that point.
 
 #include "distance_test_helpers.h"
 #include "test_meshes.h"

@@ -1,5 +1,5 @@
-// Surfaces on which distances are known: polyhedra that unfold by hand, and cones, cylinders and flat tori that exist as
-// edge lengths only. Flat surfaces: test_distances_in_the_plane.cpp.
+// Surfaces on which distances are known: polyhedra that unfold by hand, and cones, cylinders and flat tori that exist
+// as edge lengths only. Flat surfaces: test_distances_in_the_plane.cpp.
 
 #include "distance_test_helpers.h"
 #include "exact_distances.h"
@@ -226,7 +226,7 @@ void octahedron_and_icosahedron_unfold()
         CHECK_CLOSE(result[i], i == std::size_t(v) ? 0. : i == antipode ? std::sqrt(6.) : std::sqrt(2.), 1e-15);
       }
     }
-    // Centre of a face with edge sqrt(2): the radius of the incircle is sqrt(6) / 6; each
+    // Center of a face with edge sqrt(2): the radius of the incircle is sqrt(6) / 6; each
     // far corner is the apex of an adjacent face, the height sqrt(6) / 2 further away.
     const std::vector<double> result =
       distances(tm, Face_location(face(0), {1. / 3., 1. / 3., 1. - 2. / 3.}));
@@ -239,7 +239,7 @@ void octahedron_and_icosahedron_unfold()
   {
     test_support::Scope scope("icosahedron");
     const Mesh tm = to_face_graph(icosahedron());
-    // edge 2: five neighbours at 2, five over one edge at 2 sqrt(3), the antipode over
+    // edge 2: five neighbors at 2, five over one edge at 2 sqrt(3), the antipode over
     // three faces: the image is one row and a half away
     for(const vertex_descriptor v : vertices(tm))
     {
@@ -368,7 +368,7 @@ void cylinders_unroll(test_support::Random& random)
             }
             p = p + location.second[k] * corner;
           }
-          // into the strip again, the mesh closes at column m
+          // back into the strip, as the mesh closes at column m
           if(p[0] < 0.)
           {
             p[0] += width;
@@ -380,8 +380,8 @@ void cylinders_unroll(test_support::Random& random)
   }
 }
 
-// A flat torus of m x n vertices, whose lattice is spanned by (a, 0) and (b, c). It has no flat embedding: all points are
-// the origin, and only the lengths count.
+// A flat torus of m x n vertices, whose lattice is spanned by (a, 0) and (b, c). It has no flat embedding: all points
+// are the origin, and only the lengths count.
 class Flat_torus
 {
 public:

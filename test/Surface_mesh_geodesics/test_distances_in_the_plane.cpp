@@ -94,7 +94,7 @@ void flat_patches_with_coinciding_rows_have_Euclidean_distances()
   }
 }
 
-// Vertices on edges of the neighbors; in a rotated mesh only up to rounding.
+// Vertices lie on edges of the neighbors; in a rotated mesh only up to rounding.
 void flat_patches_with_caps_have_Euclidean_distances()
 {
   for(const std::size_t number_of_caps : std::vector<std::size_t>{1, 2, 4, 8, 16})
@@ -252,7 +252,7 @@ struct Rectangle
   double x0, y0, x1, y1;
 };
 
-// Does the segment pq meet the open rectangle?
+// Returns whether the segment pq meets the open rectangle.
 bool is_blocked(const Coordinates& p, const Coordinates& q, const Rectangle& rectangle)
 {
   const double lower[2] = {rectangle.x0, rectangle.y0};
@@ -348,7 +348,8 @@ void paths_in_the_plane_bend_at_corners(test_support::Random& random)
     // notches cut into the border from both sides; the obstacles reach beyond it
     const Mesh tm = to_face_graph(plane_cells("notches", {"#####", "####.", "#####", ".####", "#####"}));
     const std::vector<Rectangle> notches{{4, 1, 6, 2}, {-1, 3, 1, 4}};
-    sources_agree_with(tm, distance_around(notches, {{4, 1, 0}, {4, 2, 0}, {1, 3, 0}, {1, 4, 0}}), 8, tolerance, random);
+    sources_agree_with(tm, distance_around(notches, {{4, 1, 0}, {4, 2, 0}, {1, 3, 0}, {1, 4, 0}}), 8, tolerance,
+                       random);
   }
 }
 

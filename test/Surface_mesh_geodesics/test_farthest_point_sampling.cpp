@@ -1,4 +1,4 @@
-// Farthest-point sampling, and the propagation that goes on with one source more.
+// Farthest point sampling, and the propagation that continues with one more source.
 
 #include "intrinsic_mesh_helpers.h"
 #include "test_meshes.h"
@@ -56,7 +56,7 @@ void test_steps(std::uint64_t seed)
   }
 }
 
-// The propagation itself, with sources anywhere and in any order, against fresh ones.
+// A propagation that continues, with sources anywhere and in any order, has the result of a new one.
 void test_continued_propagation(std::uint64_t seed)
 {
   using namespace Geodesics::internal;
@@ -86,7 +86,7 @@ void test_continued_propagation(std::uint64_t seed)
   }
 }
 
-// Fifty samples cost about as many windows as one run from the first one, and some more around each cell.
+// Fifty samples take about as many windows as one run from the first sample, and some more around each cell.
 void test_cost()
 {
   const Mesh mesh = to_face_graph(noisy_sphere(4, .02, 5));
@@ -95,7 +95,7 @@ void test_cost()
   std::vector<vertex_descriptor> samples;
   options.statistics = &one;
   Geodesics::geodesic_farthest_point_sampling(mesh, 1, std::back_inserter(samples), options);
-  // What was there is not added to.
+  // The statistics are assigned, not added.
   const std::size_t windows = one.windows_propagated;
   Geodesics::geodesic_farthest_point_sampling(mesh, 1, std::back_inserter(samples), options);
   CHECK(windows > 0 && one.windows_propagated == windows);
@@ -121,7 +121,7 @@ void test_options()
   all.insert(all.end(), samples.begin(), samples.end());
   const std::vector<double> d = distances_from(mesh, all);
   CHECK_CLOSE(*std::max_element(d.begin(), d.end()), radius, 1e-12);
-  // one sample less does not cover
+  // One sample less does not cover the mesh.
   all.pop_back();
   const std::vector<double> without = distances_from(mesh, all);
   CHECK(*std::max_element(without.begin(), without.end()) > .5);
@@ -148,7 +148,7 @@ void test_options()
   }
 }
 
-// Each component gets a sample; isolated vertices do not. All vertices, and none.
+// Each component gets a sample, isolated vertices do not; numbers of samples from none to all vertices.
 void test_extremes()
 {
   const Mesh mesh = to_face_graph(two_components_and_an_isolated_vertex());

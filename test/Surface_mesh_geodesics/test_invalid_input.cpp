@@ -1,5 +1,5 @@
-// Bad input throws Invalid_geodesic_input, names the element and leaves the maps of the
-// caller alone, also without assertions.
+// Invalid input throws Invalid_geodesic_input, names the element and does not change the maps of the caller, also
+// without assertions.
 
 #ifndef NDEBUG
 #define NDEBUG
@@ -34,8 +34,7 @@ static_assert(std::is_base_of<std::invalid_argument, SMG::Invalid_geodesic_input
 const double nan_value = std::numeric_limits<double>::quiet_NaN();
 const std::size_t any_element = no_source - 1;
 
-// Runs `call(distance map, nearest source map)` and checks the exception and that the
-// maps keep what was in them.
+// Runs `call(distance map, nearest source map)`, and checks the exception and that the maps are unchanged.
 template <class TriangleMesh, class Call>
 void expect_refusal(const TriangleMesh& tm, Reason reason, std::size_t element, const std::string& what_is_wrong,
                     const Call& call)
@@ -95,7 +94,7 @@ void expect_refusal_of_sources(const Mesh& tm, Reason reason, std::size_t elemen
   });
 }
 
-void faces_that_are_no_triangles_are_refused()
+void faces_that_are_not_triangles_are_refused()
 {
   Mesh tm;
   const Indexed_mesh triangles = flat_patch(2, 2, 0., false, 1);
@@ -125,7 +124,7 @@ void faces_that_are_no_triangles_are_refused()
   expect_refusal_of_sources(pentagon, Reason::NOT_A_TRIANGLE, 0, "pentagon", vertex(0));
 }
 
-void faces_that_make_no_surface_are_refused()
+void non_manifold_faces_are_refused()
 {
   const auto refuse = [](const Mesh& tm, std::size_t element, const char* what) {
     expect_refusal_of_sources(tm, Reason::NON_MANIFOLD, element, what, vertex(0));
@@ -167,7 +166,7 @@ void points_that_are_not_finite_are_refused()
     {
       Indexed_mesh indexed = rough_terrain(4, 1., 3);
       indexed.points[13][axis] = bad;
-      // Surface_mesh of a plain Cartesian kernel: nothing is computed on construction
+      // A Surface_mesh with a plain Cartesian kernel does not compute anything when it is constructed.
       using Plain_mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
       const Plain_mesh tm = to_face_graph<Plain_mesh>(indexed);
       expect_refusal(tm, Reason::NON_FINITE_POINT, 13, "coordinate " + std::to_string(bad),
@@ -199,7 +198,7 @@ void points_that_are_not_finite_are_refused()
   CHECK(is_thrown);
 }
 
-void bad_edge_lengths_are_refused()
+void invalid_edge_lengths_are_refused()
 {
   Mesh tm = to_face_graph(icosphere(1));
   const auto lengths = add_edge_lengths(tm);
@@ -219,10 +218,10 @@ void bad_edge_lengths_are_refused()
   refuse(-infinity, Reason::NON_FINITE_LENGTH, "minus infinite length", any_element);
   refuse(-good, Reason::NEGATIVE_LENGTH, "negative length", 17);
   refuse(-1e-300, Reason::NEGATIVE_LENGTH, "tiny negative length", 17);
-  // the two faces at the edge break the inequality; either may be named
+  // Both faces at the edge violate the inequality; the exception may name either.
   refuse(10., Reason::TRIANGLE_INEQUALITY, "edge too long", any_element);
   refuse(good * 1e-3, Reason::TRIANGLE_INEQUALITY, "edge too short", any_element);
-  // beyond equality by more than the reference allows, which is 1.4e-14
+  // exceeds equality by more than the 1.4e-14 that the reference allows
   const auto h = halfedge(e, tm);
   const double sum = lengths[edge(next(h, tm), tm)] + lengths[edge(prev(h, tm), tm)];
   for(const double excess : {1e-3, 1e-9, 1e-13})
@@ -233,7 +232,7 @@ void bad_edge_lengths_are_refused()
   CHECK(SMG::geodesic_distances_from_edge_lengths(tm, lengths, map, vertex(0)));
 }
 
-// Their lengths would underflow beside the other component; some become zero on the way.
+// In the unit of the other component their lengths would underflow; scaling makes some of them zero.
 void components_that_are_too_small_are_refused()
 {
   const Indexed_mesh large = flat_patch(1, 1, 0., false, 1), small = flat_patch(3, 2, .1, false, 2);
@@ -257,7 +256,7 @@ void components_that_are_too_small_are_refused()
   }
 }
 
-// Equality, also when it is missed by rounding, is a face of area zero and allowed.
+// Equality up to rounding gives a face without area, which is allowed.
 void a_degenerate_triangle_is_allowed()
 {
   Mesh tm = to_face_graph(irregular_tetrahedron());
@@ -308,15 +307,14 @@ void locations_outside_their_face_are_refused()
     const std::string name = "weights " + std::to_string(i++);
     const Face_location bad(face(5), weights);
     expect_refusal_of_sources(tm, Reason::INVALID_LOCATION, any_element, name, bad);
-    // the bad one is the third of the range and is named
+    // The exception names the invalid one, the third of the range.
     const Face_location good(face(6), {.2, .3, .5});
     expect_refusal_of_sources(tm, Reason::INVALID_LOCATION, 2, name + ", in a range",
                               std::vector<Face_location>{good, good, bad, good});
   }
 }
 
-// Coordinates that are nearly right are taken for right ones, and small ones for zero, by the numbers of the reference:
-// 9.3e-10 and 1.4e-14.
+// The tolerances of the reference: coordinates may miss their face by 9.3e-10, and count as zero up to 1.4e-14.
 void rounded_locations_are_allowed()
 {
   const Mesh tm = to_face_graph(icosphere(1));
@@ -377,7 +375,7 @@ void null_and_foreign_descriptors_are_refused()
   }
 }
 
-void bad_offsets_are_refused()
+void invalid_offsets_are_refused()
 {
   const Mesh tm = to_face_graph(icosphere(1));
   const std::vector<vertex_descriptor> sources{vertex(0), vertex(3), vertex(7)};
@@ -409,7 +407,7 @@ void bad_offsets_are_refused()
   });
 }
 
-void bad_radii_are_refused()
+void invalid_radii_are_refused()
 {
   const Mesh tm = to_face_graph(icosphere(1));
   for(const double radius : {-1., -1e-300, -infinity, nan_value})
@@ -493,17 +491,17 @@ void catching_the_base_class_works()
 
 int main()
 {
-  faces_that_are_no_triangles_are_refused();
-  faces_that_make_no_surface_are_refused();
+  faces_that_are_not_triangles_are_refused();
+  non_manifold_faces_are_refused();
   points_that_are_not_finite_are_refused();
-  bad_edge_lengths_are_refused();
+  invalid_edge_lengths_are_refused();
   components_that_are_too_small_are_refused();
   a_degenerate_triangle_is_allowed();
   locations_outside_their_face_are_refused();
   rounded_locations_are_allowed();
   null_and_foreign_descriptors_are_refused();
-  bad_offsets_are_refused();
-  bad_radii_are_refused();
+  invalid_offsets_are_refused();
+  invalid_radii_are_refused();
   index_maps_must_number_from_zero();
   catching_the_base_class_works();
   return test_result();

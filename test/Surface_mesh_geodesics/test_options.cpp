@@ -46,7 +46,7 @@ void distances_up_to_the_radius_are_exact(const Mesh& tm, const Sources& sources
   const std::vector<double> full = distances(tm, sources);
   const std::vector<double> sorted = sorted_finite(full);
   const double largest = sorted.back();
-  // also radii that are the distance of a vertex, which then is within
+  // also radii that equal the distance of a vertex, which is within the radius then
   std::vector<double> radii{0., .1 * largest, .37 * largest, .8 * largest, 2. * largest, infinity,
                             sorted[sorted.size() / 3], sorted[sorted.size() / 2], largest};
   for(const double radius : radii)
@@ -65,7 +65,7 @@ void distances_up_to_the_radius_are_exact(const Mesh& tm, const Sources& sources
         CHECK_EQUAL(result[i], infinity);
       }
     }
-    // nothing of the radius is left for the next run
+    // The radius does not affect the next run.
     CHECK(distances(tm, sources) == full);
   }
 }
@@ -217,7 +217,7 @@ struct Recording_visitor : SMG::Geodesic_default_visitor
   void on_propagation_end() { ++ends; }
 };
 
-void the_visitor_hears_of_the_progress(const Mesh& tm, test_support::Random& random)
+void the_visitor_follows_the_progress(const Mesh& tm, test_support::Random& random)
 {
   test_support::Scope scope("visitor");
   const vertex_descriptor s = random_vertex(tm, random);
@@ -235,7 +235,7 @@ void the_visitor_hears_of_the_progress(const Mesh& tm, test_support::Random& ran
   CHECK(visitor.is_in_order);
 }
 
-// Has the members that the concept GeodesicPropagationVisitor asks for, and nothing else: no base, no copies.
+// Has exactly the members that the concept GeodesicPropagationVisitor requires: no base class, no copies.
 class Minimal_visitor
 {
 public:
@@ -251,7 +251,7 @@ public:
   std::size_t number_of_questions = 0;
 };
 
-void the_least_visitor_will_do(const Mesh& tm, test_support::Random& random)
+void a_minimal_visitor_is_enough(const Mesh& tm, test_support::Random& random)
 {
   test_support::Scope scope("minimal visitor");
   int something = 0;
@@ -331,7 +331,7 @@ void statistics_are_consistent(const Mesh& tm, test_support::Random& random)
   CHECK_EQUAL(statistics.windows_removed_by_rule_1, again.windows_removed_by_rule_1);
   CHECK_EQUAL(statistics.windows_removed_by_rules_2_and_3, again.windows_removed_by_rules_2_and_3);
   CHECK_EQUAL(statistics.windows_removed_by_vertices, again.windows_removed_by_vertices);
-  // counts of a second run are added, maxima stay
+  // A second run adds its counts; maxima are unchanged.
   distances_with_options(tm, s, options);
   CHECK_EQUAL(again.windows_created, 2 * statistics.windows_created);
   CHECK_EQUAL(again.vertices_visited, 2 * statistics.vertices_visited);
@@ -355,7 +355,7 @@ void a_beaten_source_owns_nothing(const Mesh& tm, test_support::Random& random)
   }
   auto nearest = get(CGAL::dynamic_vertex_property_t<std::size_t>(), tm);
   auto options = SMG::make_geodesic_distance_options<Mesh>(nearest);
-  // The middle one starts later than the first one's wave gets there, if it ever does.
+  // The wave of the first source, if it arrives, reaches the middle source before that one starts.
   const double way = fields[0][std::size_t(sources[1])];
   const double delay = way == infinity ? 0. : 1.5 * way + 1e-3;
   options.source_offsets = {0., delay, .25};
@@ -376,7 +376,7 @@ void a_beaten_source_owns_nothing(const Mesh& tm, test_support::Random& random)
     }
     ++i;
   }
-  // One offset for all only adds to the distances.
+  // The same offset for all sources adds to all distances.
   Options constant;
   constant.source_offsets = {2., 2., 2.};
   const std::vector<double> shifted = distances_with_options(tm, sources, constant);
@@ -385,11 +385,11 @@ void a_beaten_source_owns_nothing(const Mesh& tm, test_support::Random& random)
   {
     CHECK_CLOSE(shifted[j], plain[j] + 2., tolerance);
   }
-  // zero offsets are none
+  // Offsets of zero change nothing.
   Options zero;
   zero.source_offsets = {0., 0., 0.};
   CHECK(distances_with_options(tm, sources, zero) == plain);
-  // The radius counts with the offset.
+  // The radius limits distances that include the offset.
   Options bounded;
   bounded.source_offsets = {2., 2., 2.};
   bounded.maximum_distance = 2. + .5 * sorted_finite(plain).back();
@@ -462,8 +462,8 @@ int main()
     targets_get_their_exact_distances(
       tm, std::vector<Face_location>{random_location(tm, random), random_location(tm, random)}, random);
     targets_and_radius_work_together(tm, random);
-    the_visitor_hears_of_the_progress(tm, random);
-    the_least_visitor_will_do(tm, random);
+    the_visitor_follows_the_progress(tm, random);
+    a_minimal_visitor_is_enough(tm, random);
     a_cancelled_run_writes_nothing(tm, random);
     statistics_are_consistent(tm, random);
     a_beaten_source_owns_nothing(tm, random);

@@ -1,12 +1,12 @@
-// The unit of a mesh, and its place in space, change no answer: distances, paths, geodesic Voronoi diagrams.
+// Neither the unit of a mesh nor its position in space changes an answer: distances, paths, geodesic Voronoi diagrams.
 //
 // With a power of two as the unit, all coordinates are multiplied without rounding, and the answers are the same bits.
-// With any other unit, or far from the origin, coordinates are rounded: the mesh is another one, whose vertices have
-// moved by no more than m = sqrt(3) u M, where u = 2^-53 and M is the largest coordinate. A path of n pieces on one
+// With any other unit, or far from the origin, coordinates are rounded. The result is another mesh, whose vertices have
+// moved by at most m = sqrt(3) u M, where u = 2^-53 and M is the largest coordinate. A path of n pieces on one
 // mesh is a path of n pieces on the other one, if its points keep their barycentric coordinates, and each piece becomes
-// longer by no more than 2 m. So the distances d on both meshes differ by no more than 2 n m, where n belongs to the
-// path with more pieces, and by what the computations err, a few units for each face: less than 8 n u d each.
-// The answers for the rounded mesh are certified besides.
+// longer by at most 2 m. So the distances d on both meshes differ by at most 2 n m, where n belongs to the path with
+// more pieces, plus the errors of the two computations, a few units for each face: less than 8 n u d each. The answers
+// for the rounded mesh are also certified.
 
 #include "Voronoi_test_helpers.h"
 #include "distance_test_helpers.h"
@@ -34,7 +34,7 @@ namespace {
 
 const double unit_roundoff = 0x1p-53;
 
-// --- what is asked ---
+// --- queries ---
 
 struct Questions
 {
@@ -129,7 +129,7 @@ Weighted_sites with_unit(Weighted_sites sites, double unit)
   return sites;
 }
 
-// Nothing but the distances and the pieces is added if the diagram is left out.
+// Without the diagram, adds only the distances and the pieces.
 Answers answers_for(const Mesh& tm, const Questions& q, double unit, bool has_diagram)
 {
   Answers answers;
@@ -202,7 +202,7 @@ void powers_of_two_for_edge_lengths(const Indexed_mesh& indexed, const Questions
   }
 }
 
-// --- other units, other places ---
+// --- other units, other positions ---
 
 // The worst error of one kind of meshes and of one unit, relative to the largest distance, and relative to the bound.
 struct Worst
@@ -247,7 +247,7 @@ void check_certificates(Mesh& tm, const Questions& q, double unit, double shift,
   const auto certificate = SMG::certify_geodesic_distances(tm, map, q.vertex_source);
   CHECK(certificate.is_certified());
   worst.certificate = (std::max)(worst.certificate, certificate.worst_violation());
-  // The certificate is not blind in this unit.
+  // The certificate detects errors in this unit.
   const vertex_descriptor v = faces_around(q.vertex_source, tm).empty() ? q.vertex_source : vertex(0);
   const double d = get(map, v);
   if(d > 0. && d < infinity)
@@ -269,8 +269,8 @@ void check_certificates(Mesh& tm, const Questions& q, double unit, double shift,
   worst.certificate_of_diagram = (std::max)(worst.certificate_of_diagram, certificate_of_diagram.worst_violation());
 }
 
-// `moved` is the mesh in the unit, after it has been moved: its coordinates are those of `indexed` but for rounding.
-void rounding_is_all(const Indexed_mesh& indexed, const Indexed_mesh& moved, double unit, const Questions& q,
+// `moved` is the mesh after a change of unit and position: its coordinates are those of `indexed` up to rounding.
+void only_rounding_differs(const Indexed_mesh& indexed, const Indexed_mesh& moved, double unit, const Questions& q,
                      const std::string& name)
 {
   test_support::Scope scope(name);
@@ -315,8 +315,8 @@ void print_table()
   std::cout << std::defaultfloat << std::setprecision(6);
 }
 
-// A flat mesh that is so far away that its distance, in the unit of the mesh, is no finite number: it is parallel to a
-// plane of the axes then.
+// A flat mesh that is so far away that its distance from the origin, in the unit of the mesh, is not finite. Such a
+// mesh is parallel to a coordinate plane.
 void flat_mesh_far_away(std::uint64_t seed)
 {
   test_support::Scope scope("flat mesh far away");
@@ -346,12 +346,12 @@ int main()
     for(const auto& unit : {std::make_pair("1e-150", 1e-150), std::make_pair("1e-9", 1e-9), std::make_pair("1e9", 1e9),
                             std::make_pair("1e150", 1e150)})
     {
-      rounding_is_all(indexed, scaled(indexed, unit.second), unit.second, q, std::string("unit ") + unit.first);
+      only_rounding_differs(indexed, scaled(indexed, unit.second), unit.second, q, std::string("unit ") + unit.first);
     }
     const Indexed_mesh moved = transformed(indexed, "moved", [](const Coordinates& p) {
       return p + Coordinates{1e6, -1e6, 1e6};
     });
-    rounding_is_all(indexed, moved, 1., q, "moved by 1e6");
+    only_rounding_differs(indexed, moved, 1., q, "moved by 1e6");
   }
   flat_mesh_far_away(seed);
   print_table();

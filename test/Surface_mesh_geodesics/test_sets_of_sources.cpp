@@ -44,7 +44,7 @@ void the_empty_mesh_is_no_error()
   CHECK(distances(tm, std::vector<vertex_descriptor>()).empty());
 }
 
-void any_range_and_any_single_source_will_do(const Mesh& tm, test_support::Random& random)
+void any_range_or_single_source_is_accepted(const Mesh& tm, test_support::Random& random)
 {
   test_support::Scope scope("kinds of ranges");
   const vertex_descriptor s = random_vertex(tm, random);
@@ -127,7 +127,7 @@ void several_sources_in_one_face_and_on_one_edge(const Mesh& tm, test_support::R
   }
 }
 
-// An edge point gives the same field from either face, also on the border.
+// A source on an edge gives the same distances from both faces, also on the border.
 void edge_sources_are_the_same_from_both_faces(const Mesh& tm)
 {
   test_support::Scope scope("edge sources");
@@ -153,7 +153,7 @@ void edge_sources_are_the_same_from_both_faces(const Mesh& tm)
       CHECK_FIELDS_CLOSE(fields.front(), fields.back(), tolerance);
       const double length_of_edge =
         length(coordinates(source(h, tm), tm) - coordinates(target(h, tm), tm));
-      // never farther than along the edge; on it nothing is shorter in these meshes
+      // at most the distance along the edge; on the edge nothing is shorter in these meshes
       CHECK(fields.front()[std::size_t(source(h, tm))] <= t * length_of_edge * (1. + tolerance));
       CHECK(fields.front()[std::size_t(target(h, tm))] <= (1. - t) * length_of_edge * (1. + tolerance));
       if(t == 0.)
@@ -179,7 +179,7 @@ int main()
     test_support::Scope scope(indexed.name);
     const Mesh tm = to_face_graph(indexed);
     an_empty_range_leaves_all_at_infinity(tm);
-    any_range_and_any_single_source_will_do(tm, random);
+    any_range_or_single_source_is_accepted(tm, random);
     duplicate_and_adjacent_sources_are_harmless(tm, random);
     several_sources_in_one_face_and_on_one_edge(tm, random);
     edge_sources_are_the_same_from_both_faces(tm);

@@ -1,5 +1,5 @@
-// Components of one mesh may differ in size: each is computed as if the other were not there, down to a factor of
-// 10^60. Smaller ones are refused: test_invalid_input.cpp.
+// Components of one mesh may differ in size by a factor of up to 10^60: each has the answers that it has alone. Smaller
+// components are refused; see test_invalid_input.cpp.
 
 #include "path_test_helpers.h"
 #include "test_meshes.h"
@@ -28,7 +28,7 @@ Indexed_mesh large_component()
 }
 
 // The small component comes first, or last.
-void small_component_is_as_if_alone(const Indexed_mesh& small, double unit, bool is_first, test_support::Random& random)
+void a_small_component_has_the_answers_it_has_alone(const Indexed_mesh& small, double unit, bool is_first, test_support::Random& random)
 {
   test_support::Scope scope(small.name + " in the unit " + std::to_string(std::log10(unit)));
   const Indexed_mesh part = scaled(small, unit), large = large_component();
@@ -60,7 +60,7 @@ void small_component_is_as_if_alone(const Indexed_mesh& small, double unit, bool
   CHECK(SMG::certify_geodesic_distances(tm, distances, vertex_of(source + shift)).is_certified());
 }
 
-// A component without lengths is as good as a point.
+// A component without lengths is equivalent to a point.
 void components_without_lengths_are_accepted()
 {
   Mesh tm = to_face_graph(side_by_side(scaled(cube(), 0.), cube(), "both"));
@@ -82,10 +82,10 @@ int main()
   {
     for(const double unit : {1e-6, 1e-14, 1e-15, 1e-20, 1e-40, 1e-59})
     {
-      small_component_is_as_if_alone(flat_patch(6, 6, 0., false, 1), unit, is_first, random);
-      small_component_is_as_if_alone(icosphere(1), unit, is_first, random);
-      small_component_is_as_if_alone(saddle_patch(4), unit, is_first, random);
-      small_component_is_as_if_alone(flat_patch(1, 1, 0., false, 1), unit, is_first, random);
+      a_small_component_has_the_answers_it_has_alone(flat_patch(6, 6, 0., false, 1), unit, is_first, random);
+      a_small_component_has_the_answers_it_has_alone(icosphere(1), unit, is_first, random);
+      a_small_component_has_the_answers_it_has_alone(saddle_patch(4), unit, is_first, random);
+      a_small_component_has_the_answers_it_has_alone(flat_patch(1, 1, 0., false, 1), unit, is_first, random);
     }
   }
   components_without_lengths_are_accepted();

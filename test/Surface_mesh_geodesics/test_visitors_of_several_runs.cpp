@@ -1,5 +1,5 @@
-// Visitors of the functions that propagate more than once, and of the geodesic Voronoi diagram: whenever they cancel,
-// what has been finished before is returned, and nothing else.
+// Visitors of the functions that propagate more than once, and of the geodesic Voronoi diagram: whenever a visitor
+// cancels, the function returns exactly the results that were finished before.
 
 #include "test_meshes.h"
 #include "test_support.h"
@@ -31,7 +31,7 @@ using Vertices = std::vector<vertex_descriptor>;
 
 const std::size_t never = (std::numeric_limits<std::size_t>::max)();
 
-// Has exactly what the concept asks for, and cannot be copied.
+// Has exactly the members that the concept requires, and cannot be copied.
 class Counting_visitor
 {
 public:
@@ -84,7 +84,7 @@ Mesh bumpy_mesh()
   return to_face_graph(mesh);
 }
 
-// Numbers of questions after which a visitor of a run with `number` questions stops.
+// Numbers of calls of go_further() after which a visitor cancels a run that would have `number` of them.
 std::vector<std::size_t> stops(std::size_t number)
 {
   std::vector<std::size_t> result;
@@ -165,7 +165,7 @@ void diagram_is_cancelled(const Mesh& mesh, const Vertices& sites)
   }
 }
 
-// A visitor that ends the work with an exception leaves a diagram that can be built.
+// After an exception of a visitor the diagram can still be built.
 struct Throwing_visitor : Geodesics::Geodesic_default_visitor
 {
   void on_progress(std::size_t number_of_visits, double)

@@ -1,8 +1,8 @@
 #ifndef SURFACE_MESH_GEODESICS_DISTANCE_TEST_HELPERS_H
 #define SURFACE_MESH_GEODESICS_DISTANCE_TEST_HELPERS_H
 
-// Short forms of calls of the distance functions: fields as vectors in the order of
-// vertices(tm), and locations on vertices, edges and faces.
+// Short forms of calls of the distance functions, which return distances in the order of vertices(tm); and locations at
+// vertices, on edges and in faces.
 
 #include "test_meshes.h"
 #include "test_support.h"

@@ -75,7 +75,7 @@ is_silent distances "$grid" --source 0 --html distances.html
 opened distances.html \
   "click(0.01, 0.01); click(0.5, 0.5); drag(100, 0); click(0.5, 0.5); click(0.6, 0.5);" > distances.dom
 contains distances.dom 'data-state="ready"'
-contains distances.dom '"|There is no surface at this place.|distance 0.70711, at (0.5, 0.5, 0)|'
+contains distances.dom '"|There is no surface here.|distance 0.70711, at (0.5, 0.5, 0)|'
 # turned around its middle by 0.8, the square is narrower: a click beside the middle is farther to the right on it
 answers=$(sed -n 's/.*data-answers="\([^"]*\)".*/\1/p' distances.dom)
 equals "$(echo "$answers" | cut -d '|' -f 4)" "distance 0.70711, at (0.5, 0.5, 0)"
@@ -94,7 +94,7 @@ contains path.dom '>shortest paths</div>'
 contains path.dom '>targets</div>'
 contains path.dom '>not reached</div>'
 
-# Vertex 0 is below on the left, vertex 15 above on the right: a click on either side of the boundary, at places that
+# Vertex 0 is below on the left, vertex 15 above on the right: a click on either side of the boundary, at points that
 # are equally far.
 is_silent voronoi "$grid" --site 0,15 --html voronoi.html
 opened voronoi.html "click(0.45, 0.55); click(0.55, 0.45);" > voronoi.dom

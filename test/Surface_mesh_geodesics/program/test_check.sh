@@ -70,15 +70,15 @@ changed 0 '0.1' > source.csv
 is_refuted SOURCES 0 "$grid" --source 0 --distances source.csv
 
 # Tables that are none.
-refuses 3 "there.csv: there is no such file" check "$grid" --source 0 --distances there.csv
+refuses 3 "there.csv: the file does not exist" check "$grid" --source 0 --distances there.csv
 : > empty.csv
 refuses 3 "empty.csv, line 1: there is no column 'vertex'" check "$grid" --source 0 --distances empty.csv
 printf 'vertex,length\n0,0\n' > names.csv
 refuses 3 "names.csv, line 1: there is no column 'distance'" check "$grid" --source 0 --distances names.csv
 grep -v '^7,' distances.csv > missing.csv
-refuses 3 "missing.csv: there is no distance of vertex 7" check "$grid" --source 0 --distances missing.csv
+refuses 3 "missing.csv: there is no distance for vertex 7" check "$grid" --source 0 --distances missing.csv
 { cat distances.csv; line distances.csv 9; } > twice.csv
-refuses 3 "twice.csv, line 18: vertex 7 comes for the second time" check "$grid" --source 0 --distances twice.csv
+refuses 3 "twice.csv, line 18: vertex 7 occurs twice" check "$grid" --source 0 --distances twice.csv
 sed 's/^7,.*/16,0,0/' distances.csv > beyond.csv
 refuses 3 "beyond.csv, line 9: there is no vertex '16'" check "$grid" --source 0 --distances beyond.csv
 sed 's/^7,.*/7,far,0/' distances.csv > word.csv
@@ -88,9 +88,9 @@ refuses 3 "cut.csv, line 9: a value is missing" check "$grid" --source 0 --dista
 
 mkdir folder.csv
 refuses 3 "folder.csv: is a folder, not a file" check "$grid" --source 0 --distances folder.csv
-refuses 2 "the name of a file that is to be read is empty" check "$grid" --source 0 --distances ""
+refuses 2 "the name of an input file is empty" check "$grid" --source 0 --distances ""
 cp distances.csv read.csv
-refuses 2 "read.csv: the file is read by this command" check "$grid" --source 0 --distances read.csv -o ./read.csv
+refuses 2 "read.csv: this command reads the file" check "$grid" --source 0 --distances read.csv -o ./read.csv
 cmp distances.csv read.csv
 
 # What is wrong on the command line.
@@ -98,5 +98,5 @@ refuses 2 "--tolerance: 'abc' is not a positive number" check none.off --toleran
 refuses 2 "--radius: '1e400' is not a positive number" check none.off --source 0 --radius 1e400
 refuses 2 "no source is given" check "$grid"
 refuses 2 "'0' is not a positive number" check "$grid" --source 0 --tolerance 0
-refuses 2 "the end of the name must be one of .csv" check "$grid" --source 0 -o x.ply
+refuses 2 "the name must end with one of .csv" check "$grid" --source 0 -o x.ply
 no_remains

@@ -17,8 +17,8 @@ is_silent distances "$grid" --source 0 -o - > out
 cmp table.csv out
 
 # Several sources: all ways to tell them, in this order.
-printf '# corners\n3\n1 0 0\n\n17 0 0 1 # the last corner of the last face, vertex 14\n' > places.txt
-is_silent distances "$grid" --source 0 --source-point 0.5,0.5,0.3 --source-file places.txt -o several.csv
+printf '# corners\n3\n1 0 0\n\n17 0 0 1 # the last corner of the last face, vertex 14\n' > locations.txt
+is_silent distances "$grid" --source 0 --source-point 0.5,0.5,0.3 --source-file locations.txt -o several.csv
 equals "$(column several.csv source | line /dev/stdin 1)" 0
 equals "$(column several.csv source | line /dev/stdin 4)" 2
 equals "$(column several.csv source | line /dev/stdin 13)" 3
@@ -75,7 +75,7 @@ cmp table.csv again.csv
 is_silent distances "$grid" --source 0 --isolines 3 -o three.vtk
 contains three.vtk "LINES 3 "
 
-# A file that is there is replaced, one that a link leads to as well; what is at the other places stays.
+# A file that is there is replaced, one that a link leads to as well; other files stay.
 echo old > old.csv
 ln -s old.csv link.csv
 is_silent distances "$grid" --source 0 -o link.csv
@@ -94,18 +94,18 @@ cmp square.csv quiet.csv
 refuses 2 "no source is given" distances "$grid"
 refuses 2 "no mesh is given" distances --source 0
 refuses 2 "there is no vertex 16; the vertices of the mesh are 0 to 15" distances "$grid" --source 16
-refuses 2 "'-1' is not the number of a vertex" distances "$grid" --source -1
-refuses 2 "'1.5' is not the number of a vertex" distances "$grid" --source 1.5
+refuses 2 "'-1' is not a vertex index" distances "$grid" --source -1
+refuses 2 "'1.5' is not a vertex index" distances "$grid" --source 1.5
 refuses 2 "three finite numbers" distances "$grid" --source-point 1,2
 refuses 2 "three finite numbers" distances "$grid" --source-point nan,0,0
-refuses 2 "--source-point 0,1e7,0: the point is more than a million times the size of the mesh away from it" \
+refuses 2 "--source-point 0,1e7,0: the distance of the point from the mesh is more than a million times the size of the mesh" \
   distances "$grid" --source-point 0,1e7,0
 refuses 2 "more than a million times" distances "$grid" --source-point -1e308,1e308,1e308
 is_silent distances "$grid" --source-point -1e6,-1e6,0 -o far.csv
 cmp <(cut -d, -f1,2 table.csv) <(cut -d, -f1,2 far.csv)
 refuses 2 "only 16 vertices" distances "$grid" --source-random 17
 refuses 2 "'inf' is not a positive number" distances "$grid" --source 0 --radius inf
-refuses 2 "cannot be given together" distances "$grid" --source 0 --isolines 3 --spacing 1 -o x.vtk
+refuses 2 "cannot be combined" distances "$grid" --source 0 --isolines 3 --spacing 1 -o x.vtk
 refuses 2 "--spacing: more than 1000 lines up to the largest distance, 1.41421; give 0.00141421 or more" \
   distances "$grid" --source 0 --spacing 1e-9 -o x.vtk
 for number in 1001 99999999999999999999 -1 2.5 1e3 abc ""; do
@@ -119,9 +119,9 @@ for number in nan inf -inf -1 0 1e400 1e-400 "" " 1" 1x; do
   refuses 2 "--radius: '$number' is not a positive number, such as 0.5 or 1e-3" \
     distances none.off --source 0 --radius "$number"
 done
-refuses 2 "--source: '' is not the number of a vertex" distances none.off --source 0,
+refuses 2 "--source: '' is not a vertex index" distances none.off --source 0,
 refuses 2 "only 16 vertices" distances "$grid" --source-random 99999999999
-remarks "--seed has no effect: no place is chosen at random" distances "$grid" --source 0 --seed 1
+remarks "--seed has no effect: no random locations are requested" distances "$grid" --source 0 --seed 1
 is_silent distances "$grid" --source 0 --seed 1 --quiet
 remarks "--isolines has no effect without an output .ply, .vtk, .obj, .html" distances "$grid" --source 0 --isolines 3
 remarks "--spacing has no effect without an output" distances "$grid" --source 0 --spacing 1 -o x.csv
@@ -136,7 +136,7 @@ cmp <(head -n 17 B.CSV) table.csv
 "$program" remesh "$grid" --number 16 --quiet -o C.OBJ
 is_silent info C.OBJ > info.csv
 contains info.csv vertices,16
-refuses 2 "the end of the name must be one of .csv, .ply, .vtk, .obj" distances "$grid" --source 0 -o x.txt
+refuses 2 "the name must end with one of .csv, .ply, .vtk, .obj" distances "$grid" --source 0 -o x.txt
 refuses 2 "--nonsense" distances "$grid" --source 0 --nonsense
 [ ! -e x.vtk ]
 no_remains

@@ -35,9 +35,9 @@ equals "$status" 2
 contains no_arguments.err "usage: "
 
 for word in --version --help; do
-  refuses 2 "'bogus' after $word is one word too many" $word bogus
+  refuses 2 "'bogus' after $word is superfluous" $word bogus
 done
-refuses 2 "'extra' after help is one word too many" help info extra
+refuses 2 "'extra' after help is superfluous" help info extra
 refuses 2 "there is no subcommand ''" ""
 refuses 2 "unrecognised option '--bogus'" info --help --bogus
 
@@ -69,14 +69,14 @@ for subcommand in $subcommands; do
     info) arguments=() ;;
   esac
   refuses 2 "no mesh is given" "$subcommand" "${arguments[@]}"
-  refuses 3 "none.off: there is no such file" "$subcommand" none.off "${arguments[@]}"
+  refuses 3 "none.off: the file does not exist" "$subcommand" none.off "${arguments[@]}"
   refuses 3 "empty.off: the file is empty" "$subcommand" empty.off "${arguments[@]}"
-  refuses 3 "no_last_faces.off: the file is damaged or incomplete" "$subcommand" no_last_faces.off "${arguments[@]}"
+  refuses 3 "no_last_faces.off: the file is damaged, incomplete" "$subcommand" no_last_faces.off "${arguments[@]}"
   refuses 2 "more than one mesh is given" "$subcommand" "$grid" "${arguments[@]}" another.off
 done
 refuses 3 ".: is a folder, not a file" info .
-refuses 3 "/dev/null: the end of the name is none of .off" info /dev/null
-refuses 2 "the name of a file that is to be read is empty" info ""
+refuses 3 "/dev/null: the name must end with one of .off" info /dev/null
+refuses 2 "the name of an input file is empty" info ""
 printf 'OFF\n3 1 0\n0 0 0\n1e308 0 0\n0 1e308 0\n3 0 1 2\n' > huge.off
 refuses 3 "huge.off: vertex 1 has a coordinate that is not finite, or too large" info huge.off
 # a mesh at one place, or nearly so, is one
@@ -93,7 +93,7 @@ refuses 3 "text.off: the file is damaged" info text.off
 refuses 3 "no_last_points.off: the file is damaged" info no_last_points.off
 refuses 3 "not_a_number.off: " info not_a_number.off
 refuses 3 "too_large.off: " info too_large.off
-refuses 3 "no_faces.off: there are no faces in the file" info no_faces.off
+refuses 3 "no_faces.off: the file contains no faces" info no_faces.off
 refuses 3 "vertex_twice.off: " info vertex_twice.off
 refuses 3 "two_corners.off: " info two_corners.off
 refuses 3 "no_vertex.obj: " info no_vertex.obj
@@ -102,7 +102,7 @@ refuses 3 "half.stl: " info half.stl
 refuses 3 "nan.ply: a coordinate of vertex" info nan.ply
 refuses 3 "$data/edge_three_faces.off: face 1 does not fit" info "$data/edge_three_faces.off"
 refuses 3 "moebius.off: face 4 does not fit" info moebius.off
-refuses 3 "none of .off, .obj, .ply, .stl, .ts" info "$man_page"
+refuses 3 "must end with one of .off, .obj, .ply, .stl, .ts" info "$man_page"
 
 # --- output -----------------------------------------------------------------------------------------------------------
 
@@ -126,21 +126,21 @@ if [ "$(id -u)" -ne 0 ]; then # whoever may write everything cannot see this one
   equals "$(cat protected.csv)" old
 fi
 
-refuses 2 "the name of an output is empty" "${distances[@]}" -o ""
-refuses 2 "/dev/null: the end of the name must be one of" "${distances[@]}" -o /dev/null
+refuses 2 "the name of an output file is empty" "${distances[@]}" -o ""
+refuses 2 "/dev/null: the name must end with one of" "${distances[@]}" -o /dev/null
 refuses 2 "option '--quiet' cannot be specified more than once" "${distances[@]}" --quiet --quiet
 refuses 2 "option '--seed' cannot be specified more than once" "${distances[@]}" --seed 1 --seed 2
 
 # What a command reads is not overwritten, whatever it is called.
 cp "$grid" mesh.off
 ln -s mesh.off link.off
-printf '0\n' > places.csv
+printf '0\n' > locations.csv
 for arguments in "mesh.off -o mesh.off" "mesh.off -o link.off" "link.off -o $work/mesh.off"; do
-  refuses 2 "the file is read by this command; give the output another name" remesh --number 3 $arguments
+  refuses 2 "this command reads the file; give the output another name" remesh --number 3 $arguments
 done
-refuses 2 "places.csv: the file is read by this command" distances mesh.off --source-file places.csv -o places.csv
+refuses 2 "locations.csv: this command reads the file" distances mesh.off --source-file locations.csv -o locations.csv
 cmp "$grid" mesh.off
-equals "$(cat places.csv)" 0
+equals "$(cat locations.csv)" 0
 
 # An error leaves the old file as it was, and nothing beside it.
 echo old > kept.csv

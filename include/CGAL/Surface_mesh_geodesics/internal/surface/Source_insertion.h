@@ -293,7 +293,7 @@ private:
       spoke[k] = from_corner(p, b, k);
       spoke_length[k] = norm(spoke[k].x, spoke[k].y);
     }
-    save_with_neighbours(s);
+    save_with_neighbors(s);
     const Vertex_id v = m_mesh.add_flat_vertex(null_id);
     std::array<Halfedge_id, 3> made; // made[k] is the old edge k
     std::vector<Kept_edge> kept;
@@ -321,9 +321,9 @@ private:
     const Halfedge_id o = m_mesh.opposite(h);
     if(o != null_id && face_of(o) == face_of(h))
       return split_glued_edge(h, wa, wb);
-    save_with_neighbours(face_of(h));
+    save_with_neighbors(face_of(h));
     if(o != null_id)
-      save_with_neighbours(face_of(o));
+      save_with_neighbors(face_of(o));
     const FT length = m_mesh.length(h);
     const Vertex_id v = m_mesh.add_flat_vertex(null_id);
     std::vector<Kept_edge> kept;
@@ -402,7 +402,7 @@ private:
     return {av, vb};
   }
 
-  void save_with_neighbours(Face_id s)
+  void save_with_neighbors(Face_id s)
   {
     save(s);
     for(const Halfedge_id o : m_mesh.face(s).opposite)

@@ -1,0 +1,136 @@
+// The invariants of intrinsic meshes: they hold when a mesh is built, after each insertion of a source, and after its
+// reversal, which restores every bit; and the checks find faults.
+
+#include "distance_test_helpers.h"
+#include "intrinsic_mesh_helpers.h"
+#include "test_meshes.h"
+#include "test_support.h"
+
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Source_insertion.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/mesh_invariants.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+using namespace test_meshes;
+
+namespace {
+
+namespace internal = CGAL::Surface_mesh_geodesics::internal;
+
+using Intrinsic = internal::Intrinsic_mesh<double>;
+using Insertion = internal::Source_insertion<double>;
+
+bool is_same_face(const Intrinsic::Face& a, const Intrinsic::Face& b)
+{
+  return a.length == b.length && a.apex_x == b.apex_x && a.apex_y == b.apex_y && a.vertex == b.vertex
+      && a.opposite == b.opposite;
+}
+
+bool is_same_mesh(const Intrinsic& a, const Intrinsic& b)
+{
+  if(a.number_of_faces() != b.number_of_faces() || a.number_of_vertices() != b.number_of_vertices())
+  {
+    return false;
+  }
+  bool result = true;
+  for(internal::Face_id f = 0; f < a.number_of_faces(); ++f)
+  {
+    result = result && is_same_face(a.face(f), b.face(f));
+  }
+  for(internal::Vertex_id v = 0; v < a.number_of_vertices(); ++v)
+  {
+    result = result && a.halfedge(v) == b.halfedge(v) && a.kind(v) == b.kind(v);
+  }
+  return result;
+}
+
+// Coordinates inside a face, on an edge or at a corner.
+std::array<double, 3> random_coordinates(test_support::Random& random)
+{
+  std::array<double, 3> b{random.uniform(.1, 1.), random.uniform(.1, 1.), random.uniform(.1, 1.)};
+  for(std::size_t number_of_zeros = random.index(3); number_of_zeros > 0; --number_of_zeros)
+  {
+    b[(random.index(2) + number_of_zeros) % 3] = 0.;
+  }
+  const double sum = b[0] + b[1] + b[2];
+  return {b[0] / sum, b[1] / sum, b[2] / sum};
+}
+
+void insertions_keep_the_invariants_and_can_be_undone(const Mesh& tm, test_support::Random& random)
+{
+  const Intrinsic before = intrinsic_mesh(tm);
+  CHECK(internal::are_invariants_kept(before));
+  Intrinsic mesh = before;
+  Insertion insertion(mesh);
+  for(int run = 0; run < 2; ++run)
+  {
+    const auto crowded = static_cast<internal::Face_id>(random.index(before.number_of_faces()));
+    for(int i = 0; i < 20; ++i)
+    {
+      const auto any = static_cast<internal::Face_id>(random.index(before.number_of_faces()));
+      insertion.insert(i % 2 == 0 ? crowded : any, random_coordinates(random));
+      CHECK(internal::are_invariants_kept(mesh));
+    }
+    insertion.undo();
+    CHECK(is_same_mesh(mesh, before));
+  }
+}
+
+void equal_points_are_one_vertex(const Mesh& tm, test_support::Random& random)
+{
+  Intrinsic mesh = intrinsic_mesh(tm);
+  Insertion insertion(mesh);
+  const std::array<double, 3> b = random_coordinates(random);
+  const internal::Vertex_id v = insertion.insert(0, b);
+  const std::size_t number_of_faces = mesh.number_of_faces();
+  CHECK_EQUAL(insertion.insert(0, b), v);
+  CHECK_EQUAL(mesh.number_of_faces(), number_of_faces);
+}
+
+// Changes one thing of a valid mesh, and checks that the fault is found.
+template <class Change>
+void fault_is_found(const Mesh& tm, Change change)
+{
+  Intrinsic mesh = intrinsic_mesh(tm);
+  change(mesh);
+  CHECK(!internal::are_invariants_kept(mesh));
+}
+
+void the_checks_find_faults()
+{
+  test_support::Scope scope("faults");
+  const Mesh tm = to_face_graph(icosphere(1));
+  fault_is_found(tm, [](Intrinsic& mesh) { mesh.face(3).apex_y = -1.; });
+  fault_is_found(tm, [](Intrinsic& mesh) { mesh.face(3).length[0] = 2. * mesh.face(3).length[1]; });
+  fault_is_found(tm, [](Intrinsic& mesh) { mesh.face(3).length[2] *= 1. + 1e-15; });
+  fault_is_found(tm, [](Intrinsic& mesh) { mesh.face(3).opposite[1] = internal::null_id; });
+  fault_is_found(tm, [](Intrinsic& mesh) { std::swap(mesh.face(3).opposite[0], mesh.face(3).opposite[1]); });
+  fault_is_found(tm, [](Intrinsic& mesh) { std::swap(mesh.face(3).vertex[0], mesh.face(3).vertex[1]); });
+  fault_is_found(tm, [](Intrinsic& mesh)
+                 { mesh.set_halfedge(mesh.face(3).vertex[0], internal::halfedge_of(3, 1)); });
+  fault_is_found(tm, [](Intrinsic& mesh) { mesh.set_kind(0, Intrinsic::DEGENERATE); });
+  fault_is_found(tm, [](Intrinsic& mesh) { mesh.set_kind(0, Intrinsic::PINCHED); });
+}
+
+} // namespace
+
+int main()
+{
+  const std::uint64_t seed = test_support::announce_seed(20260107);
+  test_support::Random random(seed);
+  for(const Indexed_mesh& indexed : meshes_of_many_kinds(seed))
+  {
+    test_support::Scope scope(indexed.name);
+    const Mesh tm = to_face_graph(indexed);
+    insertions_keep_the_invariants_and_can_be_undone(tm, random);
+    equal_points_are_one_vertex(tm, random);
+  }
+  the_checks_find_faults();
+  return test_result();
+}
