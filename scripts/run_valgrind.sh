@@ -31,7 +31,7 @@ for mesh in grid9 cone64 saddle_fan8 needle_1e-12 pinched_vertex two_components 
   runs info "$data/$mesh.off"
   runs distances "$data/$mesh.off" --source 0 --source 2
 done
-runs distances "$data/grid9.off" --source-random 5 -o distances.csv -o colours.ply
+runs distances "$data/grid9.off" --source-random 5 -o distances.csv -o colors.ply
 runs matrix "$data/cube.off" --source-random 3
 runs path "$data/cone64.off" --source 3 --target 20 -o path.obj
 runs path "$data/needle_B_3828.off" --source 0 --target 3 -o path.csv
