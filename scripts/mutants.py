@@ -36,6 +36,8 @@ BISECTOR = INTERNAL + "numeric/Weighted_bisector.h"
 FACE_PARTITION = INTERNAL + "Voronoi/Face_partition.h"
 COMPLEX = INTERNAL + "Voronoi/Voronoi_complex.h"
 PATH_THINNING = INTERNAL + "paths/Path_thinning.h"
+LAZY_PATHS = INTERNAL + "interface/Lazy_path_structure.h"
+UNFOLDING = INTERNAL + "surface/unfolding.h"
 DIAGRAM_CERTIFICATE = INTERNAL + "applications/Diagram_certifier.h"
 LOCATOR = INTERNAL + "Voronoi/Cell_locator.h"
 MEASURES = INTERNAL + "Voronoi/Voronoi_cell_measures.h"
@@ -63,6 +65,7 @@ SOLVER = "test_distance_solver"
 PARALLEL_TEST = "test_parallel_propagation"
 SAMPLING = "test_farthest_point_sampling"
 PATHS = "test_paths_interface"
+PATHS_BUILDING = "test_paths_building"
 HOSTILE_PATHS = "test_paths_on_hostile_meshes"
 ISOLINE_TEST = "test_isolines"
 BY_HAND = "test_Voronoi_by_hand"
@@ -373,6 +376,15 @@ MUTANTS = [
      "(c.apex_x - s.abscissa) * s.image_y - c.apex_y * (s.image_x - s.abscissa) > 0);",
      "(c.apex_x - s.abscissa) * s.image_y - c.apex_y * (s.image_x - s.abscissa) < 0);",
      "a straight piece turns to the wrong edge", (PIECES,)),
+    ("image_turned_the_other_way", UNFOLDING,
+     "{x * angle.cosine - depth * angle.sine,", "{x * angle.cosine + depth * angle.sine,",
+     "an image is unfolded to the wrong side", (PIECES,)),
+    ("first_query_keeps_no_windows", LAZY_PATHS,
+     "m_solver.run(wanted == Extent::EVERYWHERE, go_on)", "m_solver.run(false, go_on)",
+     "the first query at a point of a face finds no windows", (PATHS_BUILDING,)),
+    ("removed_source_not_noticed", LAZY_PATHS,
+     "    if(m_sources.remove(it))\n      set_changed();", "    m_sources.remove(it);",
+     "queries answer with a source that has been removed", (PATHS_BUILDING,)),
     ("isoline_touching_edge", ISOLINES,
      "return nearest < value && value <= farthest;", "return false && nearest < farthest;",
      "lines that cross an edge twice are not found there", (ISOLINE_TEST,)),

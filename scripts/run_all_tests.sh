@@ -5,8 +5,8 @@
 #              compilers, the programs with clang, projects that use the package, CGAL's own examples
 #   contracts  runs the tests of windows, propagation, paths and diagrams with all assertions, the expensive ones too
 #   fuzz       runs a thousand random cases of each fuzz program
-# Everything is written below build/all and build/contracts. JOBS is the number of jobs at once, SEED the first number of
-# the random cases.
+# Everything is written below build/all and build/contracts. JOBS is the number of jobs at once, SEED the first number
+# of the random cases.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 source "$root/scripts/build_and_test.sh"

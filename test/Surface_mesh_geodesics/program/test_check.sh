@@ -3,8 +3,8 @@
 source "$(dirname "${BASH_SOURCE[0]}")/support.sh" "$@"
 grid=$data/grid4.off # the unit square, 16 vertices, 18 faces; vertex 4 i + j is (i, j) / 3
 
-# is_refuted <condition> <vertex> <arguments>: there is a table, in which the condition is violated by more than 1e-10
-# at the vertex, and one line names the vertex, with the condition that is violated most
+# is_refuted <condition> <vertex> <arguments>: the table shows a violation of the condition by more than 1e-10 at the
+# vertex, and one line names the vertex and the condition that is violated most
 is_refuted() {
   local status=0
   "$program" check "${@:3}" > refuted.csv 2> refuted.err || status=$?
@@ -31,7 +31,7 @@ is_silent distances "$grid" --source 0 -o distances.csv
 is_silent check "$grid" --source 0 --distances distances.csv -o same.csv
 cmp check.csv same.csv
 
-# In another order, with other columns, and as files from Windows have it.
+# In another order, with other columns, and with line ends of Windows.
 awk -F, 'BEGIN { OFS = "," } NR == 1 { print "name", "distance", "vertex"; next } { print "x", $2, $1 }' distances.csv \
   | { read -r names; echo "$names"; sort -r; } | sed 's/$/\r/' > other_order.csv
 is_silent check "$grid" --source 0 --distances other_order.csv -o same.csv
@@ -56,7 +56,7 @@ changed() {
     CONVFMT='%.17g' distances.csv
 }
 
-# Wrong distances: too long, too short, not there, not a number. A larger tolerance lets small errors pass.
+# Wrong distances: too long, too short, missing, not a number. A larger tolerance accepts small errors.
 changed 6 'd * 1.000000001' > longer.csv
 is_refuted LOWER_BOUNDS 6 "$grid" --source 0 --distances longer.csv
 is_silent check "$grid" --source 0 --distances longer.csv --tolerance 1e-8 > tolerated.csv
@@ -69,7 +69,7 @@ is_refuted REACH 10 "$grid" --source 0 --distances none.csv
 changed 0 '0.1' > source.csv
 is_refuted SOURCES 0 "$grid" --source 0 --distances source.csv
 
-# Tables that are none.
+# Invalid tables.
 refuses 3 "there.csv: the file does not exist" check "$grid" --source 0 --distances there.csv
 : > empty.csv
 refuses 3 "empty.csv, line 1: there is no column 'vertex'" check "$grid" --source 0 --distances empty.csv
@@ -93,7 +93,7 @@ cp distances.csv read.csv
 refuses 2 "read.csv: this command reads the file" check "$grid" --source 0 --distances read.csv -o ./read.csv
 cmp distances.csv read.csv
 
-# What is wrong on the command line.
+# Wrong command lines.
 refuses 2 "--tolerance: 'abc' is not a positive number" check none.off --tolerance abc
 refuses 2 "--radius: '1e400' is not a positive number" check none.off --source 0 --radius 1e400
 refuses 2 "no source is given" check "$grid"

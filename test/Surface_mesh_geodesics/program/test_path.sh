@@ -29,19 +29,19 @@ is_silent path "$data/L_shape.off" --source 0 --target all -o all.csv -o all.obj
 number_of_vertices=$(line "$data/L_shape.off" 2 | cut -d ' ' -f 1)
 equals "$(column all.csv target | wc -l)" "$number_of_vertices"
 equals "$(column all.csv length | line /dev/stdin 1)" 0
-# a path to the source itself is no line
+# a path from the source to itself is not a line
 equals "$(wc -l < all.polylines.txt)" $((number_of_vertices - 1))
 equals "$(grep -c '^l ' all.obj)" $((number_of_vertices - 1))
 contains all.vtk "LINES $((number_of_vertices - 1)) "
 contains all.vtk "SCALARS length double 1"
 contains all.ply "property double length"
-# lengths of the lines, summed up, are those of the table
+# the sums of the lengths of the lines are those of the table
 awk -F, 'NR > 2 { print $3 }' all.csv > lengths
 awk '{ s = 0; for(i = 5; i < NF; i += 3) s += sqrt(($i - $(i-3))^2 + ($(i+1) - $(i-2))^2 + ($(i+2) - $(i-1))^2)
   getline length_in_table < "lengths"
   if((s - length_in_table)^2 > 1e-24 || NF != 3 * $1 + 1) exit 1 }' all.polylines.txt
 
-# A place that no source reaches.
+# A target that no source reaches.
 is_silent path "$data/two_components.off" --source 0 --target all > parts.csv
 contains parts.csv ",-1,inf,0"
 

@@ -12,7 +12,7 @@ for i in 1 2 3 4; do
 done
 equals "$(column cells.csv x | paste -sd ' ')" "0 0 1 1"
 
-# Two sites: the middle line; with weights it is a hyperbola, nearer to the smaller weight.
+# Two sites: the bisector is the middle line; with weights it is a hyperbola, nearer to the smaller weight.
 is_silent voronoi "$grid" --site-point 0,0.5,0 --site-point 1,0.5,0 -o two.csv -o two.obj -o two.ply -o two.vtk
 is_near "$(column two.csv area | line /dev/stdin 1)" 0.5
 equals "$(column two.csv neighbors | paste -sd ' ')" "1 0"
@@ -37,12 +37,12 @@ is_near "$(column vertices.csv distance | line /dev/stdin 5)" 0.3333333333333333
 is_silent voronoi "$data/two_components.off" --site 0 --vertices > parts.csv
 contains parts.csv ",-1,inf"
 
-# A tolerance: more points for a smaller one.
+# A smaller tolerance gives more points.
 is_silent voronoi "$grid" --site 0,6,15 --weight 0,0.1,0 --tolerance 1e-2 -o coarse.obj
 is_silent voronoi "$grid" --site 0,6,15 --weight 0,0.1,0 --tolerance 1e-7 -o fine.obj
 [ "$(grep -c '^v ' fine.obj)" -gt "$(grep -c '^v ' coarse.obj)" ]
 
-# Colors: the same for all of a cell, as the head of the file tells, and different for neighbors.
+# Colors: one for each cell, as in the header of the file, and different for neighbors.
 sphere=$data/../../../examples/Surface_mesh_geodesics/data/bumpy_sphere.off
 is_silent voronoi "$sphere" --site-random 40 --quiet -o colors.ply -o neighbors.csv
 tr -d '\r' < colors.ply | awk '
