@@ -18,7 +18,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Arc_curve.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Lazy_Voronoi_diagram.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Voronoi_cut_mesh.h>
-#include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Voronoi_elements.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Voronoi_handles.h>
 
 #include <CGAL/Default.h>
 #include <CGAL/Named_function_parameters.h>
@@ -175,7 +175,7 @@ public:
 
 private:
   using Self = Surface_mesh_geodesic_Voronoi_diagram;
-  using Elements = Surface_mesh_geodesics::internal::Voronoi_elements<Self>;
+  using Elements = Surface_mesh_geodesics::internal::Voronoi_handles<Self>;
   using Curve = Surface_mesh_geodesics::internal::Arc_curve;
   using Planar = Surface_mesh_geodesics::internal::Planar_point<double>;
 

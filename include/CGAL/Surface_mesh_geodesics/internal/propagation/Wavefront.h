@@ -24,8 +24,8 @@
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Bitset.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/prefetch.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Star_propagation.h>
-#include <CGAL/Surface_mesh_geodesics/internal/propagation/Wavefront_queue.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Vertex_star.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/Wavefront_queue.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Window_lists.h>

@@ -53,7 +53,7 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// `Elements` is Voronoi_elements<Diagram>, where Diagram is the public class. Its parameters are those of the latter.
+// `Elements` is Voronoi_handles<Diagram>, where Diagram is the public class. Its parameters are those of the latter.
 template <typename Traits, typename VertexIndexMap, typename FaceIndexMap, typename VertexPointMap, typename Elements>
 class Lazy_Voronoi_diagram
 {
