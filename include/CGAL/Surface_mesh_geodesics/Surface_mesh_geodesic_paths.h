@@ -198,7 +198,7 @@ private:
   using Structure
     = Surface_mesh_geodesics::internal::Lazy_path_structure<Traits, Vertex_index_map, Face_index_map, Vertex_point_map>;
   using Locations = Surface_mesh_geodesics::internal::Surface_locations<Traits, Vertex_point_map>;
-  using Extent = typename Structure::Extent;
+  using Stage = typename Structure::Stage;
   using Ray_3 = typename Traits::Ray_3;
 
 public:
@@ -318,7 +318,7 @@ public:
   ///
   /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the mesh or a source point is invalid
   /// \throws std::bad_alloc if there is not enough memory
-  void build_sequence_tree() { m_structure.build(Extent::AT_VERTICES); }
+  void build_sequence_tree() { m_structure.build(Stage::AT_VERTICES); }
 
   /// does the same, and reports the progress to a visitor.
   ///
@@ -330,7 +330,7 @@ public:
   template <typename Visitor>
   bool build_sequence_tree(Visitor& visitor)
   {
-    return m_structure.build_with_visitor(Extent::AT_VERTICES, visitor);
+    return m_structure.build_with_visitor(Stage::AT_VERTICES, visitor);
   }
 
   /// computes what queries at any point need, if it is missing. Takes the time of a propagation, and some 40 bytes for
@@ -338,7 +338,7 @@ public:
   ///
   /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the mesh or a source point is invalid
   /// \throws std::bad_alloc if there is not enough memory
-  void build_sequence_tree_for_faces() { m_structure.build(Extent::EVERYWHERE); }
+  void build_sequence_tree_for_faces() { m_structure.build(Stage::EVERYWHERE); }
 
   /// does the same, and reports the progress to a visitor.
   ///
@@ -350,7 +350,7 @@ public:
   template <typename Visitor>
   bool build_sequence_tree_for_faces(Visitor& visitor)
   {
-    return m_structure.build_with_visitor(Extent::EVERYWHERE, visitor);
+    return m_structure.build_with_visitor(Stage::EVERYWHERE, visitor);
   }
 
   /// takes the lengths of the edges from a map instead of from points. Distances and sequences then need no points;
