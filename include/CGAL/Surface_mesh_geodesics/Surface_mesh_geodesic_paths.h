@@ -68,9 +68,18 @@ results are there takes no lock. Member functions that are not `const` must not 
 and a visitor must not call functions of the object that is being built.
 
 <b>Exception safety.</b> A build, and so a query that builds, throws what `build_sequence_tree()` throws. Source points
-and the iterators to them stay as they were. After a build that an exception or a visitor has ended early,
-`changed_since_last_build()` returns `true` and the next query or build begins anew. If the second stage fails in a
-query, the results of the first one stay.
+and the iterators to them stay as they were, and so do the results that are there. If an exception or a visitor ends the
+first stage early, or the propagation that computes both, `changed_since_last_build()` still returns `true`, and the
+next query or build begins anew. If the second stage ends early, the results of the first one stay.
+
+<b>Without source points.</b> A query checks its vertex or location, and answers that no source point reaches it.
+
+<b>Differences from `Surface_mesh_geodesic_Voronoi_diagram`.</b> Both classes follow one rule: `const` functions compute
+what is missing under a mutex, and every other function needs the object for itself. This class keeps to the interface
+of `Surface_mesh_shortest_path` where that differs from the diagram: its functions that build are not `const`, and a new
+object, which has nothing to compute, does not read the mesh. `use_edge_lengths()` reads the lengths and throws at once,
+whereas a diagram reads them in its next build. `statistics()` builds nothing. The number that stands for "no source
+point" is the constant `no_source`; for "no site" it is the function `null_site()`.
 
 <b>Differences from `Surface_mesh_shortest_path`.</b> All of them are intended.
 
@@ -388,11 +397,20 @@ public:
   /// returns the number of source points, without those that have been removed.
   std::size_t number_of_source_points() const { return m_structure.sources().size(); }
 
-  /// returns whether source points have been added or removed since the last build, or a build has ended early.
+  /// returns whether the next query at a vertex has to build: source points have been added or removed, or
+  /// `use_edge_lengths()` has been called while there were source points, and neither a build function nor a query has
+  /// computed the distances since. A query that builds resets this, also one on a constant object. A build that ends
+  /// early does not.
   bool changed_since_last_build() const { return m_structure.has_changed(); }
 
-  /// returns what the last propagation did, including that of a build which a visitor cancelled. Waits if another
-  /// thread builds.
+  /// @}
+
+  /// \name Statistics
+  /// @{
+
+  /// returns what the last propagation did, including that of a build which a visitor cancelled; zeros if there was
+  /// none since construction or `clear()`. Takes constant time. Waits while a query in another thread computes. Must
+  /// not run during a build function.
   Surface_mesh_geodesics::Propagation_statistics statistics() const { return m_structure.statistics(); }
 
   /// @}

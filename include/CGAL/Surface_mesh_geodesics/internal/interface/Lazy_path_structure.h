@@ -49,7 +49,8 @@ namespace Surface_mesh_geodesics {
 namespace internal {
 
 // Invariants, between the calls of functions that are not const:
-// - m_ready is NOWHERE if the sources differ from those of the last build, or a build has ended early.
+// - m_ready is NOWHERE if the sources or the lengths differ from those of the last build, or if no build has succeeded
+//   since they changed.
 // - From AT_VERTICES on, the solver has the results of the vertices for the present sources, and m_sources their
 //   numbers. An object that never had sources is an exception: it is ready and has no results.
 // - At EVERYWHERE the solver has the windows as well.
@@ -75,7 +76,7 @@ public:
   using Result = std::pair<FT, Source_point_iterator>;
   using Solver = Path_solver<Triangle_mesh, VertexIndexMap, FaceIndexMap>;
 
-  // Where queries can be answered at once. In this order: each value includes those before it.
+  // The stage of the results: where queries can be answered at once. Each value includes those before it.
   enum class Stage { NOWHERE, AT_VERTICES, EVERYWHERE };
 
   static constexpr std::size_t no_source = (std::numeric_limits<std::size_t>::max)();
@@ -97,7 +98,8 @@ public:
 
   // --- source points ---
 
-  // Returns whether source points have been added or removed, or a build has ended early, since the last build.
+  // Returns whether the results at vertices are missing: source points or lengths have changed, and no build or query
+  // has computed them since.
   bool has_changed() const { return m_ready.load(std::memory_order_acquire) == Stage::NOWHERE; }
 
   // Adds a vertex. The build refuses an invalid one.
@@ -143,14 +145,11 @@ public:
 
   // Computes what queries in `wanted` need, if it is missing. `run(propagate)` calls propagate(go_on) and returns its
   // result. Returns false if that is false: go_on() has ended the propagation. If building ends early, by that or by an
-  // exception, has_changed() returns true and the next build begins anew.
+  // exception, the stage stays as it was, as in a query.
   template <typename Run>
   bool build(Stage wanted, Run run)
   {
-    if(is_ready(wanted))
-      return true;
-    set_changed();
-    return compute(wanted, run);
+    return is_ready(wanted) || compute(wanted, run);
   }
 
   bool build(Stage wanted) { return build(wanted, Run_to_the_end()); }
@@ -183,7 +182,7 @@ public:
     set_ready(Stage::EVERYWHERE);
   }
 
-  // Waits for a build that runs in another thread.
+  // Returns what the last propagation did. Waits while a query in another thread computes.
   Propagation_statistics statistics() const
   {
     const std::lock_guard<std::mutex> lock(m_mutex);
