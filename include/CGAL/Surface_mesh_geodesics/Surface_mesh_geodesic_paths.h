@@ -324,7 +324,7 @@ public:
   ///
   /// \tparam Visitor a model of `GeodesicPropagationVisitor`
   /// \param visitor is called if there is anything to compute
-  /// \return `false` if the visitor cancelled
+  /// \return `false` if the visitor canceled
   /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the mesh or a source point is invalid; what the visitor
   ///         throws is passed on
   template <typename Visitor>
@@ -344,7 +344,7 @@ public:
   ///
   /// \tparam Visitor a model of `GeodesicPropagationVisitor`
   /// \param visitor is called if there is anything to compute
-  /// \return `false` if the visitor cancelled
+  /// \return `false` if the visitor canceled
   /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the mesh or a source point is invalid; what the visitor
   ///         throws is passed on
   template <typename Visitor>
@@ -391,7 +391,7 @@ public:
   /// returns whether source points have been added or removed since the last build, or a build has ended early.
   bool changed_since_last_build() const { return m_structure.has_changed(); }
 
-  /// returns what the last propagation did, including that of a build which a visitor cancelled. Waits if another
+  /// returns what the last propagation did, including that of a build which a visitor canceled. Waits if another
   /// thread builds.
   Surface_mesh_geodesics::Propagation_statistics statistics() const { return m_structure.statistics(); }
 
