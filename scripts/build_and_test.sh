@@ -10,8 +10,8 @@ install_needs_of_tests()
     libtbb-dev doxygen python3
 }
 
-# configure BUILD FLAGS [options of cmake]: FLAGS is a list of compiler flags for tests, examples and benchmark programs.
-# Ninja is used if it is there and the folder is new.
+# configure BUILD FLAGS [options of cmake]: FLAGS is a list of compiler flags for tests, examples and benchmark
+# programs. Ninja is used if it is there and the folder is new.
 configure()
 {
   local build=$1 flags=$2 generator=()
@@ -35,14 +35,4 @@ run_ctest()
     python3 "$root/scripts/print_times.py" "$build" || true
   fi
   return $status
-}
-
-# build_and_test BUILD FLAGS [arguments of ctest]
-build_and_test()
-{
-  local build=$1 flags=$2
-  shift 2
-  configure "$build" "$flags"
-  cmake --build "$build" --parallel "$jobs"
-  run_ctest "$build" "$@"
 }

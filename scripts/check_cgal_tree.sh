@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Lays the package out in an empty tree of CGAL and checks the result: it holds every header; an example compiles with
-# nothing but folders of the tree and the installed CGAL; CMake finds a program for each example, test and benchmark, and
-# the program for the command line; no file mentions what CGAL does not have; each citation has an entry.
+# nothing but folders of the tree and the installed CGAL; CMake finds a program for each example, test and benchmark,
+# and the program for the command line; no file mentions what CGAL does not have; each citation has an entry.
 # usage: check_cgal_tree.sh WORK_FOLDER [options of cmake]     The variable CXX is the compiler.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -95,7 +95,8 @@ for part in examples test benchmark; do
 done
 
 folder=$tree/$package/demo/$package
-cmake -S "$folder" -B "$work/demo" -DCMAKE_BUILD_TYPE=Release "$@" > "$work/demo.log" 2>&1 || fail "$(cat "$work/demo.log")"
+cmake -S "$folder" -B "$work/demo" -DCMAKE_BUILD_TYPE=Release "$@" > "$work/demo.log" 2>&1 \
+  || fail "$(cat "$work/demo.log")"
 cmake --build "$work/demo" --target help > "$work/demo.targets"
 grep -qw surface_mesh_geodesics_program "$work/demo.targets" || grep -q "NOTICE: Boost" "$work/demo.log" \
   || fail "demo: no program"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Looks for faults in include/ and demo/ without running anything: clang-tidy with .clang-tidy, and cppcheck with
-# cppcheck_suppressions.txt, where the reasons stand for what is not looked at. Prints what was found and how much;
-# fails unless that is nothing. Some ten minutes. Everything it writes is in build/static_analysis, or WORK_FOLDER.
+# Looks for faults in include/ and demo/ without running code: clang-tidy with .clang-tidy, and cppcheck with
+# cppcheck_suppressions.txt, which gives a reason for each exception. Prints the findings, and fails if there is one.
+# Takes about ten minutes. Everything is written below build/static_analysis, or WORK_FOLDER.
 set -uo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 work=${WORK_FOLDER:-$root/build/static_analysis}
@@ -9,13 +9,13 @@ mkdir -p "$work"
 "$root/scripts/install_needs.sh" clang-tidy cppcheck libcgal-dev libboost-program-options-dev libeigen3-dev || exit 1
 cd "$root" || exit 1
 
-# The headers are looked at through the program, which instantiates most of them, and through the examples.
+# The program instantiates most headers, the examples the others.
 flags=(-std=c++17 -Iinclude -frounding-math)
 [ -d /usr/include/eigen3 ] && flags+=(-isystem /usr/include/eigen3 -DCGAL_EIGEN3_ENABLED)
 printf '%s\n' demo/Surface_mesh_geodesics/*.cpp examples/Surface_mesh_geodesics/*.cpp \
   | xargs --max-procs="${JOBS:-1}" -I{} clang-tidy --quiet {} -- "${flags[@]}" \
     > "$work/clang_tidy.log" 2> "$work/clang_tidy.err"
-status_of_tidy=$? # not of what it finds, but of a run that has broken off
+status_of_tidy=$? # not zero if the run broke off, regardless of findings
 of_tidy=$(grep -E '(warning|error): .*\[[a-zA-Z].*\]$' "$work/clang_tidy.log" | sort -u)
 
 grep -v "^#" scripts/cppcheck_suppressions.txt > "$work/suppressions.txt"

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# Checks that the same answers come, to the last bit, whatever the compiler and its optimisation: one program is built
-# in several ways, and the hashes of all distances, points of paths and arcs of geodesic Voronoi diagrams are compared.
-# Usage: check_determinism.sh [MESH...]
+# Checks that all answers have the same bits with every compiler and level of optimization: builds one program in
+# several ways and compares its hashes of all distances, points of paths and arcs of geodesic Voronoi diagrams. Usage:
+# check_determinism.sh [MESH...]
 #
-# Without arguments: meshes of the tests, and two of CGAL's meshes where Debian's package libcgal-demo is installed.
-# With -march=native a compiler may fuse a product and a sum into one operation that rounds once. This is allowed to
-# change bits, and reported; with -ffp-contract=off it must not.
-# CGAL_INCLUDE_DIRS may hold further flags for the headers of another CGAL, WORK_FOLDER the folder to build in.
+# Without arguments, it takes meshes of the tests, and two of CGAL's meshes if Debian's package libcgal-demo is there.
+# With -march=native a compiler may fuse a product and a sum into one operation that rounds once. This may change bits,
+# and is only reported. With -ffp-contract=off the bits must be the same.
+# CGAL_INCLUDE_DIRS may hold flags for the headers of another CGAL. WORK_FOLDER is the folder to build in.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 program=$root/test/Surface_mesh_geodesics/determinism/print_hashes.cpp
@@ -41,7 +41,7 @@ for compiler in g++ clang++; do
     continue
   fi
   for flags in "${all_flags[@]}"; do
-    # -frounding-math is what CGAL asks of every user of GCC.
+    # CGAL requires -frounding-math of every user of GCC.
     rounding=$([ "$compiler" = g++ ] && echo -frounding-math || true)
     # shellcheck disable=SC2086
     "$compiler" -std=c++17 $flags $rounding -I"$root/include" ${CGAL_INCLUDE_DIRS:-} "$program" \

@@ -1,20 +1,21 @@
 #!/usr/bin/env python3
-"""Shows that the tests find faults: puts one fault at a time into the headers, and runs tests until one fails.
+"""Checks that the tests find faults: puts one fault at a time into the headers and runs tests until one fails.
 
-Usage: check_mutations.py [--jobs N] [NAME...]     tries all mutants, or those named, in this order
-       check_mutations.py --list                            names all mutants, with the fault of each
-       check_mutations.py --check-table                     is the text that each mutant replaces still there, once?
-       check_mutations.py --self-test                       tries this program itself
+Usage: check_mutations.py [--jobs N] [NAME...]   tries all mutants, or the named ones in this order
+       check_mutations.py --list                 prints the name and the fault of each mutant
+       check_mutations.py --check-table          checks that each header still has the text that a mutant replaces, once
+       check_mutations.py --self-test            tests this program itself
 
-The mutants are in mutants.py: a header, a text that stands in it once, what is written instead, why that is a fault,
-and the tests that should find it. The sources are copied to a work folder first: nothing is ever changed in place. A
-mutant is caught if a test fails, crashes, or needs far more time or memory than without it. Those that no test can
-catch, because every answer stays right, say why, and are expected to survive. One that does not compile, or a test
-that fails without any fault, is a mistake in the table and not a result.
+mutants.py lists the mutants: a header, a text that occurs in it once, its replacement, why that is a fault, and the
+tests that should find it. The script works on a copy of the sources and changes nothing in place. A test catches a
+mutant if it fails, crashes, or needs far more time or memory than without the fault. An equivalent mutant changes no
+answer: it has a reason in the table and is expected to survive. A mutant that does not compile, and a test that fails
+without a fault, are mistakes in the table and not results.
 
-Succeeds if at least 95 % of the mutants that are not equivalent are caught, and all survivors are listed as equivalent.
+Succeeds if the tests catch at least 95 % of the mutants that are not equivalent, and all survivors are equivalent.
 
-The environment variable CXX is the compiler (g++), WORK_FOLDER the work folder (build/mutation).
+The environment variable CXX is the compiler (g++), WORK_FOLDER the work folder (build/mutation). The headers of CGAL
+are compiled once for all mutants; a mutant costs about ten seconds for each test that it needs, and the run of the test.
 """
 
 import argparse
@@ -34,17 +35,17 @@ import time
 
 sys.dont_write_bytecode = True
 
-# This part of the mutants has to be caught.
+# At least this share of the mutants has to be caught.
 LEAST_RATE = 0.95
 
-# A test that takes so much longer than without a fault hangs: a factor, and seconds for tests that take none.
+# A test that runs longer than PATIENCE + PATIENCE_FACTOR times its time without a fault, in seconds, hangs.
 PATIENCE_FACTOR = 10
 PATIENCE = 20
 
-# Bytes that a test may use.
+# The most bytes that a test may use.
 MEMORY = 6 << 30
 
-# Headers that most tests include and no mutant changes.
+# Headers that most tests include and that no mutant changes.
 COMMON_HEADERS = ("CGAL/Simple_cartesian.h", "CGAL/Exact_predicates_inexact_constructions_kernel.h",
                   "CGAL/Surface_mesh.h", "CGAL/Polyhedron_3.h", "CGAL/boost/graph/generators.h",
                   "CGAL/boost/graph/IO/polygon_mesh_io.h", "CGAL/AABB_tree.h",
@@ -56,7 +57,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 @dataclasses.dataclass(frozen=True)
 class Mutant:
-    """One fault. `file` is the header below include/; `equivalent` says why no test can find it, if that is so."""
+    """One fault. `file` is the header below include/. `equivalent` is empty, or says why no test can find the fault."""
 
     name: str
     file: str
@@ -73,7 +74,7 @@ class Table_error(Exception):
 
 @dataclasses.dataclass(frozen=True)
 class Sources:
-    """Where headers and test programs are, and how a test is compiled. `common` are headers of others."""
+    """The folders of headers and test programs, and the options of the compiler. `common` are headers of libraries."""
 
     include: pathlib.Path
     tests: pathlib.Path
@@ -86,11 +87,11 @@ def mutated(mutant, include):
     """The text of the header with the fault."""
     path = include / mutant.file
     if not path.is_file():
-        raise Table_error(f"there is no {mutant.file}")
+        raise Table_error(f"{mutant.file} does not exist")
     text = path.read_text(encoding="utf-8")
     number = text.count(mutant.text)
     if number != 1:
-        raise Table_error(f"the text to be replaced is {number} times in {mutant.file}: {mutant.text!r}")
+        raise Table_error(f"the text to be replaced occurs {number} times in {mutant.file}: {mutant.text!r}")
     if mutant.text == mutant.replacement:
         raise Table_error("changes nothing")
     return text.replace(mutant.text, mutant.replacement)
@@ -124,12 +125,12 @@ class Laboratory:
         self.has_common = False
 
     def compile(self, test, overlay, folder):
-        """Compiles a test, with the headers in the folder `overlay` in front of the others; returns the program."""
+        """Compiles a test and returns the program. Headers in the folder `overlay` hide those of the package."""
         program = folder / test
         overlays = [f"-I{overlay}"] if overlay else []
         own = [f"-I{self.sources.include}", f"-I{self.sources.tests / 'include'}"]
         source = self.sources.tests / f"{test}.cpp"
-        # (a test that defines macros does so before it includes anything)
+        # A test that defines macros defines them before its first include.
         common = [] if "#define" in source.read_text(encoding="utf-8") else self.precompiled()
         self.call_compiler([*common, *overlays, *own, str(source), "-o", str(program), *self.sources.libraries],
                            folder / f"{test}.log", test)
@@ -143,7 +144,7 @@ class Laboratory:
             raise Table_error(f"{what} does not compile, see {log}")
 
     def precompiled(self):
-        """The arguments that bring the headers of others, which are compiled once: half of the work."""
+        """The arguments for the headers of libraries, which are compiled once. They are half of the work."""
         if not self.sources.common:
             return []
         header = self.folder / "common/common.h"
@@ -157,8 +158,8 @@ class Laboratory:
         return ["-include", str(header)]
 
     def run(self, program, folder, limit):
-        """Runs a test; returns '' if it passes, or how it failed, and the time that it took."""
-        # (a folder of its own: tests read files there, and write some)
+        """Runs a test. Returns '' if it passes, or how it failed, and its time."""
+        # Tests read and write files: each run has a folder of its own.
         place = folder / "tests"
         if not place.exists():
             shutil.copytree(self.sources.tests, place)
@@ -178,7 +179,7 @@ class Laboratory:
         return ("" if status == 0 else "fails"), passed
 
     def time_without_fault(self, test):
-        """How long a test runs without any fault. It has to pass then."""
+        """The time of a test without a fault. The test has to pass."""
         with self.lock:
             lock = self.locks.setdefault(test, threading.Lock())
         with lock:
@@ -187,7 +188,7 @@ class Laboratory:
             return self.times[test]
 
     def known_time(self, test):
-        """From an earlier run with the same sources, or measured."""
+        """The time from an earlier run with the same sources, or measured now."""
         folder = self.folder / "without_fault" / test
         record = folder / "seconds"
         state = self.state_of_sources(test)
@@ -206,7 +207,7 @@ class Laboratory:
         return seconds
 
     def state_of_sources(self, test):
-        """Changes with all that the program is made of, and reads."""
+        """A hash of everything that the program is built from and reads."""
         state = hashlib.sha256(self.compiler.encode())
         files = [p for folder in (self.sources.include, self.sources.tests / "include", self.sources.tests / "data")
                  for p in sorted(folder.rglob("*")) if p.is_file()]
@@ -215,7 +216,7 @@ class Laboratory:
         return state.hexdigest()
 
     def verdict(self, mutant):
-        """The test that catches a mutant and how, or None."""
+        """The test that catches a mutant, and how; or None."""
         folder = self.folder / "mutants" / mutant.name
         shutil.rmtree(folder, ignore_errors=True)
         overlay = folder / "include"
@@ -233,7 +234,7 @@ class Laboratory:
 
 
 def clean(folder, test):
-    """Leaves the header and the output of a run."""
+    """Removes the program and its folder. The header and the output of the run stay."""
     (folder / test).unlink(missing_ok=True)
     shutil.rmtree(folder / "tests", ignore_errors=True)
 
@@ -269,7 +270,7 @@ class Tally:
 
 
 def try_mutants(mutants, laboratory, jobs):
-    """Tries all of them; prints a line for each, in their order."""
+    """Tries all mutants and prints a line for each, in their order."""
     tally = Tally()
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
         for mutant, future in [(m, pool.submit(laboratory.verdict, m)) for m in mutants]:
@@ -304,7 +305,7 @@ def sources_of_package(root):
 
 
 def copy_of_sources(sources, folder):
-    """The sources as they are now: work on them may go on meanwhile."""
+    """A copy of the sources, so that work on them can go on."""
     copy = folder / "sources"
     shutil.rmtree(copy, ignore_errors=True)
     shutil.copytree(sources.include, copy / "include")
@@ -334,7 +335,7 @@ def small(name, text, replacement, tests=("test_twice",), equivalent=""):
     return Mutant(name, "twice.h", text, replacement, "for the self-test", tuple(tests), equivalent)
 
 
-# What a mutant of the small header comes to: words of its line, and whether the check succeeds.
+# For each mutant of the small header: words of its line, and whether the check succeeds.
 EXPECTED = [
     (small("caught", "i < 2", "i < 3"), "caught by test_twice, which fails", True),
     (small("second test", "i < 2", "i < 3", ("test_zero", "test_twice")), "caught by test_twice", True),
@@ -343,8 +344,8 @@ EXPECTED = [
     (small("nothing changed", "n once more", "n again"), "survived", False),
     (small("equivalent", "i < 2", "i <= 1", equivalent="the same numbers"), "survived (equivalent: the same", True),
     (small("not equivalent", "i < 2", "i < 3", equivalent="wrong"), "caught by test_twice", False),
-    (small("not there", "i < 4", "i < 3"), "ERROR, the text to be replaced is 0 times", False),
-    (small("not once", "sum", "n"), "ERROR, the text to be replaced is 3 times", False),
+    (small("not there", "i < 4", "i < 3"), "ERROR, the text to be replaced occurs 0 times", False),
+    (small("not once", "sum", "n"), "ERROR, the text to be replaced occurs 3 times", False),
     (small("the same", "i < 2", "i < 2"), "ERROR, changes nothing", False),
     (small("no program", "i < 2", "i < "), "ERROR, test_twice does not compile", False),
     (small("bad test", "i < 2", "i < 3", ("test_wrong",)), "ERROR, test_wrong fails without any fault", False),
@@ -403,7 +404,7 @@ def run_quietly(function, lines):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("names", nargs="*", metavar="NAME")
-    parser.add_argument("--jobs", type=int, default=1, help="so many mutants at a time")
+    parser.add_argument("--jobs", type=int, default=1, help="the number of mutants at a time")
     parser.add_argument("--list", action="store_true")
     parser.add_argument("--check-table", action="store_true")
     parser.add_argument("--self-test", action="store_true")
@@ -415,7 +416,7 @@ def main():
     mutants = [Mutant(*row) for row in table.MUTANTS]
     unknown = set(arguments.names) - {m.name for m in mutants}
     if unknown:
-        parser.error("no such mutant: " + ", ".join(sorted(unknown)))
+        parser.error("unknown mutants: " + ", ".join(sorted(unknown)))
     if arguments.names:
         mutants = sorted((m for m in mutants if m.name in arguments.names), key=lambda m: arguments.names.index(m.name))
     if arguments.list:

@@ -4,9 +4,8 @@
 Usage: check_path_file.py DATA_FOLDER PROGRAM
 
 The program runs without arguments in an empty folder with data/ in it. Each line of the file has the number of points
-of a path and the points. It has as many points as the program has printed for this path, none of them twice in a row;
-it is as long as the distance that the program has printed; and paths end at the same point if, and only if, the same
-source was printed for them.
+of a path, and the points. The number is the printed one, no point is repeated, the length of the path is the printed
+distance, and two paths end at the same point if and only if the program has printed the same source for them.
 """
 
 import math
@@ -24,20 +23,20 @@ PRINTED_DIGITS = 1e-5
 def points_of(line):
     words = line.split()
     if len(words) != 1 + 3 * int(words[0]):
-        raise ValueError(f"{words[0]} points announced, {len(words) - 1} coordinates there")
+        raise ValueError(f"{words[0]} points announced, but {len(words) - 1} coordinates found")
     numbers = [float(word) for word in words[1:]]
     return [tuple(numbers[i:i + 3]) for i in range(0, len(numbers), 3)]
 
 
 def complaints_about(polylines, printed):
-    """What is wrong with paths, for which (source, distance, number of points) have been printed."""
+    """The faults of paths, given the printed (source, distance, number of points) of each."""
     if not polylines or len(polylines) != len(printed):
-        return [f"{len(polylines)} paths in the file, {len(printed)} are printed"]
+        return [f"{len(polylines)} paths in the file, but {len(printed)} were printed"]
     result = []
     for i, (line, (_, distance, number)) in enumerate(zip(polylines, printed)):
         length = sum(math.dist(p, q) for p, q in zip(line, line[1:]))
         if len(line) != number or any(p == q for p, q in zip(line, line[1:])):
-            result.append(f"path {i} has {len(line)} points instead of {number}, or one of them twice in a row")
+            result.append(f"path {i} has {len(line)} points instead of {number}, or repeats one")
         if abs(length - distance) > PRINTED_DIGITS * distance:
             result.append(f"path {i} has the length {length} instead of {distance}")
     ends = {(source, line[-1]) for (source, _, _), line in zip(printed, polylines)}

@@ -1,8 +1,8 @@
-"""What the checks of this folder have in common: how they tell what they found."""
+"""The output that the checks of this folder have in common."""
 
 
 def report(complaints, summary):
-    """prints one complaint per line, and what was looked at; returns the exit status."""
+    """Prints one complaint per line and a summary. Returns the exit status."""
     for complaint in complaints:
         print(complaint)
     print(f"{summary}, {len(complaints)} complaints")

@@ -1,8 +1,8 @@
 """Finds the functions, namespaces and comments of a C++ file, without a compiler.
 
-A small reader for code in the style of this package. It knows templates, constructors with initializer lists, operators,
-attributes and raw strings. Lambdas and local classes belong to the function around them. Preprocessor lines are skipped;
-both branches of an #if have to have balanced braces.
+A small reader for code in the style of this package. It knows templates, constructors with initializer lists,
+operators, attributes and raw strings. Lambdas and local classes belong to the function around them. Preprocessor lines
+are skipped; both branches of an #if must have balanced braces.
 """
 
 import dataclasses

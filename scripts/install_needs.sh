@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Installs the Debian packages given as arguments, as far as they are not there yet.
+# Installs the Debian packages given as arguments that are not installed yet.
 set -euo pipefail
 
 if ! command -v dpkg-query > /dev/null || ! command -v apt-get > /dev/null; then
-  echo "This is no Debian system: nothing is installed. Needed are the counterparts of: $*" >&2
+  echo "This is not a Debian system: nothing is installed. Needed are the counterparts of: $*" >&2
   exit 0
 fi
 

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Lays the package out in a source tree of CGAL, in the way CGAL keeps its packages: include/CGAL/..., test, examples,
 # demo, benchmark, doc and package_info in TREE/Surface_mesh_geodesics. The script makes all necessary changes, so that
-# nobody renames or edits files by hand, and leaves out what CGAL has no place for. The tree may be a clone of CGAL or an
-# empty folder; a second call replaces what the first one has laid out.
+# nobody renames or edits files by hand, and leaves out what CGAL has no place for. The tree may be a clone of CGAL or
+# an empty folder; a second call replaces what the first one has laid out.
 # usage: lay_out_in_cgal.sh [--owner "NAME (COUNTRY)"] [--since VERSION] TREE
 #        lay_out_in_cgal.sh --list    prints the files of the package, relative to the tree
 #   --owner    the owner of the copyright, in the form of CGAL's headers; goes into them and into package_info/
@@ -53,8 +53,8 @@ if [ "$tree" = "$(cd "$root" && pwd -P)" ]; then
   echo "The tree must not be the folder of the package itself." >&2
   exit 2
 fi
-# The script replaces only what it has laid out itself: never a clone of this repository that has the name of the package,
-# or anything else under this name.
+# The script replaces only what it has laid out itself: never a clone of this repository that has the name of the
+# package, or anything else under this name.
 if [ -e "$target" ] && [ -n "$(ls -A "$target")" ] \
   && { [ -e "$target/.git" ] || [ -e "$target/README.md" ] || [ ! -d "$target/package_info/$package" ]; }; then
   echo "$target exists, but this script has not laid it out: nothing is changed." >&2
@@ -88,8 +88,8 @@ if ! grep -qs "^$package " "$list"; then
   echo "$package $title" >> "$list"
 fi
 
-# These tests are about this repository only: the installed package, the program for the command line, the same bits from
-# several compilers, CGAL's own examples, runs of minutes.
+# These tests are about this repository only: the installed package, the program for the command line, the same bits
+# from several compilers, CGAL's own examples, runs of minutes.
 for part in consumer program determinism run_cgal_examples.sh; do
   rm -r "$target/test/${package:?}/$part"
 done

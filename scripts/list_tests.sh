@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Prints the names of the test programs to run, one per line: those that are given as arguments, or all.
+# Prints the names of the test programs to run, one per line: the arguments, or all programs if there are none.
 set -euo pipefail
 if [ $# -gt 0 ]; then
   printf '%s\n' "$@"

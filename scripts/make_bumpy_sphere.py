@@ -19,7 +19,7 @@ def icosahedron():
     for a in (-1, 1):
         for b in (-g, g):
             points += [(0, a, b), (a, b, 0), (b, 0, a)]
-    # Three points make a face where they are pairwise at distance 2; the orientation is outwards.
+    # Three points with pairwise distance 2 make a face. Faces are oriented outward.
     faces = []
     for i in range(12):
         for j in range(i + 1, 12):

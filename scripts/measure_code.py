@@ -36,7 +36,10 @@ PROGRAM_FOLDERS = ("demo", "app", "benchmark", "examples", "test")
 # Their bulk is documentation.
 LONG_FILES = {OWN + "Surface_mesh_geodesic_paths.h", OWN + "Surface_mesh_geodesic_Voronoi_diagram.h"}
 # They hold no more than includes.
-HEADERS_WITHOUT_DOCUMENTATION = {"include/CGAL/Surface_mesh_geodesics.h", "include/CGAL/license/Surface_mesh_geodesics.h"}
+HEADERS_WITHOUT_DOCUMENTATION = {
+    "include/CGAL/Surface_mesh_geodesics.h",
+    "include/CGAL/license/Surface_mesh_geodesics.h",
+}
 
 # In the order of the output.
 ORDER_OF_PARTS = ("include", "public", "internal", "demo", "benchmark", "examples", "test")
@@ -221,7 +224,8 @@ def complaints_about_functions(files):
             continue
         limit = LIMITS[f"lines of a function in {folder}"]
         complaints += [
-            f"{file.name}:{function.first_line}: {function.name} has {function.length} lines, at most {limit} are allowed"
+            f"{file.name}:{function.first_line}: {function.name} has {function.length} lines, at most {limit} are "
+            "allowed"
             for function in file.outline.functions if function.length > limit]
     lengths = [function.length for file in files if file.is_header_of_package for function in file.outline.functions]
     limit = LIMITS["90th percentile of the lines of a function in include/"]

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Counts which lines of include/ the tests run: builds them with --coverage and without optimization, runs them, prints
-# the share of lines for each file and for all, and fails if that is below 95 %. Half an hour and more. Arguments, if
-# any, are the names of the test programs to run, without .cpp. JOBS is the number of programs at once. Everything it
-# writes is in build/coverage, or WORK_FOLDER.
+# Measures which lines of include/ the tests run: builds the tests with --coverage and without optimization, runs them,
+# prints the share of lines for each file and for all files, and fails if the latter is below 95 %. Takes half an hour
+# or more. Arguments are the names of the test programs to run, without .cpp (default: all). JOBS is the number of
+# programs at once. Everything is written below build/coverage, or WORK_FOLDER.
 set -uo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 export tests=$root/test/Surface_mesh_geodesics include=$root/include work=${WORK_FOLDER:-$root/build/coverage}

@@ -36,6 +36,8 @@ BISECTOR = INTERNAL + "numeric/Weighted_bisector.h"
 FACE_PARTITION = INTERNAL + "Voronoi/Face_partition.h"
 COMPLEX = INTERNAL + "Voronoi/Voronoi_complex.h"
 PATH_THINNING = INTERNAL + "paths/Path_thinning.h"
+LAZY_PATHS = INTERNAL + "interface/Lazy_path_structure.h"
+UNFOLDING = INTERNAL + "surface/unfolding.h"
 DIAGRAM_CERTIFICATE = INTERNAL + "applications/Diagram_certifier.h"
 LOCATOR = INTERNAL + "Voronoi/Cell_locator.h"
 MEASURES = INTERNAL + "Voronoi/Voronoi_cell_measures.h"
@@ -48,6 +50,7 @@ LOWER_BOUND = INTERNAL + "certificate/Lower_bound_check.h"
 EDGE_FUNCTION = INTERNAL + "certificate/Edge_distance_function.h"
 
 WINDOWS = "test_window_pruning"
+LIST_CROSSINGS = "test_window_list_crossing"
 EMISSION = "test_emission_sector"
 PIECES = "test_straight_pieces"
 PLANE = "test_planar_geometry"
@@ -62,6 +65,7 @@ SOLVER = "test_distance_solver"
 PARALLEL_TEST = "test_parallel_propagation"
 SAMPLING = "test_farthest_point_sampling"
 PATHS = "test_paths_interface"
+PATHS_BUILDING = "test_paths_building"
 HOSTILE_PATHS = "test_paths_on_hostile_meshes"
 ISOLINE_TEST = "test_isolines"
 BY_HAND = "test_Voronoi_by_hand"
@@ -73,6 +77,7 @@ CROWDED = "test_crowded_faces"
 HOSTILE_DIAGRAMS = "test_Voronoi_on_hostile_meshes"
 RANDOM_DIAGRAMS = "test_Voronoi_random"
 CUT = "test_Voronoi_cut"
+CERTIFICATE_CHECKS = "test_certificate_checks"
 CERTIFICATION = "test_certification_of_distances"
 DIAGRAM_CERTIFICATION = "test_certification_of_Voronoi_diagrams"
 SMALL = "test_small_components"
@@ -173,39 +178,39 @@ MUTANTS = [
     # --- lists across faces ---
     ("straighter_path_not_taken", LIST_CROSSING,
      "while(is_to_right ? best.index + 1 < list.size", "while(is_to_right ? best.index + 1 < 0 * list.size",
-     "a list is split where a bent path crosses it, and a gap opens", (WINDOWS,)),
+     "a list is split where a bent path crosses it, and a gap opens", (LIST_CROSSINGS,)),
     ("best_window_one_side", LIST_CROSSING,
      "cross(&Window_list_loops<FT>::cross_left, list, 0, path.index + 1, c, to_left, m_left);",
      "cross(&Window_list_loops<FT>::cross_left, list, 0, path.index, c, to_left, m_left);",
-     "the nearest window loses its left part", (WINDOWS,)),
+     "the nearest window loses its left part", (LIST_CROSSINGS,)),
     ("split_by_unknown_order", LIST_CROSSING,
      "i == path.index || is_order_unknown(w, best)\n                           || is_too_close_to_trim(w, c.length)",
      "i == path.index || is_too_close_to_trim(w, c.length)",
-     "a window loses a side though its place beside the nearest one is unknown", (WINDOWS,)),
+     "a window loses a side though its place beside the nearest one is unknown", (LIST_CROSSINGS,)),
     ("split_against_key", LIST_CROSSING,
      "|| (i < path.index ? w.begin > s : w.end < s);", ";",
-     "a window loses a side that its key does not tell it to lose", (WINDOWS,)),
+     "a window loses a side that its key does not tell it to lose", (LIST_CROSSINGS,)),
     ("separating_point_not_clamped", LIST_CROSSING,
      "best.separating_point = (std::min)((std::max)(m_abscissa[best.index], w.begin), w.end);",
      "best.separating_point = m_abscissa[best.index];",
-     "a list is split beside the interval that its shortest path runs through", (WINDOWS,)),
+     "a list is split beside the interval that its shortest path runs through", (LIST_CROSSINGS,)),
     ("next_suspect_off_by_one", LIST_CROSSING,
      "return (std::min)(i + trailing_zeros(rest), n);", "return (std::min)(i + 1 + trailing_zeros(rest), n);",
-     "the window behind a suspect is looked at instead", (WINDOWS,)),
+     "the window behind a suspect is looked at instead", (LIST_CROSSINGS,)),
     ("next_suspect_skips_words", LIST_CROSSING,
      "i = (i / suspects_in_word + 1) * suspects_in_word;", "i = (i / suspects_in_word + 2) * suspects_in_word;",
-     "every second group of suspects is passed over", (WINDOWS,)),
+     "every second group of suspects is passed over", (LIST_CROSSINGS,)),
     ("two_removed_for_one", LIST_CROSSING,
      "        --last;\n", "        last -= last > 1 ? 2 : 1;\n",
-     "with a redundant window its neighbour goes as well", (WINDOWS,)),
+     "with a redundant window its neighbour goes as well", (LIST_CROSSINGS,)),
     ("stale_windows_kept", LIST_CROSSING,
      "if(w.root_distance > m_distance[w.root] || w.number_of_faces_crossed()",
      "if(w.number_of_faces_crossed()",
-     "windows of a pseudo-source that has been improved since are propagated", (WINDOWS,)),
+     "windows of a pseudo-source that has been improved since are propagated", (LIST_CROSSINGS,)),
     ("runs_around_for_ever", LIST_CROSSING,
      "if(w.root_distance > m_distance[w.root] || w.number_of_faces_crossed() > m_mesh.most_faces_crossed()\n       || (Rules",
      "if(w.root_distance > m_distance[w.root] || (Rules",
-     "paths around faces without area never end", (WINDOWS,)),
+     "paths around faces without area never end", (LIST_CROSSINGS,)),
     ("lengths_cross_faces_once", READER,
      "    if(!Shape::has_points)\n      mesh.bound_faces_crossed_by_lengths();\n", "",
      "paths between lengths that cross a face more than once are lost", (ANALYTIC,)),
@@ -371,6 +376,15 @@ MUTANTS = [
      "(c.apex_x - s.abscissa) * s.image_y - c.apex_y * (s.image_x - s.abscissa) > 0);",
      "(c.apex_x - s.abscissa) * s.image_y - c.apex_y * (s.image_x - s.abscissa) < 0);",
      "a straight piece turns to the wrong edge", (PIECES,)),
+    ("image_turned_the_other_way", UNFOLDING,
+     "{x * angle.cosine - depth * angle.sine,", "{x * angle.cosine + depth * angle.sine,",
+     "an image is unfolded to the wrong side", (PIECES,)),
+    ("first_query_keeps_no_windows", LAZY_PATHS,
+     "m_solver.run(wanted == Extent::EVERYWHERE, go_on)", "m_solver.run(false, go_on)",
+     "the first query at a point of a face finds no windows", (PATHS_BUILDING,)),
+    ("removed_source_not_noticed", LAZY_PATHS,
+     "    if(m_sources.remove(it))\n      set_changed();", "    m_sources.remove(it);",
+     "queries answer with a source that has been removed", (PATHS_BUILDING,)),
     ("isoline_touching_edge", ISOLINES,
      "return nearest < value && value <= farthest;", "return false && nearest < farthest;",
      "lines that cross an edge twice are not found there", (ISOLINE_TEST,)),
@@ -452,10 +466,10 @@ MUTANTS = [
      "if(excess <= Tolerance<FT>::gap() * extent)", "if(excess <= Tolerance<FT>::gap())",
      "what is nothing beside the largest component is nothing for all", (CERTIFICATION,)),
     ("lower_bound_one_side", LOWER_BOUND,
-     "      check_pieces(right_side(c), c.target, c.apex);\n", "",
-     "a bound that is too large on right sides is believed", (CERTIFICATION,)),
+     "      check_pieces(right_side(c), {c.target, c.apex});\n", "",
+     "a bound that is too large on right sides is believed", (CERTIFICATE_CHECKS, CERTIFICATION)),
     ("function_turning_places", EDGE_FUNCTION,
      "const FT t = (x * other_depth - other_x * depth) / (other_depth - depth);",
      "const FT t = (x * other_depth + other_x * depth) / (other_depth + depth);",
-     "distances along an edge are compared at the wrong places", (CERTIFICATION,)),
+     "distances along an edge are compared at the wrong places", (CERTIFICATE_CHECKS, CERTIFICATION)),
 ]

@@ -4,8 +4,9 @@
 #   full       builds with the flags of a release and runs all tests with them: also each header alone with both
 #              compilers, the programs with clang, projects that use the package, CGAL's own examples
 #   contracts  runs the tests of windows, propagation, paths and diagrams with all assertions, the expensive ones too
-#   fuzz       a thousand random cases of each fuzz program, with a seed of the day
-# Everything is written below build/all and build/contracts. JOBS is the number of jobs at once.
+#   fuzz       runs a thousand random cases of each fuzz program
+# Everything is written below build/all and build/contracts. JOBS is the number of jobs at once, SEED the first number
+# of the random cases.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 source "$root/scripts/build_and_test.sh"
@@ -14,7 +15,9 @@ parts=("$@")
 
 full()
 {
-  build_and_test "$root/build/all" "" -C full
+  configure "$root/build/all" ""
+  cmake --build "$root/build/all" --parallel "$jobs"
+  run_ctest "$root/build/all" -C full
 }
 
 contracts()
@@ -28,9 +31,11 @@ contracts()
 # The fuzz programs are in the build of the part `full`.
 fuzz()
 {
-  local folder=$root/build/all/test/Surface_mesh_geodesics seed
-  seed=$(date +%Y%m%d)
-  [ -e "$folder/fuzz_distances" ] || { configure "$root/build/all" ""; cmake --build "$root/build/all" -j "$jobs"; }
+  local folder=$root/build/all/test/Surface_mesh_geodesics seed=${SEED:-20261} program
+  if [ ! -e "$folder/fuzz_distances" ]; then
+    configure "$root/build/all" ""
+    cmake --build "$root/build/all" --parallel "$jobs"
+  fi
   for program in fuzz_distances fuzz_Voronoi fuzz_paths_near_vertices fuzz_paths_on_hostile_meshes; do
     echo "$program 1000 $seed"
     (cd "$folder" && "./$program" 1000 "$seed")

@@ -1,9 +1,8 @@
 #!/usr/bin/env bash
-# Builds the test programs with sanitizers and runs them: all of them with those for addresses and undefined behaviour,
-# those with threads with that for threads (they then use threads of their own, as TBB's cannot be checked). Prints one
-# line per program. Everything it writes is below build/.
-# Arguments, if any, are the names of the programs to run, without .cpp. The variable CXX is the compiler, JOBS the
-# number of programs at once.
+# Builds the test programs with sanitizers and runs them: all programs with the sanitizers for addresses and undefined
+# behavior, and the programs with threads with the sanitizer for threads. These use their own threads then, because
+# TBB's threads cannot be checked. Prints one line per program. Everything is written below build/. Arguments are the
+# names of the programs to run, without .cpp (default: all). CXX is the compiler, JOBS the number of programs at once.
 set -uo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 tests=$root/test/Surface_mesh_geodesics
@@ -13,7 +12,7 @@ mkdir -p "$work"
 
 mapfile -t programs < <("$root/scripts/list_tests.sh" "$@")
 
-# run_program <name> <kind> <flags>: builds and runs a program; one line says how it went
+# run_program NAME KIND FLAGS: builds and runs a program, and prints one line about it
 run_program() {
   local name=$1 kind=$2 flags=$3 start=$SECONDS log=$work/$1.$2.log
   local program=$work/$name.$kind
@@ -36,7 +35,7 @@ run_program() {
 }
 export -f run_program
 
-# (Shifts of negative numbers are not looked for: CGAL::MP_Float, with which a test compares, makes them on purpose.)
+# Shifts of negative numbers are not checked: CGAL::MP_Float, which a test compares with, uses them on purpose.
 list() {
   local name
   for name in "${programs[@]}"; do

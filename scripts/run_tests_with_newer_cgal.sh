@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Builds everything and runs the quick check with the CGAL of a newer Debian, which is unpacked and not installed. Boost,
-# GMP and MPFR stay those of this system. Everything is written below build/.
+# Builds everything and runs the quick check with the CGAL of a newer Debian, which is unpacked and not installed.
+# Boost, GMP and MPFR stay those of this system. Everything is written below build/.
 # usage: run_tests_with_newer_cgal.sh [RELEASE [arguments of ctest]]
 # RELEASE is the name of a Debian release (default: trixie). `trixie -C full` runs the long check. JOBS is the number of
 # jobs at once.

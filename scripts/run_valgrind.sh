@@ -1,8 +1,7 @@
 #!/usr/bin/env bash
-# Runs the program of the command line under valgrind's memcheck, on a sample of subcommands and small meshes. Any error
-# and any leak fails. (Tests with exact predicates are left out: valgrind does not change the direction of rounding,
-# which CGAL's intervals ask for. The program computes without them.) Everything it writes is in build/valgrind, or
-# WORK_FOLDER.
+# Runs the program for the command line under valgrind's memcheck, with several subcommands on small meshes. Fails if
+# there is an error or a leak. Tests with exact predicates are left out: valgrind does not support the directions of
+# rounding that CGAL's intervals need. Everything is written below build/valgrind, or WORK_FOLDER.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 work=${WORK_FOLDER:-$root/build/valgrind}
@@ -16,7 +15,7 @@ program=$work/build/demo/Surface_mesh_geodesics/surface_mesh_geodesics
 cd "$work"
 
 number=0
-# runs <arguments of the program>: it has to succeed, without an error of memory
+# runs ARGUMENTS: runs the program, which has to succeed without an error of memory
 runs() {
   number=$((number + 1))
   if ! valgrind --quiet --error-exitcode=99 --leak-check=full --errors-for-leak-kinds=definite,indirect \
@@ -32,7 +31,7 @@ for mesh in grid9 cone64 saddle_fan8 needle_1e-12 pinched_vertex two_components 
   runs info "$data/$mesh.off"
   runs distances "$data/$mesh.off" --source 0 --source 2
 done
-runs distances "$data/grid9.off" --source-random 5 -o distances.csv -o colours.ply
+runs distances "$data/grid9.off" --source-random 5 -o distances.csv -o colors.ply
 runs matrix "$data/cube.off" --source-random 3
 runs path "$data/cone64.off" --source 3 --target 20 -o path.obj
 runs path "$data/needle_B_3828.off" --source 0 --target 3 -o path.csv

@@ -1,15 +1,15 @@
 // Measures the geodesic Voronoi diagram of 1, 10, 30, 100 and 1000 random vertices: time, memory and the number of
-// windows kept, with redundant window removal and without, beside the distances alone from the same sites. On request
-// the naive way is measured as well: one CGAL::Surface_mesh_shortest_path for each site, and the nearest site of each
-// vertex. Prints one line of comma separated values per mesh and number of sites.
+// windows kept, with and without redundant window removal, next to the distances from the same sites alone. Optionally
+// measures the naive method: one CGAL::Surface_mesh_shortest_path for each site, and the nearest site of each vertex.
+// Prints one line of comma separated values per mesh and number of sites.
 //
-// Every measurement is done in a process of its own (this program starts itself again). There are four kinds:
+// Every measurement runs in its own process (this program starts itself again). The kinds of measurements:
 //   distances:  one propagation from all sites, no windows kept;
-//   all kept:   the same, and each window that is propagated is kept to the end (window-VTP without removal); no arcs;
-//   removal:    the same, with redundant windows removed; faces in several cells are dropped, not cut, so no arcs;
+//   all kept:   the same, keeping each window that is propagated (window-VTP without removal); no arcs;
+//   removal:    the same, removing redundant windows; faces in several cells are dropped, so there are no arcs;
 //   diagram:    Surface_mesh_geodesic_Voronoi_diagram::build(): removal, and all arcs, vertices and edges;
 //   naive:      one Surface_mesh_shortest_path per site, with queries at all vertices (--naive N: up to N sites).
-// They alternate, and ratios are medians of the ratios of neighbouring runs. Each reads the mesh into the form that the
+// They alternate, and ratios are medians of the ratios of adjacent runs. Each reads the mesh into the form that the
 // package works on; this is a part of the time of all of them. The time is the processor time of the process. What
 // counts as memory: the peak of the resident memory from the start of the construction to the end, minus what was
 // resident before.
@@ -98,7 +98,7 @@ std::vector<Mesh::Vertex_index> random_sites(const Mesh& mesh, std::size_t n, st
 // The measuring process
 // ---------------------------------------------------------------------------------------------------------------------
 
-// What takes the faces in several cells, and does nothing with them.
+// Receives the faces in several cells, and ignores them.
 struct No_consumer
 {
   void add(const internal::Divided_face<double>&) {}

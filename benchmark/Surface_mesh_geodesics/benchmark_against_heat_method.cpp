@@ -1,16 +1,16 @@
 // Runs CGAL's Heat_method_3 and Geodesic_distance_solver side by side: distances of all vertices from one vertex, and
 // from others after that. Prints one line of comma separated values per mesh and variant of the heat method; lines that
-// start with '#' say where it was measured. The distances of the solver, which are exact but for rounding, are what the
-// errors of the heat method are measured against.
+// start with '#' describe the machine. The errors of the heat method are relative to the distances of the solver, which
+// are exact up to rounding.
 //
-// Every measurement is done in a process of its own (this program starts itself again), and the runs of the methods
-// alternate; a ratio is the median of the ratios of neighbouring runs.
+// Every measurement runs in its own process (this program starts itself again), and the runs of the methods
+// alternate; a ratio is the median of the ratios of adjacent runs.
 //
 // What is timed:
-//   first:  construction (for the heat method: with its factorisations), one source, the distances of all vertices;
+//   first:  construction (for the heat method: with its factorizations), one source, the distances of all vertices;
 //   next:   the distances of all vertices from another source, with the same object (mean of --next sources).
-// Reading the mesh, and the destruction of the objects, are in neither. The time is the processor time of the process.
-// What counts as memory: the peak of the resident memory of the process from the construction on, minus what was
+// Neither includes reading the mesh and destroying the objects. The time is the processor time of the process.
+// Memory is the peak of the resident memory of the process from the construction on, minus the memory that was
 // resident after the mesh was read and the arrays of the distances were written once.
 
 #include "benchmark_support.h"
@@ -36,7 +36,7 @@
 
 namespace Geodesics = CGAL::Surface_mesh_geodesics;
 
-// The options that only this program has.
+// The options of this program only.
 struct Own_settings
 {
   std::size_t next = 5; // sources after the first one
@@ -54,7 +54,7 @@ struct Own_settings
   std::vector<std::string> as_arguments() const { return {"--next", std::to_string(next)}; }
 };
 
-// What a measuring process sends back, with the distances of all vertices from the first source.
+// The report of a measuring process; the answers are the distances of all vertices from the first source.
 struct Report
 {
   std::uint64_t vertices = 0;
@@ -205,14 +205,14 @@ struct Series
   }
 };
 
-// How far estimates are from distances, at the vertices that the source reaches, itself excluded.
+// The errors of estimates at the vertices that the source reaches, except the source.
 struct Errors
 {
   double mean = 0;              // relative to the distance of the vertex
   double largest = 0;           // relative to the distance of the vertex
   double place_of_largest = 0;  // that distance, relative to the largest distance
   double largest_of_extent = 0; // relative to the largest distance
-  std::size_t not_finite = 0;   // estimates that are no numbers; they do not count above
+  std::size_t not_finite = 0;   // estimates that are not finite; excluded from the errors above
 };
 
 Errors errors_of(const std::vector<double>& estimates, const std::vector<double>& distances)
@@ -263,7 +263,7 @@ void print_row(const Settings& settings, const std::string& mesh, const Series& 
             << errors.not_finite << std::endl;
 }
 
-// Returns false if something has failed that should not.
+// Returns false if a measurement failed unexpectedly.
 bool compare_on(const Settings& settings, const Own_settings& own, const std::string& mesh)
 {
   std::vector<Series> all(3);

@@ -1,19 +1,19 @@
 // Runs CGAL::Surface_mesh_shortest_path and geodesic_distances() side by side: distances of all vertices from one
-// vertex. Prints one line of comma separated values per mesh; lines that start with '#' say where it was measured.
+// vertex. Prints one line of comma separated values per mesh; lines that start with '#' describe the machine.
 //
-// Every measurement is done in a process of its own (this program starts itself again), so that the peak of memory
-// belongs to one method and no run profits from memory or caches that another one has warmed up. The runs of the two
-// methods alternate, and the ratio of times is the median of the ratios of neighbouring runs: a machine that becomes
-// slower for a while harms both alike.
+// Every measurement runs in its own process (this program starts itself again), so that the peak of memory belongs to
+// one method, and no run profits from memory or caches that another one has warmed up. The runs of the two
+// methods alternate, and the ratio of times is the median of the ratios of adjacent runs: a machine that becomes
+// slower for a while affects both alike.
 //
 // What is timed:
 //   original: construction, one source, build_sequence_tree(), the distance of every vertex;
 //   ours:     the whole call of geodesic_distances() with the map of distances.
-// Reading the mesh, and the destruction of the original's object, are in neither. The time is the processor time of the
-// process, user and system: both methods use one thread, so that is what passes on an idle machine, and turns that
-// other programs take on a shared one do not count (--clock wall counts them).
-// What counts as memory: the peak of the resident memory of the process after the start of the method, minus what was
-// resident after the mesh was read and the array of the distances was written once.
+// Neither includes reading the mesh and destroying the original's object. The time is the processor time of the
+// process, user and system: both methods use one thread, so it equals the elapsed time on an idle machine, and other
+// programs on a shared machine do not add to it. (--clock wall measures the elapsed time.) Memory is the peak of the
+// resident memory of the process after the start of the method, minus the memory that was resident after the mesh was
+// read and the array of the distances was written once.
 
 #include "benchmark_support.h"
 
@@ -35,7 +35,7 @@
 
 namespace Geodesics = CGAL::Surface_mesh_geodesics;
 
-// What a measuring process sends back, with the distances of all vertices.
+// The report of a measuring process; the answers are the distances of all vertices.
 struct Report
 {
   std::uint64_t vertices = 0;
@@ -98,7 +98,7 @@ int measuring_process(const Settings& settings)
   {
     return code;
   }
-  // Vertex 0; a later one only where vertex 0 has no face (the original cannot start there).
+  // Vertex 0, or the first vertex with a face: the original cannot start at a vertex without faces.
   typename Mesh::Vertex_index source = *mesh.vertices().begin();
   while(mesh.is_isolated(source))
   {
@@ -178,7 +178,7 @@ void print_row(const Settings& settings, const std::string& mesh, const Series& 
   std::cout << std::endl;
 }
 
-// Returns false if something has failed that should not.
+// Returns false if a measurement failed unexpectedly.
 bool compare_on(const Settings& settings, const std::string& mesh)
 {
   Series original, ours;

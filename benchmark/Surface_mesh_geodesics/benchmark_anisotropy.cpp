@@ -1,4 +1,4 @@
-// What long thin triangles cost: a torus of 40,000 faces, stretched along one axis by 1, 2, 4, 8 and 16. Prints one
+// The cost of long thin triangles: a torus of 40,000 faces, stretched along one axis by 1, 2, 4, 8 and 16. Prints one
 // line of comma separated values per stretch: distances of all vertices from vertex 0, processor times.
 
 #include "runs_in_process.h"

@@ -1,12 +1,11 @@
-// Computes distances on each of the meshes given, certifies them, and compares them with those of
+// Computes distances on each given mesh, certifies them, and compares them with those of
 // CGAL::Surface_mesh_shortest_path. Prints one line of comma separated values per mesh.
 //
-// A file that is no surface as it stands is prepared: faces that are not triangles, for which geodesic_distances() has
-// to throw its exception, are triangulated, and faces that do not fit together are oriented, with vertices that several
-// surfaces share taken apart. The source is the first vertex that has a face. The original runs in a process of its
-// own, with a limit of time, as it may take long or fail; vertices without a face, which it does not take, are left
-// out. Where both differ by more than 1e-12, the distances of the original are certified as well: that tells which are
-// right.
+// Files that are not surfaces are prepared. Faces that are not triangles are triangulated, after geodesic_distances()
+// has thrown its exception for them. Faces that do not fit together are oriented, and vertices that several surfaces
+// share are duplicated. The source is the first vertex with a face. The original runs in its own process with a time
+// limit, because it may take long or fail; it gets no vertices without faces, which it does not accept. Where both
+// differ by more than 1e-12, the distances of the original are certified too, which shows which ones are right.
 
 #include "benchmark_support.h"
 
@@ -103,7 +102,7 @@ Preparation read_soup(const std::string& file, Mesh& mesh)
   return Preparation::ORIENTED;
 }
 
-// does geodesic_distances() say that faces are not triangles?
+// Does geodesic_distances() report faces that are not triangles?
 bool is_refused(const Mesh& mesh)
 {
   std::vector<double> distances(mesh.num_vertices(), 0.);
@@ -243,7 +242,7 @@ struct Totals
   double worst_violation = 0, worst_difference = 0;
 };
 
-// What the certificate says of the distances of the original, which differ from ours.
+// The certificate of the distances of the original, where they differ from ours.
 double violation_of_original(const std::string& file, const std::vector<double>& distances)
 {
   Mesh mesh;

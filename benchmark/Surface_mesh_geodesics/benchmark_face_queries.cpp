@@ -1,21 +1,21 @@
-// How queries at points inside faces could be answered: three alternatives side by side. Prints one line of comma
-// separated values per mesh, number of sources (random vertices) and alternative; lines that start with '#' say where
-// it was measured.
+// Three ways to answer queries at points inside faces, side by side. Prints one line of comma
+// separated values per mesh, number of sources (random vertices) and alternative; lines that start with '#' describe
+// the machine.
 //
 //   lazily:    Surface_mesh_geodesic_paths as it is: build_sequence_tree(), and the first query in a face repeats the
 //              propagation and keeps the windows;
-//   always:    the windows are kept by the first propagation, whether anybody asks for points in faces or not:
+//   always:    the first propagation keeps the windows, even if no query in a face follows:
 //              build_sequence_tree_for_faces();
-//   backward:  no windows are kept; each query propagates from its point, as far as the distances of the corners of its
-//              face say that a source may be, and reads the distances of the sources. The solver is used again, so
-//              that the rest of the mesh costs nothing.
+//   backward:  no windows are kept; each query propagates from its point and reads the distances of the sources. The
+//              distances of the corners of its face bound the propagation. The solver is reused, so the rest of the
+//              mesh costs nothing.
 //
-// Every measurement is done in a process of its own (this program starts itself again), the alternatives alternate, and
-// medians are printed. Times are processor times. Memory is what is resident above what was resident before the
-// construction, with the mesh and the places of the queries: its peak until all is built, and until the last query.
+// Every measurement runs in its own process (this program starts itself again), the ways alternate, and medians are
+// printed. Times are processor times. Memory is the peak of the resident memory until all is built, and until the last
+// query, minus the memory that was resident before the construction, with the mesh and the queries.
 
 #include "benchmark_support.h"
-#include "random_places.h"
+#include "random_locations.h"
 #include "runs_in_process.h"
 
 #include <CGAL/Surface_mesh_geodesics/Geodesic_distance_solver.h>
@@ -42,7 +42,7 @@ using Face_location = Paths::Face_location;
 
 const std::array<std::string, 3> alternatives = {{"lazily", "always", "backward"}};
 
-// What a measuring process sends back, with the distances as answers. Times in ms.
+// The report of a measuring process; the answers are the distances. Times in ms.
 struct Report
 {
   std::uint64_t faces = 0;
@@ -205,17 +205,17 @@ int measuring_process(const Settings& settings, const Query_settings& query_sett
   report.faces = mesh.number_of_faces();
   const std::vector<Benchmark_mesh::Face_index> all_faces(mesh.faces().begin(), mesh.faces().end());
   const std::vector<Benchmark_vertex> all_vertices(mesh.vertices().begin(), mesh.vertices().end());
-  Random_places source_places(query_settings.seed), query_places(query_settings.seed + 1);
+  Random_locations source_locations(query_settings.seed), query_locations(query_settings.seed + 1);
   std::vector<Benchmark_vertex> sources;
   for(std::size_t i = 0; i < query_settings.numbers_of_sources.front(); ++i)
   {
-    sources.push_back(source_places.element(all_vertices));
+    sources.push_back(source_locations.element(all_vertices));
   }
   const bool is_backward = settings.method == alternatives[2];
   std::vector<Face_location> queries;
   for(std::size_t i = 0; i < (is_backward ? query_settings.backward_queries : query_settings.queries); ++i)
   {
-    queries.push_back(query_places.inner_location<Face_location>(all_faces));
+    queries.push_back(query_locations.inner_location<Face_location>(all_faces));
   }
   if(is_backward)
   {
@@ -333,7 +333,7 @@ int main(int argc, char* argv[])
               << "  --sources N,N,...     numbers of sources (1,10,50)\n"
               << "  --queries N           queries where windows are kept (20000)\n"
               << "  --backward-queries N  queries where each is a propagation (50)\n"
-              << "  --seed N              of the random places (2026)\n";
+              << "  --seed N              of the random locations (2026)\n";
     print_common_usage();
     return EXIT_FAILURE;
   }

@@ -6,20 +6,20 @@
 //   original:        Surface_mesh_shortest_path; what it builds serves queries at vertices and in faces;
 //   ours, vertices:  Surface_mesh_geodesic_paths with build_sequence_tree(), then queries at vertices;
 //   ours, faces:     Surface_mesh_geodesic_paths with build_sequence_tree_for_faces(), then queries in faces.
-// They alternate, and a ratio is the median of the ratios of neighbouring runs: a machine that becomes slower for a
+// They alternate, and a ratio is the median of the ratios of adjacent runs: a machine that becomes slower for a
 // while harms all alike.
 //
 // What is timed:
 //   build:   construction, adding the sources, and the function that builds;
 //   queries: shortest_distance_to_source_points() at random vertices, or at random points strictly inside faces;
-//   paths:   shortest_path_points_to_source_points() from such places, into a vector.
+//   paths:   shortest_path_points_to_source_points() from such locations, into a vector.
 // Reading the mesh and the destruction of the object are in none. The time is the processor time of the process: all
 // methods use one thread, and turns that other programs take on a shared machine do not count (--clock wall counts
 // them). What counts as memory: the peak of the resident memory from the start of the construction to the last path,
-// minus what was resident before, with the mesh, the places of the queries and the array of the answers.
+// minus what was resident before, with the mesh, the locations of the queries and the array of the answers.
 
 #include "benchmark_support.h"
-#include "random_places.h"
+#include "random_locations.h"
 
 #include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_paths.h>
 
@@ -108,7 +108,7 @@ double polyline_length(const std::vector<Point>& points)
 }
 
 template <class Paths>
-struct Places
+struct Query_locations
 {
   using Triangle_mesh = typename Paths::Triangle_mesh;
   using vertex_descriptor = typename Paths::vertex_descriptor;
@@ -118,19 +118,19 @@ struct Places
   std::vector<Face_location> sources, in_faces;
   std::vector<vertex_descriptor> at_vertices;
 
-  Places(const Triangle_mesh& mesh, std::size_t number_of_sources, const Path_settings& settings)
+  Query_locations(const Triangle_mesh& mesh, std::size_t number_of_sources, const Path_settings& settings)
   {
     const std::vector<vertex_descriptor> all_vertices(vertices(mesh).begin(), vertices(mesh).end());
     const std::vector<face_descriptor> all_faces(faces(mesh).begin(), faces(mesh).end());
-    Random_places source_places(settings.seed), query_places(settings.seed + 1);
+    Random_locations source_locations(settings.seed), query_locations(settings.seed + 1);
     for(std::size_t i = 0; i < number_of_sources; ++i)
     {
-      sources.push_back(source_places.inner_location<Face_location>(all_faces));
+      sources.push_back(source_locations.inner_location<Face_location>(all_faces));
     }
     for(std::size_t i = 0; i < settings.queries; ++i)
     {
-      at_vertices.push_back(query_places.element(all_vertices));
-      in_faces.push_back(query_places.inner_location<Face_location>(all_faces));
+      at_vertices.push_back(query_locations.element(all_vertices));
+      in_faces.push_back(query_locations.inner_location<Face_location>(all_faces));
     }
   }
 };
@@ -161,21 +161,21 @@ void path_to(Paths& paths, const typename Paths::Face_location& location, Points
 }
 
 // Returns microseconds per query; writes the distances to `answers`.
-template <class Paths, class Place>
-double measure_queries(Paths& paths, const std::vector<Place>& places, double* answers, clockid_t clock)
+template <class Paths, class Location>
+double measure_queries(Paths& paths, const std::vector<Location>& locations, double* answers, clockid_t clock)
 {
   const double start = milliseconds_now(clock);
-  for(std::size_t i = 0; i < places.size(); ++i)
+  for(std::size_t i = 0; i < locations.size(); ++i)
   {
-    const double distance = distance_to(paths, places[i]);
+    const double distance = distance_to(paths, locations[i]);
     answers[i] = (distance < 0) ? std::numeric_limits<double>::infinity() : distance;
   }
-  return 1e3 * (milliseconds_now(clock) - start) / static_cast<double>(places.size());
+  return 1e3 * (milliseconds_now(clock) - start) / static_cast<double>(locations.size());
 }
 
 // Returns microseconds per path.
-template <class Paths, class Place>
-double measure_paths(Paths& paths, const std::vector<Place>& places, std::size_t number, clockid_t clock,
+template <class Paths, class Location>
+double measure_paths(Paths& paths, const std::vector<Location>& locations, std::size_t number, clockid_t clock,
                      double& points_per_path)
 {
   std::vector<typename Paths::Point_3> points;
@@ -184,7 +184,7 @@ double measure_paths(Paths& paths, const std::vector<Place>& places, std::size_t
   for(std::size_t i = 0; i < number; ++i)
   {
     points.clear();
-    path_to(paths, places[i], points);
+    path_to(paths, locations[i], points);
     number_of_points += points.size();
   }
   const double time = milliseconds_now(clock) - start;
@@ -192,14 +192,14 @@ double measure_paths(Paths& paths, const std::vector<Place>& places, std::size_t
   return 1e3 * time / static_cast<double>(number);
 }
 
-template <class Paths, class Place>
-void write_path_lengths(Paths& paths, const std::vector<Place>& places, std::size_t number, double* answers)
+template <class Paths, class Location>
+void write_path_lengths(Paths& paths, const std::vector<Location>& locations, std::size_t number, double* answers)
 {
   std::vector<typename Paths::Point_3> points;
   for(std::size_t i = 0; i < number; ++i)
   {
     points.clear();
-    path_to(paths, places[i], points);
+    path_to(paths, locations[i], points);
     answers[i] = polyline_length(points);
   }
 }
@@ -214,7 +214,7 @@ int measure(const Settings& settings, const Path_settings& path_settings, bool w
   {
     return code;
   }
-  const Places<Paths> places(mesh, path_settings.numbers_of_sources.front(), path_settings);
+  const Query_locations<Paths> locations(mesh, path_settings.numbers_of_sources.front(), path_settings);
   const clockid_t clock = settings.clock_id();
   const std::size_t queries = path_settings.queries, number_of_paths = path_settings.paths;
   Report report;
@@ -227,7 +227,7 @@ int measure(const Settings& settings, const Path_settings& path_settings, bool w
   const std::uint64_t resident = start_of_memory_measurement();
   const double start = milliseconds_now(clock);
   Paths paths(mesh);
-  for(const typename Paths::Face_location& source : places.sources)
+  for(const typename Paths::Face_location& source : locations.sources)
   {
     paths.add_source_point(source.first, source.second);
   }
@@ -235,24 +235,24 @@ int measure(const Settings& settings, const Path_settings& path_settings, bool w
   report.build = milliseconds_now(clock) - start;
   if(with_vertices)
   {
-    report.vertex_query = measure_queries(paths, places.at_vertices, of_vertices, clock);
+    report.vertex_query = measure_queries(paths, locations.at_vertices, of_vertices, clock);
     report.vertex_path =
-        measure_paths(paths, places.at_vertices, number_of_paths, clock, report.points_per_vertex_path);
+        measure_paths(paths, locations.at_vertices, number_of_paths, clock, report.points_per_vertex_path);
   }
   if(with_faces)
   {
-    report.face_query = measure_queries(paths, places.in_faces, of_faces, clock);
-    report.face_path = measure_paths(paths, places.in_faces, number_of_paths, clock, report.points_per_face_path);
+    report.face_query = measure_queries(paths, locations.in_faces, of_faces, clock);
+    report.face_path = measure_paths(paths, locations.in_faces, number_of_paths, clock, report.points_per_face_path);
   }
   report.added_mb = static_cast<double>(added_memory(resident)) / 1024;
 
   if(with_vertices)
   {
-    write_path_lengths(paths, places.at_vertices, number_of_paths, of_vertices + queries);
+    write_path_lengths(paths, locations.at_vertices, number_of_paths, of_vertices + queries);
   }
   if(with_faces)
   {
-    write_path_lengths(paths, places.in_faces, number_of_paths, of_faces + queries);
+    write_path_lengths(paths, locations.in_faces, number_of_paths, of_faces + queries);
   }
   send_and_exit(settings, report, answers);
 }
@@ -413,8 +413,8 @@ void print_usage(const char* program)
   std::cerr << "usage: " << program << " [options] mesh...\n"
             << "  --sources N,N,...     numbers of sources (1,10,50)\n"
             << "  --queries N           distance queries of each kind (20000)\n"
-            << "  --paths N             paths of each kind, from the first places of the queries (1000)\n"
-            << "  --seed N              of the random places (2026)\n";
+            << "  --paths N             paths of each kind, from the first locations of the queries (1000)\n"
+            << "  --seed N              of the random locations (2026)\n";
   print_common_usage();
 }
 

@@ -1,17 +1,17 @@
-#ifndef SURFACE_MESH_GEODESICS_APP_COLOR_RAMP_H
-#define SURFACE_MESH_GEODESICS_APP_COLOR_RAMP_H
+#ifndef SURFACE_MESH_GEODESICS_DEMO_COLOR_RAMP_H
+#define SURFACE_MESH_GEODESICS_DEMO_COLOR_RAMP_H
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 
-namespace geodesics_app {
+namespace geodesics_demo {
 
 using Color = std::array<unsigned char, 3>;
 
-// The color of a distance, from dark violet to light yellow: ever lighter, so that eyes that do not tell red from green
-// see the order, and so does a print in gray. Gray is what cannot be reached.
+// The color of a distance, from dark violet to light yellow. The lightness increases, so the order is visible without
+// distinguishing red from green, and in gray prints. Gray means not reached.
 inline Color color_of_distance(double distance, double largest)
 {
   static const std::array<std::array<double, 3>, 6> ramp
@@ -27,6 +27,6 @@ inline Color color_of_distance(double distance, double largest)
   return color;
 }
 
-} // namespace geodesics_app
+} // namespace geodesics_demo
 
-#endif // SURFACE_MESH_GEODESICS_APP_COLOR_RAMP_H
+#endif // SURFACE_MESH_GEODESICS_DEMO_COLOR_RAMP_H

@@ -1,18 +1,18 @@
-#ifndef SURFACE_MESH_GEODESICS_APP_COMMAND_ERROR_H
-#define SURFACE_MESH_GEODESICS_APP_COMMAND_ERROR_H
+#ifndef SURFACE_MESH_GEODESICS_DEMO_COMMAND_ERROR_H
+#define SURFACE_MESH_GEODESICS_DEMO_COMMAND_ERROR_H
 
 #include <stdexcept>
 #include <string>
 
-namespace geodesics_app {
+namespace geodesics_demo {
 
-// What the program returns to the shell. The numbers are part of the interface: the man page names them.
+// The exit status. The numbers are part of the interface: the man page lists them.
 enum class Exit_code
 {
   SUCCESS = 0,
   NO_RESULT = 1,  // the computation has no result, or not enough memory
   BAD_USAGE = 2,  // the command line is wrong
-  BAD_INPUT = 3,  // a file cannot be read or does not hold what it should
+  BAD_INPUT = 3,  // a file cannot be read or has invalid contents
   BAD_OUTPUT = 4  // a file cannot be written
 };
 
@@ -29,6 +29,6 @@ private:
   Exit_code m_code;
 };
 
-} // namespace geodesics_app
+} // namespace geodesics_demo
 
-#endif // SURFACE_MESH_GEODESICS_APP_COMMAND_ERROR_H
+#endif // SURFACE_MESH_GEODESICS_DEMO_COMMAND_ERROR_H

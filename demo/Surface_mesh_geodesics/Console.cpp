@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <iostream>
 
-namespace geodesics_app {
+namespace geodesics_demo {
 
 Console::Console(bool is_quiet) : m_is_quiet(is_quiet), m_shows_progress(!is_quiet && isatty(STDERR_FILENO) == 1) {}
 
@@ -23,7 +23,7 @@ Progress_bar::Progress_bar(const Console& console, const std::string& what, unsi
 Progress_bar::~Progress_bar()
 {
   if(m_has_drawn)
-    std::cerr << "\r\033[K" << std::flush; // nothing of the bar stays on the terminal
+    std::cerr << "\r\033[K" << std::flush; // erases the bar
 }
 
 void Progress_bar::show(double fraction)
@@ -72,7 +72,7 @@ void Work_sign::show()
     std::cerr << ("\r" + m_what + " ... " + std::to_string(static_cast<long>(time.count())) + " s") << std::flush;
   }
   if(pause == Milliseconds(200))
-    std::cerr << "\r\033[K" << std::flush; // nothing of the sign stays on the terminal
+    std::cerr << "\r\033[K" << std::flush; // erases the sign
 }
 
-} // namespace geodesics_app
+} // namespace geodesics_demo

@@ -1,5 +1,5 @@
-#ifndef SURFACE_MESH_GEODESICS_APP_CONSOLE_H
-#define SURFACE_MESH_GEODESICS_APP_CONSOLE_H
+#ifndef SURFACE_MESH_GEODESICS_DEMO_CONSOLE_H
+#define SURFACE_MESH_GEODESICS_DEMO_CONSOLE_H
 
 #include <CGAL/Surface_mesh_geodesics/Geodesic_default_visitor.h>
 
@@ -10,36 +10,36 @@
 #include <string>
 #include <thread>
 
-namespace geodesics_app {
+namespace geodesics_demo {
 
-// What the user is told while the program works, on the standard error stream.
+// Messages for the user on the standard error stream, while the program works.
 class Console
 {
 public:
   explicit Console(bool is_quiet);
 
-  // a remark on the input or the result, which `--quiet` suppresses.
+  // Prints a remark on the input or the result, unless `--quiet` suppresses it.
   void note(const std::string& text) const;
 
-  // Progress is shown on a terminal only: a file would be full of it.
+  // Progress is shown on a terminal only, since it would fill a log file.
   bool shows_progress() const { return m_shows_progress; }
 
 private:
   bool m_is_quiet, m_shows_progress;
 };
 
-// A bar that appears when the work takes longer than half a second, and disappears when it is done.
+// A progress bar that appears when the work takes longer than half a second, and disappears when it is done.
 class Progress_bar
 {
 public:
-  // The clock is read at each `calls_per_look`-th call only: that costs more than a visit of a vertex.
+  // Reads the clock at every `calls_per_look`-th call only: reading it costs more than a visit of a vertex.
   Progress_bar(const Console& console, const std::string& what, unsigned int calls_per_look = 64);
   ~Progress_bar();
 
   Progress_bar(const Progress_bar&) = delete;
   Progress_bar& operator=(const Progress_bar&) = delete;
 
-  // `fraction` is from 0 to 1. Cheap enough to be called for each vertex of a mesh.
+  // `fraction` is in [0, 1]. Cheap enough to be called for each vertex of a mesh.
   void show(double fraction);
 
 private:
@@ -51,8 +51,8 @@ private:
   Clock::time_point m_next_drawing;
 };
 
-// For work whose length is not known: after half a second a terminal shows what is done, and for how long, until the
-// object goes.
+// A sign for work of unknown length: after half a second a terminal shows what is being done and for how long, until
+// the object is destroyed.
 class Work_sign
 {
 public:
@@ -72,7 +72,7 @@ private:
   std::thread m_thread;
 };
 
-// Shows the progress of a propagation: the part of the vertices that the wavefront has visited.
+// Shows the progress of a propagation: the fraction of the vertices that have been visited.
 class Progress_visitor
   : public CGAL::Surface_mesh_geodesics::Geodesic_default_visitor
 {
@@ -91,7 +91,7 @@ private:
   std::size_t m_number_of_vertices = 1;
 };
 
-// Shows the progress of work that propagates many times: the part of these runs that have begun.
+// Shows the progress of work with many propagations: the fraction of the propagations that have begun.
 class Run_counting_visitor
   : public CGAL::Surface_mesh_geodesics::Geodesic_default_visitor
 {
@@ -110,6 +110,6 @@ private:
   std::size_t m_number_of_runs, m_number_begun = 0;
 };
 
-} // namespace geodesics_app
+} // namespace geodesics_demo
 
-#endif // SURFACE_MESH_GEODESICS_APP_CONSOLE_H
+#endif // SURFACE_MESH_GEODESICS_DEMO_CONSOLE_H

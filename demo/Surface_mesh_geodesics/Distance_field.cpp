@@ -11,7 +11,7 @@
 #include <iterator>
 #include <limits>
 
-namespace geodesics_app {
+namespace geodesics_demo {
 
 double Distance_field::largest() const
 {
@@ -21,7 +21,7 @@ double Distance_field::largest() const
   return result;
 }
 
-Distance_field distances_from(const Mesh& mesh, const std::vector<Place>& sources, double radius,
+Distance_field distances_from(const Mesh& mesh, const std::vector<Location>& sources, double radius,
                               const Console& console)
 {
   using Solver = CGAL::Surface_mesh_geodesics::Geodesic_distance_solver<Mesh>;
@@ -33,7 +33,7 @@ Distance_field distances_from(const Mesh& mesh, const std::vector<Place>& source
   if(!vertices.empty())
     solver.compute_distances(vertices, options, visitor);
   else
-    solver.compute_distances(as_locations(sources, mesh), options, visitor);
+    solver.compute_distances(as_face_locations(sources, mesh), options, visitor);
   Distance_field field;
   for(const Vertex v : mesh.vertices())
   {
@@ -43,7 +43,7 @@ Distance_field distances_from(const Mesh& mesh, const std::vector<Place>& source
   return field;
 }
 
-std::vector<Isoline> isolines_around(const Mesh& mesh, const std::vector<Place>& sources,
+std::vector<Isoline> isolines_around(const Mesh& mesh, const std::vector<Location>& sources,
                                      const std::vector<double>& distances, const Console& console)
 {
   std::vector<Isoline> result;
@@ -76,7 +76,7 @@ std::vector<double> evenly_spaced(std::size_t n, double largest)
   return result;
 }
 
-Html_surface surface_with_distances(const Mesh& mesh, const std::vector<Place>& sources, const Distance_field& field)
+Html_surface surface_with_distances(const Mesh& mesh, const std::vector<Location>& sources, const Distance_field& field)
 {
   Html_surface surface;
   for(const Vertex v : mesh.vertices())
@@ -96,17 +96,17 @@ Html_surface surface_with_distances(const Mesh& mesh, const std::vector<Place>& 
   {
     const Face f(static_cast<Mesh::size_type>(t));
     const double d = paths.shortest_distance_to_source_points(f, b).first;
-    // what --radius has left out, or no source reaches
+    // beyond --radius, or no source reaches it
     const auto is_missing = [&](std::size_t v) { return !std::isfinite(field.distance[v]); };
     const std::array<std::size_t, 3>& corners = surface.triangles[t];
     return std::any_of(corners.begin(), corners.end(), is_missing) ? std::numeric_limits<double>::infinity() : d;
   });
 }
 
-Html_lines lines_on(const Html_surface& surface, const Mesh& mesh, const std::vector<Place>& sources,
+Html_lines lines_on(const Html_surface& surface, const Mesh& mesh, const std::vector<Location>& sources,
                     const std::vector<double>& distances, const Console& console)
 {
-  // inside large faces isolines are round, but segments in files
+  // isolines are curved inside large faces, but files hold segments
   if(is_refined(mesh.number_of_faces()))
     return lines_between_bands(surface, distances);
   Html_lines result{"isoline", {}};
@@ -120,4 +120,4 @@ double source_number(std::size_t source)
   return source == Distance_field::no_source ? -1. : static_cast<double>(source);
 }
 
-} // namespace geodesics_app
+} // namespace geodesics_demo

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <cstring>
 
-namespace geodesics_app {
+namespace geodesics_demo {
 
 namespace {
 
@@ -15,7 +15,7 @@ double finite_or_minus_one(double x)
 
 // --- PLY ------------------------------------------------------------------------------------------------------------
 
-// Numbers with the lowest byte first, whatever the machine does.
+// Numbers with the lowest byte first, on any machine.
 template <typename Unsigned>
 void write_bytes(std::ostream& os, Unsigned x)
 {
@@ -117,7 +117,7 @@ void write_scalars(std::ostream& os, const Drawing_column& column, std::size_t n
     os << "-1\n";
 }
 
-// The cells of a drawing: lines, then triangles; its points where there is neither.
+// The cells of a drawing: lines, then triangles; its points if it has neither.
 void write_VTK(std::ostream& os, const Drawing& drawing)
 {
   os << "# vtk DataFile Version 3.0\nsurface_mesh_geodesics\nASCII\nDATASET POLYDATA\nPOINTS " << drawing.points.size()
@@ -223,4 +223,4 @@ void write_drawing(std::ostream& os, const std::string& format, const Drawing& d
     write_OBJ(os, drawing);
 }
 
-} // namespace geodesics_app
+} // namespace geodesics_demo

@@ -1,5 +1,5 @@
-#ifndef SURFACE_MESH_GEODESICS_APP_DRAWING_H
-#define SURFACE_MESH_GEODESICS_APP_DRAWING_H
+#ifndef SURFACE_MESH_GEODESICS_DEMO_DRAWING_H
+#define SURFACE_MESH_GEODESICS_DEMO_DRAWING_H
 
 #include "Color_ramp.h"
 #include "Program_mesh.h"
@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-namespace geodesics_app {
+namespace geodesics_demo {
 
-// Numbers for the points or the lines of a drawing.
+// A number for each point or each line of a drawing.
 struct Drawing_column
 {
   std::string name;
@@ -20,7 +20,7 @@ struct Drawing_column
   std::vector<double> values;
 };
 
-// What is written to files for viewers: points, triangles and polylines with colors and numbers.
+// The contents of files for viewers: points, triangles and polylines, with colors and numbers.
 struct Drawing
 {
   std::vector<Point> points;
@@ -30,17 +30,17 @@ struct Drawing
   std::vector<std::vector<std::size_t>> lines;
   std::vector<Drawing_column> line_columns;
 
-  // adds all vertices, so that they have the numbers of the mesh, and all faces. To be called first.
+  // Adds all vertices and faces. Call it first, so that vertices keep their indices.
   void add_mesh(const Mesh& mesh);
 
-  // adds points and a line through them. The columns are those of the caller.
+  // Adds points and a line through them. The caller adds the columns.
   void add_line(const std::vector<Point>& line);
 };
 
-// Formats: "ply" (binary, with the elements vertex, face and edge), "vtk" (legacy, text) and "obj" (with colors behind
-// the coordinates, as many programs read them, but without the numbers). A number that is not finite is -1.
+// Formats: "ply" (binary, with the elements vertex, face and edge), "vtk" (legacy, text) and "obj" (with colors after
+// the coordinates, as many programs read them, but without numbers). Infinite numbers are written as -1.
 void write_drawing(std::ostream& os, const std::string& format, const Drawing& drawing);
 
-} // namespace geodesics_app
+} // namespace geodesics_demo
 
-#endif // SURFACE_MESH_GEODESICS_APP_DRAWING_H
+#endif // SURFACE_MESH_GEODESICS_DEMO_DRAWING_H

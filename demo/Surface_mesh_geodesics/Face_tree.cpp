@@ -10,7 +10,7 @@
 #include <CGAL/AABB_traits.h>
 #endif
 
-namespace geodesics_app {
+namespace geodesics_demo {
 
 namespace {
 
@@ -36,9 +36,9 @@ Face_tree::Face_tree(const Mesh& mesh) : m_mesh(mesh), m_tree(new Tree)
 
 Face_tree::~Face_tree() = default;
 
-Face_location Face_tree::nearest_place(const Point& p) const
+Face_location Face_tree::nearest_location(const Point& p) const
 {
   return Paths::locate(p, m_tree->faces, m_mesh, get(CGAL::vertex_point, m_mesh));
 }
 
-} // namespace geodesics_app
+} // namespace geodesics_demo

@@ -12,11 +12,11 @@
 #include <map>
 #include <utility>
 
-namespace geodesics_app {
+namespace geodesics_demo {
 
 namespace po = boost::program_options;
 
-// Embedded by embed_page.cmake; three.js and its licence have no bytes if it was not there.
+// Embedded by embed_page.cmake. Without three.js, the script and its license are empty.
 extern const unsigned char page_template[], page_script[], page_three[], page_licence[];
 extern const std::size_t page_template_size, page_script_size, page_three_size, page_licence_size;
 
@@ -24,8 +24,8 @@ namespace {
 
 // --- numbers as text -------------------------------------------------------------------------------------------------
 
-// Four bytes, the lowest one first, for each number, in base 64: browsers make an array of it in one step, and it takes
-// half the place of digits.
+// Four bytes for each number, the lowest one first, in base 64: a browser converts them to an array in one step, and
+// they take half the space of digits.
 class Base64_writer
 {
 public:
@@ -71,7 +71,7 @@ private:
   }
 
   std::ostream& m_os;
-  std::uint32_t m_bytes = 0; // those not written yet
+  std::uint32_t m_bytes = 0; // not written yet
   int m_number_of_bytes = 0;
 };
 
@@ -89,7 +89,7 @@ void write_indices(std::ostream& os, const std::vector<std::size_t>& indices)
   write_array(os, indices, [](Base64_writer& w, std::size_t i) { w.add(static_cast<std::uint32_t>(i)); });
 }
 
-// A string of JSON that may also stand in a script element: no character can end that.
+// A JSON string that is safe inside a script element: no character ends the element.
 void write_string(std::ostream& os, const std::string& text)
 {
   static const char* const digits = "0123456789abcdef";
@@ -105,7 +105,7 @@ void write_string(std::ostream& os, const std::string& text)
   os << '"';
 }
 
-// as style sheets have it: #rrggbb
+// As in style sheets: #rrggbb.
 std::string hexadecimal(const CGAL::IO::Color& color)
 {
   static const char* const digits = "0123456789abcdef";
@@ -129,7 +129,7 @@ std::string escaped(const std::string& text)
 
 // --- the data of a page ----------------------------------------------------------------------------------------------
 
-// Coordinates are written from the center of the surface, so that `float` keeps them apart wherever they are.
+// Coordinates are relative to the center of the surface, so that `float` is precise enough far from the origin.
 class Page_data_writer
 {
 public:
@@ -189,7 +189,7 @@ private:
     m_os << ']';
     if(!surface.cells.empty())
     {
-      m_os << ",\"cells\":"; // "no cell" becomes the largest number of 32 bits
+      m_os << ",\"cells\":"; // "no cell" is the largest number of 32 bits
       write_indices(m_os, surface.cells);
     }
     m_os << ",\"cellColors\":[";
@@ -232,10 +232,10 @@ private:
   double m_radius;
 };
 
-// A surface with fewer triangles is divided.
+// A surface with fewer triangles is refined.
 constexpr std::size_t triangles_wanted = 40000;
 
-// into how many parts the sides of triangles are divided.
+// The number of parts into which each side of a triangle is divided.
 std::size_t number_of_parts(std::size_t number_of_triangles)
 {
   std::size_t k = 1;
@@ -247,16 +247,16 @@ std::size_t number_of_parts(std::size_t number_of_triangles)
 void check_pages_are_available()
 {
   if(page_three_size == 0)
-    throw Command_error(Exit_code::BAD_USAGE, "this program was built without three.js (Debian: libjs-three), and "
-                                              "writes no pages for browsers");
+    throw Command_error(Exit_code::BAD_USAGE, "this program was built without three.js (Debian: libjs-three) and "
+                                              "cannot write pages for browsers");
 }
 
 } // namespace
 
-Html_dots dots_at(const std::string& role, const std::vector<Place>& places, const Mesh& mesh)
+Html_dots dots_at(const std::string& role, const std::vector<Location>& locations, const Mesh& mesh)
 {
   Html_dots result{role, {}};
-  for(const Place& p : places)
+  for(const Location& p : locations)
     result.points.push_back(point_of(p, mesh));
   return result;
 }
@@ -280,7 +280,7 @@ Html_surface refined(const Html_surface& surface, const Distance_in_triangle& di
   Html_surface result;
   for(std::size_t t = 0; t < surface.triangles.size(); ++t)
   {
-    // row i has the points with the first coordinate i / k, from left to right
+    // row i holds the points with the first coordinate i / k, from left to right
     const auto [p, q, r] = surface.triangles[t];
     std::vector<std::size_t> row_before;
     for(std::size_t i = 0; i <= k; ++i)
@@ -339,7 +339,7 @@ Html_lines lines_between_bands(const Html_surface& surface, const std::vector<do
 void declare_html(Option_descriptions& options)
 {
   options.add_options()("html", po::value<std::vector<std::string>>()->value_name("FILE.html")->composing(),
-                        "a page for a browser that shows the result; it needs no network");
+                        "a page that shows the result in a browser, without a network");
 }
 
 std::vector<std::string> html_names(const Arguments& arguments)
@@ -349,17 +349,17 @@ std::vector<std::string> html_names(const Arguments& arguments)
     check_pages_are_available();
   for(const std::string& name : names)
     if(!has_format(name, "html"))
-      throw Command_error(Exit_code::BAD_USAGE, "--html: the end of the name '" + name + "' is not .html");
+      throw Command_error(Exit_code::BAD_USAGE, "--html: the name '" + name + "' does not end with .html");
   return names;
 }
 
 void write_html_page(std::ostream& os, const Html_page& page)
 {
-  check_pages_are_available(); // -o x.html asks for a page, too
+  check_pages_are_available(); // -o x.html requests a page, too
   const auto embedded = [](const unsigned char* bytes, std::size_t size)
   { return std::string(reinterpret_cast<const char*>(bytes), size); };
   std::string rest = embedded(page_template, page_template_size);
-  // writes the template up to a mark, which is left out
+  // Writes the template up to a mark, without the mark.
   const auto write_up_to = [&](const std::string& mark)
   {
     const std::size_t position = rest.find(mark);
@@ -378,4 +378,4 @@ void write_html_page(std::ostream& os, const Html_page& page)
   os << embedded(page_script, page_script_size) << rest;
 }
 
-} // namespace geodesics_app
+} // namespace geodesics_demo

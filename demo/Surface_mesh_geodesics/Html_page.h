@@ -1,8 +1,8 @@
-#ifndef SURFACE_MESH_GEODESICS_APP_HTML_PAGE_H
-#define SURFACE_MESH_GEODESICS_APP_HTML_PAGE_H
+#ifndef SURFACE_MESH_GEODESICS_DEMO_HTML_PAGE_H
+#define SURFACE_MESH_GEODESICS_DEMO_HTML_PAGE_H
 
 #include "Command.h"
-#include "Place_options.h"
+#include "Location_options.h"
 #include "Program_mesh.h"
 
 #include <CGAL/IO/Color.h>
@@ -14,18 +14,18 @@
 #include <string>
 #include <vector>
 
-namespace geodesics_app {
+namespace geodesics_demo {
 
 // Triangles with the exact distance at each point.
 struct Html_surface
 {
   std::vector<Point> points;
-  std::vector<double> distances; // infinite where there is no source
+  std::vector<double> distances; // infinite where no source reaches
   std::vector<std::array<std::size_t, 3>> triangles;
-  std::vector<std::size_t> cells; // of the triangles in a Voronoi diagram; else empty
+  std::vector<std::size_t> cells; // by triangle, for a Voronoi diagram; else empty
 };
 
-// What is drawn on the surface. The role is one that page.js knows.
+// Lines or dots on the surface. The role is one that page.js knows.
 struct Html_lines
 {
   std::string role;
@@ -38,42 +38,41 @@ struct Html_dots
   std::vector<Point> points;
 };
 
-// A page that shows a surface, and is complete in itself: it opens without a network.
+// A page that shows a surface. It is self-contained: it opens without a network.
 struct Html_page
 {
   std::string title, subtitle;
   Html_surface surface;
   std::vector<double> band_limits; // multiples of the first one
-  std::vector<CGAL::IO::Color> cell_colors; // of the sites of a Voronoi diagram; else empty
+  std::vector<CGAL::IO::Color> cell_colors; // by site, for a Voronoi diagram; else empty
   std::vector<Html_lines> lines;
   std::vector<Html_dots> dots;
 };
 
-// the points of places.
-Html_dots dots_at(const std::string& role, const std::vector<Place>& places, const Mesh& mesh);
+// The points of locations.
+Html_dots dots_at(const std::string& role, const std::vector<Location>& locations, const Mesh& mesh);
 
 // "bunny.off: 37706 vertices, 75408 faces", for the subtitle.
 std::string description_of(const std::string& file_name, const Mesh& mesh);
 
-// Distances are interpolated between the points of the page. A surface of few triangles is therefore divided, each
-// triangle into k^2, until it has some ten thousand. `distance(t, b)` gives the distance at the barycentric coordinates
-// `b` of the triangle with the number `t`.
+// Refines a surface of few triangles: divides each triangle into k^2, until there are some ten thousand, because a page
+// interpolates distances between its points. `distance(t, b)` returns the distance at the barycentric coordinates `b`
+// of triangle `t`.
 using Distance_in_triangle = std::function<double(std::size_t t, const std::array<double, 3>& b)>;
 Html_surface refined(const Html_surface& surface, const Distance_in_triangle& distance);
 
-// whether `refined()` divides triangles of a surface that has so many.
+// Does `refined()` divide the triangles of a surface with this number of triangles?
 bool is_refined(std::size_t number_of_triangles);
 
-// The lines of equal distance on a refined surface, by linear interpolation in its triangles; each segment is a line.
+// The isolines of a refined surface, by linear interpolation in its triangles. Each segment is a line of its own.
 Html_lines lines_between_bands(const Html_surface& surface, const std::vector<double>& limits);
 
 void write_html_page(std::ostream& os, const Html_page& page);
 
-// The option --html of a command, and its values. They throw a Command_error if pages cannot be written because the
-// program was built without three.js.
+// The option --html of a command, and its values. Throws a Command_error if the program was built without three.js.
 void declare_html(Option_descriptions& options);
 std::vector<std::string> html_names(const Arguments& arguments);
 
-} // namespace geodesics_app
+} // namespace geodesics_demo
 
-#endif // SURFACE_MESH_GEODESICS_APP_HTML_PAGE_H
+#endif // SURFACE_MESH_GEODESICS_DEMO_HTML_PAGE_H

@@ -11,7 +11,7 @@
 #include <system_error>
 #include <vector>
 
-namespace geodesics_app {
+namespace geodesics_demo {
 
 namespace fs = std::filesystem;
 
@@ -22,7 +22,7 @@ namespace {
   throw Command_error(Exit_code::BAD_INPUT, file_name + ": " + what);
 }
 
-// the files that the options name, and the mesh.
+// The files that the options name, and the mesh.
 std::vector<std::string> names_of_inputs(const Arguments& arguments)
 {
   std::vector<std::string> names{mesh_argument(arguments)};
@@ -40,11 +40,11 @@ std::vector<std::string> names_of_inputs(const Arguments& arguments)
 void check_is_readable(const std::string& file_name)
 {
   if(file_name.empty())
-    throw Command_error(Exit_code::BAD_USAGE, "the name of a file that is to be read is empty");
+    throw Command_error(Exit_code::BAD_USAGE, "the name of an input file is empty");
   std::error_code error;
   const fs::file_status status = fs::status(file_name, error);
   if(status.type() == fs::file_type::not_found)
-    complain(file_name, "there is no such file");
+    complain(file_name, "the file does not exist");
   if(fs::is_directory(status))
     complain(file_name, "is a folder, not a file");
   if(access(file_name.c_str(), R_OK) != 0)
@@ -71,8 +71,8 @@ void check_inputs_are_kept(const Arguments& arguments)
       std::error_code error;
       if(fs::is_regular_file(output, error) && fs::equivalent(input, output, error))
         throw Command_error(Exit_code::BAD_USAGE,
-                            output + ": the file is read by this command; give the output another name");
+                            output + ": this command reads the file; give the output another name");
     }
 }
 
-} // namespace geodesics_app
+} // namespace geodesics_demo

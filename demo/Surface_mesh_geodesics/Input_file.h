@@ -1,23 +1,23 @@
-#ifndef SURFACE_MESH_GEODESICS_APP_INPUT_FILE_H
-#define SURFACE_MESH_GEODESICS_APP_INPUT_FILE_H
+#ifndef SURFACE_MESH_GEODESICS_DEMO_INPUT_FILE_H
+#define SURFACE_MESH_GEODESICS_DEMO_INPUT_FILE_H
 
 #include "Command.h"
 
 #include <fstream>
 #include <string>
 
-namespace geodesics_app {
+namespace geodesics_demo {
 
-// throws a Command_error that tells why a file cannot be read: it is not there, is a folder, or is protected. Nothing
-// is opened: that would take a pipe from its reader.
+// Throws a Command_error with the reason if a file cannot be read: it does not exist, is a folder, or is protected.
+// Does not open the file, because that would disturb a pipe.
 void check_is_readable(const std::string& file_name);
 
-// opens a file that is not the mesh. Throws a Command_error if that is impossible.
+// Opens a file other than the mesh. Throws a Command_error on failure.
 std::ifstream opened_text_file(const std::string& file_name);
 
-// throws a Command_error if a file that the command reads is one that it is to write: a mistake would destroy it.
+// Throws a Command_error if an output file is also an input file, which would be overwritten.
 void check_inputs_are_kept(const Arguments& arguments);
 
-} // namespace geodesics_app
+} // namespace geodesics_demo
 
-#endif // SURFACE_MESH_GEODESICS_APP_INPUT_FILE_H
+#endif // SURFACE_MESH_GEODESICS_DEMO_INPUT_FILE_H

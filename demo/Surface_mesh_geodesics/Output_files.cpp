@@ -13,7 +13,7 @@
 #include <iostream>
 #include <system_error>
 
-namespace geodesics_app {
+namespace geodesics_demo {
 
 namespace po = boost::program_options;
 namespace fs = std::filesystem;
@@ -43,10 +43,10 @@ std::string format_of(const std::string& name, const std::vector<std::string>& f
   for(const std::string& format : formats)
     if(has_format(name, format))
       return format;
-  throw Command_error(Exit_code::BAD_USAGE, name + ": the end of the name must be one of " + list_of(formats));
+  throw Command_error(Exit_code::BAD_USAGE, name + ": the name must end with one of " + list_of(formats));
 }
 
-// Everything is written with all digits: reading the numbers again gives the same ones.
+// Numbers have all their digits: reading them again gives the same numbers.
 constexpr int number_of_digits = 17;
 
 } // namespace
@@ -62,16 +62,16 @@ bool has_format(const std::string& name, const std::string& format)
 Output_files::Output_files(const std::vector<std::string>& names, const std::vector<std::string>& formats)
   : Output_files()
 {
-  std::vector<fs::path> places; // a file that is named twice is written once
+  std::vector<fs::path> paths; // a file that is named twice is written once
   for(const std::string& name : names)
   {
     if(name.empty())
-      throw Command_error(Exit_code::BAD_USAGE, "the name of an output is empty");
+      throw Command_error(Exit_code::BAD_USAGE, "the name of an output file is empty");
     std::error_code error;
-    const fs::path place = name == "-" ? fs::path(name) : fs::weakly_canonical(fs::absolute(name, error), error);
-    if(!error && std::find(places.begin(), places.end(), place) != places.end())
+    const fs::path path = name == "-" ? fs::path(name) : fs::weakly_canonical(fs::absolute(name, error), error);
+    if(!error && std::find(paths.begin(), paths.end(), path) != paths.end())
       continue;
-    places.push_back(place);
+    paths.push_back(path);
     open(name, name == "-" ? formats.front() : format_of(name, formats));
   }
 }
@@ -104,11 +104,11 @@ void Output_files::open(const std::string& name, const std::string& format)
     complain(name, std::strerror(errno));
   if(!fs::exists(status) || fs::is_regular_file(status))
   {
-    // a link stays a link, and the file that it leads to is replaced
-    const fs::path place = fs::exists(status) ? fs::canonical(name) : fs::path(name);
-    file.name = place.string();
-    const std::string hidden_name = "." + std::to_string(getpid()) + "." + place.filename().string();
-    file.temporary_name = (place.parent_path() / hidden_name).string();
+    // a link stays a link; the file that it leads to is replaced
+    const fs::path path = fs::exists(status) ? fs::canonical(name) : fs::path(name);
+    file.name = path.string();
+    const std::string hidden_name = "." + std::to_string(getpid()) + "." + path.filename().string();
+    file.temporary_name = (path.parent_path() / hidden_name).string();
     remove_if_interrupted(file.temporary_name);
   }
   errno = 0;
@@ -170,7 +170,7 @@ void Output_files::complete(File& file)
 
 void declare_output(Option_descriptions& options, const std::string& formats)
 {
-  const std::string text = "a file to be written: " + formats + "; may be given several times";
+  const std::string text = "an output file: " + formats + "; may be repeated";
   options.add_options()("output,o", po::value<std::vector<std::string>>()->value_name("FILE")->composing(),
                         text.c_str());
 }
@@ -182,4 +182,4 @@ std::vector<std::string> output_names(const Arguments& arguments, const std::vec
   return names.empty() ? std::vector<std::string>{"-"} : names;
 }
 
-} // namespace geodesics_app
+} // namespace geodesics_demo

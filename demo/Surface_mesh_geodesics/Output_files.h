@@ -1,5 +1,5 @@
-#ifndef SURFACE_MESH_GEODESICS_APP_OUTPUT_FILES_H
-#define SURFACE_MESH_GEODESICS_APP_OUTPUT_FILES_H
+#ifndef SURFACE_MESH_GEODESICS_DEMO_OUTPUT_FILES_H
+#define SURFACE_MESH_GEODESICS_DEMO_OUTPUT_FILES_H
 
 #include "Command.h"
 
@@ -10,46 +10,46 @@
 #include <string>
 #include <vector>
 
-namespace geodesics_app {
+namespace geodesics_demo {
 
-// whether the name of a file ends with a dot and the format, in small or in capital letters.
+// Does the name of a file end with a dot and the format, in lower or upper case?
 bool has_format(const std::string& name, const std::string& format);
 
-// The files that a command writes. Each one is written beside its place, under another name, and gets its name when all
-// of them are complete: whoever finds a file with the name finds all of it. What is not complete is removed, also if
-// the program is interrupted. Pipes and devices are written directly.
+// The files that a command writes. Each file is written under a temporary name in its folder, and renamed when all
+// files are complete: a file with the final name is always complete. Incomplete files are removed, also if the program
+// is interrupted. Pipes and devices are written directly.
 //
-// The files are opened by the constructor, before the work begins that might be in vain.
+// The constructor opens the files, so that a wrong name is found before the work begins.
 class Output_files
 {
 public:
-  // A format is the end of a name, without the dot; `-` stands for the first format on the standard output. Throws a
-  // Command_error if a name has another end, or if a file cannot be written.
+  // A format is the ending of a name, without the dot; `-` means the first format on the standard output. Throws a
+  // Command_error if a name has another ending, or if a file cannot be written.
   Output_files(const std::vector<std::string>& names, const std::vector<std::string>& formats);
   ~Output_files();
 
   Output_files(const Output_files&) = delete;
   Output_files& operator=(const Output_files&) = delete;
 
-  // whether a file has one of the formats.
+  // Does a file have one of the formats?
   bool have(const std::vector<std::string>& formats) const;
 
-  // tells that an option is given that matters for these formats only, if no file has one of them.
+  // Prints a remark if an option is given that affects these formats only, and no file has one of them.
   void remark_on_unused(const Arguments& arguments, const std::string& option,
                         const std::vector<std::string>& formats, const Console& console) const;
 
-  // calls write(stream, format) for each file, and gives the files their names. Throws a Command_error if a file
-  // could not be written.
+  // Calls write(stream, format) for each file, and renames the files. Throws a Command_error if a file could not be
+  // written.
   void write(const std::function<void(std::ostream&, const std::string&)>& write);
 
 private:
   struct File
   {
-    std::string name, temporary_name, format; // no temporary name: written directly
+    std::string name, temporary_name, format; // an empty temporary name: written directly
     std::ofstream stream;
   };
 
-  // With another constructor behind it, the destructor removes what was opened before one of the files failed.
+  // A delegated constructor: if one of the files fails, the destructor removes the files opened before.
   Output_files() = default;
 
   void open(const std::string& name, const std::string& format);
@@ -58,12 +58,12 @@ private:
   std::list<File> m_files;
 };
 
-// The option --output of a command with the given formats, the first of which is the default on the standard output.
+// The option --output of a command. The first format is the default on the standard output.
 void declare_output(Option_descriptions& options, const std::string& formats);
 
-// the files of the option and others; the standard output if there are none.
+// The files of the option, and others; the standard output if there are none.
 std::vector<std::string> output_names(const Arguments& arguments, const std::vector<std::string>& others = {});
 
-} // namespace geodesics_app
+} // namespace geodesics_demo
 
-#endif // SURFACE_MESH_GEODESICS_APP_OUTPUT_FILES_H
+#endif // SURFACE_MESH_GEODESICS_DEMO_OUTPUT_FILES_H

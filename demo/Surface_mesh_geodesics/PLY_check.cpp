@@ -12,11 +12,11 @@
 #include <utility>
 #include <vector>
 
-namespace geodesics_app {
+namespace geodesics_demo {
 
 namespace {
 
-// A type of numbers: its size in bytes, 0 if there is no such type.
+// A number type: its size in bytes, 0 for an unknown type.
 struct Number_type
 {
   std::size_t bytes = 0;
@@ -40,7 +40,7 @@ Number_type type_with_name(const std::string& name)
 struct Property
 {
   bool is_list = false;
-  Number_type size, value; // `size` is that of the number of entries of a list
+  Number_type size, value; // `size` is the type of the length of a list
 };
 
 struct Element
@@ -129,7 +129,7 @@ private:
     return true;
   }
 
-  // the number of entries of a list; NaN if there is none
+  // The length of a list; NaN if it cannot be read.
   double read_size(const Number_type& type)
   {
     if(m_format == Format::ASCII)
@@ -185,4 +185,4 @@ bool may_read_PLY(const std::string& file_name)
   return !std::filesystem::is_regular_file(file_name) || PLY_file(file_name).is_in_order();
 }
 
-} // namespace geodesics_app
+} // namespace geodesics_demo

@@ -1,16 +1,16 @@
-#ifndef SURFACE_MESH_GEODESICS_APP_PLY_CHECK_H
-#define SURFACE_MESH_GEODESICS_APP_PLY_CHECK_H
+#ifndef SURFACE_MESH_GEODESICS_DEMO_PLY_CHECK_H
+#define SURFACE_MESH_GEODESICS_DEMO_PLY_CHECK_H
 
 #include <string>
 
-namespace geodesics_app {
+namespace geodesics_demo {
 
-// May CGAL's reader be given this PLY file? It believes what damaged files say: it makes room for lists of any length,
-// goes on for as many items as are promised, and writes to nowhere if a property comes before the first element. So the
-// header has to be in order, and no number of items or entries may exceed what is left of the file. Whether the rest is
-// right is for the reader to say. What comes from a pipe cannot be read twice and is not checked.
+// Is this PLY file safe for CGAL's reader? The reader trusts damaged files: it allocates lists of any length, continues
+// for any number of items, and writes to invalid memory if a property precedes the first element. So this function
+// checks the header, and that no number of items or entries exceeds the rest of the file. The reader checks everything
+// else. Pipes are not checked, because they cannot be read twice.
 bool may_read_PLY(const std::string& file_name);
 
-} // namespace geodesics_app
+} // namespace geodesics_demo
 
-#endif // SURFACE_MESH_GEODESICS_APP_PLY_CHECK_H
+#endif // SURFACE_MESH_GEODESICS_DEMO_PLY_CHECK_H

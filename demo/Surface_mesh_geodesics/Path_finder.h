@@ -1,28 +1,28 @@
-#ifndef SURFACE_MESH_GEODESICS_APP_PATH_FINDER_H
-#define SURFACE_MESH_GEODESICS_APP_PATH_FINDER_H
+#ifndef SURFACE_MESH_GEODESICS_DEMO_PATH_FINDER_H
+#define SURFACE_MESH_GEODESICS_DEMO_PATH_FINDER_H
 
-#include "Place_options.h"
+#include "Location_options.h"
 #include "Program_mesh.h"
 
 #include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_paths.h>
 
 #include <vector>
 
-namespace geodesics_app {
+namespace geodesics_demo {
 
 using Path_finder = CGAL::Surface_mesh_geodesic_paths<CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>>;
 
-inline void add_sources(Path_finder& paths, const std::vector<Place>& sources)
+inline void add_sources(Path_finder& paths, const std::vector<Location>& sources)
 {
-  for(const Place& s : sources)
+  for(const Location& s : sources)
   {
     if(s.is_vertex())
       paths.add_source_point(s.vertex);
     else
-      paths.add_source_point(s.location);
+      paths.add_source_point(s.face_location);
   }
 }
 
-} // namespace geodesics_app
+} // namespace geodesics_demo
 
-#endif // SURFACE_MESH_GEODESICS_APP_PATH_FINDER_H
+#endif // SURFACE_MESH_GEODESICS_DEMO_PATH_FINDER_H

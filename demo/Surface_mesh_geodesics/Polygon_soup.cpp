@@ -8,11 +8,11 @@
 #include <istream>
 #include <string>
 
-namespace geodesics_app {
+namespace geodesics_demo {
 
 namespace {
 
-// the next vertex, without what is told of it besides its place
+// Reads the next vertex: its coordinates only.
 bool read_vertex(CGAL::File_scanner_OFF& scanner, std::istream& in, Polygon_soup& soup)
 {
   double x = 0, y = 0, z = 0, w = 1;
@@ -30,7 +30,7 @@ bool read_vertex(CGAL::File_scanner_OFF& scanner, std::istream& in, Polygon_soup
   return in.good();
 }
 
-// the next face, which has no more corners than there are points
+// Reads the next face, which has at most as many corners as there are points.
 bool read_face(CGAL::File_scanner_OFF& scanner, std::istream& in, Polygon_soup& soup)
 {
   const std::size_t f = soup.faces.size();
@@ -72,4 +72,4 @@ bool read_OFF(const std::string& file_name, Polygon_soup& soup)
   return !in.fail();
 }
 
-} // namespace geodesics_app
+} // namespace geodesics_demo

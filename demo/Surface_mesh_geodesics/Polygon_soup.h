@@ -1,5 +1,5 @@
-#ifndef SURFACE_MESH_GEODESICS_APP_POLYGON_SOUP_H
-#define SURFACE_MESH_GEODESICS_APP_POLYGON_SOUP_H
+#ifndef SURFACE_MESH_GEODESICS_DEMO_POLYGON_SOUP_H
+#define SURFACE_MESH_GEODESICS_DEMO_POLYGON_SOUP_H
 
 #include "Program_mesh.h"
 
@@ -7,19 +7,19 @@
 #include <string>
 #include <vector>
 
-namespace geodesics_app {
+namespace geodesics_demo {
 
-// What is in a file: points, and faces by the numbers of their points. Nothing is checked yet.
+// The contents of a file: points, and faces as indices of points. Nothing is checked yet.
 struct Polygon_soup
 {
   std::vector<Point> points;
   std::vector<std::vector<std::size_t>> faces;
 };
 
-// reads an OFF file; false if it is damaged. (CGAL's own reader makes room for as many points and corners as the file
-// promises; here there is never more memory than what has been read needs.)
+// Reads an OFF file; returns false if it is damaged. CGAL's own reader allocates as many points and corners as the file
+// announces; this one never allocates more than what it has read.
 bool read_OFF(const std::string& file_name, Polygon_soup& soup);
 
-} // namespace geodesics_app
+} // namespace geodesics_demo
 
-#endif // SURFACE_MESH_GEODESICS_APP_POLYGON_SOUP_H
+#endif // SURFACE_MESH_GEODESICS_DEMO_POLYGON_SOUP_H

@@ -19,7 +19,7 @@
 #include <system_error>
 #include <vector>
 
-namespace geodesics_app {
+namespace geodesics_demo {
 
 namespace {
 
@@ -28,7 +28,7 @@ namespace {
   throw Command_error(Exit_code::BAD_INPUT, file_name + ": " + what);
 }
 
-// the end of a name, in small letters
+// The ending of a name, in lower case.
 std::string ending_of(const std::string& file_name)
 {
   std::string ending = std::filesystem::path(file_name).extension().string();
@@ -37,7 +37,7 @@ std::string ending_of(const std::string& file_name)
   return ending;
 }
 
-// Readers say only that they failed; these are the reasons that can be told before.
+// Readers report failure without a reason. These checks name the reasons that can be found beforehand.
 void check_file(const std::string& file_name)
 {
   namespace fs = std::filesystem;
@@ -48,7 +48,7 @@ void check_file(const std::string& file_name)
   const std::string ending = ending_of(file_name);
   static const std::vector<std::string> known{".off", ".obj", ".ply", ".stl", ".ts"};
   if(std::find(known.begin(), known.end(), ending) == known.end())
-    complain(file_name, "the end of the name is none of .off, .obj, .ply, .stl, .ts");
+    complain(file_name, "the name must end with one of .off, .obj, .ply, .stl, .ts");
 }
 
 Polygon_soup read_soup(const std::string& file_name)
@@ -68,12 +68,12 @@ Polygon_soup read_soup(const std::string& file_name)
   {
     throw;
   }
-  catch(const std::exception&) // some readers throw for numbers that are none
+  catch(const std::exception&) // some readers throw for invalid numbers
   {}
   if(!is_read)
-    complain(file_name, "the file is damaged or incomplete, or is no mesh of the format that its name tells");
+    complain(file_name, "the file is damaged, incomplete, or not in the format of its name");
   if(soup.faces.empty())
-    complain(file_name, "there are no faces in the file");
+    complain(file_name, "the file contains no faces");
   return soup;
 }
 
@@ -118,9 +118,9 @@ Mesh connect(const std::string& file_name, const Polygon_soup& soup)
     const Face face = mesh.add_face(corners);
     if(face == Mesh::null_face())
       complain(file_name, "face " + std::to_string(f)
-                            + " does not fit to those before: an edge has more than two faces, or two faces of "
-                              "opposite orientation, or too many parts of the surface meet in a vertex");
-    // Barycentric coordinates are those of the corners in the order of the file.
+                            + " does not fit the faces before it: an edge has more than two faces, or two faces of "
+                              "opposite orientation, or too many parts of the surface meet at a vertex");
+    // Barycentric coordinates belong to the corners in the order of the file.
     while(mesh.source(mesh.halfedge(face)) != corners[0])
       mesh.set_halfedge(face, mesh.next(mesh.halfedge(face)));
   }
@@ -133,7 +133,7 @@ void triangulate(const std::string& file_name, Mesh& mesh, const Console& consol
     return;
   const std::size_t before = mesh.number_of_faces();
   if(!CGAL::Polygon_mesh_processing::triangulate_faces(mesh) || !CGAL::is_triangle_mesh(mesh))
-    complain(file_name, "a face that is not a triangle cannot be cut into triangles");
+    complain(file_name, "a face with more than three edges cannot be cut into triangles");
   if(mesh.has_garbage())
     mesh.collect_garbage();
   console.note(file_name + ": not all faces are triangles; cut " + counted_faces(before) + " into "
@@ -163,4 +163,4 @@ double extent(const Mesh& mesh)
   return std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin());
 }
 
-} // namespace geodesics_app
+} // namespace geodesics_demo

@@ -1,5 +1,5 @@
-#ifndef SURFACE_MESH_GEODESICS_APP_PROGRAM_MESH_H
-#define SURFACE_MESH_GEODESICS_APP_PROGRAM_MESH_H
+#ifndef SURFACE_MESH_GEODESICS_DEMO_PROGRAM_MESH_H
+#define SURFACE_MESH_GEODESICS_DEMO_PROGRAM_MESH_H
 
 #include "Console.h"
 
@@ -11,7 +11,7 @@
 #include <string>
 #include <utility>
 
-namespace geodesics_app {
+namespace geodesics_demo {
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Point = Kernel::Point_3;
@@ -20,17 +20,17 @@ using Vertex = Mesh::Vertex_index;
 using Face = Mesh::Face_index;
 using Face_location = std::pair<Face, std::array<double, 3>>; // with barycentric coordinates
 
-// Reads a surface in any format that CGAL reads, and cuts faces with more than three edges into triangles. Vertices and
-// faces keep the numbers that they have in the file (faces as long as all are triangles). A Command_error tells what is
-// wrong with a file that does not hold a surface.
+// Reads a surface in any format that CGAL reads, and cuts faces with more than three edges into triangles. Vertices
+// keep the indices of the file; so do faces if all of them are triangles. Throws a Command_error with the reason if the
+// file is not a surface.
 Mesh read_mesh(const std::string& file_name, const Console& console);
 
 // "1 face", "2 faces", and so on.
 std::string counted_faces(std::size_t n);
 
-// the length of the diagonal of the bounding box.
+// The length of the diagonal of the bounding box.
 double extent(const Mesh& mesh);
 
-} // namespace geodesics_app
+} // namespace geodesics_demo
 
-#endif // SURFACE_MESH_GEODESICS_APP_PROGRAM_MESH_H
+#endif // SURFACE_MESH_GEODESICS_DEMO_PROGRAM_MESH_H

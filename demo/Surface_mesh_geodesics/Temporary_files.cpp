@@ -8,12 +8,12 @@
 #include <cstddef>
 #include <cstring>
 
-namespace geodesics_app {
+namespace geodesics_demo {
 
 namespace {
 
-// A signal handler may neither allocate nor lock: the names stand in memory that is there from the beginning. A name
-// counts once its flag is set. A longer name, or one file too many, is left behind by an interrupted program.
+// A signal handler may neither allocate nor lock, so the names are in static memory. A name is valid when its flag is
+// set. An interrupted program does not remove files with longer names, nor files beyond the capacity.
 struct Name
 {
   std::atomic<bool> is_set{false};
@@ -28,7 +28,7 @@ extern "C" void remove_files_and_end(int signal_number)
     if(name.is_set.load())
       unlink(name.text.data());
   signal(signal_number, SIG_DFL);
-  raise(signal_number); // so that the shell sees how the program has ended
+  raise(signal_number); // so that the shell sees how the program ended
 }
 
 void install_handlers()
@@ -37,7 +37,7 @@ void install_handlers()
   {
     for(const int s : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGXCPU})
       if(signal(s, remove_files_and_end) == SIG_IGN)
-        signal(s, SIG_IGN); // as nohup wants it
+        signal(s, SIG_IGN); // nohup expects that
     return true;
   }();
   static_cast<void>(is_done);
@@ -64,4 +64,4 @@ void keep_if_interrupted(const std::string& file_name)
       name.is_set.store(false);
 }
 
-} // namespace geodesics_app
+} // namespace geodesics_demo

@@ -1,16 +1,16 @@
-#ifndef SURFACE_MESH_GEODESICS_APP_TEMPORARY_FILES_H
-#define SURFACE_MESH_GEODESICS_APP_TEMPORARY_FILES_H
+#ifndef SURFACE_MESH_GEODESICS_DEMO_TEMPORARY_FILES_H
+#define SURFACE_MESH_GEODESICS_DEMO_TEMPORARY_FILES_H
 
 #include <string>
 
-namespace geodesics_app {
+namespace geodesics_demo {
 
 // Files that are removed if a signal ends the program (Ctrl-C, a closed terminal, kill).
 void remove_if_interrupted(const std::string& file_name);
 
-// The file has got its name, or has been removed.
+// Call it when the file has its final name or was removed.
 void keep_if_interrupted(const std::string& file_name);
 
-} // namespace geodesics_app
+} // namespace geodesics_demo
 
-#endif // SURFACE_MESH_GEODESICS_APP_TEMPORARY_FILES_H
+#endif // SURFACE_MESH_GEODESICS_DEMO_TEMPORARY_FILES_H

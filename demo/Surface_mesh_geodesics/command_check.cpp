@@ -5,7 +5,7 @@
 #include "Distance_field.h"
 #include "Input_file.h"
 #include "Output_files.h"
-#include "Place_options.h"
+#include "Location_options.h"
 #include "Program_mesh.h"
 #include "number_arguments.h"
 
@@ -21,7 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace geodesics_app {
+namespace geodesics_demo {
 
 namespace po = boost::program_options;
 
@@ -30,7 +30,7 @@ namespace {
 using Certificate = CGAL::Surface_mesh_geodesics::Geodesic_distance_certificate<Mesh>;
 using Condition = Certificate::Condition;
 
-const Place_options source_options("source");
+const Location_options source_options("source");
 
 void declare(Option_descriptions& options)
 {
@@ -39,13 +39,13 @@ void declare(Option_descriptions& options)
   options.add_options()
     ("distances", po::value<std::string>()->value_name("FILE"),
      "a table with the columns 'vertex' and 'distance' (default: the distances that 'distances' computes)")
-    ("radius", positive_value("radius")->value_name("R"), "the distances are those up to R, all others infinite")
+    ("radius", positive_value("radius")->value_name("R"), "distances above R are infinite")
     ("tolerance", positive_value("tolerance")->value_name("T"),
      "the largest violation, relative to distance and longest edge (default: 2^-40)");
   declare_output(options, "a table .csv (default: to standard output)");
 }
 
-// A table of distances, as the subcommand distances writes it.
+// Reads a table of distances in the format of the subcommand distances.
 class Distance_table
 {
 public:
@@ -61,14 +61,14 @@ public:
         read_distance(row_of(line));
     const auto missing = std::find(m_is_known.begin(), m_is_known.end(), false);
     if(missing != m_is_known.end())
-      throw Command_error(Exit_code::BAD_INPUT, file_name + ": there is no distance of vertex "
+      throw Command_error(Exit_code::BAD_INPUT, file_name + ": there is no distance for vertex "
                                                   + std::to_string(missing - m_is_known.begin()));
   }
 
   const std::vector<double>& distances() const { return m_distance; }
 
 private:
-  // without the blanks at both ends, the return at the end of lines from Windows among them
+  // Strips blanks from both ends, and the carriage return of lines from Windows.
   static std::string without_blanks(const std::string& text)
   {
     static const char* const blanks = " \t\r";
@@ -109,10 +109,10 @@ private:
     if(!parse_index(row[m_vertex_column], v) || v >= m_distance.size())
       complain("there is no vertex '" + row[m_vertex_column] + "'");
     if(m_is_known[v])
-      complain("vertex " + std::to_string(v) + " comes for the second time");
+      complain("vertex " + std::to_string(v) + " occurs twice");
     m_is_known[v] = true;
     const std::string& text = row[m_distance_column];
-    if(text == "inf" || text == "nan") // it is for the certificate to say whether that is right
+    if(text == "inf" || text == "nan") // the certificate decides whether that is right
       m_distance[v] = text == "inf" ? std::numeric_limits<double>::infinity()
                                     : std::numeric_limits<double>::quiet_NaN();
     else if(!parse_number(text, m_distance[v]))
@@ -125,7 +125,7 @@ private:
   std::vector<bool> m_is_known;
 };
 
-Certificate certificate_of(Mesh& mesh, const std::vector<double>& distances, const std::vector<Place>& sources,
+Certificate certificate_of(Mesh& mesh, const std::vector<double>& distances, const std::vector<Location>& sources,
                            double radius)
 {
   const auto map = mesh.add_property_map<Vertex, double>("v:checked_distance", 0).first;
@@ -135,7 +135,8 @@ Certificate certificate_of(Mesh& mesh, const std::vector<double>& distances, con
   options.maximum_distance = radius;
   const std::vector<Vertex> vertices = as_vertices(sources);
   return vertices.empty()
-           ? CGAL::Surface_mesh_geodesics::certify_geodesic_distances(mesh, map, as_locations(sources, mesh), options)
+           ? CGAL::Surface_mesh_geodesics::certify_geodesic_distances(mesh, map, as_face_locations(sources, mesh),
+                                                                      options)
            : CGAL::Surface_mesh_geodesics::certify_geodesic_distances(mesh, map, vertices, options);
 }
 
@@ -176,7 +177,7 @@ void run(const Arguments& arguments, const Console& console)
   const double tolerance = positive_argument_or(arguments, "tolerance", Certificate::default_tolerance);
   Output_files files(output_names(arguments), {"csv"});
   Mesh mesh = read_mesh(mesh_argument(arguments), console);
-  const std::vector<Place> sources = source_options.required_places(arguments, mesh, console);
+  const std::vector<Location> sources = source_options.required_locations(arguments, mesh, console);
   const std::vector<double> distances
     = has(arguments, "distances")
         ? Distance_table(arguments["distances"].as<std::string>(), mesh.number_of_vertices()).distances()
@@ -195,13 +196,12 @@ void run(const Arguments& arguments, const Console& console)
 
 const Command check_command{
   "check",
-  "whether distances are the exact ones, proved without trusting them",
-  "Distances of all vertices are certified: a path shows for each of them that it is not too short, lower bounds show\n"
-  "that it is not too long. The table has a line for each condition, with the number of checks, the worst violation\n"
-  "(relative to distance and longest edge) and the vertex where it is. The exit status is 1 if a violation is larger\n"
-  "than the tolerance.",
+  "prove that distances are exact, without trusting them",
+  "Certifies the distances of all vertices: a path proves that a distance is not too short, lower bounds prove that\n"
+  "it is not too long. The table has a line for each condition: the number of checks, the worst violation (relative\n"
+  "to distance and longest edge), and its vertex. The exit status is 1 if a violation is larger than the tolerance.",
   "  surface_mesh_geodesics check bunny.off --source 0\n"
   "  surface_mesh_geodesics check bunny.off --source 0 --distances other_program.csv --tolerance 1e-9\n",
   declare, run};
 
-} // namespace geodesics_app
+} // namespace geodesics_demo

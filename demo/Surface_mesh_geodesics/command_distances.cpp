@@ -6,7 +6,7 @@
 #include "Drawing.h"
 #include "Html_page.h"
 #include "Output_files.h"
-#include "Place_options.h"
+#include "Location_options.h"
 #include "number_arguments.h"
 
 #include <cstddef>
@@ -16,13 +16,13 @@
 #include <string>
 #include <vector>
 
-namespace geodesics_app {
+namespace geodesics_demo {
 
 namespace {
 
-const Place_options source_options("source");
+const Location_options source_options("source");
 
-// More lines than this would hide the surface and fill the disk: the largest mesh has some thousand points on each.
+// More lines would hide the surface and fill the disk: on a large mesh each has thousands of points.
 constexpr std::size_t largest_number_of_isolines = 1000;
 
 void declare(Option_descriptions& options)
@@ -32,12 +32,12 @@ void declare(Option_descriptions& options)
   options.add_options()
     ("radius", positive_value("radius")->value_name("R"), "only distances up to R")
     ("isolines", count_value("isolines", 0, largest_number_of_isolines)->value_name("N"),
-     "N lines of equal distance in files with geometry, evenly spaced up to the largest distance (default: 20; at "
+     "N isolines in files with geometry, evenly spaced up to the largest distance (default: 20; at "
      "most 1000)")
     ("spacing", positive_value("spacing")->value_name("D"),
-     "lines at the distances D, 2 D, 3 D, ... instead; at most 1000");
+     "isolines at the distances D, 2 D, 3 D, ... instead; at most 1000");
   declare_html(options);
-  declare_output(options, "a table .csv (default: to standard output); the surface with colours and isolines .ply, "
+  declare_output(options, "a table .csv (default: to standard output); the surface with colors and isolines .ply, "
                           ".vtk, .obj");
 }
 
@@ -66,7 +66,7 @@ void write_table(std::ostream& os, const Distance_field& field)
     os << v << ',' << field.distance[v] << ',' << source_number(field.source[v]) << '\n';
 }
 
-// the surface with its distances, and the isolines behind it.
+// The surface with its distances, followed by the isolines.
 Drawing drawing_of(const Mesh& mesh, const Distance_field& field, const std::vector<Isoline>& isolines)
 {
   Drawing drawing;
@@ -92,7 +92,7 @@ Drawing drawing_of(const Mesh& mesh, const Distance_field& field, const std::vec
   return drawing;
 }
 
-Html_page page_of(const std::string& file_name, const Mesh& mesh, const std::vector<Place>& sources,
+Html_page page_of(const std::string& file_name, const Mesh& mesh, const std::vector<Location>& sources,
                   const Distance_field& field, const std::vector<double>& limits, const Console& console)
 {
   Html_page page;
@@ -109,12 +109,12 @@ void run(const Arguments& arguments, const Console& console)
 {
   const double radius = positive_argument_or(arguments, "radius", std::numeric_limits<double>::infinity());
   if(has(arguments, "isolines") && has(arguments, "spacing"))
-    throw Command_error(Exit_code::BAD_USAGE, "--isolines and --spacing cannot be given together");
+    throw Command_error(Exit_code::BAD_USAGE, "--isolines and --spacing cannot be combined");
   Output_files files(output_names(arguments, html_names(arguments)), {"csv", "ply", "vtk", "obj", "html"});
   for(const char* option : {"isolines", "spacing"})
     files.remark_on_unused(arguments, option, {"ply", "vtk", "obj", "html"}, console);
   const Mesh mesh = read_mesh(mesh_argument(arguments), console);
-  const std::vector<Place> sources = source_options.required_places(arguments, mesh, console);
+  const std::vector<Location> sources = source_options.required_locations(arguments, mesh, console);
   const Distance_field field = distances_from(mesh, sources, radius, console);
   const std::vector<double> limits = isoline_distances(arguments, field.largest());
   Drawing drawing;
@@ -135,14 +135,14 @@ void run(const Arguments& arguments, const Console& console)
 
 const Command distances_command{
   "distances",
-  "distances of all vertices from the nearest of several sources",
-  "The table has a line for each vertex: its number, its distance in the unit of the mesh ('inf' if no source\n"
-  "reaches it), and the number of the source, counted from 0 in the order of the options below; -1 for none.\n"
-  "Files with geometry have the numbers of the vertices; -1 stands for 'inf' there.",
+  "distances of all vertices from the nearest source",
+  "The table has a line for each vertex: its index, its distance in the unit of the mesh ('inf' if no source reaches\n"
+  "it), and the index of the source, counted from 0 in the order of the options below; -1 for none. Files with\n"
+  "geometry have the same numbers for each vertex; -1 replaces 'inf' there.",
   "  surface_mesh_geodesics distances bunny.off --source 0 > distances.csv\n"
-  "  surface_mesh_geodesics distances bunny.off --source-point -0.1,0.1,0 -o colours.ply -o colours.vtk --isolines 30\n"
+  "  surface_mesh_geodesics distances bunny.off --source-point -0.1,0.1,0 -o colors.ply -o colors.vtk --isolines 30\n"
   "  surface_mesh_geodesics distances bunny.off --source-random 10 --seed 7 --radius 0.2 -o near.csv\n"
   "  surface_mesh_geodesics distances bunny.off --source 0 --html distances.html\n",
   declare, run};
 
-} // namespace geodesics_app
+} // namespace geodesics_demo

@@ -20,7 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace geodesics_app {
+namespace geodesics_demo {
 
 namespace {
 
@@ -100,7 +100,7 @@ void run(const Arguments& arguments, const Console& console)
 {
   Output_files files(output_names(arguments), {"csv"});
   Mesh mesh = read_mesh(mesh_argument(arguments), console);
-  // What the other subcommands would refuse is refused here as well.
+  // Reject what the other subcommands reject.
   const CGAL::Surface_mesh_geodesics::Geodesic_distance_solver<Mesh> solver(mesh);
   Table table;
   add_counts(table, mesh);
@@ -118,10 +118,10 @@ void run(const Arguments& arguments, const Console& console)
 
 const Command info_command{
   "info",
-  "numbers of a mesh: elements, components, borders, lengths, area",
+  "statistics of a mesh: elements, components, borders, lengths, area",
   "Lengths and areas are in the unit of the mesh. The Euler characteristic does not count isolated vertices.",
   "  surface_mesh_geodesics info bunny.off\n"
   "  surface_mesh_geodesics info bunny.off -o bunny.csv\n",
   declare, run};
 
-} // namespace geodesics_app
+} // namespace geodesics_demo

@@ -7,7 +7,7 @@
 #include "Html_page.h"
 #include "Output_files.h"
 #include "Path_finder.h"
-#include "Place_options.h"
+#include "Location_options.h"
 
 #include <iterator>
 #include <limits>
@@ -15,11 +15,11 @@
 #include <string>
 #include <vector>
 
-namespace geodesics_app {
+namespace geodesics_demo {
 
 namespace {
 
-const Place_options source_options("source"), target_options("target");
+const Location_options source_options("source"), target_options("target");
 
 void declare(Option_descriptions& options)
 {
@@ -39,7 +39,7 @@ struct Path
   std::vector<Point> points; // from the target to the source
 };
 
-Path path_to(Path_finder& paths, const Place& target)
+Path path_to(Path_finder& paths, const Location& target)
 {
   Path path{-1, Path_finder::no_source, {}};
   const auto output = std::back_inserter(path.points);
@@ -50,15 +50,15 @@ Path path_to(Path_finder& paths, const Place& target)
   }
   else
   {
-    const auto& [face, b] = target.location;
+    const auto& [face, b] = target.face_location;
     path.length = paths.shortest_path_points_to_source_points(face, b, output).first;
     path.source = paths.nearest_source_point(face, b);
   }
   return path;
 }
 
-std::vector<Path> find_paths(const Mesh& mesh, const std::vector<Place>& sources, const std::vector<Place>& targets,
-                             const Console& console)
+std::vector<Path> find_paths(const Mesh& mesh, const std::vector<Location>& sources,
+                             const std::vector<Location>& targets, const Console& console)
 {
   Path_finder finder(mesh);
   add_sources(finder, sources);
@@ -71,7 +71,7 @@ std::vector<Path> find_paths(const Mesh& mesh, const std::vector<Place>& sources
   }
   Progress_bar bar(console, "paths");
   std::vector<Path> paths;
-  for(const Place& target : targets)
+  for(const Location& target : targets)
   {
     paths.push_back(path_to(finder, target));
     bar.show(static_cast<double>(paths.size()) / static_cast<double>(targets.size()));
@@ -109,7 +109,7 @@ void write_points_table(std::ostream& os, const std::vector<Path>& paths)
     }
 }
 
-// CGAL's format: the number of points and the points of a path in one line.
+// CGAL's format: one line per path, with the number of points and the points.
 void write_polylines(std::ostream& os, const std::vector<Path>& paths)
 {
   for(const Path& path : paths)
@@ -123,7 +123,7 @@ void write_polylines(std::ostream& os, const std::vector<Path>& paths)
   }
 }
 
-// A path without length, from a source to itself, is no line.
+// A path of length zero, from a source to itself, is not a line.
 Drawing drawing_of(const std::vector<Path>& paths)
 {
   Drawing drawing;
@@ -141,9 +141,9 @@ Drawing drawing_of(const std::vector<Path>& paths)
   return drawing;
 }
 
-// The paths lie on bands of distance, which they cross at right angles.
-Html_page page_of(const std::string& file_name, const Mesh& mesh, const std::vector<Place>& sources,
-                  const std::vector<Place>& targets, const std::vector<Path>& paths, const Console& console)
+// Draws the paths on bands of distance, which they cross at right angles.
+Html_page page_of(const std::string& file_name, const Mesh& mesh, const std::vector<Location>& sources,
+                  const std::vector<Location>& targets, const std::vector<Path>& paths, const Console& console)
 {
   const Distance_field field
     = distances_from(mesh, sources, std::numeric_limits<double>::infinity(), console);
@@ -167,8 +167,8 @@ void run(const Arguments& arguments, const Console& console)
                      {"csv", "obj", "ply", "vtk", "polylines.txt", "html"});
   files.remark_on_unused(arguments, "points", {"csv"}, console);
   const Mesh mesh = read_mesh(mesh_argument(arguments), console);
-  const std::vector<Place> sources = source_options.required_places(arguments, mesh, console);
-  const std::vector<Place> targets = target_options.required_places(arguments, mesh, console);
+  const std::vector<Location> sources = source_options.required_locations(arguments, mesh, console);
+  const std::vector<Location> targets = target_options.required_locations(arguments, mesh, console);
   const std::vector<Path> paths = find_paths(mesh, sources, targets, console);
   const Drawing drawing = drawing_of(paths);
   files.write([&](std::ostream& os, const std::string& format)
@@ -188,15 +188,15 @@ void run(const Arguments& arguments, const Console& console)
 
 const Command path_command{
   "path",
-  "shortest paths from targets to the nearest of several sources",
-  "The table has a line for each target: its number and that of its nearest source, counted from 0 in the order of\n"
-  "the options below, the length of the path in the unit of the mesh ('inf', and the source -1, if no source reaches\n"
-  "the target) and the number of its points. With --points it has the coordinates of all points instead, from the\n"
-  "target to the source.",
+  "shortest paths from targets to their nearest sources",
+  "The table has a line for each target: the indices of the target and of its nearest source, counted from 0 in the\n"
+  "order of the options below, the length of the path in the unit of the mesh ('inf', and the source -1, if no source\n"
+  "reaches the target), and the number of its points. With --points, it lists all points instead, from the target to\n"
+  "the source.",
   "  surface_mesh_geodesics path bunny.off --source 0 --target 100,200 -o paths.obj -o paths.csv\n"
   "  surface_mesh_geodesics path bunny.off --source 0 --target-point -0.1,0.1,0 --points\n"
-  "  surface_mesh_geodesics path bunny.off --source-random 3 --target-file places.txt -o paths.polylines.txt\n"
+  "  surface_mesh_geodesics path bunny.off --source-random 3 --target-file locations.txt -o paths.polylines.txt\n"
   "  surface_mesh_geodesics path bunny.off --source 0 --target-random 20 --html paths.html\n",
   declare, run};
 
-} // namespace geodesics_app
+} // namespace geodesics_demo

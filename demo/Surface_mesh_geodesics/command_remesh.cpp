@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace geodesics_app {
+namespace geodesics_demo {
 
 namespace {
 
@@ -23,7 +23,7 @@ void declare(Option_descriptions& options)
   options.add_options()
     ("number,n", count_value("number", 3)->value_name("N")->required(), "the number of vertices of the new mesh")
     ("iterations", count_value("iterations", 0, 1000000)->value_name("K")->default_value("10"),
-     "how often, at most, the vertices are moved to the centres of their cells; at most 1000000");
+     "how often the vertices are moved to the centers of their cells, at most; up to 1000000");
   declare_output(options, "the new mesh .off, .obj, .ply (default: OFF to standard output)");
 }
 
@@ -46,13 +46,13 @@ std::string reasons(const CGAL::Surface_mesh_geodesics::Geodesic_dual_report& re
     if(n > 0)
       text += (text.empty() ? "" : ", ") + std::to_string(n) + " " + what;
   };
-  add(report.cells_that_are_not_disks.size(), "cells are no disks");
-  add(report.cells_with_several_boundaries.size(), "cells have several boundaries");
+  add(report.cells_that_are_not_disks.size(), "cells are not disks");
+  add(report.cells_with_several_boundaries.size(), "cells have several boundary curves");
   add(report.cells_without_triangle.size(), "cells have no triangle");
-  add(report.pairs_with_several_edges.size(), "pairs of cells have several edges in common");
+  add(report.pairs_with_several_edges.size(), "pairs of cells share several edges");
   add(report.pairs_without_triangle.size(), "pairs of cells have no triangle");
   add(report.triples_with_several_vertices.size(), "triples of cells meet several times");
-  return text.empty() ? "they are no surface" : text;
+  return text.empty() ? "they do not form a surface" : text;
 }
 
 void run(const Arguments& arguments, const Console& console)
@@ -64,13 +64,13 @@ void run(const Arguments& arguments, const Console& console)
   Mesh coarse;
   const CGAL::Surface_mesh_geodesics::Geodesic_dual_report report = [&]
   {
-    Run_counting_visitor visitor(console, "remeshing", n + iterations + 1); // samples, iterations, the last diagram
+    Run_counting_visitor visitor(console, "remeshing", n + iterations + 1); // samples, iterations, the final diagram
     const auto np = CGAL::parameters::number_of_iterations(iterations).visitor(std::ref(visitor));
     return CGAL::Surface_mesh_geodesics::geodesic_remeshing(mesh, n, coarse, np);
   }();
   if(!report.is_manifold())
     throw Command_error(Exit_code::NO_RESULT, "the triangles between " + std::to_string(n)
-                                                + " vertices make no mesh: " + reasons(report)
+                                                + " vertices form no mesh: " + reasons(report)
                                                 + "; a larger --number helps");
   console.note("from " + std::to_string(mesh.number_of_vertices()) + " to "
                + std::to_string(coarse.number_of_vertices()) + " vertices, " + counted_faces(coarse.number_of_faces()));
@@ -82,10 +82,10 @@ void run(const Arguments& arguments, const Console& console)
 const Command remesh_command{
   "remesh",
   "a coarser mesh with even triangles",
-  "Vertices are spread over the surface and moved to the centres of their geodesic Voronoi cells; three of them whose\n"
-  "cells meet make a triangle. Where the surface has a border, the new mesh ends before it.",
+  "Spreads vertices over the surface and moves them to the centers of their geodesic Voronoi cells. Three vertices\n"
+  "whose cells meet form a triangle. The new mesh ends before a border of the surface.",
   "  surface_mesh_geodesics remesh bunny.off --number 1000 -o coarse.off\n"
   "  surface_mesh_geodesics remesh bunny.off --number 500 --iterations 30 -o coarse.ply\n",
   declare, run};
 
-} // namespace geodesics_app
+} // namespace geodesics_demo

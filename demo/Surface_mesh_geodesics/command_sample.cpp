@@ -4,7 +4,7 @@
 #include "Command_error.h"
 #include "Drawing.h"
 #include "Output_files.h"
-#include "Place_options.h"
+#include "Location_options.h"
 #include "number_arguments.h"
 
 #include <CGAL/Surface_mesh_geodesics/geodesic_farthest_point_sampling.h>
@@ -15,16 +15,16 @@
 #include <string>
 #include <vector>
 
-namespace geodesics_app {
+namespace geodesics_demo {
 
 namespace {
 
-const Place_options first_options("first", Place_options::Kind::VERTICES);
+const Location_options first_options("first", Location_options::Kind::VERTICES);
 
 void declare(Option_descriptions& options)
 {
   options.add_options()
-    ("number,n", count_value("number", 1)->value_name("N"), "the number of samples, the first ones included")
+    ("number,n", count_value("number", 1)->value_name("N"), "the number of samples, including the first ones")
     ("radius", positive_value("radius")->value_name("R"),
      "stop when no vertex is farther than R from its nearest sample");
   first_options.declare(options);
@@ -55,7 +55,7 @@ Drawing drawing_of(const Mesh& mesh, const std::vector<Vertex>& samples)
   return drawing;
 }
 
-// returns the samples, and tells how near they are to all vertices.
+// Returns the samples, and prints the covering radius.
 std::vector<Vertex> samples_of(const Mesh& mesh, std::size_t n, double radius, const std::vector<Vertex>& first,
                                const Console& console)
 {
@@ -89,7 +89,7 @@ void run(const Arguments& arguments, const Console& console)
   const std::size_t n = count_argument_or(arguments, "number", mesh.number_of_vertices());
   const std::vector<Vertex> first = first_options.vertices(arguments, mesh, console);
   if(first.size() > n)
-    throw Command_error(Exit_code::BAD_USAGE, "there are more first samples than --number allows");
+    throw Command_error(Exit_code::BAD_USAGE, "there are more first samples than --number");
   const std::vector<Vertex> samples = samples_of(mesh, n, radius, first, console);
   const Drawing drawing = drawing_of(mesh, samples);
   files.write([&](std::ostream& os, const std::string& format)
@@ -105,11 +105,11 @@ void run(const Arguments& arguments, const Console& console)
 
 const Command sample_command{
   "sample",
-  "vertices that are spread evenly over the surface",
-  "Each sample is the vertex that is farthest from all samples before it. The table has a line for each: its number,\n"
-  "the number of the vertex, and the point. The distance of the farthest vertex is told on the error stream.",
+  "vertices spread evenly over the surface",
+  "Each sample is the vertex that is farthest from all samples before it. The table has a line for each sample: its\n"
+  "index, its vertex, and its point. The error stream shows the distance of the farthest vertex.",
   "  surface_mesh_geodesics sample bunny.off --number 100 > samples.csv\n"
   "  surface_mesh_geodesics sample bunny.off --radius 0.1 --first 0 -o samples.ply\n",
   declare, run};
 
-} // namespace geodesics_app
+} // namespace geodesics_demo

@@ -6,7 +6,7 @@
 #include "Face_tree.h"
 #include "Html_page.h"
 #include "Output_files.h"
-#include "Place_options.h"
+#include "Location_options.h"
 #include "Program_mesh.h"
 #include "number_arguments.h"
 
@@ -24,13 +24,13 @@
 #include <string>
 #include <vector>
 
-namespace geodesics_app {
+namespace geodesics_demo {
 
 namespace {
 
 using Diagram = CGAL::Surface_mesh_geodesic_Voronoi_diagram<CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>>;
 
-const Place_options site_options("site");
+const Location_options site_options("site");
 
 void declare(Option_descriptions& options)
 {
@@ -38,13 +38,13 @@ void declare(Option_descriptions& options)
   declare_seed(options);
   options.add_options()
     ("weight", numbers_value("weight")->value_name("W[,W...]"),
-     "a weight for each site, which is subtracted from the distances (default: 0)")
+     "a weight for each site, subtracted from its distances (default: 0)")
     ("vertices", "the table has a line for each vertex of the mesh, with its site")
     ("tolerance", positive_value("tolerance")->value_name("T"),
-     "how far the lines in files may be from the curves (default: 1e-4 times the diagonal of the bounding box; at "
-     "least 1e-9 times)");
+     "the largest distance between lines in files and the curves (default: 1e-4 times the diagonal of the bounding "
+     "box; at least 1e-9 times)");
   declare_html(options);
-  declare_output(options, "a table .csv (default: to standard output); cells with colours and their boundaries .ply, "
+  declare_output(options, "a table .csv (default: to standard output); cells with colors and their boundaries .ply, "
                           ".vtk; boundaries alone .obj");
 }
 
@@ -58,20 +58,20 @@ std::vector<double> weights(const Arguments& arguments, std::size_t number_of_si
   return result;
 }
 
-void add_sites(Diagram& diagram, const std::vector<Place>& sites, const std::vector<double>& weights)
+void add_sites(Diagram& diagram, const std::vector<Location>& sites, const std::vector<double>& weights)
 {
   for(std::size_t i = 0; i < sites.size(); ++i)
   {
     if(sites[i].is_vertex())
       diagram.add_site(sites[i].vertex, weights[i]);
     else
-      diagram.add_site(sites[i].location, weights[i]);
+      diagram.add_site(sites[i].face_location, weights[i]);
   }
 }
 
-void write_cells_table(std::ostream& os, const Mesh& mesh, const std::vector<Place>& sites, const Diagram& diagram)
+void write_cells_table(std::ostream& os, const Mesh& mesh, const std::vector<Location>& sites, const Diagram& diagram)
 {
-  os << "site,x,y,z,weight,area,is_disk,neighbours\n";
+  os << "site,x,y,z,weight,area,is_disk,neighbors\n";
   for(std::size_t i = 0; i < diagram.number_of_sites(); ++i)
   {
     const Point p = point_of(sites[i], mesh);
@@ -121,7 +121,7 @@ Html_surface cut_surface(const Mesh& mesh, const Diagram& diagram, double tolera
   const Face_tree tree(mesh);
   const auto distance_at = [&](const Point& p)
   {
-    const Face_location location = tree.nearest_place(p);
+    const Face_location location = tree.nearest_location(p);
     return diagram.nearest_site(location) == Diagram::null_site() ? std::numeric_limits<double>::infinity()
                                                                   : diagram.distance_to_nearest_site(location);
   };
@@ -147,7 +147,7 @@ Html_surface cut_surface(const Mesh& mesh, const Diagram& diagram, double tolera
   });
 }
 
-Html_page page_of(const std::string& file_name, const Mesh& mesh, const std::vector<Place>& sites,
+Html_page page_of(const std::string& file_name, const Mesh& mesh, const std::vector<Location>& sites,
                   const Diagram& diagram, double tolerance)
 {
   Html_page page;
@@ -169,12 +169,12 @@ Html_page page_of(const std::string& file_name, const Mesh& mesh, const std::vec
   return page;
 }
 
-// The number of points of a curve grows with the root of 1 / tolerance: a limit keeps it from filling the disk.
+// The number of points of a curve grows with the square root of 1 / tolerance: the limit prevents huge files.
 double tolerance_of(const Arguments& arguments, const Mesh& mesh)
 {
   const double size = extent(mesh), smallest = 1e-9 * size, usual = 1e-4 * size;
   const double result
-    = positive_argument_or(arguments, "tolerance", usual > 0 ? usual : 1); // at one place any tolerance will do
+    = positive_argument_or(arguments, "tolerance", usual > 0 ? usual : 1); // a mesh of size zero accepts any tolerance
   if(result < smallest)
   {
     std::ostringstream text;
@@ -191,7 +191,7 @@ void run(const Arguments& arguments, const Console& console)
   files.remark_on_unused(arguments, "vertices", {"csv"}, console);
   const Mesh mesh = read_mesh(mesh_argument(arguments), console);
   const double tolerance = tolerance_of(arguments, mesh);
-  const std::vector<Place> sites = site_options.required_places(arguments, mesh, console);
+  const std::vector<Location> sites = site_options.required_locations(arguments, mesh, console);
   Diagram diagram(mesh);
   add_sites(diagram, sites, weights(arguments, sites.size()));
   {
@@ -217,13 +217,13 @@ void run(const Arguments& arguments, const Console& console)
 const Command voronoi_command{
   "voronoi",
   "the geodesic Voronoi diagram of sites",
-  "The table has a line for each site, counted from 0 in the order of the options below: its place, weight, the area\n"
-  "of its cell, whether the cell is a disk (1) or not (0), and the sites of the neighbouring cells. With --vertices\n"
-  "it has the site of each vertex and its distance from that, less the weight.",
+  "The table has a line for each site, counted from 0 in the order of the options below: its point, its weight, the\n"
+  "area of its cell, whether the cell is a disk (1) or not (0), and the sites of the neighboring cells. With\n"
+  "--vertices, it lists the nearest site of each vertex and the distance from that site minus the weight.",
   "  surface_mesh_geodesics voronoi bunny.off --site-random 30 -o cells.ply -o cells.csv\n"
   "  surface_mesh_geodesics voronoi bunny.off --site 0,100,200 --weight 0,0.01,0.02 --vertices\n"
-  "  surface_mesh_geodesics voronoi bunny.off --site-file places.txt -o boundaries.obj\n"
+  "  surface_mesh_geodesics voronoi bunny.off --site-file locations.txt -o boundaries.obj\n"
   "  surface_mesh_geodesics voronoi bunny.off --site-random 30 --html cells.html\n",
   declare, run};
 
-} // namespace geodesics_app
+} // namespace geodesics_demo

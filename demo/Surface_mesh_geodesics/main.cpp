@@ -1,9 +1,9 @@
-// surface_mesh_geodesics: the package for the command line.
+// surface_mesh_geodesics: the package as a command line program.
 
 #include "Command.h"
 #include "Command_error.h"
 #include "Input_file.h"
-#include "Place_options.h"
+#include "Location_options.h"
 
 #include <fcntl.h>
 
@@ -28,7 +28,7 @@
 
 namespace po = boost::program_options;
 
-namespace geodesics_app {
+namespace geodesics_demo {
 namespace {
 
 const std::vector<const Command*>& commands()
@@ -45,10 +45,10 @@ void print_help(std::ostream& os)
         "       surface_mesh_geodesics SUBCOMMAND --help\n\nsubcommands:\n";
   for(const Command* command : commands())
     os << "  " << command->name << std::string(11 - std::string(command->name).size(), ' ') << command->summary << '\n';
-  os << "\nMESH is a surface in a file that ends with .off, .obj, .ply, .stl or .ts.\n\n"
+  os << "\nMESH is a file with a surface, in the format .off, .obj, .ply, .stl or .ts.\n\n"
         "examples:\n"
         "  surface_mesh_geodesics info bunny.off\n"
-        "  surface_mesh_geodesics distances bunny.off --source 0 -o distances.csv -o colours.ply\n"
+        "  surface_mesh_geodesics distances bunny.off --source 0 -o distances.csv -o colors.ply\n"
         "  surface_mesh_geodesics path bunny.off --source 0 --target 100 -o path.obj\n";
 }
 
@@ -69,7 +69,7 @@ void print_help(const Command& command, std::ostream& os)
      << "\nexit status: 0 success, 1 no result, 2 wrong command line, 3 bad input, 4 output cannot be written\n";
 }
 
-// A value may begin with a minus, as in `--source-point -1,0,0`; the parser would take it for an option.
+// Joins an option and its negative value, as in `--source-point -1,0,0`: the parser would take the value for an option.
 std::vector<std::string> joined_values(const std::vector<std::string>& arguments)
 {
   std::vector<std::string> result;
@@ -102,7 +102,7 @@ Arguments parse(const Command& command, const std::vector<std::string>& words)
               .run(),
             arguments);
   if(!has(arguments, "help"))
-    po::notify(arguments); // complains of options that are missing
+    po::notify(arguments); // reports missing options
   return arguments;
 }
 
@@ -119,7 +119,7 @@ void run(const Command& command, const std::vector<std::string>& words)
   check_inputs_are_kept(arguments);
   const Console console(has(arguments, "quiet"));
   if(is_seed_unused(arguments))
-    console.note("--seed has no effect: no place is chosen at random");
+    console.note("--seed has no effect: no random locations are requested");
   try
   {
     command.run(arguments, console);
@@ -153,7 +153,7 @@ void run(std::vector<std::string> words)
   const std::size_t most_words = first == "help" ? 1 : 0;
   if((is_help || first == "help" || first == "--version") && words.size() > most_words)
     throw Command_error(Exit_code::BAD_USAGE, "'" + words.back() + "' after " + first
-                                                + " is one word too many; see surface_mesh_geodesics --help");
+                                                + " is superfluous; see surface_mesh_geodesics --help");
   if(first == "--version")
     std::cout << "surface_mesh_geodesics " SURFACE_MESH_GEODESICS_VERSION " with CGAL " CGAL_VERSION_STR << '\n';
   else if(is_help || (first == "help" && words.empty()))
@@ -168,7 +168,7 @@ void run(std::vector<std::string> words)
 
 int fail(Exit_code code, const std::string& message)
 {
-  std::string line = message; // also that of a failed assertion, which has several
+  std::string line = message; // the message of a failed assertion has several lines
   std::replace(line.begin(), line.end(), '\n', ' ');
   std::cerr << "surface_mesh_geodesics: error: " << line << std::endl;
   return static_cast<int>(code);
@@ -187,8 +187,8 @@ int checked_run(const std::vector<std::string>& words)
   }
   catch(const po::too_many_positional_options_error&)
   {
-    return fail(Exit_code::BAD_USAGE, "more than one mesh is given; an option has two dashes, and a name with blanks "
-                                      "stands in quotes");
+    return fail(Exit_code::BAD_USAGE, "more than one mesh is given; options begin with two dashes, and names with "
+                                      "blanks need quotes");
   }
   catch(const po::error& error)
   {
@@ -196,7 +196,7 @@ int checked_run(const std::vector<std::string>& words)
   }
   catch(const std::bad_alloc&)
   {
-    return fail(Exit_code::NO_RESULT, "there is not enough memory");
+    return fail(Exit_code::NO_RESULT, "not enough memory");
   }
   catch(const std::exception& error)
   {
@@ -205,14 +205,15 @@ int checked_run(const std::vector<std::string>& words)
 }
 
 } // namespace
-} // namespace geodesics_app
+} // namespace geodesics_demo
 
 int main(int argc, char* argv[])
 {
-  // A file that is opened must not get the number of a standard stream that is closed: remarks would be written to it.
+  // Occupy the file descriptors of closed standard streams: otherwise an output file could receive one of them, and
+  // remarks would be written into it.
   for(int stream = 0; stream < 3; ++stream)
     if(fcntl(stream, F_GETFD) == -1)
       static_cast<void>(open("/dev/null", stream == 1 ? O_RDONLY : O_RDWR));
   std::ios_base::sync_with_stdio(false);
-  return geodesics_app::checked_run(std::vector<std::string>(argv + (argc > 0 ? 1 : 0), argv + argc));
+  return geodesics_demo::checked_run(std::vector<std::string>(argv + (argc > 0 ? 1 : 0), argv + argc));
 }

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <system_error>
 
-namespace geodesics_app {
+namespace geodesics_demo {
 
 namespace po = boost::program_options;
 
@@ -123,4 +123,4 @@ std::vector<double> number_arguments(const Arguments& arguments, const std::stri
   return result;
 }
 
-} // namespace geodesics_app
+} // namespace geodesics_demo

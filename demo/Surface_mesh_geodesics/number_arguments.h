@@ -1,5 +1,5 @@
-#ifndef SURFACE_MESH_GEODESICS_APP_NUMBER_ARGUMENTS_H
-#define SURFACE_MESH_GEODESICS_APP_NUMBER_ARGUMENTS_H
+#ifndef SURFACE_MESH_GEODESICS_DEMO_NUMBER_ARGUMENTS_H
+#define SURFACE_MESH_GEODESICS_DEMO_NUMBER_ARGUMENTS_H
 
 #include "Command.h"
 
@@ -8,18 +8,18 @@
 #include <string>
 #include <vector>
 
-namespace geodesics_app {
+namespace geodesics_demo {
 
-// Numbers in arguments and in files: the whole text has to be one, and finite.
+// Parse a number in an argument or a file. Return false unless the whole text is a finite number.
 bool parse_index(const std::string& text, std::size_t& value);
 bool parse_number(const std::string& text, double& value);
 
-// the parts of `text` between the separators.
+// The parts of `text` between the separators.
 std::vector<std::string> split(const std::string& text, char separator);
 bool ends_with(const std::string& text, const std::string& ending);
 
-// Declarations of options with numbers. They are checked when the command line is read, before any work begins: a
-// Command_error names the option, and what it wants.
+// Declarations of options with numbers. Values are checked when the command line is parsed, before any work begins: a
+// Command_error names the option and the expected value.
 using Text_value = boost::program_options::typed_value<std::string>;
 using Texts_value = boost::program_options::typed_value<std::vector<std::string>>;
 
@@ -27,14 +27,14 @@ Text_value* count_value(const std::string& option, std::size_t minimum,
                         std::size_t maximum = (std::numeric_limits<std::size_t>::max)());
 Text_value* positive_value(const std::string& option);
 
-// numbers with commas between them; the option may be given several times.
+// Numbers separated by commas. The option may be repeated.
 Texts_value* numbers_value(const std::string& option);
 
-// The values of options that have been declared so, and may be left out.
+// The values of such options, which may be missing.
 std::size_t count_argument_or(const Arguments& arguments, const std::string& option, std::size_t otherwise);
 double positive_argument_or(const Arguments& arguments, const std::string& option, double otherwise);
 std::vector<double> number_arguments(const Arguments& arguments, const std::string& option);
 
-} // namespace geodesics_app
+} // namespace geodesics_demo
 
-#endif // SURFACE_MESH_GEODESICS_APP_NUMBER_ARGUMENTS_H
+#endif // SURFACE_MESH_GEODESICS_DEMO_NUMBER_ARGUMENTS_H

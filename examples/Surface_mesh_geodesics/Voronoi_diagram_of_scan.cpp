@@ -28,7 +28,7 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
 
-  // Sites inside faces, all over the mesh.
+  // Sites inside faces, spread over the mesh.
   const Mesh::size_type n = 30, step = (mesh.number_of_faces() + n - 1) / n;
   Voronoi_diagram voronoi(mesh);
   for(Mesh::size_type f = 0; f < mesh.number_of_faces(); f += step)
@@ -49,7 +49,7 @@ int main(int argc, char* argv[])
     std::cout << std::endl;
   }
 
-  // The same in files: colored cells and arcs for MeshLab and ParaView, arcs alone as polylines for Blender.
+  // Write files: colored cells and arcs for MeshLab and ParaView, arcs alone as polylines for Blender.
   const double tolerance = 1e-4 * std::sqrt(voronoi.area(0));
   for(const std::string name : {"voronoi.ply", "voronoi.vtk", "voronoi.obj"})
   {

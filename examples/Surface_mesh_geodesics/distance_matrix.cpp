@@ -22,7 +22,7 @@ using vertex_descriptor = boost::graph_traits<Mesh>::vertex_descriptor;
 
 namespace Geodesics = CGAL::Surface_mesh_geodesics;
 
-// Rows are computed in parallel if this program is compiled with TBB (in CMake: link CGAL::TBB_support).
+// Rows are computed in parallel if the program is compiled with TBB (in CMake, link CGAL::TBB_support).
 using Concurrency_tag = CGAL::Parallel_if_available_tag;
 
 int main(int argc, char* argv[])
@@ -35,12 +35,12 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
 
-  // Twenty vertices, each as far as possible from those before.
+  // Twenty vertices, each as far as possible from all vertices before it.
   std::vector<vertex_descriptor> samples;
   Geodesics::geodesic_farthest_point_sampling(mesh, 20, std::back_inserter(samples));
 
-  // All distances between them; row i has those from sample i to the samples i, i+1, ... The solver reads the mesh once
-  // and keeps its memory from one row to the next.
+  // All distances between the samples: row i has the distances from sample i to the samples i, i+1, ... The solver
+  // reads the mesh once and reuses its memory for each row.
   Geodesics::Geodesic_distance_solver<Mesh> solver(mesh);
   double largest = 0, smallest = std::numeric_limits<double>::infinity();
   Geodesics::symmetric_geodesic_distance_matrix<Concurrency_tag>(
@@ -54,7 +54,7 @@ int main(int argc, char* argv[])
     });
   std::cout << "distances of " << samples.size() << " samples: from " << smallest << " to " << largest << std::endl;
 
-  // How many vertices are near to each of the samples: a sparse matrix of all vertices within a radius.
+  // The number of vertices near each sample: a sparse matrix of all distances up to a radius.
   Geodesics::sparse_geodesic_distance_matrix<Concurrency_tag>(
     solver, samples, vertices(mesh), smallest / 2,
     [&](std::size_t i, const std::vector<std::pair<std::size_t, double>>& row)

@@ -1,5 +1,5 @@
-// Distances in files: a table, and a mesh with colored bands for MeshLab, ParaView or Blender.
-// Arguments: a mesh, and the number of the source vertex.
+// Writes distances to files: a table, and a mesh with colored bands for MeshLab, ParaView or Blender.
+// Arguments: a mesh, and the index of the source vertex.
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
@@ -20,11 +20,11 @@
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 using vertex_descriptor = boost::graph_traits<Mesh>::vertex_descriptor;
 
-// From dark violet to light yellow, in bands that are light and dark in turn: their borders are isolines.
+// From dark violet to light yellow, in alternating light and dark bands. The borders of the bands are isolines.
 CGAL::IO::Color color_of_distance(double distance, double largest)
 {
   if(!std::isfinite(distance))
-    return CGAL::IO::gray(); // no path leads here
+    return CGAL::IO::gray(); // no path reaches this vertex
   const double t = (largest > 0) ? distance / largest : 0.;
   const bool is_light = static_cast<int>(30 * t) % 2 == 0;
   return CGAL::IO::Color().set_hsv(262 - 210 * t, 70, (is_light ? 1. : 0.68) * (55 + 44 * t * t));
@@ -69,7 +69,7 @@ int main(int argc, char* argv[])
     color[v] = color_of_distance(distance[v], largest);
   }
   CGAL::IO::set_binary_mode(ply);
-  if(!csv.flush() || !CGAL::IO::write_PLY(ply, mesh) || !ply.flush()) // with all properties, the distances too
+  if(!csv.flush() || !CGAL::IO::write_PLY(ply, mesh) || !ply.flush()) // with all properties, including the distances
   {
     std::cerr << "Cannot write distances.csv or distances.ply" << std::endl;
     return EXIT_FAILURE;

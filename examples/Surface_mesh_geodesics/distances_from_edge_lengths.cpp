@@ -15,8 +15,8 @@ using edge_descriptor = boost::graph_traits<Mesh>::edge_descriptor;
 
 namespace Geodesics = CGAL::Surface_mesh_geodesics;
 
-// A flat torus: a rectangle, opposite sides of which are glued. No mesh in space has these distances, but lengths of
-// the edges are all that is needed. The points of the vertices are never looked at.
+// A flat torus: a rectangle with opposite sides glued together. No mesh in space has these distances, but edge lengths
+// suffice. The points of the vertices are not used.
 int main()
 {
   const std::size_t columns = 24, rows = 16;
@@ -50,7 +50,7 @@ int main()
   auto distance = mesh.add_property_map<vertex_descriptor, double>("v:distance").first;
   Geodesics::geodesic_distances_from_edge_lengths(mesh, length, distance, vertex_at(0, 0));
 
-  // On a flat torus the distance is known: the shorter way around, in both directions.
+  // On a flat torus the distance is known: take the shorter way around in both directions.
   double largest = 0, largest_error = 0;
   for(std::size_t row = 0; row < rows; ++row)
   {

@@ -1,4 +1,4 @@
-// Distances for programs that keep meshes in matrices, as those that use libigl do: in with V and F, out with D.
+// Distances for programs that store meshes in matrices, such as programs that use libigl: input V and F, output D.
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
@@ -22,7 +22,7 @@ using face_descriptor = boost::graph_traits<Mesh>::face_descriptor;
 int row_of_vertex(vertex_descriptor v) { return static_cast<int>(v.idx()); }
 vertex_descriptor vertex_of_row(int i) { return vertex_descriptor(static_cast<Mesh::size_type>(i)); }
 
-// The vertices of the mesh have the numbers of the rows of V.
+// Vertex i of the mesh is row i of V.
 Mesh mesh_of_matrices(const Eigen::MatrixXd& V, const Eigen::MatrixXi& F)
 {
   Mesh mesh;
@@ -36,14 +36,14 @@ Mesh mesh_of_matrices(const Eigen::MatrixXd& V, const Eigen::MatrixXi& F)
   return mesh;
 }
 
-// Row i of the result has the distance of the vertex V.row(i) from the nearest of the source vertices.
+// Row i of the result is the distance of the vertex V.row(i) from the nearest source vertex.
 Eigen::VectorXd exact_distances(const Eigen::MatrixXd& V, const Eigen::MatrixXi& F, const std::vector<int>& sources)
 {
   const Mesh mesh = mesh_of_matrices(V, F);
   std::vector<vertex_descriptor> source_vertices;
   for(const int i : sources)
     source_vertices.push_back(vertex_of_row(i));
-  Eigen::VectorXd D(V.rows()); // the map lets the distances be written to the vector itself
+  Eigen::VectorXd D(V.rows()); // the map writes the distances directly into the vector
   const auto distance_map = boost::make_iterator_property_map(D.data(), get(boost::vertex_index, mesh));
   CGAL::Surface_mesh_geodesics::geodesic_distances(mesh, distance_map, source_vertices);
   return D;
@@ -59,7 +59,7 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
 
-  // The matrices, as igl::read_triangle_mesh() would fill them.
+  // The matrices in the form of igl::read_triangle_mesh().
   Eigen::MatrixXd V(mesh.number_of_vertices(), 3);
   Eigen::MatrixXi F(mesh.number_of_faces(), 3);
   for(vertex_descriptor v : vertices(mesh))

@@ -14,7 +14,7 @@
 #include <unordered_map>
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Mesh = CGAL::Polyhedron_3<Kernel>; // its vertices and faces carry no numbers
+using Mesh = CGAL::Polyhedron_3<Kernel>; // its vertices and faces have no indices
 using vertex_descriptor = boost::graph_traits<Mesh>::vertex_descriptor;
 
 namespace Geodesics = CGAL::Surface_mesh_geodesics;
@@ -29,14 +29,14 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
 
-  // Any writable property map takes the distances, for example one on top of a standard container.
+  // Any writable property map can store the distances, for example one on top of a standard container.
   std::unordered_map<vertex_descriptor, double> distances;
   const vertex_descriptor source = *vertices(mesh).first;
   Geodesics::geodesic_distances(mesh, boost::make_assoc_property_map(distances), source);
 
   vertex_descriptor farthest = source;
   for(vertex_descriptor v : vertices(mesh))
-    if(distances[v] > distances[farthest] && std::isfinite(distances[v])) // not so where no path leads
+    if(distances[v] > distances[farthest] && std::isfinite(distances[v])) // infinite if no path reaches v
       farthest = v;
   std::cout << "the point farthest from " << source->point() << " is " << farthest->point() << ", at the distance "
             << distances[farthest] << std::endl;

@@ -1,4 +1,4 @@
-// A program written for CGAL::Heat_method_3. All that has to be changed:
+// A program written for CGAL::Heat_method_3 needs only these changes:
 //
 //   -#include <CGAL/Heat_method_3/Surface_mesh_geodesic_distances_3.h>
 //   +#include <CGAL/Surface_mesh_geodesics/geodesic_distances.h>
@@ -6,7 +6,7 @@
 //   -CGAL::Heat_method_3::estimate_geodesic_distances(mesh, distance, source);
 //   +CGAL::Surface_mesh_geodesics::geodesic_distances(mesh, distance, source);
 //
-// Here both are called, to see how far the estimates are from the distances.
+// This example calls both functions and compares the estimates with the distances.
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
@@ -36,7 +36,7 @@ void print_errors(const std::string& name, const Mesh& mesh, const Distance_map&
   std::size_t number = 0;
   for(vertex_descriptor v : vertices(mesh))
   {
-    if(exact[v] > 0 && std::isfinite(exact[v])) // neither the source nor out of its reach
+    if(exact[v] > 0 && std::isfinite(exact[v])) // skips the source and vertices that no path reaches
     {
       const double error = std::abs(estimate[v] - exact[v]) / exact[v];
       sum += error;

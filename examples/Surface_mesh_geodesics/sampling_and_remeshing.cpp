@@ -38,17 +38,17 @@ int main(int argc, char* argv[])
   }
   n = std::min<std::size_t>(n, mesh.number_of_vertices());
 
-  // Each sample is the vertex that is farthest from those before. More of them make the holes between them smaller.
+  // Each sample is the vertex farthest from all samples before it. More samples make the gaps between them smaller.
   std::vector<vertex_descriptor> samples;
   Geodesics::Geodesic_sampling_options<Mesh> options;
   for(std::size_t k = 10; k <= n; k *= 2)
   {
-    options.first_samples = samples; // go on
+    options.first_samples = samples; // continue with the samples found so far
     const double radius = Geodesics::geodesic_farthest_point_sampling(mesh, k, std::back_inserter(samples), options);
     std::cout << samples.size() << " samples: no vertex is farther from them than " << radius << std::endl;
   }
 
-  // Samples, moved to the centres of their cells, are the vertices of a coarse mesh.
+  // Samples, moved to the centers of their cells, are the vertices of a coarse mesh.
   Mesh coarse;
   const Geodesics::Geodesic_dual_report report =
       Geodesics::geodesic_remeshing(mesh, n, coarse, CGAL::parameters::number_of_iterations(10));

@@ -32,7 +32,7 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
 
-  // Four points: inside a face, on an edge, at a vertex, and once more inside.
+  // Four points: inside a face, on an edge, at a vertex, and inside another face.
   const Mesh::size_type n = mesh.number_of_faces();
   std::vector<Face_location> sources;
   sources.push_back({face_descriptor(0), {0.2, 0.3, 0.5}});
@@ -40,13 +40,13 @@ int main(int argc, char* argv[])
   sources.push_back({face_descriptor(n / 2), {0., 1., 0.}});
   sources.push_back({face_descriptor(n - 1), {0.4, 0.4, 0.2}});
 
-  // The map of the nearest sources gets, for every vertex, a position in the vector of sources.
+  // The map of nearest sources receives, for each vertex, an index into the vector of sources.
   auto distance = mesh.add_property_map<vertex_descriptor, double>("v:distance").first;
   auto nearest = mesh.add_property_map<vertex_descriptor, std::size_t>("v:nearest_source").first;
   auto options = Geodesics::make_geodesic_distance_options<Mesh>(nearest);
 
-  // An offset is added to all distances of its source, as if the way to that source had to be walked first. The last
-  // source starts so late that another one has reached it before: no vertex is nearest to it.
+  // An offset is added to all distances from its source, as if every path began with an extra piece of that length. The
+  // offset of the last source is so large that no vertex is nearest to it.
   options.source_offsets = {0., 0.1, 0., 100.};
 
   Geodesics::geodesic_distances(mesh, distance, sources, options);
@@ -56,7 +56,7 @@ int main(int argc, char* argv[])
   for(vertex_descriptor v : vertices(mesh))
   {
     const std::size_t i = nearest[v];
-    if(i < sources.size()) // not so for a vertex that cannot be reached
+    if(i < sources.size()) // false for a vertex that no path reaches
     {
       ++number_of_vertices[i];
       farthest[i] = (std::max)(farthest[i], distance[v]);

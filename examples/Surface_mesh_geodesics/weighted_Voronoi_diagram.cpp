@@ -30,9 +30,8 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
 
-  // Fire stations at four vertices. The first one is quicker: its weight is subtracted from all distances from it. The
-  // second starts late, its weight is negative. The last one stands beside the first one, and is so slow that nobody is
-  // nearer to it.
+  // Fire stations at four vertices. The first one is quick: its weight is subtracted from its distances. The second one
+  // is slow: its weight is negative. The last one is beside the first one, and so slow that its cell is empty.
   const Mesh::size_type n = mesh.number_of_faces();
   const auto corner = [&](Mesh::size_type f) { return target(halfedge(Mesh::Face_index(f), mesh), mesh); };
   const double size = std::sqrt(PMP::area(mesh));
@@ -55,7 +54,7 @@ int main(int argc, char* argv[])
               << (voronoi.is_empty(i) ? ": empty" : ": area " + std::to_string(voronoi.area(i))) << std::endl;
   }
 
-  // The cut mesh has one site for each face.
+  // Each face of the cut mesh belongs to one site.
   Mesh cut;
   auto site = cut.add_property_map<Mesh::Face_index, std::size_t>("f:site").first;
   voronoi.cut(cut, site, 1e-3 * size);

@@ -1,6 +1,5 @@
-// Diagrams of 1 to 30 sites on many meshes, checked in all ways, where the distances from single sites are compared
-// with CGAL::Surface_mesh_shortest_path for sites at vertices. Then diagrams of sites at vertices with
-// CGAL::Surface_mesh_shortest_path as the only referee.
+// Diagrams of 1 to 30 sites on many meshes. First all checks, in which the distances from each site at a vertex are
+// compared with CGAL::Surface_mesh_shortest_path; then diagrams of sites at vertices with that class as the only referee.
 
 #include "Voronoi_test_helpers.h"
 
@@ -54,7 +53,7 @@ public:
     }
   }
 
-  // infinity for sites that do not reach the point
+  // Returns infinity for sites that do not reach the point.
   std::vector<double> distances(const Face_location& q)
   {
     std::vector<double> result;
@@ -70,7 +69,7 @@ private:
   std::vector<std::unique_ptr<Shortest_path>> m_of_site;
 };
 
-// Is the owner of a point the site that is nearest to it, up to ties?
+// Checks that the owner of a point is the nearest site, up to ties.
 void check_owner(const Voronoi& diagram, Referee& referee, const Face_location& q)
 {
   test_support::Scope scope(description(Place(q)));
@@ -89,7 +88,7 @@ void check_owner(const Voronoi& diagram, Referee& referee, const Face_location& 
   CHECK_NEAR(diagram.distance_to_nearest_site(q), nearest, 1e-10 * nearest);
 }
 
-// Random points of faces, not near to sides, where CGAL's class may err. All but those that no site reaches count.
+// Checks random points of faces, away from sides, where CGAL's class may err. Returns how many of them a site reaches.
 std::size_t check_owners(const Mesh& tm, std::size_t number_of_sites, std::size_t points, test_support::Random& random)
 {
   test_support::Scope scope(std::to_string(number_of_sites) + " sites at vertices");

@@ -56,14 +56,14 @@ void test_polyhedra()
       CHECK_CLOSE(c.diagram.area(0), solid.second / static_cast<double>(n), 1e-12);
     }
   }
-  // one site: its cell is the whole octahedron
+  // The cell of a single site is the whole octahedron.
   Case c(octahedron(), {vertex(0)});
   CHECK(c.diagram.arcs().empty() && c.diagram.edges().empty());
   CHECK_EQUAL(c.diagram.Euler_characteristic(0), 2);
   c.check_all();
 }
 
-// the middles of the faces of a polyhedron
+// Returns the middles of the faces of a polyhedron.
 std::vector<Coordinates> middles_of_faces(const Indexed_mesh& mesh)
 {
   std::vector<Coordinates> middles;
@@ -74,7 +74,7 @@ std::vector<Coordinates> middles_of_faces(const Indexed_mesh& mesh)
   return middles;
 }
 
-// The vertices of the diagram are those given, in any order.
+// Checks that the vertices of the diagram are the expected points, in any order.
 void check_places_of_vertices(const Voronoi& diagram, std::vector<Coordinates> expected)
 {
   CHECK_EQUAL(diagram.vertices().size(), expected.size());
@@ -90,7 +90,7 @@ void check_places_of_vertices(const Voronoi& diagram, std::vector<Coordinates> e
   }
 }
 
-// The vertices have `degree` sites each, that is as many edges, and are `distance` away from them.
+// Checks that each vertex has `degree` sites, as many edges, and is `distance` away from its sites.
 void check_degrees(const Voronoi& diagram, std::size_t degree, double distance)
 {
   std::vector<std::size_t> ends(diagram.vertices().size(), 0);
@@ -176,7 +176,7 @@ void test_coincident_and_hidden_sites()
   CHECK(!c.diagram.is_empty(0) && !c.diagram.is_empty(1));
   CHECK(c.diagram.is_empty(2) && c.diagram.is_empty(3) && c.diagram.is_empty(4));
   c.check_all();
-  // one that all others are behind
+  // The weight of the third site hides both others.
   Case hidden(mesh, {vertex(1), vertex(20), Weighted_site(vertex(50), 100.)});
   CHECK(hidden.diagram.is_empty(0) && hidden.diagram.is_empty(1));
   CHECK_EQUAL(hidden.diagram.Euler_characteristic(2), 2);
@@ -184,7 +184,7 @@ void test_coincident_and_hidden_sites()
   hidden.check_all();
 }
 
-// Two sites around a tube: a closed edge without vertices; the cells are rings.
+// Two sites of a tube have a closed edge without vertices; their cells are rings.
 void test_tube()
 {
   test_support::Scope scope("tube");
@@ -223,8 +223,8 @@ void test_components()
   CHECK(unreached > 1);
 }
 
-// Sites in both components: each one owns nothing but a part of its own component, even if it has a weight that makes
-// it the nearest one by far.
+// Sites in both components: each one owns a part of its own component only, even if its weight makes it nearer than all
+// others.
 void test_sites_in_both_components()
 {
   test_support::Scope scope("sites in both components");
@@ -263,7 +263,7 @@ void test_sites_in_both_components()
   }
 }
 
-// Six right angles around vertex 0, one behind the other in six octants: all numbers are exact.
+// Six right angles around vertex 0 in six consecutive octants. All coordinates are exact.
 Indexed_mesh saddle_of_six_right_angles()
 {
   return {"saddle of six right angles",
@@ -271,15 +271,15 @@ Indexed_mesh saddle_of_six_right_angles()
           {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 5, 6}, {0, 6, 1}}};
 }
 
-// Is a point in the octant between the negative axes of x and y, behind the saddle vertex for the ends of the positive
-// ones?
+// Returns whether a point is in the octant between the negative x and y axes: behind the saddle vertex, as seen from
+// the ends of the positive axes.
 bool is_behind_saddle(const Coordinates& p)
 {
   return p[0] <= 0. && p[1] <= 0. && p[2] == 0.;
 }
 
-// Two sites beside each other tie at the saddle vertex, and so in all the triangle behind it: its owner is that of the
-// saddle vertex. The other parts of the two cells, halves of the rest, are alike.
+// Two sites tie at a saddle vertex, and so in the whole triangle behind it, which belongs to the owner of the saddle
+// vertex. The rest of the surface is divided into two congruent halves.
 void test_tie_behind_saddle_vertex()
 {
   test_support::Scope scope("tie behind a saddle vertex");
@@ -308,8 +308,8 @@ void test_tie_behind_saddle_vertex()
         }
       }
       CHECK_EQUAL(number_of_faces, std::size_t(1) << (2 * times));
-      // The side of the triangle may move by the root of an error of distances: the paths of the other site bend at the
-      // saddle vertex on one hand, and are straight on the other, without a kink in their lengths in between.
+      // The side of the triangle may move by the square root of the rounding of distances: paths of the other site bend
+      // at the saddle vertex on one side of it and are straight on the other, and their lengths have no kink there.
       CHECK_NEAR(c.diagram.area(owner), 1.75, 1e-7);
       CHECK_NEAR(c.diagram.area(0) + c.diagram.area(1), 3., 1e-14);
       double sum = 0.;
@@ -324,7 +324,7 @@ void test_tie_behind_saddle_vertex()
   }
 }
 
-// the middles of the diagonals of the squares at (i, j) of a torus with n vertices in each column, in space
+// Returns the middles, in space, of the diagonals of the squares (i, j) of a torus with n vertices in each column.
 std::vector<Coordinates> middles_of_diagonals(const Mesh& tm, const std::vector<std::array<std::size_t, 2>>& squares,
                                               std::size_t n)
 {
@@ -337,7 +337,8 @@ std::vector<Coordinates> middles_of_diagonals(const Mesh& tm, const std::vector<
   return middles;
 }
 
-// n x n squares, glued into a torus; the embedding is that of a torus of revolution, the lengths are flat.
+// n x n squares glued into a torus. The points are those of a torus of revolution, the edge lengths those of a flat
+// one.
 void test_flat_torus()
 {
   test_support::Scope scope("flat torus");
@@ -346,14 +347,14 @@ void test_flat_torus()
   Edge_lengths lengths = tm.add_property_map<Mesh::Edge_index, double>("e:flat", 0.).first;
   for(const face_descriptor f : faces(tm))
   {
-    // the diagonal of a square is the side of a face that joins different columns and rows
+    // An edge between different columns and rows is the diagonal of a square.
     for(const halfedge_descriptor h : CGAL::halfedges_around_face(halfedge(f, tm), tm))
     {
       const std::size_t a = std::size_t(source(h, tm)), b = std::size_t(target(h, tm));
       lengths[tm.edge(h)] = a / n != b / n && a % n != b % n ? std::sqrt(2.) : 1.;
     }
   }
-  // the sites are at even columns and rows of 3: cells are rectangles of 3 x 3
+  // Sites at every third column and row: cells are squares of 3 x 3.
   const Weighted_sites sites = {vertex(0), vertex(3), vertex(3 * n), vertex(3 * n + 3)};
   Voronoi diagram(tm);
   diagram.use_edge_lengths(lengths);
@@ -370,10 +371,10 @@ void test_flat_torus()
   {
     CHECK_CLOSE(diagram.area(i), 9., 1e-12);
     CHECK(diagram.is_disk(i));
-    // the next ones in the row and in the column, on both sides; the fourth one is met at the corners only
+    // Adjacent are the sites next to it in its row and column; the fourth site meets the cell only at its corners.
     CHECK(diagram.adjacent_sites(i) == (std::vector<std::size_t>{(std::min)(i ^ 1, i ^ 2), (std::max)(i ^ 1, i ^ 2)}));
   }
-  // four corners, where all cells meet, and two sides of length 3 for each of them
+  // All cells meet at four corners, each of which has two sides of length 3.
   CHECK_EQUAL(diagram.vertices().size(), 4u);
   check_degrees(diagram, 4, 1.5 * std::sqrt(2.));
   CHECK_EQUAL(diagram.edges().size(), 8u);

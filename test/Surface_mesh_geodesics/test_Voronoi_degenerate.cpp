@@ -94,7 +94,7 @@ void test_points_near_an_edge()
   check_diagram(tm, sites, points);
 }
 
-// a grid whose points are rounded so much that many are the same
+// A grid whose points are rounded so coarsely that many of them are equal.
 void test_random_grid(std::uint64_t seed)
 {
   test_support::Scope scope("grid " + std::to_string(seed));
@@ -125,11 +125,11 @@ Mesh mesh_of_file(const std::string& name)
   return tm;
 }
 
-// The diagrams of meshes on which they once were wrong, with sites at vertices and in a face.
+// Meshes on which diagrams were wrong in former versions, with sites at vertices and in a face.
 void certify_diagrams()
 {
   {
-    // Near to a site, distances are smaller than the rounding of places on the edge of a face without height.
+    // Close to a site, distances are smaller than the rounding of abscissas on the edge of a face without height.
     test_support::Scope scope("cells in a flat cap");
     const Mesh tm = mesh_of_file("data/cells_in_flat_cap.off");
     Voronoi diagram(tm);

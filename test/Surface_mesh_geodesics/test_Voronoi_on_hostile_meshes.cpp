@@ -1,7 +1,7 @@
 // Diagrams of weighted and of equal sites on meshes with needles, caps, nearly equal points and vertices of all scales.
-// Where sites tie, or faces are thinner, within rounding, the certificate may find a fault; more than one diagram of a
-// thousand is more than is known of. Those with faults are printed. The number of meshes, and the seed, may be given
-// as arguments.
+// Where sites tie, or a face has no height, up to rounding, the certificate may find a fault. The test fails if more than
+// one diagram of a thousand has a fault, and prints those that have. The number of meshes and the seed may be given as
+// arguments.
 
 #include "Voronoi_test_helpers.h"
 #include "hostile_meshes.h"
@@ -24,8 +24,8 @@ using namespace test_meshes;
 using Certificate = CGAL::Surface_mesh_geodesics::Geodesic_Voronoi_certificate;
 using Condition = Certificate::Condition;
 
-// Areas of faces are computed from lengths: that of a face whose height is rounding is known to the square root of
-// rounding only, and so is the sum.
+// Areas of faces are computed from lengths. If the height of a face is rounding, its area is known up to the square
+// root of rounding only, and so is the sum.
 double tolerance_of(Condition condition)
 {
   return condition == Condition::AREAS ? 0x1p-26 : Certificate::default_tolerance;
@@ -50,8 +50,8 @@ bool is_right(const Mesh& tm, const Weighted_sites& sites, const std::string& na
   return is_right;
 }
 
-// The diagrams whose numbers are asked for, of those that follow from a seed; of all others only the random numbers are
-// drawn.
+// Checks those diagrams of the sequence that follows from a seed whose numbers are asked for. For all others, only the
+// random numbers are drawn.
 struct Faults
 {
   std::size_t number_of_diagrams = 0, number_with_faults = 0;
@@ -88,8 +88,8 @@ Faults check_diagrams(std::size_t number, std::uint64_t seed, IsAsked is_asked)
   return faults;
 }
 
-// Diagrams that once had faults, by seed: windows that tie with others across their edge, images on edges and very near
-// to the ends of intervals, cones narrower than what they are looked at with, fronts along the border, fronts that meet
+// Diagrams that had faults in former versions, by seed: windows that tie with others across their edge, images on edges
+// and very close to the ends of intervals, cones narrower than rounding, fronts along the border, fronts that meet
 // behind a vertex, sites that are nearly equal.
 void test_former_faults()
 {

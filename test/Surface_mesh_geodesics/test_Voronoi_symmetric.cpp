@@ -1,5 +1,5 @@
-// Where surface and sites are symmetric, arcs run along edges and meet in corners, in middles of edges and of faces:
-// the nearest site of just these points, and of points very near to them, with and without weights.
+// On symmetric surfaces with symmetric sites, arcs run along edges and meet in corners, in the middles of edges and of
+// faces. The tests locate these points, and points very close to them, with and without weights.
 
 #include "Voronoi_test_helpers.h"
 
@@ -14,7 +14,7 @@ namespace {
 
 std::size_t number_of_points = 0;
 
-// coordinates of middles, quarters and corners, and of points beside
+// Barycentric coordinates of middles, quarters and corners, and of points beside them.
 std::vector<std::array<double, 3>> special_coordinates()
 {
   std::vector<std::array<double, 3>> result;
@@ -74,7 +74,7 @@ void test_mesh(const Indexed_mesh& indexed, double weight)
   }
 }
 
-// Two sites at opposite points of a sphere: one closed edge, and cells that are alike.
+// Two sites at opposite points of a sphere have one closed edge and congruent cells.
 void test_antipodal_sites()
 {
   test_support::Scope scope("antipodal sites");
@@ -92,8 +92,8 @@ void test_antipodal_sites()
   CHECK(diagram.is_disk(0) && diagram.is_disk(1));
 }
 
-// All vertices, and thousands of points of faces: each site has its place, cells cover the sphere, and the diagram is
-// one of a sphere.
+// Sites at all vertices and at thousands of points of faces: each site is in its cell, the cells cover the sphere, and
+// the diagram has the Euler characteristic of a sphere.
 void test_many_sites()
 {
   test_support::Scope scope("many sites");

@@ -1,15 +1,12 @@
-// The rules that prune windows, window by window: what is left of two windows of one edge, and whether a vertex takes
-// one away, is what the definitions in the manual say, for one window at a time and for many; and lists of windows are
-// merged in order.
+// The rules that prune windows follow their definitions in the manual: what remains of two windows of one edge, and
+// whether a vertex removes a window; for single windows and for lists. Lists of windows are merged in order.
 
 #include "test_support.h"
+#include "window_test_helpers.h"
 
-#include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Pruning_rules.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Star_propagation.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Window.h>
-#include <CGAL/Surface_mesh_geodesics/internal/window/Window_list_crossing.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Window_list_loops.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Window_lists.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/window_pruning.h>
@@ -24,59 +21,19 @@
 
 namespace {
 
-namespace SMG = CGAL::Surface_mesh_geodesics;
-namespace internal = SMG::internal;
-using Window = internal::Window<double>;
-using Rival = internal::Vertex_rival<double>;
-using Pool = internal::Window_pool<double>;
-using List = internal::Window_list<double>;
-using internal::Lane_choice;
-using internal::Pair_outcome;
-
-const double edge_length = 1;
-const Rival no_rival(std::numeric_limits<double>::infinity(), false);
-
-Window window(double begin, double end, double image_x, double image_depth, double root_distance)
-{
-  Window w;
-  w.begin = begin;
-  w.end = end;
-  w.image_x = image_x;
-  w.image_depth = image_depth;
-  w.root_distance = root_distance;
-  w.begin_distance = w.distance_at(begin);
-  w.end_distance = w.distance_at(end);
-  w.key = internal::initial_window_key;
-  w.root = 0;
-  w.steps = 0;
-  return w;
-}
-
-Window random_window(test_support::Random& random)
-{
-  // a few places only, so that intervals share ends as well
-  const double a = .125 * static_cast<double>(random.index(8)), b = .125 * static_cast<double>(random.index(8));
-  return window((std::min)(a, b), (std::max)(a, b) + .125, random.uniform(-1., 2.), random.uniform(.05, 1.5),
-                random.uniform(0., .5));
-}
-
-// are two distances so different that rounding does not decide which one is less?
-bool are_different(double a, double b)
-{
-  return !test_support::is_close(a, b, 1e-9);
-}
+using namespace window_test;
 
 // --- two windows of one edge -----------------------------------------------------------------------------------------
 
-// What the rule of pairs leaves: the left window ends here, and the right one begins here.
+// What remains of a pair: the left window ends here, the right one begins here.
 struct Pair_by_definition
 {
   double left_end, right_begin;
-  bool is_decided; // no two distances nearly tie
+  bool is_decided; // no two distances tie up to rounding
 };
 
-// At a point K of both windows, the left one loses what is on the right of K if it is farther there, else the right one
-// what is on the left of K. K is put at both ends of what the intervals share.
+// At a point K of both intervals, the left window loses its part on the right of K if it is farther there; else the right
+// window loses its part on the left of K. K is put at both ends of what the intervals share.
 Pair_by_definition pair_by_definition(const Window& left, const Window& right)
 {
   Pair_by_definition pair{left.end, right.begin, true};
@@ -191,9 +148,9 @@ void pairs_are_pruned_by_definition(test_support::Random& random)
   CHECK(number_trimmed > 1000 && number_crossed > 100 && number_apart > 1000);
 }
 
-void ties_are_left_alone()
+void ties_keep_both_windows()
 {
-  // the same image twice: no rule may give one of the windows up
+  // Two windows with the same image: no rule may remove one of them.
   Window left = window(0, .75, .5, .25, .125), right = window(.25, 1, .5, .25, .125);
   CHECK(internal::prune_pair(left, right) == Pair_outcome::KEEP_BOTH);
   check_trimmed(left, 0, .75);
@@ -202,19 +159,6 @@ void ties_are_left_alone()
 
 // --- many windows at a time ------------------------------------------------------------------------------------------
 
-List list_of(Pool& pool, const std::vector<Window>& windows)
-{
-  List list = pool.allocate(windows.size());
-  for(std::size_t i = 0; i < windows.size(); ++i)
-  {
-    list.columns.set(i, windows[i]);
-    list.steps = internal::joined_steps(list.steps, windows[i].steps);
-  }
-  list.size = static_cast<std::uint32_t>(windows.size());
-  return list;
-}
-
-// The window that follows is redundant, or may be, or has to be looked at for itself.
 bool is_suspect(internal::Suspects suspects, unsigned int i)
 {
   return (suspects >> i & 1) != 0;
@@ -246,7 +190,7 @@ void lists_are_trimmed_like_pairs(Lane_choice choice, test_support::Random& rand
   CHECK(number_trimmed > 100 && number_undecided > 100);
 }
 
-void ties_in_lists_are_left_alone(Lane_choice choice)
+void ties_in_lists_keep_all_windows(Lane_choice choice)
 {
   const auto loops = internal::window_list_loops<double, internal::All_pruning_rules>(choice);
   for(const double begin : {0., .25, .375})
@@ -260,8 +204,8 @@ void ties_in_lists_are_left_alone(Lane_choice choice)
   }
 }
 
-// Three windows on the same interval: those at the sides are trimmed from one side each, the middle one is trimmed to
-// nothing by both, and is a suspect for that.
+// Three windows on nearly the same interval: each outer window is trimmed from one side, the middle one is trimmed to
+// nothing from both sides and becomes a suspect.
 void windows_trimmed_from_both_sides_are_suspects(Lane_choice choice)
 {
   const auto loops = internal::window_list_loops<double, internal::All_pruning_rules>(choice);
@@ -294,8 +238,8 @@ void close_images_are_not_trimmed(Lane_choice choice)
 
 // --- vertices --------------------------------------------------------------------------------------------------------
 
-// A window is redundant if the way through an end of the edge, and along it to the far end of the interval, is shorter.
-void vertices_take_windows_away_by_definition(Lane_choice choice, test_support::Random& random)
+// A window is redundant if the path through an end of the edge, and along it to the far end of the interval, is shorter.
+void vertices_remove_windows_by_definition(Lane_choice choice, test_support::Random& random)
 {
   const auto loops = internal::window_list_loops<double, internal::All_pruning_rules>(choice);
   std::size_t number_beaten = 0, number_left = 0;
@@ -321,8 +265,8 @@ void vertices_take_windows_away_by_definition(Lane_choice choice, test_support::
   CHECK(number_beaten > 500 && number_left > 500);
 }
 
-// Of a tie the window remains, unless windows start at the vertex in all directions.
-void ties_with_vertices()
+// In a tie the window remains, unless windows start at the vertex in all directions.
+void windows_survive_ties_with_vertices_that_emit_none()
 {
   const Window w = window(.25, .75, .5, .25, .5);
   const double tie = w.end_distance - w.end;
@@ -334,7 +278,7 @@ void ties_with_vertices()
 
 // --- the order of windows --------------------------------------------------------------------------------------------
 
-// `number` of the window goes into the root, so that it can be found again.
+// The root of each window is its number, so that it can be found again.
 std::vector<Window> random_sorted_windows(std::size_t n, internal::Vertex_id first_number, test_support::Random& random)
 {
   std::vector<Window> windows;
@@ -352,7 +296,7 @@ std::vector<Window> random_sorted_windows(std::size_t n, internal::Vertex_id fir
   return windows;
 }
 
-// Windows that come later are put behind those with the same key, and marked, for their order is not known.
+// Windows that come later stand behind those with the same key and are marked, because their order is unknown.
 void lists_are_merged_in_order(test_support::Random& random)
 {
   for(std::size_t i = 0; i < 500; ++i)
@@ -412,7 +356,7 @@ void the_smallest_distance_is_that_of_a_point(test_support::Random& random)
   }
 }
 
-// Windows do not start once more for what rounding may have made of a distance.
+// An improvement by rounding does not make windows start again.
 void improvements_by_rounding_are_ignored_where_windows_start()
 {
   const double infinity = std::numeric_limits<double>::infinity(), rounded = std::nextafter(.75, 0.);
@@ -426,289 +370,22 @@ void improvements_by_rounding_are_ignored_where_windows_start()
   }
 }
 
-// --- a list across a face --------------------------------------------------------------------------------------------
-
-// One equilateral triangle with sides of the length 1, and the list that comes to its first side.
-struct One_face
-{
-  internal::Intrinsic_mesh<double> mesh;
-  std::vector<double> distance; // of the vertices, from which all windows come
-  SMG::Propagation_statistics statistics;
-  internal::Window_list_crossing<double, internal::All_pruning_rules> crossing;
-  internal::Face_frame<double> across;
-  internal::Corner_rivals<double> corners{no_rival, no_rival, no_rival};
-  Pool pool;
-
-  explicit One_face(Lane_choice choice)
-    : distance(3, std::numeric_limits<double>::infinity()),
-      crossing(mesh, distance, statistics, choice)
-  {
-    mesh.reset(1);
-    internal::Intrinsic_face<double>& face = mesh.face(0);
-    face.length = {1., 1., 1.};
-    face.apex_x = .5;
-    face.apex_y = std::sqrt(.75);
-    face.vertex = {0, 1, 2};
-    face.opposite = {internal::null_id, internal::null_id, internal::null_id};
-    mesh.finish(3);
-    across = mesh.face_frame(internal::halfedge_of(0, 0));
-  }
-};
-
-// Windows side by side, each with an image of its own, so that none has to do with its neighbours. The root is the
-// first vertex.
-std::vector<Window> windows_side_by_side(std::size_t n, test_support::Random& random)
-{
-  std::vector<Window> windows;
-  for(std::size_t i = 0; i < n; ++i)
-  {
-    const double begin = static_cast<double>(i) / static_cast<double>(n),
-                 end = static_cast<double>(i + 1) / static_cast<double>(n);
-    windows.push_back(window(begin, end, random.uniform(0., 1.), random.uniform(.05, 1.), random.uniform(0., 1.)));
-    windows.back().steps = 0; // on the first edge lists are pruned, and on every fourth one after it
-    windows.back().key += i; // in order
-  }
-  return windows;
-}
-
-// prunes a list, and checks that just the windows are left that are expected.
-void check_pruned(One_face& face, const std::vector<Window>& windows, const std::vector<bool>& remains)
-{
-  List list = list_of(face.pool, windows);
-  face.crossing.prune(list, face.across, face.corners);
-  std::vector<std::uint64_t> found, expected;
-  for(std::size_t i = 0; i < list.size; ++i)
-  {
-    found.push_back(list.columns.get(i).key);
-  }
-  for(std::size_t i = 0; i < windows.size(); ++i)
-  {
-    if(remains[i])
-    {
-      expected.push_back(windows[i].key);
-    }
-  }
-  CHECK(found == expected);
-  face.pool.release(list);
-}
-
-void lists_lose_what_vertices_take(Lane_choice choice, test_support::Random& random)
-{
-  for(std::size_t n = 1; n < 70; n += 1 + n / 3)
-  {
-    One_face face(choice);
-    for(const double range : {.9, 1.5, 3.}) // from most windows to few
-    {
-      const Rival left(random.uniform(0., range), false), right(random.uniform(0., range), false);
-      face.corners.origin = left;
-      face.corners.target = right;
-      const std::vector<Window> windows = windows_side_by_side(n, random);
-      std::vector<bool> remains;
-      for(const Window& w : windows)
-      {
-        remains.push_back(!(left.distance + w.end < w.end_distance) &&
-                          !(right.distance + (edge_length - w.begin) < w.begin_distance));
-      }
-      check_pruned(face, windows, remains);
-    }
-  }
-}
-
-// The distance of a pseudo-source has shrunk since its windows were made.
-void lists_lose_stale_windows(Lane_choice choice, test_support::Random& random)
-{
-  for(std::size_t n = 1; n < 70; n += 1 + n / 3)
-  {
-    One_face face(choice);
-    face.distance[0] = .5;
-    const std::vector<Window> windows = windows_side_by_side(n, random);
-    std::vector<bool> remains;
-    for(const Window& w : windows)
-    {
-      remains.push_back(w.root_distance <= .5);
-    }
-    face.crossing.expect_stale_windows(true);
-    check_pruned(face, windows, remains);
-  }
-}
-
-// On a surface with points no shortest path crosses a face twice.
-void lists_lose_windows_that_have_crossed_too_many_faces(Lane_choice choice, test_support::Random& random)
-{
-  One_face face(choice);
-  std::vector<Window> windows = windows_side_by_side(20, random);
-  std::vector<bool> remains;
-  for(std::size_t i = 0; i < windows.size(); ++i)
-  {
-    const bool has_crossed_two = random.index(3) == 0;
-    windows[i].steps = has_crossed_two ? 4 : 2;
-    remains.push_back(!has_crossed_two);
-  }
-  check_pruned(face, windows, remains);
-}
-
-// One window among others is redundant, and the others stay.
-void one_window_of_a_pair_is_lost(Lane_choice choice)
-{
-  for(const bool left_is_farther : {true, false})
-  {
-    One_face face(choice);
-    std::vector<Window> windows{window(0, .125, .125, .25, 0), window(.125, .25, .25, .25, 0),
-                                window(.375, .625, .5, .25, left_is_farther ? 1 : 0),
-                                window(.375, .625, .5, .25, left_is_farther ? 0 : 1), window(.75, 1, .75, .25, 0)};
-    for(std::size_t i = 0; i < windows.size(); ++i)
-    {
-      windows[i].key += i;
-    }
-    check_pruned(face, windows, {true, true, !left_is_farther, left_is_farther, true});
-    CHECK_EQUAL(face.statistics.windows_removed_by_rules_2_and_3, std::size_t(1));
-  }
-}
-
-// Windows of one key of which one is marked: nothing is known, and both stay as they are.
-void windows_of_unknown_order_are_kept(Lane_choice choice)
-{
-  One_face face(choice);
-  std::vector<Window> windows{window(.25, .75, .5, .25, 1), window(.25, .75, .5, .25, 0)};
-  windows[0].steps = 2;
-  windows[1].steps = 3;
-  check_pruned(face, windows, {true, true});
-  CHECK_EQUAL(face.statistics.ambiguous_pairs, std::size_t(1));
-}
-
-// The shortest path through one of two windows of the same image is as long as the straight one beside it, as far as
-// one can see: the straight one is found.
-void the_straighter_of_two_paths_is_taken(Lane_choice choice)
-{
-  One_face face(choice);
-  const double x = .5, shift = 1e-9;
-  for(const bool is_first : {true, false})
-  {
-    const double border = is_first ? x + shift : x - shift; // between the two windows
-    std::vector<Window> windows{window(0, border, x, .25, .25), window(border, 1, x, .25, .25)};
-    windows[1].key += 1;
-    const List list = list_of(face.pool, windows);
-    const auto path = face.crossing.find_apex_path(list, face.across);
-    CHECK_EQUAL(path.index, std::size_t(is_first ? 0 : 1));
-    CHECK_CLOSE(path.separating_point, x, 1e-15);
-    CHECK_CLOSE(path.distance, .5 + face.across.apex_y, 1e-15);
-  }
-}
-
-// The line from the image to the next vertex misses the interval: the shortest path bends at the nearer end of it, and
-// the list is split there.
-void paths_bend_at_the_end_of_an_interval(Lane_choice choice)
-{
-  One_face face(choice);
-  for(const bool is_right : {true, false})
-  {
-    Window w = is_right ? window(.75, 1, .5625, .0625, .25) : window(0, .25, .4375, .0625, .25);
-    w.steps = 2;
-    const double end = is_right ? w.begin : w.end;
-    const List list = list_of(face.pool, {w});
-    const auto path = face.crossing.find_apex_path(list, face.across);
-    CHECK_EQUAL(path.separating_point, end);
-    const double to_apex = std::hypot(face.across.apex_x - end, face.across.apex_y);
-    CHECK_CLOSE(path.distance, (is_right ? w.begin_distance : w.end_distance) + to_apex, 1e-14);
-  }
-}
-
-// The children on both sides: which windows they come from is told by their images.
-struct Children
-{
-  std::vector<std::uint64_t> left, right; // keys of the windows
-};
-
-Children children_of(One_face& face, const std::vector<Window>& windows)
-{
-  const List list = list_of(face.pool, windows);
-  const auto path = face.crossing.find_apex_path(list, face.across);
-  List left = face.pool.allocate(windows.size()), right = face.pool.allocate(windows.size());
-  face.crossing.split(list, face.across, face.corners, path, left, right);
-  Children children;
-  for(std::size_t i = 0; i < face.crossing.left().size; ++i)
-  {
-    children.left.push_back(face.crossing.left().list.columns.get(i).key << 1);
-  }
-  for(std::size_t i = 0; i < face.crossing.right().size; ++i)
-  {
-    children.right.push_back(face.crossing.right().list.columns.get(i).key << 1);
-  }
-  return children;
-}
-
-void lists_are_split_at_their_shortest_path(Lane_choice choice)
-{
-  const auto numbered = [](Window w, std::uint64_t number) {
-    w.key = number << 8; // not lost when the key is shifted
-    w.steps = 2;
-    return w;
-  };
-  One_face face(choice);
-  const auto keys = [](std::vector<std::uint64_t> numbers) {
-    for(std::uint64_t& n : numbers)
-    {
-      n <<= 8;
-    }
-    return numbers;
-  };
-  // the middle one is nearest, and has children on both sides
-  const Window far_left = window(0, .25, .375, .25, 1), middle = window(.25, .75, .5, .25, 0),
-               far_right = window(.75, 1, .625, .25, 1);
-  {
-    const Children children = children_of(face, {numbered(far_left, 1), numbered(middle, 2), numbered(far_right, 3)});
-    CHECK(children.left == keys({1, 2}));
-    CHECK(children.right == keys({2, 3}));
-  }
-  // a window that could see both sides keeps its own only
-  {
-    const Window wide = window(0, 1, .25, .25, 1);
-    const Children children = children_of(face, {numbered(wide, 1), numbered(middle, 2), numbered(wide, 3)});
-    CHECK(children.left == keys({1, 2}));
-    CHECK(children.right == keys({2, 3}));
-  }
-  // unless its place beside the nearest one is not known
-  {
-    const Window wide = window(0, 1, .25, .25, 1);
-    std::vector<Window> windows{numbered(middle, 2), numbered(wide, 2)};
-    windows[1].mark();
-    const Children children = children_of(face, windows);
-    CHECK(children.left == keys({2, 2}));
-    CHECK(children.right == keys({2, 2}));
-  }
-  // or it is wholly on the other side than its key says
-  {
-    const Window wrong = window(.5625, 1, .25, .25, 1), nearest = window(.25, .5, .5, .25, 0);
-    const Children children = children_of(face, {numbered(wrong, 1), numbered(nearest, 2)});
-    CHECK(children.left == keys({2}));
-    CHECK(children.right == keys({1}));
-  }
-}
-
 } // namespace
 
 int main()
 {
   test_support::Random random(test_support::announce_seed(20261121));
   pairs_are_pruned_by_definition(random);
-  ties_are_left_alone();
+  ties_keep_both_windows();
   for(const Lane_choice choice : {Lane_choice::ONE, Lane_choice::COMPILED, Lane_choice::FOUR, Lane_choice::BEST})
   {
     lists_are_trimmed_like_pairs(choice, random);
-    ties_in_lists_are_left_alone(choice);
+    ties_in_lists_keep_all_windows(choice);
     windows_trimmed_from_both_sides_are_suspects(choice);
     close_images_are_not_trimmed(choice);
-    vertices_take_windows_away_by_definition(choice, random);
-    lists_lose_what_vertices_take(choice, random);
-    lists_lose_stale_windows(choice, random);
-    lists_lose_windows_that_have_crossed_too_many_faces(choice, random);
-    one_window_of_a_pair_is_lost(choice);
-    windows_of_unknown_order_are_kept(choice);
-    the_straighter_of_two_paths_is_taken(choice);
-    paths_bend_at_the_end_of_an_interval(choice);
-    lists_are_split_at_their_shortest_path(choice);
+    vertices_remove_windows_by_definition(choice, random);
   }
-  ties_with_vertices();
+  windows_survive_ties_with_vertices_that_emit_none();
   lists_are_merged_in_order(random);
   the_order_is_unknown_for_marked_windows_of_one_key();
   the_smallest_distance_is_that_of_a_point(random);

@@ -324,19 +324,14 @@ inline bool read_all(int file, void* data, std::size_t size)
   return true;
 }
 
-// Starts this program again for one measurement. Returns the exit code of that process, 0 when a report has arrived.
-template <class Report>
-int run_measurement(const Settings& settings, const std::string& mesh, const std::string& method,
-                    const std::vector<std::string>& own_options, Report& report, std::vector<double>& answers)
+// The command line of a measuring process, which reports through the given end of a pipe.
+inline std::vector<std::string> arguments_of_measurement(const Settings& settings, int report_end,
+                                                         const std::string& mesh, const std::string& method,
+                                                         const std::vector<std::string>& own_options)
 {
-  int ends[2];
-  if(::pipe(ends) != 0)
-  {
-    return method_failed;
-  }
   std::vector<std::string> arguments = {"benchmark",
                                         "--measure",
-                                        std::to_string(ends[1]),
+                                        std::to_string(report_end),
                                         "--method",
                                         method,
                                         "--kernel",
@@ -349,13 +344,54 @@ int run_measurement(const Settings& settings, const std::string& mesh, const std
                                         std::to_string(settings.minimum_faces)};
   arguments.insert(arguments.end(), own_options.begin(), own_options.end());
   arguments.push_back(mesh);
+  return arguments;
+}
+
+// Runs this program again in the child process, with limits of time and memory, which survive exec(). Does not return.
+[[noreturn]] inline void become_measurement(const Settings& settings, std::vector<std::string>& arguments)
+{
   std::vector<char*> argument_pointers;
   for(std::string& argument : arguments)
   {
     argument_pointers.push_back(&argument[0]);
   }
   argument_pointers.push_back(nullptr);
+  ::alarm(static_cast<unsigned int>(settings.time_limit));
+  if(settings.memory_limit > 0)
+  {
+    rlimit limit;
+    limit.rlim_cur = limit.rlim_max = static_cast<rlim_t>(settings.memory_limit) << 20;
+    ::setrlimit(RLIMIT_AS, &limit);
+  }
+  ::execv("/proc/self/exe", argument_pointers.data());
+  ::_exit(method_failed);
+}
 
+// Reads a report and its answers. Returns whether both are complete.
+template <class Report>
+bool read_report(int end, Report& report, std::vector<double>& answers)
+{
+  std::uint64_t size = 0;
+  if(!read_all(end, &report, sizeof(report)) || !read_all(end, &size, sizeof(size)))
+  {
+    return false;
+  }
+  answers.resize(size);
+  return read_all(end, answers.data(), answers.size() * sizeof(double));
+}
+
+// Starts this program again for one measurement. Returns the exit code of that process; it is 0 if the report is
+// complete.
+template <class Report>
+int run_measurement(const Settings& settings, const std::string& mesh, const std::string& method,
+                    const std::vector<std::string>& own_options, Report& report, std::vector<double>& answers)
+{
+  int ends[2];
+  if(::pipe(ends) != 0)
+  {
+    return method_failed;
+  }
+  std::vector<std::string> arguments = arguments_of_measurement(settings, ends[1], mesh, method, own_options);
   const pid_t child = ::fork();
   if(child < 0)
   {
@@ -365,26 +401,11 @@ int run_measurement(const Settings& settings, const std::string& mesh, const std
   }
   if(child == 0)
   {
-    // Both limits survive exec().
     ::close(ends[0]);
-    ::alarm(static_cast<unsigned int>(settings.time_limit));
-    if(settings.memory_limit > 0)
-    {
-      rlimit limit;
-      limit.rlim_cur = limit.rlim_max = static_cast<rlim_t>(settings.memory_limit) << 20;
-      ::setrlimit(RLIMIT_AS, &limit);
-    }
-    ::execv("/proc/self/exe", argument_pointers.data());
-    ::_exit(method_failed);
+    become_measurement(settings, arguments);
   }
   ::close(ends[1]);
-  std::uint64_t size = 0;
-  bool complete = read_all(ends[0], &report, sizeof(report)) && read_all(ends[0], &size, sizeof(size));
-  if(complete)
-  {
-    answers.resize(size);
-    complete = read_all(ends[0], answers.data(), answers.size() * sizeof(double));
-  }
+  const bool complete = read_report(ends[0], report, answers);
   ::close(ends[0]);
   int status = 0;
   ::waitpid(child, &status, 0);
@@ -423,7 +444,7 @@ inline double median(std::vector<double> values)
   return (values.size() % 2 == 1) ? values[half] : 0.5 * (values[half - 1] + values[half]);
 }
 
-// The median of the ratios of neighbouring runs: a machine that becomes slower for a while harms both methods alike.
+// The median of the ratios of adjacent runs: a machine that becomes slower for a while affects both methods alike.
 inline double median_ratio(const std::vector<double>& a, const std::vector<double>& b)
 {
   std::vector<double> ratios;
@@ -434,7 +455,7 @@ inline double median_ratio(const std::vector<double>& a, const std::vector<doubl
   return median(ratios);
 }
 
-// The largest |a - b| / b. Infinity if one method reaches a place that the other one does not.
+// The largest |a - b| / b. Infinity if one method reaches a vertex that the other one does not.
 inline double largest_relative_difference(const std::vector<double>& a, const std::vector<double>& b)
 {
   if(a.size() != b.size())

@@ -1,8 +1,8 @@
-// Draws the surface that the page holds, and answers clicks. Needs three.js and nothing else.
+// Draws the surface of the page, and answers clicks. Requires three.js only.
 (function () {
   "use strict";
 
-  // Dark violet to light yellow, ever lighter: the order is seen without telling red from green.
+  // Dark violet to light yellow, with increasing lightness: the order is visible without distinguishing red from green.
   const RAMP = [[76, 40, 140], [56, 96, 174], [30, 138, 160], [62, 178, 122], [168, 208, 70], [252, 232, 92]];
   const UNREACHED = "#9a9a9a";
   const ROLES = {
@@ -14,7 +14,7 @@
     site: { color: "#ffffff", text: "sites" }
   };
   const NO_CELL = 0xffffffff;
-  const MOST_NUMBERS = 200; // more of them would hide the surface
+  const MOST_NUMBERS = 200; // more would hide the surface
 
   const data = JSON.parse(document.getElementById("data").textContent);
   const canvas = document.getElementById("surface");
@@ -26,7 +26,7 @@
     const bytes = atob(text);
     const array = new Uint8Array(bytes.length);
     for (let i = 0; i < bytes.length; ++i) array[i] = bytes.charCodeAt(i);
-    return new Type(array.buffer); // lowest byte first, as browsers' machines have it
+    return new Type(array.buffer); // lowest byte first, as on all machines with browsers
   }
 
   function rounded(x) {
@@ -76,7 +76,7 @@
   }
   const normals = smoothNormals();
 
-  // Each triangle has corners of its own, since its color is that of a cell, or gray if one corner is not reached.
+  // Each triangle has its own corners, because its color is that of its cell, or gray if a corner is not reached.
   function surfaceGeometry() {
     const n = triangles.length;
     const position = new Float32Array(3 * n), normal = new Float32Array(3 * n);
@@ -107,7 +107,7 @@
     return data.cellColors[cell];
   }
 
-  // The colors of all bands in a row: the texture is looked up by the number of the band.
+  // A texture with the colors of all bands in a row, indexed by the number of the band.
   function bandTexture() {
     const n = limits.length + 1, texels = new Uint8Array(3 * n);
     for (let i = 0; i < n; ++i) texels.set(bandColor(i).map(Math.round), 3 * i);
@@ -149,12 +149,12 @@
             color = vCellColor * (mod(band, 2.0) < 0.5 ? 1.0 : 0.88);
           else if(vDistance < 0.0)
             color = vec3(0.6);
-          // lit from the eye, a little from above; both sides alike
+          // light from the eye, a little from above; the same on both sides
           float light = abs(dot(normalize(vNormal), normalize(vec3(0.2, 0.35, 1.0))));
           gl_FragColor = vec4(color * (0.6 + 0.4 * light), 1.0);
         }`,
       side: THREE.DoubleSide,
-      polygonOffset: true, // behind the lines that lie in it
+      polygonOffset: true, // behind the lines on the surface
       polygonOffsetFactor: 1,
       polygonOffsetUnits: 1
     });
@@ -171,7 +171,7 @@
     return object;
   }
 
-  // Lines of some pixels: each segment is a rectangle that the vertex shader turns to the eye.
+  // Lines some pixels wide: each segment is a rectangle that the vertex shader turns to the eye.
   function lineMesh(group, color, width) {
     const xyz = decode(group.points, Float32Array), lengths = decode(group.lengths, Uint32Array);
     let segments = 0;
@@ -214,7 +214,7 @@
           along = size > 0.0 ? along / size : vec2(1.0, 0.0);
           vec2 offset = side * vec2(-along.y, along.x) - 0.4 * along; // a little longer, so that bends have no gaps
           p.xy += offset * width / resolution * p.w;
-          p.z -= 0.001 * p.w; // before the surface
+          p.z -= 0.001 * p.w; // in front of the surface
           gl_Position = p;
         }`,
       fragmentShader: "uniform vec3 color; void main() { gl_FragColor = vec4(color, 1.0); }",
@@ -256,7 +256,7 @@
     return inOrder(new THREE.Points(geometry, material));
   }
 
-  // Dots with their numbers, from 0, which are read from a picture with all of them.
+  // Dots with their indices, from 0, drawn from one texture with all of them.
   function numberedDots(xyz, color, size) {
     const n = xyz.length / 3, columns = Math.ceil(Math.sqrt(n)), side = 64;
     const picture = document.createElement("canvas");
@@ -300,7 +300,7 @@
   try {
     renderer = new THREE.WebGLRenderer({ canvas: canvas, antialias: true });
   } catch (error) {
-    answer.textContent = "This browser does not draw in three dimensions: WebGL is switched off or missing.";
+    answer.textContent = "This browser cannot draw in three dimensions: WebGL is switched off or missing.";
     document.body.dataset.state = "no WebGL";
     return;
   }
@@ -355,9 +355,9 @@
     drawSoon();
   }
 
-  // --- the view from which a place is seen ---------------------------------------------------------------------------
+  // --- the view of a point -------------------------------------------------------------------------------------------
 
-  // The normal at a place of the surface: that of the points nearest to it, which may be the same for several triangles.
+  // The normal at a point of the surface: that of the nearest vertices, which several triangles may share.
   function normalAt(p) {
     const q = new THREE.Vector3(), normal = new THREE.Vector3();
     let nearest = Infinity;
@@ -369,7 +369,7 @@
     return normal.normalize();
   }
 
-  // The turn that brings a direction to the viewer, with y upwards as far as possible.
+  // The rotation that turns a direction to the viewer, with y upwards as far as possible.
   function turnTo(direction) {
     const up = Math.abs(direction.y) < 0.99 ? new THREE.Vector3(0, 1, 0)
       : new THREE.Vector3(0, 0, -Math.sign(direction.y));
@@ -377,21 +377,21 @@
     return new THREE.Quaternion().setFromRotationMatrix(axes).conjugate();
   }
 
-  // Whether nothing is before a place when the surface is turned so.
-  function isSeen(place, quaternion) {
+  // Is a point visible under a rotation?
+  function isSeen(point, quaternion) {
     turned.quaternion.copy(quaternion);
     turned.updateMatrixWorld(true);
-    const p = surface.localToWorld(place.clone());
+    const p = surface.localToWorld(point.clone());
     const direction = new THREE.Vector3(0, 0, view.distance).sub(p).normalize();
     const ray = new THREE.Raycaster(p.addScaledVector(direction, 0.003), direction);
     return ray.intersectObject(surface).length === 0;
   }
 
-  // The turns in which a place may be seen, the best ones first: what is flat lies in the plane of the picture, a solid
-  // is looked at along the normal or a little from the side; then from all sides, if other parts are before it.
-  function turnsFor(place) {
+  // Rotations under which a point may be visible, the best ones first: a flat surface lies in the plane of the picture;
+  // a solid is viewed along the normal or a little from the side, then from all sides, if other parts hide the point.
+  function turnsFor(point) {
     const turns = isFlat ? [new THREE.Quaternion(), turnTo(new THREE.Vector3(0, 0, -1))] : [];
-    const normal = normalAt(place), directions = [normal, place.clone().normalize(), normal.clone().negate()];
+    const normal = normalAt(point), directions = [normal, point.clone().normalize(), normal.clone().negate()];
     for (let k = 0; k < 27; ++k)
       directions.push(new THREE.Vector3(k % 3 - 1, Math.floor(k / 3) % 3 - 1, Math.floor(k / 9) - 1).normalize());
     const aside = new THREE.Quaternion().setFromEuler(new THREE.Euler(0.25, -0.3, 0));
@@ -402,20 +402,20 @@
     return turns;
   }
 
-  // Turns the surface so that a place faces the viewer, with the whole of it in the window.
-  function show(place) {
+  // Turns the surface so that a point faces the viewer, with the whole surface in the window.
+  function show(point) {
     const wanted = 1.02 / Math.sin(camera.fov * Math.PI / 360);
     Object.assign(view, { distance: wanted / Math.min(camera.aspect, 1), x: 0, y: 0 });
-    const turns = turnsFor(place);
-    turned.quaternion.copy(turns.find((turn) => isSeen(place, turn)) || turns[0]);
+    const turns = turnsFor(point);
+    turned.quaternion.copy(turns.find((turn) => isSeen(point, turn)) || turns[0]);
     drawSoon();
   }
 
   // The first view shows the first source or site.
   const firstDots = data.dots.find((group) => group.role !== "target");
-  const firstPlace = new THREE.Vector3().fromArray(decode(firstDots.points, Float32Array));
+  const firstPoint = new THREE.Vector3().fromArray(decode(firstDots.points, Float32Array));
   function reset() {
-    show(firstPlace);
+    show(firstPoint);
   }
 
   // --- mouse, fingers and keys ---------------------------------------------------------------------------------------
@@ -496,10 +496,10 @@
 
   function pick(x, y) {
     const box = canvas.getBoundingClientRect();
-    const place = new THREE.Vector2(2 * (x - box.left) / box.width - 1, 1 - 2 * (y - box.top) / box.height);
-    draw(); // so that all matrices are those that the user sees
+    const point = new THREE.Vector2(2 * (x - box.left) / box.width - 1, 1 - 2 * (y - box.top) / box.height);
+    draw(); // updates all matrices to the current view
     const ray = new THREE.Raycaster();
-    ray.setFromCamera(place, camera);
+    ray.setFromCamera(point, camera);
     const hit = ray.intersectObject(surface)[0];
     picked.visible = Boolean(hit);
     if (hit) {
@@ -508,7 +508,7 @@
       picked.geometry.attributes.position.needsUpdate = true;
       tell(hit.face.a / 3, local);
     } else {
-      answer.textContent = "There is no surface at this place.";
+      answer.textContent = "There is no surface here.";
     }
     drawSoon();
   }
@@ -521,13 +521,13 @@
     const lines = [];
     if (cells) lines.push(cells[triangle] === NO_CELL ? "in no cell" : "in the cell of site " + cells[triangle]);
     lines.push(isFinite(d) ? "distance " + rounded(d) : "not reached");
-    const isRounding = (x) => Math.abs(x) < 1e-7 * radius; // of the matrices of the picture
+    const isRounding = (x) => Math.abs(x) < 1e-7 * radius; // by the matrices of the view
     const coordinates = p.toArray().map((x, k) => x + data.center[k]).map((x) => (isRounding(x) ? "0" : rounded(x)));
     lines.push("at (" + coordinates.join(", ") + ")");
     answer.innerText = lines.join("\n");
   }
 
-  // --- what stands beside the picture --------------------------------------------------------------------------------
+  // --- title and legend ----------------------------------------------------------------------------------------------
 
   function element(tag, parent, text, style) {
     const e = document.createElement(tag);
@@ -560,7 +560,7 @@
   }
 
   function drawCells(legend) {
-    element("b", legend, "cells, with the numbers of their sites");
+    element("b", legend, "cells, with the indices of their sites");
     const list = element("div", legend);
     list.id = "cells";
     const sites = decode(firstDots.points, Float32Array);
@@ -570,7 +570,7 @@
       entry.addEventListener("click", () => show(new THREE.Vector3().fromArray(sites, 3 * i)));
     });
     if (data.cellColors.length > MOST_NUMBERS) element("div", list, "…");
-    element("p", legend, "A click on a number turns its cell to the front.", { margin: "4px 0 0" });
+    element("p", legend, "Click on a number to turn its cell to the front.", { margin: "4px 0 0" });
     if (limits.length > 0) element("p", legend, "shaded in bands of " + rounded(limits[0]), { margin: "4px 0 0" });
   }
 

@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesics.h>
 
-#include <CGAL/Surface_mesh_geodesics/internal/interface/Distance_certifier.h>
+#include <CGAL/Surface_mesh_geodesics/internal/certificate/Checked_conditions.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -29,13 +29,19 @@ namespace Surface_mesh_geodesics {
 The class `Geodesic_distance_certificate` is the result of `certify_geodesic_distances()`: how far given distances
 violate each of several conditions, and where.
 
-A violation is relative: what a number is too large or too small by, divided by the sum of the right number and the
-longest edge of the faces around. It is infinite where a number is missing, infinite or not a number and must not be.
-What is too large or too small by less than \f$ 8 \epsilon \approx 1.8 \cdot 10^{-15} \f$ of the longest edge of the
-component is no violation, as points so near to each other are not told apart.
+A violation is a relative number without a unit: the amount by which a number is too large or too small, divided by the
+sum of the right number and the longest edge of the faces around the vertex. It is infinite where a number is infinite
+or NaN that must not be. An amount of less than \f$ 8 \epsilon \approx 1.8 \cdot 10^{-15} \f$ times the longest edge of
+the component is no violation, as points so close to each other are not distinguished.
 
-An object holds numbers and descriptors; it is valid as long as the mesh does not change. All functions take constant
-time, throw nothing, and may be called by several threads at once.
+\code
+const auto certificate = certify_geodesic_distances(mesh, distances, source);
+if(!certificate.is_certified())
+  std::cerr << "violation: " << certificate.worst_violation() << std::endl;
+\endcode
+
+An object holds numbers and vertex descriptors; it is valid as long as the mesh does not change. All functions take
+constant time, throw nothing, and may be called by several threads at once.
 
 \tparam TriangleMesh a model of `FaceListGraph`
 
@@ -51,28 +57,29 @@ public:
   /// what is checked.
   enum class Condition
   {
-    REACH,          ///< distances are numbers, not negative, and infinite exactly where no faces lead to a source
-    SOURCES,        ///< the distance of a source vertex is not greater than its offset
-    EDGES,          ///< along an edge, the distance grows by no more than the length of the edge
-    PAIRS_OF_FACES, ///< so it does along a straight line through two faces, from vertex to vertex
-    PATHS,          ///< a path of this length leads from the vertex to a source: the distance is not too short
-    LOWER_BOUNDS,   ///< the distance is not greater than a lower bound: it is not too long
-    PROOF,          ///< the lower bounds are lower bounds
-    REVERSE         ///< from some vertices, distances to the sources are the same in reverse
+    REACH,          ///< Distances are numbers, not negative, and infinite exactly where no faces lead to a source.
+    SOURCES,        ///< The distance of a source vertex is not greater than its offset.
+    EDGES,          ///< Along an edge, the distance grows by at most the length of the edge.
+    PAIRS_OF_FACES, ///< Along a segment through two faces, from vertex to vertex, it grows by at most its length.
+    PATHS,          ///< A path of this length leads from the vertex to a source: the distance is not too short.
+    LOWER_BOUNDS,   ///< The distance is not greater than a lower bound: it is not too long.
+    PROOF,          ///< The lower bounds are proved.
+    REVERSE         ///< The distances from some vertices to the sources are the same in reverse.
   };
 
   /// the number of conditions; their values are `0` to `number_of_conditions - 1`.
   static constexpr std::size_t number_of_conditions = internal::NUMBER_OF_CHECKED_CONDITIONS;
 
-  /// the default tolerance of `is_certified()`, \f$ 2^{-40} \f$: some thousand times the rounding error of a `double`.
+  /// the default tolerance of `is_certified()`, \f$ 2^{-40} \f$, which is some thousand times the rounding error of a
+  /// `double`.
   static constexpr double default_tolerance = 0x1p-40;
 
   /// returns whether no condition is violated by more than the tolerance.
   ///
-  /// \param tolerance a relative one, as a violation is
+  /// \param tolerance the largest violation that is accepted, a relative number
   bool is_certified(double tolerance = default_tolerance) const { return worst_violation() <= tolerance; }
 
-  /// returns the largest violation of all conditions, 0 if none is violated.
+  /// returns the largest violation of all conditions, or 0 if no condition is violated.
   double worst_violation() const
   {
     double worst = 0;
@@ -81,16 +88,17 @@ public:
     return worst;
   }
 
-  /// returns the largest violation of a condition, 0 if it is not violated.
+  /// returns the largest violation of one condition, or 0 if it is not violated.
   ///
   /// \param c the condition
   double worst_violation(Condition c) const { return entry(c).violation; }
 
-  /// returns the vertex where a condition is violated most: for `EDGES` and `PAIRS_OF_FACES` the vertex whose distance
-  /// is too long compared with that of another one, for `PROOF` a vertex of the face. It is the null vertex if the
-  /// condition is not violated, or if it is at a source that is not a vertex.
+  /// returns the vertex where a condition is violated most. For `EDGES` and `PAIRS_OF_FACES` this is the vertex whose
+  /// distance is too long compared with that of another vertex; for `PROOF` it is a vertex of the face.
   ///
   /// \param c the condition
+  /// \return the vertex; the null vertex if the condition is not violated, or is violated at a source that is not a
+  ///         vertex
   vertex_descriptor worst_vertex(Condition c) const { return entry(c).vertex; }
 
   /// returns how many times a condition has been checked.

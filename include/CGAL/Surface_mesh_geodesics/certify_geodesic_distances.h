@@ -16,52 +16,13 @@
 #include <CGAL/Surface_mesh_geodesics/Geodesic_distance_options.h>
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Distance_certifier.h>
-#include <CGAL/Surface_mesh_geodesics/internal/interface/Distance_solver.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Face_shapes.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
-#include <CGAL/number_utils.h>
-
-#include <boost/graph/graph_traits.hpp>
-
-#include <cstddef>
 
 namespace CGAL {
 namespace Surface_mesh_geodesics {
-
-namespace internal {
-
-// `make_shape` tells where the lengths come from.
-template <typename TriangleMesh, typename VertexDistanceMap, typename Sources, typename NearestSourceMap,
-          typename MakeShape, typename NamedParameters>
-Geodesic_distance_certificate<TriangleMesh>
-certify_distances(const TriangleMesh& tm, VertexDistanceMap vertex_distance_map, const Sources& sources,
-                  const Geodesic_distance_options<TriangleMesh, NearestSourceMap>& options, MakeShape make_shape,
-                  const NamedParameters& np)
-{
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
-
-  auto vim = CGAL::get_initialized_vertex_index_map(tm, np);
-  auto fim = CGAL::get_initialized_face_index_map(tm, np);
-  check_maximum_distance(options.maximum_distance);
-  check_offsets(options.source_offsets);
-  Distance_certifier<double, TriangleMesh, decltype(vim), decltype(fim)> certifier(tm, vim, fim, make_shape());
-  certifier.set_sources(sources, options.source_offsets);
-  const auto conditions = certifier.run(
-    [&](vertex_descriptor v) { return CGAL::to_double(get(vertex_distance_map, v)); }, options.maximum_distance,
-    static_cast<std::size_t>(choose_parameter(get_parameter(np, internal_np::number_of_iterations), 4)));
-  const auto& surface = certifier.surface();
-  return Geodesic_distance_certificate<TriangleMesh>(conditions, [&](Vertex_id v)
-  {
-    return v < surface.number_of_vertices() ? surface.descriptor(v)
-                                            : boost::graph_traits<TriangleMesh>::null_vertex();
-  });
-}
-
-} // namespace internal
 
 /*!
 \ingroup PkgSurfaceMeshGeodesicsFunctions
@@ -69,29 +30,29 @@ certify_distances(const TriangleMesh& tm, VertexDistanceMap vertex_distance_map,
 checks that given distances are the geodesic distances from a source, or from the nearest of several sources, to the
 vertices of a triangle mesh.
 
-The function does not compare the distances with others. It looks for a proof that they are right, and checks it:
+The function does not compare the distances with others. It looks for a proof that they are right, and checks the proof:
 
-- that no distance is too short, by a path for each vertex. Paths are measured piece by piece; each piece has to lie in
-  one face, and the last one has to end at a source.
-- that no distance is too long, by a function on all edges of the mesh. If, between any two points on the border of one
-  face, it grows by no more than their distance in the plane of the face, then it grows along no path by more than the
-  length of the path. This is checked for all pairs of points of all faces (see
-  \ref Surface_mesh_geodesics_certification).
+- No distance is too short, as there is a path of this length from each vertex. Paths are measured piece by piece; each
+  piece has to lie in one face, and the last one has to end at a source.
+- No distance is too long. The proof is a function on all edges of the mesh that grows, between any two points on the
+  border of one face, by at most their distance in the plane of the face. Then it grows along no path by more than the
+  length of the path, so its value at a vertex is a lower bound of the distance. The condition is checked for all pairs
+  of points of all faces (see \ref Surface_mesh_geodesics_certification).
 
-Paths and function are made with a propagation; if that errs, the proof fails. Besides, conditions are checked that need
-no propagation (`REACH`, `SOURCES`, `EDGES`, `PAIRS_OF_FACES`), and some distances are computed in reverse. What is
-taken for granted are the lengths of the edges as they were read and the insertion of sources that are not vertices.
+A propagation proposes the paths and the function; if it errs, the proof fails. In addition, some conditions are checked
+that need no propagation (`REACH`, `SOURCES`, `EDGES`, `PAIRS_OF_FACES`), and some distances are computed in reverse.
+The function trusts the lengths of the edges as they were read, and the insertion of sources that are not vertices.
 
-If no condition is violated by more than \f$ \delta \f$, a distance is too short by no more than \f$ \delta \f$, and too
-long by no more than \f$ (m + 3) \delta \f$, relative to the sum of the distance and the longest edge of the mesh, where
-\f$ m \f$ is the number of faces that a shortest path crosses.
+If no condition is violated by more than \f$ \delta \f$, a distance is too short by at most \f$ \delta \f$, and too long
+by at most \f$ (m + 3) \delta \f$, relative to the sum of the distance and the longest edge of the mesh, where \f$ m \f$
+is the number of faces that a shortest path crosses.
 
-Takes the time and the memory of a propagation that keeps its windows, and in addition for each face a time quadratic in
-the number of intervals into which the function divides its edges, and for each vertex a time linear in the number of
-faces that its path crosses.
+<b>Complexity.</b> Takes the time and the memory of a propagation that keeps its windows. In addition it takes time
+quadratic in the number of intervals into which the function divides the edges of a face, for each face, and linear in
+the number of faces that a path crosses, for each vertex.
 
-<b>Thread safety.</b> The function may be called by several threads at once, on the same mesh and the same map as well,
-if nobody changes them; see `geodesic_distances()`.
+<b>Thread safety.</b> Several threads may call the function at once, on the same mesh and the same map as well, if
+nobody changes them; see `geodesic_distances()`.
 
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam VertexDistanceMap a model of `ReadablePropertyMap` with the vertex descriptor of `TriangleMesh` as key type and
@@ -100,8 +61,8 @@ if nobody changes them; see `geodesic_distances()`.
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tm the triangle mesh
-\param vertex_distance_map the distances, in the unit of the points. Any numbers may be there, infinite ones and NaN as
-       well.
+\param vertex_distance_map the distances, in the unit of the points. Any number is accepted, also an infinite one and
+       NaN.
 \param sources the source or sources, as for `geodesic_distances()`
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 
@@ -133,7 +94,7 @@ if nobody changes them; see `geodesic_distances()`.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return what has been found. Wrong distances are no reason to throw.
+\return for each condition, how far it is violated and where. The function does not throw because distances are wrong.
 
 \throws Invalid_geodesic_input if the mesh or a source is invalid, as `geodesic_distances()` does
 \throws std::bad_alloc if there is not enough memory for the windows
@@ -149,9 +110,9 @@ certify_geodesic_distances(const TriangleMesh& tm, VertexDistanceMap vertex_dist
 /*!
 \ingroup PkgSurfaceMeshGeodesicsFunctions
 
-checks distances that have been computed with options, of which it regards the offsets and the radius: vertices beyond
-the radius must have an infinite distance. Targets, the map of nearest sources and statistics are not regarded.
-All else is as for the function above.
+checks distances that have been computed with options. The function uses the offsets and the radius: vertices beyond the
+radius must have an infinite distance. It ignores the targets, the map of nearest sources and the statistics. Otherwise
+it is the same as the function above.
 
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam VertexDistanceMap as above
@@ -165,9 +126,9 @@ All else is as for the function above.
 \param options the options
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters", as above
 
-\return what has been found
+\return for each condition, how far it is violated and where
 
-\throws Invalid_geodesic_input also if the radius or an offset is invalid
+\throws Invalid_geodesic_input if the mesh, a source, the radius or an offset is invalid
 */
 template <typename TriangleMesh, typename VertexDistanceMap, typename Sources, typename NearestSourceMap,
           typename CGAL_NP_TEMPLATE_PARAMETERS>
@@ -180,7 +141,7 @@ certify_geodesic_distances(const TriangleMesh& tm, VertexDistanceMap vertex_dist
   using parameters::get_parameter;
   auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
                               get_const_property_map(CGAL::vertex_point, tm));
-  return internal::certify_distances(
+  return internal::certify_distances<Geodesic_distance_certificate<TriangleMesh>>(
     tm, vertex_distance_map, sources, options,
     [&]() { return internal::Shape_from_points<double, TriangleMesh, decltype(vpm)>(tm, vpm); }, np);
 }
@@ -202,11 +163,11 @@ those of `certify_geodesic_distances()`.
 \param edge_length_map the lengths
 \param vertex_distance_map the distances
 \param sources the source or sources
-\param options the options, of which the offsets and the radius are regarded
+\param options the options, of which the offsets and the radius are used
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among those of
-       `certify_geodesic_distances()`, but for `vertex_point_map`, which is not used
+       `certify_geodesic_distances()`, except `vertex_point_map`
 
-\return what has been found
+\return for each condition, how far it is violated and where
 
 \throws Invalid_geodesic_input as `geodesic_distances_from_edge_lengths()` does
 */
@@ -218,7 +179,7 @@ certify_geodesic_distances_from_edge_lengths(
   const Geodesic_distance_options<TriangleMesh, NearestSourceMap>& options,
   const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return internal::certify_distances(
+  return internal::certify_distances<Geodesic_distance_certificate<TriangleMesh>>(
     tm, vertex_distance_map, sources, options,
     [&]()
     {
@@ -230,8 +191,8 @@ certify_geodesic_distances_from_edge_lengths(
 /*!
 \ingroup PkgSurfaceMeshGeodesicsFunctions
 
-checks distances on a surface that is given by the lengths of its edges, with the default options. All else is as for
-the function above.
+checks distances on a surface that is given by the lengths of its edges, with the default options. Otherwise the
+function is the same as the one above.
 
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam EdgeLengthMap see `geodesic_distances_from_edge_lengths()`
@@ -245,7 +206,7 @@ the function above.
 \param sources the source or sources
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters", as above
 
-\return what has been found
+\return for each condition, how far it is violated and where
 
 \throws Invalid_geodesic_input as above
 */

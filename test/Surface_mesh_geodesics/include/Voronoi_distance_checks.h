@@ -1,8 +1,8 @@
 #ifndef SURFACE_MESH_GEODESICS_VORONOI_DISTANCE_CHECKS_H
 #define SURFACE_MESH_GEODESICS_VORONOI_DISTANCE_CHECKS_H
 
-// Checks a geodesic Voronoi diagram against the distances from one site at a time: which sites have cells, who owns random
-// points, what is equidistant and nearest, areas.
+// Checks a geodesic Voronoi diagram against the distances from one site at a time: which sites have cells, who owns
+// random points, what is equidistant and nearest, areas.
 
 #include "Voronoi_sites.h"
 #include "test_support.h"

@@ -1,8 +1,8 @@
 #ifndef SURFACE_MESH_GEODESICS_VORONOI_STRUCTURE_CHECKS_H
 #define SURFACE_MESH_GEODESICS_VORONOI_STRUCTURE_CHECKS_H
 
-// Checks the combinatorics of a geodesic Voronoi diagram by itself: how arcs, edges, vertices and boundaries hang together,
-// connected cells, Euler's formula.
+// Checks the combinatorics of a geodesic Voronoi diagram by itself: how arcs, edges, vertices and boundaries hang
+// together, connected cells, Euler's formula.
 
 #include "Voronoi_distance_checks.h"
 #include "location_numbers.h"

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# What the tests of the program have in common; each one begins with `source support.sh`.
+# Functions shared by the tests of the program; each test begins with `source support.sh`.
 #
-# Usage of a test: test_x.sh <program> <folder with meshes> <work folder>. A failure ends the test and says in which
-# line.
+# Usage of a test: test_x.sh <program> <folder with meshes> <work folder>. A failure ends the test and prints
+# its line.
 set -euo pipefail
 
 program=$1
@@ -18,7 +18,7 @@ fail() {
   exit 1
 }
 
-# equals <what there is> <what there should be>
+# equals <actual> <expected>
 equals() {
   [ "$1" = "$2" ] || fail "there is '$1' instead of '$2'"
 }
@@ -41,7 +41,7 @@ differ() {
   fi
 }
 
-# column <file> <name>: the values of a column of a table, below one another
+# column <file> <name>: the values of a column of a table, one per line
 column() {
   awk -F, -v name="$2" '
     NR == 1 { for(i = 1; i <= NF; ++i) if($i == name) c = i; if(!c) exit 1; next }
@@ -53,7 +53,7 @@ line() {
   sed -n "$2p" "$1"
 }
 
-# refuses <status> <text of the message> <arguments of the program>: nothing is computed, and one line says why
+# refuses <status> <text of the message> <arguments of the program>: nothing is computed, and one line names the reason
 refuses() {
   local status=0
   "$program" "${@:3}" > refused.out 2> refused.err || status=$?
@@ -64,20 +64,20 @@ refuses() {
   contains refused.err "$2"
 }
 
-# is_silent <arguments of the program>: success without a word on the error stream
+# is_silent <arguments of the program>: success, and an empty error stream
 is_silent() {
   "$program" "$@" 2> silent.err
   [ ! -s silent.err ] || fail "the program said: $(cat silent.err)"
 }
 
-# remarks <text of the remark> <arguments of the program>: success, and one line that says what the user may not expect
+# remarks <text of the remark> <arguments of the program>: success, and one line with a remark
 remarks() {
   "$program" "${@:2}" 2> remarks.err > remarks.out || fail "no success for: ${*:2}: $(cat remarks.err)"
   [ "$(wc -l < remarks.err)" -eq 1 ] || fail "not one line of remark for: ${*:2}: $(cat remarks.err)"
   contains remarks.err "$1"
 }
 
-# needs_pages: the test is skipped where the program writes no pages for browsers
+# needs_pages: skips the test if the program cannot write pages for browsers
 needs_pages() {
   if ! "$program" distances "$data/grid4.off" --source 0 --html probe.html 2> probe.err; then
     contains probe.err "this program was built without three.js"
@@ -86,7 +86,7 @@ needs_pages() {
   fi
 }
 
-# no_remains: no unfinished file is in the work folder
+# no_remains: the work folder contains no unfinished file
 no_remains() {
   local remains
   remains=$(find . -name '.[0-9]*')

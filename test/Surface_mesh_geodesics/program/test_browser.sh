@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Pages for browsers of surface_mesh_geodesics, opened in Chromium without a window: they draw, and answer clicks.
+# Opens pages for browsers in headless Chromium: they draw, and answer clicks.
 source "$(dirname "${BASH_SOURCE[0]}")/support.sh" "$@"
 grid=$data/grid4.off # the unit square, 16 vertices, 18 faces; vertex 4 i + j is (i, j) / 3
 
@@ -15,9 +15,10 @@ if [ -z "$browser" ]; then
   exit 77
 fi
 
-# What the user does and sees. drag(): by some pixels, which answers nothing. click(): at a place told in parts of the
-# width and the height of the picture; the answer is added to an attribute. Then the number of colors of the picture is
-# added, which can be read only just after drawing. nearest(): the smallest distance that clicks in the middle answer.
+# Actions of the user, and their effects. drag(): by some pixels; no answer. click(): at a point given as fractions of
+# the width and the height of the picture; the answer is added to an attribute. Then the number of colors of the
+# picture is added, which can be read only just after drawing. nearest(): the smallest distance that clicks in the
+# middle answer.
 user='function drag(x, y) {
   const canvas = document.getElementById("surface"), event = { pointerId: 1, button: 0, clientX: 100, clientY: 100 };
   canvas.dispatchEvent(new PointerEvent("pointerdown", event));
@@ -75,7 +76,7 @@ is_silent distances "$grid" --source 0 --html distances.html
 opened distances.html \
   "click(0.01, 0.01); click(0.5, 0.5); drag(100, 0); click(0.5, 0.5); click(0.6, 0.5);" > distances.dom
 contains distances.dom 'data-state="ready"'
-contains distances.dom '"|There is no surface at this place.|distance 0.70711, at (0.5, 0.5, 0)|'
+contains distances.dom '"|There is no surface here.|distance 0.70711, at (0.5, 0.5, 0)|'
 # turned around its middle by 0.8, the square is narrower: a click beside the middle is farther to the right on it
 answers=$(sed -n 's/.*data-answers="\([^"]*\)".*/\1/p' distances.dom)
 equals "$(echo "$answers" | cut -d '|' -f 4)" "distance 0.70711, at (0.5, 0.5, 0)"
@@ -94,7 +95,7 @@ contains path.dom '>shortest paths</div>'
 contains path.dom '>targets</div>'
 contains path.dom '>not reached</div>'
 
-# Vertex 0 is below on the left, vertex 15 above on the right: a click on either side of the boundary, at places that
+# Vertex 0 is below on the left, vertex 15 above on the right: a click on either side of the boundary, at points that
 # are equally far.
 is_silent voronoi "$grid" --site 0,15 --html voronoi.html
 opened voronoi.html "click(0.45, 0.55); click(0.55, 0.45);" > voronoi.dom
@@ -107,8 +108,8 @@ contains voronoi.dom '>boundaries of the cells</div>'
 [ "$(number_of_colors voronoi.dom)" -gt 4 ]
 contains voronoi.dom 'title="show site 1"'
 
-# The first site faces the viewer, though it is on the side of the sphere that a view along an axis does not show, and
-# another one when its number is clicked.
+# The first site faces the viewer, although it is on a side of the sphere that no view along an axis shows. A click on
+# the number of another site turns that site to the viewer.
 sphere=$data/../../../examples/Surface_mesh_geodesics/data/bumpy_sphere.off
 is_silent voronoi "$sphere" --site-point -9,-9,-9 --site-point 9,9,9 --html sites.html
 opened sites.html \
@@ -118,7 +119,7 @@ awk -v d="$distance" 'BEGIN { exit !(d != "" && d < 0.15) }' || fail "the first 
 answers=$(sed -n 's/.*data-answers="\([^"]*\)".*/\1/p' sites.dom)
 equals "$(echo "$answers" | grep -o 'in the cell of site [0-9]*' | paste -sd ,)" \
   "in the cell of site 0,in the cell of site 1"
-# A source is turned to a side where nothing is before it, as the middle one of three squares.
+# A source is turned to a side on which nothing hides it, such as the middle one of three squares.
 printf 'OFF\n12 3 0\n' > squares.off
 for z in -1 0 1; do
   printf '0 0 %d\n1 0 %d\n1 1 %d\n0 1 %d\n' $z $z $z $z >> squares.off

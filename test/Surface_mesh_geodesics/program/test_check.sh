@@ -3,8 +3,8 @@
 source "$(dirname "${BASH_SOURCE[0]}")/support.sh" "$@"
 grid=$data/grid4.off # the unit square, 16 vertices, 18 faces; vertex 4 i + j is (i, j) / 3
 
-# is_refuted <condition> <vertex> <arguments>: there is a table, in which the condition is violated by more than 1e-10
-# at the vertex, and one line names the vertex, with the condition that is violated most
+# is_refuted <condition> <vertex> <arguments>: the table shows a violation of the condition by more than 1e-10 at the
+# vertex, and one line names the vertex and the condition that is violated most
 is_refuted() {
   local status=0
   "$program" check "${@:3}" > refuted.csv 2> refuted.err || status=$?
@@ -31,7 +31,7 @@ is_silent distances "$grid" --source 0 -o distances.csv
 is_silent check "$grid" --source 0 --distances distances.csv -o same.csv
 cmp check.csv same.csv
 
-# In another order, with other columns, and as files from Windows have it.
+# In another order, with other columns, and with line ends of Windows.
 awk -F, 'BEGIN { OFS = "," } NR == 1 { print "name", "distance", "vertex"; next } { print "x", $2, $1 }' distances.csv \
   | { read -r names; echo "$names"; sort -r; } | sed 's/$/\r/' > other_order.csv
 is_silent check "$grid" --source 0 --distances other_order.csv -o same.csv
@@ -56,7 +56,7 @@ changed() {
     CONVFMT='%.17g' distances.csv
 }
 
-# Wrong distances: too long, too short, not there, not a number. A larger tolerance lets small errors pass.
+# Wrong distances: too long, too short, missing, not a number. A larger tolerance accepts small errors.
 changed 6 'd * 1.000000001' > longer.csv
 is_refuted LOWER_BOUNDS 6 "$grid" --source 0 --distances longer.csv
 is_silent check "$grid" --source 0 --distances longer.csv --tolerance 1e-8 > tolerated.csv
@@ -69,16 +69,16 @@ is_refuted REACH 10 "$grid" --source 0 --distances none.csv
 changed 0 '0.1' > source.csv
 is_refuted SOURCES 0 "$grid" --source 0 --distances source.csv
 
-# Tables that are none.
-refuses 3 "there.csv: there is no such file" check "$grid" --source 0 --distances there.csv
+# Invalid tables.
+refuses 3 "there.csv: the file does not exist" check "$grid" --source 0 --distances there.csv
 : > empty.csv
 refuses 3 "empty.csv, line 1: there is no column 'vertex'" check "$grid" --source 0 --distances empty.csv
 printf 'vertex,length\n0,0\n' > names.csv
 refuses 3 "names.csv, line 1: there is no column 'distance'" check "$grid" --source 0 --distances names.csv
 grep -v '^7,' distances.csv > missing.csv
-refuses 3 "missing.csv: there is no distance of vertex 7" check "$grid" --source 0 --distances missing.csv
+refuses 3 "missing.csv: there is no distance for vertex 7" check "$grid" --source 0 --distances missing.csv
 { cat distances.csv; line distances.csv 9; } > twice.csv
-refuses 3 "twice.csv, line 18: vertex 7 comes for the second time" check "$grid" --source 0 --distances twice.csv
+refuses 3 "twice.csv, line 18: vertex 7 occurs twice" check "$grid" --source 0 --distances twice.csv
 sed 's/^7,.*/16,0,0/' distances.csv > beyond.csv
 refuses 3 "beyond.csv, line 9: there is no vertex '16'" check "$grid" --source 0 --distances beyond.csv
 sed 's/^7,.*/7,far,0/' distances.csv > word.csv
@@ -88,15 +88,15 @@ refuses 3 "cut.csv, line 9: a value is missing" check "$grid" --source 0 --dista
 
 mkdir folder.csv
 refuses 3 "folder.csv: is a folder, not a file" check "$grid" --source 0 --distances folder.csv
-refuses 2 "the name of a file that is to be read is empty" check "$grid" --source 0 --distances ""
+refuses 2 "the name of an input file is empty" check "$grid" --source 0 --distances ""
 cp distances.csv read.csv
-refuses 2 "read.csv: the file is read by this command" check "$grid" --source 0 --distances read.csv -o ./read.csv
+refuses 2 "read.csv: this command reads the file" check "$grid" --source 0 --distances read.csv -o ./read.csv
 cmp distances.csv read.csv
 
-# What is wrong on the command line.
+# Wrong command lines.
 refuses 2 "--tolerance: 'abc' is not a positive number" check none.off --tolerance abc
 refuses 2 "--radius: '1e400' is not a positive number" check none.off --source 0 --radius 1e400
 refuses 2 "no source is given" check "$grid"
 refuses 2 "'0' is not a positive number" check "$grid" --source 0 --tolerance 0
-refuses 2 "the end of the name must be one of .csv" check "$grid" --source 0 -o x.ply
+refuses 2 "the name must end with one of .csv" check "$grid" --source 0 -o x.ply
 no_remains

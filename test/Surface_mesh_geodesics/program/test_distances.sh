@@ -16,9 +16,9 @@ cmp table.csv file.csv
 is_silent distances "$grid" --source 0 -o - > out
 cmp table.csv out
 
-# Several sources: all ways to tell them, in this order.
-printf '# corners\n3\n1 0 0\n\n17 0 0 1 # the last corner of the last face, vertex 14\n' > places.txt
-is_silent distances "$grid" --source 0 --source-point 0.5,0.5,0.3 --source-file places.txt -o several.csv
+# Several sources, specified in all ways, in this order.
+printf '# corners\n3\n1 0 0\n\n17 0 0 1 # the last corner of the last face, vertex 14\n' > locations.txt
+is_silent distances "$grid" --source 0 --source-point 0.5,0.5,0.3 --source-file locations.txt -o several.csv
 equals "$(column several.csv source | line /dev/stdin 1)" 0
 equals "$(column several.csv source | line /dev/stdin 4)" 2
 equals "$(column several.csv source | line /dev/stdin 13)" 3
@@ -29,14 +29,14 @@ equals "$(column several.csv source | line /dev/stdin 15)" 4
 is_silent distances "$grid" --source-point -3,0,0 -o negative.csv
 cmp <(cut -d, -f1,2 table.csv) <(cut -d, -f1,2 negative.csv)
 
-# Random sources depend on the seed, and on nothing else.
+# Random sources depend on the seed only.
 is_silent distances "$grid" --source-random 3 --seed 5 --quiet > first.csv
 is_silent distances "$grid" --source-random 3 --seed 5 --quiet > again.csv
 is_silent distances "$grid" --source-random 3 --seed 6 --quiet > other.csv
 cmp first.csv again.csv
 differ first.csv other.csv
 equals "$(column first.csv distance | grep -c '^0$')" 3
-# A remark tells which they are, in their order.
+# A remark lists them in order.
 remarks "--source-random: vertices " distances "$grid" --source-random 3 --seed 5
 cmp remarks.out first.csv
 chosen=$(sed 's/.*vertices //; s/,//g' remarks.err)
@@ -50,7 +50,7 @@ is_silent distances "$data/two_components.off" --source 0 > parts.csv
 [ "$(column parts.csv distance | grep -c inf)" -gt 0 ]
 equals "$(column parts.csv distance | grep -c inf)" "$(column parts.csv source | grep -c -- -1)"
 
-# Files for viewers: the mesh, a color for each point, isolines at the distances asked for.
+# Files for viewers: the mesh, a color for each point, isolines at the requested distances.
 is_silent distances "$grid" --source 0 --spacing 0.5 -o d.vtk -o d.obj -o d.ply
 contains d.vtk "POLYGONS 18 72"
 contains d.vtk "LINES 2 "
@@ -75,14 +75,14 @@ cmp table.csv again.csv
 is_silent distances "$grid" --source 0 --isolines 3 -o three.vtk
 contains three.vtk "LINES 3 "
 
-# A file that is there is replaced, one that a link leads to as well; what is at the other places stays.
+# An existing file is replaced, also through a link; other files stay.
 echo old > old.csv
 ln -s old.csv link.csv
 is_silent distances "$grid" --source 0 -o link.csv
 [ -L link.csv ]
 cmp table.csv old.csv
 
-# Faces that are no triangles.
+# Faces that are not triangles.
 printf 'OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n' > square.off
 "$program" distances square.off --source 0 > square.csv 2> note
 contains note "cut 1 face into 2 triangles"
@@ -90,22 +90,22 @@ is_near "$(column square.csv distance | line /dev/stdin 3)" 1.4142135623730951
 is_silent distances square.off --source 0 --quiet > quiet.csv
 cmp square.csv quiet.csv
 
-# What is wrong on the command line.
+# Wrong command lines.
 refuses 2 "no source is given" distances "$grid"
 refuses 2 "no mesh is given" distances --source 0
 refuses 2 "there is no vertex 16; the vertices of the mesh are 0 to 15" distances "$grid" --source 16
-refuses 2 "'-1' is not the number of a vertex" distances "$grid" --source -1
-refuses 2 "'1.5' is not the number of a vertex" distances "$grid" --source 1.5
+refuses 2 "'-1' is not a vertex index" distances "$grid" --source -1
+refuses 2 "'1.5' is not a vertex index" distances "$grid" --source 1.5
 refuses 2 "three finite numbers" distances "$grid" --source-point 1,2
 refuses 2 "three finite numbers" distances "$grid" --source-point nan,0,0
-refuses 2 "--source-point 0,1e7,0: the point is more than a million times the size of the mesh away from it" \
+refuses 2 "--source-point 0,1e7,0: the distance of the point from the mesh is more than a million times the size of the mesh" \
   distances "$grid" --source-point 0,1e7,0
 refuses 2 "more than a million times" distances "$grid" --source-point -1e308,1e308,1e308
 is_silent distances "$grid" --source-point -1e6,-1e6,0 -o far.csv
 cmp <(cut -d, -f1,2 table.csv) <(cut -d, -f1,2 far.csv)
 refuses 2 "only 16 vertices" distances "$grid" --source-random 17
 refuses 2 "'inf' is not a positive number" distances "$grid" --source 0 --radius inf
-refuses 2 "cannot be given together" distances "$grid" --source 0 --isolines 3 --spacing 1 -o x.vtk
+refuses 2 "cannot be combined" distances "$grid" --source 0 --isolines 3 --spacing 1 -o x.vtk
 refuses 2 "--spacing: more than 1000 lines up to the largest distance, 1.41421; give 0.00141421 or more" \
   distances "$grid" --source 0 --spacing 1e-9 -o x.vtk
 for number in 1001 99999999999999999999 -1 2.5 1e3 abc ""; do
@@ -119,16 +119,16 @@ for number in nan inf -inf -1 0 1e400 1e-400 "" " 1" 1x; do
   refuses 2 "--radius: '$number' is not a positive number, such as 0.5 or 1e-3" \
     distances none.off --source 0 --radius "$number"
 done
-refuses 2 "--source: '' is not the number of a vertex" distances none.off --source 0,
+refuses 2 "--source: '' is not a vertex index" distances none.off --source 0,
 refuses 2 "only 16 vertices" distances "$grid" --source-random 99999999999
-remarks "--seed has no effect: no place is chosen at random" distances "$grid" --source 0 --seed 1
+remarks "--seed has no effect: no random locations are requested" distances "$grid" --source 0 --seed 1
 is_silent distances "$grid" --source 0 --seed 1 --quiet
 remarks "--isolines has no effect without an output .ply, .vtk, .obj, .html" distances "$grid" --source 0 --isolines 3
 remarks "--spacing has no effect without an output" distances "$grid" --source 0 --spacing 1 -o x.csv
 is_silent distances "$grid" --source 0 --isolines 1000 -o most.vtk
 equals "$(awk '$1 == "LINES" { print ($2 >= 1000) }' most.vtk)" 1
 
-# The end of a name counts in capital letters as well.
+# Endings of names may be in upper case.
 is_silent distances "$grid" --source 0 -o A.CSV -o A.Obj -o A.PLY
 cmp table.csv A.CSV
 is_silent distances A.PLY --source 0 -o B.CSV
@@ -136,7 +136,7 @@ cmp <(head -n 17 B.CSV) table.csv
 "$program" remesh "$grid" --number 16 --quiet -o C.OBJ
 is_silent info C.OBJ > info.csv
 contains info.csv vertices,16
-refuses 2 "the end of the name must be one of .csv, .ply, .vtk, .obj" distances "$grid" --source 0 -o x.txt
+refuses 2 "the name must end with one of .csv, .ply, .vtk, .obj" distances "$grid" --source 0 -o x.txt
 refuses 2 "--nonsense" distances "$grid" --source 0 --nonsense
 [ ! -e x.vtk ]
 no_remains

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Pages for browsers, as the subcommands distances, path and voronoi of surface_mesh_geodesics write them with --html.
+# Pages for browsers, written by the subcommands distances, path and voronoi with --html.
 source "$(dirname "${BASH_SOURCE[0]}")/support.sh" "$@"
 grid=$data/grid4.off # the unit square, 16 vertices, 18 faces; vertex 4 i + j is (i, j) / 3
 
@@ -25,7 +25,7 @@ colors=$(grep -o '"cellColors":\[[^]]*\]' CELLS.HTML | grep -o '#[0-9a-f]*')
 equals "$(echo "$colors" | wc -l)" 16
 equals "$colors" "$(awk '$1 == "comment" { printf "#%02x%02x%02x\n", $5, $6, $7 }' cells.ply)"
 
-# A name that is no HTML stays a name.
+# A file name is escaped in HTML.
 cp "$grid" '<i>&"x".off'
 is_silent distances '<i>&"x".off' --source 0 --html name.html
 equals "$(grep -c '<i>&"x"' name.html)" 0
@@ -41,6 +41,6 @@ is_silent voronoi large.off --site-random 50 --quiet --html large_cells.html
 [ "$(wc -c < large.html)" -lt 10000000 ]
 [ "$(wc -c < large_cells.html)" -lt 10000000 ]
 
-refuses 2 "the end of the name 'x.htm' is not .html" distances "$grid" --source 0 --html x.htm
+refuses 2 "the name 'x.htm' does not end with .html" distances "$grid" --source 0 --html x.htm
 refuses 4 "cannot be written" distances "$grid" --source 0 --html nowhere/x.html
 no_remains

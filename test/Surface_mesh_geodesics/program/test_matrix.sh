@@ -11,7 +11,7 @@ is_near "$(line square.csv 2 | cut -d, -f2)" 1.4142135623730951
 is_near "$(line square.csv 3 | cut -d, -f3)" 1
 is_near "$(line square.csv 4 | cut -d, -f1)" 1
 
-# A row is what the subcommand distances writes.
+# A row equals the output of the subcommand distances.
 is_silent matrix "$grid" --source 5 --source-point 0.5,0.5,0 --target all -o rows.csv
 is_silent distances "$grid" --source 5 > from_5.csv
 is_silent distances "$grid" --source-point 0.5,0.5,0 > from_point.csv
@@ -19,7 +19,7 @@ equals "$(line rows.csv 1)" 0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15
 equals "$(line rows.csv 2)" "$(column from_5.csv distance | paste -sd ,)"
 equals "$(line rows.csv 3)" "$(column from_point.csv distance | paste -sd ,)"
 
-# Pairs within a radius: those of the whole matrix that are not farther.
+# Pairs within a radius: the entries of the whole matrix up to the radius.
 is_silent matrix "$grid" --source all > all.csv
 is_silent matrix "$grid" --source all --radius 0.5 > pairs.csv
 equals "$(line pairs.csv 1)" source,target,distance
@@ -31,16 +31,16 @@ contains parts.csv inf
 
 refuses 2 "no source is given" matrix "$grid"
 refuses 2 "use --target" matrix "$grid" --source-point 0,0,0
-# targets are vertices: no option promises more
+# targets are vertices: there is no option for points
 refuses 2 "unrecognised option '--target-point" matrix "$grid" --source 0 --target-point 0,0,0
 "$program" matrix --help > help
 equals "$(grep -c -e --target-point help)" 0
-contains help "a file with the number of a vertex in each line"
+contains help "a file with one vertex index per line"
 printf '3\n 15 # a corner\n' > vertices.txt
 is_silent matrix "$grid" --source 0 --target-file vertices.txt > from_file.csv
 equals "$(line from_file.csv 1)" 3,15
 printf '3\n1 0 0\n' > point.txt
-refuses 3 "point.txt, line 2: only the number of a vertex may stand here" \
+refuses 3 "point.txt, line 2: only a vertex index is allowed here" \
   matrix "$grid" --source 0 --target-file point.txt
 refuses 2 "'-2' is not a positive number" matrix "$grid" --source 0 --radius -2
 no_remains

@@ -29,19 +29,19 @@ is_silent path "$data/L_shape.off" --source 0 --target all -o all.csv -o all.obj
 number_of_vertices=$(line "$data/L_shape.off" 2 | cut -d ' ' -f 1)
 equals "$(column all.csv target | wc -l)" "$number_of_vertices"
 equals "$(column all.csv length | line /dev/stdin 1)" 0
-# a path to the source itself is no line
+# a path from the source to itself is not a line
 equals "$(wc -l < all.polylines.txt)" $((number_of_vertices - 1))
 equals "$(grep -c '^l ' all.obj)" $((number_of_vertices - 1))
 contains all.vtk "LINES $((number_of_vertices - 1)) "
 contains all.vtk "SCALARS length double 1"
 contains all.ply "property double length"
-# lengths of the lines, summed up, are those of the table
+# the sums of the lengths of the lines are those of the table
 awk -F, 'NR > 2 { print $3 }' all.csv > lengths
 awk '{ s = 0; for(i = 5; i < NF; i += 3) s += sqrt(($i - $(i-3))^2 + ($(i+1) - $(i-2))^2 + ($(i+2) - $(i-1))^2)
   getline length_in_table < "lengths"
   if((s - length_in_table)^2 > 1e-24 || NF != 3 * $1 + 1) exit 1 }' all.polylines.txt
 
-# A place that no source reaches.
+# A target that no source reaches.
 is_silent path "$data/two_components.off" --source 0 --target all > parts.csv
 contains parts.csv ",-1,inf,0"
 
@@ -49,18 +49,18 @@ refuses 2 "no source is given" path "$grid" --target 0
 refuses 2 "no target is given" path "$grid" --source 0
 refuses 2 "there is no vertex 99" path "$grid" --source 0 --target 99
 printf '0\n1 2\n' > two_numbers.txt
-refuses 3 "two_numbers.txt, line 2: a point is three finite numbers" \
+refuses 3 "two_numbers.txt, line 2: a point consists of three finite numbers" \
   path "$grid" --source 0 --target-file two_numbers.txt
 printf '40 0.2 0.2 0.6\n' > no_face.txt
-refuses 3 "'40' is not the number of a face" path "$grid" --source 0 --target-file no_face.txt
+refuses 3 "'40' is not a face index" path "$grid" --source 0 --target-file no_face.txt
 printf '4 0.2 0.2 0.2\n' > no_sum.txt
 refuses 3 "the sum of the barycentric coordinates is not 1" path "$grid" --source 0 --target-file no_sum.txt
-printf '# nothing\n' > no_place.txt
-refuses 3 "there is no place in the file" path "$grid" --source 0 --target-file no_place.txt
-refuses 3 "none.txt: there is no such file" path "$grid" --source 0 --target-file none.txt
+printf '# nothing\n' > no_location.txt
+refuses 3 "the file contains no location" path "$grid" --source 0 --target-file no_location.txt
+refuses 3 "none.txt: the file does not exist" path "$grid" --source 0 --target-file none.txt
 refuses 3 ".: is a folder, not a file" path "$grid" --source 0 --target-file .
-refuses 2 "--target: 'x' is not the number of a vertex" path none.off --source 0 --target 1,x
-refuses 2 "--target-point 0,1e400,0: a point is three finite numbers" path none.off --source 0 --target-point 0,1e400,0
+refuses 2 "--target: 'x' is not a vertex index" path none.off --source 0 --target 1,x
+refuses 2 "--target-point 0,1e400,0: a point consists of three finite numbers" path none.off --source 0 --target-point 0,1e400,0
 refuses 2 "--target-random: '0' is not a whole number of 1 or more" path none.off --source 0 --target-random 0
 remarks "--points has no effect without an output .csv" path "$grid" --source 0 --target 1 --points -o path.obj
 no_remains

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What all subcommands of surface_mesh_geodesics have in common: help, input and output.
+# Common to all subcommands: help, input and output.
 # A fourth argument is the man page.
 source "$(dirname "${BASH_SOURCE[0]}")/support.sh" "$@"
 man_page=$4
@@ -20,7 +20,7 @@ for subcommand in $subcommands; do
   contains "help_$subcommand" "  surface_mesh_geodesics $subcommand bunny.off"
   contains "$man_page" ".B $subcommand"
 done
-# every option of the help is in the man page, and every subcommand of the help has been looked at
+# every option of the help is in the man page, and the help lists all subcommands tested here
 equals "$(awk '/^subcommands:/ { on = 1; next } /^$/ { on = 0 } on { print $1 }' help | paste -sd ' ')" "$subcommands"
 sed 's/\\-/-/g' "$man_page" > man_text
 for option in $(cat help_* | grep -o -e '--[a-z-]*' | sort -u); do
@@ -35,9 +35,9 @@ equals "$status" 2
 contains no_arguments.err "usage: "
 
 for word in --version --help; do
-  refuses 2 "'bogus' after $word is one word too many" $word bogus
+  refuses 2 "'bogus' after $word is superfluous" $word bogus
 done
-refuses 2 "'extra' after help is one word too many" help info extra
+refuses 2 "'extra' after help is superfluous" help info extra
 refuses 2 "there is no subcommand ''" ""
 refuses 2 "unrecognised option '--bogus'" info --help --bogus
 
@@ -69,31 +69,31 @@ for subcommand in $subcommands; do
     info) arguments=() ;;
   esac
   refuses 2 "no mesh is given" "$subcommand" "${arguments[@]}"
-  refuses 3 "none.off: there is no such file" "$subcommand" none.off "${arguments[@]}"
+  refuses 3 "none.off: the file does not exist" "$subcommand" none.off "${arguments[@]}"
   refuses 3 "empty.off: the file is empty" "$subcommand" empty.off "${arguments[@]}"
-  refuses 3 "no_last_faces.off: the file is damaged or incomplete" "$subcommand" no_last_faces.off "${arguments[@]}"
+  refuses 3 "no_last_faces.off: the file is damaged, incomplete" "$subcommand" no_last_faces.off "${arguments[@]}"
   refuses 2 "more than one mesh is given" "$subcommand" "$grid" "${arguments[@]}" another.off
 done
 refuses 3 ".: is a folder, not a file" info .
-refuses 3 "/dev/null: the end of the name is none of .off" info /dev/null
-refuses 2 "the name of a file that is to be read is empty" info ""
+refuses 3 "/dev/null: the name must end with one of .off" info /dev/null
+refuses 2 "the name of an input file is empty" info ""
 printf 'OFF\n3 1 0\n0 0 0\n1e308 0 0\n0 1e308 0\n3 0 1 2\n' > huge.off
 refuses 3 "huge.off: vertex 1 has a coordinate that is not finite, or too large" info huge.off
-# a mesh at one place, or nearly so, is one
+# a mesh of size zero, or nearly zero, is valid
 printf 'OFF\n3 1 0\n0 0 0\n0 0 0\n0 0 0\n3 0 1 2\n' > point.off
 printf 'OFF\n3 1 0\n0 0 0\n1e-320 0 0\n0 1e-320 0\n3 0 1 2\n' > tiny.off
 for mesh in point tiny; do
   is_silent voronoi $mesh.off --site 0,1 -o $mesh.ply
 done
 is_silent distances point.off --source-point 0,0,0 > point.csv
-# but points of space are not found on one that CGAL's trees cannot tell from a point
+# but the nearest location to a point is not found if CGAL's trees cannot distinguish the mesh from a point
 refuses 3 "tiny.off: the mesh, or its distance from the point to be located, is too large or too small" \
   distances tiny.off --source-point 0,0,0
 refuses 3 "text.off: the file is damaged" info text.off
 refuses 3 "no_last_points.off: the file is damaged" info no_last_points.off
 refuses 3 "not_a_number.off: " info not_a_number.off
 refuses 3 "too_large.off: " info too_large.off
-refuses 3 "no_faces.off: there are no faces in the file" info no_faces.off
+refuses 3 "no_faces.off: the file contains no faces" info no_faces.off
 refuses 3 "vertex_twice.off: " info vertex_twice.off
 refuses 3 "two_corners.off: " info two_corners.off
 refuses 3 "no_vertex.obj: " info no_vertex.obj
@@ -102,7 +102,7 @@ refuses 3 "half.stl: " info half.stl
 refuses 3 "nan.ply: a coordinate of vertex" info nan.ply
 refuses 3 "$data/edge_three_faces.off: face 1 does not fit" info "$data/edge_three_faces.off"
 refuses 3 "moebius.off: face 4 does not fit" info moebius.off
-refuses 3 "none of .off, .obj, .ply, .stl, .ts" info "$man_page"
+refuses 3 "must end with one of .off, .obj, .ply, .stl, .ts" info "$man_page"
 
 # --- output -----------------------------------------------------------------------------------------------------------
 
@@ -126,23 +126,23 @@ if [ "$(id -u)" -ne 0 ]; then # whoever may write everything cannot see this one
   equals "$(cat protected.csv)" old
 fi
 
-refuses 2 "the name of an output is empty" "${distances[@]}" -o ""
-refuses 2 "/dev/null: the end of the name must be one of" "${distances[@]}" -o /dev/null
+refuses 2 "the name of an output file is empty" "${distances[@]}" -o ""
+refuses 2 "/dev/null: the name must end with one of" "${distances[@]}" -o /dev/null
 refuses 2 "option '--quiet' cannot be specified more than once" "${distances[@]}" --quiet --quiet
 refuses 2 "option '--seed' cannot be specified more than once" "${distances[@]}" --seed 1 --seed 2
 
-# What a command reads is not overwritten, whatever it is called.
+# A command does not overwrite its input, under any name.
 cp "$grid" mesh.off
 ln -s mesh.off link.off
-printf '0\n' > places.csv
+printf '0\n' > locations.csv
 for arguments in "mesh.off -o mesh.off" "mesh.off -o link.off" "link.off -o $work/mesh.off"; do
-  refuses 2 "the file is read by this command; give the output another name" remesh --number 3 $arguments
+  refuses 2 "this command reads the file; give the output another name" remesh --number 3 $arguments
 done
-refuses 2 "places.csv: the file is read by this command" distances mesh.off --source-file places.csv -o places.csv
+refuses 2 "locations.csv: this command reads the file" distances mesh.off --source-file locations.csv -o locations.csv
 cmp "$grid" mesh.off
-equals "$(cat places.csv)" 0
+equals "$(cat locations.csv)" 0
 
-# An error leaves the old file as it was, and nothing beside it.
+# An error leaves the old file unchanged, and no other file.
 echo old > kept.csv
 refuses 2 "there is no vertex 99" distances "$grid" --source 99 -o kept.csv
 refuses 3 "the file is empty" distances empty.off --source 0 -o kept.csv
@@ -150,7 +150,7 @@ refuses 4 "cannot be written" "${distances[@]}" -o kept.csv -o nowhere/x.csv
 equals "$(cat kept.csv)" old
 no_remains
 
-# So does a signal. The program waits for its mesh, which comes through a pipe that nobody fills.
+# So does a signal. The program waits for its mesh from a pipe that nobody fills.
 mkfifo pipe.off
 "$program" distances pipe.off --source 0 -o kept.csv &
 process=$!
@@ -166,8 +166,8 @@ equals "$status" 143
 equals "$(cat kept.csv)" old
 no_remains
 
-# And so does a signal while files are written: the first one is complete, and the second one, a pipe that nobody
-# empties, keeps the program waiting.
+# So does a signal while files are written: the first one is complete; the second one, a pipe that nobody empties, keeps
+# the program waiting.
 mkfifo full_pipe.csv
 exec 9<> full_pipe.csv
 "$program" matrix "$data/grid9.off" --source all -o whole.csv -o full_pipe.csv &
@@ -191,10 +191,10 @@ for i in 1 2; do # new, and there already
 done
 equals "$(wc -l < twice.csv)" "$(wc -l < <("$program" distances "$data/grid9.off" --source 0))"
 
-# a file does not get the number of a closed stream, and remarks do not go to it
+# a file does not receive the descriptor of a closed stream, and no remarks
 "$program" remesh "$data/grid9.off" --number 5 -o mesh.off 2>&-
 equals "$(line mesh.off 1)" OFF
 
-# a reader that goes away leaves nothing behind
+# if the reader of a pipe ends, no file is left behind
 "$program" distances "$data/grid9.off" --source 0 -o part.csv -o - | head -n 1 > first.txt || true
 no_remains

@@ -25,9 +25,9 @@ refuses 2 "number" remesh "$sphere"
 refuses 2 "--number: '2' is not a whole number of 3 or more" remesh "$sphere" --number 2
 refuses 2 "--iterations: '-1' is not a whole number from 0 to 1000000" remesh none.off --number 60 --iterations -1
 cp "$sphere" sphere.off
-refuses 2 "./sphere.off: the file is read by this command" remesh sphere.off --number 60 -o ./sphere.off
+refuses 2 "./sphere.off: this command reads the file" remesh sphere.off --number 60 -o ./sphere.off
 cmp sphere.off "$sphere"
-refuses 2 "the end of the name must be one of .off, .obj, .ply" remesh "$sphere" --number 60 -o x.vtk
+refuses 2 "the name must end with one of .off, .obj, .ply" remesh "$sphere" --number 60 -o x.vtk
 # too few cells for a closed surface
 refuses 1 "a larger --number helps" remesh "$sphere" --number 3 -o few.off
 [ ! -e few.off ]

@@ -13,7 +13,7 @@ contains note "4 samples; the farthest vertex is 0.471405 from its nearest one"
 is_silent sample "$grid" --number 4 --first 0 --quiet > again.csv
 cmp corners.csv again.csv
 
-# Until all vertices are near enough: no vertex is farther than the radius, and one sample fewer would not do.
+# Until all vertices are near enough: no vertex is farther than the radius, and one sample fewer does not suffice.
 "$program" sample "$grid" --radius 0.4 --first 0 > near.csv 2> /dev/null
 samples=$(column near.csv vertex | paste -sd ,)
 is_silent distances "$grid" --source "$samples" > distances.csv
@@ -21,7 +21,7 @@ awk -F, 'NR > 1 && $2 > 0.4 { exit 1 }' distances.csv
 is_silent distances "$grid" --source "${samples%,*}" > distances.csv
 awk -F, 'NR > 1 && $2 > 0.4 { found = 1 } END { exit !found }' distances.csv
 
-# The first samples are told in all the ways that vertices can be.
+# First samples, specified in all ways that vertices can be.
 printf '5\n10\n' > first.txt
 is_silent sample "$grid" --number 3 --first 0 --first-file first.txt --quiet > first.csv
 equals "$(column first.csv vertex | paste -sd ' ')" "0 5 10"
@@ -30,7 +30,7 @@ equals "$(column random.csv vertex | sort -u | wc -l)" 2
 is_silent sample "$grid" --number 2 --first-random 2 --seed 4 --quiet > other.csv
 differ random.csv other.csv
 
-# All vertices, if more are wanted than there are.
+# All vertices, if more samples are requested than there are vertices.
 is_silent sample "$grid" --number 100 --quiet > all.csv
 equals "$(column all.csv vertex | sort -n | paste -sd ' ')" "0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15"
 

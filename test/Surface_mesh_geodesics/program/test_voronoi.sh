@@ -5,17 +5,17 @@ grid=$data/grid4.off # the unit square, 16 vertices, 18 faces; vertex 4 i + j is
 
 # The corners of the square: four quarters of it.
 is_silent voronoi "$grid" --site 0,3,15,12 > cells.csv
-equals "$(line cells.csv 1)" site,x,y,z,weight,area,is_disk,neighbours
+equals "$(line cells.csv 1)" site,x,y,z,weight,area,is_disk,neighbors
 for i in 1 2 3 4; do
   is_near "$(column cells.csv area | line /dev/stdin $i)" 0.25
   equals "$(column cells.csv is_disk | line /dev/stdin $i)" 1
 done
 equals "$(column cells.csv x | paste -sd ' ')" "0 0 1 1"
 
-# Two sites: the middle line; with weights it is a hyperbola, nearer to the smaller weight.
+# Two sites: the bisector is the middle line; with weights it is a hyperbola, nearer to the smaller weight.
 is_silent voronoi "$grid" --site-point 0,0.5,0 --site-point 1,0.5,0 -o two.csv -o two.obj -o two.ply -o two.vtk
 is_near "$(column two.csv area | line /dev/stdin 1)" 0.5
-equals "$(column two.csv neighbours | paste -sd ' ')" "1 0"
+equals "$(column two.csv neighbors | paste -sd ' ')" "1 0"
 awk '$1 == "v" { if(($2 - 0.5)^2 > 1e-24) exit 1; ++n } END { exit !(n > 1) }' two.obj
 contains two.ply "property int site"
 contains two.vtk "SCALARS site int 1"
@@ -37,21 +37,21 @@ is_near "$(column vertices.csv distance | line /dev/stdin 5)" 0.3333333333333333
 is_silent voronoi "$data/two_components.off" --site 0 --vertices > parts.csv
 contains parts.csv ",-1,inf"
 
-# A tolerance: more points for a smaller one.
+# A smaller tolerance gives more points.
 is_silent voronoi "$grid" --site 0,6,15 --weight 0,0.1,0 --tolerance 1e-2 -o coarse.obj
 is_silent voronoi "$grid" --site 0,6,15 --weight 0,0.1,0 --tolerance 1e-7 -o fine.obj
 [ "$(grep -c '^v ' fine.obj)" -gt "$(grep -c '^v ' coarse.obj)" ]
 
-# Colors: the same for all of a cell, as the head of the file tells, and different for neighbours.
+# Colors: one for each cell, as in the header of the file, and different for neighbors.
 sphere=$data/../../../examples/Surface_mesh_geodesics/data/bumpy_sphere.off
-is_silent voronoi "$sphere" --site-random 40 --quiet -o colors.ply -o neighbours.csv
+is_silent voronoi "$sphere" --site-random 40 --quiet -o colors.ply -o neighbors.csv
 tr -d '\r' < colors.ply | awk '
   FNR == NR { if($1 == "comment") color[$3] = $5 " " $6 " " $7
     if($1 == "3" && NF == 8) { if($5 " " $6 " " $7 != color[$8]) exit 1; ++faces }
     next }
-  { split($0, field, ","); split(field[8], neighbour, " ")
-    for(i in neighbour) { ++pairs; if(color[field[1]] == color[neighbour[i]]) exit 1 } }
-  END { exit !(faces > 1000 && pairs > 150) }' - <(tail -n +2 neighbours.csv)
+  { split($0, field, ","); split(field[8], neighbor, " ")
+    for(i in neighbor) { ++pairs; if(color[field[1]] == color[neighbor[i]]) exit 1 } }
+  END { exit !(faces > 1000 && pairs > 150) }' - <(tail -n +2 neighbors.csv)
 
 refuses 2 "no site is given" voronoi "$grid"
 refuses 2 "2 weights for 1 sites" voronoi "$grid" --site 0 --weight 1,2
@@ -66,5 +66,5 @@ is_silent voronoi "$grid" --site 0,6,15 --weight 0,0.1,0 --tolerance 1.5e-9 -o f
 [ "$(wc -c < finest.obj)" -lt 10000000 ]
 remarks "--tolerance has no effect without an output .ply, .vtk, .obj, .html" voronoi "$grid" --site 0 --tolerance 1
 remarks "--vertices has no effect without an output .csv" voronoi "$grid" --site 0,15 --vertices -o x.obj
-refuses 2 "the end of the name must be one of" voronoi "$grid" --site 0 -o x.stl
+refuses 2 "the name must end with one of" voronoi "$grid" --site 0 -o x.stl
 no_remains

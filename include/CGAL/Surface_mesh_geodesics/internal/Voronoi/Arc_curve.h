@@ -13,7 +13,8 @@
 // An arc of the diagram as a parametric curve over [0, 1], its length, and the integrals along it from which areas and
 // centroids are computed.
 //
-// Frame: the layout of the arc's face. Error: integrals are exact up to Tolerance::quadrature() of those over the chord.
+// Frame: the layout of the arc's face. Error: integrals are exact up to Tolerance::quadrature() of those over the
+// chord.
 
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Voronoi_elements.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
@@ -51,6 +52,8 @@ inline Border_integrals segment_integrals(const Planar_point<double>& p, const P
   return Border_integrals{cross / 2, cross * (p.x + q.x) / 6, cross * (p.y + q.y) / 6};
 }
 
+// Requires: the ends of the arc are on the bisector of its images up to rounding, if the arc says that it is a
+// bisector.
 class Arc_curve
 {
 public:
@@ -72,6 +75,8 @@ public:
 
   bool is_segment() const { return m_is_segment; }
 
+  // Returns the point at parameter t: exactly the ends of the arc at 0 and 1. Parameters are proportional to the angle
+  // at the focus (Weighted_bisector), not to the length.
   Point point(double t) const
   {
     if(t <= 0)
@@ -83,6 +88,7 @@ public:
     return point_of_segment(t);
   }
 
+  // Returns the length of the arc.
   double length() const
   {
     if(m_is_segment)
@@ -111,8 +117,8 @@ public:
     return result;
   }
 
-  // Calls visit(point) for points of the curve, without the first point and including the last one. The segments between
-  // them are at most `tolerance` away from the curve.
+  // Calls visit(point) for points of the curve, without the first point and including the last one. The segments
+  // between them are at most `tolerance` away from the curve.
   template <typename Visitor>
   void sample(double tolerance, Visitor visit) const
   {
@@ -122,8 +128,8 @@ public:
   }
 
 private:
-  // Returns whether the curve is closer than the segment to the points of equal distance. Where the two images are so close
-  // to each other that rounding moves the curve as a whole, the curve may end before the last point of the arc.
+  // Returns whether the curve is closer than the segment to the points of equal distance. Where the two images are so
+  // close to each other that rounding moves the curve as a whole, the curve may end before the last point of the arc.
   bool is_better_than_segment(const Arc& a) const
   {
     const double chord = distance(m_first, m_last);
@@ -150,8 +156,8 @@ private:
   template <std::size_t n>
   using Values = std::array<double, n>;
 
-  // Returns the integrals over the curve of f(point, derivative by the angle). Intervals are halved until the sums change
-  // by at most Tolerance::quadrature() of `scale`; a relative criterion would fail where f is only rounding.
+  // Returns the integrals over the curve of f(point, derivative by the angle). Intervals are halved until the sums
+  // change by at most Tolerance::quadrature() of `scale`; a relative criterion would fail where f is only rounding.
   template <std::size_t n, typename Function>
   Values<n> integrals_of(Function f, const Values<n>& scale) const
   {
@@ -206,6 +212,8 @@ private:
     return f(m_curve.point(t), Point{(1 + t * t) * d.x, (1 + t * t) * d.y});
   }
 
+  // Visits points between the parameters t and u, at which the curve is at p and q: halves until the middle is close to
+  // the chord, at most `depth` times.
   template <typename Visitor>
   void refine(double t, double u, const Point& p, const Point& q, double tolerance, int depth,
               Visitor& visit) const

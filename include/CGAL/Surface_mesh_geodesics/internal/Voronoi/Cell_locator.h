@@ -10,12 +10,12 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_CELL_LOCATOR_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_CELL_LOCATOR_H
 
-// Locates a point of a face in the diagram, by the arcs in the face alone: when a diagram has been built, no windows are
-// left.
+// Locates a point of a face in the diagram, by the arcs in the face alone: when a diagram has been built, no windows
+// are left.
 //
-// If the point is on an arc up to rounding, the images of the arc are the nearest ones and are compared. Any other point is
-// joined to a target by a segment; targets are points of the border, whose cells are known, and points of arcs. The arc
-// that the segment meets first, as seen from the point, tells the cell.
+// If the point is on an arc up to rounding, the images of the arc are the nearest ones and are compared. Any other
+// point is joined to a target by a segment; targets are points of the border, whose cells are known, and points of
+// arcs. The arc that the segment meets first, as seen from the point, tells the cell.
 //
 // On symmetric surfaces, arcs run along edges and meet in corners and in the middles of faces, where rounding decides
 // what a segment meets. So of several targets the one with the largest clearance is taken: the distance of the segment
@@ -36,6 +36,8 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
+// Locates one point. No bound is known for the distance from an arc within which the result may be the cell on the
+// other side; it is about resolution(), and both sites are equally far there up to rounding.
 template <typename FT_>
 class Cell_locator
 {
@@ -50,9 +52,9 @@ public:
     : m_complex(complex), m_face(f), m_p(p), m_range(complex.arcs_of_face(f))
   {}
 
-  // Returns the site of a cell that the point is in, null_id if the face is not reached. A point of an arc is in several
-  // cells: the nearer site of its images is returned, the left one in a tie. Takes quadratic time in the number of arcs in
-  // the face at most, linear time for most points.
+  // Returns the site of a cell that the point is in, null_id if the face is not reached. A point of an arc is in
+  // several cells: the nearer site of its images is returned, the left one in a tie. Takes quadratic time in the number
+  // of arcs in the face at most, linear time for most points.
   Vertex_id cell() const
   {
     if(m_range.first == m_range.second)
@@ -73,6 +75,7 @@ private:
     FT clearance = -1;
   };
 
+  // The nearest one of some sites; the first one in a tie.
   struct Nearest_site
   {
     Vertex_id site = null_id;
@@ -122,7 +125,8 @@ private:
     return t > 0 && t < curve.angle(a.last) ? (std::min)(to_ends, distance(x, curve.point_at_angle(t))) : to_ends;
   }
 
-  // Returns the best target of the first kind in which one has a clearance: corners, points of the border, points of arcs.
+  // Returns the best target of the first kind in which one has a clearance: corners, points of the border, points of
+  // arcs.
   Target best_target() const
   {
     Target best;
@@ -134,6 +138,7 @@ private:
     return best;
   }
 
+  // Tries the points at parameter t of all parts of the border as targets.
   void add_targets_on_border(const FT& t, Target& best) const
   {
     m_complex.for_each_border_interval(m_face, [&](Vertex_id site, const Point& from, const Point& to)
@@ -143,6 +148,7 @@ private:
     });
   }
 
+  // Tries the point at parameter t of an arc as a target.
   void add_target_on_arc(const Arc& a, const FT& t, Target& best) const
   {
     const Weighted_bisector<FT> curve(a.left, a.right, a.first);
@@ -152,6 +158,7 @@ private:
     add_target(q, site_towards_p(a, curve, q), &a, best);
   }
 
+  // Keeps the target q if its clearance is larger than that of the best one.
   void add_target(const Point& q, Vertex_id site, const Arc* own, Target& best) const
   {
     const FT clearance = clearance_of(q, own, best.clearance);
@@ -159,9 +166,9 @@ private:
       best = Target{q, site, clearance};
   }
 
-  // Returns the clearance of a target q: the smallest distance of the end of an arc from the segment to q, and of q from
-  // an arc other than its own. Stops with a larger value as soon as the clearance is known to be at most `bound`, so that
-  // most targets look at few arcs.
+  // Returns the clearance of a target q: the smallest distance of the end of an arc from the segment to q, and of q
+  // from an arc other than its own. Stops with a larger value as soon as the clearance is known to be at most `bound`,
+  // so that most targets look at few arcs.
   FT clearance_of(const Point& q, const Arc* own, const FT& bound) const
   {
     FT smallest = std::numeric_limits<FT>::infinity();
@@ -177,6 +184,7 @@ private:
     return smallest;
   }
 
+  // Returns the cell of p, given a target: that of the target, or beyond the first arc that the segment meets.
   Vertex_id cell_on_the_way(const Target& target) const
   {
     Vertex_id site = target.site;
@@ -234,8 +242,9 @@ private:
          * (std::max)({distance(corner[0], corner[1]), distance(corner[1], corner[2]), distance(corner[2], corner[0])});
   }
 
-  // Returns whether an arc is told apart from the segment between its ends. The parameters of a hyperbola that is nearly
-  // a ray are too small to tell its ends, and if its images are nearly one point, rounding moves it away from its ends.
+  // Returns whether an arc is told apart from the segment between its ends. The parameters of a hyperbola that is
+  // nearly a ray are too small to tell its ends, and if its images are nearly one point, rounding moves it away from
+  // its ends.
   bool is_curved(const Arc& a, const Weighted_bisector<FT>& curve) const
   {
     using std::abs;

@@ -14,10 +14,11 @@
 // both sides and by the two ends (thesis, 5.2, the trimming rule). This decides which site owns each part of the edge;
 // both faces at the edge take over the result.
 //
-// The envelope is found by walking from the first end to the last one, from each image to the one that takes over first.
+// The envelope is found by walking from the first end to the last one, from each image to the one that takes over
+// first.
 //
-// Formula: the distance by an image is weight + |(x - image_x, depth)| in the frame of a halfedge, where x is the abscissa.
-// Two of them are equal at the roots of a quadratic equation (equal_points()), refined by Newton's method.
+// Formula: the distance by an image is weight + |(x - image_x, depth)| in the frame of a halfedge, where x is the
+// abscissa. Two of them are equal at the roots of a quadratic equation (equal_points()), refined by Newton's method.
 // Ties: an image takes over only where it is nearer beyond rounding, is_nearer(). So where two sites tie along a part
 // of the edge, the one whose interval comes first keeps it. If two images take over at the same abscissa, the one whose
 // distance grows more slowly does; if their slopes are equal, too, the one that was added first.
@@ -69,8 +70,8 @@ struct Edge_breakpoint
   Vertex_id before, after;
 };
 
-// An interval where an image is nearest, given by its index: 0 and 1 are the ends of the edge, then come the images in the
-// order in which they were added. The partition may append images of its own, for paths that bend.
+// An interval where an image is nearest, given by its index: 0 and 1 are the ends of the edge, then come the images in
+// the order in which they were added. The partition may append images of its own, for paths that bend.
 template <typename FT>
 struct Edge_interval
 {
@@ -146,7 +147,8 @@ private:
     return x == m_length && site == m_last_site;
   }
 
-  // Goes on to the image that takes over first. Returns false if the current image is nearest up to the end of the edge.
+  // Goes on to the image that takes over first. Returns false if the current image is nearest up to the end of the
+  // edge.
   bool take_over()
   {
     FT x = m_images[m_current].end;
@@ -196,8 +198,8 @@ private:
   // Parts of the edge that are not longer come from rounding.
   FT width() const { return Tolerance<FT>::interval() * m_length; }
 
-  // Returns whether g is nearer than c somewhere from `x` on, before c ends and not only behind `until`; `start` is then
-  // the abscissa where that begins. (The test with `until` is a cheap one: both slopes are at most 1.)
+  // Returns whether g is nearer than c somewhere from `x` on, before c ends and not only behind `until`; `start` is
+  // then the abscissa where that begins. (The test with `until` is a cheap one: both slopes are at most 1.)
   bool takes_over(const Image& g, const Image& c, const FT& x, const FT& until, FT& start) const
   {
     const FT first = (std::max)(x, g.begin), last = (std::min)(c.end, g.end);
@@ -220,7 +222,8 @@ private:
       }
       from = to;
     }
-    // Roots that are close to each other are known up to the square root of rounding: g may be nearer only between them.
+    // Roots that are close to each other are known up to the square root of rounding: g may be nearer only between
+    // them.
     const FT foot = (std::min)((std::max)(g.image_x, first), last);
     if(!is_nearer<FT>(g.distance_at(foot), c.distance_at(foot)))
       return false;
@@ -231,7 +234,8 @@ private:
   // Returns the abscissas between which one of two images stays nearer, in ascending order; the last one is `last`.
   //
   // Where both images are on the line of the edge, all paths from one to a part of the edge may lead through the other.
-  // They tie there, up to one of the images, and the equation tells nothing: then the images themselves divide the edge.
+  // They tie there, up to one of the images, and the equation tells nothing: then the images themselves divide the
+  // edge.
   std::array<FT, 5> points_of_change(const Image& g, const Image& c, const FT& last) const
   {
     const std::array<FT, 2> root = equal_points(g, c);
@@ -268,8 +272,9 @@ private:
     return to;
   }
 
-  // Returns the abscissas where the distances of two images are equal, in ascending order, infinity in place of those that
-  // do not exist. A root may be one of the squared equation only; it divides the edge once more, which does no harm.
+  // Returns the abscissas where the distances of two images are equal, in ascending order, infinity in place of those
+  // that do not exist. A root may be one of the squared equation only; it divides the edge once more, which does no
+  // harm.
   //
   // With y measured from the image of c, and s the weight of c minus that of g, the equation is
   // |(y - d, depth of g)| = |(y, depth of c)| + s. Squared, it becomes a y + b = s |(y, depth of c)|; squared again,
@@ -311,8 +316,9 @@ private:
     return x;
   }
 
-  // Returns the image that follows where the current one ends: the nearest one there, the lowest index in a tie. Rounding
-  // may leave a gap between intervals. Paths through the gap bend at the end of the interval; an image is added for them.
+  // Returns the image that follows where the current one ends: the nearest one there, the lowest index in a tie.
+  // Rounding may leave a gap between intervals. Paths through the gap bend at the end of the interval; an image is
+  // added for them.
   std::size_t successor(const FT& x)
   {
     const Image c = m_images[m_current];

@@ -14,14 +14,14 @@
 //
 // Sites are vertices, so that each shortest path to a point of the face comes in from the border and stays in one cell.
 // So every piece of a cell touches the border, and the curves between the cells are a forest whose leaves are the
-// breakpoints of the border. A front (fronts/Cell_front.h) is traced into the face from each breakpoint. Where the fronts
-// of three cells meet, the two with nothing between them are joined in a vertex, and one front goes on. Two fronts
-// between the same two cells are the two ends of one curve; they are connected, and the parts of the face on both sides
-// of it are closed on their own.
+// breakpoints of the border. A front (fronts/Cell_front.h) is traced into the face from each breakpoint. Where the
+// fronts of three cells meet, the two with nothing between them are joined in a vertex, and one front goes on. Two
+// fronts between the same two cells are the two ends of one curve; they are connected, and the parts of the face on
+// both sides of it are closed on their own.
 //
 // Only the sites decide which fronts may meet; distances decide which of them do. So whatever rounding does, the result
-// is a forest with these leaves and matches those of the adjacent faces. Fronts for which rounding does not tell how they
-// meet (two sites tie in a region) are joined by segments.
+// is a forest with these leaves and matches those of the adjacent faces. Fronts for which rounding does not tell how
+// they meet (two sites tie in a region) are joined by segments.
 //
 // Formula: the points of an arc are equally far from its two images, and no other image is nearer.
 // Frame: the layout of the face (corners 0, 1 and 2 at (0,0), (length[0],0) and (apex_x,apex_y)).
@@ -200,8 +200,8 @@ private:
   // Returns whether two fronts are the two ends of one curve: they have the same cells on their other sides.
   static bool are_ends_of_curve(const Front& f, const Front& g) { return f.left == g.right && f.right == g.left; }
 
-  // Connects the first two fronts that start at one point, if there are any: a cell between them has no width, and there
-  // is nothing to trace.
+  // Connects the first two fronts that start at one point, if there are any: a cell between them has no width, and
+  // there is nothing to trace.
   bool connect_touching(std::vector<Front>& fronts)
   {
     for(std::size_t i = 0; i < fronts.size(); ++i)
@@ -255,8 +255,8 @@ private:
     return first != none ? first : nearest;
   }
 
-  // Connects the fronts i and j. Leaves the fronts on one side of that curve, and lets those on the other side wait. Fronts
-  // that have met a cell that is not in their part are traced again.
+  // Connects the fronts i and j. Leaves the fronts on one side of that curve, and lets those on the other side wait.
+  // Fronts that have met a cell that is not in their part are traced again.
   void split_at(std::vector<Front>& fronts, std::size_t i, std::size_t j)
   {
     connect(fronts[i], fronts[j]);
@@ -324,8 +324,8 @@ private:
       join(fronts, best);
   }
 
-  // Joins the fronts i and i + 1 in a vertex, from which one front goes on. The cell between them is closed; fronts that
-  // have met it are traced again.
+  // Joins the fronts i and i + 1 in a vertex, from which one front goes on. The cell between them is closed; fronts
+  // that have met it are traced again.
   void join(std::vector<Front>& fronts, std::size_t i)
   {
     const std::size_t next = (i + 1) % fronts.size();
@@ -381,8 +381,8 @@ private:
     finish(f, g.p, g.node);
   }
 
-  // Traces f towards the start of g, which is the other end of its curve, up to the line across the curve there. Returns
-  // the distance that remains.
+  // Traces f towards the start of g, which is the other end of its curve, up to the line across the curve there.
+  // Returns the distance that remains.
   FT trace_to(Front& f, const Front& g)
   {
     Half_plane<FT> before_end;
@@ -393,6 +393,7 @@ private:
     return distance(f.end, g.p);
   }
 
+  // The border is a sure end: a front that starts there has the node of a breakpoint.
   bool starts_at_border(const Front& f) const { return f.node < m_tracer.breakpoints().size(); }
 
   // Makes arcs of the pieces of f, the last of which ends at p.

@@ -13,8 +13,8 @@
 // Triangulates a small polygon whose sides and vertices must be kept, even if rounding has made it overlap itself, by
 // dynamic programming over the diagonals (G. T. Klincsek, Minimal triangulations of polygonal domains, 1980).
 //
-// All triangulations of the cyclic sequence of vertices are candidates. The result has as few triangles as possible that
-// are not counterclockwise, and among these candidates the best shapes. In a simple polygon all triangles are
+// All triangulations of the cyclic sequence of vertices are candidates. The result has as few triangles as possible
+// that are not counterclockwise, and among these candidates the best shapes. In a simple polygon all triangles are
 // counterclockwise, so that they do not overlap; for any other polygon the result still has the right combinatorics.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
@@ -36,9 +36,9 @@ public:
   using Point = Planar_point<double>;
   using Triangle = std::array<std::uint32_t, 3>;
 
-  // Triangulates a polygon, given counterclockwise; triangles refer to the indices of its vertices. is_allowed(i, j) tells
-  // whether a diagonal may be used; a forbidden one counts more than all triangles that are not counterclockwise. Of
-  // equal candidates the one with the lowest apex is taken. Takes cubic time.
+  // Triangulates a polygon, given counterclockwise; triangles refer to the indices of its vertices. is_allowed(i, j)
+  // tells whether a diagonal may be used; a forbidden one counts more than all triangles that are not counterclockwise.
+  // Of equal candidates the one with the lowest apex is taken. Takes cubic time.
   template <typename IsAllowed>
   void build(const std::vector<Point>& polygon, IsAllowed is_allowed)
   {
@@ -87,8 +87,8 @@ private:
     }
   };
 
-  // Finds the apex of the triangle at the diagonal (i, j) for which the part behind the diagonal is cheapest, and returns
-  // its cost. Requires: all smaller parts are known.
+  // Finds the apex of the triangle at the diagonal (i, j) for which the part behind the diagonal is cheapest, and
+  // returns its cost. Requires: all smaller parts are known.
   Cost cheapest(const std::vector<Point>& polygon, std::size_t i, std::size_t j)
   {
     const std::size_t n = polygon.size();
@@ -110,8 +110,8 @@ private:
     return best;
   }
 
-  // Returns the cost of a triangle; its shape is the sum of the squares of the sides over twice the area, which is smallest
-  // for equal sides.
+  // Returns the cost of a triangle; its shape is the sum of the squares of the sides over twice the area, which is
+  // smallest for equal sides.
   static Cost cost(const Point& a, const Point& b, const Point& c)
   {
     const double ux = b.x - a.x, uy = b.y - a.y, vx = c.x - a.x, vy = c.y - a.y, wx = c.x - b.x, wy = c.y - b.y;

@@ -10,24 +10,25 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_REDUNDANT_WINDOW_REMOVAL_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_REDUNDANT_WINDOW_REMOVAL_H
 
-// Keeps the windows that a diagram needs while distances are propagated, and gives back the others as early as possible:
-// window-VTP with redundant window removal (thesis, 5.1 and 5.2). Here the site of every part of an edge is decided.
+// Keeps the windows that a diagram needs while distances are propagated, and gives back the others as early as
+// possible: window-VTP with redundant window removal (thesis, 5.1 and 5.2). Here the site of every part of an edge is
+// decided.
 //
 // *Redundant faces.* The distance at a point of a face is the smallest one by the windows that entered the face and by
 // the paths from its corners. So windows are kept for the face that they enter. If all of these windows and the three
 // corners have the same site, the face is redundant and gives its windows back. (Definition 5.1 of the thesis looks at
 // a face and its neighbors, as it keeps windows on edges.)
 //
-// *Inactive faces.* A face is inactive (proposition 5.1) when the wavefront has passed the distances of all points of its
-// border: no later window can matter in it. Two bounds of these distances are used. The first is the smallest distance
-// of the windows that enter first plus the longest side. The second, often smaller, is found side by side: a point of
-// an edge AB of length l is not farther than (d(A) + d(B) + l) / 2, and where windows cross the edge, it is not farther
-// than by them. A face waits in a queue by a first guess, and again by its bound at that time (5.2.2).
+// *Inactive faces.* A face is inactive (proposition 5.1) when the wavefront has passed the distances of all points of
+// its border: no later window can matter in it. Two bounds of these distances are used. The first is the smallest
+// distance of the windows that enter first plus the longest side. The second, often smaller, is found side by side: a
+// point of an edge AB of length l is not farther than (d(A) + d(B) + l) / 2, and where windows cross the edge, it is
+// not farther than by them. A face waits in a queue by a first guess, and again by its bound at that time (5.2.2).
 //
 // *Edges.* When the faces on both sides of an edge are inactive, the edge is divided (Edge_partition.h) into the
-// intervals where its windows are nearest: the trimming rule of 5.2, for all windows of an edge at once. Windows that are
-// nearest nowhere are removed; the others keep their whole intervals. Afterwards far more faces are redundant: those
-// that windows of another site have entered, but nowhere as the nearest ones.
+// intervals where its windows are nearest: the trimming rule of 5.2, for all windows of an edge at once. Windows that
+// are nearest nowhere are removed; the others keep their whole intervals. Afterwards far more faces are redundant:
+// those that windows of another site have entered, but nowhere as the nearest ones.
 //
 // *Divided faces.* A face that lies in several cells is handed over as a Divided_face as soon as all of its edges are
 // divided. After that its windows are given back.
@@ -92,8 +93,9 @@ public:
     m_number_of_kept = 0;
   }
 
-  // Gives the cell of `source` to `first`, as the two tie everywhere up to rounding. (Otherwise rounding would decide for
-  // each edge anew which of them is nearer.) If `first` itself is nowhere the nearest source, `source` keeps its cell.
+  // Gives the cell of `source` to `first`, as the two tie everywhere up to rounding. (Otherwise rounding would decide
+  // for each edge anew which of them is nearer.) If `first` itself is nowhere the nearest source, `source` keeps its
+  // cell.
   void unite(Vertex_id source, Vertex_id first) { m_first_of_equal[source] = first; }
 
   // Keeps the windows of a list that the propagation carries across h into the face of h, unless that face is inactive.
@@ -224,13 +226,13 @@ private:
 
   static constexpr Vertex_id several_sources = null_id - 1;
 
-  // UNTOUCHED: no window has entered. ACTIVE: windows may still enter. INACTIVE: waits for its neighbors. DONE: has given
-  // its windows back.
+  // UNTOUCHED: no window has entered. ACTIVE: windows may still enter. INACTIVE: waits for its neighbors. DONE: has
+  // given its windows back.
   enum State : unsigned char { UNTOUCHED, ACTIVE, INACTIVE, DONE };
 
   struct Face_record
   {
-    Vertex_id source; // of all windows that have entered: null_id, one source (the first of equal ones), several_sources
+    Vertex_id source; // of all windows that have entered: null_id, one source (the first of equal ones), or several
     State state;
     unsigned char open_edges; // the number of sides that are not closed yet (close_edge())
     std::array<float, 3> bound; // of the distances on each side, by the windows that have crossed it; rounded up
@@ -326,6 +328,8 @@ private:
     }
   }
 
+  // Returns whether a face is redundant (definition 5.1): its corners and all windows that have entered have one
+  // source.
   bool has_one_source(Face_id f)
   {
     const auto& corner = m_mesh->face(f).vertex;
@@ -334,6 +338,7 @@ private:
         && (m_faces[f].source == null_id || m_faces[f].source == first_of_equal(source));
   }
 
+  // Gives the windows of a face back.
   void remove_windows(Face_id f)
   {
     m_faces[f].state = DONE;
@@ -354,6 +359,8 @@ private:
       close_side(g);
   }
 
+  // Notes that one more side of a face is closed. When all of them are, the face is handed over if it lies in several
+  // cells, and gives its windows back.
   void close_side(Face_id f)
   {
     if(--m_faces[f].open_edges != 0 || m_faces[f].state != INACTIVE)
@@ -363,6 +370,7 @@ private:
     remove_windows(f);
   }
 
+  // Returns whether a cell begins or ends on a side of the face. Otherwise all of the face is in one cell.
   bool is_divided(Face_id f) const
   {
     for(unsigned int k = 0; k < 3; ++k)
@@ -437,6 +445,7 @@ private:
     });
   }
 
+  // Stores the breakpoints of the edge of h.
   void add_breakpoints(Halfedge_id h, const std::vector<Edge_breakpoint<FT>>& found)
   {
     if(found.empty())
@@ -458,8 +467,8 @@ private:
     });
   }
 
-  // Keeps the windows that are nearest somewhere, with their whole intervals: the points where others take over are known
-  // up to rounding only, and do not match those on the other edges of a face.
+  // Keeps the windows that are nearest somewhere, with their whole intervals: the points where others take over are
+  // known up to rounding only, and do not match those on the other edges of a face.
   void replace_windows(Halfedge_id h, Halfedge_id o, const FT& length)
   {
     m_windows.release(h);
@@ -507,6 +516,7 @@ private:
     return ties(window, nearest, x);
   }
 
+  // Returns whether a window is as near at x as the nearest image, up to the error of images.
   bool ties(std::size_t window, std::size_t nearest, const FT& x) const
   {
     const FT d = m_edge.image(nearest).distance_at(x);

@@ -11,9 +11,9 @@
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_SITE_IMAGE_H
 
 // The images of sites as one face sees them. Every shortest path that ends in a face has a last straight piece. It
-// starts at a corner of the face, or at a pseudo-source outside; then it enters through the interval of a window. Unfolded
-// into the plane of the face, that pseudo-source is a point: a site image. The cells in the face are the additively
-// weighted Voronoi diagram of its site images, each restricted to its cone.
+// starts at a corner of the face, or at a pseudo-source outside; then it enters through the interval of a window.
+// Unfolded into the plane of the face, that pseudo-source is a point: a site image. The cells in the face are the
+// additively weighted Voronoi diagram of its site images, each restricted to its cone.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Weighted_bisector.h>
@@ -69,6 +69,7 @@ public:
       c.clear();
   }
 
+  // Appends a cone; an image without a cone gets one that contains everything.
   void add(const Site_image<FT>& image)
   {
     const FT unbounded = std::numeric_limits<FT>::infinity();

@@ -10,8 +10,8 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_VORONOI_CELL_MEASURES_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_VORONOI_CELL_MEASURES_H
 
-// Areas and centroids of cells. Each face adds its parts to the cells that it lies in, by integrals along the borders of
-// these parts: along the border of the face from breakpoint to breakpoint, and along each arc once for both of its
+// Areas and centroids of cells. Each face adds its parts to the cells that it lies in, by integrals along the borders
+// of these parts: along the border of the face from breakpoint to breakpoint, and along each arc once for both of its
 // sides. So the areas of all cells add up to the area that is reached, up to rounding.
 
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Arc_curve.h>
@@ -27,6 +27,8 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
+// Use: clear(), then add_face() for each face that is reached. Takes time proportional to the number of faces and arcs.
+// Ties: the area of an arc between two cells counts for neither.
 class Voronoi_cell_measures
 {
 public:

@@ -14,8 +14,8 @@
 // for edges (Edge_partition.h), then for faces (Face_partition.h). Each step keeps what the one before has decided, so
 // that the pieces fit together across edges.
 //
-// The complex is generic: three arcs meet at each vertex of the diagram, and no arc runs through a vertex of the mesh or
-// along an edge. On symmetric surfaces ties are decided one way or the other, which yields arcs without length;
+// The complex is generic: three arcs meet at each vertex of the diagram, and no arc runs through a vertex of the mesh
+// or along an edge. On symmetric surfaces ties are decided one way or the other, which yields arcs without length;
 // has_length() tells, and readers of the complex leave them out.
 
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Divided_face.h>
@@ -42,6 +42,11 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
+// Use: start(), add() for each divided face while distances are propagated, finish(). The queries are valid after that.
+//
+// Invariants after finish(): each node has one arc (at the border of the mesh), two, or three (at a vertex of the
+// diagram); each arc is in one chain; each chain is in the boundary of the cells on its two sides, once in each
+// direction.
 template <typename FT_>
 class Voronoi_complex
 {
@@ -86,6 +91,7 @@ public:
     link_chains();
   }
 
+  // Removes all elements; the memory is kept.
   void clear()
   {
     m_owner.clear();
@@ -100,6 +106,7 @@ public:
     m_number_of_joints = 0;
   }
 
+  // The elements; indices in other elements refer to these arrays. Arcs of one face are consecutive.
   const std::vector<Arc>& arcs() const { return m_arcs; }
   const std::vector<Node>& nodes() const { return m_nodes; }
   const std::vector<Chain>& chains() const { return m_chains; }
@@ -123,6 +130,7 @@ public:
     std::uint32_t node(std::uint32_t i) const { return first + (is_reversed ? number - 1 - i : i); }
   };
 
+  // Returns the nodes on the edge of h, none if the edge is in one cell. Takes constant time.
   Nodes_on_edge nodes_on_edge(Halfedge_id h) const
   {
     const Halfedge_id o = m_mesh->opposite(h);
@@ -140,8 +148,10 @@ public:
   // Returns the nearest site of a face that no arc runs through.
   Vertex_id owner_of_undivided(Face_id f) const { return m_owner[m_mesh->face(f).vertex[0]]; }
 
+  // Returns whether no arc runs through a face.
   bool has_one_cell(Face_id f) const { return m_arcs_of_face.find(f) == nullptr; }
 
+  // Returns the number of mesh elements in the cell of a site, zeros if the cell is empty.
   Voronoi_cell_elements cell(Vertex_id site) const
   {
     const auto it = m_cells.find(site);
@@ -215,6 +225,7 @@ public:
   // Returns how many curves were joined without numbers that tell how (see Face_partition).
   std::size_t number_of_joints() const { return m_number_of_joints; }
 
+  // Returns the corners of a face in its layout: the frame of all points in that face.
   std::array<Point, 3> layout(Face_id f) const { return layout_of_face(m_mesh->face(f)); }
 
   // Returns the barycentric coordinates of a point in the layout of a face. None of them is negative: a point outside,
@@ -287,6 +298,7 @@ private:
     }
   }
 
+  // Return the nodes where an oriented chain starts and ends.
   std::uint32_t start_of(const Oriented_index& c) const
   {
     return c.second ? m_chains[c.first].last_node : m_chains[c.first].first_node;
@@ -422,6 +434,7 @@ private:
     count_regions();
   }
 
+  // Notes that an arc ends at a node. A node has at most three arcs, as the complex is generic.
   void add_arc_to_node(std::uint32_t node, std::uint32_t arc)
   {
     for(std::uint32_t& a : m_nodes[node].arc)
@@ -432,8 +445,8 @@ private:
       }
   }
 
-  // Counts the pieces of cells in the face: walks around each piece once, along the border and the arcs. is_seen[i] tells
-  // whether the part of the border behind breakpoint i has been walked along.
+  // Counts the pieces of cells in the face: walks around each piece once, along the border and the arcs. is_seen[i]
+  // tells whether the part of the border behind breakpoint i has been walked along.
   void count_regions()
   {
     const std::size_t n = m_breakpoint_nodes.size();

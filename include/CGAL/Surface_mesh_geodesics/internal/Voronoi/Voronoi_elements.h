@@ -10,8 +10,8 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_VORONOI_ELEMENTS_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_VORONOI_ELEMENTS_H
 
-// The elements that a Voronoi complex (Voronoi_complex.h) is made of, as plain values. Arcs, nodes and chains refer to each
-// other by their indices in the complex; sites are vertices of the intrinsic mesh.
+// The elements that a Voronoi complex (Voronoi_complex.h) is made of, as plain values. Arcs, nodes and chains refer to
+// each other by their indices in the complex; sites are vertices of the intrinsic mesh.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Weighted_bisector.h>
@@ -61,7 +61,8 @@ struct Voronoi_node
 };
 
 // An edge of the diagram: the arcs between the same two cells, from face to face and from end to end, with the cell of
-// left_site on the left. The two end nodes are vertices or points of the border; they are the same if the chain is closed.
+// left_site on the left. The two end nodes are vertices or points of the border; they are the same if the chain is
+// closed.
 struct Voronoi_chain
 {
   Vertex_id left_site, right_site;
@@ -71,8 +72,8 @@ struct Voronoi_chain
   bool has_length; // false if all arcs are shorter than rounding tells
 };
 
-// The chains along a connected part of the boundary of a cell, in order, with the cell on the left. A part that the border
-// of the mesh interrupts is not closed.
+// The chains along a connected part of the boundary of a cell, in order, with the cell on the left. A part that the
+// border of the mesh interrupts is not closed.
 struct Voronoi_boundary_part
 {
   std::vector<Oriented_index> chains;

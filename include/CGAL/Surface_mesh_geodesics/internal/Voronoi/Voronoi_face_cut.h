@@ -13,8 +13,8 @@
 // Cuts a face along its arcs into triangles that belong to one cell each, in the layout of the face.
 //
 // The complex is generic, the cut is not: an arc without length there becomes one vertex here. Nodes on an edge that
-// rounding does not tell from a vertex of the mesh, or from each other, are contracted; this is decided for the edge, so
-// that both of its faces agree (Edge_contraction). Inside a face, nodes are contracted along arcs without length.
+// rounding does not tell from a vertex of the mesh, or from each other, are contracted; this is decided for the edge,
+// so that both of its faces agree (Edge_contraction). Inside a face, nodes are contracted along arcs without length.
 //
 // The rest is combinatorics. A part of a cell is a closed walk along the border and along curves. Each walk is divided
 // into cycles without repeated vertices; cycles of two vertices (an arc along an edge) are dropped; the others are
@@ -101,6 +101,11 @@ private:
   std::uint32_t m_last = 0;
 };
 
+// Cuts one face after another; the results are those of the last call of cut(). The mesh and the complex are referred
+// to.
+//
+// Invariants of a cut: the triangles of a cell form a disk for each part of the cell; each side of the face is covered
+// by sides of triangles between consecutive border vertices; no two vertices have more than one edge.
 class Voronoi_face_cut
 {
 public:
@@ -131,6 +136,7 @@ public:
   const std::vector<Point>& points() const { return m_points; }
   std::size_t number_of_border_vertices() const { return m_border_points.size(); }
 
+  // Returns the triangles, counterclockwise in the layout, each with the site of its cell.
   const std::vector<Triangle>& triangles() const { return m_triangles; }
 
   // Returns 0 if no triangle is degenerate or clockwise in the layout of the face, a larger number otherwise.
@@ -147,9 +153,9 @@ private:
     triangulate(all, m_complex.owner(m_mesh.face(m_face).vertex[0]));
   }
 
-  // Cuts a divided face with finer and finer curves until no triangle is bad, and keeps the best result. Finer curves help
-  // where curves cross; but a triangle may have no area at any tolerance. So the number of attempts is bounded: each one
-  // has up to four times the vertices of the one before, and takes cubic time.
+  // Cuts a divided face with finer and finer curves until no triangle is bad, and keeps the best result. Finer curves
+  // help where curves cross; but a triangle may have no area at any tolerance. So the number of attempts is bounded:
+  // each one has up to four times the vertices of the one before, and takes cubic time.
   void cut_until_valid(double tolerance)
   {
     const int number_of_attempts = 6;
@@ -189,6 +195,7 @@ private:
 
   // --- the border ---
 
+  // Makes the vertices on the border of the face, and the list of nodes on it, counterclockwise from corner 0.
   void collect_border()
   {
     const std::array<Point, 3> corner = m_complex.layout(m_face);
@@ -218,6 +225,7 @@ private:
 
   // --- curves ---
 
+  // Starts a cut from the vertices on the border.
   void start()
   {
     m_points = m_border_points;
@@ -303,6 +311,7 @@ private:
     return static_cast<std::uint32_t>(m_points.size() - 1);
   }
 
+  // Returns whether curves end at a node: at vertices of the diagram, and on the border.
   bool ends_curve(std::uint32_t node) const
   {
     return m_complex.nodes()[node].is_vertex() || is_on_border(node);
@@ -314,6 +323,7 @@ private:
                        [node](const Border_node& b) { return b.node == node; });
   }
 
+  // Makes all curves of the face. Each of them starts at a node where curves end.
   void collect_curves(double tolerance)
   {
     m_curves.clear();
@@ -325,8 +335,8 @@ private:
           add_curve(a, node, tolerance, is_used);
   }
 
-  // Adds the curve that leaves a node by an arc: follows arcs to the next node where a curve ends, samples them, and keeps
-  // the samples that the tolerance needs.
+  // Adds the curve that leaves a node by an arc: follows arcs to the next node where a curve ends, samples them, and
+  // keeps the samples that the tolerance needs.
   void add_curve(std::uint32_t arc, std::uint32_t node, double tolerance, std::vector<char>& is_used)
   {
     const std::pair<std::uint32_t, std::uint32_t> range = m_complex.arcs_of_face(m_face);
@@ -362,6 +372,7 @@ private:
     m_curves.push_back(std::move(curve));
   }
 
+  // Appends samples of an arc, from behind its start to its end; the start has been sampled before.
   void sample(const Complex::Arc& a, bool is_backwards, double tolerance)
   {
     const std::size_t first = m_samples.size();
@@ -383,8 +394,8 @@ private:
     return (m_sides[a] & m_sides[b]) != 0 && (a + 1) % n != b && (b + 1) % n != a;
   }
 
-  // Adds vertices for those samples between i and j that the tolerance needs, at least one if `is_forced` (the algorithm
-  // of D. H. Douglas and T. K. Peucker).
+  // Adds vertices for those samples between i and j that the tolerance needs, at least one if `is_forced` (the
+  // algorithm of D. H. Douglas and T. K. Peucker).
   void simplify(std::size_t i, std::size_t j, double tolerance, bool is_forced, std::vector<std::uint32_t>& vertices)
   {
     std::size_t best = i;
@@ -450,6 +461,7 @@ private:
     return m_complex.nodes()[node].sites[1];
   }
 
+  // Appends the border vertices from one border node to the next one, both included.
   void walk_along_border(std::size_t from, std::size_t to, std::vector<std::uint32_t>& walk) const
   {
     const std::uint32_t n = static_cast<std::uint32_t>(m_border_points.size());
@@ -504,6 +516,7 @@ private:
     triangulate(open, site);
   }
 
+  // Adds the triangles of a cycle of vertices. A cycle of two vertices has none.
   void triangulate(const std::vector<std::uint32_t>& cycle, Vertex_id site)
   {
     if(cycle.size() < 3)

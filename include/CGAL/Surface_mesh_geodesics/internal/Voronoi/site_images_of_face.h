@@ -52,8 +52,8 @@ struct Side_frame
 
 // Returns the image of a window across the side of `frame`. The weight is the distance of the window's root.
 //
-// The sides of the cone come from the coordinates in the frame of the side: there, an image that is very close to an end
-// of its window keeps its direction, while in the layout of the face both may round to one point.
+// The sides of the cone come from the coordinates in the frame of the side: there, an image that is very close to an
+// end of its window keeps its direction, while in the layout of the face both may round to one point.
 template <typename FT>
 Site_image<FT> image_of_window(const Face_window<FT>& w, const Side_frame<FT>& frame, const FT& weight, Vertex_id site)
 {

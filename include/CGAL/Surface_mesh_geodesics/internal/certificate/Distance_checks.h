@@ -10,11 +10,16 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_CERTIFICATE_DISTANCE_CHECKS_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_CERTIFICATE_DISTANCE_CHECKS_H
 
-// Conditions that hold for the distances of the vertices of a surface, and for no others. Nothing here depends on
-// how the distances were found; paths are only believed when they have been measured.
+// Conditions that the distances of the vertices fulfil, and no other numbers. Together they are a proof (see
+// Lower_bound_check.h for the other half). Nothing here depends on how the distances were found; a path counts only
+// once it has been measured.
 //
-// The vertices from `number_of_values` on are sources that have been made vertices: the distances are not asked there,
-// but no distance may be greater than by way of them.
+// Vertices from `number_of_values` on are sources inside faces and on edges that have been made vertices. No distance
+// is given there, but the conditions hold for paths through them.
+//
+// A violation is relative to the right number plus the longest edge of the faces around the vertex. Conditions that
+// stem from an inequality d(v) <= d(w) + |vw| are computed with one addition and one subtraction, so rounding causes
+// violations of a few units. The length of a path errs by about one unit for each face that it crosses.
 
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/paths/Straight_piece.h>
@@ -23,6 +28,8 @@
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Component_extents.h>
 #include <CGAL/Surface_mesh_geodesics/internal/paths/path_tracing.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
+
+#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <array>
@@ -44,21 +51,25 @@ public:
   using Mesh = Intrinsic_mesh<FT>;
   using Violation = Worst_violation<FT>;
 
-  // `values` are the distances to be checked, by vertex, in the unit of the mesh; `offsets` the smallest offset of the
-  // sources at each vertex, or infinity. Both are set by the caller before any check.
+  // The caller sets both vectors below before any check. Takes linear time.
   Distance_checks(const Mesh& mesh, std::size_t number_of_values)
     : values(mesh.number_of_vertices(), infinity()), offsets(mesh.number_of_vertices(), infinity()), m_mesh(mesh),
       m_number_of_values(number_of_values), m_scale(mesh.number_of_vertices(), FT(0)),
       m_extents(extents_of_components(mesh))
   {
+    CGAL_assertion(number_of_values <= mesh.number_of_vertices());
     for(Face_id f = 0; f < mesh.number_of_faces(); ++f)
       for(const Vertex_id v : mesh.face(f).vertex)
         m_scale[v] = (std::max)(m_scale[v], longest_side(m_mesh.face(f)));
   }
 
+  // By vertex, in the unit of the mesh: the distances to be checked, and the smallest offset of the sources at the
+  // vertex, infinity if there is none.
   std::vector<FT> values, offsets;
 
-  // No value is greater than the offset of a source there.
+  // --- conditions; `limit` is the radius up to which distances were computed, infinity if all were ---
+
+  // No value is greater than the offset of a source at its vertex.
   Violation check_sources() const
   {
     Violation worst;
@@ -68,7 +79,8 @@ public:
     return worst;
   }
 
-  // Values are numbers, not negative, and finite exactly where faces lead to a source, but none is beyond `limit`.
+  // Values are numbers and not negative. They are finite where faces lead to a source and infinite elsewhere; with a
+  // limit they may be infinite anywhere, and none is beyond the limit.
   Violation check_reach(const FT& limit) const
   {
     const std::vector<char> is_connected = vertices_connected_to_sources();
@@ -84,8 +96,7 @@ public:
     return worst;
   }
 
-  // No value is greater than that of the other end of an edge by more than the length of the edge. Beyond `limit` there
-  // are no values.
+  // Along an edge, values grow by at most its length.
   Violation check_edges(const FT& limit) const
   {
     Violation worst;
@@ -99,7 +110,8 @@ public:
     return worst;
   }
 
-  // The same along the straight line between the vertices opposite to an edge, where it crosses the edge.
+  // Between the two vertices opposite to an edge, values grow by at most the length of the segment between them, in the
+  // common plane of both faces, if it crosses the edge.
   Violation check_pairs_of_faces(const FT& limit) const
   {
     Violation worst;
@@ -110,7 +122,7 @@ public:
         if(o == null_id)
           continue;
         const Face_frame<FT> above = m_mesh.face_frame(h), below = m_mesh.face_frame(o);
-        // the other vertex of the face of o, in the frame of h
+        // In the frame of h, the vertex of the other face is at (x, -below.apex_y).
         const FT x = below.apex_rest, height = above.apex_y + below.apex_y;
         if(!(height > 0))
           continue;
@@ -121,9 +133,10 @@ public:
     return worst;
   }
 
-  // No value is greater than a lower bound.
+  // No value is greater than the lower bound that Lower_bound_check proves.
   Violation check_lower_bounds(const std::vector<FT>& bounds, const FT& limit) const
   {
+    CGAL_assertion(bounds.size() >= m_number_of_values);
     Violation worst;
     for(Vertex_id v = 0; v < m_number_of_values; ++v)
       if(!is_beyond(v, bounds[v], limit) && bounds[v] < infinity())
@@ -131,7 +144,7 @@ public:
     return worst;
   }
 
-  // Each value is the length of a path to a source, with the offset of that.
+  // Each value is the length of a path to a source plus the offset of the source. The field proposes the paths.
   Violation check_paths(const Vertex_distance_field<FT>& field, const FT& limit) const
   {
     const Path_tracer<FT> tracer(m_mesh, field);
@@ -153,7 +166,7 @@ public:
   // For each vertex, the longest edge of its component.
   const std::vector<FT>& extents() const { return m_extents; }
 
-  // The value of v against its distance from the sources, computed the other way round.
+  // The value of v is its distance from the sources, computed in reverse: `field_of_v` has the distances from v.
   void look_at_reverse(Vertex_id v, const Vertex_distance_field<FT>& field_of_v, const FT& limit,
                        Violation& worst) const
   {
@@ -166,8 +179,9 @@ public:
     look_at(reverse < values[v] ? FT(values[v] - reverse) : FT(reverse - values[v]), reverse, v, worst);
   }
 
-  // The length of a path on the surface, from its first vertex to a source, and the offset of the source; infinity if
-  // it does not end at a source, or a piece of it is in no face.
+  // Returns the length of a path from its first vertex to a source, plus the offset of the source. Returns infinity if
+  // the path does not start and end at vertices, if there is no source at its end, or if a piece of it is not in the
+  // face that it states. Takes linear time.
   FT length_to_source(const Path_steps<FT>& path) const
   {
     if(path.empty() || path.front().vertex == null_id || path.back().vertex == null_id)
@@ -187,24 +201,25 @@ public:
 private:
   static FT infinity() { return std::numeric_limits<FT>::infinity(); }
 
-  // is there rightly no value for a vertex at this distance?
+  // Is it right that there is no value for v, as its distance is beyond the limit?
   bool is_beyond(Vertex_id v, const FT& distance, const FT& limit) const
   {
     return limit < infinity() && distance > limit * (1 - Tolerance<FT>::path()) && values[v] == infinity();
   }
 
-  // the length of a path by way of v, as far as v tells; infinity if it tells nothing.
+  // Returns the value from which a path goes on at v; infinity if there is none.
   FT value_on_the_way(Vertex_id v) const
   {
     return v < m_number_of_values ? values[v] : offsets[v];
   }
 
-  // a condition on the value of v, where the right number is `number`.
+  // Checks a condition on the value of v that is violated by `excess`; `number` is the right value.
   void look_at(const FT& excess, const FT& number, Vertex_id v, Violation& worst) const
   {
     worst.look_at(excess, number + m_scale[v], m_extents[v], v);
   }
 
+  // Checks that the value grows by at most `length` along a path between two vertices.
   void look_at_way(Vertex_id from, Vertex_id to, const FT& length, const FT& limit, Violation& worst) const
   {
     const FT value = value_on_the_way(from), d = value + length;
@@ -224,7 +239,8 @@ private:
     return is_connected;
   }
 
-  // finds the coordinates of a point of a path in the layout of a face; false if it is not on the border of the face.
+  // Computes the coordinates of a point of a path in the plane of a face; returns false if it is not on the face's
+  // border.
   bool is_in_face(const Path_step<FT>& point, Face_id f, std::array<FT, 2>& p) const
   {
     if(f >= m_mesh.number_of_faces())
@@ -233,15 +249,16 @@ private:
     {
       const Halfedge_id h = halfedge_of(f, k);
       if(point.vertex != null_id ? m_mesh.source(h) == point.vertex : point.halfedge == h)
-        return place_in_layout(f, k, point.vertex != null_id ? FT(0) : point.x, p);
+        return position_in_plane(f, k, point.vertex != null_id ? FT(0) : point.x, p);
       if(point.vertex == null_id && m_mesh.opposite(h) == point.halfedge)
-        return place_in_layout(f, k, m_mesh.length(h) - point.x, p);
+        return position_in_plane(f, k, m_mesh.length(h) - point.x, p);
     }
     return false;
   }
 
-  // the point at x of halfedge k of f.
-  bool place_in_layout(Face_id f, unsigned int k, const FT& x, std::array<FT, 2>& p) const
+  // Computes the coordinates of the point with the abscissa x on halfedge k of a face; false if it is not between its
+  // ends.
+  bool position_in_plane(Face_id f, unsigned int k, const FT& x, std::array<FT, 2>& p) const
   {
     const Intrinsic_face<FT>& face = m_mesh.face(f);
     const std::array<Planar_point<FT>, 3> corner = layout_of_face(face);

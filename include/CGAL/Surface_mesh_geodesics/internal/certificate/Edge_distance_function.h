@@ -10,11 +10,13 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_CERTIFICATE_EDGE_DISTANCE_FUNCTION_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_CERTIFICATE_EDGE_DISTANCE_FUNCTION_H
 
-// The distance of the points of an edge as a function of the place on the edge: the least of many functions, each
-// that of straight paths from the image of a pseudo-source. It is continuous, and wherever it errs, it is too large:
-// each of the functions is the length of paths that exist.
+// An upper bound of the distance on an edge, as a function of the abscissa: the minimum of the lengths of many families
+// of paths, each of which leads straight from the image of a pseudo-source. It is continuous up to rounding. Where it
+// is not the distance, it is larger, as all these paths exist.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
+
+#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <array>
@@ -25,22 +27,26 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// The distance on the interval [begin, end] of an edge: that of an image at (x, depth), depth >= 0, in the frame of
-// the edge, to which the distance `offset` is added.
+// The distance on the interval [begin, end] of an edge: the distance from an image at (x, -depth) in the frame of the
+// edge, plus `offset`. The depth is not negative, up to rounding.
 template <typename FT>
 struct Distance_piece
 {
   FT begin, end;
   FT x, depth, offset;
 
+  // The value at the abscissa t.
   FT at(const FT& t) const { return offset + norm<FT>(t - x, depth); }
 };
 
-// The places where the difference of two pieces may turn from growing to shrinking: at most two of them, and those
-// that are not needed are NaN or outside. (The slopes are the cosines of the angles at which the images are seen;
-// they are equal on a line through both images.)
+// Returns the abscissas where the difference of the distances from two images may turn from growing to shrinking. There
+// are at most two; those that do not exist are NaN or lie outside.
+//
+// The slope of a distance is the cosine of the angle between the edge and the line to the image. Two slopes are equal
+// where the edge meets the line through both images, at the abscissa t with
+// (t - x) / depth = (t - other_x) / other_depth. An image on the edge has the slopes -1 and 1 on its two sides.
 template <typename FT>
-std::array<FT, 2> turning_places(const FT& x, const FT& depth, const FT& other_x, const FT& other_depth)
+std::array<FT, 2> turning_points(const FT& x, const FT& depth, const FT& other_x, const FT& other_depth)
 {
   if(depth > 0 || other_depth > 0)
   {
@@ -50,6 +56,7 @@ std::array<FT, 2> turning_places(const FT& x, const FT& depth, const FT& other_x
   return {x, other_x};
 }
 
+// The function on one edge, as a sequence of pieces.
 template <typename FT_>
 class Edge_distance_function
 {
@@ -57,49 +64,68 @@ public:
   using FT = FT_;
   using Piece = Distance_piece<FT>;
 
-  // forgets all; nothing reaches the edge so far.
+  // Begins an edge of this length that nothing reaches.
   void restart(const FT& length)
   {
     m_length = length;
     m_pieces.clear();
   }
 
-  // The interval of a piece, between 0 and the length of the edge, is reached straight from its image, and the rest of
-  // the edge by going on along it.
+  // Adds the paths of a piece, and those that go on from the ends of its interval along the edge.
+  // Requires: 0 <= piece.begin and piece.end <= length, unless the interval is empty. Takes time linear in the number
+  // of pieces.
   void add(const Piece& piece)
   {
     add(piece, {FT(0), piece.begin, piece.begin, FT(0), piece.at(piece.begin)},
         {piece.end, m_length, piece.end, FT(0), piece.at(piece.end)});
   }
 
-  // The same, where the places before and behind the interval are reached from other images. (Intervals that should
-  // meet may be apart by rounding, and a path that is bent somewhere on its way is longer by the square of that only.)
+  // Adds the paths of a piece, and other paths to the points before and behind its interval: [0, before.end] and
+  // [behind.begin, length], which meet the interval. Intervals of neighboring windows may leave a gap by rounding;
+  // paths that bend at an end of a window close it, as they are longer by no more than the square of the gap.
   void add(const Piece& piece, const Piece& before, const Piece& behind)
   {
     if(!(piece.begin < piece.end))
       return;
+    CGAL_expensive_assertion(piece.depth >= 0);
     if(m_pieces.empty())
     {
       append_part(before, m_pieces);
       append_part(piece, m_pieces);
       append_part(behind, m_pieces);
-      return;
     }
-    add_part(piece);
-    add_part(before);
-    add_part(behind);
+    else
+    {
+      add_part(piece);
+      add_part(before);
+      add_part(behind);
+    }
+    CGAL_expensive_assertion(do_pieces_cover_edge());
   }
 
-  // from 0 to the length of the edge without gap; none if nothing reaches it.
+  // The pieces cover the edge from 0 to its length without gaps. There are no pieces if nothing reaches the edge.
   const std::vector<Piece>& pieces() const { return m_pieces; }
 
 private:
+  bool do_pieces_cover_edge() const
+  {
+    FT end = 0;
+    for(const Piece& p : m_pieces)
+    {
+      if(p.begin != end || !(p.begin < p.end))
+        return false;
+      end = p.end;
+    }
+    return end == m_length;
+  }
+
   static void append_part(const Piece& part, std::vector<Piece>& pieces)
   {
     if(part.begin < part.end)
       pieces.push_back(part);
   }
 
+  // Takes the minimum with a part of the function, unless the part is nowhere clearly better.
   void add_part(const Piece& part)
   {
     if(!(part.begin < part.end))
@@ -120,28 +146,29 @@ private:
     return (std::max)(part.begin, old.begin) < (std::min)(part.end, old.end);
   }
 
-  // is the part somewhere on the piece below it, by more than rounding?
+  // Is the part less than the old piece somewhere in their common interval, by more than rounding?
   static bool is_clearly_better(const Piece& part, const Piece& old)
   {
     if(!do_overlap(part, old))
       return false;
-    for(const FT& t : places(part, old))
+    for(const FT& t : breakpoints(part, old))
       if(is_clearly_less<FT>(part.at(t), old.at(t)))
         return true;
     return false;
   }
 
-  // the ends of the common interval, and between them the places where the difference turns.
-  static std::array<FT, 4> places(const Piece& part, const Piece& old)
+  // Returns the ends of the common interval, and in order between them the turning points of the difference. Between
+  // two neighbors the difference is monotone. A turning point outside is replaced by the first end.
+  static std::array<FT, 4> breakpoints(const Piece& part, const Piece& old)
   {
     const FT begin = (std::max)(part.begin, old.begin), end = (std::min)(part.end, old.end);
-    std::array<FT, 2> turn = turning_places(part.x, part.depth, old.x, old.depth);
+    std::array<FT, 2> turn = turning_points(part.x, part.depth, old.x, old.depth);
     for(FT& t : turn)
       t = t > begin && t < end ? t : begin;
     return {begin, (std::min)(turn[0], turn[1]), (std::max)(turn[0], turn[1]), end};
   }
 
-  // appends the lower one of both, over the interval of the old piece.
+  // Appends the lower one of both to the buffer, over the interval of the old piece.
   void merge(const Piece& part, const Piece& old)
   {
     if(!is_clearly_better(part, old))
@@ -149,14 +176,15 @@ private:
       append(old, old.begin, old.end);
       return;
     }
-    const std::array<FT, 4> place = places(part, old);
-    append(old, old.begin, place[0]);
-    for(std::size_t i = 0; i + 1 < place.size(); ++i)
-      append_lower(part, old, place[i], place[i + 1]);
-    append(old, place[3], old.end);
+    const std::array<FT, 4> t = breakpoints(part, old);
+    append(old, old.begin, t[0]);
+    for(std::size_t i = 0; i + 1 < t.size(); ++i)
+      append_lower(part, old, t[i], t[i + 1]);
+    append(old, t[3], old.end);
   }
 
-  // The difference is monotone between the two places.
+  // Does the same between two breakpoints. Where both are equal is found by bisection down to neighboring numbers: both
+  // are evaluated as they will be later, so that rounding does not separate the test from the result.
   void append_lower(const Piece& part, const Piece& old, const FT& first, const FT& last)
   {
     if(!(first < last))
@@ -180,6 +208,7 @@ private:
     append(is_lower_first ? old : part, to, last);
   }
 
+  // Appends an interval of a piece to the buffer; joins it with the last interval if that is of the same image.
   void append(const Piece& piece, const FT& begin, const FT& end)
   {
     if(!(begin < end))

@@ -10,24 +10,31 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_CERTIFICATE_LOWER_BOUND_CHECK_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_CERTIFICATE_LOWER_BOUND_CHECK_H
 
-// A proof that distances are not too long, which does not depend on how they were found.
+// Proves that given distances are not too long. The proof does not depend on how they were found.
 //
-// Let u be a function on the edges of the surface such that u(p) <= u(q) + |pq| for any two points p and q on the
-// border of one face, and that is not greater than the offset at each source. Then u is not greater than the distance
-// at any vertex: a path from a source to the vertex is cut by the edges into pieces that cross one face each, and along
-// each piece u grows by no more than its length. Here u is made of the windows that a propagation has kept, whatever
-// they are worth, and the condition is checked for all pairs of points: u consists of pieces, the least of u(q) + |pq|
-// over the points q of a piece is the distance from an image, reflected into the plane of the face, or from an end of
-// the piece; and the difference of two such distances has its extrema at known places.
+// Theorem. Let u be a function on the edges of the surface such that u(p) <= u(q) + |pq| for any two points p and q on
+// the border of one face, and u(s) <= offset of s for each source s. Then u(v) is a lower bound of the distance of each
+// vertex v. Proof: the edges cut a path from s to v into pieces that lie in one face each. Along each piece u grows by
+// at most its length; the sum over the pieces is u(v) <= u(s) + length of the path.
 //
-// With rounding, u(p) <= u(q) + |pq| + e holds for the largest e that is found, and the distance is not less than
-// u - (m + 2) e, where m is the number of faces that a shortest path crosses, as u may also err by e at both ends.
+// The function u is made of the windows that a propagation has kept. They are only a proposal: a wrong window makes
+// some u(p) wrong, and the condition fails there. The condition is checked for all pairs of points, not for samples. On
+// each edge u consists of pieces, each the distance from one image. For a piece q and a point p, the least u(q) + |pq|
+// over the points of the piece is the distance of p from the image of the piece, reflected into the plane of the face,
+// if the line from there to p passes through the piece, and leads through an end of the piece otherwise. So both sides
+// of the condition are distances from images, and the extrema of their difference are at known abscissas.
+//
+// Rounding. Let e be the largest violation found; a violation is the excess, so u(p) <= u(q) + |pq| + e. A path that
+// crosses m faces gives u(v) <= u(s) + length + m e. The values at both ends of the path may differ by e from the
+// function on the edges. So the distance is at least u(v) - (m + 2) e.
 
 #include <CGAL/Surface_mesh_geodesics/internal/certificate/Edge_distance_function.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Edge_window_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/unfolding.h>
 #include <CGAL/Surface_mesh_geodesics/internal/certificate/Worst_violation.h>
+
+#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <array>
@@ -41,6 +48,7 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
+// Checks the condition on all faces.
 template <typename FT_>
 class Lower_bound_check
 {
@@ -49,15 +57,20 @@ public:
   using Mesh = Intrinsic_mesh<FT>;
   using Piece = Distance_piece<FT>;
 
-  // `distance` and `extents`, the longest edges of components, are those of all vertices. Nothing is copied.
+  // `distance` has the values of u at the vertices, `extents` the longest edge of the component of each vertex, and
+  // `windows` the windows for u between them. All are referred to, not copied. Takes time linear in the number of
+  // windows, times the number of pieces of an edge.
   Lower_bound_check(const Mesh& mesh, const std::vector<FT>& distance, const std::vector<FT>& extents,
                     const Edge_window_field<FT>& windows)
     : m_mesh(mesh), m_distance(distance), m_extents(extents), m_windows(windows)
   {
+    CGAL_assertion(distance.size() == mesh.number_of_vertices());
+    CGAL_assertion(extents.size() == mesh.number_of_vertices());
     make_functions();
   }
 
-  // u(p) <= u(q) + |pq|, for all points on the borders of faces.
+  // Returns the worst violation of u(p) <= u(q) + |pq| over all points on the border of one face. Takes time quadratic
+  // in the number of pieces around a face.
   Worst_violation<FT> run()
   {
     m_worst = Worst_violation<FT>();
@@ -73,13 +86,13 @@ private:
     FT x, y;
   };
 
-  // The values of a function at the ends of a piece.
+  // The values of a linear function at the ends of a piece.
   struct Ends
   {
     FT first, last;
   };
 
-  // An edge in the frame of another one: from `origin` in direction `unit`.
+  // An edge in the frame of another edge: from `origin` in the direction `unit`.
   struct Line
   {
     Point origin, unit;
@@ -92,6 +105,7 @@ private:
 
   // --- the functions on the edges ---
 
+  // The function of an edge is stored along one of its halfedges.
   bool is_first_of_edge(Halfedge_id h) const { return m_mesh.opposite(h) == null_id || h < m_mesh.opposite(h); }
 
   static bool is_finite(const FT& d) { return d < std::numeric_limits<FT>::infinity(); }
@@ -117,7 +131,8 @@ private:
       }
   }
 
-  // adds the paths that come to the edge of h, straight from a corner of the face of h or through one of its edges.
+  // Adds the paths that reach the edge of h from its face: from a corner, and through a window on one of the three
+  // edges. If `is_backwards`, the function runs against h.
   void add_paths(Halfedge_id h, bool is_backwards, Edge_distance_function<FT>& function) const
   {
     const Face_frame<FT> c = m_mesh.face_frame(h);
@@ -143,20 +158,20 @@ private:
       add_windows_through(previous_halfedge(h), reversed(left_side(c)), c.length, add_three);
   }
 
-  // adds what the windows that have entered the face across g see of the base, which has the given length.
+  // Adds the paths of the windows on another side of the face, the halfedge g, to the base, which has the given length.
   template <typename Add>
   void add_windows_through(Halfedge_id g, const Line& side, const FT& length, Add add) const
   {
     const FT infinity = std::numeric_limits<FT>::infinity();
     m_windows.for_each_window(g, [&](const Kept_window<FT>& w)
     {
-      // the image lies to the right of the side
+      // The image lies on the right of the side, outside the face.
       const Point image = {side.at(w.image_x).x + w.image_depth * side.unit.y,
                            side.at(w.image_x).y - w.image_depth * side.unit.x};
       if(!(image.y > 0))
         return;
-      // From the end of an interval on the right side, which rises from the base, to its begin one looks at the base
-      // from left to right; so one does on the left side, which falls to it. A ray that rises goes on forever.
+      // On both sides, the ray through the end of the window meets the base further left than the ray through its
+      // begin. The points of the base beyond these rays are reached around an end of the window.
       const Point left = side.at(w.end), right = side.at(w.begin);
       const FT rising = side.unit.y > 0 ? -infinity : infinity;
       const FT first = (std::max)(seen_on_base(image, left, rising), FT(0)),
@@ -170,7 +185,7 @@ private:
 
   static FT distance(const Point& a, const Point& b) { return norm<FT>(b.x - a.x, b.y - a.y); }
 
-  // where the ray from the image through p meets the base, or `rising` if it rises.
+  // Returns the abscissa where the ray from the image through p meets the line of the base, or `rising` if it does not.
   static FT seen_on_base(const Point& image, const Point& p, const FT& rising)
   {
     if(!(p.y > 0))
@@ -178,12 +193,13 @@ private:
     return p.y < image.y ? FT(image.x + (p.x - image.x) * (image.y / (image.y - p.y))) : rising;
   }
 
+  // Returns the piece in the direction against an edge of this length.
   static Piece backwards(const Piece& p, const FT& length)
   {
     return {length - p.end, length - p.begin, length - p.x, p.depth, p.offset};
   }
 
-  // the sides from A to C and from B to C in the frame of AB; they have a length.
+  // The sides AC and BC in the frame of AB. Require: the side has a length.
   static Line left_side(const Face_frame<FT>& c)
   {
     const Side_angle<FT> angle = left_angle(c);
@@ -201,7 +217,7 @@ private:
     return {l.at(l.length), {-l.unit.x, -l.unit.y}, l.length};
   }
 
-  // the function on the edge of h along h, or against it.
+  // Reads the function on the edge of h: in the direction of h, or against it.
   void read_function(Halfedge_id h, bool is_backwards, std::vector<Piece>& pieces) const
   {
     pieces.clear();
@@ -218,33 +234,40 @@ private:
 
   // --- the condition ---
 
-  // from the points q on the edge of h to the points p on the two other edges of its face, and to the ends of the edge.
+  // Checks the condition from the points q on the edge of h to the points p on the two other sides of its face, and to
+  // the ends of the edge.
   void check_beyond(Halfedge_id h)
   {
     const Face_frame<FT> c = m_mesh.face_frame(h);
     m_scale = (std::max)(c.length, (std::max)(c.left_length, c.right_length));
     check_ends(c);
     read_function(h, false, m_from);
-    if(m_from.empty()) // not reached, or without length
+    if(m_from.empty()) // the edge is not reached, or has no length
       return;
-    for(std::size_t i = 0; i + 1 < m_from.size(); ++i) // where u jumps by rounding
-      look_at(abs_difference(m_from[i].at(m_from[i].end), m_from[i + 1].at(m_from[i].end)),
-              m_from[i].at(m_from[i].end), c.origin);
-    look_at(m_distance[c.origin] - m_from.front().at(FT(0)), m_distance[c.origin], c.origin);
-    look_at(m_distance[c.target] - m_from.back().at(c.length), m_distance[c.target], c.target);
+    check_continuity(c);
     if(c.left_length > 0)
     {
       read_function(previous_halfedge(h), true, m_to);
-      check_pieces(left_side(c), c.origin, c.apex);
+      check_pieces(left_side(c), {c.origin, c.apex});
     }
     if(c.right_length > 0)
     {
       read_function(next_halfedge(h), false, m_to);
-      check_pieces(right_side(c), c.target, c.apex);
+      check_pieces(right_side(c), {c.target, c.apex});
     }
   }
 
-  // the condition for the ends of the edge alone: all that there is to an edge without length.
+  // Checks that the function has no jumps, and is not less than the values at the ends of the edge.
+  void check_continuity(const Face_frame<FT>& c)
+  {
+    for(std::size_t i = 0; i + 1 < m_from.size(); ++i)
+      look_at(abs_difference(m_from[i].at(m_from[i].end), m_from[i + 1].at(m_from[i].end)),
+              m_from[i].at(m_from[i].end), c.origin);
+    look_at(m_distance[c.origin] - m_from.front().at(FT(0)), m_distance[c.origin], c.origin);
+    look_at(m_distance[c.target] - m_from.back().at(c.length), m_distance[c.target], c.target);
+  }
+
+  // Checks the condition for the ends of the edge alone. An edge without length has no other points.
   void check_ends(const Face_frame<FT>& c)
   {
     const FT& d = m_distance[c.origin];
@@ -262,78 +285,82 @@ private:
     m_worst.look_at(excess, value + m_scale, m_extents[v], v);
   }
 
-  void check_pieces(const Line& side, Vertex_id near, Vertex_id far)
+  // The vertices at the start and at the end of a side; a violation is reported at the nearer one.
+  using Ends_of_side = std::pair<Vertex_id, Vertex_id>;
+
+  // Checks each piece of the edge against each piece of the side.
+  void check_pieces(const Line& side, const Ends_of_side& ends)
   {
     for(const Piece& q : m_from)
       for(const Piece& p : m_to)
-        check_pair(q, p, side, near, far);
+        check_pair(q, p, side, ends);
   }
 
-  // The points of the side that are seen from the image of q through q are one interval; the way to those before and
-  // behind it is shortest through an end of q.
-  void check_pair(const Piece& q, const Piece& p, const Line& side, Vertex_id near, Vertex_id far)
+  // Checks the condition from the points of q, on the edge, to the points of p, on the side. The points of p that are
+  // seen from the image of q through q form an interval; to those on either side of it, the shortest way is through an
+  // end of q. If the image lies on the edge, all ways are through the point of q that is nearest to it.
+  void check_pair(const Piece& q, const Piece& p, const Line& side, const Ends_of_side& ends)
   {
     const Point begin = {q.begin, FT(0)}, end = {q.end, FT(0)}, image = {q.x, -q.depth};
     if(q.depth <= 0)
     {
       const Point nearest = {(std::min)((std::max)(q.x, q.begin), q.end), FT(0)};
-      check_part(p, p.begin, p.end, nearest, q.at(nearest.x), side, near, far);
+      check_part(p, p.begin, p.end, nearest, q.at(nearest.x), side, ends);
       return;
     }
-    // positive to the left of the ray through an end of q, negative to the right of it
+    // Positive on the left of the ray through an end of q, negative on its right.
     const Ends left = {turn(image, begin, side.at(p.begin)), turn(image, begin, side.at(p.end))};
     const Ends right = {turn(image, end, side.at(p.begin)), turn(image, end, side.at(p.end))};
     if(left.first > 0 && left.last > 0)
-      return check_part(p, p.begin, p.end, begin, q.at(q.begin), side, near, far);
+      return check_part(p, p.begin, p.end, begin, q.at(q.begin), side, ends);
     if(right.first < 0 && right.last < 0)
-      return check_part(p, p.begin, p.end, end, q.at(q.end), side, near, far);
-    FT first = p.begin, last = p.end; // of what is seen
+      return check_part(p, p.begin, p.end, end, q.at(q.end), side, ends);
+    FT first = p.begin, last = p.end; // of the visible interval
     if(left.first > 0 || left.last > 0)
     {
-      const FT place = place_of_zero(p, left);
-      (left.first > 0 ? first : last) = place;
-      check_part(p, left.first > 0 ? p.begin : place, left.first > 0 ? place : p.end, begin, q.at(q.begin), side, near,
-                 far);
+      const FT zero = abscissa_of_zero(p, left);
+      (left.first > 0 ? first : last) = zero;
+      check_part(p, left.first > 0 ? p.begin : zero, left.first > 0 ? zero : p.end, begin, q.at(q.begin), side, ends);
     }
     if(right.first < 0 || right.last < 0)
     {
-      const FT place = place_of_zero(p, right);
+      const FT zero = abscissa_of_zero(p, right);
       FT& limit = right.first < 0 ? first : last;
-      limit = right.first < 0 ? (std::max)(limit, place) : (std::min)(limit, place);
-      check_part(p, right.first < 0 ? p.begin : place, right.first < 0 ? place : p.end, end, q.at(q.end), side, near,
-                 far);
+      limit = right.first < 0 ? (std::max)(limit, zero) : (std::min)(limit, zero);
+      check_part(p, right.first < 0 ? p.begin : zero, right.first < 0 ? zero : p.end, end, q.at(q.end), side, ends);
     }
-    check_part(p, first, last, image, q.offset, side, near, far);
+    check_part(p, first, last, image, q.offset, side, ends);
   }
 
-  // twice the area of the triangle: positive if c is to the left of the line from a to b.
+  // Returns twice the signed area of the triangle abc: positive if c is on the left of the line from a to b.
   static FT turn(const Point& a, const Point& b, const Point& c)
   {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
   }
 
-  // the place in p where a linear function is zero; it has the given values at the ends, of which one is positive and
-  // one is not, or one is negative and one is not.
-  static FT place_of_zero(const Piece& p, const Ends& value)
+  // Returns the abscissa in p where a linear function with these values at the ends is 0.
+  // Requires: exactly one of the values is positive, or exactly one is negative.
+  static FT abscissa_of_zero(const Piece& p, const Ends& value)
   {
     const FT t = p.begin + (p.end - p.begin) * (value.first / (value.first - value.last));
     return (std::min)((std::max)(t, p.begin), p.end);
   }
 
-  // p against the distance from an image, to which the offset is added, for the places from first to last.
+  // Checks that the function of p is at most the distance from an image plus an offset, at all abscissas from `first`
+  // to `last` on the side. The difference is largest at an end or at a turning point.
   void check_part(const Piece& p, const FT& first, const FT& last, const Point& image, const FT& offset,
-                  const Line& side, Vertex_id near, Vertex_id far)
+                  const Line& side, const Ends_of_side& ends)
   {
     if(!(first <= last))
       return;
     using std::abs;
     const Piece limit = {first, last, side.along(image), FT(abs(side.across(image))), offset};
-    const std::array<FT, 2> turns = turning_places(p.x, p.depth, limit.x, limit.depth);
+    const std::array<FT, 2> turns = turning_points(p.x, p.depth, limit.x, limit.depth);
     for(const FT& t : {first, last, turns[0], turns[1]})
       if(t >= first && t <= last)
       {
         const FT value = p.at(t);
-        look_at(value - limit.at(t), value, 2 * t < side.length ? near : far);
+        look_at(value - limit.at(t), value, 2 * t < side.length ? ends.first : ends.second);
       }
   }
 
@@ -342,9 +369,9 @@ private:
   const std::vector<FT>& m_extents;
   const Edge_window_field<FT>& m_windows;
   std::vector<Piece> m_pieces;
-  std::vector<std::size_t> m_begin, m_size; // by halfedge: the first one of an edge has its pieces
-  std::vector<Piece> m_from, m_to;
-  FT m_scale = 0; // the longest edge of the face that is checked
+  std::vector<std::size_t> m_begin, m_size; // of the pieces of an edge, by its first halfedge (dense_index)
+  std::vector<Piece> m_from, m_to; // the functions on the edge and on the side that are checked
+  FT m_scale = 0;                  // the longest edge of the face that is checked
   Worst_violation<FT> m_worst;
 };
 

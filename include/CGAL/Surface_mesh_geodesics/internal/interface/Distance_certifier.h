@@ -10,9 +10,11 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_DISTANCE_CERTIFIER_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_DISTANCE_CERTIFIER_H
 
-// Checks the distances of a user: the witnesses, which are paths and windows, come from a propagation of its own; what
-// they say is checked by Distance_checks and Lower_bound_check, which know nothing of it.
+// Checks distances of the user. A propagation of its own proposes a proof: paths, which show that no distance is too
+// short, and windows, which show that none is too long. Distance_checks and Lower_bound_check judge the proposal and
+// know nothing of the propagation.
 
+#include <CGAL/Surface_mesh_geodesics/internal/certificate/Checked_conditions.h>
 #include <CGAL/Surface_mesh_geodesics/internal/certificate/Distance_checks.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_propagation.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Intrinsic_surface.h>
@@ -23,6 +25,8 @@
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/certificate/Worst_violation.h>
 
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -38,23 +42,7 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// In the order of Geodesic_distance_certificate::Condition.
-enum Checked_condition : unsigned int
-{
-  CHECKED_REACH,
-  CHECKED_SOURCES,
-  CHECKED_EDGES,
-  CHECKED_PAIRS_OF_FACES,
-  CHECKED_PATHS,
-  CHECKED_LOWER_BOUNDS,
-  CHECKED_PROOF,
-  CHECKED_REVERSE,
-  NUMBER_OF_CHECKED_CONDITIONS
-};
-
-template <typename FT>
-using Checked_conditions = std::array<Worst_violation<FT>, NUMBER_OF_CHECKED_CONDITIONS>;
-
+// Reads the user's mesh when it is constructed. Call set_sources() once, then run().
 template <typename FT, typename TriangleMesh, typename VertexIndexMap, typename FaceIndexMap>
 class Distance_certifier
 {
@@ -72,7 +60,7 @@ public:
 
   const Surface& surface() const { return m_surface; }
 
-  // is to be called once, before run().
+  // Numbers the sources and makes vertices of them. Throws Invalid_geodesic_input. An offset of each source, or none.
   template <typename Sources>
   void set_sources(const Sources& sources, const std::vector<double>& offsets)
   {
@@ -82,8 +70,10 @@ public:
       m_sources.emplace_back(set.vertices[i], set.offsets.empty() ? FT(0) : set.offsets[i]);
   }
 
-  // `value(v)` is the distance of a vertex descriptor v, in the unit of the user; there are no distances beyond
-  // `limit`.
+  // Checks all conditions. `value(v)` is the distance of a vertex descriptor v, in the user's unit. `user_limit` is the
+  // radius up to which distances were computed, infinity if all were. Distances are computed in reverse from
+  // `number_of_reverse_runs` vertices. Takes the time and memory of a propagation that keeps its windows, and that of
+  // the checks.
   template <typename Value>
   Checked_conditions<FT> run(Value value, const FT& user_limit, std::size_t number_of_reverse_runs)
   {
@@ -105,6 +95,7 @@ public:
   }
 
 private:
+  // Propagates, and checks the paths and the lower bounds that come from it.
   void check_with_witness(const Distance_checks<FT>& checks, const FT& limit, Checked_conditions<FT>& result) const
   {
     Edge_window_field<FT> windows;
@@ -123,6 +114,7 @@ private:
     result[CHECKED_PROOF].look_at(check_bounds_at_sources(field, checks));
   }
 
+  // The lower bound of a source is not greater than its offset, which the proof requires.
   Worst_violation<FT> check_bounds_at_sources(const Field& field, const Distance_checks<FT>& checks) const
   {
     Worst_violation<FT> worst;
@@ -131,7 +123,8 @@ private:
     return worst;
   }
 
-  // from vertices here and there to the sources.
+  // Computes distances from some vertices to the sources, and compares them. The vertices are spread over all numbers:
+  // the reader numbers vertices by their distance from a face, so these are near it, far from it, and in between.
   Worst_violation<FT> check_reverse(const Distance_checks<FT>& checks, const FT& limit, std::size_t number) const
   {
     std::vector<Vertex_id> targets;
@@ -143,7 +136,6 @@ private:
     const std::size_t n = m_surface.number_of_vertices();
     for(std::size_t i = 0; i < (std::min)(number, n); ++i)
     {
-      // (near the ends and in between: numbers grow with the distance from some face)
       const Vertex_id v = static_cast<Vertex_id>(number > 1 ? (n - 1) * i / (number - 1) : n / 2);
       propagation.restart();
       propagation.add_source(v, FT(0));
@@ -158,6 +150,30 @@ private:
   Source_insertion<FT> m_insertion;
   std::vector<std::pair<Vertex_id, FT>> m_sources; // with offsets
 };
+
+// Checks distances and returns a Certificate, which is Geodesic_distance_certificate<TriangleMesh>. `make_shape()`
+// tells where the lengths of edges come from (Face_shapes.h). Options and named parameters are those of the public
+// functions.
+template <typename Certificate, typename TriangleMesh, typename VertexDistanceMap, typename Sources, typename Options,
+          typename MakeShape, typename NamedParameters>
+Certificate certify_distances(const TriangleMesh& tm, VertexDistanceMap vertex_distance_map, const Sources& sources,
+                              const Options& options, MakeShape make_shape, const NamedParameters& np)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+
+  auto vim = CGAL::get_initialized_vertex_index_map(tm, np);
+  auto fim = CGAL::get_initialized_face_index_map(tm, np);
+  check_maximum_distance(options.maximum_distance);
+  check_offsets(options.source_offsets);
+  Distance_certifier<double, TriangleMesh, decltype(vim), decltype(fim)> certifier(tm, vim, fim, make_shape());
+  certifier.set_sources(sources, options.source_offsets);
+  const auto conditions = certifier.run(
+    [&](vertex_descriptor v) { return CGAL::to_double(get(vertex_distance_map, v)); }, options.maximum_distance,
+    static_cast<std::size_t>(choose_parameter(get_parameter(np, internal_np::number_of_iterations), 4)));
+  return Certificate(conditions, [&](Vertex_id v) { return certifier.surface().descriptor_or_null(v); });
+}
 
 } // namespace internal
 } // namespace Surface_mesh_geodesics

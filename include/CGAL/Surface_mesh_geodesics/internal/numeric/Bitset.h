@@ -10,8 +10,9 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_BITSET_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_BITSET_H
 
-// A set of small numbers that is gone through in ascending order, as a bit for each. Which numbers are in a set cannot
-// be predicted, so asking for each of them takes longer than all that is done with those that are.
+// A set of small numbers, a bit for each, that is visited in ascending order. The time to visit it depends on the number
+// of its elements, without a branch for each number: membership cannot be predicted, and mispredicted branches would
+// take longer than the work on the elements.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/bit_counting.h>
 
@@ -29,7 +30,7 @@ class Bitset
 public:
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
-  // empties the set, for the numbers 0 .. n-1.
+  // Empties the set and prepares it for the numbers 0 .. n-1.
   void reset(std::size_t n)
   {
     m_first = 0;
@@ -39,17 +40,17 @@ public:
       m_others.clear();
   }
 
-  // inserts i, if it is to be.
-  void insert(std::size_t i, bool is_to_be = true)
+  // Inserts i if the condition holds, without a branch.
+  void insert(std::size_t i, bool condition = true)
   {
-    word(i) |= static_cast<std::uint64_t>(is_to_be) << i % bits;
+    word(i) |= static_cast<std::uint64_t>(condition) << i % bits;
   }
 
   void remove(std::size_t i) { word(i) &= ~(std::uint64_t(1) << i % bits); }
 
   bool empty() const { return next(0) == none; }
 
-  // the smallest number of the set that is not less than i, or `none`.
+  // The smallest element that is not less than i, or `none`.
   std::size_t next(std::size_t i) const
   {
     if(i < bits)
@@ -68,7 +69,7 @@ public:
     return none;
   }
 
-  // calls visit(i) for the numbers of the set in ascending order. What it inserts behind i is visited as well.
+  // Calls visit(i) for all elements in ascending order. visit() may insert elements; those greater than i are visited, too.
   template <typename Visit>
   void for_each(Visit visit) const
   {
@@ -82,7 +83,7 @@ private:
   std::uint64_t& word(std::size_t i) { return i < bits ? m_first : m_others[i / bits - 1]; }
 
   std::uint64_t m_first = 0;
-  std::vector<std::uint64_t> m_others; // only where there are more than 64 numbers
+  std::vector<std::uint64_t> m_others; // empty if n <= 64
 };
 
 } // namespace internal

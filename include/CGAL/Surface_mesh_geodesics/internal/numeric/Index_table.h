@@ -10,7 +10,8 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_INDEX_TABLE_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_INDEX_TABLE_H
 
-// What is known of few of the many faces or halfedges of a mesh: a hash table without an allocation for each entry.
+// A hash table from indices to values, for data of a few of the many faces or halfedges of a mesh. It allocates no entry by
+// itself: linear probing in arrays that are at most half full. All operations take expected constant time.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 
@@ -28,7 +29,7 @@ template <typename Value>
 class Index_table
 {
 public:
-  // keeps the memory.
+  // Removes all entries and keeps the memory.
   void clear()
   {
     if(m_size == 0)
@@ -37,21 +38,21 @@ public:
     m_size = 0;
   }
 
-  // the value of a key, null if there is none; until the next insertion.
+  // The value of a key, or null. The pointer is valid until the next insertion.
   const Value* find(std::uint32_t key) const
   {
     if(m_size == 0)
       return nullptr;
-    const std::size_t i = place(key);
+    const std::size_t i = position(key);
     return m_keys[i] == key ? &m_values[i] : nullptr;
   }
 
-  // gives a key a value unless it has one; returns whether it had none. The key is not null_id.
+  // Inserts a value unless the key has one. Returns whether it has inserted the value. Requires: key != null_id.
   bool insert(std::uint32_t key, const Value& value)
   {
     if(2 * (m_size + 1) > m_keys.size())
       grow();
-    const std::size_t i = place(key);
+    const std::size_t i = position(key);
     if(m_keys[i] == key)
       return false;
     m_keys[i] = key;
@@ -61,8 +62,8 @@ public:
   }
 
 private:
-  // where the key is, or where it would be. There is a free place.
-  std::size_t place(std::uint32_t key) const
+  // The position of the key, or the free position where it belongs. Requires: a position is free.
+  std::size_t position(std::uint32_t key) const
   {
     const std::size_t mask = m_keys.size() - 1;
     std::size_t i = static_cast<std::size_t>((key * std::uint64_t(0x9E3779B97F4A7C15)) >> 32) & mask;
@@ -79,13 +80,13 @@ private:
     for(std::size_t j = 0; j < keys.size(); ++j)
       if(keys[j] != null_id)
       {
-        const std::size_t i = place(keys[j]);
+        const std::size_t i = position(keys[j]);
         m_keys[i] = keys[j];
         m_values[i] = values[j];
       }
   }
 
-  std::vector<std::uint32_t> m_keys; // null_id at free places; as many as a power of two
+  std::vector<std::uint32_t> m_keys; // null_id at free positions; the size is 0 or a power of two
   std::vector<Value> m_values;
   std::size_t m_size = 0;
 };

@@ -10,8 +10,8 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_NEWTON_REFINEMENT_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_NEWTON_REFINEMENT_H
 
-// Refines points that satisfy two conditions on distances: the vertex of three cells, the intersection of a bisector and
-// a line. Newton's method reduces their error to the rounding of the distances.
+// Refines points that satisfy two conditions on distances: the vertex of three cells, the intersection of a bisector
+// and a line. Newton's method reduces their error to the rounding of the distances.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Weighted_bisector.h>
@@ -24,15 +24,15 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// Improves a solution p of f(p) = g(p) = 0 by at most four steps of Newton's method, and returns the last point at which
-// |f| + |g| became smaller. residuals(p) returns f, g, and their gradients as (f, g, fx, fy, gx, gy). `size` is the size
-// of the face; a step longer than Tolerance::newton_step() of it is not made.
+// Improves a solution p of f(p) = g(p) = 0 by at most four steps of Newton's method, and returns the last point at
+// which |f| + |g| became smaller. residuals(p) returns f, g, and their gradients as (f, g, fx, fy, gx, gy). `size` is
+// the size of the face; a step longer than Tolerance::newton_step() of it is not made.
 //
 // f is the difference of the distances from two points. If these are close to each other, the gradient of f vanishes:
 // then f tells nothing about the position, and g decides it alone.
 //
-// Error: where the method converges, |f| + |g| is at most the rounding of the distances (`precision`). No bound is known
-// for the position, since the two curves may touch.
+// Error: where the method converges, |f| + |g| is at most the rounding of the distances (`precision`). No bound is
+// known for the position, since the two curves may touch.
 template <typename FT, typename Residuals>
 Planar_point<FT> polished_point(Planar_point<FT> p, const FT& size_of_distances, const FT& size, Residuals residuals)
 {

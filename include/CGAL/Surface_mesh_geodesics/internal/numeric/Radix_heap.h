@@ -10,13 +10,13 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_RADIX_HEAP_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_RADIX_HEAP_H
 
-// Numbers, of faces, that wait until the wavefront has reached a distance: a radix heap (Ahuja, Mehlhorn, Orlin and
-// Tarjan, Faster algorithms for the shortest path problem, J. ACM 37, 1990). The distance reached only grows, and
-// nobody asks in which order those leave that may leave: so an entry moves a few times from one bucket to another, and
-// nothing is compared on the way. (A binary heap took a tenth of the time of a diagram.)
+// Faces that wait until the wavefront has reached a distance: a radix heap (Ahuja, Mehlhorn, Orlin and Tarjan, Faster
+// algorithms for the shortest path problem, J. ACM 37, 1990). The reached distance only grows, and due entries may leave
+// in any order. So an entry moves at most 32 times to a lower bucket, mostly a few times, and no entries are compared. (A
+// binary heap took a tenth of the time of a diagram.)
 //
-// Distances are kept in single precision, rounded so that no entry leaves too early; it may leave too late, by a
-// millionth of its distance. Distances that are too large for that wait until clear().
+// Distances are stored in single precision and rounded up: no entry leaves too early, but it may leave too late by a
+// millionth of its distance. Distances beyond single precision wait until clear().
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/bit_counting.h>
@@ -44,15 +44,15 @@ public:
     m_reached = 0;
   }
 
-  // lets f wait for a distance. `limit`, not less than that, is remembered.
+  // Lets f wait for a distance, and stores `limit` with it. Requires: 0 <= distance <= limit.
   template <typename FT>
   void push(Face_id f, const FT& distance, const FT& limit)
   {
     insert(Entry{bits(Single_precision::not_less(distance)), Single_precision::not_less(limit), f});
   }
 
-  // calls leave(f, limit) for all that wait for less than the distance that is reached; it may let f wait again, but
-  // not for less than that.
+  // Calls leave(f, limit), with a limit rounded up, for the faces that wait for less than the reached distance. leave() may
+  // push f again, for a distance that is not less than the reached one.
   template <typename FT, typename Leave>
   void advance(const FT& distance, Leave leave)
   {
@@ -61,7 +61,7 @@ public:
       return;
     const std::size_t last = bucket_of(reached);
     m_reached = reached;
-    // All that wait in the buckets before the last one are below what is reached; of the last one, some are.
+    // All entries in the buckets before the last one are due, and some of the last one.
     for(std::size_t i = 0; i <= last; ++i)
     {
       if(m_bucket[i].empty())
@@ -85,7 +85,7 @@ public:
   }
 
 private:
-  // Of non-negative numbers, so that keys are ordered as the numbers are.
+  // The key is the bits of a non-negative number: keys have the order of the numbers.
   struct Entry
   {
     std::uint32_t key;
@@ -102,8 +102,7 @@ private:
     return b;
   }
 
-  // The number of the highest bit in which a key differs from what is reached, counted from 1; 0 for those that do not,
-  // or are below.
+  // The highest bit in which a key differs from the reached one, counted from 1; 0 if the key is not greater.
   std::size_t bucket_of(std::uint32_t key) const
   {
     return key <= m_reached ? 0 : number_of_bits(key ^ m_reached);

@@ -14,10 +14,10 @@
 // of hyperbolas, or lines. Along a bisector, the questions "which of three points is nearer" and "on which side of a
 // line" become signs of quadratic polynomials.
 //
-// Let F be one of the two points (a focus), d the vector to the other one, s the weight of F minus that of the other one,
-// and u the unit vector from F to a point of the curve at distance r. Squaring r + s = |r u - d| gives
-// 1/r = (s + u d) / K with 2 K = d^2 - s^2: an affine function of u. The same holds for the bisector of F and a third
-// point, and 1/r is affine in u along a line, too. So both questions are linear inequalities in u.
+// Let F be one of the two points (a focus), d the vector to the other one, s the weight of F minus that of the other
+// one, and u the unit vector from F to a point of the curve at distance r. Squaring r + s = |r u - d| gives 1/r = (s +
+// u d) / K with 2 K = d^2 - s^2: an affine function of u. The same holds for the bisector of F and a third point, and
+// 1/r is affine in u along a line, too. So both questions are linear inequalities in u.
 //
 // Directions are measured from that of a point p0 of the curve. The parameter t is the tangent of half the angle from
 // it: u is a quotient of quadratic polynomials in t, the point of the curve is one, and each inequality becomes one for
@@ -127,8 +127,8 @@ struct Quadratic
     return c0 > rounding && b1 > rounding && b1 + t * (c1 + c2 * t) > rounding;
   }
 
-  // Returns the positive roots in ascending order, infinity in place of those that do not exist. Neither root is computed
-  // as a difference of nearly equal numbers.
+  // Returns the positive roots in ascending order, infinity in place of those that do not exist. Neither root is
+  // computed as a difference of nearly equal numbers.
   std::array<FT, 2> positive_roots() const
   {
     using std::sqrt;
@@ -148,8 +148,8 @@ struct Quadratic
   }
 };
 
-// Frame: that of the two points given. Ties: none, since a bisector is the set of ties. Degenerate cases are decided by the
-// constructor: is_valid(), is_ray(), is_curved().
+// Frame: that of the two points given. Ties: none, since a bisector is the set of ties. Degenerate cases are decided by
+// the constructor: is_valid(), is_ray(), is_curved().
 template <typename FT_>
 class Weighted_bisector
 {
@@ -205,8 +205,8 @@ public:
   // Returns false where the two distances do not differ beyond rounding, or no curve exists.
   bool is_valid() const { return m_is_valid; }
 
-  // Returns whether the bisector is a ray: paths from one point run through the other one, and all points behind that one
-  // are equally far from both. The other functions are then those of the ray, and the parameter is the length.
+  // Returns whether the bisector is a ray: paths from one point run through the other one, and all points behind that
+  // one are equally far from both. The other functions are then those of the ray, and the parameter is the length.
   bool is_ray() const { return m_is_straight && !m_is_valid; }
 
   // Returns whether the focus F is `left`. For a ray, F is the point where paths bend.
@@ -268,8 +268,9 @@ public:
   // Returns the parameter at which the curve goes to infinity. Behind it, point() is on the other branch.
   FT end() const { return denominator().positive_roots()[0]; }
 
-  // Returns the parameter from which the curve should be described anew, infinity if there is none. Parameters lose their
-  // digits far away from the focus, where all of them are close to end(), and after more than half a turn around it.
+  // Returns the parameter from which the curve should be described anew, infinity if there is none. Parameters lose
+  // their digits far away from the focus, where all of them are close to end(), and after more than half a turn around
+  // it.
   FT end_of_precision() const
   {
     if(m_is_straight)
@@ -318,8 +319,8 @@ public:
   }
 
 private:
-  // Turns the parameter so that `left` is nearer on the left: the gradient of the difference of the two distances has to
-  // point to the left of the tangent.
+  // Turns the parameter so that `left` is nearer on the left: the gradient of the difference of the two distances has
+  // to point to the left of the tangent.
   void orient(const Focus& left, const Focus& right, const FT& to_left, const FT& to_right)
   {
     const FT nx = (to_right > 0 ? FT((m_p.x - right.x) / to_right) : FT(0))

@@ -10,8 +10,8 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_BIT_COUNTING_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_BIT_COUNTING_H
 
-// Where the bits of a word begin and end, by one instruction where there is one: how often a loop would go round cannot
-// be predicted.
+// The lowest and the highest bit of a word, by one instruction where the compiler knows it: the length of a loop could
+// not be predicted.
 
 #include <cstddef>
 #include <cstdint>
@@ -20,7 +20,7 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// The number of zeros below the lowest bit that is set; the word is not 0.
+// The number of zeros below the lowest bit that is set. Requires: word != 0.
 inline std::size_t trailing_zeros(std::uint64_t word)
 {
 #ifdef __GNUC__
@@ -33,7 +33,7 @@ inline std::size_t trailing_zeros(std::uint64_t word)
 #endif
 }
 
-// The number of bits up to the highest one that is set; the word is not 0.
+// The number of bits up to the highest one that is set. Requires: word != 0.
 inline std::size_t number_of_bits(std::uint64_t word)
 {
 #ifdef __GNUC__

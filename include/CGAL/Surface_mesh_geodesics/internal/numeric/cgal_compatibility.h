@@ -10,7 +10,7 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_CGAL_COMPATIBILITY_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_CGAL_COMPATIBILITY_H
 
-// What differs between the versions 5.5 and 6 of CGAL, and nothing else.
+// The differences between the versions 5.5 and 6 of CGAL that the package meets. No other file asks for the version.
 
 #include <CGAL/config.h>
 
@@ -24,7 +24,7 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// the value of type T that a variant holds, or null.
+// A pointer to the value of a variant if its type is T, else null.
 template <typename T, typename Variant>
 const T* held_value(const Variant& v)
 {

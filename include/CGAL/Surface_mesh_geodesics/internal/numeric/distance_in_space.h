@@ -18,7 +18,7 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// The distance of two points of any kernel, straight through space. No square overflows or vanishes.
+// The Euclidean distance of two points of any kernel, as a double. std::hypot() lets no square overflow or vanish.
 template <typename Point>
 double distance_in_space(const Point& p, const Point& q)
 {

@@ -14,7 +14,7 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// asks for the memory at p, which will be read soon. Nothing is read, so that p may be any address.
+// Asks the processor to load the memory at p into its caches. Nothing is read: p may be any address.
 inline void prefetch(const void* p)
 {
 #ifdef __GNUC__

@@ -10,7 +10,7 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_SINGLE_PRECISION_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_SINGLE_PRECISION_H
 
-// Bounds of distances, which are not negative, in single precision: half the memory, and off by a millionth at most.
+// Upper and lower bounds of non-negative distances in single precision: half the memory, and at most a millionth off.
 
 #include <algorithm>
 #include <limits>
@@ -21,10 +21,12 @@ namespace internal {
 
 struct Single_precision
 {
+  // Of a distance: four times the largest relative error of a conversion to float (2^-24), so that a bound stays one in
+  // every rounding mode.
   static constexpr double rounding = 0x1p-22;
   static constexpr float largest = (std::numeric_limits<float>::max)();
 
-  // What is lost below the smallest number is less than that.
+  // A bound from above; infinity for large x. The smallest normal number makes up for what underflow loses.
   template <typename FT>
   static float not_less(const FT& x)
   {
@@ -33,6 +35,7 @@ struct Single_precision
                                             : std::numeric_limits<float>::infinity();
   }
 
+  // A bound from below.
   template <typename FT>
   static float not_more(const FT& x)
   {

@@ -19,9 +19,10 @@
 //
 // Order. The key tells where the edge sequence of a window runs relative to those of the other windows on AB. It holds
 // the last 64 turns (0: the window left the previous face across its left edge, 1: across its right edge), the latest
-// turn in the highest bit, followed by a single 1 where the sequence begins at its pseudo-source. Take two windows on AB
-// with different keys. Their edge sequences agree back to some face, which they enter across different edges, or in
-// which one of them begins at the vertex that these edges share: the smaller key comes from the left. Beyond that face
+// turn in the highest bit, followed by a single 1 where the sequence begins at its pseudo-source (if it has fewer than 64
+// turns). Take two windows on AB with different keys. Their edge sequences agree back to some face, which they enter
+// across different edges, or in which one of them begins at the vertex that these edges share: the smaller key comes from
+// the left. Beyond that face
 // both run through the same triangles, which unfold to a disk. So if a path of the window with the smaller key ends on
 // the right of a path of the other window, the two paths really cross, in that disk. Every pruning of pairs needs this
 // fact, and only the key tells it: the positions of images or intervals do not.
@@ -100,7 +101,7 @@ bool is_valid(const Window<FT>& w, const FT& length)
   const FT infinity = std::numeric_limits<FT>::infinity();
   return 0 <= w.begin && w.begin < w.end && w.end <= length && w.image_depth >= 0 && 0 <= w.root_distance
       && w.root_distance <= w.begin_distance && w.begin_distance < infinity && w.root_distance <= w.end_distance
-      && w.end_distance < infinity && w.key != 0 && w.root != null_id;
+      && w.end_distance < infinity && w.root != null_id;
 }
 
 // Is the image so near to its interval, on an edge of the given length, that rounding of the ends of the interval would

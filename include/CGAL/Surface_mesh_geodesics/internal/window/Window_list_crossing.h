@@ -10,11 +10,11 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_WINDOW_LIST_CROSSING_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_WINDOW_LIST_CROSSING_H
 
-// One window list across one face (thesis, 4.2.3): the list is cleaned, its best window for the
-// opposite vertex C is found (Rule 1), and what remains is split into the lists of the two other
-// edges. Neighbours of a sorted list are pruned against each other once, when the list is about to be
-// propagated and all lists that reach its edge have been merged into it; so Rule 2 (one list) and
-// Rule 3 (merged lists) are one pass.
+// One window list across one face (thesis, 4.2.3). prune() removes redundant windows, find_apex_path() finds the nearest
+// window for the apex C (Rule 1), and split() propagates the list to the two other edges.
+//
+// Neighbors in a sorted list are pruned against each other once, when the list is about to be propagated and all lists that
+// reach its edge have been merged into it. So Rule 2 (one list) and Rule 3 (merged lists) are one pass.
 
 #include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
@@ -48,10 +48,10 @@ class Window_list_crossing
   using Loops = Loops_by_length<FT, Rules>;
 
 public:
-  // The path to C that is the shortest of those through the list.
+  // The shortest path to C through the list.
   struct Apex_path
   {
-    std::size_t index; // of its window
+    std::size_t index; // of its window in the list
     FT distance;
     FT separating_point;
     FT image_x, image_depth;
@@ -63,19 +63,17 @@ public:
     : m_mesh(mesh), m_distance(distance), m_statistics(statistics), m_loops(lanes)
   {}
 
-  // Has the distance of a pseudo-source shrunk whose windows had been made?
+  // Says whether the distance of a pseudo-source may have shrunk after its windows were made.
   void expect_stale_windows(bool are_expected) { m_has_stale_windows = are_expected; }
 
-  // removes what is redundant on the edge itself: windows of a pseudo-source that has been improved
-  // since, windows beaten by a vertex, windows beaten by a neighbour, and windows that have crossed more faces than
-  // any shortest path does (Intrinsic_mesh.h).
+  // Removes windows that are redundant on the edge itself: windows of a pseudo-source that has been improved since, windows
+  // beaten by a vertex or by a neighbor, and windows that have crossed more faces than any shortest path does
+  // (Intrinsic_mesh.h).
   //
-  // All windows are trimmed against their neighbours as they are. What is not decided then, because a
-  // window is redundant, is looked at window by window. No order of pruning does harm: what is removed
-  // is longer than some path on the surface.
-  //
-  // Most windows that are removed later instead cost less than to look for them on each edge: lists are pruned on every
-  // fourth edge only.
+  // First, all windows are trimmed against their original neighbors. Redundant windows become suspects, which are then
+  // looked at one by one. The order of pruning does not matter: each removed path is longer than some path on the surface.
+  // Lists are pruned on every fourth edge only. To remove a window later costs less than to look for it on each edge.
+  // Requires: the list is valid. It is so afterwards; in between, trimming may leave empty intervals.
   void prune(Window_list<FT>& list, const Face_frame<FT>& c, const Corner_rivals<FT>& corners)
   {
     CGAL_expensive_assertion(internal::is_valid(list, c.length));
@@ -90,7 +88,7 @@ public:
     CGAL_expensive_assertion(internal::is_valid(list, c.length));
   }
 
-  // finds the shortest path to C through a list that is not empty; the first one if several tie.
+  // Finds the shortest path to C through a list; the first one if several tie. Requires: the list is not empty.
   Apex_path find_apex_path(const Window_list<FT>& list, const Face_frame<FT>& c)
   {
     CGAL_assertion(list.size > 0);
@@ -110,8 +108,9 @@ public:
     return best;
   }
 
-  // splits a pruned list at its separating point (Rule 1) and propagates it to the two other edges,
-  // into the rooms given, if they are any. The list is that of the last call of find_apex_path().
+  // Splits a list at its separating point (Rule 1) and propagates it to the two other edges, into the room behind the given
+  // lists; a list without a block gets nothing.
+  // Requires: `path` is the result of the last call of find_apex_path(), for the same list.
   void split(const Window_list<FT>& list, const Face_frame<FT>& c, const Corner_rivals<FT>& corners,
              const Apex_path& path, const Window_list<FT>& left_room, const Window_list<FT>& right_room)
   {
@@ -146,10 +145,9 @@ private:
     return false;
   }
 
-  // A path that bends at the end of its interval, next to another window, may be as long as a straighter one
-  // through that window, as far as rounding lets one see: the bend costs only the square of the shift. But the
-  // list is split where the path crosses it, and the whole shift would become a gap between the children. So the
-  // straighter path is taken.
+  // Replaces a path that bends at the end of its interval by a straighter one through the next window if that is not clearly
+  // longer. The bend costs only the square of the shift, which rounding may hide. But the list is split where the path
+  // crosses it, and the whole shift would become a gap between the children.
   void straighten(const Window_list<FT>& list, const Face_frame<FT>& c, Apex_path& best) const
   {
     const bool is_to_right = m_abscissa[best.index] > list.columns.end()[best.index];
@@ -168,7 +166,7 @@ private:
     }
   }
 
-  // makes suspects of all windows of a list: neighbours that are marked must not be trimmed at once.
+  // Makes all windows of a list suspects: marked neighbors must not be trimmed all at once. Recomputes the steps.
   bool suspect_all(Window_list<FT>& list)
   {
     list.steps = 0;
@@ -178,7 +176,7 @@ private:
     return true;
   }
 
-  // trims the windows of a list against their neighbours. Returns whether there are suspects.
+  // Trims the windows of a list against their neighbors. Returns whether there are suspects.
   bool trim(const Window_list<FT>& list, const Face_frame<FT>& c, const Corner_rivals<FT>& corners)
   {
     if(m_suspects.size() < list.size / suspects_in_word + 1)
@@ -187,7 +185,7 @@ private:
                                    m_suspects.data());
   }
 
-  // the first suspect from i on among the first n windows, n if there is none.
+  // The first suspect from i on among the first n windows, or n.
   std::size_t next_suspect(std::size_t i, std::size_t n) const
   {
     while(i < n)
@@ -200,12 +198,12 @@ private:
     return n;
   }
 
-  // looks at the suspects, and at windows whose neighbour before them has been removed or trimmed.
+  // Looks at the suspects, and at windows whose left neighbor has been removed or trimmed.
   void remove_redundant_suspects(Window_list<FT>& list, const Face_frame<FT>& c,
                                  const Corner_rivals<FT>& corners)
   {
     const Vertex_rival<FT> left = corners.origin, right = corners.target;
-    std::size_t last = 0; // windows before it are done
+    std::size_t last = 0; // the end of the windows that are done
     bool is_changed = false;
     for(std::size_t i = 0; i < list.size;)
     {
@@ -220,7 +218,7 @@ private:
       Window<FT> w = list.columns.get(i++);
       const FT begin = w.begin;
       is_changed = true;
-      if(!is_redundant(w, c.length, left, right) && survives_neighbours(list, last, w, c.length))
+      if(!is_redundant(w, c.length, left, right) && survives_neighbors(list, last, w, c.length))
       {
         is_changed = w.begin != begin;
         list.columns.set(last++, w);
@@ -229,7 +227,7 @@ private:
     list.size = static_cast<std::uint32_t>(last);
   }
 
-  // is w redundant whatever its neighbours are?
+  // Is w redundant by itself, whatever its neighbors are?
   bool is_redundant(const Window<FT>& w, const FT& length, const Vertex_rival<FT>& left,
                     const Vertex_rival<FT>& right)
   {
@@ -247,27 +245,27 @@ private:
     return false;
   }
 
-  // prunes w against the first `last` windows, nearest first, as long as they are removed (thesis,
-  // 4.2.3.2: linear time). Returns false if w itself is removed.
-  bool survives_neighbours(Window_list<FT>& list, std::size_t& last, Window<FT>& w,
+  // Prunes w against the first `last` windows, from the nearest one on, until one of them stays (thesis, 4.2.3.2: linear
+  // time in all). Returns false if w itself is redundant.
+  bool survives_neighbors(Window_list<FT>& list, std::size_t& last, Window<FT>& w,
                            const FT& length)
   {
     while(Rules::pair_rules && last != 0)
     {
       if(list.columns.end()[last - 1] <= w.begin)
         return true;
-      Window<FT> neighbour = list.columns.get(last - 1);
-      if(is_too_close_to_trim(neighbour, length) || is_too_close_to_trim(w, length))
+      Window<FT> neighbor = list.columns.get(last - 1);
+      if(is_too_close_to_trim(neighbor, length) || is_too_close_to_trim(w, length))
         return true;
-      if(is_order_unknown(neighbour, w))
+      if(is_order_unknown(neighbor, w))
       {
         ++m_statistics.ambiguous_pairs;
         return true;
       }
-      switch(prune_pair(neighbour, w))
+      switch(prune_pair(neighbor, w))
       {
       case Pair_outcome::KEEP_BOTH:
-        list.columns.set(last - 1, neighbour);
+        list.columns.set(last - 1, neighbor);
         return true;
       case Pair_outcome::RIGHT_IS_REDUNDANT:
         ++m_statistics.windows_removed_by_rules_2_and_3;
@@ -312,7 +310,7 @@ private:
     return true;
   }
 
-  // puts the children of the windows [first, last) on one edge, if there is room.
+  // Appends the children of the windows [first, last) to the batch of one edge, if it has room.
   void cross(typename Window_list_loops<FT>::Cross Window_list_loops<FT>::*loop, const Window_list<FT>& list,
              std::size_t first, std::size_t last, const Face_frame<FT>& c, const Edge_cut<FT>& edge,
              Window_batch<FT>& batch)
@@ -325,8 +323,8 @@ private:
   const std::vector<FT>& m_distance; // of the vertices
   Propagation_statistics& m_statistics;
   const Loops m_loops;
-  bool m_has_stale_windows = false; // of a pseudo-source that has been improved since
-  bool m_has_close_images = false;  // in the list: some windows may be too close to trim
+  bool m_has_stale_windows = false; // there may be windows of a pseudo-source that has been improved since
+  bool m_has_close_images = false;  // some windows of the list may be too close to trim
   Window_batch<FT> m_left, m_right;
   std::vector<FT> m_abscissa;           // the apex_abscissa of each window of the list
   std::vector<Suspects> m_suspects;     // among the windows of the list

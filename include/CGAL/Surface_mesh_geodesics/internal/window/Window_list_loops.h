@@ -10,12 +10,11 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_WINDOW_LIST_LOOPS_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_WINDOW_LIST_LOOPS_H
 
-// The loops over the windows of a list, in which nearly all time is spent, for the processor that is
-// there. They are compiled once for each number of lanes that may be of use (simd.h): the files in lanes/ are
-// included several times, each time into another namespace, and for another instruction set. Which of them are
-// called is chosen once for an object, not in the loops.
+// The loops over the windows of a list, in which nearly all time is spent, for the processor that runs the program.
 //
-// All results are the same bits whatever the choice, see simd.h.
+// They are compiled once for each number of lanes that may pay (simd.h): the files in lanes/ are included several times,
+// each time into another namespace and for another instruction set (README.md). An object chooses its loops once, not in
+// each call. The choice does not change any bit of the results.
 
 #include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
@@ -39,8 +38,8 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// The windows that a list sends across one edge, in the room behind the list of that edge, and their
-// smallest distance.
+// The new windows that a list sends across one edge, in the room behind the list of that edge, and their smallest
+// distance.
 template <typename FT>
 struct Window_batch
 {
@@ -68,25 +67,25 @@ struct Window_batch
   }
 };
 
-// What the windows of a list are cut to on the edge AC or CB.
+// Which paths of a list go to the edge AC or CB, and the rivals there.
 template <typename FT>
 struct Edge_cut
 {
   Vertex_rival<FT> left, right; // the ends of the edge
-  FT cut;                       // only paths on this side of it are taken
-  std::size_t whole_window;     // loses nothing at the cut
+  FT cut;                       // abscissa on AB; the paths on one side of it go to this edge
+  std::size_t whole_window;     // index of a window that loses no paths at the cut
 };
 
 // The window of a list through which the path to C is shortest.
 template <typename FT>
 struct Nearest_window
 {
-  std::size_t index; // the first one if several tie
+  std::size_t index; // of the first one if several tie
   FT distance;
-  bool has_close_images; // in the list: some windows may be too close to trim
+  bool has_close_images; // some windows of the list may be too close to trim
 };
 
-// The set of windows that have to be looked at one by one: a bit for each.
+// Eight windows of a list, with a bit for each one that has to be looked at by itself.
 using Suspects = unsigned char;
 constexpr std::size_t suspects_in_word = 8;
 
@@ -99,22 +98,22 @@ struct Window_list_loops
                          const Edge_cut<FT>& edge, const FT* abscissa, Window_batch<FT>& batch,
                          Propagation_statistics& statistics);
 
-  // Blocks have so many rows behind the windows that they have room for.
-  std::size_t lanes;
+  std::size_t lanes; // at most Window_columns::padding
 
-  // trims the n windows of a list against their neighbours. Those that have to be looked at become
-  // suspects: windows that may be redundant by themselves, or by the window before them, and those
-  // that may be too close to trim, or behind such a window. Returns whether there are any.
+  // Trims the n windows of a list against their neighbors (Trimmed_pairs), all with their original neighbors. Suspects are
+  // the windows that are beaten by a vertex or trimmed to nothing, and the right windows of undecided pairs. Returns
+  // whether there are any.
   bool (*trim)(const Columns& columns, std::size_t n, const FT& length, const Rival& left, const Rival& right,
                Suspects* suspects);
 
-  // finds the shortest path to C, and the apex_abscissa of all windows.
+  // Finds the shortest path to C, and the apex_abscissa of all windows.
   Nearest_window<FT> (*find_nearest)(const Columns& columns, std::size_t n, const Face_frame<FT>& c, FT* abscissa);
 
-  // does no window lie wholly on the other side of s than its key says, before or after the best one?
+  // Does every window, by its interval, reach the side of s that its key tells: those before the best one the left side,
+  // those after it the right side?
   bool (*is_split_by)(const Columns& columns, std::size_t n, std::size_t best, const FT& s);
 
-  // puts the children of the windows [first, last) on one edge.
+  // Appends the children of the windows [first, last) to the batch of one edge.
   Cross cross_left, cross_right;
 };
 
@@ -152,7 +151,7 @@ struct Window_list_loops
 #pragma GCC pop_options
 #endif
 
-// (AVX-512 has fused operations, unlike AVX2: they would change last digits.)
+// (AVX-512 includes fused operations, unlike AVX2. They would change the last digits.)
 #ifdef __clang__
 #pragma float_control(push)
 #pragma clang fp contract(off)

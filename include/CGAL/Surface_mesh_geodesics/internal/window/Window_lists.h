@@ -10,13 +10,15 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_WINDOW_LISTS_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_WINDOW_LISTS_H
 
-// The window lists of the wavefront (thesis, 3.3.2.1, definition 3.1): for each halfedge the windows
-// that wait to enter its face, sorted by key.
+// The window lists of the wavefront (thesis, 3.3.2.1, definition 3.1): for each halfedge the windows that wait to enter its
+// face, sorted by key.
 //
-// A list is a block of a pool, with a column for each field of its windows: they are processed several
-// at a time (see simd.h). Blocks have room for 8, 16, 32, ... windows, and those that are given back are
-// used again. So no window is allocated for itself, a list is read in one sweep, and the memory is that
-// of the widest wavefront.
+// A list is a block of a pool, with a column for each field of its windows, because loops process several windows at a
+// time (simd.h). Blocks have room for 8, 16, 32, ... windows, and released blocks are used again. So no window is
+// allocated by itself, a list is read in one sweep, and the memory is that of the widest wavefront.
+//
+// Invariants of a stored list, from Window_pool::add() to Window_lists::take(): it is not empty, is_sorted_by_key(), and its
+// windows are valid (Window.h). While it is pruned, windows may be empty; while it is split, it does not change.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Window.h>
@@ -36,16 +38,15 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// The columns of a block. Each is longer by one step of the loops over lanes than the windows it has
-// room for: such a loop reads and writes all lanes of its last step.
+// The columns of a block. Each has `padding` more rows than windows: loops over lanes and copies read and write all lanes of
+// their last step.
 template <typename FT>
 struct Window_columns
 {
   static constexpr std::size_t number_of_numbers = 7;
   static constexpr std::size_t number_of_words = 2;
   static constexpr std::size_t step = 4; // windows that are copied at a time
-  // Loops over lanes and copies read and write so many rows behind the last window: as many as there can be lanes, so
-  // that it does not depend on the flags of the compilation.
+  // The largest number of lanes of any instruction set, so that blocks do not depend on the flags of the compilation.
   static constexpr std::size_t padding = 8;
 
   FT* numbers = nullptr;
@@ -90,15 +91,14 @@ struct Window_columns
     history()[i] = w.history();
   }
 
-  // copies the windows [first, last) of another block to the windows from i on, and what is behind them up to a
-  // full step.
+  // Copies the windows [first, last) of another block to the rows from i on, and the rows behind them up to a full step.
   void copy(const Window_columns& from, std::size_t first, std::size_t last, std::size_t i) const
   {
     for(; first < last; first += step, i += step)
       copy_step(from, first, i);
   }
 
-  // moves the windows [first, last) to the windows from i < first on, and no others.
+  // Moves the windows [first, last) to the rows from i on, and no others. Requires: i < first.
   void move_down(std::size_t first, std::size_t last, std::size_t i) const
   {
     for(; first + step <= last; first += step, i += step)
@@ -108,7 +108,7 @@ struct Window_columns
   }
 
 private:
-  // (All of a step is read before it is written, so that the two places may overlap.)
+  // (All rows of a step are read before any is written, so that the two ranges may overlap.)
   void copy_step(const Window_columns& from, std::size_t first, std::size_t i) const
   {
     copy_step(from.begin() + first, begin() + i);
@@ -182,7 +182,7 @@ public:
   using List = Window_list<FT>;
   using Columns = Window_columns<FT>;
 
-  // makes an empty list with room for n windows.
+  // Makes an empty list with room for n windows. Requires: n > 0.
   List allocate(std::size_t n)
   {
     List list;
@@ -198,7 +198,7 @@ public:
     return list;
   }
 
-  // gives the block of a list back; the list is empty then.
+  // Releases the block of a list. The list is empty afterwards.
   void release(List& list)
   {
     if(list.columns.height != 0)
@@ -206,7 +206,7 @@ public:
     list = List();
   }
 
-  // makes room for n more windows behind those of a list; add() takes them into the list.
+  // Makes room for n more windows behind those of a list. add() makes them part of the list.
   void make_room(List& list, std::size_t n)
   {
     if(list.size + n <= list.capacity())
@@ -216,9 +216,9 @@ public:
     replace(list, larger);
   }
 
-  // merges the first n windows in the room of a list, which are sorted by key, with the list. Those whose
-  // key is there already are marked. n may be 0. `steps` are the joined_steps() of the n windows. A list that
-  // stays empty gives its block back.
+  // Merges the first n windows in the room behind a list with the list. Marks those whose key the list has already. A list
+  // that stays empty releases its block.
+  // Requires: the n windows are sorted by key, and `steps` are their joined_steps(). n may be 0.
   void add(List& list, std::size_t n, std::uint32_t steps)
   {
     if(n == 0)
@@ -236,7 +236,7 @@ public:
     CGAL_expensive_assertion(is_sorted_by_key(list));
   }
 
-  // moves the windows of another list, which came later, into a list.
+  // Moves the windows of another list, which came later, into a list. Linear in the sizes of both.
   void join(List& list, List& other)
   {
     make_room(list, other.size);
@@ -245,7 +245,7 @@ public:
     release(other);
   }
 
-  // gives all memory back; no block is in use, here or elsewhere.
+  // Releases all memory. Requires: no list has a block.
   void clear()
   {
     m_numbers.clear();
@@ -264,7 +264,7 @@ public:
   }
 
 private:
-  // puts a list into another block.
+  // Moves a list into another block, which holds its windows already.
   void replace(List& list, List& other)
   {
     other.size = list.size;
@@ -273,8 +273,8 @@ private:
     list = other;
   }
 
-  // merges the windows of a list before `middle` with those from there on, which came later. They are
-  // copied in runs: mostly one of the two lies on the left of the other.
+  // Merges the windows of a list before `middle` with those from there on, which came later. Copies them in runs: mostly, one
+  // of the two parts lies on the left of the other.
   void merge(List& list, std::size_t middle)
   {
     List merged = allocate(list.size);
@@ -284,13 +284,13 @@ private:
     std::size_t old = 0, late = middle, n = 0;
     while(late < list.size)
     {
-      // the old windows up to the key of the next late one
+      // The old windows up to the key of the next late one.
       const std::size_t old_end =
         std::size_t(std::upper_bound(key + old, key + middle, key[late]) - key);
       to.copy(from, old, old_end, n);
       n += old_end - old;
       old = old_end;
-      // the late windows before the next old one; one at least
+      // The late windows before the next old one: at least one.
       std::size_t late_end = old == middle ? list.size : late;
       while(late_end < list.size && key[late_end] < key[old])
         ++late_end;
@@ -306,7 +306,7 @@ private:
     replace(list, merged);
   }
 
-  // The smallest class of blocks with room for n > 0 windows.
+  // The smallest class of blocks with room for n windows. Requires: n > 0.
   static std::uint32_t size_class_for(std::size_t n)
   {
     return static_cast<std::uint32_t>(number_of_bits((n - 1) | 7) - 3);
@@ -323,7 +323,7 @@ private:
       return block(new_slab(rows), size_class);
     if(m_slab_rest < rows)
     {
-      // what is left of the last slab becomes free blocks
+      // The rest of the last slab becomes free blocks.
       for(std::size_t c = m_free_blocks.size(); c-- > 0;)
         while(m_slab_rest >= height(c))
           m_free_blocks[c].push_back(cut(c));
@@ -333,7 +333,7 @@ private:
     return cut(size_class);
   }
 
-  // cuts a block off the slab.
+  // Cuts a block off the slab.
   Columns cut(std::size_t size_class)
   {
     const Columns columns = block(m_slab, size_class);
@@ -348,7 +348,7 @@ private:
     return Columns{slab.numbers, slab.words, height(size_class)};
   }
 
-  // Rows that are not in use hold numbers as well, and roots that exist: loops over lanes meet them.
+  // Initializes all rows, because loops over lanes read unused ones, too: they hold numbers and a root that exists.
   Columns new_slab(std::size_t rows)
   {
     m_numbers.emplace_back(new FT[Columns::number_of_numbers * rows + Columns::padding]());
@@ -357,7 +357,7 @@ private:
     return Columns{aligned(m_numbers.back().get()), aligned(m_words.back().get()), 0};
   }
 
-  // Vectors are loaded faster from places that are multiples of their size.
+  // Vectors are loaded faster from addresses that are multiples of their size.
   template <typename T>
   static T* aligned(T* p)
   {
@@ -374,7 +374,7 @@ private:
   std::size_t m_number_of_rows = 0;
 };
 
-// The lists that wait, addressed by halfedge.
+// The lists that wait, by halfedge. A table maps each halfedge to a slot; slots of taken lists are used again.
 template <typename FT>
 class Window_lists
 {
@@ -385,8 +385,8 @@ public:
     : m_slot_of_halfedge(3 * number_of_faces, null_id)
   {}
 
-  // removes all lists, in time proportional to the largest number of lists that waited at a time, for
-  // a mesh with this number of faces.
+  // Removes all lists, and prepares for a mesh with this number of faces. Takes time proportional to the largest number of
+  // lists that have waited at a time.
   void restart(std::size_t number_of_faces, Window_pool<FT>& pool)
   {
     for(std::size_t slot = 0; slot < m_lists.size(); ++slot)
@@ -404,7 +404,7 @@ public:
 
   bool has(Halfedge_id h) const { return m_slot_of_halfedge[dense_index(h)] != null_id; }
 
-  // moves the list of h, which there is, to a list that is empty and has no block.
+  // Moves the list of h to `list`. Requires: has(h), and `list` has no block.
   void take(Halfedge_id h, List& list)
   {
     CGAL_assertion(has(h) && list.columns.height == 0);
@@ -417,7 +417,7 @@ public:
     slot = null_id;
   }
 
-  // moves a list to h; it is merged with the one that waits there, if there is one.
+  // Moves a list to h, where it is merged with the list that waits already. Requires: the list is not empty.
   void put(Halfedge_id h, List& list, Window_pool<FT>& pool)
   {
     CGAL_assertion(list.size > 0);
@@ -446,7 +446,7 @@ public:
 
   std::size_t memory() const { return m_lists.capacity() * (sizeof(List) + sizeof(Halfedge_id)); }
 
-  // of what there is for each halfedge of the mesh, whether a list waits or not.
+  // The memory of the table, which has an entry for each halfedge of the mesh.
   std::size_t table_memory() const { return m_slot_of_halfedge.capacity() * sizeof(std::uint32_t); }
 
 private:

@@ -10,22 +10,20 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_SIMD_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_SIMD_H
 
-// Several numbers at a time. Loops over columns of numbers are written once, in terms of Lanes<FT>
-// (lanes/Lanes.h): lanes are processed together, `size` of them. For most number types there is one lane, and a
-// number of lanes is just a number. For double there are as many as the instruction set has: 8 with AVX-512, 4 with
-// AVX, 2 with SSE2 or NEON; other compilers than GCC and Clang get one.
+// Several numbers at a time. Loops over columns of numbers are written once, in terms of Lanes<FT> (lanes/Lanes.h), which
+// processes `size` lanes together. Most number types have one lane, which is a plain number: One_lane below. For double,
+// there are as many lanes as the instruction set has: 8 with AVX-512, 4 with AVX, 2 with SSE2 or NEON, and one for compilers
+// other than GCC and Clang.
 //
-// What is loaded or stored need not be aligned. No operation here depends on its neighbours' lanes, so
-// lanes behind the end of a column may hold anything. Each lane sees the operations that a single number would, so
-// that results have the same bits whatever the number of lanes is, unless the compiler fuses multiplications and
-// additions: GCC does for instruction sets that can (-march=native, ARM) without -ffp-contract=off.
+// Loads and stores need no alignment. No lane depends on another one, unless its operation says so; so lanes behind the end
+// of a column may hold anything. Each lane sees the operations of a single number: the results are the same bits for any
+// number of lanes, unless the compiler fuses multiplications and additions. GCC does so for instruction sets that have
+// fused operations (-march=native, ARM) without -ffp-contract=off.
 //
-// The instruction set is that of the compilation; for x86-64 processors without any flag it is chosen at run time,
-// see Window_list_loops.h.
+// The instruction set is that of the compilation; for x86-64 without flags it is chosen at run time (Window_list_loops.h).
 //
-// CGAL_SURFACE_MESH_GEODESICS_NO_SIMD, if defined, makes it one lane for double too. It has to be the
-// same in all files of a program that include this one, as have the flags that choose an instruction
-// set.
+// If CGAL_SURFACE_MESH_GEODESICS_NO_SIMD is defined, double has one lane, too. This macro, and the flags that choose an
+// instruction set, must be the same in all files of a program that include this one.
 
 // The number of lanes of double in the instruction set of the compilation.
 #if !defined(CGAL_SURFACE_MESH_GEODESICS_NO_SIMD) && defined(__GNUC__) && defined(__has_builtin)
@@ -60,7 +58,7 @@
 #include <cstddef>
 #include <cstdint>
 
-// For a function whose arguments or results are many vectors: a call would put them all in memory.
+// For functions with many vectors as arguments or results: a call would put them all in memory.
 #ifdef __GNUC__
 #define CGAL_SURFACE_MESH_GEODESICS_INLINE __attribute__((always_inline)) inline
 #else
@@ -76,7 +74,7 @@ struct One_lane
 {
   using Number = FT;
   using Word = std::uint64_t;
-  using Mask = int; // 0 or 1: masks are combined by & and |, which compilers distrust between truth values
+  using Mask = int; // 0 or 1; masks are combined by & and |, at which compilers warn for bool
   static constexpr std::size_t size = 1;
 
   static const Number& all(const FT& x) { return x; }
@@ -86,18 +84,18 @@ struct One_lane
   static void store(FT* p, const Number& x) { *p = x; }
   static void store(std::uint64_t* p, Word x) { *p = x; }
 
-  // the numbers begin, begin + 1, ...
+  // The numbers begin, begin + 1, ...
   static Word count_from(std::size_t begin) { return begin; }
 
   static std::uint64_t least(Word x, unsigned int) { return x; } // of the lanes whose bits are set
   static const FT& least(const Number& x) { return x; } // of the lanes
 
-  // the lanes one place on, where the last lane of `previous` enters.
+  // The lanes shifted up by one. The last lane of `previous` enters at lane 0.
   static const Number& shift_in(const Number& previous, const Number&) { return previous; }
 
   static Mask less(const Number& a, const Number& b) { return a < b; }
   static Mask less_equal(const Number& a, const Number& b) { return a <= b; }
-  // the first n lanes; none if n is the difference of a number and a greater one.
+  // The first n lanes, as a mask; none if n, read as a signed number, is negative.
   static Mask first(std::size_t n) { return static_cast<std::int64_t>(n) > 0; }
   static Mask except(Mask a, Mask b) { return a && !b; } // a and not b
   static unsigned int bits(Mask m) { return m ? 1u : 0u; }

@@ -112,8 +112,8 @@ struct Cell_front
     return none;
   }
 
-  // Ends the front at v if a piece leads through v, and returns whether it does. (Where two sites nearly tie, a trace may
-  // have met a third cell behind the vertex v.)
+  // Ends the front at v if a piece leads through v, and returns whether it does. (Where two sites nearly tie, a trace
+  // may have met a third cell behind the vertex v.)
   bool cut_at(const Point& v)
   {
     const std::size_t i = piece_through(v);

@@ -29,6 +29,7 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
+// All points are in the layout of the face. Queries take time proportional to the number of images.
 template <typename FT_>
 class Face_images
 {
@@ -79,13 +80,14 @@ public:
   // Ends of curves that are closer to each other may be meant to be one point.
   FT joining_distance() const { return Tolerance<FT>::near_end() * m_size; }
 
+  // Returns whether p is in the face up to rounding.
   bool is_in_face(const Point& p) const
   {
     return std::all_of(m_side.begin(), m_side.end(), [&](const Half_plane<FT>& h) { return h(p) >= -width(); });
   }
 
-  // Returns the image of a site that is nearest to p, `none` if the site has no image. If images tie, one that sees p is
-  // preferred; of these the nearest one, and of equal ones the lowest index.
+  // Returns the image of a site that is nearest to p, `none` if the site has no image. If images tie, one that sees p
+  // is preferred; of these the nearest one, and of equal ones the lowest index.
   std::size_t nearest_of(Vertex_id site, const Point& p) const
   {
     std::size_t best = none, best_seeing = none;
@@ -133,7 +135,8 @@ public:
     return i != none ? m_images[i].distance_to(p) : std::numeric_limits<FT>::infinity();
   }
 
-  // Returns the point that the shortest paths by an image to p come from straight: the image, or the end of its interval.
+  // Returns the point that the shortest paths by an image to p come from straight: the image, or the end of its
+  // interval.
   Additively_weighted_point<FT> point_towards(const Image& image, const Point& p) const
   {
     return image.sees(p, width()) ? image.point : bend(image, p).point;

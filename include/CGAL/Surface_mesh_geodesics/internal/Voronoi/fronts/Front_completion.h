@@ -12,8 +12,8 @@
 
 // Leads a front to the point where it is known to end: the start of another front, or a vertex.
 //
-// Traces end close to that point, up to rounding. Where they do not (two sites tie in a region, or many images tie), the
-// rest is drawn as segments, each of them with images that really are the nearest ones along it.
+// Traces end close to that point, up to rounding. Where they do not (two sites tie in a region, or many images tie),
+// the rest is drawn as segments, each of them with images that really are the nearest ones along it.
 
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/fronts/Cell_front.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/fronts/Face_images.h>
@@ -114,8 +114,8 @@ public:
   }
 
 private:
-  // Returns whether the distance of x by an image is that of the nearer one of the two cells, up to rounding. (Behind the
-  // end of a cone it is smaller.)
+  // Returns whether the distance of x by an image is that of the nearer one of the two cells, up to rounding. (Behind
+  // the end of a cone it is smaller.)
   bool is_nearest_at(const Front& f, const Additively_weighted_point<FT>& point, const Point& x) const
   {
     using std::abs;
@@ -123,6 +123,7 @@ private:
     return abs(FT(point.distance_to(x) - nearest)) <= Tolerance<FT>::tie() * nearest + m_images.width();
   }
 
+  // Returns whether two pieces have the same images.
   static bool are_same(const Piece& a, const Piece& b)
   {
     const auto same = [](const Additively_weighted_point<FT>& v, const Additively_weighted_point<FT>& w)
@@ -130,8 +131,8 @@ private:
     return same(a.left, b.left) && same(a.right, b.right);
   }
 
-  // Returns the segment pq as a piece of f, with the images that are nearest at its middle. Where two cells meet along an
-  // edge, the paths of one of them may come from the other face only; then the nearer image stands for both.
+  // Returns the segment pq as a piece of f, with the images that are nearest at its middle. Where two cells meet along
+  // an edge, the paths of one of them may come from the other face only; then the nearer image stands for both.
   Piece straight_piece(const Front& f, const Point& p, const Point& q) const
   {
     const Point middle = midpoint(p, q);

@@ -11,11 +11,12 @@
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_FRONTS_FRONT_EVENT_H
 
 // The first event along a bisector: where a piece of a front ends. Events are where the curve leaves the face, where it
-// leaves the cone of one of its two images, where a third image becomes nearer, and where its parameters lose precision.
+// leaves the cone of one of its two images, where a third image becomes nearer, and where its parameters lose
+// precision.
 //
-// Each candidate is a quadratic polynomial of the curve's parameter t (Weighted_bisector.h), positive on one side of the
-// event. Candidates are given one by one; each search ends at the first event known so far, so that the order of candidates
-// matters for the time, and for events at the same t: the one that was given first stays.
+// Each candidate is a quadratic polynomial of the curve's parameter t (Weighted_bisector.h), positive on one side of
+// the event. Candidates are given one by one; each search ends at the first event known so far, so that the order of
+// candidates matters for the time, and for events at the same t: the one that was given first stays.
 
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Site_image.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
@@ -54,8 +55,9 @@ public:
   using Event = Front_event<FT>;
   using Bisector = Weighted_bisector<FT>;
 
-  // Starts a search along a curve up to the parameter `end`. `width` is the rounding of lengths in the face, `slack` the
-  // distance by which the start of the curve may be outside of half-planes that it is to leave. The curve is referred to.
+  // Starts a search along a curve up to the parameter `end`. `width` is the rounding of lengths in the face, `slack`
+  // the distance by which the start of the curve may be outside of half-planes that it is to leave. The curve is
+  // referred to.
   void start(const Bisector& curve, const FT& end, const FT& width, const FT& slack)
   {
     m_curve = &curve;
@@ -129,10 +131,10 @@ public:
       set(Event::UNTIL, t, m_event.index, h);
   }
 
-  // Finds where the image g, of index `index`, becomes nearer than `left`, one of the two images of the curve, at points
-  // that g sees. `at_start` is the distance by `left` at the start of the curve. g has to be nearer beyond rounding
-  // (Tolerance::nearer()), on a part of the curve longer than `width`. If `has_been_left` is set, g does not become
-  // nearer at the start of the curve: otherwise rounding could lead from one image to the other and back.
+  // Finds where the image g, of index `index`, becomes nearer than `left`, one of the two images of the curve, at
+  // points that g sees. `at_start` is the distance by `left` at the start of the curve. g has to be nearer beyond
+  // rounding (Tolerance::nearer()), on a part of the curve longer than `width`. If `has_been_left` is set, g does not
+  // become nearer at the start of the curve: otherwise rounding could lead from one image to the other and back.
   void take_over(const Image& left, const FT& at_start, const Image& g, std::size_t index, bool has_been_left)
   {
     Challenge c;

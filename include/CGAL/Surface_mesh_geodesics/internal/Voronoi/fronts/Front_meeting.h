@@ -83,8 +83,8 @@ public:
     return excess_at(v, {f.left, f.right, g.right}) <= rounding;
   }
 
-  // Returns the best vertex for two fronts that do not meet, of all points where their pieces start and end. The cost of
-  // a point is the amount by which the farthest of the three sites is farther than the nearest of all, plus the
+  // Returns the best vertex for two fronts that do not meet, of all points where their pieces start and end. The cost
+  // of a point is the amount by which the farthest of the three sites is farther than the nearest of all, plus the
   // distances of the point from both fronts. The first point of the smallest cost is taken.
   Point best_vertex(const Front& f, const Front& g) const
   {
@@ -120,8 +120,8 @@ private:
     return farthest - nearest;
   }
 
-  // Finds the images of the three sites at the end of a front that meets a third site. Returns false if the paths of one
-  // of them bend there.
+  // Finds the images of the three sites at the end of a front that meets a third site. Returns false if the paths of
+  // one of them bend there.
   bool find_points_at_end(const Front& f, std::array<Additively_weighted_point<FT>, 3>& point) const
   {
     const std::array<std::size_t, 3> index{f.left_image, f.right_image, f.third_image};

@@ -13,12 +13,13 @@
 // Traces a front: follows the curve between two cells into a face until it meets a third cell or leaves the face.
 //
 // Along a front, one image of each of the two sites is nearest. The curve of equal distance from these two images is a
-// piece of a hyperbola or a line (Weighted_bisector.h). The piece ends at the first event (Front_event.h): another image
-// of one of the two sites takes over, which begins the next piece, or an image of a third site does, which ends the trace.
+// piece of a hyperbola or a line (Weighted_bisector.h). The piece ends at the first event (Front_event.h): another
+// image of one of the two sites takes over, which begins the next piece, or an image of a third site does, which ends
+// the trace.
 //
-// Rounding may lead into circles where many images tie. Three rules end them: an image that has been left at a point does
-// not come back there, the number of pieces is bounded, and a front that cannot go on looks once for a pair of tied images
-// whose curve leads on.
+// Rounding may lead into circles where many images tie. Three rules end them: an image that has been left at a point
+// does not come back there, the number of pieces is bounded, and a front that cannot go on looks once for a pair of
+// tied images whose curve leads on.
 
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/fronts/Cell_front.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/fronts/Face_images.h>
@@ -41,6 +42,10 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
+// Frame: the layout of the face. Ties: an image takes over only where it is nearer beyond rounding, is_nearer(); of
+// events at the same parameter the one tried first stays: the border, cones, images beside the current ones, other
+// images by their index. Error: ends of pieces are refined until both conditions of the event hold up to the rounding
+// of distances; no bound is known for their position, as curves may touch.
 template <typename FT_>
 class Front_tracer
 {
@@ -70,6 +75,7 @@ public:
   // The sites whose cells end a trace, in ascending order: those that a front may meet at all.
   std::vector<Vertex_id>& sites() { return m_sites; }
 
+  // Returns whether a site is one of sites(). Mostly there are two.
   bool has_site(Vertex_id site) const
   {
     if(m_sites.size() == 2)
@@ -95,9 +101,9 @@ public:
     return true;
   }
 
-  // Follows f until it meets the cell of a third one of sites(), leaves the face, or leaves the half-plane `until`, unless
-  // that is nullptr. In a face without height the front stops at its start. Takes time proportional to the number of
-  // images for each piece.
+  // Follows f until it meets the cell of a third one of sites(), leaves the face, or leaves the half-plane `until`,
+  // unless that is nullptr. In a face without height the front stops at its start. Takes time proportional to the
+  // number of images for each piece.
   void trace(Front& f, const Half_plane<FT>* until)
   {
     CGAL_expensive_assertion(std::is_sorted(m_sites.begin(), m_sites.end()));
@@ -165,6 +171,7 @@ private:
       f.stop = Front_stop::OUTSIDE;
   }
 
+  // Returns whether f ends at a breakpoint of its two cells, within a tolerance.
   bool ends_at_breakpoint(const Front& f, const FT& tolerance) const
   {
     for(const Breakpoint& b : m_breakpoints)
@@ -196,8 +203,9 @@ private:
     return true;
   }
 
-  // Returns whether a curve exists that has the two cells on the sides where they should be. A ray leads on if the image
-  // whose paths do not bend sees it on its side; otherwise the front would come towards the vertex where the ray begins.
+  // Returns whether a curve exists that has the two cells on the sides where they should be. A ray leads on if the
+  // image whose paths do not bend sees it on its side; otherwise the front would come towards the vertex where the ray
+  // begins.
   bool leads_on(const Bisector& curve, const Image& left, const Image& right) const
   {
     if(!curve.is_ray())
@@ -209,8 +217,8 @@ private:
     return (is_on_left ? left : right).sees(q);
   }
 
-  // Returns the first event along the curve of f, NOTHING if there is none. Sets at_border to the first event without the
-  // half-plane `until`, cones and other images.
+  // Returns the first event along the curve of f, NOTHING if there is none. Sets at_border to the first event without
+  // the half-plane `until`, cones and other images.
   Event find_event(const Front& f, const Bisector& curve, const Half_plane<FT>* until, Event& at_border)
   {
     m_first.start(curve, m_images.width(), m_slack);
@@ -256,7 +264,8 @@ private:
   // Whether |i - j| <= 1, for unsigned numbers.
   static bool is_beside(std::size_t i, std::size_t j) { return i + 1 - j <= 2; }
 
-  // Returns where a piece ends, refined by Newton's method. `at_border` is the parameter where the curve leaves the face.
+  // Returns where a piece ends, refined by Newton's method. `at_border` is the parameter where the curve leaves the
+  // face.
   Point end_of_piece(const Front& f, const Bisector& curve, const Event& event, const FT& at_border) const
   {
     if(!(event.t > 0))
@@ -296,12 +305,14 @@ private:
     }
   }
 
+  // Returns whether an image belongs to neither of the two sites of f.
   bool is_third_site(const Front& f, std::size_t index) const
   {
     const Vertex_id site = image(index).site;
     return site != f.left && site != f.right;
   }
 
+  // Lets f go over to an image that has become nearer, or stop if it belongs to a third site.
   void meet(Front& f, std::size_t index)
   {
     const Vertex_id site = image(index).site;
@@ -319,9 +330,9 @@ private:
     }
   }
 
-  // Returns the image of the same site that follows at p, where the cone of image i ends: the nearest one that sees p and
-  // is as near as image i, the lowest index in a tie. Where rounding has left a gap between the cones, paths bend at the
-  // end of the interval. `other` is the current image of the other site.
+  // Returns the image of the same site that follows at p, where the cone of image i ends: the nearest one that sees p
+  // and is as near as image i, the lowest index in a tie. Where rounding has left a gap between the cones, paths bend
+  // at the end of the interval. `other` is the current image of the other site.
   std::size_t successor(std::size_t i, std::size_t other, const Point& p)
   {
     m_left_here.push_back(i);
@@ -353,9 +364,9 @@ private:
 
   // --- ties ---
 
-  // Where several images of a site tie, rounding may have led to one that is not the nearest ahead. Changes f to the pair
-  // of tied images, one of each site, whose curve leads farthest into the face without turning back. Returns false if
-  // no curve leads away from here. (At the start of f any curve that is longer than rounding will do.)
+  // Where several images of a site tie, rounding may have led to one that is not the nearest ahead. Changes f to the
+  // pair of tied images, one of each site, whose curve leads farthest into the face without turning back. Returns false
+  // if no curve leads away from here. (At the start of f any curve that is longer than rounding will do.)
   bool find_way_ahead(Front& f)
   {
     m_slack = m_images.touching();
@@ -418,6 +429,7 @@ private:
 
   // --- images and bends ---
 
+  // Adds the paths around the end of image i that is nearer to p, and returns their index.
   std::size_t add_bend(std::size_t i, const Point& p)
   {
     m_bends.push_back(Images::bend(image(i), p));

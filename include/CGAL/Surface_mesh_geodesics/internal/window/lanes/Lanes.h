@@ -7,11 +7,11 @@
 //
 // Author(s)     : The Surface_mesh_geodesics authors
 
-// Several numbers at a time: for most number types one, and for double as many as the processor has lanes
-// for. The vectors are those of the language extension of GCC and Clang, so that +, -, * and / work as usual, also
-// with a bare number for all lanes.
+// Several numbers at a time: for most number types one, for double the number of lanes of this inclusion. One_lane (simd.h)
+// documents the operations. The vectors are those of the language extension of GCC and Clang: +, -, * and / work as usual,
+// also between a vector and a number.
 //
-// Nothing by itself: Window_list_loops.h includes this file once for each number of lanes.
+// Included once for each number of lanes; see README.md.
 
 #ifdef CGAL_SURFACE_MESH_GEODESICS_LANES
 
@@ -59,7 +59,7 @@ struct Lanes<double>
     return x + begin;
   }
 
-  // the smallest word of the lanes whose bits are set; `bits` is not 0.
+  // The smallest word of the lanes whose bits are set. Requires: bits != 0.
   static std::uint64_t least(Word x, unsigned int bits)
   {
     std::uint64_t result = x[__builtin_ctz(bits)];
@@ -94,7 +94,7 @@ struct Lanes<double>
 #endif
   }
 
-  // (The extension knows comparisons, but makes of them what it cannot keep in registers of SSE2.)
+  // (The comparisons of the extension produce code that does not stay in the registers of SSE2.)
 #if CGAL_SURFACE_MESH_GEODESICS_LANES == 2 && defined(__SSE2__)
   static Mask less(Number a, Number b) { return (Mask)_mm_cmplt_pd(a, b); }
   static Mask less_equal(Number a, Number b) { return (Mask)_mm_cmple_pd(a, b); }
@@ -105,8 +105,8 @@ struct Lanes<double>
 
   static Mask first(std::size_t n)
   {
-    static constexpr double places[8] = {0, 1, 2, 3, 4, 5, 6, 7};
-    return less(load(places), all(static_cast<double>(static_cast<std::int64_t>(n))));
+    static constexpr double numbers[8] = {0, 1, 2, 3, 4, 5, 6, 7};
+    return less(load(numbers), all(static_cast<double>(static_cast<std::int64_t>(n))));
   }
 
   static Mask except(Mask a, Mask b) { return a & ~b; }
@@ -114,8 +114,8 @@ struct Lanes<double>
   static unsigned int bits(Mask m)
   {
 #if CGAL_SURFACE_MESH_GEODESICS_LANES == 8
-    // (By halves: the masks of AVX-512 have eight bits, in wider registers, and GCC 12 takes what is behind these bits
-    // for zero when it is not.)
+    // (By halves: GCC 12 assumes that the registers of AVX-512's masks are zero behind their eight bits, which they are
+    // not.)
     const int lower = _mm256_movemask_pd((__m256d)__builtin_shufflevector(m, m, 0, 1, 2, 3)),
               upper = _mm256_movemask_pd((__m256d)__builtin_shufflevector(m, m, 4, 5, 6, 7));
     return static_cast<unsigned int>(lower | upper << 4);
@@ -129,7 +129,7 @@ struct Lanes<double>
   }
 
 #if CGAL_SURFACE_MESH_GEODESICS_LANES == 4
-  // (The operator ?: would compare the mask with zero first.)
+  // (The operator ?: would first compare the mask with zero.)
   static Number select(Mask m, Number a, Number b) { return _mm256_blendv_pd(b, a, (__m256d)m); }
   static Word select_word(Mask m, Word a, Word b) { return (Word)select(m, (Number)a, (Number)b); }
 #elif CGAL_SURFACE_MESH_GEODESICS_LANES == 2 && defined(__SSE2__)

@@ -9,7 +9,7 @@
 
 // The loops of Window_list_loops.h, for one number of lanes.
 //
-// Nothing by itself: Window_list_loops.h includes this file once for each number of lanes.
+// Included once for each number of lanes; see README.md.
 
 #ifdef CGAL_SURFACE_MESH_GEODESICS_LANES
 
@@ -18,6 +18,8 @@ namespace Surface_mesh_geodesics {
 namespace internal {
 namespace CGAL_SURFACE_MESH_GEODESICS_LANES_NAMESPACE {
 
+// Each loop reads whole steps of L::size rows, the last of which may run over the end of the list into the padding of the
+// block: masks of the first n lanes keep these rows out of results, and what is written there is never read.
 template <typename FT, typename Rules>
 class List_loops
 {
@@ -36,15 +38,17 @@ public:
   }
 
 private:
+  // The pair of each window and the next one is trimmed in one step. The new beginning of the next one is carried over to
+  // the step that stores it.
   static bool trim(const Columns& columns, std::size_t n, const FT& length, const Rival& left, const Rival& right,
                    Suspects* suspects)
   {
     Number begin = L::all(columns.begin()[0]), begin_distance = L::all(columns.begin_distance()[0]);
     const FT close_depth = Tolerance<FT>::closeness() * length;
-    unsigned int bits = 0, all_bits = 0; // of the suspects from the current word on
+    unsigned int bits = 0, all_bits = 0; // the suspects of the current word, and the first one of the next word
     for(std::size_t i = 0; i < n; i += L::size)
     {
-      const unsigned int place = i % suspects_in_word;
+      const unsigned int position = i % suspects_in_word;
       const Window_lanes<FT> w = load_windows(columns, i);
       Mask is_suspect = L::first(0);
       if(Rules::vertex_rule)
@@ -57,7 +61,7 @@ private:
         L::store(columns.end() + i, end);
         L::store(columns.end_distance() + i,
                  L::select(is_pair, pairs.left_end_distance, w.end_distance));
-        // the pair of the last window of the step before trims the first one of this step
+        // The first window of this step begins where the last pair of the step before says.
         begin = L::shift_in(begin, pairs.right_begin);
         begin_distance = L::shift_in(begin_distance, pairs.right_begin_distance);
         L::store(columns.begin() + i, begin);
@@ -65,22 +69,23 @@ private:
         is_suspect = is_suspect | L::less_equal(end, begin);
         begin = pairs.right_begin;
         begin_distance = pairs.right_begin_distance;
-        bits |= L::bits(is_pair & pairs.is_undecided) << (place + 1);
+        bits |= L::bits(is_pair & pairs.is_undecided) << (position + 1);
       }
-      bits |= L::bits(L::first(n - i) & is_suspect) << place;
+      bits |= L::bits(L::first(n - i) & is_suspect) << position;
       suspects[i / suspects_in_word] = static_cast<Suspects>(bits);
       all_bits |= bits;
-      if(place + L::size == suspects_in_word)
+      if(position + L::size == suspects_in_word)
         bits >>= suspects_in_word;
     }
     return all_bits != 0;
   }
 
+  // Each lane remembers its nearest window, the first one if several tie; the smallest index of the nearest lanes wins.
   static Nearest_window<FT> find_nearest(const Columns& columns, std::size_t n, const Face_frame<FT>& c, FT* abscissa)
   {
     using Word = typename L::Word;
     Number distance = L::all(std::numeric_limits<FT>::infinity());
-    Word place = L::count_from(0);
+    Word index = L::count_from(0);
     const Number close_depth = L::all(FT(Tolerance<FT>::closeness() * c.length));
     Mask is_close = L::first(0);
     for(std::size_t i = 0; i < n; i += L::size)
@@ -93,12 +98,12 @@ private:
       is_close = is_close | (is_window & L::less_equal(w.image_depth, close_depth));
       const Mask is_better = is_window & L::less(d, distance);
       distance = L::select(is_better, d, distance);
-      place = L::select_word(is_better, L::count_from(i), place);
+      index = L::select_word(is_better, L::count_from(i), index);
     }
     Nearest_window<FT> nearest;
     nearest.distance = L::least(distance);
     const unsigned int ties = L::bits(L::less_equal(distance, L::all(nearest.distance)));
-    nearest.index = static_cast<std::size_t>(L::least(place, ties));
+    nearest.index = static_cast<std::size_t>(L::least(index, ties));
     nearest.has_close_images = L::bits(is_close) != 0;
     return nearest;
   }
@@ -116,6 +121,8 @@ private:
     return L::bits(wrong) == 0;
   }
 
+  // Children are stored as whole steps and then compacted, if some of them are not useful: without paths, slivers, or beaten
+  // by a vertex.
   template <typename Child>
   static void cross(const Columns& from, std::size_t first, std::size_t last, const Face_frame<FT>& c,
                     const Edge_cut<FT>& edge, const FT* abscissa, Window_batch<FT>& batch,
@@ -148,13 +155,7 @@ private:
         end += n;
       else
       {
-        const unsigned int paths = L::bits(has_paths), wide = L::bits(is_wide);
-        for(std::size_t k = 0; k < n; ++k)
-        {
-          statistics.windows_removed_by_rule_1 += i + k != edge.whole_window && !(paths >> k & 1);
-          statistics.windows_removed_as_slivers += (paths & ~wide) >> k & 1;
-          statistics.windows_removed_by_vertices += (wide & ~useful) >> k & 1;
-        }
+        count_removed(n, edge.whole_window - i, L::bits(has_paths), L::bits(is_wide), useful, statistics);
         end = keep(to, end, useful);
       }
     }
@@ -162,7 +163,19 @@ private:
     batch.minimum_distance = (std::min)(batch.minimum_distance, L::least(minimum_distance));
   }
 
-  // keeps those windows of one step, from `first` on, whose bits are set.
+  // Counts the windows of one step that have no child, by the reason. `whole` is the window that loses no paths at the cut.
+  static void count_removed(std::size_t n, std::size_t whole, unsigned int paths, unsigned int wide, unsigned int useful,
+                            Propagation_statistics& statistics)
+  {
+    for(std::size_t k = 0; k < n; ++k)
+    {
+      statistics.windows_removed_by_rule_1 += k != whole && !(paths >> k & 1);
+      statistics.windows_removed_as_slivers += (paths & ~wide) >> k & 1;
+      statistics.windows_removed_by_vertices += (wide & ~useful) >> k & 1;
+    }
+  }
+
+  // Keeps those windows of one step, from `first` on, whose bits are set.
   static std::size_t keep(const Columns& columns, std::size_t first, unsigned int useful)
   {
     std::size_t end = first;

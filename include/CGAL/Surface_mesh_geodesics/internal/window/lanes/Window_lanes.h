@@ -9,7 +9,7 @@
 
 // Several windows of a list, one in each lane.
 //
-// Nothing by itself: Window_list_loops.h includes this file once for each number of lanes.
+// Included once for each number of lanes; see README.md.
 
 #ifdef CGAL_SURFACE_MESH_GEODESICS_LANES
 
@@ -25,7 +25,7 @@ struct Window_lanes : Window_numbers<FT>
   typename Lanes<FT>::Word key, history;
 };
 
-// the windows of a block from i on.
+// The windows of a block from row i on.
 template <typename FT>
 CGAL_SURFACE_MESH_GEODESICS_INLINE
 Window_lanes<FT> load_windows(const Window_columns<FT>& columns, std::size_t i)

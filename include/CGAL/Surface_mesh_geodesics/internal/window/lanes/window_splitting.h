@@ -7,19 +7,24 @@
 //
 // Author(s)     : The Surface_mesh_geodesics authors
 
-// Windows across one triangle, several at a time: where they separate at the opposite vertex (thesis,
-// 4.2.1), and their children on the left edge AC and the right edge CB, neither of which is without
-// length. The formulas follow from the projection of AB on the other edges from the image; they are
-// written as sums and products of numbers that are not negative wherever a sign matters, so that no
-// rounding turns an image to the wrong side of an edge.
+// Windows across one triangle, one in each lane: where they separate at the apex C (thesis, 4.2.1), and their children on
+// the left edge AC and the right edge CB. Requires: no edge of the triangle has the length 0.
 //
-// An interval that ends at the line to C, as far as rounding lets one see, is carried over to C. In front of an
-// image that is near to AB, the rounding of its end would otherwise become a gap next to C. (The paths that are
-// added miss an end of AB by the rounding of its length, and are too short by the square of that.)
+// Formulas. They project AB on the other edges from the image. Wherever a sign matters they are sums and products of
+// non-negative numbers, so that no rounding turns an image to the wrong side of an edge.
 //
-// Lanes without a window, or whose child has no interval, may come to hold anything.
+// An interval that ends at the line from the image to C, up to rounding, is extended to C. Otherwise, in front of an image
+// near AB, the rounding of its end would become a gap next to C. (The added paths miss an end of AB by the rounding of its
+// length, and are too short by the square of that.)
 //
-// Nothing by itself: Window_list_loops.h includes this file once for each number of lanes.
+// Error bound of an image, to first order in u = unit_roundoff() / 2, for an exact frame: on the left, image_x errs by 3 u
+// and the depth by 8 u of the distance from the image to A; on the right, they err by 4 u and 5 u of its distance to C and
+// B. Together this is less than 9 u of the distance r to the farthest corner. Tolerance::distance() adds the frames up.
+// Laws: scaling by a power of two scales the child exactly; the mirror image gives the mirror image up to rounding.
+//
+// Lanes without a window, or whose child has no interval, may hold anything afterwards.
+//
+// Included once for each number of lanes; see README.md.
 
 #ifdef CGAL_SURFACE_MESH_GEODESICS_LANES
 
@@ -28,7 +33,8 @@ namespace Surface_mesh_geodesics {
 namespace internal {
 namespace CGAL_SURFACE_MESH_GEODESICS_LANES_NAMESPACE {
 
-// The abscissa at which the line from the image to C meets the line AB.
+// The abscissa at which the line from the image to C meets the line AB. Requires: the apex and the image are not both on AB;
+// otherwise the result is not a number, and the window has no child.
 template <typename FT>
 CGAL_SURFACE_MESH_GEODESICS_INLINE
 typename Lanes<FT>::Number apex_abscissa(const Window_lanes<FT>& w, const Face_frame<FT>& c)
@@ -36,8 +42,8 @@ typename Lanes<FT>::Number apex_abscissa(const Window_lanes<FT>& w, const Face_f
   return (w.image_x * c.apex_y + c.apex_x * w.image_depth) / (c.apex_y + w.image_depth);
 }
 
-// The distance to C through the window. The path crosses AB at the separating point, the point of the
-// interval nearest to t, its apex_abscissa (thesis, 4.2.3.1), and bends there if this is not t.
+// The distance to C through the window. The path crosses AB at the separating point, which is the point of the interval
+// nearest to t = apex_abscissa(w, c) (thesis, 4.2.3.1), and bends there if this is not t.
 template <typename FT>
 CGAL_SURFACE_MESH_GEODESICS_INLINE
 typename Lanes<FT>::Number distance_to_apex(const Window_lanes<FT>& w, const Face_frame<FT>& c,
@@ -55,15 +61,15 @@ typename Lanes<FT>::Number distance_to_apex(const Window_lanes<FT>& w, const Fac
   return distance + L::square_root(dx * dx + dy * dy);
 }
 
-// The keys of the children.
+// The keys of children after a turn.
 template <typename FT>
 typename Lanes<FT>::Word turned(const typename Lanes<FT>::Word& key, Turn turn)
 {
   return (key >> 1) | (static_cast<Window_key>(turn) << 63);
 }
 
-// Makes the children of the windows of a list on the left edge AC, which are seen from A. Paths are
-// taken through AB from begin to end <= t, the apex_abscissa.
+// Makes the children on the left edge AC, in the frame whose origin is A. They consist of the paths that cross AB between
+// `begin` and the apex_abscissa t.
 template <typename FT>
 class Left_child
 {
@@ -78,13 +84,11 @@ public:
 
   const FT& length() const { return m_length; }
 
-  // makes the children by the paths through AB on the left of `cut`. They have to be set to the
-  // windows themselves. Returns where there are such paths.
+  // Turns windows into their children by the paths through AB on the left of `cut`. Returns the lanes with such paths.
   CGAL_SURFACE_MESH_GEODESICS_INLINE
   typename L::Mask operator()(Window_lanes<FT>& w, const Number& t, const FT& cut) const
   {
-    // (A minimum is its second number if one of them is none: an image on a flat face has no abscissa t,
-    // and no child.)
+    // (A minimum is its second argument if one of them is not a number: an image on a flat face has no t, and no child.)
     const Number end = L::minimum(L::all(cut), L::minimum(w.end, t)), begin = w.begin;
     const Number length = L::all(m_length), zero = L::all(FT(0));
     const Number b = t * w.image_depth, a = m_length * w.image_depth;
@@ -104,7 +108,7 @@ private:
   FT m_length, m_apex_y, m_cosine, m_sine, m_inverse, m_rounding;
 };
 
-// Makes the children of the windows of a list on the right edge CB, which are seen from C.
+// Makes the children on the right edge CB, in the frame whose origin is C.
 template <typename FT>
 class Right_child
 {
@@ -120,14 +124,14 @@ public:
 
   const FT& length() const { return m_length; }
 
-  // makes the children by the paths through AB on the right of `cut`, see Left_child.
+  // Turns windows into their children by the paths through AB on the right of `cut`; see Left_child.
   CGAL_SURFACE_MESH_GEODESICS_INLINE
   typename L::Mask operator()(Window_lanes<FT>& w, const Number& t, const FT& cut) const
   {
     const Number begin = L::maximum(L::maximum(t, w.begin), L::all(cut)), end = w.end;
     const Number length = L::all(m_length), zero = L::all(FT(0));
     const Number height = m_apex_y + w.image_depth;
-    // length - t, without the cancellation where C is near to B
+    // The height of the triangle of image, B and C above CB, without cancellation where C is near B.
     const Number rest_height = (m_edge_length - w.image_x) * m_apex_y + m_apex_rest * w.image_depth;
     const Number rest = rest_height / height;
     const Number b = rest * w.image_depth, a = m_length * height;
@@ -140,8 +144,8 @@ public:
     w.image_depth = L::maximum(rest_height * m_inverse, zero);
     w.key = turned<FT>(w.key, RIGHT_TURN);
     w.history = w.history + 2 * one_step;
-    // Of an edge that is much shorter than AB the line of CB may pass the image on the wrong side where t, which is
-    // rounded to the length of AB, still leaves a part of AB: then the window does not see CB.
+    // If CB is much shorter than AB, its line may pass the image on the wrong side although t, which is rounded relative to
+    // AB, still leaves a part of AB. Then the window does not see CB.
     return L::less(begin, end) & L::less_equal(zero, rest_height);
   }
 

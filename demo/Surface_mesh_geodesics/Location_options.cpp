@@ -1,4 +1,4 @@
-#include "Place_options.h"
+#include "Location_options.h"
 
 #include "Command_error.h"
 #include "Face_tree.h"
@@ -19,20 +19,20 @@
 #include <sstream>
 #include <utility>
 
-namespace geodesics_app {
+namespace geodesics_demo {
 
 namespace po = boost::program_options;
 
 namespace {
 
-Place vertex_place(Vertex v)
+Location at_vertex(Vertex v)
 {
-  return Place{v, Face_location(Mesh::null_face(), {0, 0, 0})};
+  return Location{v, Face_location(Mesh::null_face(), {0, 0, 0})};
 }
 
-Place location_place(const Face_location& location)
+Location at_face_location(const Face_location& location)
 {
-  return Place{Mesh::null_vertex(), location};
+  return Location{Mesh::null_vertex(), location};
 }
 
 bool parse_point(const std::vector<std::string>& coordinates, std::array<double, 3>& x)
@@ -45,15 +45,15 @@ bool parse_point(const std::vector<std::string>& coordinates, std::array<double,
 
 [[noreturn]] void complain_of_vertex(const std::string& text, const std::string& where, Exit_code code)
 {
-  throw Command_error(code, where + ": '" + text + "' is not the number of a vertex");
+  throw Command_error(code, where + ": '" + text + "' is not a vertex index");
 }
 
 [[noreturn]] void complain_of_point(const std::string& where, Exit_code code)
 {
-  throw Command_error(code, where + ": a point is three finite numbers");
+  throw Command_error(code, where + ": a point consists of three finite numbers");
 }
 
-// What can be said of values before there is a mesh.
+// Checks of values that need no mesh.
 void check_vertices(const std::vector<std::string>& values, const std::string& option)
 {
   std::size_t v = 0;
@@ -71,23 +71,23 @@ void check_points(const std::vector<std::string>& values, const std::string& opt
       complain_of_point(std::string(option).append(" ").append(value), Exit_code::BAD_USAGE);
 }
 
-// the numbers of the vertices from places[first] on, or of the first of them.
-std::string list_of_vertices(const std::vector<Place>& places, std::size_t first)
+// Lists the vertices from locations[first] on; a long list is cut.
+std::string list_of_vertices(const std::vector<Location>& locations, std::size_t first)
 {
-  const std::size_t most = 20, n = places.size() - first;
+  const std::size_t most = 20, n = locations.size() - first;
   std::string text = n == 1 ? "vertex " : "vertices ";
   for(std::size_t i = 0; i < (std::min)(n, most); ++i)
-    text += (i == 0 ? "" : ", ") + std::to_string(places[first + i].vertex.idx());
+    text += (i == 0 ? "" : ", ") + std::to_string(locations[first + i].vertex.idx());
   return n > most ? text + " and " + std::to_string(n - most) + " more" : text;
 }
 
-// Reads places from the command line and from files; `where` says in messages where a text stands.
-class Place_reader
+// Reads locations from the command line and from files. Messages begin with `where`, the origin of a text.
+class Location_reader
 {
 public:
-  Place_reader(const Mesh& mesh, Place_options::Kind kind) : m_mesh(mesh), m_kind(kind) {}
+  Location_reader(const Mesh& mesh, Location_options::Kind kind) : m_mesh(mesh), m_kind(kind) {}
 
-  std::vector<Place> places;
+  std::vector<Location> locations;
 
   void add_vertex(const std::string& text, const std::string& where, Exit_code code)
   {
@@ -97,16 +97,16 @@ public:
     if(i >= m_mesh.number_of_vertices())
       throw Command_error(code, where + ": there is no vertex " + text + "; the vertices of the mesh are 0 to "
                                   + std::to_string(m_mesh.number_of_vertices() - 1));
-    places.push_back(vertex_place(Vertex(static_cast<Mesh::size_type>(i))));
+    locations.push_back(at_vertex(Vertex(static_cast<Mesh::size_type>(i))));
   }
 
   void add_all_vertices()
   {
     for(const Vertex v : m_mesh.vertices())
-      places.push_back(vertex_place(v));
+      locations.push_back(at_vertex(v));
   }
 
-  void add_nearest_place(const std::vector<std::string>& coordinates, const std::string& where, Exit_code code)
+  void add_nearest_location(const std::vector<std::string>& coordinates, const std::string& where, Exit_code code)
   {
     std::array<double, 3> x;
     if(!parse_point(coordinates, x))
@@ -114,15 +114,15 @@ public:
     check_is_near(x, where, code);
     if(m_tree == nullptr)
       m_tree.reset(new Face_tree(m_mesh));
-    places.push_back(location_place(m_tree->nearest_place(Point(x[0], x[1], x[2]))));
+    locations.push_back(at_face_location(m_tree->nearest_location(Point(x[0], x[1], x[2]))));
   }
 
-  // One place in a line: a vertex (one number), a point (three numbers), or a face with barycentric coordinates (four
-  // numbers). What follows a # does not count.
+  // Reads one location per line: a vertex (one number), a point (three numbers), or a face with barycentric coordinates
+  // (four numbers). A # begins a comment.
   void add_file(const std::string& file_name)
   {
     std::ifstream is = opened_text_file(file_name);
-    const std::size_t number_before = places.size();
+    const std::size_t number_before = locations.size();
     std::string line;
     for(std::size_t number = 1; std::getline(is, line); ++number)
     {
@@ -137,12 +137,12 @@ public:
     }
     if(is.bad())
       throw Command_error(Exit_code::BAD_INPUT, file_name + ": the file cannot be read");
-    if(places.size() == number_before)
-      throw Command_error(Exit_code::BAD_INPUT, file_name + ": there is no place in the file");
+    if(locations.size() == number_before)
+      throw Command_error(Exit_code::BAD_INPUT, file_name + ": the file contains no location");
   }
 
-  // Vertices with faces, each at most once. The same seed gives the same vertices on every machine, which the
-  // distributions of the standard library do not promise.
+  // Chooses vertices with faces, each at most once. The same seed gives the same vertices on every machine; the
+  // distributions of the standard library do not guarantee that.
   void add_random_vertices(std::size_t n, std::uint64_t seed, const std::string& option)
   {
     std::vector<Vertex> pool;
@@ -156,7 +156,7 @@ public:
     for(std::size_t i = 0; i < n; ++i)
     {
       std::swap(pool[i], pool[i + random() % (pool.size() - i)]);
-      places.push_back(vertex_place(pool[i]));
+      locations.push_back(at_vertex(pool[i]));
     }
   }
 
@@ -165,15 +165,15 @@ private:
   {
     if(words.size() == 1)
       add_vertex(words[0], where, Exit_code::BAD_INPUT);
-    else if(m_kind == Place_options::Kind::VERTICES)
-      throw Command_error(Exit_code::BAD_INPUT, where + ": only the number of a vertex may stand here");
+    else if(m_kind == Location_options::Kind::VERTICES)
+      throw Command_error(Exit_code::BAD_INPUT, where + ": only a vertex index is allowed here");
     else if(words.size() == 4)
-      add_location(words, where);
+      add_face_location(words, where);
     else
-      add_nearest_place(words, where, Exit_code::BAD_INPUT);
+      add_nearest_location(words, where, Exit_code::BAD_INPUT);
   }
 
-  // Rounding would choose the nearest place of a point that is very far away, which is a mistake in the unit.
+  // Rejects a point that is very far away: rounding would choose its nearest location, and the unit is probably wrong.
   void check_is_near(const std::array<double, 3>& x, const std::string& where, Exit_code code)
   {
     if(m_limit < 0)
@@ -181,15 +181,16 @@ private:
     const Point p = m_mesh.point(*m_mesh.vertices().begin());
     for(int k = 0; k < 3 && m_limit > 0; ++k)
       if(!(std::abs(x[static_cast<std::size_t>(k)] - p[k]) <= m_limit))
-        throw Command_error(code, where + ": the point is more than a million times the size of the mesh away from it");
+        throw Command_error(code, where + ": the distance of the point from the mesh is more than a million times "
+                                          "the size of the mesh");
   }
 
-  void add_location(const std::vector<std::string>& words, const std::string& where)
+  void add_face_location(const std::vector<std::string>& words, const std::string& where)
   {
     std::size_t f = 0;
     std::array<double, 3> b{};
     if(!parse_index(words[0], f) || f >= m_mesh.number_of_faces())
-      throw Command_error(Exit_code::BAD_INPUT, where + ": '" + words[0] + "' is not the number of a face");
+      throw Command_error(Exit_code::BAD_INPUT, where + ": '" + words[0] + "' is not a face index");
     double sum = 0;
     for(std::size_t k = 0; k < 3; ++k)
     {
@@ -197,22 +198,22 @@ private:
         throw Command_error(Exit_code::BAD_INPUT, where + ": '" + words[k + 1] + "' is not a barycentric coordinate");
       sum += b[k];
     }
-    if(std::abs(sum - 1) > 1e-6) // digits that were printed by somebody; what is left is divided out
+    if(std::abs(sum - 1) > 1e-6) // allows for rounded digits; the sum is normalized below
       throw Command_error(Exit_code::BAD_INPUT, where + ": the sum of the barycentric coordinates is not 1");
     for(double& x : b)
       x /= sum;
-    places.push_back(location_place(Face_location(Face(static_cast<Mesh::size_type>(f)), b)));
+    locations.push_back(at_face_location(Face_location(Face(static_cast<Mesh::size_type>(f)), b)));
   }
 
   const Mesh& m_mesh;
-  Place_options::Kind m_kind;
-  double m_limit = -1; // of the distances of points; not known yet
+  Location_options::Kind m_kind;
+  double m_limit = -1; // of the distances of points; negative until it is computed
   std::unique_ptr<Face_tree> m_tree;
 };
 
 } // namespace
 
-void Place_options::declare(Option_descriptions& options) const
+void Location_options::declare(Option_descriptions& options) const
 {
   using Texts = std::vector<std::string>;
   const std::string point = m_role + "-point", file = m_role + "-file", random = m_role + "-random";
@@ -221,24 +222,24 @@ void Place_options::declare(Option_descriptions& options) const
     (m_role.c_str(),
      po::value<Texts>()->value_name("V[,V...]")->composing()->notifier(
        [option = "--" + m_role](const Texts& values) { check_vertices(values, option); }),
-     "vertices, by their numbers from 0, or 'all'");
+     "vertex indices, counted from 0, or 'all'");
   if(!are_vertices)
     options.add_options()
       (point.c_str(),
        po::value<Texts>()->value_name("X,Y,Z")->composing()->notifier(
          [option = "--" + point](const Texts& values) { check_points(values, option); }),
-       "the place of the surface that is nearest to a point");
+       "the location on the surface that is nearest to a point");
   options.add_options()
     (file.c_str(), po::value<Texts>()->value_name("FILE")->composing(),
-     are_vertices ? "a file with the number of a vertex in each line"
-                  : "a file with one place in each line: V, or X Y Z, or FACE B0 B1 B2 with barycentric coordinates")
-    (random.c_str(), count_value(random, 1)->value_name("N"), "N different vertices, chosen at random");
+     are_vertices ? "a file with one vertex index per line"
+                  : "a file with one location per line: V, or X Y Z, or FACE B0 B1 B2 with barycentric coordinates")
+    (random.c_str(), count_value(random, 1)->value_name("N"), "N different random vertices");
 }
 
 void declare_seed(Option_descriptions& options)
 {
   options.add_options()("seed", count_value("seed", 0)->value_name("S")->default_value("0"),
-                        "the number that random choices depend on");
+                        "the seed of random choices");
 }
 
 bool is_seed_unused(const Arguments& arguments)
@@ -248,7 +249,7 @@ bool is_seed_unused(const Arguments& arguments)
                       [](const auto& option) { return ends_with(option.first, "-random"); });
 }
 
-bool Place_options::are_given(const Arguments& arguments) const
+bool Location_options::are_given(const Arguments& arguments) const
 {
   for(const char* ending : {"", "-point", "-file", "-random"})
     if(has(arguments, m_role + ending))
@@ -256,9 +257,10 @@ bool Place_options::are_given(const Arguments& arguments) const
   return false;
 }
 
-std::vector<Place> Place_options::places(const Arguments& arguments, const Mesh& mesh, const Console& console) const
+std::vector<Location> Location_options::locations(const Arguments& arguments, const Mesh& mesh,
+                                                  const Console& console) const
 {
-  Place_reader reader(mesh, m_kind);
+  Location_reader reader(mesh, m_kind);
   for(const std::string& value : all_values(arguments, m_role))
     for(const std::string& text : split(value, ','))
     {
@@ -268,50 +270,51 @@ std::vector<Place> Place_options::places(const Arguments& arguments, const Mesh&
         reader.add_vertex(text, "--" + m_role, Exit_code::BAD_USAGE);
     }
   for(const std::string& value : all_values(arguments, m_role + "-point"))
-    reader.add_nearest_place(split(value, ','), "--" + m_role + "-point " + value, Exit_code::BAD_USAGE);
+    reader.add_nearest_location(split(value, ','), "--" + m_role + "-point " + value, Exit_code::BAD_USAGE);
   for(const std::string& file_name : all_values(arguments, m_role + "-file"))
     reader.add_file(file_name);
   if(has(arguments, m_role + "-random"))
   {
     const std::size_t n = count_argument_or(arguments, m_role + "-random", 1);
-    // Targets are not to be the sources: each role draws from a sequence of its own.
+    // Targets should differ from the sources: each role draws from its own sequence.
     const std::uint64_t seed = count_argument_or(arguments, "seed", 0);
-    const std::size_t first = reader.places.size();
+    const std::size_t first = reader.locations.size();
     reader.add_random_vertices(n, m_role == "target" ? ~seed : seed, "--" + m_role + "-random");
-    console.note("--" + m_role + "-random: " + list_of_vertices(reader.places, first));
+    console.note("--" + m_role + "-random: " + list_of_vertices(reader.locations, first));
   }
-  return reader.places;
+  return reader.locations;
 }
 
-std::vector<Place> Place_options::required_places(const Arguments& arguments, const Mesh& mesh,
+std::vector<Location> Location_options::required_locations(const Arguments& arguments, const Mesh& mesh,
                                                   const Console& console) const
 {
   if(!are_given(arguments))
     throw Command_error(Exit_code::BAD_USAGE, "no " + m_role + " is given; use --" + m_role + ", "
                                                 + (m_kind == Kind::VERTICES ? "" : "--" + m_role + "-point, ")
                                                 + "--" + m_role + "-file or --" + m_role + "-random");
-  return places(arguments, mesh, console);
+  return locations(arguments, mesh, console);
 }
 
-std::vector<Vertex> Place_options::vertices(const Arguments& arguments, const Mesh& mesh, const Console& console) const
+std::vector<Vertex> Location_options::vertices(const Arguments& arguments, const Mesh& mesh,
+                                               const Console& console) const
 {
-  return as_vertices(places(arguments, mesh, console));
+  return as_vertices(locations(arguments, mesh, console));
 }
 
-Point point_of(const Place& place, const Mesh& mesh)
+Point point_of(const Location& location, const Mesh& mesh)
 {
-  if(place.is_vertex())
-    return mesh.point(place.vertex);
-  const Mesh::Halfedge_index h = mesh.halfedge(place.location.first);
-  const std::array<double, 3>& b = place.location.second;
+  if(location.is_vertex())
+    return mesh.point(location.vertex);
+  const Mesh::Halfedge_index h = mesh.halfedge(location.face_location.first);
+  const std::array<double, 3>& b = location.face_location.second;
   return CGAL::barycenter(mesh.point(mesh.source(h)), b[0], mesh.point(mesh.target(h)), b[1],
                           mesh.point(mesh.target(mesh.next(h))), b[2]);
 }
 
-std::vector<Vertex> as_vertices(const std::vector<Place>& places)
+std::vector<Vertex> as_vertices(const std::vector<Location>& locations)
 {
   std::vector<Vertex> result;
-  for(const Place& p : places)
+  for(const Location& p : locations)
   {
     if(!p.is_vertex())
       return {};
@@ -320,21 +323,21 @@ std::vector<Vertex> as_vertices(const std::vector<Place>& places)
   return result;
 }
 
-std::vector<Face_location> as_locations(const std::vector<Place>& places, const Mesh& mesh)
+std::vector<Face_location> as_face_locations(const std::vector<Location>& locations, const Mesh& mesh)
 {
   std::vector<Face_location> result;
-  for(const Place& p : places)
+  for(const Location& p : locations)
   {
     if(!p.is_vertex())
     {
-      result.push_back(p.location);
+      result.push_back(p.face_location);
       continue;
     }
-    // the halfedge of an isolated vertex is null, that of a vertex at the border may have no face
+    // the halfedge of an isolated vertex is null; that of a border vertex may have no face
     Mesh::Halfedge_index h = mesh.halfedge(p.vertex);
     if(!h.is_valid())
       throw Command_error(Exit_code::BAD_USAGE, "vertex " + std::to_string(p.vertex.idx())
-                                                  + " has no face: it cannot be given together with points");
+                                                  + " has no face: it cannot be combined with points");
     if(mesh.is_border(h))
       h = mesh.prev(mesh.opposite(h));
     Face_location location(mesh.face(h), {0, 0, 0});
@@ -346,4 +349,4 @@ std::vector<Face_location> as_locations(const std::vector<Place>& places, const 
   return result;
 }
 
-} // namespace geodesics_app
+} // namespace geodesics_demo

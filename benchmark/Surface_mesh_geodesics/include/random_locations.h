@@ -1,7 +1,7 @@
-// Random places of sources and queries, and how many of them the command line asks for.
+// Random locations of sources and queries, and their numbers on the command line.
 
-#ifndef RANDOM_PLACES_H
-#define RANDOM_PLACES_H
+#ifndef RANDOM_LOCATIONS_H
+#define RANDOM_LOCATIONS_H
 
 #include <algorithm>
 #include <array>
@@ -13,11 +13,11 @@
 #include <string>
 #include <vector>
 
-// The same places in every process: of the distributions of the standard library each implementation has its own.
-class Random_places
+// Random locations that are the same on every machine: the distributions of the standard library are not.
+class Random_locations
 {
 public:
-  explicit Random_places(std::size_t seed) : m_generator(seed) {}
+  explicit Random_locations(std::size_t seed) : m_generator(seed) {}
 
   template <class T>
   const T& element(const std::vector<T>& range)
@@ -63,4 +63,4 @@ inline bool read_numbers(const std::string& text, std::vector<std::size_t>& numb
   return !numbers.empty() && std::count(numbers.begin(), numbers.end(), std::size_t(0)) == 0;
 }
 
-#endif // RANDOM_PLACES_H
+#endif // RANDOM_LOCATIONS_H
