@@ -1,6 +1,5 @@
-// Right distances are certified, on meshes and from sources of all kinds; each wrong one is found, and where it is. The
-// witnesses are not believed: a path that leaves its faces, windows that are missing and bounds that are too long are
-// found as well.
+// Certification of distances: right distances are certified, on meshes and from sources of all kinds. Each wrong
+// distance is found, and the certificate tells where it is. (test_certificate_checks.cpp tests the checks one by one.)
 
 #include "distance_test_helpers.h"
 #include "hostile_meshes.h"
@@ -9,7 +8,6 @@
 
 #include <CGAL/Surface_mesh_geodesics/certify_geodesic_distances.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_distances.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/Component_extents.h>
 
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/graph_traits_Polyhedron_3.h>
@@ -61,7 +59,7 @@ Certificate certificate_of_right_distances(Mesh& tm, const Sources& sources, con
   return SMG::certify_geodesic_distances(tm, map, sources, options);
 }
 
-// how many vertices have a finite distance
+// Returns the number of vertices with a finite distance.
 std::size_t number_reached(const Mesh& tm, const Distance_map& map)
 {
   std::size_t n = 0;
@@ -124,7 +122,7 @@ void edge_lengths_are_certified(std::uint64_t seed)
   }
 }
 
-void radius_is_regarded()
+void distances_up_to_a_radius_are_certified()
 {
   test_support::Scope scope("radius");
   Mesh tm = to_face_graph(icosphere(2));
@@ -180,7 +178,7 @@ void special_cases_are_certified()
 }
 
 // The same surface in other units, and far from the origin.
-void scales_do_not_count()
+void meshes_of_all_scales_are_certified()
 {
   test_support::Scope scope("scales");
   const Indexed_mesh indexed = noisy_sphere(2, .1, 5);
@@ -269,7 +267,7 @@ std::vector<Fault> faults()
            {Condition::REACH, Condition::PATHS, Condition::LOWER_BOUNDS, Condition::EDGES}}};
 }
 
-void each_fault_is_found_where_it_is(std::uint64_t seed)
+void each_fault_is_found_at_its_vertex(std::uint64_t seed)
 {
   test_support::Scope scope("faults");
   test_support::Random random(seed);
@@ -309,79 +307,105 @@ void each_fault_is_found_where_it_is(std::uint64_t seed)
   std::cout << number_of_faults << " faults at single vertices" << std::endl;
 }
 
-void faults_of_many_vertices_are_found()
+// A torus with two sources, the right distances, and a map with wrong ones.
+struct Torus_with_faults
 {
-  test_support::Scope scope("faults of many vertices");
-  Mesh tm = to_face_graph(torus(2., 1., 16, 10));
-  Distance_map map = add_distances(tm);
-  const std::vector<vertex_descriptor> sources = {vertex(0), vertex(37)};
-  SMG::geodesic_distances(tm, map, sources);
-  const std::vector<double> right = values_at_vertices(tm, map);
-  auto restore = [&]
+  Torus_with_faults()
+    : tm(to_face_graph(torus(2., 1., 16, 10))), map(add_distances(tm)), sources({vertex(0), vertex(37)})
+  {
+    SMG::geodesic_distances(tm, map, sources);
+    right = values_at_vertices(tm, map);
+  }
+
+  void restore()
   {
     for(const auto v : vertices(tm))
     {
       map[v] = right[v];
     }
-  };
-  CHECK(SMG::certify_geodesic_distances(tm, map, sources).is_certified());
-  {
-    const vertex_descriptor a = vertex(50), b = vertex(93);
-    CHECK(std::abs(map[a] - map[b]) > 1e-3);
-    std::swap(map[a], map[b]);
-    const Certificate c = SMG::certify_geodesic_distances(tm, map, sources);
-    CHECK(c.worst_violation(Condition::PATHS) > 1e-6);
-    CHECK(c.worst_vertex(Condition::PATHS) == a || c.worst_vertex(Condition::PATHS) == b);
-    restore();
   }
+
+  Certificate certificate() const { return SMG::certify_geodesic_distances(tm, map, sources); }
+
+  Mesh tm;
+  Distance_map map;
+  std::vector<vertex_descriptor> sources;
+  std::vector<double> right;
+};
+
+void exchanged_distances_are_found()
+{
+  test_support::Scope scope("exchanged distances");
+  Torus_with_faults torus;
+  CHECK(torus.certificate().is_certified());
+  const vertex_descriptor a = vertex(50), b = vertex(93);
+  CHECK(std::abs(torus.map[a] - torus.map[b]) > 1e-3);
+  std::swap(torus.map[a], torus.map[b]);
+  const Certificate c = torus.certificate();
+  CHECK(c.worst_violation(Condition::PATHS) > 1e-6);
+  CHECK(c.worst_vertex(Condition::PATHS) == a || c.worst_vertex(Condition::PATHS) == b);
+}
+
+void wrong_scale_is_found()
+{
+  test_support::Scope scope("wrong scale");
+  Torus_with_faults torus;
   for(const double factor : {1 + 1e-9, 1 - 1e-9, 0., 2.})
   {
-    for(const auto v : vertices(tm))
+    for(const auto v : vertices(torus.tm))
     {
-      map[v] *= factor;
+      torus.map[v] *= factor;
     }
-    const Certificate c = SMG::certify_geodesic_distances(tm, map, sources);
+    const Certificate c = torus.certificate();
     CHECK(c.worst_violation(Condition::PATHS) > 1e-10);
     CHECK(c.worst_violation(Condition::REVERSE) > 1e-10);
     CHECK((c.worst_violation(Condition::LOWER_BOUNDS) > 1e-10) == (factor > 1));
     CHECK((c.worst_violation(Condition::EDGES) > 1e-10) == (factor > 1));
-    restore();
-  }
-  {
-    // what was found from one source of two, and a source that is told to be elsewhere
-    SMG::geodesic_distances(tm, map, vertex(0));
-    const Certificate c = SMG::certify_geodesic_distances(tm, map, sources);
-    CHECK(c.worst_violation(Condition::SOURCES) > 1e-3);
-    CHECK(c.worst_vertex(Condition::SOURCES) == vertex(37));
-    CHECK(c.worst_violation(Condition::LOWER_BOUNDS) > 1e-3);
-    restore();
-    CHECK(SMG::certify_geodesic_distances(tm, map, vertex(0)).worst_vertex(Condition::PATHS) == vertex(37));
-  }
-  {
-    // the distance along edges
-    std::vector<double> along_edges(num_vertices(tm), infinity);
-    along_edges[0] = along_edges[37] = 0;
-    for(std::size_t i = 0; i < num_vertices(tm); ++i)
-    {
-      for(const auto h : halfedges(tm))
-      {
-        const double length = std::sqrt((tm.point(source(h, tm)) - tm.point(target(h, tm))).squared_length());
-        along_edges[target(h, tm)] = (std::min)(along_edges[target(h, tm)], along_edges[source(h, tm)] + length);
-      }
-    }
-    for(const auto v : vertices(tm))
-    {
-      map[v] = along_edges[v];
-    }
-    const Certificate c = SMG::certify_geodesic_distances(tm, map, sources);
-    CHECK(c.worst_violation(Condition::EDGES) <= Certificate::default_tolerance);
-    CHECK(c.worst_violation(Condition::PAIRS_OF_FACES) > 1e-3);
-    CHECK(c.worst_violation(Condition::LOWER_BOUNDS) > 1e-3);
+    torus.restore();
   }
 }
 
-// What is nothing beside one component may be all of another.
-void small_components_count()
+// The distances from one of two sources, and a source too few in the call of the certifier.
+void missing_source_is_found()
+{
+  test_support::Scope scope("missing source");
+  Torus_with_faults torus;
+  SMG::geodesic_distances(torus.tm, torus.map, vertex(0));
+  const Certificate c = torus.certificate();
+  CHECK(c.worst_violation(Condition::SOURCES) > 1e-3);
+  CHECK(c.worst_vertex(Condition::SOURCES) == vertex(37));
+  CHECK(c.worst_violation(Condition::LOWER_BOUNDS) > 1e-3);
+  torus.restore();
+  CHECK(SMG::certify_geodesic_distances(torus.tm, torus.map, vertex(0)).worst_vertex(Condition::PATHS) == vertex(37));
+}
+
+void distances_along_edges_are_found()
+{
+  test_support::Scope scope("distances along edges");
+  Torus_with_faults torus;
+  const Mesh& tm = torus.tm;
+  std::vector<double> along_edges(num_vertices(tm), infinity);
+  along_edges[0] = along_edges[37] = 0;
+  for(std::size_t i = 0; i < num_vertices(tm); ++i)
+  {
+    for(const auto h : halfedges(tm))
+    {
+      const double length = std::sqrt((tm.point(source(h, tm)) - tm.point(target(h, tm))).squared_length());
+      along_edges[target(h, tm)] = (std::min)(along_edges[target(h, tm)], along_edges[source(h, tm)] + length);
+    }
+  }
+  for(const auto v : vertices(tm))
+  {
+    torus.map[v] = along_edges[v];
+  }
+  const Certificate c = torus.certificate();
+  CHECK(c.worst_violation(Condition::EDGES) <= Certificate::default_tolerance);
+  CHECK(c.worst_violation(Condition::PAIRS_OF_FACES) > 1e-3);
+  CHECK(c.worst_violation(Condition::LOWER_BOUNDS) > 1e-3);
+}
+
+// An error that is negligible beside one component may be as large as another one.
+void faults_in_small_components_are_found()
 {
   test_support::Scope scope("small component");
   Indexed_mesh both = flat_patch(6, 6, .2, true, 3);
@@ -410,7 +434,7 @@ void small_components_count()
   }
 }
 
-void invalid_input_is_refused()
+void invalid_input_throws()
 {
   test_support::Scope scope("invalid input");
   Mesh tm = to_face_graph(octahedron());
@@ -439,186 +463,6 @@ void invalid_input_is_refused()
               static_cast<int>(Reason::NON_FINITE_POINT));
 }
 
-// --- the checks themselves ---
-
-namespace SMGI = SMG::internal;
-
-// A mesh, the distances from some vertices, and the windows that were kept but for those that enter a face with the
-// vertex `into` from one with the vertex `from`, or from anywhere.
-struct Witness
-{
-  using Keeper = SMGI::Window_keeper<double>;
-
-  struct Keeper_without
-  {
-    Keeper keeper;
-    const SMGI::Intrinsic_mesh<double>& mesh;
-    SMGI::Vertex_id into, from;
-
-    bool is_at(SMGI::Halfedge_id h, SMGI::Vertex_id v) const
-    {
-      const auto& corners = mesh.face(SMGI::face_of(h)).vertex;
-      return std::find(corners.begin(), corners.end(), v) != corners.end();
-    }
-
-    template <typename List>
-    void keep(SMGI::Halfedge_id h, const List& list)
-    {
-      if(!is_at(h, into) || (from != SMGI::null_id && !is_at(mesh.opposite(h), from)))
-      {
-        keeper.keep(h, list);
-      }
-    }
-    void advance(double) const {}
-  };
-
-  Witness(const Indexed_mesh& indexed, SMGI::Vertex_id into = SMGI::null_id, SMGI::Vertex_id from = SMGI::null_id,
-          const std::vector<SMGI::Vertex_id>& sources = {0})
-    : tm(to_face_graph(indexed))
-  {
-    const auto vim = get(boost::vertex_index, tm);
-    const auto fim = get(boost::face_index, tm);
-    const auto vpm = get(CGAL::vertex_point, tm);
-    SMGI::Shape_from_points<double, Mesh, std::decay_t<decltype(vpm)>> shape(tm, vpm);
-    SMGI::Face_graph_reader<double, Mesh, std::decay_t<decltype(vim)>, std::decay_t<decltype(fim)>>(tm, vim, fim)
-      .read(shape, mesh, table);
-    windows.reset(mesh.number_of_faces());
-    field.keeps_images = true;
-    SMGI::Distance_propagation<double, SMGI::All_pruning_rules, Keeper_without> propagation(
-      mesh, field, Keeper_without{Keeper(windows), mesh, into, from});
-    for(const SMGI::Vertex_id v : sources)
-    {
-      propagation.add_source(v, 0.);
-    }
-    propagation.run([](std::size_t, double) { return true; });
-    extents = SMGI::extents_of_components(mesh);
-  }
-
-  SMGI::Vertex_id id(std::size_t v) const { return table.vertex_of_index[v]; }
-
-  double violation() const
-  {
-    return SMGI::Lower_bound_check<double>(mesh, field.distance, extents, windows).run().size;
-  }
-
-  Mesh tm;
-  SMGI::Intrinsic_mesh<double> mesh;
-  SMGI::Face_graph_correspondence<Mesh> table;
-  SMGI::Vertex_distance_field<double> field;
-  SMGI::Edge_window_field<double> windows;
-  std::vector<double> extents;
-};
-
-void bounds_that_are_too_long_are_no_bounds()
-{
-  test_support::Scope scope("bounds");
-  for(const Indexed_mesh& indexed : {icosphere(1), saddle_patch(6), genus_2_polycube()})
-  {
-    test_support::Scope mesh_scope(indexed.name);
-    Witness witness(indexed);
-    CHECK(witness.violation() < 1e-14);
-    for(SMGI::Vertex_id v = 1; v < witness.mesh.number_of_vertices(); ++v)
-    {
-      const double right = witness.field.distance[v];
-      witness.field.distance[v] = right * (1 + 1e-9);
-      CHECK(witness.violation() > 1e-11);
-      witness.field.distance[v] = right;
-    }
-  }
-}
-
-void missing_windows_are_missed()
-{
-  test_support::Scope scope("windows");
-  const Indexed_mesh indexed = icosphere(2);
-  const Witness witness(indexed);
-  std::size_t number_of_vertices = 0;
-  for(SMGI::Vertex_id v = 0; v < witness.mesh.number_of_vertices(); ++v)
-  {
-    // Nearer to the source, the paths to the points around v are straight from the source and its neighbours.
-    if(witness.field.distance[v] * witness.mesh.unit() < 1.2)
-    {
-      continue;
-    }
-    CHECK(Witness(indexed, v).violation() > 1e-6);
-    ++number_of_vertices;
-  }
-  CHECK(number_of_vertices > 50);
-}
-
-// Shortest paths to the points of AB near A come from the source at D and cross CA; those to the points near B come from
-// the source there, and so do all paths through BC. That the windows behind CA are missing shows on AB from CA only,
-// which is the edge before AB or, in the mirror, the one behind it.
-void windows_are_missed_from_both_sides()
-{
-  test_support::Scope scope("both sides");
-  for(const bool is_mirrored : {false, true})
-  {
-    const double x = is_mirrored ? -1. : 1.;
-    Indexed_mesh mesh;
-    mesh.points = {{-0.15 * x, 0.25, 0.}, {0., 0., 0.}, {0.5 * x, 0.9, 0.}, {x, 0., 0.}, {1.5 * x, 0.8, 0.}}; // D A C B E
-    mesh.faces = {{0, 1, 2}, {1, 3, 2}, {2, 3, 4}};
-    for(Triangle& t : mesh.faces)
-    {
-      if(is_mirrored)
-      {
-        std::swap(t[1], t[2]);
-      }
-    }
-    const Witness names(mesh);
-    const SMGI::Vertex_id b = names.id(3), d = names.id(0);
-    CHECK(Witness(mesh, SMGI::null_id, SMGI::null_id, {b, d}).violation() < 1e-14);
-    CHECK(Witness(mesh, b, d, {b, d}).violation() > 0.01);
-  }
-}
-
-void paths_are_measured()
-{
-  test_support::Scope scope("paths");
-  const Witness witness(torus(2., 1., 12, 8));
-  SMGI::Distance_checks<double> checks(witness.mesh, witness.mesh.number_of_vertices());
-  checks.values = witness.field.distance;
-  checks.offsets[0] = 0.;
-  const SMGI::Path_tracer<double> tracer(witness.mesh, witness.field);
-  std::size_t number_with_edges = 0;
-  for(SMGI::Vertex_id v = 0; v < witness.mesh.number_of_vertices(); ++v)
-  {
-    SMGI::Path_steps<double> path;
-    CHECK(tracer.trace_from_vertex(v, path));
-    const double length = checks.length_to_source(path);
-    CHECK_CLOSE(length, witness.field.distance[v], 1e-14);
-
-    // not to a source
-    const SMGI::Path_steps<double> cut_off(path.begin(), path.end() - 1);
-    CHECK(checks.length_to_source(cut_off) == infinity);
-    // through no face
-    SMGI::Path_steps<double> elsewhere = path;
-    for(auto& step : elsewhere)
-    {
-      step.face = (step.face + 48) % static_cast<SMGI::Face_id>(witness.mesh.number_of_faces());
-    }
-    CHECK(path.size() == 1 || checks.length_to_source(elsewhere) == infinity);
-    for(std::size_t i = 1; i + 1 < path.size(); ++i)
-    {
-      if(path[i].vertex != SMGI::null_id)
-      {
-        continue;
-      }
-      ++number_with_edges;
-      // a point left out, moved along its edge, beyond the end of it
-      SMGI::Path_steps<double> shortcut = path;
-      shortcut.erase(shortcut.begin() + static_cast<std::ptrdiff_t>(i));
-      CHECK(!(checks.length_to_source(shortcut) < length * (1 - 1e-14)));
-      SMGI::Path_steps<double> moved = path;
-      moved[i].x = witness.mesh.length(moved[i].halfedge) * (moved[i].x > 0.1 ? 0.01 : 0.9);
-      CHECK(checks.length_to_source(moved) > length * (1 + 1e-9));
-      moved[i].x = witness.mesh.length(moved[i].halfedge) * 1.5;
-      CHECK(checks.length_to_source(moved) == infinity);
-    }
-  }
-  CHECK(number_with_edges > 50);
-}
-
 } // namespace
 
 int main()
@@ -626,17 +470,16 @@ int main()
   const std::uint64_t seed = test_support::announce_seed(20260701);
   right_distances_are_certified(seed);
   edge_lengths_are_certified(seed);
-  radius_is_regarded();
+  distances_up_to_a_radius_are_certified();
   special_cases_are_certified();
-  scales_do_not_count();
+  meshes_of_all_scales_are_certified();
   hostile_meshes_are_certified(1000, seed);
-  each_fault_is_found_where_it_is(seed);
-  faults_of_many_vertices_are_found();
-  small_components_count();
-  invalid_input_is_refused();
-  bounds_that_are_too_long_are_no_bounds();
-  missing_windows_are_missed();
-  windows_are_missed_from_both_sides();
-  paths_are_measured();
+  each_fault_is_found_at_its_vertex(seed);
+  exchanged_distances_are_found();
+  wrong_scale_is_found();
+  missing_source_is_found();
+  distances_along_edges_are_found();
+  faults_in_small_components_are_found();
+  invalid_input_throws();
   return test_result();
 }
