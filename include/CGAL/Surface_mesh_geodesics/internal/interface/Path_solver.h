@@ -254,8 +254,8 @@ public:
     thinning.finish();
   }
 
-  // Calls line(points, is_closed) for each line of points at a distance, in the user's unit. A point is a pair of a face
-  // of the user and three coordinates, in the order of the user's corners. Requires: the windows are known.
+  // Calls line(points, is_closed) for each line of points at a distance, in the user's unit. A point is a pair of a
+  // face of the user and three coordinates, in the order of the user's corners. Requires: the windows are known.
   template <typename Line>
   void trace_isolines(double distance, double resolution, Line line) const
   {
