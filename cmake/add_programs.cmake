@@ -39,8 +39,8 @@ function(surface_mesh_geodesics_leave_out list_of_sources)
   set(${list_of_sources} ${kept} PARENT_SCOPE)
 endfunction()
 
-# Sets the options of a program or of a group of them: the shared headers in include/ of their folder, the libraries, the
-# warnings.
+# Sets the options of a program or of a group of them: the shared headers in include/ of their folder, the libraries,
+# the warnings.
 function(surface_mesh_geodesics_set_up_program target folder uses_eigen uses_tbb)
   target_include_directories(${target} PRIVATE "${folder}/include")
   target_link_libraries(${target} PRIVATE CGAL::Surface_mesh_geodesics)
@@ -125,8 +125,8 @@ function(surface_mesh_geodesics_add_programs group size)
 endfunction()
 
 # Adds one CTest test for each line of arguments in the file `name.cmd` beside the source file, or one test without
-# arguments if that file does not exist. Skips empty lines and lines that start with #. Returns the names of the tests in
-# `out_tests`.
+# arguments if that file does not exist. Skips empty lines and lines that start with #. Returns the names of the tests
+# in `out_tests`.
 function(surface_mesh_geodesics_add_runs source working_directory out_tests)
   get_filename_component(folder "${source}" DIRECTORY)
   get_filename_component(name "${source}" NAME_WE)
@@ -156,8 +156,8 @@ function(surface_mesh_geodesics_add_runs source working_directory out_tests)
       PARENT_SCOPE)
 endfunction()
 
-# Looks for one of CGAL's meshes, such as bunny00.off, in an archive of Debian's package libcgal-demo. Returns its path in
-# `out_path`, which is empty if the mesh is not found.
+# Looks for one of CGAL's meshes, such as bunny00.off, in an archive of Debian's package libcgal-demo. Returns its path
+# in `out_path`, which is empty if the mesh is not found.
 function(surface_mesh_geodesics_find_cgal_mesh name out_path)
   set(archive "/usr/share/doc/libcgal-dev/data.tar.gz")
   set(folder "${PROJECT_BINARY_DIR}/cgal_data")
