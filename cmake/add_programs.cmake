@@ -1,14 +1,14 @@
-# What the tests, the examples and the benchmark programs share. Each .cpp file of their folders is a program.
+# Functions for tests, examples and benchmark programs. Each .cpp file of their folders is a program.
 
 set(Surface_mesh_geodesics_WARNING_FLAGS -Wall -Wextra -Wpedantic -Wshadow -Wconversion)
 
-# Optional: programs that include headers of Eigen, or of Heat_method_3, which needs it, are left out without it.
+# Optional. Without Eigen, programs are left out that include its headers or those of Heat_method_3, which needs it.
 find_package(Eigen3 QUIET NO_MODULE)
 if(NOT TARGET Eigen3::Eigen)
   message(STATUS "NOTICE: Eigen was not found: the programs that use it are left out.")
 endif()
 
-# Optional: programs that ask for CGAL_LINKED_WITH_TBB, or for what is parallel if available, are linked with it.
+# Optional. Programs that mention CGAL_LINKED_WITH_TBB or Parallel_if_available_tag are linked with TBB.
 find_package(TBB QUIET)
 if(TBB_FOUND)
   include(CGAL_TBB_support OPTIONAL)
@@ -27,7 +27,7 @@ function(surface_mesh_geodesics_uses_eigen source out_answer)
   endif()
 endfunction()
 
-# Takes the programs that cannot be compiled here out of a list of source files.
+# Removes the programs that cannot be compiled here from a list of source files.
 function(surface_mesh_geodesics_leave_out list_of_sources)
   set(kept)
   foreach(source IN LISTS ${list_of_sources})
@@ -39,8 +39,8 @@ function(surface_mesh_geodesics_leave_out list_of_sources)
   set(${list_of_sources} ${kept} PARENT_SCOPE)
 endfunction()
 
-# Tells a program, or a group of them, what it needs: the headers that the programs of the folder share in include/, the
-# libraries, the warnings.
+# Sets the options of a program or of a group of them: the shared headers in include/ of their folder, the libraries,
+# the warnings.
 function(surface_mesh_geodesics_set_up_program target folder uses_eigen uses_tbb)
   target_include_directories(${target} PRIVATE "${folder}/include")
   target_link_libraries(${target} PRIVATE CGAL::Surface_mesh_geodesics)
@@ -124,8 +124,9 @@ function(surface_mesh_geodesics_add_programs group size)
   endforeach()
 endfunction()
 
-# Adds one CTest test per line of arguments in `name.cmd` beside the source file, or one without arguments when there is
-# no such file. Empty lines and lines that start with # do not count. The names of the tests go to `out_tests`.
+# Adds one CTest test for each line of arguments in the file `name.cmd` beside the source file, or one test without
+# arguments if that file does not exist. Skips empty lines and lines that start with #. Returns the names of the tests
+# in `out_tests`.
 function(surface_mesh_geodesics_add_runs source working_directory out_tests)
   get_filename_component(folder "${source}" DIRECTORY)
   get_filename_component(name "${source}" NAME_WE)
@@ -155,8 +156,8 @@ function(surface_mesh_geodesics_add_runs source working_directory out_tests)
       PARENT_SCOPE)
 endfunction()
 
-# Looks for one of CGAL's meshes, such as bunny00.off, which Debian keeps in an archive of the package libcgal-demo. Its
-# path goes to `out_path`, which is empty if there is none.
+# Looks for one of CGAL's meshes, such as bunny00.off, in an archive of Debian's package libcgal-demo. Returns its path
+# in `out_path`, which is empty if the mesh is not found.
 function(surface_mesh_geodesics_find_cgal_mesh name out_path)
   set(archive "/usr/share/doc/libcgal-dev/data.tar.gz")
   set(folder "${PROJECT_BINARY_DIR}/cgal_data")

@@ -13,8 +13,8 @@ set(own_include_folder "${CMAKE_CURRENT_SOURCE_DIR}/include")
 
 # --- the flags -------------------------------------------------------------------------------------------------------
 
-# Our own headers are ordinary ones, so that their warnings count; those of the libraries are system headers. A folder
-# that the compiler knows by itself must not be named: it would change the order of the standard headers.
+# Only the headers of the libraries are system headers, so that warnings in our own headers count. A folder that the
+# compiler searches by default must not be named, because that would change the order of the standard headers.
 string(REPLACE ";" "|" implicit_folders "${CMAKE_CXX_IMPLICIT_INCLUDE_DIRECTORIES};/usr/include")
 string(REPLACE "+" "\\+" implicit_folders "${implicit_folders}")
 set(library_folders "$<TARGET_PROPERTY:CGAL::CGAL,INTERFACE_INCLUDE_DIRECTORIES>")
@@ -54,7 +54,7 @@ int second_unit()\n{\n  return 0;\n}\n")
 
 # --- the tests -------------------------------------------------------------------------------------------------------
 
-# CGAL tells its targets the libraries, but a command that is not one of CMake's own has to name them itself.
+# CGAL's targets bring the libraries, but these commands do not use targets.
 set(number_libraries)
 foreach(library IN ITEMS "${MPFR_LIBRARIES}" "${GMP_LIBRARIES}")
   if(EXISTS "${library}")

@@ -9,7 +9,7 @@ The folders of CGAL/Surface_mesh_geodesics/internal/ are rooms, and their order 
   headers are above all rooms, except two plain value types that the inside throws and fills.
 - Rooms below `interface` know neither meshes nor kernels.
 - A room has at most 15 files, and a README.md that says what the room is for.
-- Only public headers include the licence header, and each of them does.
+- Only public headers include the license header, and each of them does.
 - The convenience header includes every public header, and nobody includes it.
 - Includes have no cycle. Own headers are included with <>.
 - Only cgal_compatibility.h asks for the version of CGAL.
@@ -25,7 +25,7 @@ from complaints import report
 OWN = "CGAL/Surface_mesh_geodesics/"
 INTERNAL = OWN + "internal/"
 CONVENIENCE_HEADER = "CGAL/Surface_mesh_geodesics.h"
-LICENCE_HEADER = "CGAL/license/Surface_mesh_geodesics.h"
+LICENSE_HEADER = "CGAL/license/Surface_mesh_geodesics.h"
 PLAIN_PUBLIC_HEADERS = {OWN + "Propagation_statistics.h", OWN + "Invalid_geodesic_input.h"}
 COMPATIBILITY = INTERNAL + "numeric/cgal_compatibility.h"
 
@@ -112,13 +112,13 @@ def check_rooms(folder, names, complaints):
             complaints.append(f"{INTERNAL}{room}: no README.md")
 
 
-def check_licence(name, includes, complaints):
-    has_licence = LICENCE_HEADER in includes
+def check_license(name, includes, complaints):
+    has_license = LICENSE_HEADER in includes
     if name.startswith(INTERNAL):
-        if has_licence:
-            complaints.append(f"{name}: internal, but includes the licence header")
-    elif name.startswith(OWN) and not has_licence:
-        complaints.append(f"{name}: public, but does not include the licence header")
+        if has_license:
+            complaints.append(f"{name}: internal, but includes the license header")
+    elif name.startswith(OWN) and not has_license:
+        complaints.append(f"{name}: public, but does not include the license header")
 
 
 def check_convenience_header(texts, complaints):
@@ -163,12 +163,12 @@ def check(folder):
     for name, text in texts.items():
         includes = includes_of(text)
         graph[name] = [include for _, include in includes if include in texts]
-        check_licence(name, {include for _, include in includes}, complaints)
+        check_license(name, {include for _, include in includes}, complaints)
         knows_no_mesh = name.startswith(INTERNAL) and name != COMPATIBILITY and rank_of(name) < FIRST_RANK_WITH_MESHES
         for quote, include in includes:
             if quote == '"':
                 complaints.append(f'{name}: includes "{include}" with quotes')
-            elif include == LICENCE_HEADER:
+            elif include == LICENSE_HEADER:
                 continue
             elif include.startswith(OWN) or include == CONVENIENCE_HEADER:
                 check_own_include(name, include, texts, complaints)
@@ -185,16 +185,16 @@ def check(folder):
 
 # --- self-test -------------------------------------------------------------------------------------------------------
 
-LICENCE_LINE = f"#include <{LICENCE_HEADER}>\n"
+LICENSE_LINE = f"#include <{LICENSE_HEADER}>\n"
 
 HIGH, LOW = INTERNAL + "window/high.h", INTERNAL + "numeric/low.h"
 
 # A small tree without a fault; each case of the self-test breaks one rule in it.
 SOUND_TREE = {
-    LICENCE_HEADER: "#include <CGAL/config.h>\n",
+    LICENSE_HEADER: "#include <CGAL/config.h>\n",
     CONVENIENCE_HEADER: f"#include <{OWN}door.h>\n#include <{OWN}Propagation_statistics.h>\n",
-    OWN + "door.h": LICENCE_LINE + f"#include <{HIGH}>\n#include <CGAL/Kernel_traits.h>\n",
-    OWN + "Propagation_statistics.h": LICENCE_LINE,
+    OWN + "door.h": LICENSE_LINE + f"#include <{HIGH}>\n#include <CGAL/Kernel_traits.h>\n",
+    OWN + "Propagation_statistics.h": LICENSE_LINE,
     HIGH: f"#include <{LOW}>\n#include <{OWN}Propagation_statistics.h>\n",
     LOW: "#include <CGAL/assertions.h>\n#include <vector>\n/* #include <CGAL/x.h> */\n",
     COMPATIBILITY: "#include <CGAL/version.h>\n#if CGAL_VERSION_NR\n#endif\n",
@@ -227,7 +227,7 @@ FAULTS = {
         {LOW: f"#include <{OWN}door.h>\n"},
         "of a higher room"),
     "statistics include a room": (
-        {OWN + "Propagation_statistics.h": LICENCE_LINE + f"#include <{HIGH}>\n"},
+        {OWN + "Propagation_statistics.h": LICENSE_LINE + f"#include <{HIGH}>\n"},
         "Propagation_statistics.h: includes"),
     "mesh": (
         {LOW: "#include <CGAL/boost/graph/helpers.h>\n"},
@@ -244,17 +244,17 @@ FAULTS = {
     "missing file": (
         {LOW: f"#include <{INTERNAL}numeric/gone.h>\n"},
         "gone.h, which does not exist"),
-    "internal licence": (
-        {LOW: LICENCE_LINE},
-        "low.h: internal, but includes the licence header"),
-    "public without licence": (
+    "internal license": (
+        {LOW: LICENSE_LINE},
+        "low.h: internal, but includes the license header"),
+    "public without license": (
         {OWN + "door.h": "#include <vector>\n"},
-        "door.h: public, but does not include the licence header"),
+        "door.h: public, but does not include the license header"),
     "convenience header included": (
-        {OWN + "door.h": LICENCE_LINE + f"#include <{CONVENIENCE_HEADER}>\n"},
+        {OWN + "door.h": LICENSE_LINE + f"#include <{CONVENIENCE_HEADER}>\n"},
         "door.h: includes the convenience header"),
     "convenience header incomplete": (
-        {OWN + "window.h": LICENCE_LINE},
+        {OWN + "window.h": LICENSE_LINE},
         f"does not include {OWN}window.h"),
     "version": (
         {LOW: "#if CGAL_VERSION_NR\n#endif\n"},

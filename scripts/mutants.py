@@ -125,7 +125,7 @@ MUTANTS = [
      "crossed windows are compared at a point where they do not cross", (WINDOWS,)),
     ("pair_trimmed_at_start", WINDOW_PRUNING,
      "  left.end = pair.left_end;\n  left.end_distance = pair.left_end_distance;\n", "",
-     "a window goes on where its right neighbour is nearer", (WINDOWS,)),
+     "a window goes on where its right neighbor is nearer", (WINDOWS,)),
     ("pair_swallows_right", LANE_PRUNING,
      "right_is_redundant = goes_on & at_last.left_is_nearer & ends_with_right;",
      "right_is_redundant = goes_on & at_last.left_is_nearer;",
@@ -202,7 +202,7 @@ MUTANTS = [
      "every second group of suspects is passed over", (LIST_CROSSINGS,)),
     ("two_removed_for_one", LIST_CROSSING,
      "        --last;\n", "        last -= last > 1 ? 2 : 1;\n",
-     "with a redundant window its neighbour goes as well", (LIST_CROSSINGS,)),
+     "with a redundant window its neighbor goes as well", (LIST_CROSSINGS,)),
     ("stale_windows_kept", LIST_CROSSING,
      "if(w.root_distance > m_distance[w.root] || w.number_of_faces_crossed()",
      "if(w.number_of_faces_crossed()",
@@ -354,7 +354,7 @@ MUTANTS = [
      "after a source in a face the mesh is not what it was", (SOLVER, PATHS)),
 
     # --- parallel propagation, sampling ---
-    ("neighbours_at_the_same_time", PARALLEL,
+    ("neighbors_at_the_same_time", PARALLEL,
      "for(const Link_vertex<FT>& link : f.star.links)\n"
      "        m_last_visit_near[link.vertex] = i + 1;",
      "",

@@ -17,8 +17,8 @@ namespace geodesics_demo {
 namespace po = boost::program_options;
 
 // Embedded by embed_page.cmake. Without three.js, the script and its license are empty.
-extern const unsigned char page_template[], page_script[], page_three[], page_licence[];
-extern const std::size_t page_template_size, page_script_size, page_three_size, page_licence_size;
+extern const unsigned char page_template[], page_script[], page_three[], page_license[];
+extern const std::size_t page_template_size, page_script_size, page_three_size, page_license_size;
 
 namespace {
 
@@ -368,8 +368,8 @@ void write_html_page(std::ostream& os, const Html_page& page)
   };
   write_up_to("@TITLE@");
   os << escaped(page.title);
-  write_up_to("@LICENCE@");
-  os << escaped(embedded(page_licence, page_licence_size));
+  write_up_to("@LICENSE@");
+  os << escaped(embedded(page_license, page_license_size));
   write_up_to("@THREE@");
   os << embedded(page_three, page_three_size);
   write_up_to("@DATA@");

@@ -1,5 +1,6 @@
 // Diagrams of 1 to 30 sites on many meshes. First all checks, in which the distances from each site at a vertex are
-// compared with CGAL::Surface_mesh_shortest_path; then diagrams of sites at vertices with that class as the only referee.
+// compared with CGAL::Surface_mesh_shortest_path; then diagrams of sites at vertices with that class as the only
+// referee.
 
 #include "Voronoi_test_helpers.h"
 

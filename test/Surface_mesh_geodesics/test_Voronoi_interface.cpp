@@ -347,6 +347,28 @@ void test_invalid_input()
   }
 }
 
+// Returns the answers of all kinds of queries; the points of `queries` are asked for site and distance.
+std::vector<double> all_answers(const Voronoi& diagram, const std::vector<Face_location>& queries)
+{
+  std::vector<double> result;
+  for(const Face_location& q : queries)
+  {
+    result.push_back(static_cast<double>(diagram.nearest_site(q)));
+    result.push_back(diagram.distance_to_nearest_site(q));
+  }
+  for(std::size_t i = 0; i < diagram.number_of_sites(); ++i)
+  {
+    result.push_back(diagram.area(i));
+    result.push_back(diagram.Euler_characteristic(i));
+    result.push_back(static_cast<double>(diagram.adjacent_sites(i).size()));
+  }
+  for(const Voronoi::Edge& e : diagram.edges())
+  {
+    result.push_back(e.length());
+  }
+  return result;
+}
+
 // The first query builds, measures and propagates once more, whoever asks first.
 void test_threads()
 {
@@ -359,37 +381,17 @@ void test_threads()
   {
     queries.push_back(random_location(tm, random));
   }
-  const auto everything = [&](const Voronoi& diagram)
-  {
-    std::vector<double> result;
-    for(const Face_location& q : queries)
-    {
-      result.push_back(static_cast<double>(diagram.nearest_site(q)));
-      result.push_back(diagram.distance_to_nearest_site(q));
-    }
-    for(std::size_t i = 0; i < sites.size(); ++i)
-    {
-      result.push_back(diagram.area(i));
-      result.push_back(diagram.Euler_characteristic(i));
-      result.push_back(static_cast<double>(diagram.adjacent_sites(i).size()));
-    }
-    for(const Voronoi::Edge& e : diagram.edges())
-    {
-      result.push_back(e.length());
-    }
-    return result;
-  };
   Voronoi expected(tm), diagram(tm);
   add_sites(expected, sites);
   add_sites(diagram, sites);
-  const std::vector<double> values = everything(expected);
+  const std::vector<double> values = all_answers(expected, queries);
   std::vector<std::vector<double>> results(4);
   std::vector<std::thread> threads;
   for(std::vector<double>& r : results)
   {
-    threads.emplace_back([&] { r = everything(diagram); });
+    threads.emplace_back([&] { r = all_answers(diagram, queries); });
   }
-  // distances at vertices are there earlier than those in faces, and do not change when these come
+  // Distances at vertices are known before those in faces, and do not change when these are computed.
   double largest_difference = 0;
   threads.emplace_back([&]
   {

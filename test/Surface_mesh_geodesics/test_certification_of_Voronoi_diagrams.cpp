@@ -125,7 +125,7 @@ struct Moved_arc
   }
 };
 
-// A diagram that tells something wrong, about `culprit` if that matters.
+// A diagram that gives wrong answers, about the site `culprit` where a single site is concerned.
 struct Wrong_diagram : Voronoi
 {
   using Voronoi::Voronoi;
@@ -187,6 +187,60 @@ void check_violated(const Certificate& c, Condition condition, std::size_t culpr
   CHECK_EQUAL(c.worst_site(condition), culprit);
 }
 
+void wrong_distances_are_found(Wrong_diagram& diagram, const Mesh& tm)
+{
+  const std::size_t i = diagram.culprit;
+  diagram.shift_of_weight = 1e-8;
+  check_violated(certificate_of(diagram, tm), Condition::ARCS, i);
+  check_violated(certificate_of(diagram, tm), Condition::OWNERS, i);
+  check_violated(certificate_of(diagram, tm), Condition::NEAREST, i);
+  diagram.shift_of_weight = 0.;
+
+  diagram.shift_of_points = 1e-6;
+  CHECK(certificate_of(diagram, tm).worst_violation(Condition::ARCS) > Certificate::default_tolerance);
+  diagram.shift_of_points = 0.;
+  diagram.shift_of_distance = 1e-8;
+  CHECK(certificate_of(diagram, tm).worst_violation(Condition::ARCS) > Certificate::default_tolerance);
+  diagram.shift_of_distance = 0.;
+}
+
+void wrong_areas_are_found(Wrong_diagram& diagram, const Mesh& tm)
+{
+  diagram.factor_of_area = 1. + 1e-6;
+  CHECK(certificate_of(diagram, tm).worst_violation(Condition::AREAS) > Certificate::default_tolerance);
+  diagram.factor_of_area = -1.;
+  CHECK(certificate_of(diagram, tm).worst_violation(Condition::AREAS) > Certificate::default_tolerance);
+  diagram.factor_of_area = 1.;
+}
+
+void wrong_owners_are_found(Wrong_diagram& diagram, const Mesh& tm)
+{
+  const std::size_t i = diagram.culprit;
+  const auto range = vertices(tm);
+  diagram.vertex_of_culprit = *std::find_if(range.begin(), range.end(), [&](vertex_descriptor v)
+  { return static_cast<const Voronoi&>(diagram).nearest_site(v) != i; });
+  check_violated(certificate_of(diagram, tm), Condition::OWNERS, i);
+  diagram.vertex_of_culprit = boost::graph_traits<Mesh>::null_vertex();
+}
+
+void wrong_boundaries_are_found(Wrong_diagram& diagram, const Mesh& tm)
+{
+  using Boundaries = std::vector<Voronoi::Boundary>;
+  const std::vector<std::function<void(Boundaries&)>> spoils
+    = {[](Boundaries& b) { b.clear(); },
+       [](Boundaries& b) { b.push_back(b.front()); },
+       [](Boundaries& b) { b.front().is_closed = !b.front().is_closed; },
+       [](Boundaries& b) { b.front().edges.front().second = !b.front().edges.front().second; },
+       [](Boundaries& b) { b.front().edges.push_back(b.front().edges.front()); }};
+  for(std::size_t k = 0; k < spoils.size(); ++k)
+  {
+    test_support::Scope spoil_scope("boundary " + std::to_string(k));
+    diagram.spoil_boundary = spoils[k];
+    CHECK(certificate_of(diagram, tm).worst_violation(Condition::BOUNDARIES) > 1e-3);
+  }
+  diagram.spoil_boundary = nullptr;
+}
+
 void each_fault_is_found(const Indexed_mesh& indexed, std::uint64_t seed)
 {
   test_support::Scope scope(indexed.name);
@@ -203,45 +257,10 @@ void each_fault_is_found(const Indexed_mesh& indexed, std::uint64_t seed)
     {
       continue;
     }
-    diagram.shift_of_weight = 1e-8;
-    check_violated(certificate_of(diagram, tm), Condition::ARCS, i);
-    check_violated(certificate_of(diagram, tm), Condition::OWNERS, i);
-    check_violated(certificate_of(diagram, tm), Condition::NEAREST, i);
-    diagram.shift_of_weight = 0.;
-
-    diagram.shift_of_points = 1e-6;
-    CHECK(certificate_of(diagram, tm).worst_violation(Condition::ARCS) > Certificate::default_tolerance);
-    diagram.shift_of_points = 0.;
-    diagram.shift_of_distance = 1e-8;
-    CHECK(certificate_of(diagram, tm).worst_violation(Condition::ARCS) > Certificate::default_tolerance);
-    diagram.shift_of_distance = 0.;
-
-    diagram.factor_of_area = 1. + 1e-6;
-    CHECK(certificate_of(diagram, tm).worst_violation(Condition::AREAS) > Certificate::default_tolerance);
-    diagram.factor_of_area = -1.;
-    CHECK(certificate_of(diagram, tm).worst_violation(Condition::AREAS) > Certificate::default_tolerance);
-    diagram.factor_of_area = 1.;
-
-    const auto range = vertices(tm);
-    diagram.vertex_of_culprit = *std::find_if(range.begin(), range.end(), [&](vertex_descriptor v)
-    { return static_cast<const Voronoi&>(diagram).nearest_site(v) != i; });
-    check_violated(certificate_of(diagram, tm), Condition::OWNERS, i);
-    diagram.vertex_of_culprit = boost::graph_traits<Mesh>::null_vertex();
-
-    using Boundaries = std::vector<Voronoi::Boundary>;
-    const std::vector<std::function<void(Boundaries&)>> spoils
-      = {[](Boundaries& b) { b.clear(); },
-         [](Boundaries& b) { b.push_back(b.front()); },
-         [](Boundaries& b) { b.front().is_closed = !b.front().is_closed; },
-         [](Boundaries& b) { b.front().edges.front().second = !b.front().edges.front().second; },
-         [](Boundaries& b) { b.front().edges.push_back(b.front().edges.front()); }};
-    for(std::size_t k = 0; k < spoils.size(); ++k)
-    {
-      test_support::Scope spoil_scope("boundary " + std::to_string(k));
-      diagram.spoil_boundary = spoils[k];
-      CHECK(certificate_of(diagram, tm).worst_violation(Condition::BOUNDARIES) > 1e-3);
-    }
-    diagram.spoil_boundary = nullptr;
+    wrong_distances_are_found(diagram, tm);
+    wrong_areas_are_found(diagram, tm);
+    wrong_owners_are_found(diagram, tm);
+    wrong_boundaries_are_found(diagram, tm);
   }
   check_certified(certificate_of(diagram, tm));
 }
@@ -256,7 +275,7 @@ int main()
   each_fault_is_found(icosphere(2), seed);
   each_fault_is_found(saddle_patch(10), seed + 1);
   each_fault_is_found(torus(2., 1., 12, 8), seed + 2);
-  // what is wrong in a component that is small beside the other one
+  // A fault in a component that is small beside the other one.
   each_fault_is_found(side_by_side(icosphere(2), scaled(regular_tetrahedron(), 1e9), "small and large"), seed + 3);
   return test_result();
 }

@@ -71,7 +71,7 @@ void check_against_function(Solver& solver, const Mesh& tm, const Sources& sourc
   check_vertices_reached(solver, tm);
 }
 
-struct Cancelling_visitor : SMG::Geodesic_default_visitor
+struct Canceling_visitor : SMG::Geodesic_default_visitor
 {
   bool go_further() { return ++m_calls < 5; }
   int m_calls = 0;
@@ -143,11 +143,11 @@ void visitors_throw_before_and_after_the_run()
 }
 
 // A visitor ends a computation: nothing is known then.
-void check_cancelled_computations(Solver& solver, const Mesh& tm, test_support::Random& random)
+void check_canceled_computations(Solver& solver, const Mesh& tm, test_support::Random& random)
 {
   const Face_location location = random_location(tm, random);
-  Cancelling_visitor cancelling;
-  CHECK(!solver.compute_distances(location, Options(), cancelling));
+  Canceling_visitor canceling;
+  CHECK(!solver.compute_distances(location, Options(), canceling));
   CHECK(results(solver, tm) == std::vector<double>(num_vertices(tm), infinity));
   check_vertices_reached(solver, tm);
 
@@ -243,7 +243,7 @@ void check_many_computations(const Indexed_mesh& indexed, test_support::Random& 
                            offsets);
     check_against_function(solver, tm, std::vector<vertex_descriptor>{v, v, random_vertex(tm, random)}, offsets);
     check_against_function(solver, tm, std::vector<vertex_descriptor>(), Options());
-    check_cancelled_computations(solver, tm, random);
+    check_canceled_computations(solver, tm, random);
     check_refused_computations(solver, tm);
 
     const vertex_descriptor w = random_vertex(tm, random);

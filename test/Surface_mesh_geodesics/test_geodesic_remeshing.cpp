@@ -10,7 +10,6 @@
 #include <CGAL/boost/graph/helpers.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <string>
@@ -97,74 +96,77 @@ void test_remeshing(std::uint64_t seed)
   CHECK_EQUAL(polyhedron.size_of_vertices(), std::size_t(60));
 }
 
-// Duals that are no meshes, and the reasons.
-void test_reports()
+// One cell that is the whole sphere; two cells with a closed edge.
+void test_too_few_cells_on_a_sphere()
 {
+  const Mesh sphere = to_face_graph(icosphere(2));
+  Mesh output;
+  Geodesics::Geodesic_dual_report r = Geodesics::geodesic_remeshing(sphere, 1, output);
+  CHECK(!r.is_manifold());
+  CHECK(r.cells_that_are_not_disks == std::vector<std::size_t>{0});
+  r = Geodesics::geodesic_remeshing(sphere, 2, output);
+  CHECK(!r.is_manifold());
+  CHECK(r.cells_that_are_not_disks.empty());
+  CHECK((r.pairs_without_triangle == Pairs{{0, 1}}));
+  CHECK_EQUAL(r.cells_without_triangle.size(), std::size_t(2));
+  CHECK_EQUAL(num_vertices(output), std::size_t(0));
+}
+
+// Three cells on a thin torus are rings.
+void test_ring_cells()
+{
+  const Mesh ring = to_face_graph(torus(1., .2, 36, 9));
+  Voronoi voronoi(ring);
+  for(std::size_t i = 0; i < 3; ++i)
+    voronoi.add_site(vertex_descriptor(static_cast<Mesh::size_type>(num_vertices(ring) / 3 * i)));
+  const Geodesics::Geodesic_dual_report r = Geodesics::check_geodesic_dual(voronoi);
+  CHECK(!r.is_manifold());
+  CHECK_EQUAL(r.cells_that_are_not_disks.size(), std::size_t(3));
+}
+
+vertex_descriptor nearest_vertex(const Mesh& mesh, const Kernel::Point_3& p)
+{
+  return *std::min_element(vertices(mesh).begin(), vertices(mesh).end(), [&](auto a, auto b)
+  { return CGAL::squared_distance(mesh.point(a), p) < CGAL::squared_distance(mesh.point(b), p); });
+}
+
+// Three sites on the equator of a sphere: the same three cells meet at two vertices. With one more site at a pole, the
+// dual is a tetrahedron.
+void test_sites_on_the_equator()
+{
+  const Mesh sphere = to_face_graph(noisy_sphere(3, .01, 7));
+  Voronoi voronoi(sphere);
+  for(std::size_t i = 0; i < 3; ++i)
   {
-    const Mesh sphere = to_face_graph(icosphere(2));
-    Mesh output;
-    // one cell, all of the sphere; two, with a closed edge
-    Geodesics::Geodesic_dual_report r = Geodesics::geodesic_remeshing(sphere, 1, output);
-    CHECK(!r.is_manifold());
-    CHECK(r.cells_that_are_not_disks == std::vector<std::size_t>{0});
-    r = Geodesics::geodesic_remeshing(sphere, 2, output);
-    CHECK(!r.is_manifold());
-    CHECK(r.cells_that_are_not_disks.empty());
-    CHECK((r.pairs_without_triangle == Pairs{{0, 1}}));
-    CHECK_EQUAL(r.cells_without_triangle.size(), std::size_t(2));
-    CHECK_EQUAL(num_vertices(output), std::size_t(0));
+    const double angle = 2 * pi * static_cast<double>(i) / 3;
+    voronoi.add_site(nearest_vertex(sphere, Kernel::Point_3(std::cos(angle), std::sin(angle), 0)));
   }
-  {
-    // a torus with three cells: rings
-    const Mesh ring = to_face_graph(torus(1., .2, 36, 9));
-    Voronoi voronoi(ring);
-    for(std::size_t i = 0; i < 3; ++i)
-      voronoi.add_site(vertex_descriptor(static_cast<Mesh::size_type>(num_vertices(ring) / 3 * i)));
-    const Geodesics::Geodesic_dual_report r = Geodesics::check_geodesic_dual(voronoi);
-    CHECK(!r.is_manifold());
-    CHECK_EQUAL(r.cells_that_are_not_disks.size(), std::size_t(3));
-  }
-  {
-    // three sites on the equator of a sphere: two vertices of the same three cells
-    const Mesh sphere = to_face_graph(noisy_sphere(3, .01, 7));
-    Voronoi voronoi(sphere);
-    std::array<vertex_descriptor, 3> best;
-    for(std::size_t i = 0; i < 3; ++i)
+  const Geodesics::Geodesic_dual_report r = Geodesics::check_geodesic_dual(voronoi);
+  CHECK(!r.is_manifold());
+  CHECK_EQUAL(r.triples_with_several_vertices.size(), std::size_t(1));
+  CHECK(r.cells_that_are_not_disks.empty());
+  voronoi.add_site(nearest_vertex(sphere, Kernel::Point_3(0, 0, 1)));
+  Mesh output;
+  CHECK(Geodesics::geodesic_dual_mesh(voronoi, output).is_manifold());
+  CHECK_EQUAL(num_faces(output), std::size_t(4));
+}
+
+// Sites along a strip: edges run from border to border, and the cell in the middle has two parts of boundary.
+void test_sites_along_a_strip()
+{
+  const Mesh mesh = to_face_graph(flat_patch(30, 2, 0., false, 1));
+  Voronoi voronoi(mesh);
+  for(const double x : {.1, .5, .9})
+    voronoi.add_site(*std::min_element(vertices(mesh).begin(), vertices(mesh).end(), [&](auto a, auto b)
     {
-      const double angle = 2 * pi * static_cast<double>(i) / 3;
-      const Kernel::Point_3 p(std::cos(angle), std::sin(angle), 0);
-      best[i] = *std::min_element(vertices(sphere).begin(), vertices(sphere).end(), [&](auto a, auto b)
-      { return CGAL::squared_distance(sphere.point(a), p) < CGAL::squared_distance(sphere.point(b), p); });
-    }
-    voronoi.add_sites(best);
-    const Geodesics::Geodesic_dual_report r = Geodesics::check_geodesic_dual(voronoi);
-    CHECK(!r.is_manifold());
-    CHECK_EQUAL(r.triples_with_several_vertices.size(), std::size_t(1));
-    CHECK(r.cells_that_are_not_disks.empty());
-    // one more at a pole: a tetrahedron
-    const Kernel::Point_3 pole(0, 0, 1), other(0, 0, -1);
-    voronoi.add_site(*std::min_element(vertices(sphere).begin(), vertices(sphere).end(), [&](auto a, auto b)
-    { return CGAL::squared_distance(sphere.point(a), pole) < CGAL::squared_distance(sphere.point(b), pole); }));
-    Mesh output;
-    CHECK(Geodesics::geodesic_dual_mesh(voronoi, output).is_manifold());
-    CHECK_EQUAL(num_faces(output), std::size_t(4));
-  }
-  {
-    // sites along a strip: edges from border to border, two parts of boundary for the cells between
-    const Mesh mesh = to_face_graph(flat_patch(30, 2, 0., false, 1));
-    Voronoi voronoi(mesh);
-    for(const double x : {.1, .5, .9})
-      voronoi.add_site(*std::min_element(vertices(mesh).begin(), vertices(mesh).end(), [&](auto a, auto b)
-      {
-        const double width = 30;
-        return std::abs(mesh.point(a).x() - width * x) + mesh.point(a).y()
-             < std::abs(mesh.point(b).x() - width * x) + mesh.point(b).y();
-      }));
-    const Geodesics::Geodesic_dual_report r = Geodesics::check_geodesic_dual(voronoi);
-    CHECK(!r.is_manifold());
-    CHECK((r.pairs_without_triangle == Pairs{{0, 1}, {1, 2}}));
-    CHECK(r.cells_with_several_boundaries == std::vector<std::size_t>{1});
-  }
+      const double width = 30;
+      return std::abs(mesh.point(a).x() - width * x) + mesh.point(a).y()
+           < std::abs(mesh.point(b).x() - width * x) + mesh.point(b).y();
+    }));
+  const Geodesics::Geodesic_dual_report r = Geodesics::check_geodesic_dual(voronoi);
+  CHECK(!r.is_manifold());
+  CHECK((r.pairs_without_triangle == Pairs{{0, 1}, {1, 2}}));
+  CHECK(r.cells_with_several_boundaries == std::vector<std::size_t>{1});
 }
 
 // Without an iteration, sites stay as they are, and are not even looked at.
@@ -214,7 +216,10 @@ void test_isolated_site()
 int main()
 {
   const std::uint64_t seed = test_support::announce_seed(20260402);
-  test_reports();
+  test_too_few_cells_on_a_sphere();
+  test_ring_cells();
+  test_sites_on_the_equator();
+  test_sites_along_a_strip();
   test_no_iterations();
   test_isolated_site();
   test_relaxation(seed);

@@ -266,7 +266,7 @@ void a_minimal_visitor_is_enough(const Mesh& tm, test_support::Random& random)
   CHECK(visitor.number_of_questions > asked);
 }
 
-void a_cancelled_run_writes_nothing(const Mesh& tm, test_support::Random& random)
+void a_canceled_run_writes_nothing(const Mesh& tm, test_support::Random& random)
 {
   test_support::Scope scope("cancel");
   const vertex_descriptor s = random_vertex(tm, random);
@@ -464,7 +464,7 @@ int main()
     targets_and_radius_work_together(tm, random);
     the_visitor_follows_the_progress(tm, random);
     a_minimal_visitor_is_enough(tm, random);
-    a_cancelled_run_writes_nothing(tm, random);
+    a_canceled_run_writes_nothing(tm, random);
     statistics_are_consistent(tm, random);
     a_beaten_source_owns_nothing(tm, random);
   }

@@ -171,7 +171,7 @@ void check_mesh(const Indexed_mesh& indexed, test_support::Random& random)
   check_task(mesh, task);
 }
 
-// A run that is cancelled or ends by an exception does not influence the next one.
+// A run that is canceled or ends by an exception does not influence the next one.
 void runs_that_are_broken_off(std::uint64_t seed)
 {
   test_support::Scope scope("broken off");

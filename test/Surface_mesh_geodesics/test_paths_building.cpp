@@ -458,9 +458,9 @@ void other_edge_lengths_replace_the_first_ones()
   CHECK_CLOSE(ask(by_lengths, Place(vertex(3))).distance, 2. * ask(by_points, Place(vertex(3))).distance, 1e-13);
 }
 
-// --- progress and cancelling ---
+// --- progress and canceling ---
 
-struct Cancelling_visitor : CGAL::Surface_mesh_geodesics::Geodesic_default_visitor
+struct Canceling_visitor : CGAL::Surface_mesh_geodesics::Geodesic_default_visitor
 {
   std::size_t steps_left = 0;
   std::size_t begins = 0, ends = 0, vertices_announced = 0;
@@ -480,9 +480,9 @@ struct Cancelling_visitor : CGAL::Surface_mesh_geodesics::Geodesic_default_visit
   void on_propagation_end() { ++ends; }
 };
 
-void building_can_be_cancelled()
+void building_can_be_canceled()
 {
-  test_support::Scope scope("cancelling");
+  test_support::Scope scope("canceling");
   const Mesh tm = to_face_graph(noisy_sphere(3, .05, 5));
   Geodesic_paths expected(tm);
   expected.add_source_point(vertex(0));
@@ -490,17 +490,17 @@ void building_can_be_cancelled()
   Geodesic_paths paths(tm);
   const auto first = paths.add_source_point(vertex(0));
   paths.add_source_point(face(77), {.2, .3, .5});
-  bool was_cancelled = false, was_complete = false;
+  bool was_canceled = false, was_complete = false;
   for(std::size_t steps = 0; steps < 100000; steps = 3 * steps + 1)
   {
     for(const bool for_faces : {false, true})
     {
       paths.remove_source_point(paths.add_source_point(vertex(5))); // it has to be built again
-      Cancelling_visitor visitor;
+      Canceling_visitor visitor;
       visitor.steps_left = steps;
       const bool is_complete =
         for_faces ? paths.build_sequence_tree_for_faces(visitor) : paths.build_sequence_tree(visitor);
-      was_cancelled = was_cancelled || !is_complete;
+      was_canceled = was_canceled || !is_complete;
       was_complete = was_complete || is_complete;
       CHECK_EQUAL(visitor.begins, 1u);
       CHECK_EQUAL(visitor.ends, 1u);
@@ -522,8 +522,8 @@ void building_can_be_cancelled()
       }
     }
   }
-  CHECK(was_cancelled && was_complete);
-  Cancelling_visitor visitor; // nothing to do
+  CHECK(was_canceled && was_complete);
+  Canceling_visitor visitor; // nothing to do
   CHECK(paths.build_sequence_tree_for_faces(visitor));
   CHECK_EQUAL(visitor.begins, 0u);
   CHECK(paths.statistics().vertices_visited > 0);
@@ -532,20 +532,20 @@ void building_can_be_cancelled()
 }
 
 // The distances of vertices stay if a visitor ends the build that adds the windows.
-void cancelling_the_second_stage_keeps_the_first()
+void canceling_the_second_stage_keeps_the_first()
 {
-  test_support::Scope scope("cancelling the second stage");
+  test_support::Scope scope("canceling the second stage");
   const Mesh tm = to_face_graph(noisy_sphere(3, .05, 5));
   Geodesic_paths paths(tm);
   paths.add_source_point(vertex(0));
   const double distance = paths.shortest_distance_to_source_points(vertex(3)).first;
-  Cancelling_visitor cancelling;
-  CHECK(!paths.build_sequence_tree_for_faces(cancelling));
+  Canceling_visitor canceling;
+  CHECK(!paths.build_sequence_tree_for_faces(canceling));
   CHECK(!paths.changed_since_last_build());
   const std::size_t visits = paths.statistics().vertices_visited;
   CHECK_EQUAL(paths.shortest_distance_to_source_points(vertex(3)).first, distance);
   CHECK_EQUAL(paths.statistics().vertices_visited, visits); // the query has not propagated
-  Cancelling_visitor visitor; // the first stage is ready
+  Canceling_visitor visitor; // the first stage is ready
   CHECK(paths.build_sequence_tree(visitor));
   CHECK_EQUAL(visitor.begins, 0u);
   Geodesic_paths expected(tm);
@@ -594,8 +594,8 @@ int main()
   clear_takes_the_mesh_as_it_is();
   edge_lengths_replace_points();
   other_edge_lengths_replace_the_first_ones();
-  building_can_be_cancelled();
-  cancelling_the_second_stage_keeps_the_first();
+  building_can_be_canceled();
+  canceling_the_second_stage_keeps_the_first();
   visitors_may_throw();
   return test_result();
 }

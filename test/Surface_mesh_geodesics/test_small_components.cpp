@@ -28,7 +28,8 @@ Indexed_mesh large_component()
 }
 
 // The small component comes first, or last.
-void a_small_component_has_the_answers_it_has_alone(const Indexed_mesh& small, double unit, bool is_first, test_support::Random& random)
+void a_small_component_has_the_answers_it_has_alone(const Indexed_mesh& small, double unit, bool is_first,
+                                                    test_support::Random& random)
 {
   test_support::Scope scope(small.name + " in the unit " + std::to_string(std::log10(unit)));
   const Indexed_mesh part = scaled(small, unit), large = large_component();

@@ -96,7 +96,7 @@ std::vector<std::size_t> stops(std::size_t number)
   return result;
 }
 
-void sampling_is_cancelled(const Mesh& mesh)
+void sampling_is_canceled(const Mesh& mesh)
 {
   test_support::Scope scope("sampling");
   const std::size_t n = 12;
@@ -130,7 +130,7 @@ void sampling_is_cancelled(const Mesh& mesh)
   }
 }
 
-void diagram_is_cancelled(const Mesh& mesh, const Vertices& sites)
+void diagram_is_canceled(const Mesh& mesh, const Vertices& sites)
 {
   test_support::Scope scope("diagram");
   Voronoi right(mesh);
@@ -202,7 +202,7 @@ void diagram_survives_exceptions(const Mesh& mesh, const Vertices& sites)
   CHECK_EQUAL(voronoi.area(0), right.area(0));
 }
 
-void relaxation_is_cancelled(const Mesh& mesh, const Vertices& sites)
+void relaxation_is_canceled(const Mesh& mesh, const Vertices& sites)
 {
   test_support::Scope scope("relaxation");
   const std::size_t n = 3;
@@ -229,7 +229,7 @@ void relaxation_is_cancelled(const Mesh& mesh, const Vertices& sites)
   }
 }
 
-void remeshing_is_cancelled(const Mesh& mesh)
+void remeshing_is_canceled(const Mesh& mesh)
 {
   test_support::Scope scope("remeshing");
   const std::size_t n = 20;
@@ -243,8 +243,8 @@ void remeshing_is_cancelled(const Mesh& mesh)
   {
     Counting_visitor visitor(stop);
     Mesh nothing;
-    const auto np_cancelled = CGAL::parameters::visitor(std::ref(visitor)).number_of_iterations(2);
-    CHECK(!Geodesics::geodesic_remeshing(mesh, n, nothing, np_cancelled).is_manifold());
+    const auto np_canceled = CGAL::parameters::visitor(std::ref(visitor)).number_of_iterations(2);
+    CHECK(!Geodesics::geodesic_remeshing(mesh, n, nothing, np_canceled).is_manifold());
     CHECK(visitor.has_stopped); // and is not asked again: see go_further()
     CHECK_EQUAL(num_vertices(nothing), 0u);
   }
@@ -260,10 +260,10 @@ int main()
   {
     sites.push_back(*std::next(vertices(mesh).begin(), 3 * i));
   }
-  sampling_is_cancelled(mesh);
-  diagram_is_cancelled(mesh, sites);
+  sampling_is_canceled(mesh);
+  diagram_is_canceled(mesh, sites);
   diagram_survives_exceptions(mesh, sites);
-  relaxation_is_cancelled(mesh, sites);
-  remeshing_is_cancelled(mesh);
+  relaxation_is_canceled(mesh, sites);
+  remeshing_is_canceled(mesh);
   return test_result();
 }

@@ -72,7 +72,7 @@ struct Geodesic_distance_options
   /// is invalid.
   NearestSourceMap nearest_source_map = NearestSourceMap();
 
-  /// if not null, the computation <em>adds</em> its counts to `*statistics`, also if the visitor cancelled it. The
+  /// if not null, the computation <em>adds</em> its counts to `*statistics`, also if the visitor canceled it. The
   /// object is not owned. Computations that run at the same time must not share one.
   Propagation_statistics* statistics = nullptr;
 };

@@ -209,7 +209,7 @@ public:
   /// \param options the options
   /// \param visitor follows the progress. What it throws is passed on; no vertex has been reached then.
   ///
-  /// \return `true`, or `false` if the visitor cancelled: no vertex has been reached then
+  /// \return `true`, or `false` if the visitor canceled: no vertex has been reached then
   ///
   /// \throws Invalid_geodesic_input for a source, a target or a number that `geodesic_distances()` refuses. The
   ///         results of the computation before are unchanged then.

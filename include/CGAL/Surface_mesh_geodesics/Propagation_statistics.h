@@ -31,7 +31,7 @@ The class `Propagation_statistics` counts the work of one propagation or of seve
 - `Surface_mesh_geodesic_paths::statistics()` and `Surface_mesh_geodesic_Voronoi_diagram::statistics()` return those of
   the last propagation alone.
 
-A propagation that a visitor cancelled counts up to that point. One that an exception ended does not count.
+A propagation that a visitor canceled counts up to that point. One that an exception ended does not count.
 
 \sa `Geodesic_distance_options`
 */

@@ -333,7 +333,7 @@ public:
   ///
   /// \tparam Visitor a model of `GeodesicPropagationVisitor`
   /// \param visitor is called if there is anything to compute
-  /// \return `false` if the visitor cancelled
+  /// \return `false` if the visitor canceled
   /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the mesh or a source point is invalid; what the visitor
   ///         throws is passed on
   template <typename Visitor>
@@ -353,7 +353,7 @@ public:
   ///
   /// \tparam Visitor a model of `GeodesicPropagationVisitor`
   /// \param visitor is called if there is anything to compute
-  /// \return `false` if the visitor cancelled
+  /// \return `false` if the visitor canceled
   /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the mesh or a source point is invalid; what the visitor
   ///         throws is passed on
   template <typename Visitor>
@@ -408,7 +408,7 @@ public:
   /// \name Statistics
   /// @{
 
-  /// returns what the last propagation did, including that of a build which a visitor cancelled; zeros if there was
+  /// returns what the last propagation did, including that of a build which a visitor canceled; zeros if there was
   /// none since construction or `clear()`. Takes constant time. Waits while a query in another thread computes. Must
   /// not run during a build function.
   Surface_mesh_geodesics::Propagation_statistics statistics() const { return m_structure.statistics(); }

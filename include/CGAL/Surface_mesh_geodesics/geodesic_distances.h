@@ -105,7 +105,7 @@ those of `Polyhedron_items_with_id_3`) must be set before, as the first call wou
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return `true`, or `false` if the visitor cancelled the computation; the map is unchanged then.
+\return `true`, or `false` if the visitor canceled the computation; the map is unchanged then.
 
 \throws Invalid_geodesic_input if a face is not a triangle or has a vertex twice, if two faces disagree about the ends
         of their edge, if a coordinate is not finite or the extent of the points exceeds \f$ 2^{960} \f$, if one of
@@ -149,7 +149,7 @@ computations.
 \param options the options
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among those of the function above
 
-\return `true`, or `false` if the visitor cancelled the computation; only the statistics have changed then.
+\return `true`, or `false` if the visitor canceled the computation; only the statistics have changed then.
 
 \throws Invalid_geodesic_input also if a target is not a vertex of `tm`, if the radius is negative or not a number, if
         an offset is negative or not finite, or if there is not one offset for each source
@@ -193,7 +193,7 @@ surface need not be embedded in space. Complexity and thread safety are those of
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among those of
        `geodesic_distances()`, except `vertex_point_map`, which is not used
 
-\return `true`, or `false` if the visitor cancelled the computation; only the statistics have changed then.
+\return `true`, or `false` if the visitor canceled the computation; only the statistics have changed then.
 
 \throws Invalid_geodesic_input also if a length is negative or not finite, or if a face violates the
         triangle inequality by more than \f$ 64 \epsilon \approx 1.4 \cdot 10^{-14} \f$ of its longest
@@ -235,7 +235,7 @@ options. All else is as for the function above.
 \param sources the source or sources, as for `geodesic_distances()`
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters", as above
 
-\return `true`, or `false` if the visitor cancelled the computation; the map is unchanged then.
+\return `true`, or `false` if the visitor canceled the computation; the map is unchanged then.
 
 \throws Invalid_geodesic_input as above
 */

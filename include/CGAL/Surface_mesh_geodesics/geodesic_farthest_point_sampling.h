@@ -115,7 +115,7 @@ call writes to an output of its own; see `geodesic_distances()`.
 \cgalNamedParamsEnd
 
 \return the covering radius: the largest distance of a vertex from its nearest sample, in the unit of the mesh. It is
-        infinite if no sample reaches some vertex that has a face. If the visitor cancelled a propagation, the function
+        infinite if no sample reaches some vertex that has a face. If the visitor canceled a propagation, the function
         returns the radius of the samples before that one, infinity if it was the first.
 
 \throws Invalid_geodesic_input if the mesh is invalid, as for `geodesic_distances()`, if a vertex in the options is not

@@ -11,7 +11,7 @@
 #define CGAL_LICENSE_SURFACE_MESH_GEODESICS_H
 
 // Every public header of the package includes this file first. It is silent unless the user defines one of CGAL's two
-// macros that ask for the licence of each package in use. There is no other licence than the GPL for this package, so,
+// macros that ask for the license of each package in use. There is no other license than the GPL for this package, so,
 // unlike in CGAL's own files of this kind, no macro states that a commercial one was bought.
 
 #include <CGAL/config.h>

@@ -11,12 +11,12 @@ is_silent voronoi "$grid" --site 0,15 -o voronoi.html # the other way to ask for
 for page in distances path voronoi; do
   equals "$(line $page.html 1)" "<!DOCTYPE html>"
   equals "$(tail -n 1 $page.html)" "</html>"
-  # complete in itself, with the licence of what is in it
+  # complete in itself, with the license of what is in it
   equals "$(grep -c -i -E '<(script|img|iframe)[^>]+src=|<link|@import' $page.html)" 0
   contains $page.html "three.js authors"
   contains $page.html "Permission is hereby granted, free of charge"
   contains $page.html "The above copyright notice and this permission notice shall be included"
-  equals "$(grep -c '@TITLE@\|@DATA@\|@SCRIPT@\|@THREE@\|@LICENCE@' $page.html)" 0
+  equals "$(grep -c '@TITLE@\|@DATA@\|@SCRIPT@\|@THREE@\|@LICENSE@' $page.html)" 0
 done
 
 # The colors of cells are those in PLY files.

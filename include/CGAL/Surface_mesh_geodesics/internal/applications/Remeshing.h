@@ -38,12 +38,12 @@ Report remesh(const TriangleMesh& tm, std::size_t number_of_iterations, OutputMe
   Visitor_of_several_runs<Visitor> visitor(users_visitor);
   std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> sites;
   sample(std::back_inserter(sites), np.visitor(std::ref(visitor)));
-  if(visitor.is_cancelled())
+  if(visitor.is_canceled())
     return Report();
   relax_sites<Diagram>(tm, sites, number_of_iterations, visitor, np);
   auto diagram = make_vertex_site_diagram<Diagram>(tm, np);
   diagram.set_sites(sites);
-  if(visitor.is_cancelled() || !diagram.diagram().build(visitor))
+  if(visitor.is_canceled() || !diagram.diagram().build(visitor))
     return Report();
   return add_dual_mesh<Report>(diagram.diagram(), output);
 }

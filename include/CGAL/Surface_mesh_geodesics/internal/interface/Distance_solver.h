@@ -78,7 +78,7 @@ public:
 
   const Surface& surface() const { return m_surface; }
 
-  // Propagates from the sources. Returns false if the visitor cancelled: no vertex has been reached then. Throws
+  // Propagates from the sources. Returns false if the visitor canceled: no vertex has been reached then. Throws
   // Invalid_geodesic_input, before anything changes, if a source, a target or a number is invalid.
   template <typename Sources, typename Options, typename Visitor>
   bool run(const Sources& sources, const Options& options, Visitor& visitor)

@@ -34,7 +34,7 @@ bool run_with_visitor(Visitor& visitor, std::size_t number_of_vertices, Run run)
   return is_complete;
 }
 
-// The visitor of a function that propagates several times. Once the user's visitor has cancelled, go_further() returns
+// The visitor of a function that propagates several times. Once the user's visitor has canceled, go_further() returns
 // false without asking it again.
 template <typename Visitor>
 class Visitor_of_several_runs
@@ -48,15 +48,15 @@ public:
 
   bool go_further()
   {
-    m_is_cancelled = m_is_cancelled || !m_visitor.go_further();
-    return !m_is_cancelled;
+    m_is_canceled = m_is_canceled || !m_visitor.go_further();
+    return !m_is_canceled;
   }
 
-  bool is_cancelled() const { return m_is_cancelled; }
+  bool is_canceled() const { return m_is_canceled; }
 
 private:
   Visitor& m_visitor;
-  bool m_is_cancelled = false;
+  bool m_is_canceled = false;
 };
 
 } // namespace internal

@@ -88,12 +88,13 @@ struct Tolerance
     return e * e;
   }
 
-  // Of the longest side, where the user gives lengths: a face with a smaller height is so flat that the square of its
-  // angles, by which paths differ, is lost in the rounding of doubles (the square root of input_roundoff(), times four).
+  // Of the longest side, where the user gives lengths: in a face with a smaller height h, |e| / h bounds paths by millions
+  // of crossed faces for each edge e, which no computation reaches in practice, and the square of this ratio, below 2^-48,
+  // is near the rounding of double.
   static constexpr double lost_face() { return 0x1p-24; }
 
-  // Of the longest side: a face with a larger height counts where a bound on the number of crossed faces ignores the
-  // thin faces. Between 1 and lost_face(), at their geometric mean.
+  // Of the longest side: if a mesh has lost faces, only faces with a larger height count for the bound, which is then a few
+  // thousand faces for each edge. The geometric mean of lost_face() and 1.
   static constexpr double thick_face() { return 0x1p-12; }
 
   // --- Windows: window/ and propagation/ -----------------------------------------------------------------------------
@@ -154,15 +155,11 @@ struct Tolerance
   // across about a thousand faces.
   static FT path() { return 4096 * unit_roundoff(); }
 
-  // Of path(): the search for a path begins with this part of it, as most paths are more exact, and ends with its
-  // inverse.
-  static FT first_search() { return FT(1) / 64; }
-
   // Of the length of an edge: how exactly the crossings of isolines are found.
   static FT isoline() { return 4096 * unit_roundoff(); }
 
-  // Of the length of an edge: two crossings of one isoline that are nearer to each other may be missed. The distance
-  // along an edge is sampled at this width at most.
+  // Of the length of an edge: two crossings of one isoline that are nearer to each other may be missed. Halving down to here
+  // takes 14 steps where the isoline comes near an edge without crossing it; the manual promises 1e-4.
   static FT isoline_touching() { return FT(1) / 16384; }
 
   // --- Diagrams: Voronoi/ and the bisectors in numeric/ --------------------------------------------------------------

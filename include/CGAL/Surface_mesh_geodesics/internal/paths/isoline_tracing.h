@@ -142,10 +142,6 @@ private:
     return distance_at(face_of(h), b);
   }
 
-  // Relative to the length of an edge: two crossings that are nearer to each other may be missed. Halving down to here
-  // takes 14 steps where the line comes near to an edge without crossing it; the manual promises 1e-4.
-  static FT touching_width() { return FT(1) / 16384; }
-
   // Appends the crossings between the positions s < t of h, in order. Their distances are ds and dt.
   // The recursion halves t - s, so it ends after -log2(resolution) steps, 41 for doubles.
   void find_crossings(Halfedge_id h, const FT& value, const FT& s, const FT& ds, const FT& t, const FT& dt)
@@ -155,7 +151,7 @@ private:
       return;
     const FT middle = (s + t) / 2;
     const bool is_crossed = (ds < value) != (dt < value);
-    if(t - s <= (is_crossed ? m_resolution : touching_width()))
+    if(t - s <= (is_crossed ? m_resolution : Tolerance<FT>::isoline_touching()))
     {
       if(is_crossed)
         m_points.push_back(Point{h, ds == value ? s : dt == value ? t : middle});

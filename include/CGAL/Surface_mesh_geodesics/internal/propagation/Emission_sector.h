@@ -150,7 +150,7 @@ private:
     if(!(piece > 0))
       return 1;
     const FT rounding = Tolerance<FT>::distance() * star.distance;
-    return 4 * sqrt(FT(rounding / piece)) + 8 * Tolerance<FT>::angle();
+    return 4 * sqrt(FT(rounding / piece)) + Tolerance<FT>::direction();
   }
 
   const Mesh& m_mesh;

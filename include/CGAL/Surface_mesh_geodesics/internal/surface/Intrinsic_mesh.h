@@ -233,8 +233,8 @@ public:
   }
 
   // Lets shortest paths cross faces more than once; see most_faces_crossed(). If some face is flatter than
-  // ratio_of_lost_face, no bound from its height would end the computation in practice; the bound then ignores faces
-  // that are flatter than ratio_of_thick_face.
+  // Tolerance::lost_face(), no bound from its height would end the computation in practice; the bound then ignores faces
+  // that are flatter than Tolerance::thick_face().
   void bound_faces_crossed_by_lengths()
   {
     double height = std::numeric_limits<double>::infinity(), height_of_thick = height, sum = 0;
@@ -243,9 +243,9 @@ public:
     {
       const double longest = static_cast<double>(longest_side(f));
       const double least_height = longest > 0 ? static_cast<double>(FT(f.apex_y * f.length[0])) / longest : 0.;
-      is_lost = is_lost || !(least_height > ratio_of_lost_face * longest);
+      is_lost = is_lost || !(least_height > Tolerance<FT>::lost_face() * longest);
       height = (std::min)(height, least_height);
-      if(least_height > ratio_of_thick_face * longest)
+      if(least_height > Tolerance<FT>::thick_face() * longest)
         height_of_thick = (std::min)(height_of_thick, least_height);
       sum += static_cast<double>(FT(f.length[0] + f.length[1] + f.length[2]));
     }
@@ -420,11 +420,6 @@ private:
         = static_cast<std::size_t>((std::min)(parts * m_faces_crossed_by_lengths, largest_faces_crossed));
     }
   }
-
-  // Ratios of the least height of a face to its longest side. Below 2^-24, |e|/h bounds paths by millions of faces for
-  // each edge, which no computation reaches in practice, and the square of the ratio, below 2^-48, is near the rounding
-  // of double. 2^-12 is the geometric mean of that ratio and 1: the bound is then a few thousand faces for each edge.
-  static constexpr double ratio_of_lost_face = 0x1p-24, ratio_of_thick_face = 0x1p-12;
 
   static constexpr double largest_faces_crossed = 1 << 30; // windows count faces in 31 bits
 

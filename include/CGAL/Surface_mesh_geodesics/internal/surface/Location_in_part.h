@@ -36,8 +36,8 @@ class Location_in_part
 public:
   using Barycentric = std::array<FT, 3>;
 
-  // Measures from a corner of the shortest side and leaves out the largest coordinate of that corner. If two corners are
-  // very near to each other, differences of the other coordinates are accurate relative to the distance of the two.
+  // Measures from a corner of the shortest side and leaves out the largest coordinate of that corner. If two corners
+  // are very near to each other, differences of the other coordinates are accurate relative to their distance.
   Location_in_part(const std::array<Barycentric, 3>& corner, const Barycentric& point)
   {
     using std::abs;

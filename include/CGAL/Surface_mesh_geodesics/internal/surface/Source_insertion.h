@@ -240,8 +240,8 @@ private:
     mark_near_vertices(v);
   }
 
-  // Makes pseudo-sources of the vertices around a source. Paths that graze them run through a gap between the windows on
-  // both sides, whose directions err by the rounding of the edges around, relative to the distance of the source. A
+  // Makes pseudo-sources of the vertices around a source. Paths that graze them run through a gap between the windows
+  // on both sides, whose directions err by the rounding of the edges around, relative to the distance of the source. A
   // source very near to a vertex makes both degenerate, as an edge of the mesh with that length would.
   void mark_near_vertices(Vertex_id v)
   {

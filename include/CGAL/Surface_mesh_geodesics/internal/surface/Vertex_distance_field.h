@@ -10,8 +10,8 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_VERTEX_DISTANCE_FIELD_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_VERTEX_DISTANCE_FIELD_H
 
-// The result of a propagation at the vertices: the distance, and how the shortest path arrives. A path to a vertex can be
-// traced back from that; no windows are needed.
+// The result of a propagation at the vertices: the distance, and how the shortest path arrives. A path to a vertex can
+// be traced back from that; no windows are needed.
 //
 // The field lists the vertices that have been reached. The results of a propagation that ended early can so be read,
 // and removed, in time proportional to the area that it reached.
@@ -26,8 +26,8 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// The last straight piece of the shortest path to a vertex: it comes from the vertex `root`, crosses `halfedge`, which is
-// opposite to the vertex in a face, at `abscissa` (measured from the source of the halfedge), and enters the vertex
+// The last straight piece of the shortest path to a vertex: it comes from the vertex `root`, crosses `halfedge`, which
+// is opposite to the vertex in a face, at `abscissa` (measured from the source of the halfedge), and enters the vertex
 // through that face. For a source, `halfedge` is null_id and `root` is the vertex itself.
 template <typename FT>
 struct Vertex_arrival
@@ -95,8 +95,8 @@ struct Vertex_distance_field
     return arrival[v].root == v && arrival[v].halfedge == null_id;
   }
 
-  // Returns the vertex of the source from which the shortest path to v comes, or null_id if v is not reached. Takes time
-  // linear in the number of vertices where the path bends.
+  // Returns the vertex of the source from which the shortest path to v comes, or null_id if v is not reached. Takes
+  // time linear in the number of vertices where the path bends.
   Vertex_id source_of(Vertex_id v) const
   {
     while(arrival[v].root != null_id && arrival[v].root != v)
