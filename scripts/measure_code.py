@@ -49,6 +49,7 @@ LIMITS = {
     "lines of a function in test/": 60,
     "90th percentile of the lines of a function in include/": 20,
     "lines of a file outside test/": 600,
+    "columns of a line": 120,
     "percent of comments in a public header": 40,
     "rooms": 8,
     "percent of include/ in one room": 30,
@@ -62,6 +63,7 @@ EXPENSIVE_ASSERTION = re.compile(r"CGAL_expensive(st)?_(assertion|precondition|p
 class File:
     name: str
     outline: object
+    line_lengths: list
 
     @property
     def part(self):
@@ -86,6 +88,10 @@ def percent(part, whole):
     return 100.0 * part / whole if whole else 0.0
 
 
+def file_of(name, text):
+    return File(name, outline(text), [len(line) for line in text.splitlines()])
+
+
 def read_files(root):
     """The C++ files of the package below `root`."""
     files = []
@@ -94,7 +100,7 @@ def read_files(root):
             if path.suffix in (".h", ".cpp") and path.is_file():
                 name = path.relative_to(root).as_posix()
                 try:
-                    files.append(File(name, outline(path.read_text(encoding="utf-8"))))
+                    files.append(file_of(name, path.read_text(encoding="utf-8")))
                 except ValueError as error:
                     raise SystemExit(f"{name}: {error}") from error
     return files
@@ -249,6 +255,13 @@ def complaints_about_files(files):
     return complaints
 
 
+def complaints_about_lines(files):
+    limit = LIMITS["columns of a line"]
+    return [
+        f"{file.name}:{number}: {length} columns, at most {limit} are allowed"
+        for file in files for number, length in enumerate(file.line_lengths, 1) if length > limit]
+
+
 def complaints_about_rooms(files):
     complaints = []
     figures = figures_of(files)
@@ -264,7 +277,8 @@ def complaints_about_rooms(files):
 
 
 def complaints_about(files):
-    return complaints_about_functions(files) + complaints_about_files(files) + complaints_about_rooms(files)
+    return (complaints_about_functions(files) + complaints_about_files(files) + complaints_about_lines(files)
+            + complaints_about_rooms(files))
 
 
 # --- output ----------------------------------------------------------------------------------------------------------
@@ -345,7 +359,7 @@ SAMPLE_FUNCTIONS = [("Box::Box", 4), ("Box::~Box", 1), ("Box::operator()", 1), (
 
 def check_sample():
     """The figures of the sample above, counted by hand."""
-    file = File(OWN + "sample.h", outline(SAMPLE))
+    file = file_of(OWN + "sample.h", SAMPLE)
     found = {
         "functions": [(function.name, function.length) for function in file.outline.functions],
         "comment lines": file.outline.number_of_comment_lines,
@@ -384,6 +398,7 @@ FAULTS = {
     "long test": ({"test/test_x.cpp": function_of(61)}, "f has 61 lines"),
     "many long functions": ({INTERNAL + f"room_{i}/file.h": function_of(21) for i in range(3)}, "a tenth"),
     "long file": ({"benchmark/x.cpp": "int i;\n" * 601}, "601 lines"),
+    "long line": ({"demo/x.cpp": "// " + "x" * 117 + "\n// " + "x" * 118 + "\n"}, "demo/x.cpp:2: 121 columns"),
     "no documentation": ({OWN + "door.h": "// A comment.\n" * 3 + function_of(5)}, "27.3 % are comments"),
     "few rooms": ({INTERNAL + "room_0/file.h": None}, "7 rooms"),
     "large room": ({INTERNAL + "room_0/other.h": "int i;\n" * 40}, "internal/room_0: "),

@@ -380,7 +380,7 @@ MUTANTS = [
      "{x * angle.cosine - depth * angle.sine,", "{x * angle.cosine + depth * angle.sine,",
      "an image is unfolded to the wrong side", (PIECES,)),
     ("first_query_keeps_no_windows", LAZY_PATHS,
-     "m_solver.run(wanted == Extent::EVERYWHERE, go_on)", "m_solver.run(false, go_on)",
+     "m_solver.run(wanted == Stage::EVERYWHERE, go_on)", "m_solver.run(false, go_on)",
      "the first query at a point of a face finds no windows", (PATHS_BUILDING,)),
     ("removed_source_not_noticed", LAZY_PATHS,
      "    if(m_sources.remove(it))\n      set_changed();", "    m_sources.remove(it);",

@@ -232,7 +232,7 @@ void test_handles()
   check_handles<Voronoi::Edge>(diagram, other, [](const Voronoi& d) { return d.edges(); });
 }
 
-// Places that are not in the mesh are refused where there is a site; where there is none, nothing is near to them.
+// Queries refuse places that are not in the mesh, with and without sites.
 void test_absent_places()
 {
   test_support::Scope scope("absent places");
@@ -242,28 +242,25 @@ void test_absent_places()
   const std::vector<Face_location> no_locations
     = {Face_location(boost::graph_traits<Mesh>::null_face(), {1., 0., 0.}), Face_location(face(0), {2., -.5, -.5})};
   Voronoi diagram(tm);
-  for(const vertex_descriptor v : no_vertices)
+  for(const bool has_site : {false, true})
   {
-    CHECK_EQUAL(diagram.nearest_site(v), null_site);
-    CHECK_EQUAL(diagram.distance_to_nearest_site(v), -1.);
+    if(has_site)
+      diagram.add_site(vertex(0));
+    for(const vertex_descriptor v : no_vertices)
+    {
+      check_throws(Reason::INVALID_DESCRIPTOR, [&] { diagram.nearest_site(v); });
+      check_throws(Reason::INVALID_DESCRIPTOR, [&] { diagram.distance_to_nearest_site(v); });
+    }
+    for(const Face_location& l : no_locations)
+    {
+      check_throws(Reason::INVALID_LOCATION, [&] { diagram.nearest_site(l); });
+      check_throws(Reason::INVALID_LOCATION, [&] { diagram.distance_to_nearest_site(l); });
+    }
+    const Face_location inside(face(0), {.2, .3, .5});
+    CHECK_EQUAL(diagram.nearest_site(inside), has_site ? 0u : null_site);
+    CHECK_EQUAL(diagram.distance_to_nearest_site(inside) == -1., !has_site);
+    CHECK(diagram.is_built());
   }
-  for(const Face_location& l : no_locations)
-  {
-    CHECK_EQUAL(diagram.nearest_site(l), null_site);
-    CHECK_EQUAL(diagram.distance_to_nearest_site(l), -1.);
-  }
-  diagram.add_site(vertex(0));
-  for(const vertex_descriptor v : no_vertices)
-  {
-    check_throws(Reason::INVALID_DESCRIPTOR, [&] { diagram.nearest_site(v); });
-    check_throws(Reason::INVALID_DESCRIPTOR, [&] { diagram.distance_to_nearest_site(v); });
-  }
-  for(const Face_location& l : no_locations)
-  {
-    check_throws(Reason::INVALID_LOCATION, [&] { diagram.nearest_site(l); });
-    check_throws(Reason::INVALID_LOCATION, [&] { diagram.distance_to_nearest_site(l); });
-  }
-  CHECK(diagram.is_built());
 }
 
 // Parameters of arcs beyond their ends, and tolerances that are none.

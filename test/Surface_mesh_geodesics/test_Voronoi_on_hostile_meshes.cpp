@@ -1,7 +1,7 @@
 // Diagrams of weighted and of equal sites on meshes with needles, caps, nearly equal points and vertices of all scales.
 // Where sites tie, or a face has no height, up to rounding, the certificate may find a fault. The test fails if more
-// than one diagram of a thousand has a fault, and prints those that have. The number of meshes and the seed may be given
-// as arguments.
+// than one diagram of a thousand has a fault, and prints those that have. The number of meshes and the seed may be
+// given as arguments.
 
 #include "Voronoi_test_helpers.h"
 #include "hostile_meshes.h"

@@ -33,7 +33,8 @@ struct Kite
   explicit Kite(double height)
   {
     const auto vertex_at = [this](double x, double y) { return mesh.add_vertex(Mesh::Point(x, y, 0)); };
-    const vertex_descriptor a = vertex_at(0, 0), b = vertex_at(1, 0), c = vertex_at(.45, -.6), d = vertex_at(.5, height);
+    const vertex_descriptor a = vertex_at(0, 0), b = vertex_at(1, 0), c = vertex_at(.45, -.6),
+                            d = vertex_at(.5, height);
     other = mesh.add_face(a, b, d);
     crowded = mesh.add_face(b, a, c);
   }

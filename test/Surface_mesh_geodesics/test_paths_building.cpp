@@ -531,6 +531,29 @@ void building_can_be_canceled()
   CHECK_EQUAL(paths.statistics().vertices_visited, 0u);
 }
 
+// The distances of vertices stay if a visitor ends the build that adds the windows.
+void canceling_the_second_stage_keeps_the_first()
+{
+  test_support::Scope scope("canceling the second stage");
+  const Mesh tm = to_face_graph(noisy_sphere(3, .05, 5));
+  Geodesic_paths paths(tm);
+  paths.add_source_point(vertex(0));
+  const double distance = paths.shortest_distance_to_source_points(vertex(3)).first;
+  Canceling_visitor canceling;
+  CHECK(!paths.build_sequence_tree_for_faces(canceling));
+  CHECK(!paths.changed_since_last_build());
+  const std::size_t visits = paths.statistics().vertices_visited;
+  CHECK_EQUAL(paths.shortest_distance_to_source_points(vertex(3)).first, distance);
+  CHECK_EQUAL(paths.statistics().vertices_visited, visits); // the query has not propagated
+  Canceling_visitor visitor; // the first stage is ready
+  CHECK(paths.build_sequence_tree(visitor));
+  CHECK_EQUAL(visitor.begins, 0u);
+  Geodesic_paths expected(tm);
+  expected.add_source_point(vertex(0));
+  const Place query(Face_location(face(12), {.2, .3, .5}));
+  CHECK_EQUAL(ask(paths, query).distance, ask(expected, query).distance);
+}
+
 // Leaves the object valid, too.
 struct Throwing_visitor : CGAL::Surface_mesh_geodesics::Geodesic_default_visitor
 {
@@ -551,9 +574,9 @@ void visitors_may_throw()
   {
     CHECK_EQUAL(ask(paths, Place(v)).distance, ask(expected, Place(v)).distance);
   }
+  CHECK(throws<std::runtime_error>([&] { paths.build_sequence_tree_for_faces(visitor); }));
+  CHECK(!paths.changed_since_last_build()); // the vertices are still known
 }
-
-// --- further members ---
 
 } // namespace
 
@@ -572,6 +595,7 @@ int main()
   edge_lengths_replace_points();
   other_edge_lengths_replace_the_first_ones();
   building_can_be_canceled();
+  canceling_the_second_stage_keeps_the_first();
   visitors_may_throw();
   return test_result();
 }

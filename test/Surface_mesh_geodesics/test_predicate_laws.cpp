@@ -1,6 +1,6 @@
-// The laws and error bounds that stand beside the predicates of numeric/ and window/: windows at random, degenerate ones
-// among them, are compared with the definitions in a hundred digits, with their mirror images, and with themselves at
-// another scale.
+// The laws and error bounds that stand beside the predicates of numeric/ and window/: windows at random, degenerate
+// ones among them, are compared with the definitions in a hundred digits, with their mirror images, and with themselves
+// at another scale.
 
 #include "test_support.h"
 
@@ -57,7 +57,8 @@ Window random_window(test_support::Random& random)
   w.begin = static_cast<double>(random.index(32)) / 32;
   w.end = w.begin + (1 - w.begin) * static_cast<double>(1 + random.index(4)) / 4;
   w.image_x = random.index(4) == 0 ? w.begin : dyadic(random, 3) - 1;
-  w.image_depth = random.index(8) == 0 ? std::ldexp(1., -static_cast<int>(random.index(60))) : 1. / 64 + dyadic(random, 2);
+  w.image_depth = random.index(8) == 0 ? std::ldexp(1., -static_cast<int>(random.index(60)))
+                                       : 1. / 64 + dyadic(random, 2);
   w.root_distance = random.index(2) == 0 ? 0 : random.uniform(0., 2.);
   set_end_distances(w);
   return w;
@@ -129,7 +130,8 @@ void comparison_is_a_strict_order(test_support::Random& random)
   for(std::size_t i = 0; i < 20000; ++i)
   {
     const double a = random.uniform(0., 4.);
-    std::array<double, 3> d{a, a * (1 + epsilon * double(random.index(12))), a * (1 + epsilon * double(random.index(12)))};
+    std::array<double, 3> d{a, a * (1 + epsilon * double(random.index(12))),
+                            a * (1 + epsilon * double(random.index(12)))};
     for(const double x : d)
     {
       CHECK(!internal::is_clearly_less(x, x));
@@ -447,7 +449,8 @@ internal::Window<FT> window_on_edge(double length, double begin, double image_x,
   return w;
 }
 
-// A ray, which is where the window begins, runs through many triangles. The image of the window errs as Tolerance.h says.
+// A ray, which is where the window begins, runs through many triangles. The image of the window errs as Tolerance.h
+// says.
 double errors_of_images(test_support::Random& random, int flatness)
 {
   double length = 1, longest = 1, worst = 0;
@@ -456,7 +459,8 @@ double errors_of_images(test_support::Random& random, int flatness)
   internal::Window<Exact> exact = window_on_edge<Exact>(length, begin, image_x, depth);
   for(int n = 1; n <= 100; ++n)
   {
-    const double x = random.uniform(0., 1.), y = std::ldexp(random.uniform(.5, 1.), -static_cast<int>(random.index(flatness)));
+    const double x = random.uniform(0., 1.),
+                 y = std::ldexp(random.uniform(.5, 1.), -static_cast<int>(random.index(flatness)));
     const double left = length * std::hypot(x, y), right = length * std::hypot(1 - x, y);
     longest = (std::max)({longest, left, right});
     const internal::Face_frame<Exact> c = frame<Exact>(length, right, left);
@@ -516,7 +520,8 @@ void children_obey_symmetries(test_support::Random& random)
       }
       const double f = 0x1p-40;
       Frame small = c;
-      for(double* l : {&small.length, &small.apex_x, &small.apex_rest, &small.apex_y, &small.left_length, &small.right_length})
+      for(double* l : {&small.length, &small.apex_x, &small.apex_rest, &small.apex_y, &small.left_length,
+                       &small.right_length})
         *l *= f;
       const Window scaled_child = child(scaled(w, f), small, is_left);
       CHECK(scaled_child.image_x == f * found.image_x && scaled_child.image_depth == f * found.image_depth);

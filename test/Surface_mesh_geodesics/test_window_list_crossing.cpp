@@ -1,5 +1,5 @@
-// One list of windows across one face: which windows are pruned, where the shortest path to the apex runs, and how the list
-// is split there; for each number of lanes.
+// One list of windows across one face: which windows are pruned, where the shortest path to the apex runs, and how the
+// list is split there; for each number of lanes.
 
 #include "test_support.h"
 #include "window_test_helpers.h"
@@ -48,7 +48,8 @@ struct One_face
   }
 };
 
-// Windows side by side, each with an image of its own, so that none affects its neighbors. The root is the first vertex.
+// Windows side by side, each with an image of its own, so that none affects its neighbors. The root is the first
+// vertex.
 std::vector<Window> windows_side_by_side(std::size_t n, test_support::Random& random)
 {
   std::vector<Window> windows;
@@ -168,8 +169,8 @@ void windows_of_unknown_order_are_kept(Lane_choice choice)
   CHECK_EQUAL(face.statistics.ambiguous_pairs, std::size_t(1));
 }
 
-// The bent path through one of two windows of the same image is as long, up to rounding, as the straight path through the
-// other one: the straight path is found.
+// The bent path through one of two windows of the same image is as long, up to rounding, as the straight path through
+// the other one: the straight path is found.
 void the_straighter_of_two_paths_is_taken(Lane_choice choice)
 {
   One_face face(choice);
@@ -187,8 +188,8 @@ void the_straighter_of_two_paths_is_taken(Lane_choice choice)
   }
 }
 
-// The line from the image to the apex misses the interval: the shortest path bends at the nearer end of the interval, and
-// the list is split there.
+// The line from the image to the apex misses the interval: the shortest path bends at the nearer end of the interval,
+// and the list is split there.
 void paths_bend_at_the_end_of_an_interval(Lane_choice choice)
 {
   One_face face(choice);

@@ -32,8 +32,8 @@ struct Pair_by_definition
   bool is_decided; // no two distances tie up to rounding
 };
 
-// At a point K of both intervals, the left window loses its part on the right of K if it is farther there; else the right
-// window loses its part on the left of K. K is put at both ends of what the intervals share.
+// At a point K of both intervals, the left window loses its part on the right of K if it is farther there; else the
+// right window loses its part on the left of K. K is put at both ends of what the intervals share.
 Pair_by_definition pair_by_definition(const Window& left, const Window& right)
 {
   Pair_by_definition pair{left.end, right.begin, true};
@@ -238,7 +238,8 @@ void close_images_are_not_trimmed(Lane_choice choice)
 
 // --- vertices --------------------------------------------------------------------------------------------------------
 
-// A window is redundant if the path through an end of the edge, and along it to the far end of the interval, is shorter.
+// A window is redundant if the path through an end of the edge, and along it to the far end of the interval, is
+// shorter.
 void vertices_remove_windows_by_definition(Lane_choice choice, test_support::Random& random)
 {
   const auto loops = internal::window_list_loops<double, internal::All_pruning_rules>(choice);

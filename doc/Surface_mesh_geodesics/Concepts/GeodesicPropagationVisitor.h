@@ -40,9 +40,9 @@ public:
   /// \param distance_reached a distance, in the unit of the mesh; all distances up to it are final
   void on_progress(std::size_t number_of_visits, double distance_reached);
 
-  /// is called after each `on_progress()`. Returning `false` cancels the propagation: nothing is written to the property
-  /// maps of the caller, and the function that propagates returns `false`. Sampling, relaxation and remeshing, which
-  /// propagate several times, return their last complete results; see there.
+  /// is called after each `on_progress()`. Returning `false` cancels the propagation: nothing is written to the
+  /// property maps of the caller, and the function that propagates returns `false`. Sampling, relaxation and remeshing,
+  /// which propagate several times, return their last complete results; see there.
   bool go_further();
 
   /// is called once at the end, also after a cancellation.

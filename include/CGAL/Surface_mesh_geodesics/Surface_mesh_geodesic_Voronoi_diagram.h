@@ -18,7 +18,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Arc_curve.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Lazy_Voronoi_diagram.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Voronoi_cut_mesh.h>
-#include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Voronoi_elements.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Voronoi_handles.h>
 
 #include <CGAL/Default.h>
 #include <CGAL/Named_function_parameters.h>
@@ -80,13 +80,23 @@ belongs to one of the two, which is decided at that vertex; its boundary consist
 from the other site are longer. Where the diagram is symmetric, arcs may run along edges and through vertices of the
 mesh, and more than three cells may meet.
 
-<b>When things are computed.</b> Adding a site takes constant time. The diagram is computed by `build()` or by the first
-query that needs it. Every function that computes it throws what `build()` throws.
+<b>When things are computed.</b> The diagram is computed by `build()` or by the first query that needs it. Every
+function that computes it throws what `build()` throws. If computing ends early, the next query or `build()` begins
+anew.
+
+<b>Without sites.</b> A query reads the mesh like any other one. It checks its vertex or location, and answers that no
+site reaches it.
 
 <b>Thread safety.</b> One rule holds for all `const` functions, those of `Vertex`, `Arc` and `Edge` included: several
 threads may call them at once on one object. If something that a query needs is missing, one thread computes it under a
 mutex, and the others wait; once it is there, queries take no lock. Functions that are not `const` must not run at the
 same time as any other function of the object.
+
+<b>Differences from `Surface_mesh_geodesic_paths`.</b> Both classes follow the rule above. The other class keeps to the
+interface of `Surface_mesh_shortest_path`: its functions that build are not `const`, and it reads no mesh before there
+are source points. Its `use_edge_lengths()` reads the lengths and throws at once; a diagram reads them in the next
+`build()`. Its `statistics()` builds nothing. Its number for "no source point" is the constant `no_source`, whereas the
+one for "no site" is the function `null_site()`.
 
 <b>Units.</b> Distances, weights and lengths are in the unit of the points, or of the edge lengths; areas are in its
 square.
@@ -175,15 +185,15 @@ public:
 
 private:
   using Self = Surface_mesh_geodesic_Voronoi_diagram;
-  using Elements = Surface_mesh_geodesics::internal::Voronoi_elements<Self>;
+  using Elements = Surface_mesh_geodesics::internal::Voronoi_handles<Self>;
   using Curve = Surface_mesh_geodesics::internal::Arc_curve;
   using Planar = Surface_mesh_geodesics::internal::Planar_point<double>;
 
 public:
   /*!
   A vertex of the diagram: a point where at least three sites are equally near and no site is nearer. It is a small
-  handle, like `Arc` and `Edge`. It is valid until the diagram is destroyed or its sites are changed. All functions take
-  constant time.
+  handle, like `Arc` and `Edge`. It is valid until sites are changed, `clear()`, `use_edge_lengths()` or `use_points()`
+  is called, or the diagram is destroyed. All functions take constant time.
   */
   class Vertex
   {
@@ -466,7 +476,8 @@ public:
   /// Changes discard the diagram; the next query computes it again.
   /// @{
 
-  /// adds a vertex as a site. Takes constant time; `build()` checks whether it is a vertex of the mesh.
+  /// adds a vertex as a site. `build()` checks whether it is a vertex of the mesh. Takes constant time, plus time
+  /// linear in the size of the diagram if one is built.
   ///
   /// \param v a vertex of the mesh
   /// \param weight its weight, in the unit of the mesh; it may be negative
@@ -474,7 +485,8 @@ public:
   /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the weight is not finite
   Site_index add_site(vertex_descriptor v, const FT& weight = FT(0)) { return m_lazy.add_site(v, weight); }
 
-  /// adds a point of a face as a site. Takes constant time; `build()` checks whether it is a point of the mesh.
+  /// adds a point of a face as a site. `build()` checks whether it is a point of the mesh. Takes constant time, plus
+  /// time linear in the size of the diagram if one is built.
   ///
   /// \param location a face of the mesh and coordinates in it
   /// \param weight its weight, in the unit of the mesh; it may be negative
@@ -485,7 +497,8 @@ public:
     return m_lazy.add_site(location, weight);
   }
 
-  /// adds all elements of a range as sites with the weight 0. Takes linear time.
+  /// adds all elements of a range as sites with the weight 0. Takes time linear in their number, plus time linear in
+  /// the size of the diagram if one is built.
   ///
   /// \tparam Sites a range of `vertex_descriptor` or `Face_location`
   /// \param sites the sites
@@ -503,7 +516,7 @@ public:
   void clear() { m_lazy.clear(); }
 
   /// removes all sites and keeps what was read of the mesh, which saves time if other sites on the same mesh follow.
-  /// Iterators and handles of the diagram become invalid. Takes time linear in the size of the diagram.
+  /// Handles and references become invalid. Takes time linear in the size of the diagram.
   /// \pre The mesh, its points and its lengths have not changed since they were read. Otherwise call `clear()`.
   void remove_all_sites() { m_lazy.remove_all_sites(); }
 
@@ -577,7 +590,7 @@ public:
   bool is_built() const { return m_lazy.is_built(); }
 
   /// returns figures about the propagation. The diagram is computed if necessary.
-  const Surface_mesh_geodesics::Propagation_statistics& statistics() const { return m_lazy.statistics(); }
+  Surface_mesh_geodesics::Propagation_statistics statistics() const { return m_lazy.statistics(); }
 
   /// returns the largest number of windows that were kept for the diagram at one time, and the number that would have
   /// been kept without the removal of redundant windows. The diagram is computed if necessary.
@@ -587,16 +600,15 @@ public:
 
   /// \name Queries
   /// The diagram is computed if necessary. A vertex, a face or a location that is not on the mesh throws
-  /// `Surface_mesh_geodesics::Invalid_geodesic_input`. If there are no sites, nothing is checked, and the answer is
-  /// that for a point that no site reaches.
+  /// `Surface_mesh_geodesics::Invalid_geodesic_input`, also if there are no sites.
   /// @{
 
   /// returns the site whose cell holds a vertex. Takes constant time.
   ///
   /// \param v a vertex of the mesh
   /// \return the number of the site, or `null_site()` if no site reaches `v`
-  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if there is a site and `v` is not a vertex of the mesh
-  ///         (null, removed, or with an index out of range)
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if `v` is not a vertex of the mesh (null,
+  ///         removed, or with an index out of range)
   Site_index nearest_site(vertex_descriptor v) const { return m_lazy.nearest_site(v); }
 
   /// returns the site whose cell holds a point of a face. Usually few arcs cross a face, and the time is linear in
@@ -606,8 +618,7 @@ public:
   /// \param location the coordinates of the point in `f`
   /// \return the number of the site, or `null_site()` if no site reaches the point. If several sites are nearest, any
   ///         of them is returned.
-  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if there is a site, and `f` is not a face of the mesh or
-  ///         the point is not in it
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if `f` is not a face of the mesh or the point is not in it
   Site_index nearest_site(face_descriptor f, const Barycentric_coordinates& location) const
   {
     return m_lazy.nearest_site(f, location);
@@ -628,7 +639,7 @@ public:
   /// \param v a vertex of the mesh
   /// \return the distance, in the unit of the mesh, or -1 if no site reaches `v`. With positive weights, a distance may
   ///         be negative as well; ask `nearest_site()` then.
-  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if there is a site and `v` is not a vertex of the mesh
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if `v` is not a vertex of the mesh
   FT distance_to_nearest_site(vertex_descriptor v) const { return m_lazy.distance_to_nearest_site(v); }
 
   /// returns the distance of a point of a face from its nearest site, minus the weight of the site.
@@ -640,8 +651,7 @@ public:
   /// \param f a face of the mesh
   /// \param location the coordinates of the point in `f`
   /// \return the distance, in the unit of the mesh, or -1 if no site reaches the point
-  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if there is a site, and `f` is not a face of the mesh or
-  ///         the point is not in it
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if `f` is not a face of the mesh or the point is not in it
   FT distance_to_nearest_site(face_descriptor f, const Barycentric_coordinates& location) const
   {
     return m_lazy.distance_to_nearest_site(f, location);

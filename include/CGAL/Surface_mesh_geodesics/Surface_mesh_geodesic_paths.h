@@ -68,9 +68,18 @@ results are there takes no lock. Member functions that are not `const` must not 
 and a visitor must not call functions of the object that is being built.
 
 <b>Exception safety.</b> A build, and so a query that builds, throws what `build_sequence_tree()` throws. Source points
-and the iterators to them stay as they were. After a build that an exception or a visitor has ended early,
-`changed_since_last_build()` returns `true` and the next query or build begins anew. If the second stage fails in a
-query, the results of the first one stay.
+and the iterators to them stay as they were, and so do the results that are there. If an exception or a visitor ends the
+first stage early, or the propagation that computes both, `changed_since_last_build()` still returns `true`, and the
+next query or build begins anew. If the second stage ends early, the results of the first one stay.
+
+<b>Without source points.</b> A query checks its vertex or location, and answers that no source point reaches it.
+
+<b>Differences from `Surface_mesh_geodesic_Voronoi_diagram`.</b> Both classes follow one rule: `const` functions compute
+what is missing under a mutex, and every other function needs the object for itself. This class keeps to the interface
+of `Surface_mesh_shortest_path` where that differs from the diagram: its functions that build are not `const`, and a new
+object, which has nothing to compute, does not read the mesh. `use_edge_lengths()` reads the lengths and throws at once,
+whereas a diagram reads them in its next build. `statistics()` builds nothing. The number that stands for "no source
+point" is the constant `no_source`; for "no site" it is the function `null_site()`.
 
 <b>Differences from `Surface_mesh_shortest_path`.</b> All of them are intended.
 
@@ -198,7 +207,7 @@ private:
   using Structure
     = Surface_mesh_geodesics::internal::Lazy_path_structure<Traits, Vertex_index_map, Face_index_map, Vertex_point_map>;
   using Locations = Surface_mesh_geodesics::internal::Surface_locations<Traits, Vertex_point_map>;
-  using Extent = typename Structure::Extent;
+  using Stage = typename Structure::Stage;
   using Ray_3 = typename Traits::Ray_3;
 
 public:
@@ -318,7 +327,7 @@ public:
   ///
   /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the mesh or a source point is invalid
   /// \throws std::bad_alloc if there is not enough memory
-  void build_sequence_tree() { m_structure.build(Extent::AT_VERTICES); }
+  void build_sequence_tree() { m_structure.build(Stage::AT_VERTICES); }
 
   /// does the same, and reports the progress to a visitor.
   ///
@@ -330,7 +339,7 @@ public:
   template <typename Visitor>
   bool build_sequence_tree(Visitor& visitor)
   {
-    return m_structure.build_with_visitor(Extent::AT_VERTICES, visitor);
+    return m_structure.build_with_visitor(Stage::AT_VERTICES, visitor);
   }
 
   /// computes what queries at any point need, if it is missing. Takes the time of a propagation, and some 40 bytes for
@@ -338,7 +347,7 @@ public:
   ///
   /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the mesh or a source point is invalid
   /// \throws std::bad_alloc if there is not enough memory
-  void build_sequence_tree_for_faces() { m_structure.build(Extent::EVERYWHERE); }
+  void build_sequence_tree_for_faces() { m_structure.build(Stage::EVERYWHERE); }
 
   /// does the same, and reports the progress to a visitor.
   ///
@@ -350,7 +359,7 @@ public:
   template <typename Visitor>
   bool build_sequence_tree_for_faces(Visitor& visitor)
   {
-    return m_structure.build_with_visitor(Extent::EVERYWHERE, visitor);
+    return m_structure.build_with_visitor(Stage::EVERYWHERE, visitor);
   }
 
   /// takes the lengths of the edges from a map instead of from points. Distances and sequences then need no points;
@@ -388,11 +397,20 @@ public:
   /// returns the number of source points, without those that have been removed.
   std::size_t number_of_source_points() const { return m_structure.sources().size(); }
 
-  /// returns whether source points have been added or removed since the last build, or a build has ended early.
+  /// returns whether the next query at a vertex has to build: source points have been added or removed, or
+  /// `use_edge_lengths()` has been called while there were source points, and neither a build function nor a query has
+  /// computed the distances since. A query that builds resets this, also one on a constant object. A build that ends
+  /// early does not.
   bool changed_since_last_build() const { return m_structure.has_changed(); }
 
-  /// returns what the last propagation did, including that of a build which a visitor canceled. Waits if another
-  /// thread builds.
+  /// @}
+
+  /// \name Statistics
+  /// @{
+
+  /// returns what the last propagation did, including that of a build which a visitor canceled; zeros if there was
+  /// none since construction or `clear()`. Takes constant time. Waits while a query in another thread computes. Must
+  /// not run during a build function.
   Surface_mesh_geodesics::Propagation_statistics statistics() const { return m_structure.statistics(); }
 
   /// @}

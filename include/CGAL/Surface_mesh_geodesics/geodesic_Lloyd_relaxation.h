@@ -31,22 +31,22 @@ namespace Surface_mesh_geodesics {
 /*!
 \ingroup PkgSurfaceMeshGeodesicsFunctions
 
-moves sites to the centers of their cells again and again (Lloyd's method), so that the cells become round and similar in
-area.
+moves sites to the centers of their cells again and again (Lloyd's method), so that the cells become round and similar
+in area.
 
-Each iteration computes the geodesic Voronoi diagram of the sites. Then each site moves to the vertex in its cell that is
-nearest in space to the centroid of the cell; of equally near vertices to the first one in the order of `vertices(tm)`.
-This is `Surface_mesh_geodesic_Voronoi_diagram::central_vertex()`. All sites move at once. A site stays where it is if
-its cell is empty or holds no vertex. No site leaves its component.
+Each iteration computes the geodesic Voronoi diagram of the sites. Then each site moves to the vertex in its cell that
+is nearest in space to the centroid of the cell; of equally near vertices to the first one in the order of
+`vertices(tm)`. This is `Surface_mesh_geodesic_Voronoi_diagram::central_vertex()`. All sites move at once. A site stays
+where it is if its cell is empty or holds no vertex. No site leaves its component.
 
-The relaxation ends when no site moves, and at the latest after the given number of iterations. It may not end by itself:
-a site may go back and forth between vertices that are about equally good.
+The relaxation ends when no site moves, and at the latest after the given number of iterations. It may not end by
+itself: a site may go back and forth between vertices that are about equally good.
 
-<b>Complexity.</b> The mesh is read once. Each iteration takes the time and the memory of one diagram, and time linear in
-the size of the mesh.
+<b>Complexity.</b> The mesh is read once. Each iteration takes the time and the memory of one diagram, and time linear
+in the size of the mesh.
 
-<b>Thread safety.</b> The function uses one thread. Several threads may call it at once, on the same mesh as well, if each
-call writes to an output of its own; see `geodesic_distances()`.
+<b>Thread safety.</b> The function uses one thread. Several threads may call it at once, on the same mesh as well, if
+each call writes to an output of its own; see `geodesic_distances()`.
 
 The method serves remeshing (thesis, section 5.4.4), see `geodesic_remeshing()`.
 

@@ -79,8 +79,8 @@ checks whether the triangles of the dual of a diagram form a manifold mesh, and 
 not disks, pairs of cells with several common edges, and so on. Where the surface has a border, the dual has one as
 well, farther inside.
 
-<b>Complexity.</b> Takes \cgalBigO{k \log k} time for \f$ k \f$ arcs and edges of the diagram, in addition to the time of
-`Surface_mesh_geodesic_Voronoi_diagram::build()` if the diagram is not built yet.
+<b>Complexity.</b> Takes \cgalBigO{k \log k} time for \f$ k \f$ arcs and edges of the diagram, in addition to the time
+of `Surface_mesh_geodesic_Voronoi_diagram::build()` if the diagram is not built yet.
 
 <b>Thread safety.</b> Several threads may call the function at once, on the same diagram as well.
 
@@ -101,8 +101,8 @@ Geodesic_dual_report check_geodesic_dual(const Diagram& diagram)
 /*!
 \ingroup PkgSurfaceMeshGeodesicsFunctions
 
-adds the dual of a diagram to a mesh if it is manifold: the vertices are the sites, and each vertex of the diagram makes a
-triangle. Sites that are in no triangle get no vertex.
+adds the dual of a diagram to a mesh if it is manifold: the vertices are the sites, and each vertex of the diagram makes
+a triangle. Sites that are in no triangle get no vertex.
 
 Complexity and thread safety are those of `check_geodesic_dual()`; each call needs an output of its own.
 
@@ -134,8 +134,8 @@ The function chooses `n` vertices with `geodesic_farthest_point_sampling()`, mov
 <b>Complexity.</b> Takes the time of the sampling, of the relaxation, and of one more diagram. The memory is that of one
 diagram.
 
-<b>Thread safety.</b> The function uses one thread. Several threads may call it at once, on the same mesh as well, if each
-call writes to an output of its own; see `geodesic_distances()`.
+<b>Thread safety.</b> The function uses one thread. Several threads may call it at once, on the same mesh as well, if
+each call writes to an output of its own; see `geodesic_distances()`.
 
 \tparam TriangleMesh a model of `FaceListGraph`; its points are those of a kernel of `double`
 \tparam OutputMesh a model of `MutableFaceGraph` with an internal property for `CGAL::vertex_point_t`, whose points are
@@ -169,8 +169,8 @@ call writes to an output of its own; see `geodesic_distances()`.
     \cgalParamDefault{an automatically indexed internal map}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
-    \cgalParamDescription{a visitor that follows one propagation for each sample, one for each iteration, and one for the
-                          final diagram. If it cancels one, nothing is added to `output`.}
+    \cgalParamDescription{a visitor that follows one propagation for each sample, one for each iteration, and one for
+    the final diagram. If it cancels one, nothing is added to `output`.}
     \cgalParamType{a class model of `GeodesicPropagationVisitor`}
     \cgalParamDefault{`Geodesic_default_visitor`}
     \cgalParamExtra{The visitor is not copied if it is passed with `std::ref()`.}
@@ -182,8 +182,8 @@ call writes to an output of its own; see `geodesic_distances()`.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the findings of `check_geodesic_dual()`. If the dual is not manifold, try a larger `n`. If the visitor cancels, the
-        result is a `Geodesic_dual_report()` without findings, which is not manifold.
+\return the findings of `check_geodesic_dual()`. If the dual is not manifold, try a larger `n`. If the visitor cancels,
+the result is a `Geodesic_dual_report()` without findings, which is not manifold.
 
 \throws Invalid_geodesic_input if the mesh is invalid; nothing has been added to `output` then
 */

@@ -30,8 +30,8 @@ writes the edges of a geodesic Voronoi diagram as polylines in the OBJ format. T
 <b>Complexity.</b> Takes time and memory linear in the number of points that are written, in addition to the time of
 `Surface_mesh_geodesic_Voronoi_diagram::build()` if the diagram is not built yet.
 
-<b>Thread safety.</b> Several threads may call the function at once, on the same diagram as well, if each has a stream of
-its own.
+<b>Thread safety.</b> Several threads may call the function at once, on the same diagram as well, if each has a stream
+of its own.
 
 \tparam Diagram a specialization of `Surface_mesh_geodesic_Voronoi_diagram`
 

@@ -16,7 +16,7 @@
 // Frame: the layout of the arc's face. Error: integrals are exact up to Tolerance::quadrature() of those over the
 // chord.
 
-#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Voronoi_elements.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/arcs_and_nodes.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Weighted_bisector.h>
 

@@ -20,7 +20,7 @@
 
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Divided_face.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Face_partition.h>
-#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Voronoi_elements.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/arcs_and_nodes.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_table.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>

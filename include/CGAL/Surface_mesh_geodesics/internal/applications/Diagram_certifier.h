@@ -11,8 +11,8 @@
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_DIAGRAM_CERTIFIER_H
 
 // Checks a geodesic Voronoi diagram by the answers of its public members, against distances from one site at a time
-// that are computed apart. What is checked is documented at certify_geodesic_Voronoi_diagram(). `Diagram` is a type with
-// the members of Surface_mesh_geodesic_Voronoi_diagram; tests pass one that lies.
+// that are computed apart. What is checked is documented at certify_geodesic_Voronoi_diagram(). `Diagram` is a type
+// with the members of Surface_mesh_geodesic_Voronoi_diagram; tests pass one that lies.
 //
 // Violations are relative. Distances are compared with the distance plus the longest edge of the component, positions
 // with that edge, areas with the expected area plus its square: the components of a mesh may differ in size by many

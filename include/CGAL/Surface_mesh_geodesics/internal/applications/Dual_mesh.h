@@ -33,9 +33,9 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// `Report` is Geodesic_dual_report, where the conditions are explained. If the cells are disks, and two or three of them
-// meet in one piece at most, the dual is homeomorphic to the surface (Edelsbrunner and Shah, Triangulating topological
-// spaces, 1997).
+// `Report` is Geodesic_dual_report, where the conditions are explained. If the cells are disks, and two or three of
+// them meet in one piece at most, the dual is homeomorphic to the surface (Edelsbrunner and Shah, Triangulating
+// topological spaces, 1997).
 template <typename Diagram, typename Report>
 class Dual_check
 {

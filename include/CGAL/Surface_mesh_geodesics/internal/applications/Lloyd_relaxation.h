@@ -10,8 +10,8 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_LLOYD_RELAXATION_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_LLOYD_RELAXATION_H
 
-// Lloyd's method on a mesh: sites are vertices, and each moves to the vertex of its cell that is nearest to the centroid
-// of the cell (thesis, section 5.4.4). The mesh is read once for all iterations.
+// Lloyd's method on a mesh: sites are vertices, and each moves to the vertex of its cell that is nearest to the
+// centroid of the cell (thesis, section 5.4.4). The mesh is read once for all iterations.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/distance_in_space.h>
 
@@ -31,8 +31,8 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// A diagram of the type Diagram<Traits, maps...>, which is Surface_mesh_geodesic_Voronoi_diagram, all sites of which are
-// vertices. The mesh is referred to, not copied.
+// A diagram of the type Diagram<Traits, maps...>, which is Surface_mesh_geodesic_Voronoi_diagram, all sites of which
+// are vertices. The mesh is referred to, not copied.
 template <template <typename...> class Diagram_, typename TriangleMesh, typename VertexIndexMap,
           typename HalfedgeIndexMap, typename FaceIndexMap, typename VertexPointMap>
 class Vertex_site_diagram

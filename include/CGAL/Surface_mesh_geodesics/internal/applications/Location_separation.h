@@ -11,8 +11,8 @@
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_LOCATION_SEPARATION_H
 
 // How far two locations on the surface are apart, and how far a location is from the border of the mesh. The certifier
-// of diagrams asks this where arcs of a boundary have to meet. One class measures in space, the other works on a surface
-// that is given by the lengths of its edges.
+// of diagrams asks this where arcs of a boundary have to meet. One class measures in space, the other works on a
+// surface that is given by the lengths of its edges.
 //
 // Both are models of the same concept:
 //   separation(a, b)           the distance of two locations, 0 if they are equal up to rounding

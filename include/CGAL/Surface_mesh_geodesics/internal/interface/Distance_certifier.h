@@ -16,14 +16,14 @@
 
 #include <CGAL/Surface_mesh_geodesics/internal/certificate/Checked_conditions.h>
 #include <CGAL/Surface_mesh_geodesics/internal/certificate/Distance_checks.h>
-#include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_propagation.h>
-#include <CGAL/Surface_mesh_geodesics/internal/interface/Intrinsic_surface.h>
-#include <CGAL/Surface_mesh_geodesics/internal/window/Edge_window_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/certificate/Lower_bound_check.h>
-#include <CGAL/Surface_mesh_geodesics/internal/window/Pruning_rules.h>
+#include <CGAL/Surface_mesh_geodesics/internal/certificate/Worst_violation.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/Intrinsic_surface.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_propagation.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Source_insertion.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
-#include <CGAL/Surface_mesh_geodesics/internal/certificate/Worst_violation.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/Edge_window_field.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/Pruning_rules.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>

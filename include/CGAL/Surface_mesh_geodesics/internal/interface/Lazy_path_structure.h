@@ -49,7 +49,8 @@ namespace Surface_mesh_geodesics {
 namespace internal {
 
 // Invariants, between the calls of functions that are not const:
-// - m_ready is NOWHERE if the sources differ from those of the last build, or a build has ended early.
+// - m_ready is NOWHERE if the sources or the lengths differ from those of the last build, or if no build has succeeded
+//   since they changed.
 // - From AT_VERTICES on, the solver has the results of the vertices for the present sources, and m_sources their
 //   numbers. An object that never had sources is an exception: it is ready and has no results.
 // - At EVERYWHERE the solver has the windows as well.
@@ -75,8 +76,8 @@ public:
   using Result = std::pair<FT, Source_point_iterator>;
   using Solver = Path_solver<Triangle_mesh, VertexIndexMap, FaceIndexMap>;
 
-  // Where queries can be answered at once. In this order: each value includes those before it.
-  enum class Extent { NOWHERE, AT_VERTICES, EVERYWHERE };
+  // The stage of the results: where queries can be answered at once. Each value includes those before it.
+  enum class Stage { NOWHERE, AT_VERTICES, EVERYWHERE };
 
   static constexpr std::size_t no_source = (std::numeric_limits<std::size_t>::max)();
 
@@ -97,8 +98,9 @@ public:
 
   // --- source points ---
 
-  // Returns whether source points have been added or removed, or a build has ended early, since the last build.
-  bool has_changed() const { return m_ready.load(std::memory_order_acquire) == Extent::NOWHERE; }
+  // Returns whether the results at vertices are missing: source points or lengths have changed, and no build or query
+  // has computed them since.
+  bool has_changed() const { return m_ready.load(std::memory_order_acquire) == Stage::NOWHERE; }
 
   // Adds a vertex. The build refuses an invalid one.
   Source_point_iterator add_source(vertex_descriptor v)
@@ -143,21 +145,18 @@ public:
 
   // Computes what queries in `wanted` need, if it is missing. `run(propagate)` calls propagate(go_on) and returns its
   // result. Returns false if that is false: go_on() has ended the propagation. If building ends early, by that or by an
-  // exception, has_changed() returns true and the next build begins anew.
+  // exception, the stage stays as it was, as in a query.
   template <typename Run>
-  bool build(Extent wanted, Run run)
+  bool build(Stage wanted, Run run)
   {
-    if(is_ready(wanted))
-      return true;
-    set_changed();
-    return compute(wanted, run);
+    return is_ready(wanted) || compute(wanted, run);
   }
 
-  bool build(Extent wanted) { return build(wanted, Run_to_the_end()); }
+  bool build(Stage wanted) { return build(wanted, Run_to_the_end()); }
 
   // Builds, and reports the progress to a visitor that may cancel.
   template <typename Visitor>
-  bool build_with_visitor(Extent wanted, Visitor& visitor)
+  bool build_with_visitor(Stage wanted, Visitor& visitor)
   {
     return build(wanted,
                  [&](auto propagate) { return run_with_visitor(visitor, num_vertices(m_tm), propagate); });
@@ -171,7 +170,7 @@ public:
     if(m_sources.size() > 0)
       set_changed();
     else if(!has_changed())
-      set_ready(Extent::EVERYWHERE);
+      set_ready(Stage::EVERYWHERE);
     m_solver.build_mesh(Shape_from_edge_lengths<double, Triangle_mesh, EdgeLengthMap>(m_tm, edge_length_map));
   }
 
@@ -180,10 +179,10 @@ public:
   {
     m_sources.clear();
     m_solver.forget();
-    set_ready(Extent::EVERYWHERE);
+    set_ready(Stage::EVERYWHERE);
   }
 
-  // Waits for a build that runs in another thread.
+  // Returns what the last propagation did. Waits while a query in another thread computes.
   Propagation_statistics statistics() const
   {
     const std::lock_guard<std::mutex> lock(m_mutex);
@@ -230,7 +229,7 @@ public:
   void write_distances(VertexDistanceMap vertex_distance_map) const
   {
     using Value = typename boost::property_traits<VertexDistanceMap>::value_type;
-    prepare(Extent::AT_VERTICES);
+    prepare(Stage::AT_VERTICES);
     for(const vertex_descriptor v : vertices(m_tm))
     {
       const double d = distance_or_infinity(v);
@@ -242,7 +241,7 @@ public:
   // -1 if no vertex is reached.
   std::pair<vertex_descriptor, FT> farthest_vertex() const
   {
-    prepare(Extent::AT_VERTICES);
+    prepare(Stage::AT_VERTICES);
     std::pair<vertex_descriptor, double> farthest(Graph_traits::null_vertex(), -1.);
     for(const vertex_descriptor v : vertices(m_tm))
     {
@@ -257,7 +256,7 @@ public:
   template <typename OutputIterator>
   OutputIterator write_isolines(const FT& value, OutputIterator output) const
   {
-    prepare(Extent::EVERYWHERE);
+    prepare(Stage::EVERYWHERE);
     if(has_results())
     {
       Isoline_writer<Lazy_path_structure, OutputIterator> writer(*this, output);
@@ -288,9 +287,9 @@ private:
 
   // --- building ---
 
-  bool is_ready(Extent wanted) const { return m_ready.load(std::memory_order_acquire) >= wanted; }
-  void set_ready(Extent extent) const { m_ready.store(extent, std::memory_order_release); }
-  void set_changed() { set_ready(Extent::NOWHERE); }
+  bool is_ready(Stage wanted) const { return m_ready.load(std::memory_order_acquire) >= wanted; }
+  void set_ready(Stage stage) const { m_ready.store(stage, std::memory_order_release); }
+  void set_changed() { set_ready(Stage::NOWHERE); }
 
   Source_point_iterator add_source_point(const typename Sources::Source& source)
   {
@@ -300,7 +299,7 @@ private:
   }
 
   // Begins each query: computes what queries in `wanted` need, if it is missing.
-  void prepare(Extent wanted) const
+  void prepare(Stage wanted) const
   {
     if(is_ready(wanted))
       return;
@@ -311,13 +310,13 @@ private:
 
   // Requires: !is_ready(wanted), and no other thread computes. If it ends early, what was ready stays ready.
   template <typename Run>
-  bool compute(Extent wanted, Run run) const
+  bool compute(Stage wanted, Run run) const
   {
-    const bool adds_windows = is_ready(Extent::AT_VERTICES);
+    const bool adds_windows = is_ready(Stage::AT_VERTICES);
     if(!adds_windows)
       give_sources_to_solver();
     const bool is_complete = run([&](auto go_on)
-    { return adds_windows ? m_solver.add_windows(go_on) : m_solver.run(wanted == Extent::EVERYWHERE, go_on); });
+    { return adds_windows ? m_solver.add_windows(go_on) : m_solver.run(wanted == Stage::EVERYWHERE, go_on); });
     if(!is_complete)
       return false;
     if(!adds_windows)
@@ -340,7 +339,7 @@ private:
   }
 
   // An object that never had sources is ready without results.
-  // Requires: is_ready(Extent::AT_VERTICES).
+  // Requires: is_ready(Stage::AT_VERTICES).
   bool has_results() const { return m_solver.has_run(); }
 
   // --- queries ---
@@ -348,7 +347,7 @@ private:
   // Prepares the object for a query at v, and checks v.
   Query query(vertex_descriptor v) const
   {
-    prepare(Extent::AT_VERTICES);
+    prepare(Stage::AT_VERTICES);
     if(has_results())
       return m_solver.query(v);
     m_solver.check_query(v);
@@ -360,7 +359,7 @@ private:
   Query query(face_descriptor f, const Barycentric_coordinates& location) const
   {
     const Coordinates b = weights(location);
-    prepare(is_at_corner(b) ? Extent::AT_VERTICES : Extent::EVERYWHERE);
+    prepare(is_at_corner(b) ? Stage::AT_VERTICES : Stage::EVERYWHERE);
     if(!has_results())
     {
       m_solver.check_query(f, b);
@@ -368,7 +367,7 @@ private:
     }
     const Query q = m_solver.query(f, b);
     if(m_solver.needs_windows(q))
-      prepare(Extent::EVERYWHERE);
+      prepare(Stage::EVERYWHERE);
     return q;
   }
 
@@ -427,7 +426,7 @@ private:
   VertexPointMap m_vertex_point_map;
   // What const queries may compute, under the mutex. m_ready says what readers may read without it.
   mutable std::mutex m_mutex;
-  mutable std::atomic<Extent> m_ready{Extent::EVERYWHERE}; // nothing is missing as long as there are no sources
+  mutable std::atomic<Stage> m_ready{Stage::EVERYWHERE}; // nothing is missing as long as there are no sources
   mutable Sources m_sources;                               // a build numbers them, and frees those that were removed
   mutable Solver m_solver;
 };

@@ -56,7 +56,7 @@ public:
   using Query = Surface_query;
 
   Path_solver(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim)
-    : m_sites(tm, vim, fim)
+    : m_surface(tm, vim, fim)
   {
     forget_results();
   }
@@ -64,7 +64,7 @@ public:
   Path_solver(const Path_solver&) = delete;
   Path_solver& operator=(const Path_solver&) = delete;
 
-  bool has_mesh() const { return surface().is_read(); }
+  bool has_mesh() const { return user_surface().is_read(); }
 
   // Returns whether the distances of the vertices are known: the last run was complete.
   bool has_run() const { return m_has_run; }
@@ -76,14 +76,14 @@ public:
   void build_mesh(Shape shape)
   {
     m_has_run = false;
-    m_sites.read(std::move(shape));
+    m_surface.read(std::move(shape));
   }
 
   // Forgets the mesh, the sources and all results.
   void forget()
   {
     forget_results();
-    m_sites.forget();
+    m_surface.forget();
     m_statistics = Propagation_statistics();
   }
 
@@ -91,17 +91,17 @@ public:
   void begin_sources()
   {
     forget_results();
-    m_sites.clear_sources();
+    m_surface.clear_sources();
   }
 
   // Adds a source; throws Invalid_geodesic_input. The distances from it begin with its offset, which is finite and not
   // negative, in the user's unit.
-  void add_source(vertex_descriptor v, double offset = 0) { m_sites.add_source(v, offset); }
+  void add_source(vertex_descriptor v, double offset = 0) { m_surface.add_source(v, offset); }
 
   template <typename FaceLocation>
   void add_source_location(const FaceLocation& location, double offset = 0)
   {
-    m_sites.add_source(location, offset);
+    m_surface.add_source(location, offset);
   }
 
   // Propagates from the sources, and keeps the windows if they are wanted. Returns false, and forgets all results, if
@@ -118,7 +118,7 @@ public:
   bool run_with_keeper(MakeKeeper make_keeper, GoOn go_on)
   {
     m_has_run = false;
-    m_sites.insert_sources();
+    m_surface.insert_sources();
     m_has_run = propagate(m_field, make_keeper(), go_on);
     if(!m_has_run)
       forget_results();
@@ -142,7 +142,7 @@ public:
 
   // --- the mesh with the sources as vertices, and what is known of its vertices ---
 
-  const Intrinsic_mesh<double>& mesh() const { return m_sites.mesh(); }
+  const Intrinsic_mesh<double>& mesh() const { return m_surface.mesh(); }
   const Vertex_distance_field<double>& field() const { return m_field; }
   double unit() const { return mesh().unit(); }
 
@@ -150,45 +150,45 @@ public:
   template <typename Visit>
   void for_each_equal_source(Visit visit) const
   {
-    internal::for_each_equal_source(mesh(), m_sites.sources().vertices, m_sites.sources().offsets, visit);
+    internal::for_each_equal_source(mesh(), m_surface.sources().vertices, m_surface.sources().offsets, visit);
   }
 
   // Returns the vertex at which source i is.
-  Vertex_id source_vertex(std::size_t i) const { return m_sites.sources().vertices[i]; }
+  Vertex_id source_vertex(std::size_t i) const { return m_surface.sources().vertices[i]; }
 
   // Returns the number of the source at v: the first one of those with the smallest offset.
   // Requires: there is a source at v.
-  std::size_t source_at(Vertex_id v) const { return m_sites.source_at(v); }
+  std::size_t source_at(Vertex_id v) const { return m_surface.source_at(v); }
 
   // Returns the user's face, and the coordinates there in the order of the user's corners.
   std::pair<face_descriptor, Coordinates> user_location(Face_id f, const Coordinates& b) const
   {
-    return m_sites.user_location(f, b);
+    return m_surface.user_location(f, b);
   }
 
   // Returns the null vertex for a source that is not a vertex of the user.
-  vertex_descriptor user_vertex(Vertex_id v) const { return surface().descriptor_or_null(v); }
+  vertex_descriptor user_vertex(Vertex_id v) const { return user_surface().descriptor_or_null(v); }
 
   // Returns the user's face of which a face of the mesh is a part.
-  face_descriptor user_face(Face_id f) const { return m_sites.user_face(f); }
+  face_descriptor user_face(Face_id f) const { return m_surface.user_face(f); }
 
   // --- queries: they throw Invalid_geodesic_input for a point that is not on the mesh ---
 
-  Query query(vertex_descriptor v) const { return m_sites.query(v); }
+  Query query(vertex_descriptor v) const { return m_surface.query(v); }
 
   template <typename BarycentricCoordinates>
   Query query(face_descriptor f, const BarycentricCoordinates& b) const
   {
-    return m_sites.query(f, b);
+    return m_surface.query(f, b);
   }
 
   // The same checks before the mesh has been read, as far as indices allow.
-  void check_query(vertex_descriptor v) const { surface().check_vertex(v, "query", 0); }
+  void check_query(vertex_descriptor v) const { user_surface().check_vertex(v, "query", 0); }
 
   template <typename BarycentricCoordinates>
   void check_query(face_descriptor f, const BarycentricCoordinates& b) const
   {
-    surface().check_location(f, b, "query", 0);
+    user_surface().check_location(f, b, "query", 0);
   }
 
   bool needs_windows(const Query& q) const { return q.vertex == null_id; }
@@ -212,7 +212,7 @@ public:
   }
 
   // Returns the distance of a vertex of the mesh, in the user's unit. Requires: has_run().
-  double distance(vertex_descriptor v) const { return m_field.distance[surface().id(v)] * unit(); }
+  double distance(vertex_descriptor v) const { return m_field.distance[user_surface().id(v)] * unit(); }
 
   // Returns the path from a point to its source. Throws std::runtime_error if no path with the length of the distance
   // is found. Requires: the point is reached.
@@ -240,13 +240,13 @@ public:
       if(Sink::wants_faces && item.face != null_id)
         sink.face(user_face(item.face));
       if(item.vertex == null_id)
-        sink.edge(surface().descriptor_of_halfedge(item.halfedge), item.t);
-      else if(item.vertex < surface().number_of_vertices())
-        sink.vertex(surface().descriptor(item.vertex));
+        sink.edge(user_surface().descriptor_of_halfedge(item.halfedge), item.t);
+      else if(item.vertex < user_surface().number_of_vertices())
+        sink.vertex(user_surface().descriptor(item.vertex));
       else
         sink.source(source_number(a));
     };
-    Path_thinning<double, decltype(report_item)> thinning(mesh(), m_sites.parts(), extent_around(steps), report_item);
+    Path_thinning<double, decltype(report_item)> thinning(mesh(), m_surface.parts(), extent_around(steps), report_item);
     if(q.is_location)
       thinning.begin_behind(path_item(q));
     for(const Path_step<double>& step : steps)
@@ -272,16 +272,17 @@ public:
   }
 
 private:
-  using Sites = Surface_with_sources<TriangleMesh, VertexIndexMap, FaceIndexMap>;
+  using Surface = Surface_with_sources<TriangleMesh, VertexIndexMap, FaceIndexMap>;
 
-  const typename Sites::Surface& surface() const { return m_sites.surface(); }
+  // The surface as the user knows it: descriptors and their indices.
+  const typename Surface::Surface& user_surface() const { return m_surface.surface(); }
 
   // Returns the extent of the component where a path runs. A path without faces is a single point; any extent will do.
   double extent_around(const Path_steps<double>& steps) const
   {
     const auto it = std::find_if(steps.begin(), steps.end(),
                                  [](const Path_step<double>& step) { return step.face != null_id; });
-    return it == steps.end() ? 1 : mesh().extent_around(m_sites.parts().whole(it->face));
+    return it == steps.end() ? 1 : mesh().extent_around(m_surface.parts().whole(it->face));
   }
 
   std::pair<face_descriptor, Coordinates> user_location(const Isoline_point<double>& p) const
@@ -319,7 +320,7 @@ private:
   template <typename Keeper, typename GoOn>
   bool propagate(Vertex_distance_field<double>& field, Keeper keeper, GoOn go_on)
   {
-    const Source_set<double>& sources = m_sites.sources();
+    const Source_set<double>& sources = m_surface.sources();
     m_windows.reset(keeps(keeper) ? mesh().number_of_faces() : 0);
     Distance_propagation<double, All_pruning_rules, Keeper> propagation(mesh(), field, keeper);
     for(std::size_t i = 0; i < sources.size(); ++i)
@@ -328,7 +329,7 @@ private:
     const bool is_complete = propagation.run(
       [&](std::size_t visits, double reached) { return go_on(visits, factor * reached); });
     m_statistics = propagation.statistics();
-    m_statistics.intrinsic_mesh_bytes += surface().memory() + field.memory();
+    m_statistics.intrinsic_mesh_bytes += user_surface().memory() + field.memory();
     m_statistics.maximum_window_bytes += keeps(keeper) ? m_windows.memory() : 0;
     return is_complete;
   }
@@ -340,7 +341,7 @@ private:
     return false;
   }
 
-  Sites m_sites;
+  Surface m_surface;
   Vertex_distance_field<double> m_field;
   Edge_window_field<double> m_windows;
   Propagation_statistics m_statistics;

@@ -13,8 +13,8 @@
 // The integers that address the elements of an intrinsic mesh.
 //
 // All of them have 32 bits: half the memory traffic of pointers, and the same values on every platform. A halfedge has
-// the number 4 * face + k, where k in {0, 1, 2} is the corner of its face at which it starts, so that a shift and a mask
-// give the face and the corner. The numbers with k == 3 are not used.
+// the number 4 * face + k, where k in {0, 1, 2} is the corner of its face at which it starts, so that a shift and a
+// mask give the face and the corner. The numbers with k == 3 are not used.
 
 #include <cstddef>
 #include <cstdint>

@@ -11,9 +11,9 @@
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_RADIX_HEAP_H
 
 // Faces that wait until the wavefront has reached a distance: a radix heap (Ahuja, Mehlhorn, Orlin and Tarjan, Faster
-// algorithms for the shortest path problem, J. ACM 37, 1990). The reached distance only grows, and due entries may leave
-// in any order. So an entry moves at most 32 times to a lower bucket, mostly a few times, and no entries are compared. (A
-// binary heap took a tenth of the time of a diagram.)
+// algorithms for the shortest path problem, J. ACM 37, 1990). The reached distance only grows, and due entries may
+// leave in any order. So an entry moves at most 32 times to a lower bucket, mostly a few times, and no entries are
+// compared. (A binary heap took a tenth of the time of a diagram.)
 //
 // Distances are stored in single precision and rounded up: no entry leaves too early, but it may leave too late by a
 // millionth of its distance. Distances beyond single precision wait until clear().
@@ -51,8 +51,8 @@ public:
     insert(Entry{bits(Single_precision::not_less(distance)), Single_precision::not_less(limit), f});
   }
 
-  // Calls leave(f, limit), with a limit rounded up, for the faces that wait for less than the reached distance. leave() may
-  // push f again, for a distance that is not less than the reached one.
+  // Calls leave(f, limit), with a limit rounded up, for the faces that wait for less than the reached distance. leave()
+  // may push f again, for a distance that is not less than the reached one.
   template <typename FT, typename Leave>
   void advance(const FT& distance, Leave leave)
   {

@@ -70,9 +70,9 @@ struct Tolerance
     return sqrt(unit_roundoff()) / 1024;
   }
 
-  // Of pi: the excess of a vertex angle above which shortest paths bend at the vertex. Larger than the rounding of a sum
-  // of angles, so that flat vertices stay flat; smaller than the angles of all faces that have a height by length(), so
-  // that no face is hidden behind a vertex.
+  // Of pi: the excess of a vertex angle above which shortest paths bend at the vertex. Larger than the rounding of a
+  // sum of angles, so that flat vertices stay flat; smaller than the angles of all faces that have a height by
+  // length(), so that no face is hidden behind a vertex.
   static FT angle() { return 1024 * unit_roundoff(); }
 
   // Of 1 (an angle at a vertex): two directions that differ by less are not told apart where windows leave a
@@ -88,21 +88,21 @@ struct Tolerance
     return e * e;
   }
 
-  // Of the longest side, where the user gives lengths: in a face with a smaller height h, |e| / h bounds paths by millions
-  // of crossed faces for each edge e, which no computation reaches in practice, and the square of this ratio, below 2^-48,
-  // is near the rounding of double.
+  // Of the longest side, where the user gives lengths: in a face with a smaller height h, |e| / h bounds paths by
+  // millions of crossed faces for each edge e, which no computation reaches in practice, and the square of this ratio,
+  // below 2^-48, is near the rounding of double.
   static constexpr double lost_face() { return 0x1p-24; }
 
-  // Of the longest side: if a mesh has lost faces, only faces with a larger height count for the bound, which is then a few
-  // thousand faces for each edge. The geometric mean of lost_face() and 1.
+  // Of the longest side: if a mesh has lost faces, only faces with a larger height count for the bound, which is then a
+  // few thousand faces for each edge. The geometric mean of lost_face() and 1.
   static constexpr double thick_face() { return 0x1p-12; }
 
   // --- Windows: window/ and propagation/ -----------------------------------------------------------------------------
 
   // Of a distance: windows whose distances differ by less are not told apart when the longer one would be pruned. This
-  // covers the rounding of one comparison: two distances that err by two units each (Window_numbers::distance_at()). With
-  // u = unit_roundoff() / 2, is_clearly_less(a, b) implies A < B (1 + u) for the exact distances A and B that the stored
-  // images have.
+  // covers the rounding of one comparison: two distances that err by two units each (Window_numbers::distance_at()).
+  // With u = unit_roundoff() / 2, is_clearly_less(a, b) implies A < B (1 + u) for the exact distances A and B that the
+  // stored images have.
   //
   // The error of images. The stored image is not the exact one: it is unfolded face by face. To first order, crossing a
   // face adds, with r the distance from the image to the farthest corner of the face:
@@ -110,24 +110,25 @@ struct Tolerance
   // - 16 u r for the direction of the new edge: in the frame of its shortest side, the apex of a face errs by less than
   //   7 unit_roundoff() of either side that ends there (planar_geometry.h), and by less than 8 in the other frames;
   // - 16 u L for the position of the apex, where L is the longest side met so far.
-  // Rotations do not amplify earlier errors, and needles do not either, because apexes err relative to the nearest side.
-  // As r <= d + L, where d is the distance from the image along the window, an image that has crossed n faces errs by
+  // Rotations do not amplify earlier errors, and needles do not either, because apexes err relative to the nearest
+  // side. As r <= d + L, where d is the distance from the image along the window, an image that has crossed n faces
+  // errs by
   //   24 n unit_roundoff() (d + L)
   // at most, and so does each of its distances. test_predicate_laws measures less than 2 in place of 24. The lengths of
   // the pieces of a path that bends at pseudo-sources add up, and so do their errors.
-  // The ends of an interval err by the same amount across the rays, so that a path may pass a vertex on the wrong side by
-  // this much; the path around the vertex is longer by no more than that.
+  // The ends of an interval err by the same amount across the rays, so that a path may pass a vertex on the wrong side
+  // by this much; the path around the vertex is longer by no more than that.
   //
-  // What is known, and what is not. Where two windows differ by less than their errors of images, pruning may remove the
-  // shorter one. It never removes both, and the other one is a path on the surface, longer by at most the sum of the two
-  // errors. No bound is proved for many such losses along one path; their number is at most n, which gives n times the
-  // bound above. The certificate does not rest on any of this: it checks the final distances against a lower bound
-  // (certificate/Lower_bound_check.h), with the largest violation that it finds.
+  // What is known, and what is not. Where two windows differ by less than their errors of images, pruning may remove
+  // the shorter one. It never removes both, and the other one is a path on the surface, longer by at most the sum of
+  // the two errors. No bound is proved for many such losses along one path; their number is at most n, which gives n
+  // times the bound above. The certificate does not rest on any of this: it checks the final distances against a lower
+  // bound (certificate/Lower_bound_check.h), with the largest violation that it finds.
   static FT distance() { return 4 * unit_roundoff(); }
 
-  // Of the length of an edge: narrower intervals come from rounding (a ray that meets a vertex) and are dropped. No path
-  // is lost: distances are also measured along paths that bend at the end of an interval, and a lateral shift of this
-  // size makes them longer only by its square.
+  // Of the length of an edge: narrower intervals come from rounding (a ray that meets a vertex) and are dropped. No
+  // path is lost: distances are also measured along paths that bend at the end of an interval, and a lateral shift of
+  // this size makes them longer only by its square.
   static FT interval() { return 512 * unit_roundoff(); }
 
   // Of the length of an edge: if an image is nearer to its interval, the rounding of the ends of the interval turns its
@@ -158,8 +159,8 @@ struct Tolerance
   // Of the length of an edge: how exactly the crossings of isolines are found.
   static FT isoline() { return 4096 * unit_roundoff(); }
 
-  // Of the length of an edge: two crossings of one isoline that are nearer to each other may be missed. Halving down to here
-  // takes 14 steps where the isoline comes near an edge without crossing it; the manual promises 1e-4.
+  // Of the length of an edge: two crossings of one isoline that are nearer to each other may be missed. Halving down to
+  // here takes 14 steps where the isoline comes near an edge without crossing it; the manual promises 1e-4.
   static FT isoline_touching() { return FT(1) / 16384; }
 
   // --- Diagrams: Voronoi/ and the bisectors in numeric/ --------------------------------------------------------------
@@ -193,8 +194,8 @@ struct Tolerance
   // Of the distances of two sites: the rounding of their bisector.
   static FT bisector() { return 16 * distance(); }
 
-  // Of the squared distance of two sites: a bisector that is described by a smaller number is a ray. Also the difference
-  // of weights, of a distance, below which a bisector is a straight line.
+  // Of the squared distance of two sites: a bisector that is described by a smaller number is a ray. Also the
+  // difference of weights, of a distance, below which a bisector is a straight line.
   static FT curvature() { return 4 * distance(); }
 
   // Of the sum of the absolute terms of a quadratic polynomial: the rounding of its value.

@@ -221,7 +221,7 @@ public:
   }
 
   // Returns a distance from the start that no point of the curve from 0 to t exceeds.
-  FT extent(const FT& t) const
+  FT reach(const FT& t) const
   {
     using std::abs;
     if(m_is_straight)

@@ -10,8 +10,8 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_PLANAR_GEOMETRY_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_PLANAR_GEOMETRY_H
 
-// Plane geometry on bare numbers: points, norms, and triangles that are laid out from their lengths. Each formula states
-// its error bound; test_predicate_laws compares it with a hundred digits.
+// Plane geometry on bare numbers: points, norms, and triangles that are laid out from their lengths. Each formula
+// states its error bound; test_predicate_laws compares it with a hundred digits.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
 
@@ -28,8 +28,8 @@ struct Planar_point
   FT x = 0, y = 0;
 };
 
-// Are the corners of a triangle on one line, up to rounding? `longest` is its longest side. The answer does not depend on
-// the unit of length.
+// Are the corners of a triangle on one line, up to rounding? `longest` is its longest side. The answer does not depend
+// on the unit of length.
 template <typename FT>
 bool is_without_height(const FT& twice_the_area, const FT& longest)
 {
@@ -48,13 +48,14 @@ struct Planar_triangle
 // Requires: 0 <= a <= b, a <= c.
 //
 // Formula: twice the area is the root of (x + y + a) (a - x + y) (a + x - y) (x + y - a) / 4 with x = max(b,c),
-// y = min(b,c), in the order of operations of W. Kahan ("Miscalculating area and angles of a needle-like triangle", 2014).
+// y = min(b,c), in the order of operations of W. Kahan ("Miscalculating area and angles of a needle-like triangle",
+// 2014).
 //
 // Error bound, to first order in u = unit_roundoff() / 2, for exact sides. x - y and c - b are exact (Sterbenz's lemma:
 // no side is longer than the sum of the others, and a is the shortest). The four factors err by 3, 2, 2 and 3 u, their
 // product by 13 u, its root by 7.5 u, and apex_y by 10.5 u of itself: less than 6 unit_roundoff(). The summand of a in
-// apex_x errs by 3 u of b + c at most, and apex_x by 5.5 u of c or 6.5 u of b: less than 3 and 4 unit_roundoff(). So the
-// directions of all sides are accurate in needles, too.
+// apex_x errs by 3 u of b + c at most, and apex_x by 5.5 u of c or 6.5 u of b: less than 3 and 4 unit_roundoff(). So
+// the directions of all sides are accurate in needles, too.
 // Laws: a power of two scales the result exactly.
 template <typename FT>
 Planar_triangle<FT> planar_triangle_from_lengths(const FT& a, const FT& b, const FT& c)

@@ -155,8 +155,8 @@ private:
     return true;
   }
 
-  // Is a key not smaller than those of the visits before, up to the error of images (Tolerance.h)? It is relative to the
-  // distance and to the lengths of the mesh, the longest of which is about 1.
+  // Is a key not smaller than those of the visits before, up to the error of images (Tolerance.h)? It is relative to
+  // the distance and to the lengths of the mesh, the longest of which is about 1.
   bool ascends(const FT& key) const
   {
     const FT& reached = m_end.reached_distance();

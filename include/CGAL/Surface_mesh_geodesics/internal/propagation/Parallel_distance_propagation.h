@@ -259,7 +259,7 @@ private:
   // are. Returns false if there is none. Requires: the slot of visit i is free.
   bool take_out(Number i)
   {
-    Vertex_front_queue<FT>& queue = m_wavefront.queue();
+    Wavefront_queue<FT>& queue = m_wavefront.queue();
     while(!queue.empty())
     {
       const Vertex_id v = queue.top();

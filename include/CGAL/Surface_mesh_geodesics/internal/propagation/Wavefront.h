@@ -24,8 +24,8 @@
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Bitset.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/prefetch.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Star_propagation.h>
-#include <CGAL/Surface_mesh_geodesics/internal/propagation/Vertex_front_queue.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Vertex_star.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/Wavefront_queue.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Window_lists.h>
@@ -104,7 +104,7 @@ public:
     m_queue.push_or_decrease(v, offset);
   }
 
-  Vertex_front_queue<FT>& queue() { return m_queue; }
+  Wavefront_queue<FT>& queue() { return m_queue; }
   const FT& distance(Vertex_id v) const { return m_field.distance[v]; }
   const std::vector<FT>& distances() const { return m_field.distance; }
 
@@ -295,7 +295,7 @@ private:
   const Mesh& m_mesh;
   Field& m_field;
   Window_lists<FT> m_lists;
-  Vertex_front_queue<FT> m_queue;
+  Wavefront_queue<FT> m_queue;
   std::vector<unsigned char> m_emission; // flags of Emission, by vertex
   Bitset m_set;                          // buffer of put_back(): the links, then the faces that have changed
   bool m_has_stale_windows = false;      // a vertex that has emitted windows has been improved

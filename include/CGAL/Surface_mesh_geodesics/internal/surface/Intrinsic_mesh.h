@@ -233,8 +233,8 @@ public:
   }
 
   // Lets shortest paths cross faces more than once; see most_faces_crossed(). If some face is flatter than
-  // Tolerance::lost_face(), no bound from its height would end the computation in practice; the bound then ignores faces
-  // that are flatter than Tolerance::thick_face().
+  // Tolerance::lost_face(), no bound from its height would end the computation in practice; the bound then ignores
+  // faces that are flatter than Tolerance::thick_face().
   void bound_faces_crossed_by_lengths()
   {
     double height = std::numeric_limits<double>::infinity(), height_of_thick = height, sum = 0;

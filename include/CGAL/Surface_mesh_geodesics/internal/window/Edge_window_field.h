@@ -12,9 +12,9 @@
 
 // The windows that a propagation has carried across each halfedge, kept for queries at any point of the surface.
 //
-// No rule had found these windows redundant when they were propagated. Windows that have been dominated since cost memory
-// only. A kept window does not store the distance of its pseudo-source, which may have shrunk since: the final distance
-// belongs to a path that exists as well and is not longer.
+// No rule had found these windows redundant when they were propagated. Windows that have been dominated since cost
+// memory only. A kept window does not store the distance of its pseudo-source, which may have shrunk since: the final
+// distance belongs to a path that exists as well and is not longer.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Kept_window.h>

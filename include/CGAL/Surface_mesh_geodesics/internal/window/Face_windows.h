@@ -13,8 +13,8 @@
 // Windows that are kept for the face that they have entered, by the halfedge across which they came. The windows of a
 // halfedge can be released, and their memory is used again.
 //
-// Windows lie in chunks of a few. The links between chunks are stored apart from them and are small enough for the caches:
-// on large meshes, a chunk that is reused is in no cache.
+// Windows lie in chunks of a few. The links between chunks are stored apart from them and are small enough for the
+// caches: on large meshes, a chunk that is reused is in no cache.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Kept_window.h>

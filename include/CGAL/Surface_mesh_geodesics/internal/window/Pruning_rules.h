@@ -16,8 +16,8 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// All rules: the policy of every propagation but those of tests. Each rule only saves work: without it the distances are
-// the same. Without any rule no propagation ends.
+// All rules: the policy of every propagation but those of tests. Each rule only saves work: without it the distances
+// are the same. Without any rule no propagation ends.
 struct All_pruning_rules
 {
   static constexpr bool rule_1 = true;      // one angle, two sides (thesis, 4.2.3.1)

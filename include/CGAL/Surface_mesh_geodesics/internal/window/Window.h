@@ -13,24 +13,24 @@
 // A window (thesis, 3.3.1): the straight paths from one pseudo-source that cross one sequence of edges and end in one
 // interval of the last of them, AB.
 //
-// Frame. A window belongs to the halfedge AB of the face ABC that it is about to enter. A is the origin, AB the positive
-// x axis, C lies above. The image of the pseudo-source, unfolded into the plane of ABC along the edge sequence, lies
-// below, at (image_x, -image_depth). Looking from the image across AB, A is on the left and B on the right.
+// Frame. A window belongs to the halfedge AB of the face ABC that it is about to enter. A is the origin, AB the
+// positive x axis, C lies above. The image of the pseudo-source, unfolded into the plane of ABC along the edge
+// sequence, lies below, at (image_x, -image_depth). Looking from the image across AB, A is on the left and B on the
+// right.
 //
 // Order. The key tells where the edge sequence of a window runs relative to those of the other windows on AB. It holds
 // the last 64 turns (0: the window left the previous face across its left edge, 1: across its right edge), the latest
-// turn in the highest bit, followed by a single 1 where the sequence begins at its pseudo-source (if it has fewer than 64
-// turns). Take two windows on AB with different keys. Their edge sequences agree back to some face, which they enter
-// across different edges, or in which one of them begins at the vertex that these edges share: the smaller key comes from
-// the left. Beyond that face
-// both run through the same triangles, which unfold to a disk. So if a path of the window with the smaller key ends on
-// the right of a path of the other window, the two paths really cross, in that disk. Every pruning of pairs needs this
-// fact, and only the key tells it: the positions of images or intervals do not.
+// turn in the highest bit, followed by a single 1 where the sequence begins at its pseudo-source (if it has fewer than
+// 64 turns). Take two windows on AB with different keys. Their edge sequences agree back to some face, which they enter
+// across different edges, or in which one of them begins at the vertex that these edges share: the smaller key comes
+// from the left. Beyond that face both run through the same triangles, which unfold to a disk. So if a path of the
+// window with the smaller key ends on the right of a path of the other window, the two paths really cross, in that
+// disk. Every pruning of pairs needs this fact, and only the key tells it: the positions of images or intervals do not.
 //
 // Windows with equal keys have edge sequences that agree for 64 faces. Splitting and joining lists keeps the order of
-// such windows, so it is still known. It may be lost only where lists are merged that came to an edge at different times.
-// The windows that came later are marked then, and so are their children: no rule is applied to two windows of equal keys
-// if one of them is marked.
+// such windows, so it is still known. It may be lost only where lists are merged that came to an edge at different
+// times. The windows that came later are marked then, and so are their children: no rule is applied to two windows of
+// equal keys if one of them is marked.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
@@ -61,10 +61,10 @@ constexpr Window_history one_step = Window_history(1) << 32;
 // pseudo-source, root its vertex. Up to rounding, begin_distance == distance_at(begin), and so at the end.
 //
 // Invariants; is_valid() checks them:
-// - 0 <= begin < end <= |AB|. Holds for new windows, in stored lists, and after Window_list_crossing::prune(). Trimming a
-//   list against neighbors from both sides may break begin < end; prune() removes such windows before it returns.
-// - image_depth >= 0. New windows have a positive depth (Tolerance::depth()). The image of a child may come to lie on its
-//   edge by rounding: then the depth is 0, and is_too_close_to_trim() keeps rules away that divide by it.
+// - 0 <= begin < end <= |AB|. Holds for new windows, in stored lists, and after Window_list_crossing::prune(). Trimming
+//   a list against neighbors from both sides may break begin < end; prune() removes such windows before it returns.
+// - image_depth >= 0. New windows have a positive depth (Tolerance::depth()). The image of a child may come to lie on
+//   its edge by rounding: then the depth is 0, and is_too_close_to_trim() keeps rules away that divide by it.
 // - 0 <= root_distance <= begin_distance, end_distance < infinity.
 // Windows behind the end of a list, which loops over lanes read and write, satisfy none of this.
 template <typename FT>
@@ -87,8 +87,8 @@ struct Window : one_lane::Window_numbers<FT>
   }
 };
 
-// The steps of a list from those of two parts: at least the number of faces that each window has crossed, and a mark if one
-// of them may be marked.
+// The steps of a list from those of two parts: at least the number of faces that each window has crossed, and a mark if
+// one of them may be marked.
 constexpr std::uint32_t joined_steps(std::uint32_t a, std::uint32_t b)
 {
   return (a < b ? b : a) | ((a | b) & 1);

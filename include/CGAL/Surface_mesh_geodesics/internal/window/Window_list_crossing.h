@@ -10,11 +10,11 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_WINDOW_LIST_CROSSING_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_WINDOW_LIST_CROSSING_H
 
-// One window list across one face (thesis, 4.2.3). prune() removes redundant windows, find_apex_path() finds the nearest
-// window for the apex C (Rule 1), and split() propagates the list to the two other edges.
+// One window list across one face (thesis, 4.2.3). prune() removes redundant windows, find_apex_path() finds the
+// nearest window for the apex C (Rule 1), and split() propagates the list to the two other edges.
 //
-// Neighbors in a sorted list are pruned against each other once, when the list is about to be propagated and all lists that
-// reach its edge have been merged into it. So Rule 2 (one list) and Rule 3 (merged lists) are one pass.
+// Neighbors in a sorted list are pruned against each other once, when the list is about to be propagated and all lists
+// that reach its edge have been merged into it. So Rule 2 (one list) and Rule 3 (merged lists) are one pass.
 
 #include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
@@ -66,13 +66,14 @@ public:
   // Says whether the distance of a pseudo-source may have shrunk after its windows were made.
   void expect_stale_windows(bool are_expected) { m_has_stale_windows = are_expected; }
 
-  // Removes windows that are redundant on the edge itself: windows of a pseudo-source that has been improved since, windows
-  // beaten by a vertex or by a neighbor, and windows that have crossed more faces than any shortest path does
+  // Removes windows that are redundant on the edge itself: windows of a pseudo-source that has been improved since,
+  // windows beaten by a vertex or by a neighbor, and windows that have crossed more faces than any shortest path does
   // (Intrinsic_mesh.h).
   //
   // First, all windows are trimmed against their original neighbors. Redundant windows become suspects, which are then
-  // looked at one by one. The order of pruning does not matter: each removed path is longer than some path on the surface.
-  // Lists are pruned on every fourth edge only. To remove a window later costs less than to look for it on each edge.
+  // looked at one by one. The order of pruning does not matter: each removed path is longer than some path on the
+  // surface. Lists are pruned on every fourth edge only. To remove a window later costs less than to look for it on
+  // each edge.
   // Requires: the list is valid. It is so afterwards; in between, trimming may leave empty intervals.
   void prune(Window_list<FT>& list, const Face_frame<FT>& c, const Corner_rivals<FT>& corners)
   {
@@ -108,8 +109,8 @@ public:
     return best;
   }
 
-  // Splits a list at its separating point (Rule 1) and propagates it to the two other edges, into the room behind the given
-  // lists; a list without a block gets nothing.
+  // Splits a list at its separating point (Rule 1) and propagates it to the two other edges, into the room behind the
+  // given lists; a list without a block gets nothing.
   // Requires: `path` is the result of the last call of find_apex_path(), for the same list.
   void split(const Window_list<FT>& list, const Face_frame<FT>& c, const Corner_rivals<FT>& corners,
              const Apex_path& path, const Window_list<FT>& left_room, const Window_list<FT>& right_room)
@@ -145,9 +146,9 @@ private:
     return false;
   }
 
-  // Replaces a path that bends at the end of its interval by a straighter one through the next window if that is not clearly
-  // longer. The bend costs only the square of the shift, which rounding may hide. But the list is split where the path
-  // crosses it, and the whole shift would become a gap between the children.
+  // Replaces a path that bends at the end of its interval by a straighter one through the next window if that is not
+  // clearly longer. The bend costs only the square of the shift, which rounding may hide. But the list is split where
+  // the path crosses it, and the whole shift would become a gap between the children.
   void straighten(const Window_list<FT>& list, const Face_frame<FT>& c, Apex_path& best) const
   {
     const bool is_to_right = m_abscissa[best.index] > list.columns.end()[best.index];
@@ -245,8 +246,8 @@ private:
     return false;
   }
 
-  // Prunes w against the first `last` windows, from the nearest one on, until one of them stays (thesis, 4.2.3.2: linear
-  // time in all). Returns false if w itself is redundant.
+  // Prunes w against the first `last` windows, from the nearest one on, until one of them stays (thesis, 4.2.3.2:
+  // linear time in all). Returns false if w itself is redundant.
   bool survives_neighbors(Window_list<FT>& list, std::size_t& last, Window<FT>& w,
                            const FT& length)
   {
@@ -278,10 +279,10 @@ private:
     return true;
   }
 
-  // Splits a list window by window. A window keeps both sides if its position relative to the nearest one is unknown, or
-  // if it lies wholly on the other side of the separating point than its key says: then nothing can be proved.
-  void split_one_by_one(const Window_list<FT>& list, const Face_frame<FT>& c, const Apex_path& path, Edge_cut<FT> to_left,
-                        Edge_cut<FT> to_right)
+  // Splits a list window by window. A window keeps both sides if its position relative to the nearest one is unknown,
+  // or if it lies wholly on the other side of the separating point than its key says: then nothing can be proved.
+  void split_one_by_one(const Window_list<FT>& list, const Face_frame<FT>& c, const Apex_path& path,
+                        Edge_cut<FT> to_left, Edge_cut<FT> to_right)
   {
     const FT& s = path.separating_point;
     const Window<FT> best = list.columns.get(path.index);

@@ -12,9 +12,9 @@
 
 // The loops over the windows of a list, in which nearly all time is spent, for the processor that runs the program.
 //
-// They are compiled once for each number of lanes that may pay (simd.h): the files in lanes/ are included several times,
-// each time into another namespace and for another instruction set (README.md). An object chooses its loops once, not in
-// each call. The choice does not change any bit of the results.
+// They are compiled once for each number of lanes that may pay (simd.h): the files in lanes/ are included several
+// times, each time into another namespace and for another instruction set (README.md). An object chooses its loops
+// once, not in each call. The choice does not change any bit of the results.
 
 #include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
@@ -100,17 +100,17 @@ struct Window_list_loops
 
   std::size_t lanes; // at most Window_columns::padding
 
-  // Trims the n windows of a list against their neighbors (Trimmed_pairs), all with their original neighbors. Suspects are
-  // the windows that are beaten by a vertex or trimmed to nothing, and the right windows of undecided pairs. Returns
-  // whether there are any.
+  // Trims the n windows of a list against their neighbors (Trimmed_pairs), all with their original neighbors. Suspects
+  // are the windows that are beaten by a vertex or trimmed to nothing, and the right windows of undecided pairs.
+  // Returns whether there are any.
   bool (*trim)(const Columns& columns, std::size_t n, const FT& length, const Rival& left, const Rival& right,
                Suspects* suspects);
 
   // Finds the shortest path to C, and the apex_abscissa of all windows.
   Nearest_window<FT> (*find_nearest)(const Columns& columns, std::size_t n, const Face_frame<FT>& c, FT* abscissa);
 
-  // Does every window, by its interval, reach the side of s that its key tells: those before the best one the left side,
-  // those after it the right side?
+  // Does every window, by its interval, reach the side of s that its key tells: those before the best one the left
+  // side, those after it the right side?
   bool (*is_split_by)(const Columns& columns, std::size_t n, std::size_t best, const FT& s);
 
   // Appends the children of the windows [first, last) to the batch of one edge.

@@ -10,15 +10,16 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_WINDOW_LISTS_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_WINDOW_LISTS_H
 
-// The window lists of the wavefront (thesis, 3.3.2.1, definition 3.1): for each halfedge the windows that wait to enter its
-// face, sorted by key.
+// The window lists of the wavefront (thesis, 3.3.2.1, definition 3.1): for each halfedge the windows that wait to enter
+// its face, sorted by key.
 //
 // A list is a block of a pool, with a column for each field of its windows, because loops process several windows at a
 // time (simd.h). Blocks have room for 8, 16, 32, ... windows, and released blocks are used again. So no window is
 // allocated by itself, a list is read in one sweep, and the memory is that of the widest wavefront.
 //
-// Invariants of a stored list, from Window_pool::add() to Window_lists::take(): it is not empty, is_sorted_by_key(), and its
-// windows are valid (Window.h). While it is pruned, windows may be empty; while it is split, it does not change.
+// Invariants of a stored list, from Window_pool::add() to Window_lists::take(): it is not empty, is_sorted_by_key(),
+// and its windows are valid (Window.h). While it is pruned, windows may be empty; while it is split, it does not
+// change.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Window.h>
@@ -38,8 +39,8 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// The columns of a block. Each has `padding` more rows than windows: loops over lanes and copies read and write all lanes of
-// their last step.
+// The columns of a block. Each has `padding` more rows than windows: loops over lanes and copies read and write all
+// lanes of their last step.
 template <typename FT>
 struct Window_columns
 {
@@ -91,7 +92,8 @@ struct Window_columns
     history()[i] = w.history();
   }
 
-  // Copies the windows [first, last) of another block to the rows from i on, and the rows behind them up to a full step.
+  // Copies the windows [first, last) of another block to the rows from i on, and the rows behind them up to a full
+  // step.
   void copy(const Window_columns& from, std::size_t first, std::size_t last, std::size_t i) const
   {
     for(; first < last; first += step, i += step)
@@ -216,8 +218,8 @@ public:
     replace(list, larger);
   }
 
-  // Merges the first n windows in the room behind a list with the list. Marks those whose key the list has already. A list
-  // that stays empty releases its block.
+  // Merges the first n windows in the room behind a list with the list. Marks those whose key the list has already. A
+  // list that stays empty releases its block.
   // Requires: the n windows are sorted by key, and `steps` are their joined_steps(). n may be 0.
   void add(List& list, std::size_t n, std::uint32_t steps)
   {
@@ -273,8 +275,8 @@ private:
     list = other;
   }
 
-  // Merges the windows of a list before `middle` with those from there on, which came later. Copies them in runs: mostly, one
-  // of the two parts lies on the left of the other.
+  // Merges the windows of a list before `middle` with those from there on, which came later. Copies them in runs:
+  // mostly, one of the two parts lies on the left of the other.
   void merge(List& list, std::size_t middle)
   {
     List merged = allocate(list.size);
@@ -385,8 +387,8 @@ public:
     : m_slot_of_halfedge(3 * number_of_faces, null_id)
   {}
 
-  // Removes all lists, and prepares for a mesh with this number of faces. Takes time proportional to the largest number of
-  // lists that have waited at a time.
+  // Removes all lists, and prepares for a mesh with this number of faces. Takes time proportional to the largest number
+  // of lists that have waited at a time.
   void restart(std::size_t number_of_faces, Window_pool<FT>& pool)
   {
     for(std::size_t slot = 0; slot < m_lists.size(); ++slot)

@@ -10,17 +10,18 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_SIMD_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_SIMD_H
 
-// Several numbers at a time. Loops over columns of numbers are written once, in terms of Lanes<FT> (lanes/Lanes.h), which
-// processes `size` lanes together. Most number types have one lane, which is a plain number: One_lane below. For double,
-// there are as many lanes as the instruction set has: 8 with AVX-512, 4 with AVX, 2 with SSE2 or NEON, and one for compilers
-// other than GCC and Clang.
+// Several numbers at a time. Loops over columns of numbers are written once, in terms of Lanes<FT> (lanes/Lanes.h),
+// which processes `size` lanes together. Most number types have one lane, which is a plain number: One_lane below. For
+// double, there are as many lanes as the instruction set has: 8 with AVX-512, 4 with AVX, 2 with SSE2 or NEON, and one
+// for compilers other than GCC and Clang.
 //
-// Loads and stores need no alignment. No lane depends on another one, unless its operation says so; so lanes behind the end
-// of a column may hold anything. Each lane sees the operations of a single number: the results are the same bits for any
-// number of lanes, unless the compiler fuses multiplications and additions. GCC does so for instruction sets that have
-// fused operations (-march=native, ARM) without -ffp-contract=off.
+// Loads and stores need no alignment. No lane depends on another one, unless its operation says so; so lanes behind the
+// end of a column may hold anything. Each lane sees the operations of a single number: the results are the same bits
+// for any number of lanes, unless the compiler fuses multiplications and additions. GCC does so for instruction sets
+// that have fused operations (-march=native, ARM) without -ffp-contract=off.
 //
-// The instruction set is that of the compilation; for x86-64 without flags it is chosen at run time (Window_list_loops.h).
+// The instruction set is that of the compilation; for x86-64 without flags it is chosen at run time
+// (Window_list_loops.h).
 //
 // If CGAL_SURFACE_MESH_GEODESICS_NO_SIMD is defined, double has one lane, too. This macro, and the flags that choose an
 // instruction set, must be the same in all files of a program that include this one.

@@ -10,11 +10,11 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_WINDOW_PRUNING_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_WINDOW_PRUNING_H
 
-// The rules that prune single windows. A window, or a part of its interval, is redundant if no shortest path runs through
-// it, or if a path of the same length runs elsewhere. The manual (page Theory) has the proofs.
+// The rules that prune single windows. A window, or a part of its interval, is redundant if no shortest path runs
+// through it, or if a path of the same length runs elsewhere. The manual (page Theory) has the proofs.
 //
-// The rules that also run over whole lists are written in lanes/lane_pruning.h, for any number of lanes; the functions here
-// call their one-lane instances.
+// The rules that also run over whole lists are written in lanes/lane_pruning.h, for any number of lanes; the functions
+// here call their one-lane instances.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Vertex_rival.h>
@@ -35,18 +35,18 @@ bool is_beaten_by_vertices(const Window<FT>& w, const FT& length, const Vertex_r
 
 enum class Pair_outcome { KEEP_BOTH, LEFT_IS_REDUNDANT, RIGHT_IS_REDUNDANT };
 
-// The rule for crossed windows (thesis, cases 3 and 6): the interval of `left`, whose key is smaller, lies wholly on the right of
-// that of `right`. Then each path of one crosses each path of the other, and the window that is nearer at the crossing U
-// of the two innermost paths is nearer everywhere.
+// The rule for crossed windows (thesis, cases 3 and 6): the interval of `left`, whose key is smaller, lies wholly on
+// the right of that of `right`. Then each path of one meets each path of the other, and the window that is nearer at
+// the point U where the two innermost paths meet is nearer everywhere.
 //
-// Formula. At the height -h below AB, the path to left.begin is at left.begin + h * left_slope and the path to right.end
-// at right.end + h * right_slope. They meet at h = (left.begin - right.end) / (right_slope - left_slope). From the edge
-// back to U, a distance shrinks by its straight part in proportion to h.
-// This rule has no text for lanes: pairs of this kind are rare, and lists leave them undecided.
+// Formula. At the height -h below AB, the path to left.begin is at left.begin + h * left_slope and the path to
+// right.end at right.end + h * right_slope. They meet at h = (left.begin - right.end) / (right_slope - left_slope).
+// From the edge back to U, a distance shrinks by its straight part in proportion to h. This rule has no text for lanes:
+// pairs of this kind are rare, and lists leave them undecided.
 //
 // Ties, and paths that do not cross below the edge (which contradicts the order, by rounding), keep both windows. Error
-// bound: rounding of the slopes makes the two points differ by 5 u of the straight parts, and each distance there errs by
-// 8 u, so that the decision is right if the distances differ by 26 u = 13 unit_roundoff() of the longer one.
+// bound: rounding of the slopes makes the two points differ by 5 u of the straight parts, and each distance there errs
+// by 8 u, so that the decision is right if the distances differ by 26 u = 13 unit_roundoff() of the longer one.
 template <typename FT>
 Pair_outcome prune_crossed_windows(const Window<FT>& left, const Window<FT>& right)
 {
@@ -67,8 +67,8 @@ Pair_outcome prune_crossed_windows(const Window<FT>& left, const Window<FT>& rig
   return Pair_outcome::KEEP_BOTH;
 }
 
-// Applies the pair rules (thesis, 4.2.1, cases 1-6) to two windows of one edge: trims them, or finds one redundant, which
-// stays as it is. See one_lane::Trimmed_pairs for the rule and one_lane for its only text.
+// Applies the pair rules (thesis, 4.2.1, cases 1-6) to two windows of one edge: trims them, or finds one redundant,
+// which stays as it is. See one_lane::Trimmed_pairs for the rule and one_lane for its only text.
 // Requires: the key of `left` is less than that of `right`; neither is_too_close_to_trim().
 template <typename FT>
 Pair_outcome prune_pair(Window<FT>& left, Window<FT>& right)

@@ -40,7 +40,7 @@ struct Front_event
   FT t = std::numeric_limits<FT>::infinity();
   std::size_t index = 0;   // of the side or of the image
   Half_plane<FT> line{};   // that the curve leaves
-  FT extent = std::numeric_limits<FT>::infinity(); // no point of the curve before t is farther from its start
+  FT reach = std::numeric_limits<FT>::infinity(); // no point of the curve before t is farther from its start
 
   bool is_bounded() const { return t < std::numeric_limits<FT>::infinity(); }
 };
@@ -78,10 +78,10 @@ public:
   const Event& event() const { return m_event; }
 
   // Bounds the part of the curve before the event. Call it after the half-planes and before the images.
-  void find_extent()
+  void find_reach()
   {
     if(m_event.is_bounded())
-      m_event.extent = m_curve->extent(m_event.t);
+      m_event.reach = m_curve->reach(m_event.t);
   }
 
   // Finds the first parameter behind which the curve is outside of a half-plane.
@@ -150,7 +150,7 @@ public:
         if((from > 0 || !has_been_left) && is_taken_over_between(from, to, left, g, c))
         {
           set(Event::NEARER, from, index, m_event.line);
-          m_event.extent = m_curve->extent(from);
+          m_event.reach = m_curve->reach(from);
           return;
         }
         from = to;
@@ -178,7 +178,7 @@ private:
   {
     const Point& p = m_curve->start();
     const FT to_g = norm<FT>(p.x - g.point.x, p.y - g.point.y);
-    if(g.point.weight + to_g > at_start + 2 * m_event.extent)
+    if(g.point.weight + to_g > at_start + 2 * m_event.reach)
       return false;
     const bool is_bounded = m_event.is_bounded();
     if(g.has_cone)

@@ -229,7 +229,7 @@ private:
       m_first.enter_and_leave(*until);
     m_first.leave_cone(image(f.left_image), Event::LEFT_CONE);
     m_first.leave_cone(image(f.right_image), Event::RIGHT_CONE);
-    m_first.find_extent();
+    m_first.find_reach();
     try_images(f);
     return m_first.event();
   }
@@ -246,7 +246,7 @@ private:
         try_image(f, i, at_start);
     m_images.cones().find_margins(f.end, m_margins);
     for(std::size_t i = 0; i < n; ++i)
-      if(m_margins[i] >= -m_first.event().extent && !is_beside(i, f.left_image) && !is_beside(i, f.right_image))
+      if(m_margins[i] >= -m_first.event().reach && !is_beside(i, f.left_image) && !is_beside(i, f.right_image))
         try_image(f, i, at_start);
     // The paths around the end of the last cone: the image that follows may only seem to tie with them at that end.
     if(!m_bends.empty())

@@ -53,7 +53,7 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// `Elements` is Voronoi_elements<Diagram>, where Diagram is the public class. Its parameters are those of the latter.
+// `Elements` is Voronoi_handles<Diagram>, where Diagram is the public class. Its parameters are those of the latter.
 template <typename Traits, typename VertexIndexMap, typename FaceIndexMap, typename VertexPointMap, typename Elements>
 class Lazy_Voronoi_diagram
 {
@@ -157,8 +157,8 @@ public:
   }
 
   // What the propagation did, and how many windows the diagram kept: at most at a time, and without the removal of
-  // redundant ones. Both build the diagram.
-  const Propagation_statistics& statistics() const
+  // redundant ones. Both build the diagram. Nothing that runs later in const functions changes these figures.
+  Propagation_statistics statistics() const
   {
     build();
     return m_statistics;
@@ -224,18 +224,20 @@ public:
 
   // --- queries: they build what they need ---
 
+  // They throw Invalid_geodesic_input for a vertex or location that is not on the mesh, also if there are no sites.
   std::size_t nearest_site(vertex_descriptor v) const
   {
     build();
-    return m_sites.empty() ? no_site : site_at(m_complex.owner(m_solver.query(v).vertex));
+    const typename Solver::Query q = m_solver.query(v);
+    return m_sites.empty() ? no_site : site_at(m_complex.owner(q.vertex));
   }
 
   std::size_t nearest_site(face_descriptor f, const Barycentric_coordinates& location) const
   {
     build();
+    const typename Solver::Query q = m_solver.query(f, weights(location));
     if(m_sites.empty())
       return no_site;
-    const typename Solver::Query q = m_solver.query(f, weights(location));
     if(q.vertex != null_id)
       return site_at(m_complex.owner(q.vertex));
     const auto corner = m_complex.layout(q.face);
@@ -252,15 +254,16 @@ public:
   FT distance_to_nearest_site(vertex_descriptor v) const
   {
     build();
-    return m_sites.empty() ? FT(-1) : user_distance(m_solver.arrival(m_solver.query(v)));
+    const typename Solver::Query q = m_solver.query(v);
+    return m_sites.empty() ? FT(-1) : user_distance(m_solver.arrival(q));
   }
 
   FT distance_to_nearest_site(face_descriptor f, const Barycentric_coordinates& location) const
   {
     build();
+    const typename Solver::Query q = m_solver.query(f, weights(location));
     if(m_sites.empty())
       return FT(-1);
-    const typename Solver::Query q = m_solver.query(f, weights(location));
     if(m_solver.needs_windows(q))
       add_windows();
     return user_distance(m_solver.arrival(q));
@@ -342,9 +345,26 @@ private:
     m_is_built = false;
     m_has_measures = false;
     m_has_windows = false;
+    clear_diagram();
+  }
+
+  void clear_diagram() const
+  {
     m_complex.clear();
     m_elements.clear();
   }
+
+  // Clears what has been made of a diagram if building ends early, by a visitor or by an exception.
+  struct Unfinished_diagram
+  {
+    const Lazy_Voronoi_diagram* diagram;
+
+    ~Unfinished_diagram()
+    {
+      if(diagram != nullptr)
+        diagram->clear_diagram();
+    }
+  };
 
   // --- computing ---
 
@@ -371,10 +391,12 @@ private:
     return compute_once(m_is_built, [&]
     {
       give_sites_to_solver();
+      Unfinished_diagram unfinished{this};
       if(!propagate(run))
         return false;
       m_elements.collect(m_complex, [this](Vertex_id v) { return site_at(v); },
                          [this](Face_id f) { return face_index(m_solver.user_face(f)); });
+      unfinished.diagram = nullptr;
       return true;
     });
   }
@@ -412,10 +434,7 @@ private:
       { return go_on(number_of_visits, reached - m_largest_weight); });
     });
     if(!is_complete)
-    {
-      m_complex.clear();
       return false;
-    }
     removal.finish();
     m_complex.finish(removal.owners());
     m_statistics = m_solver.statistics();

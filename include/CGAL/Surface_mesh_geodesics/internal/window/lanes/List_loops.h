@@ -18,8 +18,8 @@ namespace Surface_mesh_geodesics {
 namespace internal {
 namespace CGAL_SURFACE_MESH_GEODESICS_LANES_NAMESPACE {
 
-// Each loop reads whole steps of L::size rows, the last of which may run over the end of the list into the padding of the
-// block: masks of the first n lanes keep these rows out of results, and what is written there is never read.
+// Each loop reads whole steps of L::size rows, the last of which may run over the end of the list into the padding of
+// the block: masks of the first n lanes keep these rows out of results, and what is written there is never read.
 template <typename FT, typename Rules>
 class List_loops
 {
@@ -38,8 +38,8 @@ public:
   }
 
 private:
-  // The pair of each window and the next one is trimmed in one step. The new beginning of the next one is carried over to
-  // the step that stores it.
+  // The pair of each window and the next one is trimmed in one step. The new beginning of the next one is carried over
+  // to the step that stores it.
   static bool trim(const Columns& columns, std::size_t n, const FT& length, const Rival& left, const Rival& right,
                    Suspects* suspects)
   {
@@ -121,8 +121,8 @@ private:
     return L::bits(wrong) == 0;
   }
 
-  // Children are stored as whole steps and then compacted, if some of them are not useful: without paths, slivers, or beaten
-  // by a vertex.
+  // Children are stored as whole steps and then compacted, if some of them are not useful: without paths, slivers, or
+  // beaten by a vertex.
   template <typename Child>
   static void cross(const Columns& from, std::size_t first, std::size_t last, const Face_frame<FT>& c,
                     const Edge_cut<FT>& edge, const FT* abscissa, Window_batch<FT>& batch,
@@ -163,9 +163,10 @@ private:
     batch.minimum_distance = (std::min)(batch.minimum_distance, L::least(minimum_distance));
   }
 
-  // Counts the windows of one step that have no child, by the reason. `whole` is the window that loses no paths at the cut.
-  static void count_removed(std::size_t n, std::size_t whole, unsigned int paths, unsigned int wide, unsigned int useful,
-                            Propagation_statistics& statistics)
+  // Counts the windows of one step that have no child, by the reason. `whole` is the window that loses no paths at the
+  // cut.
+  static void count_removed(std::size_t n, std::size_t whole, unsigned int paths, unsigned int wide,
+                            unsigned int useful, Propagation_statistics& statistics)
   {
     for(std::size_t k = 0; k < n; ++k)
     {

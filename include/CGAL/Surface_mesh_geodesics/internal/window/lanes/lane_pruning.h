@@ -10,9 +10,9 @@
 // The rules that prune windows by vertices and by each other, for any number of lanes. The manual (page Theory) proves
 // them; window_pruning.h applies them to single windows.
 //
-// All rules work in the frame of Window.h, in which AB is the x axis. They compare distances by is_clearly_less(), so that
-// a tie removes nothing. Scaling all lengths by a power of two changes no decision. test_predicate_laws tests the bounds
-// and laws that stand below.
+// All rules work in the frame of Window.h, in which AB is the x axis. They compare distances by is_clearly_less(), so
+// that a tie removes nothing. Scaling all lengths by a power of two changes no decision. test_predicate_laws tests the
+// bounds and laws that stand below.
 //
 // Included once for each number of lanes; see README.md.
 
@@ -23,14 +23,15 @@ namespace Surface_mesh_geodesics {
 namespace internal {
 namespace CGAL_SURFACE_MESH_GEODESICS_LANES_NAMESPACE {
 
-// Which windows are beaten by an end of their edge (thesis, case 12: checking with vertices; Xin and Wang 2009)? The path
-// from the end A along the edge to the far end of the interval crosses every path of the window. If it is shorter there,
+// Which windows are beaten by an end of their edge (thesis, case 12: checking with vertices; Xin and Wang 2009)? The
+// path from the end A along the edge to the far end of the interval crosses every path of the window. If it is shorter
+// there,
 //   left.distance + end < left.factor * end_distance,
 // it is shorter at each crossing. The formula for B is the mirror image of this one.
 //
-// Ties: those of Vertex_rival. Error bound: a rival that does not win ties never removes a window that is not farther, and
-// removes each one that is farther by 6 unit_roundoff() of its distance. Law: the mirror image gives the same answer if
-// the mirror images of the ends of the interval are exact.
+// Ties: those of Vertex_rival. Error bound: a rival that does not win ties never removes a window that is not farther,
+// and removes each one that is farther by 6 unit_roundoff() of its distance. Law: the mirror image gives the same
+// answer if the mirror images of the ends of the interval are exact.
 template <typename FT>
 CGAL_SURFACE_MESH_GEODESICS_INLINE
 typename Lanes<FT>::Mask are_beaten_by_vertices(const Window_numbers<FT>& w, const FT& length,
@@ -49,8 +50,8 @@ struct Compared_distances
   typename L::Number computed;
   typename L::Mask left_is_nearer, right_is_nearer; // clearly
 
-  // Computes the distance of `right` at x where the mask is set, and that of `left` elsewhere. The distance of the other
-  // window is known.
+  // Computes the distance of `right` at x where the mask is set, and that of `left` elsewhere. The distance of the
+  // other window is known.
   CGAL_SURFACE_MESH_GEODESICS_INLINE
   Compared_distances(const typename L::Mask& is_right, const Window_numbers<FT>& left, const Window_numbers<FT>& right,
                      const typename L::Number& x, const typename L::Number& known_of_left,
@@ -69,20 +70,20 @@ struct Compared_distances
   }
 };
 
-// The rule of pairs (thesis, 4.2.1, cases 1-6) for pairs of windows of one edge, one pair in each lane, where the key of
-// `left` is less than that of `right`.
+// The rule of pairs (thesis, 4.2.1, cases 1-6) for pairs of windows of one edge, one pair in each lane, where the key
+// of `left` is less than that of `right`.
 //
-// Formula. At a point K of both intervals, let `right` be nearer. A path of `left` that ends on the right of K crosses the
-// path of `right` to K and is not the shorter one there: that part of `left` is redundant. The mirror image holds if
-// `left` is nearer. K is put at both ends, `first` and `last`, of what the intervals share. There, one of the windows
-// begins or ends, and its distance is known. A window that loses its whole interval is redundant, else it is trimmed. Two
-// windows that still overlap afterwards have a point of equal distance inside, up to rounding.
+// Formula. At a point K of both intervals, let `right` be nearer. A path of `left` that ends on the right of K crosses
+// the path of `right` to K and is not the shorter one there: that part of `left` is redundant. The mirror image holds
+// if `left` is nearer. K is put at both ends, `first` and `last`, of what the intervals share. There, one of the
+// windows begins or ends, and its distance is known. A window that loses its whole interval is redundant, else it is
+// trimmed. Two windows that still overlap afterwards have a point of equal distance inside, up to rounding.
 //
 // Ties remove nothing. Error bound: a part is removed only if it is farther than its rival or ties up to
 // unit_roundoff(), and is removed wherever it is farther by 9 unit_roundoff(), for exact images (see
 // Tolerance::distance() for their errors). Laws: never are both windows redundant; trimming leaves valid intervals; the
-// mirror image of a pair gives the mirror image of the result, if the order of the keys is true. (Were `right` nearer at
-// `first` and `left` nearer at `last`, which contradicts the order, then `first` would decide.)
+// mirror image of a pair gives the mirror image of the result, if the order of the keys is true. (Were `right` nearer
+// at `first` and `left` nearer at `last`, which contradicts the order, then `first` would decide.)
 template <typename FT>
 struct Trimmed_pairs
 {
@@ -91,8 +92,8 @@ struct Trimmed_pairs
   typename L::Mask left_is_redundant, right_is_redundant; // never both
   typename L::Mask is_undecided; // one is redundant, or the pair is not decided here; both windows stay as they are
 
-  // Does not decide pairs of intervals in the wrong order (see prune_crossed_windows()), nor those with an image that is
-  // not deeper than close_depth: such a window may be too close to trim. A negative depth excludes none.
+  // Does not decide pairs of intervals in the wrong order (see prune_crossed_windows()), nor those with an image that
+  // is not deeper than close_depth: such a window may be too close to trim. A negative depth excludes none.
   Trimmed_pairs(const Window_numbers<FT>& left, const Window_numbers<FT>& right, const FT& close_depth);
 };
 
@@ -105,7 +106,8 @@ Trimmed_pairs<FT>::Trimmed_pairs(const Window_numbers<FT>& left, const Window_nu
   using Mask = typename L::Mask;
   const Mask starts_with_left = L::less_equal(right.begin, left.begin);
   const Number first = L::maximum(left.begin, right.begin);
-  const Compared_distances<FT> at_first(starts_with_left, left, right, first, left.begin_distance, right.begin_distance);
+  const Compared_distances<FT> at_first(starts_with_left, left, right, first, left.begin_distance,
+                                        right.begin_distance);
 
   const Mask ends_with_right = L::less_equal(right.end, left.end);
   const Number last = L::minimum(left.end, right.end);

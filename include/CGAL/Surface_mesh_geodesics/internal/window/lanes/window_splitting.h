@@ -7,19 +7,20 @@
 //
 // Author(s)     : The Surface_mesh_geodesics authors
 
-// Windows across one triangle, one in each lane: where they separate at the apex C (thesis, 4.2.1), and their children on
-// the left edge AC and the right edge CB. Requires: no edge of the triangle has the length 0.
+// Windows across one triangle, one in each lane: where they separate at the apex C (thesis, 4.2.1), and their children
+// on the left edge AC and the right edge CB. Requires: no edge of the triangle has the length 0.
 //
 // Formulas. They project AB on the other edges from the image. Wherever a sign matters they are sums and products of
 // non-negative numbers, so that no rounding turns an image to the wrong side of an edge.
 //
-// An interval that ends at the line from the image to C, up to rounding, is extended to C. Otherwise, in front of an image
-// near AB, the rounding of its end would become a gap next to C. (The added paths miss an end of AB by the rounding of its
-// length, and are too short by the square of that.)
+// An interval that ends at the line from the image to C, up to rounding, is extended to C. Otherwise, in front of an
+// image near AB, the rounding of its end would become a gap next to C. (The added paths miss an end of AB by the
+// rounding of its length, and are too short by the square of that.)
 //
-// Error bound of an image, to first order in u = unit_roundoff() / 2, for an exact frame: on the left, image_x errs by 3 u
-// and the depth by 8 u of the distance from the image to A; on the right, they err by 4 u and 5 u of its distance to C and
-// B. Together this is less than 9 u of the distance r to the farthest corner. Tolerance::distance() adds the frames up.
+// Error bound of an image, to first order in u = unit_roundoff() / 2, for an exact frame: on the left, image_x errs by
+// 3 u and the depth by 8 u of the distance from the image to A; on the right, they err by 4 u and 5 u of its distance
+// to C and B. Together this is less than 9 u of the distance r to the farthest corner. Tolerance::distance() adds the
+// frames up.
 // Laws: scaling by a power of two scales the child exactly; the mirror image gives the mirror image up to rounding.
 //
 // Lanes without a window, or whose child has no interval, may hold anything afterwards.
@@ -33,8 +34,8 @@ namespace Surface_mesh_geodesics {
 namespace internal {
 namespace CGAL_SURFACE_MESH_GEODESICS_LANES_NAMESPACE {
 
-// The abscissa at which the line from the image to C meets the line AB. Requires: the apex and the image are not both on AB;
-// otherwise the result is not a number, and the window has no child.
+// The abscissa at which the line from the image to C meets the line AB. Requires: the apex and the image are not both
+// on AB; otherwise the result is not a number, and the window has no child.
 template <typename FT>
 CGAL_SURFACE_MESH_GEODESICS_INLINE
 typename Lanes<FT>::Number apex_abscissa(const Window_lanes<FT>& w, const Face_frame<FT>& c)
@@ -68,8 +69,8 @@ typename Lanes<FT>::Word turned(const typename Lanes<FT>::Word& key, Turn turn)
   return (key >> 1) | (static_cast<Window_key>(turn) << 63);
 }
 
-// Makes the children on the left edge AC, in the frame whose origin is A. They consist of the paths that cross AB between
-// `begin` and the apex_abscissa t.
+// Makes the children on the left edge AC, in the frame whose origin is A. They consist of the paths that cross AB
+// between `begin` and the apex_abscissa t.
 template <typename FT>
 class Left_child
 {
@@ -88,7 +89,8 @@ public:
   CGAL_SURFACE_MESH_GEODESICS_INLINE
   typename L::Mask operator()(Window_lanes<FT>& w, const Number& t, const FT& cut) const
   {
-    // (A minimum is its second argument if one of them is not a number: an image on a flat face has no t, and no child.)
+    // (A minimum is its second argument if one of them is not a number: an image on a flat face has no t, and no
+    // child.)
     const Number end = L::minimum(L::all(cut), L::minimum(w.end, t)), begin = w.begin;
     const Number length = L::all(m_length), zero = L::all(FT(0));
     const Number b = t * w.image_depth, a = m_length * w.image_depth;
@@ -144,8 +146,8 @@ public:
     w.image_depth = L::maximum(rest_height * m_inverse, zero);
     w.key = turned<FT>(w.key, RIGHT_TURN);
     w.history = w.history + 2 * one_step;
-    // If CB is much shorter than AB, its line may pass the image on the wrong side although t, which is rounded relative to
-    // AB, still leaves a part of AB. Then the window does not see CB.
+    // If CB is much shorter than AB, its line may pass the image on the wrong side although t, which is rounded
+    // relative to AB, still leaves a part of AB. Then the window does not see CB.
     return L::less(begin, end) & L::less_equal(zero, rest_height);
   }
 

@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Surface_mesh_geodesics authors
 
-#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_VERTEX_FRONT_QUEUE_H
-#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_VERTEX_FRONT_QUEUE_H
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_WAVEFRONT_QUEUE_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_WAVEFRONT_QUEUE_H
 
 // The priority queue of the wavefront (thesis, 4.3.2): vertices ordered by the smallest distance that waits at them.
 //
@@ -39,11 +39,11 @@ namespace internal {
 // Debug builds with CGAL_CHECK_EXPENSIVE check the neighborhood of each entry that moves, and the whole queue in
 // restart().
 template <typename FT>
-class Vertex_front_queue
+class Wavefront_queue
 {
 public:
   // An empty queue for the vertices 0 .. number_of_vertices - 1.
-  explicit Vertex_front_queue(std::size_t number_of_vertices)
+  explicit Wavefront_queue(std::size_t number_of_vertices)
     : m_position(number_of_vertices, null_id)
   {}
 
@@ -192,4 +192,4 @@ private:
 } // namespace Surface_mesh_geodesics
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_VERTEX_FRONT_QUEUE_H
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_WAVEFRONT_QUEUE_H

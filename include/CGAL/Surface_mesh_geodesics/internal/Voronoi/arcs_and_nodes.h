@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Surface_mesh_geodesics authors
 
-#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_VORONOI_ELEMENTS_H
-#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_VORONOI_ELEMENTS_H
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_ARCS_AND_NODES_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_ARCS_AND_NODES_H
 
 // The elements that a Voronoi complex (Voronoi_complex.h) is made of, as plain values. Arcs, nodes and chains refer to
 // each other by their indices in the complex; sites are vertices of the intrinsic mesh.
@@ -90,4 +90,4 @@ struct Voronoi_cell_elements
 } // namespace Surface_mesh_geodesics
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_VORONOI_ELEMENTS_H
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_ARCS_AND_NODES_H

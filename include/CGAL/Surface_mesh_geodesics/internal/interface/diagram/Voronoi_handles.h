@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Surface_mesh_geodesics authors
 
-#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_DIAGRAM_VORONOI_ELEMENTS_H
-#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_DIAGRAM_VORONOI_ELEMENTS_H
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_DIAGRAM_VORONOI_HANDLES_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_DIAGRAM_VORONOI_HANDLES_H
 
 // The vertices, arcs and edges that users see, made from the Voronoi complex. The complex may hold arcs and chains
 // without length, where the diagram is degenerate; users see none of them, and the nodes that such chains connect are
@@ -31,7 +31,7 @@ namespace internal {
 
 // `Diagram` has the handle types Vertex, Arc and Edge, which are constructible from a pointer to it and a number.
 template <typename Diagram>
-class Voronoi_elements
+class Voronoi_handles
 {
 public:
   using Vertex = typename Diagram::Vertex;
@@ -42,7 +42,7 @@ public:
   // Stands for "no element".
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
-  explicit Voronoi_elements(const Diagram& diagram) : m_diagram(&diagram) {}
+  explicit Voronoi_handles(const Diagram& diagram) : m_diagram(&diagram) {}
 
   void clear()
   {
@@ -214,4 +214,4 @@ private:
 } // namespace Surface_mesh_geodesics
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_DIAGRAM_VORONOI_ELEMENTS_H
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_DIAGRAM_VORONOI_HANDLES_H
