@@ -454,13 +454,13 @@ MUTANTS = [
 
     # --- certification ---
     ("certificate_ignores_edges", CHECKS,
-     "        look_at_way(m_mesh.source(h), m_mesh.target(h), m_mesh.length(h), limit, worst);\n"
-     "        look_at_way(m_mesh.target(h), m_mesh.source(h), m_mesh.length(h), limit, worst);\n",
+     "        check_way(m_mesh.source(h), m_mesh.target(h), m_mesh.length(h), limit, worst);\n"
+     "        check_way(m_mesh.target(h), m_mesh.source(h), m_mesh.length(h), limit, worst);\n",
      "        static_cast<void>(limit);\n",
      "values that are too large beyond an edge are certified", (CERTIFICATION,)),
     ("certificate_ignores_short_paths", CHECKS,
-     "look_at(length < values[v] ? FT(values[v] - length) : FT(length - values[v]), length, v, worst);",
-     "look_at(FT(values[v] - length), length, v, worst);",
+     "record(length < values[v] ? FT(values[v] - length) : FT(length - values[v]), length, v, worst);",
+     "record(FT(values[v] - length), length, v, worst);",
      "values that no path attains are certified", (CERTIFICATION,)),
     ("certificate_forgives_small_components", VIOLATION,
      "if(excess <= Tolerance<FT>::gap() * extent)", "if(excess <= Tolerance<FT>::gap())",

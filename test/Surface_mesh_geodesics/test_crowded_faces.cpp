@@ -184,7 +184,7 @@ void check(const Pattern& pattern, std::size_t n, double height, double largest_
   CHECK_CLOSE(area, (height + .6) / 2, 1e-10);
 }
 
-// Of two sites that numbers hardly tell apart the first has the cell.
+// If two sites coincide up to rounding, the first one owns the cell.
 void test_equal_sites()
 {
   Kite kite(.9);

@@ -14,7 +14,7 @@ namespace {
 namespace internal = CGAL::Surface_mesh_geodesics::internal;
 using internal::Halfedge_id;
 using internal::Vertex_id;
-using Window = internal::Face_window<double>;
+using Window = internal::Kept_window<double>;
 using Windows = internal::Face_windows<double>;
 
 Window window(Vertex_id root)

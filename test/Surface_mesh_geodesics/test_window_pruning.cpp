@@ -1,5 +1,5 @@
-// The rules that prune windows follow their definitions in the manual: what remains of two windows of one edge, and
-// whether a vertex removes a window; for single windows and for lists. Lists of windows are merged in order.
+// Tests the pruning rules against their definitions in the manual, for single windows and for lists: what remains of
+// two windows of one edge, and whether a vertex removes a window. Also tests that merged lists are sorted.
 
 #include "test_support.h"
 #include "window_test_helpers.h"

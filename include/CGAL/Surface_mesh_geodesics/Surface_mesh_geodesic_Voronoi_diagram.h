@@ -425,7 +425,8 @@ public:
     std::size_t m_index = 0;
   };
 
-  /// A part of the boundary of a cell: consecutive edges with the cell on their left. It is valid as long as its edges.
+  /// A component of the boundary of a cell: consecutive edges with the cell on their left. It is valid as long as its
+  /// edges.
   struct Boundary
   {
     /// the edges, and for each whether the boundary runs through it from its end to its start.
@@ -737,22 +738,22 @@ public:
   }
 
   /// returns the edges around the cell, with the cell on their left. The pieces of the boundary along the border of the
-  /// mesh are omitted: a part that they interrupt is not closed.
+  /// mesh are omitted: a component that they interrupt is not closed.
   ///
   /// \param i the number of the site
-  /// \return the parts of the boundary, in no particular order; there are no parts if the cell is empty or a whole
-  ///         component
+  /// \return the components of the boundary, in no particular order; none if the cell is empty or a whole component of
+  ///         the mesh
   /// \pre `i < number_of_sites()`
   std::vector<Boundary> boundary(Site_index i) const
   {
     std::vector<Boundary> result;
     if(!has_built_cell(i))
       return result;
-    for(const auto& part : m_lazy.complex().boundary(m_lazy.vertex_of_site(i)))
+    for(const auto& component : m_lazy.complex().boundary(m_lazy.vertex_of_site(i)))
     {
       Boundary b;
-      b.is_closed = part.is_closed;
-      for(const auto& c : part.chains)
+      b.is_closed = component.is_closed;
+      for(const auto& c : component.chains)
         if(elements().edge_of_chain(c.first) != Elements::none)
           b.edges.emplace_back(elements().edges()[elements().edge_of_chain(c.first)], c.second);
       if(!b.edges.empty())

@@ -30,18 +30,19 @@ namespace Surface_mesh_geodesics {
 checks that given distances are the geodesic distances from a source, or from the nearest of several sources, to the
 vertices of a triangle mesh.
 
-The function does not compare the distances with others. It looks for a proof that they are right, and checks the proof:
+The function does not compare the distances with other computed distances. It constructs a proof that they are right
+and checks each step of the proof:
 
-- No distance is too short, as there is a path of this length from each vertex. Paths are measured piece by piece; each
-  piece has to lie in one face, and the last one has to end at a source.
+- No distance is too short, because a path of this length leads from each vertex to a source. Paths are measured piece
+  by piece; each piece must lie in one face, and the last one must end at a source.
 - No distance is too long. The proof is a function on all edges of the mesh that grows, between any two points on the
   border of one face, by at most their distance in the plane of the face. Then it grows along no path by more than the
   length of the path, so its value at a vertex is a lower bound of the distance. The condition is checked for all pairs
   of points of all faces (see \ref Surface_mesh_geodesics_certification).
 
-A propagation proposes the paths and the function; if it errs, the proof fails. In addition, some conditions are checked
-that need no propagation (`REACH`, `SOURCES`, `EDGES`, `PAIRS_OF_FACES`), and some distances are computed in reverse.
-The function trusts the lengths of the edges as they were read, and the insertion of sources that are not vertices.
+A propagation proposes the paths and the function; if it errs, the proof fails. In addition, the function checks some
+conditions that need no propagation (`REACH`, `SOURCES`, `EDGES`, `PAIRS_OF_FACES`), and computes some distances in
+reverse. It trusts the edge lengths that it has read, and the insertion of sources that are not vertices.
 
 If no condition is violated by more than \f$ \delta \f$, a distance is too short by at most \f$ \delta \f$, and too long
 by at most \f$ (m + 3) \delta \f$, relative to the sum of the distance and the longest edge of the mesh, where \f$ m \f$
@@ -149,8 +150,8 @@ certify_geodesic_distances(const TriangleMesh& tm, VertexDistanceMap vertex_dist
 /*!
 \ingroup PkgSurfaceMeshGeodesicsFunctions
 
-checks distances on a surface that is given by the lengths of its edges, with options. Complexity and thread safety are
-those of `certify_geodesic_distances()`.
+checks distances on a surface that is given by its edge lengths, with options. Complexity and thread safety are those of
+`certify_geodesic_distances()`.
 
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam VertexDistanceMap as for `certify_geodesic_distances()`
@@ -191,8 +192,8 @@ certify_geodesic_distances_from_edge_lengths(
 /*!
 \ingroup PkgSurfaceMeshGeodesicsFunctions
 
-checks distances on a surface that is given by the lengths of its edges, with the default options. Otherwise the
-function is the same as the one above.
+checks distances on a surface that is given by its edge lengths, with the default options. Everything else is as for the
+overload with options.
 
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam EdgeLengthMap see `geodesic_distances_from_edge_lengths()`

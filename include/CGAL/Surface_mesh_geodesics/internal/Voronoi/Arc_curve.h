@@ -119,8 +119,8 @@ public:
 
   // Calls visit(point) for points of the curve, without the first point and including the last one. The segments
   // between them are at most `tolerance` away from the curve.
-  template <typename Visitor>
-  void sample(double tolerance, Visitor visit) const
+  template <typename Visit>
+  void sample(double tolerance, Visit visit) const
   {
     if(!m_is_segment)
       refine(0, 1, m_first, m_last, tolerance, 24, visit);
@@ -214,9 +214,9 @@ private:
 
   // Visits points between the parameters t and u, at which the curve is at p and q: halves until the middle is close to
   // the chord, at most `depth` times.
-  template <typename Visitor>
+  template <typename Visit>
   void refine(double t, double u, const Point& p, const Point& q, double tolerance, int depth,
-              Visitor& visit) const
+              Visit& visit) const
   {
     const double middle = (t + u) / 2;
     const Point m = point(middle);

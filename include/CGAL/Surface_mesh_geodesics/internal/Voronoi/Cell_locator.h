@@ -265,8 +265,8 @@ private:
     return distance(x, Point{FT(p.x + t * dx), FT(p.y + t * dy)});
   }
 
-  template <typename Visitor>
-  void for_each_arc(Visitor visit) const
+  template <typename Visit>
+  void for_each_arc(Visit visit) const
   {
     for(std::uint32_t a = m_range.first; a < m_range.second; ++a)
       visit(m_complex.arcs()[a]);

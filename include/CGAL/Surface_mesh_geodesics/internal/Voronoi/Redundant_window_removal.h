@@ -11,8 +11,8 @@
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_REDUNDANT_WINDOW_REMOVAL_H
 
 // Keeps the windows that a diagram needs while distances are propagated, and gives back the others as early as
-// possible: window-VTP with redundant window removal (thesis, 5.1 and 5.2). Here the site of every part of an edge is
-// decided.
+// possible: window-VTP with redundant window removal (thesis, 5.1 and 5.2). Decides when edges and faces are divided;
+// Edge_partition decides which site owns each part of an edge.
 //
 // *Redundant faces.* The distance at a point of a face is the smallest one by the windows that entered the face and by
 // the paths from its corners. So windows are kept for the face that they enter. If all of these windows and the three
@@ -114,7 +114,7 @@ public:
       if(root != last)
         add_source_of(root, record);
       last = root;
-      return Face_window<FT>{columns.begin()[i], columns.end()[i], columns.image_x()[i], columns.image_depth()[i],
+      return Kept_window<FT>{columns.begin()[i], columns.end()[i], columns.image_x()[i], columns.image_depth()[i],
                              root};
     });
     m_number_of_kept += list.size;
@@ -429,7 +429,7 @@ private:
   void add_candidates(Halfedge_id h, Halfedge_id o, const FT& length)
   {
     m_candidates.clear();
-    m_windows.for_each(h, [&](const Face_window<FT>& w)
+    m_windows.for_each(h, [&](const Kept_window<FT>& w)
     {
       m_candidates.emplace_back(h, w);
       m_edge.add(Edge_image<FT>{w.begin, w.end, w.image_x, w.image_depth,
@@ -437,7 +437,7 @@ private:
     });
     if(o == null_id)
       return;
-    m_windows.for_each(o, [&](const Face_window<FT>& w)
+    m_windows.for_each(o, [&](const Kept_window<FT>& w)
     {
       m_candidates.emplace_back(o, w);
       m_edge.add(Edge_image<FT>{FT(length - w.end), FT(length - w.begin), FT(length - w.image_x), w.image_depth,
@@ -536,7 +536,7 @@ private:
   Radix_heap m_queue;
   std::size_t m_number_of_kept = 0;
   Edge_partition<FT> m_edge;
-  std::vector<std::pair<Halfedge_id, Face_window<FT>>> m_candidates; // image i + 2 of m_edge is candidate i
+  std::vector<std::pair<Halfedge_id, Kept_window<FT>>> m_candidates; // image i + 2 of m_edge is candidate i
   Divided_face<FT> m_divided_face;
 };
 

@@ -160,8 +160,8 @@ public:
 
   // Calls visit(site, p, q) for the segments of the border of a face, counterclockwise, cut where cells end. Visits
   // nothing in a face that no site reaches.
-  template <typename Visitor>
-  void for_each_border_interval(Face_id f, Visitor visit) const
+  template <typename Visit>
+  void for_each_border_interval(Face_id f, Visit visit) const
   {
     const std::array<Point, 3> corner = layout(f);
     for(unsigned int k = 0; k < 3; ++k)

@@ -55,7 +55,7 @@ struct Side_frame
 // The sides of the cone come from the coordinates in the frame of the side: there, an image that is very close to an
 // end of its window keeps its direction, while in the layout of the face both may round to one point.
 template <typename FT>
-Site_image<FT> image_of_window(const Face_window<FT>& w, const Side_frame<FT>& frame, const FT& weight, Vertex_id site)
+Site_image<FT> image_of_window(const Kept_window<FT>& w, const Side_frame<FT>& frame, const FT& weight, Vertex_id site)
 {
   Site_image<FT> image;
   const Planar_point<FT> p = frame.point(w.image_x, -w.image_depth);
@@ -71,9 +71,9 @@ Site_image<FT> image_of_window(const Face_window<FT>& w, const Side_frame<FT>& f
 
 // Calls visit(image) for the site images of face f: the corners, then the windows of each side in the order in which
 // they came. owner_of(v) is the site nearest to vertex v, null_id if none reaches it. Linear in the number of images.
-template <typename FT, typename OwnerOf, typename Visitor>
+template <typename FT, typename OwnerOf, typename Visit>
 void for_each_site_image(const Intrinsic_mesh<FT>& mesh, const Vertex_distance_field<FT>& field,
-                         const Face_windows<FT>& windows, OwnerOf owner_of, Face_id f, Visitor visit)
+                         const Face_windows<FT>& windows, OwnerOf owner_of, Face_id f, Visit visit)
 {
   const Intrinsic_face<FT>& face = mesh.face(f);
   const std::array<Planar_point<FT>, 3> corner = layout_of_face(face);
@@ -90,7 +90,7 @@ void for_each_site_image(const Intrinsic_mesh<FT>& mesh, const Vertex_distance_f
     if(!(face.length[k] > 0))
       continue;
     const Side_frame<FT> frame(corner[k], corner[next_corner(k)], face.length[k]);
-    windows.for_each(halfedge_of(f, k), [&](const Face_window<FT>& w)
+    windows.for_each(halfedge_of(f, k), [&](const Kept_window<FT>& w)
     { visit(image_of_window(w, frame, field.distance[w.root], owner_of(w.root))); });
   }
 }

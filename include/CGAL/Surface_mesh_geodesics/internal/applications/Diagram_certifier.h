@@ -85,9 +85,9 @@ private:
   static constexpr std::size_t no_site() { return Diagram_violation::no_site(); }
   static double infinity() { return std::numeric_limits<double>::infinity(); }
 
-  void look_at(Diagram_condition condition, double violation, std::size_t site)
+  void record(Diagram_condition condition, double violation, std::size_t site)
   {
-    m_violations[condition].look_at(violation, site);
+    m_violations[condition].record(violation, site);
   }
 
   // --- components ---
@@ -163,11 +163,11 @@ private:
     const auto first = samples.sites().begin() + static_cast<std::ptrdiff_t>(s.first_site);
     const auto last = first + static_cast<std::ptrdiff_t>(s.number_of_sites);
     if(std::find(first, last, i) != last)
-      look_at(s.condition, relative(std::abs(distance - weight - s.distance) - rounding, scale), i);
+      record(s.condition, relative(std::abs(distance - weight - s.distance) - rounding, scale), i);
     else if(distance < infinity() && *first == no_site())
-      look_at(DIAGRAM_NEAREST, infinity(), i);
+      record(DIAGRAM_NEAREST, infinity(), i);
     else if(distance < infinity())
-      look_at(DIAGRAM_NEAREST, relative(s.distance - distance + weight - rounding, scale), i);
+      record(DIAGRAM_NEAREST, relative(s.distance - distance + weight - rounding, scale), i);
   }
 
   // --- boundaries ---
@@ -184,14 +184,14 @@ private:
   {
     for(const auto& e : m_diagram.edges())
       for(std::size_t k = 1; k < e.arcs().size(); ++k)
-        look_at(DIAGRAM_BOUNDARIES, gap(end_of(e.arcs()[k - 1]), start_of(e.arcs()[k])), e.sites().first);
+        record(DIAGRAM_BOUNDARIES, gap(end_of(e.arcs()[k - 1]), start_of(e.arcs()[k])), e.sites().first);
     std::vector<Uses> uses(m_diagram.edges().size(), Uses{0, 0});
     for(std::size_t i = 0; i < m_diagram.number_of_sites(); ++i)
       for(const auto& b : m_diagram.boundary(i))
         check_boundary(i, b, uses);
     for(const auto& e : m_diagram.edges())
       if(uses[e.index()] != Uses{1, 1})
-        look_at(DIAGRAM_BOUNDARIES, infinity(), e.sites().first);
+        record(DIAGRAM_BOUNDARIES, infinity(), e.sites().first);
   }
 
   // Checks one part of the boundary of the cell of site i, and counts its uses of edges.
@@ -204,15 +204,15 @@ private:
       ++uses[e.first.index()][e.second ? 1 : 0];
       const auto sites = e.first.sites();
       const bool is_on_left = (e.second ? sites.second : sites.first) == i;
-      look_at(DIAGRAM_BOUNDARIES, is_on_left ? 0 : infinity(), i);
+      record(DIAGRAM_BOUNDARIES, is_on_left ? 0 : infinity(), i);
       if(k > 0)
-        look_at(DIAGRAM_BOUNDARIES, gap(end_of(b.edges[k - 1]), start_of(e)), i);
+        record(DIAGRAM_BOUNDARIES, gap(end_of(b.edges[k - 1]), start_of(e)), i);
     }
     const Face_location first = start_of(b.edges.front()), last = end_of(b.edges.back());
     if(b.is_closed)
-      look_at(DIAGRAM_BOUNDARIES, gap(last, first), i);
+      record(DIAGRAM_BOUNDARIES, gap(last, first), i);
     else
-      look_at(DIAGRAM_BOUNDARIES, (std::max)(gap_to_border(first), gap_to_border(last)), i);
+      record(DIAGRAM_BOUNDARIES, (std::max)(gap_to_border(first), gap_to_border(last)), i);
   }
 
   static Face_location start_of(const Directed_arc& a) { return a.first.point(a.second ? 1. : 0.); }
@@ -260,11 +260,11 @@ private:
         continue;
       const double a = CGAL::to_double(m_diagram.area(i));
       sum[component_of(f)] += a;
-      look_at(DIAGRAM_AREAS, relative(-a, scale(component_of(f))), i);
+      record(DIAGRAM_AREAS, relative(-a, scale(component_of(f))), i);
     }
     for(std::size_t c = 0; c < sum.size(); ++c)
       if(m_components.component(c) == c && m_components.extent(c) > 0)
-        look_at(DIAGRAM_AREAS, relative(std::abs(sum[c] - expected[c]), scale(c)), no_site());
+        record(DIAGRAM_AREAS, relative(std::abs(sum[c] - expected[c]), scale(c)), no_site());
   }
 
   double area(face_descriptor f) const

@@ -45,7 +45,7 @@ struct Diagram_violation
 
   // Counts one check, and keeps its violation if it is larger than all before. A violation that is not positive is
   // none; one that is not a number counts as infinite. Of equal violations the first one is kept.
-  void look_at(double violation, std::size_t violating_site)
+  void record(double violation, std::size_t violating_site)
   {
     ++number_of_checks;
     if(violation <= size)

@@ -10,14 +10,14 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_CERTIFICATE_DISTANCE_CHECKS_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_CERTIFICATE_DISTANCE_CHECKS_H
 
-// Conditions that the distances of the vertices fulfil, and no other numbers. Together they are a proof (see
-// Lower_bound_check.h for the other half). Nothing here depends on how the distances were found; a path counts only
-// once it has been measured.
+// Checks conditions that only exact distances of the vertices fulfill. Together with the lower bound
+// (Lower_bound_check.h) they prove the distances. Nothing here depends on how the distances were found. A path counts
+// only after its length has been measured.
 //
 // Vertices from `number_of_values` on are sources inside faces and on edges that have been made vertices. No distance
-// is given there, but the conditions hold for paths through them.
+// is given for them, but the conditions hold for paths through them.
 //
-// A violation is relative to the right number plus the longest edge of the faces around the vertex. Conditions that
+// A violation is relative to the right value plus the longest edge of the faces around the vertex. Conditions that
 // stem from an inequality d(v) <= d(w) + |vw| are computed with one addition and one subtraction, so rounding causes
 // violations of a few units. The length of a path errs by about one unit for each face that it crosses.
 
@@ -75,7 +75,7 @@ public:
     Violation worst;
     for(Vertex_id v = 0; v < m_number_of_values; ++v)
       if(offsets[v] < infinity())
-        look_at(values[v] - offsets[v], values[v], v, worst);
+        record(values[v] - offsets[v], values[v], v, worst);
     return worst;
   }
 
@@ -91,7 +91,7 @@ public:
       const bool is_finite = values[v] >= 0 && values[v] <= limit * (1 + Tolerance<FT>::path()) && !is_infinite;
       const bool is_right
         = is_connected[v] != 0 ? (is_finite || (is_infinite && limit < infinity())) : is_infinite;
-      worst.look_at(is_right ? FT(0) : infinity(), FT(1), FT(1), v);
+      worst.record(is_right ? FT(0) : infinity(), FT(1), FT(1), v);
     }
     return worst;
   }
@@ -104,8 +104,8 @@ public:
       for(unsigned int k = 0; k < 3; ++k)
       {
         const Halfedge_id h = halfedge_of(f, k);
-        look_at_way(m_mesh.source(h), m_mesh.target(h), m_mesh.length(h), limit, worst);
-        look_at_way(m_mesh.target(h), m_mesh.source(h), m_mesh.length(h), limit, worst);
+        check_way(m_mesh.source(h), m_mesh.target(h), m_mesh.length(h), limit, worst);
+        check_way(m_mesh.target(h), m_mesh.source(h), m_mesh.length(h), limit, worst);
       }
     return worst;
   }
@@ -128,7 +128,7 @@ public:
           continue;
         const FT crossing = x + (above.apex_x - x) * (below.apex_y / height);
         if(crossing >= 0 && crossing <= above.length)
-          look_at_way(below.apex, above.apex, norm<FT>(above.apex_x - x, height), limit, worst);
+          check_way(below.apex, above.apex, norm<FT>(above.apex_x - x, height), limit, worst);
       }
     return worst;
   }
@@ -140,7 +140,7 @@ public:
     Violation worst;
     for(Vertex_id v = 0; v < m_number_of_values; ++v)
       if(!is_beyond(v, bounds[v], limit) && bounds[v] < infinity())
-        look_at(values[v] - bounds[v], bounds[v], v, worst);
+        record(values[v] - bounds[v], bounds[v], v, worst);
     return worst;
   }
 
@@ -158,7 +158,7 @@ public:
       const FT length = tracer.trace_from_vertex(v, path) ? length_to_source(path) : infinity();
       if(is_beyond(v, length, limit))
         continue;
-      look_at(length < values[v] ? FT(values[v] - length) : FT(length - values[v]), length, v, worst);
+      record(length < values[v] ? FT(values[v] - length) : FT(length - values[v]), length, v, worst);
     }
     return worst;
   }
@@ -166,9 +166,9 @@ public:
   // For each vertex, the longest edge of its component.
   const std::vector<FT>& extents() const { return m_extents; }
 
-  // The value of v is its distance from the sources, computed in reverse: `field_of_v` has the distances from v.
-  void look_at_reverse(Vertex_id v, const Vertex_distance_field<FT>& field_of_v, const FT& limit,
-                       Violation& worst) const
+  // Checks that the value of v equals its distance from the sources, computed in reverse: `field_of_v` has the
+  // distances from v.
+  void check_reverse(Vertex_id v, const Vertex_distance_field<FT>& field_of_v, const FT& limit, Violation& worst) const
   {
     FT reverse = infinity();
     for(Vertex_id s = 0; s < offsets.size(); ++s)
@@ -176,12 +176,12 @@ public:
         reverse = (std::min)(reverse, FT(offsets[s] + field_of_v.distance[s]));
     if(is_beyond(v, reverse, limit) || (!(values[v] < infinity()) && !(reverse < infinity())))
       return;
-    look_at(reverse < values[v] ? FT(values[v] - reverse) : FT(reverse - values[v]), reverse, v, worst);
+    record(reverse < values[v] ? FT(values[v] - reverse) : FT(reverse - values[v]), reverse, v, worst);
   }
 
   // Returns the length of a path from its first vertex to a source, plus the offset of the source. Returns infinity if
-  // the path does not start and end at vertices, if there is no source at its end, or if a piece of it is not in the
-  // face that it states. Takes linear time.
+  // the path does not start and end at vertices, if its end is no source, or if a piece of it is not in the face that
+  // the path names for it. Takes linear time.
   FT length_to_source(const Path_steps<FT>& path) const
   {
     if(path.empty() || path.front().vertex == null_id || path.back().vertex == null_id)
@@ -201,31 +201,31 @@ public:
 private:
   static FT infinity() { return std::numeric_limits<FT>::infinity(); }
 
-  // Is it right that there is no value for v, as its distance is beyond the limit?
+  // Returns whether v rightly has no value because its distance is beyond the limit.
   bool is_beyond(Vertex_id v, const FT& distance, const FT& limit) const
   {
     return limit < infinity() && distance > limit * (1 - Tolerance<FT>::path()) && values[v] == infinity();
   }
 
-  // Returns the value from which a path goes on at v; infinity if there is none.
+  // Returns the distance with which a path continues at v; infinity if it is unknown.
   FT value_on_the_way(Vertex_id v) const
   {
     return v < m_number_of_values ? values[v] : offsets[v];
   }
 
   // Checks a condition on the value of v that is violated by `excess`; `number` is the right value.
-  void look_at(const FT& excess, const FT& number, Vertex_id v, Violation& worst) const
+  void record(const FT& excess, const FT& number, Vertex_id v, Violation& worst) const
   {
-    worst.look_at(excess, number + m_scale[v], m_extents[v], v);
+    worst.record(excess, number + m_scale[v], m_extents[v], v);
   }
 
   // Checks that the value grows by at most `length` along a path between two vertices.
-  void look_at_way(Vertex_id from, Vertex_id to, const FT& length, const FT& limit, Violation& worst) const
+  void check_way(Vertex_id from, Vertex_id to, const FT& length, const FT& limit, Violation& worst) const
   {
     const FT value = value_on_the_way(from), d = value + length;
     if(to >= m_number_of_values || !(value >= 0 && value < infinity()) || is_beyond(to, d, limit))
       return;
-    look_at(values[to] - d, d, to, worst);
+    record(values[to] - d, d, to, worst);
   }
 
   std::vector<char> vertices_connected_to_sources() const

@@ -10,9 +10,9 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_CERTIFICATE_EDGE_DISTANCE_FUNCTION_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_CERTIFICATE_EDGE_DISTANCE_FUNCTION_H
 
-// An upper bound of the distance on an edge, as a function of the abscissa: the minimum of the lengths of many families
-// of paths, each of which leads straight from the image of a pseudo-source. It is continuous up to rounding. Where it
-// is not the distance, it is larger, as all these paths exist.
+// An upper bound of the distance on an edge, as a function of the abscissa. It is the minimum over families of paths;
+// the paths of a family lead straight from one image of a pseudo-source to an interval of the edge. The function is
+// continuous up to rounding, and never less than the distance because all these paths exist.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
 

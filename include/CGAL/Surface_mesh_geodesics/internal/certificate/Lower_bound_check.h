@@ -14,8 +14,8 @@
 //
 // Theorem. Let u be a function on the edges of the surface such that u(p) <= u(q) + |pq| for any two points p and q on
 // the border of one face, and u(s) <= offset of s for each source s. Then u(v) is a lower bound of the distance of each
-// vertex v. Proof: the edges cut a path from s to v into pieces that lie in one face each. Along each piece u grows by
-// at most its length; the sum over the pieces is u(v) <= u(s) + length of the path.
+// vertex v. Proof: the edges cut a path from s to v into pieces, each of them in one face. Along each piece, u grows by
+// at most the length of the piece. The sum over the pieces is u(v) <= u(s) + length of the path.
 //
 // The function u is made of the windows that a propagation has kept. They are only a proposal: a wrong window makes
 // some u(p) wrong, and the condition fails there. The condition is checked for all pairs of points, not for samples. On
@@ -261,10 +261,10 @@ private:
   void check_continuity(const Face_frame<FT>& c)
   {
     for(std::size_t i = 0; i + 1 < m_from.size(); ++i)
-      look_at(abs_difference(m_from[i].at(m_from[i].end), m_from[i + 1].at(m_from[i].end)),
-              m_from[i].at(m_from[i].end), c.origin);
-    look_at(m_distance[c.origin] - m_from.front().at(FT(0)), m_distance[c.origin], c.origin);
-    look_at(m_distance[c.target] - m_from.back().at(c.length), m_distance[c.target], c.target);
+      record(abs_difference(m_from[i].at(m_from[i].end), m_from[i + 1].at(m_from[i].end)),
+             m_from[i].at(m_from[i].end), c.origin);
+    record(m_distance[c.origin] - m_from.front().at(FT(0)), m_distance[c.origin], c.origin);
+    record(m_distance[c.target] - m_from.back().at(c.length), m_distance[c.target], c.target);
   }
 
   // Checks the condition for the ends of the edge alone. An edge without length has no other points.
@@ -274,15 +274,15 @@ private:
     const FT& e = m_distance[c.target];
     if(!is_finite(d) && !is_finite(e))
       return;
-    look_at(d - e - c.length, d, c.origin);
-    look_at(e - d - c.length, e, c.target);
+    record(d - e - c.length, d, c.origin);
+    record(e - d - c.length, e, c.target);
   }
 
   static FT abs_difference(const FT& a, const FT& b) { return a < b ? FT(b - a) : FT(a - b); }
 
-  void look_at(const FT& excess, const FT& value, Vertex_id v)
+  void record(const FT& excess, const FT& value, Vertex_id v)
   {
-    m_worst.look_at(excess, value + m_scale, m_extents[v], v);
+    m_worst.record(excess, value + m_scale, m_extents[v], v);
   }
 
   // The vertices at the start and at the end of a side; a violation is reported at the nearer one.
@@ -360,7 +360,7 @@ private:
       if(t >= first && t <= last)
       {
         const FT value = p.at(t);
-        look_at(value - limit.at(t), value, 2 * t < side.length ? ends.first : ends.second);
+        record(value - limit.at(t), value, 2 * t < side.length ? ends.first : ends.second);
       }
   }
 

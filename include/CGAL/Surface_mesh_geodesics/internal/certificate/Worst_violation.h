@@ -10,7 +10,8 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_CERTIFICATE_WORST_VIOLATION_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_CERTIFICATE_WORST_VIOLATION_H
 
-// The result of checking one condition at many vertices: the number of checks, and the worst violation.
+// The record of one condition that is checked at many vertices: the number of checks, the size of the worst violation
+// and the vertex where it is.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
@@ -25,15 +26,15 @@ namespace internal {
 template <typename FT>
 struct Worst_violation
 {
-  FT size = 0;                // relative; infinite if a number is infinite or NaN that must not be
+  FT size = 0;                // relative; infinite if a number is NaN, or wrongly infinite
   Vertex_id vertex = null_id; // where the worst violation is; null_id if there is none
   std::size_t number_of_checks = 0;
 
-  // Counts a check at v. The condition is violated if `excess` is positive or not a number; the size of the violation
-  // is the quotient of the excess and `scale`, infinite if that is not a number. An excess of at most gap() times
-  // `extent`, the longest edge of the component, is no violation, as points so close to each other are not
-  // distinguished. Of equal violations the first one is kept.
-  void look_at(const FT& excess, const FT& scale, const FT& extent, Vertex_id v)
+  // Records a check at v. `excess` is the amount by which the condition fails, `extent` the longest edge of the
+  // component. An excess of at most gap() times `extent` is no violation, because the package does not distinguish
+  // points that close. Otherwise the size of the violation is excess / scale, or infinity if that is NaN. Ties: the
+  // first of equal violations stays.
+  void record(const FT& excess, const FT& scale, const FT& extent, Vertex_id v)
   {
     ++number_of_checks;
     if(excess <= Tolerance<FT>::gap() * extent)
@@ -45,8 +46,8 @@ struct Worst_violation
     vertex = v;
   }
 
-  // Adds the checks of another result.
-  void look_at(const Worst_violation& other)
+  // Adds the checks of another record. Ties: this record keeps its violation.
+  void record(const Worst_violation& other)
   {
     number_of_checks += other.number_of_checks;
     if(!(other.size > size))

@@ -112,7 +112,7 @@ private:
     result[CHECKED_LOWER_BOUNDS] = checks.check_lower_bounds(field.distance, limit);
     Lower_bound_check<FT> proof(m_surface.mesh(), field.distance, checks.extents(), windows);
     result[CHECKED_PROOF] = proof.run();
-    result[CHECKED_PROOF].look_at(check_bounds_at_sources(field, checks));
+    result[CHECKED_PROOF].record(check_bounds_at_sources(field, checks));
   }
 
   // The lower bound of a source is not greater than its offset, which the proof requires.
@@ -120,7 +120,7 @@ private:
   {
     Worst_violation<FT> worst;
     for(const std::pair<Vertex_id, FT>& s : m_sources)
-      worst.look_at(field.distance[s.first] - s.second, field.distance[s.first], checks.extents()[s.first], s.first);
+      worst.record(field.distance[s.first] - s.second, field.distance[s.first], checks.extents()[s.first], s.first);
     return worst;
   }
 
@@ -142,7 +142,7 @@ private:
       propagation.add_source(v, FT(0));
       propagation.set_targets(targets.data(), targets.data() + targets.size());
       propagation.run([](std::size_t, const FT&) { return true; });
-      checks.look_at_reverse(v, field, limit, worst);
+      checks.check_reverse(v, field, limit, worst);
     }
     return worst;
   }

@@ -147,8 +147,8 @@ public:
   double unit() const { return mesh().unit(); }
 
   // Calls visit(v, u) for each vertex v of a source that ties everywhere with an earlier one, at u.
-  template <typename Visitor>
-  void for_each_equal_source(Visitor visit) const
+  template <typename Visit>
+  void for_each_equal_source(Visit visit) const
   {
     internal::for_each_equal_source(mesh(), m_surface.sources().vertices, m_surface.sources().offsets, visit);
   }

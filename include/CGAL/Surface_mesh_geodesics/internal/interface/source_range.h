@@ -59,8 +59,8 @@ struct Is_source
 {};
 
 // Calls visit(source) for a single source, or for each source of a range.
-template <typename TriangleMesh, typename Sources, typename Visitor>
-void for_each_source(const Sources& sources, Visitor visit)
+template <typename TriangleMesh, typename Sources, typename Visit>
+void for_each_source(const Sources& sources, Visit visit)
 {
   if constexpr(Is_source<TriangleMesh, Sources>::value)
     visit(sources);

@@ -135,8 +135,8 @@ public:
 
   // Calls visit(h) for one halfedge h of each umbrella of v, the first one if it has a border. Takes time linear in
   // the number of umbrellas, and logarithmic in the number of pinched vertices.
-  template <typename Visitor>
-  void for_each_umbrella(Vertex_id v, Visitor visit) const
+  template <typename Visit>
+  void for_each_umbrella(Vertex_id v, Visit visit) const
   {
     if(m_vertex_halfedge[v] == null_id)
       return;
@@ -150,8 +150,8 @@ public:
   }
 
   // Calls visit(h) for each halfedge h with a face that leaves v.
-  template <typename Visitor>
-  void for_each_halfedge_around(Vertex_id v, Visitor visit) const
+  template <typename Visit>
+  void for_each_halfedge_around(Vertex_id v, Visit visit) const
   {
     for_each_umbrella(v, [&](Halfedge_id first)
     {

@@ -147,7 +147,7 @@ private:
     return Vector_2{FT(b[i] * u.x + b[j] * v.x), FT(b[i] * u.y + b[j] * v.y)};
   }
 
-  // Makes a face of a draft, in the place of face f, or at the end if f is null_id; returns the halfedge that is side 0
+  // Makes a face of a draft, instead of face f, or at the end if f is null_id; returns the halfedge that is side 0
   // of the draft. The opposites are not set.
   Halfedge_id make_face(const Draft& draft, Face_id whole, Face_id f)
   {

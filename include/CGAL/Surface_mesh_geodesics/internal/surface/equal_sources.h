@@ -30,9 +30,9 @@ namespace internal {
 // tie: the length of the edge plus the difference of the offsets is at most Tolerance::tie(), relative to the extent of
 // the mesh, which is about 1. No vertex occurs both as a v and as a u, so ties do not form chains. Takes time linear in
 // the number of faces around the sources.
-template <typename FT, typename Visitor>
+template <typename FT, typename Visit>
 void for_each_equal_source(const Intrinsic_mesh<FT>& mesh, const std::vector<Vertex_id>& vertex,
-                           const std::vector<FT>& offset, Visitor visit)
+                           const std::vector<FT>& offset, Visit visit)
 {
   using std::abs;
   std::unordered_map<Vertex_id, FT> offset_of; // of the vertices u so far

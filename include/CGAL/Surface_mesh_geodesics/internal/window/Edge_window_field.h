@@ -17,6 +17,7 @@
 // distance belongs to a path that exists as well and is not longer.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/Kept_window.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Window.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Window_lists.h>
 
@@ -29,15 +30,6 @@
 namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
-
-// The part of a window that is kept, in the frame of its halfedge (Window.h).
-template <typename FT>
-struct Kept_window
-{
-  FT begin, end;
-  FT image_x, image_depth;
-  Vertex_id root;
-};
 
 // Batches of windows, and for each halfedge the chain of its batches, the latest first. Windows are never removed.
 template <typename FT_>
@@ -82,8 +74,8 @@ public:
   }
 
   // Calls visit(window) for all windows of h, the lists in the reverse order of their coming.
-  template <typename Visitor>
-  void for_each_window(Halfedge_id h, Visitor visit) const
+  template <typename Visit>
+  void for_each_window(Halfedge_id h, Visit visit) const
   {
     for(std::uint32_t b = m_last_batch[dense_index(h)]; b != null_id; b = m_batches[b].previous)
       for(std::uint32_t i = 0; i < m_batches[b].size; ++i)

@@ -17,6 +17,7 @@
 // caches: on large meshes, a chunk that is reused is in no cache.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/Kept_window.h>
 
 #include <algorithm>
 #include <array>
@@ -28,15 +29,6 @@
 namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
-
-// The part of a window that is kept, in the frame of its halfedge (Window.h).
-template <typename FT>
-struct Face_window
-{
-  FT begin, end;
-  FT image_x, image_depth;
-  Vertex_id root;
-};
 
 template <typename FT>
 class Face_windows
@@ -51,7 +43,7 @@ public:
     m_size = m_maximum_size = 0;
   }
 
-  void add(Halfedge_id h, const Face_window<FT>& w)
+  void add(Halfedge_id h, const Kept_window<FT>& w)
   {
     add(h, 1, [&](std::size_t) { return w; });
   }
@@ -87,8 +79,8 @@ public:
   }
 
   // Calls visit(window) for the windows of h, in the order in which they were added.
-  template <typename Visitor>
-  void for_each(Halfedge_id h, Visitor visit) const
+  template <typename Visit>
+  void for_each(Halfedge_id h, Visit visit) const
   {
     const std::uint32_t last = m_last_chunk[dense_index(h)];
     if(last == null_id)
@@ -121,12 +113,12 @@ private:
     std::array<Vertex_id, capacity> root;
     std::array<std::array<FT, 4>, capacity> numbers;
 
-    Face_window<FT> get(std::uint32_t i) const
+    Kept_window<FT> get(std::uint32_t i) const
     {
-      return Face_window<FT>{numbers[i][0], numbers[i][1], numbers[i][2], numbers[i][3], root[i]};
+      return Kept_window<FT>{numbers[i][0], numbers[i][1], numbers[i][2], numbers[i][3], root[i]};
     }
 
-    void put(std::uint32_t i, const Face_window<FT>& w)
+    void put(std::uint32_t i, const Kept_window<FT>& w)
     {
       root[i] = w.root;
       numbers[i] = {w.begin, w.end, w.image_x, w.image_depth};

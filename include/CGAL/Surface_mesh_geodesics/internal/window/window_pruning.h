@@ -11,7 +11,7 @@
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_WINDOW_PRUNING_H
 
 // The rules that prune single windows. A window, or a part of its interval, is redundant if no shortest path runs
-// through it, or if a path of the same length runs elsewhere. The manual (Implementation Details) has the proofs.
+// through it, or if a path of the same length runs elsewhere. The manual (page Theory) has the proofs.
 //
 // The rules that also run over whole lists are written in lanes/lane_pruning.h, for any number of lanes; the functions
 // here call their one-lane instances.
@@ -35,9 +35,9 @@ bool is_beaten_by_vertices(const Window<FT>& w, const FT& length, const Vertex_r
 
 enum class Pair_outcome { KEEP_BOTH, LEFT_IS_REDUNDANT, RIGHT_IS_REDUNDANT };
 
-// Rule 3 of the pairs (thesis, cases 3 and 6): the interval of `left`, whose key is smaller, lies wholly on the right
-// of that of `right`. Then each path of one crosses each path of the other, and the window that is nearer at the
-// crossing U of the two innermost paths is nearer everywhere.
+// The rule for crossed windows (thesis, cases 3 and 6): the interval of `left`, whose key is smaller, lies wholly on
+// the right of that of `right`. Then each path of one meets each path of the other, and the window that is nearer at
+// the point U where the two innermost paths meet is nearer everywhere.
 //
 // Formula. At the height -h below AB, the path to left.begin is at left.begin + h * left_slope and the path to
 // right.end at right.end + h * right_slope. They meet at h = (left.begin - right.end) / (right_slope - left_slope).

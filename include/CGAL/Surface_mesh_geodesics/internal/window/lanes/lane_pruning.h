@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Surface_mesh_geodesics authors
 
-// The rules that prune windows by vertices and by each other, for any number of lanes. The manual (Implementation
-// Details) proves them; window_pruning.h applies them to single windows.
+// The rules that prune windows by vertices and by each other, for any number of lanes. The manual (page Theory) proves
+// them; window_pruning.h applies them to single windows.
 //
 // All rules work in the frame of Window.h, in which AB is the x axis. They compare distances by is_clearly_less(), so
 // that a tie removes nothing. Scaling all lengths by a power of two changes no decision. test_predicate_laws tests the

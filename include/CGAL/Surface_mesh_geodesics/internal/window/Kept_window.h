@@ -1,0 +1,35 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_KEPT_WINDOW_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_KEPT_WINDOW_H
+
+// The part of a window that is kept for queries (Edge_window_field.h) and for diagrams (Face_windows.h). It has no
+// distance of the pseudo-source: the final distance of the root counts, and the root may have become nearer since.
+
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+// All lengths are in the frame of the halfedge that the window has crossed (Window.h).
+template <typename FT>
+struct Kept_window
+{
+  FT begin, end;           // the interval, as abscissas
+  FT image_x, image_depth; // the image lies at (image_x, -image_depth)
+  Vertex_id root;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_KEPT_WINDOW_H
