@@ -233,6 +233,7 @@ public:
     list.size += static_cast<std::uint32_t>(n);
     list.steps = joined_steps(list.steps, steps);
     const Window_key* const key = list.columns.key();
+    CGAL_expensive_assertion(list.size <= list.capacity() && std::is_sorted(key + middle, key + list.size));
     if(middle > 0 && !(key[middle - 1] < key[middle]))
       merge(list, middle);
     CGAL_expensive_assertion(is_sorted_by_key(list));
