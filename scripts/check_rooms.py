@@ -13,6 +13,7 @@ The folders of CGAL/Surface_mesh_geodesics/internal/ are rooms, and their order 
 - The convenience header includes every public header, and nobody includes it.
 - Includes have no cycle. Own headers are included with <>.
 - Only cgal_compatibility.h asks for the version of CGAL.
+- Each member of Tolerance has a caller: a tolerance that nobody uses is a dead copy of one that stands elsewhere.
 """
 
 import pathlib
@@ -27,6 +28,7 @@ INTERNAL = OWN + "internal/"
 CONVENIENCE_HEADER = "CGAL/Surface_mesh_geodesics.h"
 LICENSE_HEADER = "CGAL/license/Surface_mesh_geodesics.h"
 PLAIN_PUBLIC_HEADERS = {OWN + "Propagation_statistics.h", OWN + "Invalid_geodesic_input.h"}
+TOLERANCE = INTERNAL + "numeric/Tolerance.h"
 COMPATIBILITY = INTERNAL + "numeric/cgal_compatibility.h"
 
 # From the ground up; rooms of one line do not include each other.
@@ -58,6 +60,8 @@ PLAIN_CGAL_HEADERS = {
 }
 
 BLOCK_COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
+LINE_COMMENT = re.compile(r"//[^\n]*")
+MEMBER_OF_TOLERANCE = re.compile(r"\bstatic (?:constexpr )?\w+ (\w+)\(\)")
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"\n]+)[>"]', re.MULTILINE)
 
 
@@ -128,6 +132,16 @@ def check_convenience_header(texts, complaints):
             complaints.append(f"{CONVENIENCE_HEADER}: does not include {name}")
 
 
+def check_tolerances(texts, complaints):
+    """Each member of Tolerance is called by another file, or by another member."""
+    own_text = LINE_COMMENT.sub("", texts.get(TOLERANCE, ""))
+    others = "\n".join(LINE_COMMENT.sub("", text) for name, text in texts.items() if name != TOLERANCE)
+    for member in MEMBER_OF_TOLERANCE.findall(own_text):
+        is_called_here = len(re.findall(rf"\b{member}\(\)", own_text)) > 1
+        if not is_called_here and not re.search(rf"(?:Tolerance<[^<>]*>|\bT)::{member}\(\)", others):
+            complaints.append(f"{TOLERANCE}: nobody calls {member}()")
+
+
 def find_cycle(graph):
     """A list of names that include each other in a ring, or None."""
     finished = set()
@@ -177,6 +191,7 @@ def check(folder):
         if name != COMPATIBILITY and "CGAL_VERSION" in text:
             complaints.append(f"{name}: mentions CGAL_VERSION")
     check_convenience_header(texts, complaints)
+    check_tolerances(texts, complaints)
     cycle = find_cycle(graph)
     if cycle:
         complaints.append("cycle of includes: " + " -> ".join(cycle))
@@ -196,7 +211,8 @@ SOUND_TREE = {
     OWN + "door.h": LICENSE_LINE + f"#include <{HIGH}>\n#include <CGAL/Kernel_traits.h>\n",
     OWN + "Propagation_statistics.h": LICENSE_LINE,
     HIGH: f"#include <{LOW}>\n#include <{OWN}Propagation_statistics.h>\n",
-    LOW: "#include <CGAL/assertions.h>\n#include <vector>\n/* #include <CGAL/x.h> */\n",
+    LOW: "#include <CGAL/assertions.h>\n#include <vector>\n/* #include <CGAL/x.h> */\nTolerance<FT>::length();\n",
+    TOLERANCE: "static FT unit() { return 1; }\nstatic FT length() { return 2 * unit(); }\n",
     COMPATIBILITY: "#include <CGAL/version.h>\n#if CGAL_VERSION_NR\n#endif\n",
     INTERNAL + "interface/mesh.h": "#include <CGAL/boost/graph/helpers.h>\n",
     **{INTERNAL + room + "/README.md": "# A room\n" for room in ("numeric", "window", "interface", "paths")},
@@ -259,6 +275,9 @@ FAULTS = {
     "version": (
         {LOW: "#if CGAL_VERSION_NR\n#endif\n"},
         "low.h: mentions CGAL_VERSION"),
+    "dead tolerance": (
+        {LOW: "// Tolerance<FT>::length()\n"},
+        "Tolerance.h: nobody calls length()"),
     "cycle": (
         {INTERNAL + "numeric/other.h": f"#include <{LOW}>\n", LOW: f"#include <{INTERNAL}numeric/other.h>\n"},
         "cycle of includes"),
