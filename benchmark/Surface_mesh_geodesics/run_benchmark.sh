@@ -153,7 +153,8 @@ markdown()
       name = $1; sub(/\.[a-z]+$/, "", name)
       if ($2 > 0) name = name ", subdivided " ($2 == 1 ? "once" : $2 == 2 ? "twice" : $2 " times")
       printf "| %s | %d | %s | %s | %s | %s | %s | %s | %s | %s | %s |\n", name, $3, \
-             range($5, $6, $7), range($8, $9, $10), times($11), times($12), ($13 == "" ? "" : sprintf("%.2f", $13)), times($14), $15, times($16), \
+             range($5, $6, $7), range($8, $9, $10), times($11), times($12), \
+             ($13 == "" ? "" : sprintf("%.2f", $13)), times($14), $15, times($16), \
              ($17 == "" ? "" : sprintf("%.1e", $17))
       if ($11 != "") { ratio[++n] = $11; memory[n] = $14 }
       if ($1 ~ /^bunny00/) bunny[$2] = $8
