@@ -8,7 +8,8 @@ The folders of CGAL/Surface_mesh_geodesics/internal/ are rooms, and their order 
 - A file includes files of its own room or of a lower one. Rooms that share a rank do not include each other. Public
   headers are above all rooms, except two plain value types that the inside throws and fills.
 - Rooms below `interface` know neither meshes nor kernels.
-- A room has at most 15 files, and a README.md that says what the room is for.
+- A room has at most 15 files, and a README.md that names each of them and each subfolder. A subfolder of a room counts
+  as a room of its own.
 - Only public headers include the license header, and each of them does.
 - The convenience header includes every public header, and nobody includes it.
 - Includes have no cycle. Own headers are included with <>.
@@ -100,20 +101,36 @@ def check_own_include(name, include, texts, complaints):
 
 
 def check_rooms(folder, names, complaints):
-    """Every internal header is in a room; a room is small and has a first page."""
-    sizes = dict.fromkeys(RANK, 0)
+    """Every internal header is in a room; a room and each of its subfolders is small and has a first page."""
+    entries = {}  # the headers and subfolders of each folder
     for name in names:
         if not name.startswith(INTERNAL):
             continue
         if room_of(name) is None:
             complaints.append(f"{name}: in no room")
-        elif name.count("/") == INTERNAL.count("/") + 1:
-            sizes[room_of(name)] += 1
-    for room, size in sizes.items():
-        if size > MOST_FILES_IN_ROOM:
-            complaints.append(f"{INTERNAL}{room}: {size} files, at most {MOST_FILES_IN_ROOM} are allowed")
-        if size > 0 and not (pathlib.Path(folder) / INTERNAL / room / "README.md").is_file():
-            complaints.append(f"{INTERNAL}{room}: no README.md")
+            continue
+        path = pathlib.PurePosixPath(name)
+        entries.setdefault(path.parent.as_posix(), set()).add(path.name)
+        for above in list(path.parents)[1:]:
+            if room_of(above.as_posix() + "/"):
+                entries.setdefault(above.as_posix(), set()).add(path.relative_to(above).parts[0] + "/")
+    for room, contents in sorted(entries.items()):
+        check_room(pathlib.Path(folder), room, contents, complaints)
+
+
+def check_room(folder, room, contents, complaints):
+    """`contents` has the names of the headers, and those of the subfolders with a slash behind."""
+    size = sum(not entry.endswith("/") for entry in contents)
+    if size > MOST_FILES_IN_ROOM:
+        complaints.append(f"{room}: {size} files, at most {MOST_FILES_IN_ROOM} are allowed")
+    page = folder / room / "README.md"
+    if not page.is_file():
+        complaints.append(f"{room}: no README.md")
+        return
+    text = page.read_text(encoding="utf-8")
+    for entry in sorted(contents):
+        if f"`{entry}`" not in text:
+            complaints.append(f"{room}/README.md: does not name {entry}")
 
 
 def check_license(name, includes, complaints):
@@ -215,7 +232,11 @@ SOUND_TREE = {
     TOLERANCE: "static FT unit() { return 1; }\nstatic FT length() { return 2 * unit(); }\n",
     COMPATIBILITY: "#include <CGAL/version.h>\n#if CGAL_VERSION_NR\n#endif\n",
     INTERNAL + "interface/mesh.h": "#include <CGAL/boost/graph/helpers.h>\n",
-    **{INTERNAL + room + "/README.md": "# A room\n" for room in ("numeric", "window", "interface", "paths")},
+    INTERNAL + "window/shelf/tool.h": "#include <vector>\n",
+    INTERNAL + "numeric/README.md": "# A room: `low.h`, `other.h`, `cgal_compatibility.h`\n",
+    INTERNAL + "window/README.md": "# A room: `high.h`, `shelf/`\n",
+    INTERNAL + "window/shelf/README.md": "# A subfolder: `tool.h`\n",
+    INTERNAL + "interface/README.md": "# A room: `mesh.h`\n",
 }
 
 # What each fault writes into the tree, and words of the complaint it has to raise.
@@ -236,6 +257,24 @@ FAULTS = {
     "crowded room": (
         {INTERNAL + f"paths/file_{i}.h": "#include <vector>\n" for i in range(MOST_FILES_IN_ROOM + 1)},
         "paths: 16 files"),
+    "crowded subfolder": (
+        {INTERNAL + f"window/shelf/file_{i}.h": "#include <vector>\n" for i in range(MOST_FILES_IN_ROOM)},
+        "window/shelf: 16 files"),
+    "subfolder without first page": (
+        {INTERNAL + "window/attic/tool.h": "#include <vector>\n"},
+        "window/attic: no README.md"),
+    "first page without a file": (
+        {INTERNAL + "window/stray.h": "#include <vector>\n"},
+        "window/README.md: does not name stray.h"),
+    "first page without a file of which it names a part": (
+        {INTERNAL + "numeric/ow.h": "#include <vector>\n"},
+        "numeric/README.md: does not name ow.h"),
+    "first page of a subfolder without a file": (
+        {INTERNAL + "window/shelf/stray.h": "#include <vector>\n"},
+        "window/shelf/README.md: does not name stray.h"),
+    "first page without a subfolder": (
+        {INTERNAL + "window/README.md": "# A room: `high.h`\n"},
+        "window/README.md: does not name shelf/"),
     "room without first page": (
         {INTERNAL + "surface/mesh.h": "#include <vector>\n"},
         "surface: no README.md"),

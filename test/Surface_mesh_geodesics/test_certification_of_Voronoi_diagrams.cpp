@@ -14,6 +14,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -24,6 +25,11 @@ namespace {
 namespace SMG = CGAL::Surface_mesh_geodesics;
 using Certificate = SMG::Geodesic_Voronoi_certificate;
 using Condition = Certificate::Condition;
+
+// No certificate comes from anywhere but a check.
+static_assert(!std::is_default_constructible<Certificate>::value, "a certificate without a check");
+static_assert(std::is_copy_constructible<Certificate>::value && std::is_copy_assignable<Certificate>::value,
+              "a certificate is a value");
 
 void check_certified(const Certificate& c)
 {
@@ -176,7 +182,7 @@ Certificate certificate_of(const Wrong_diagram& diagram, const Mesh& tm)
   const auto vertex_index_map = get(boost::vertex_index, tm);
   SMG::internal::Diagram_certifier<Wrong_diagram, decltype(vertex_index_map), decltype(length), Separation>
     certifier(diagram, vertex_index_map, length, Separation(diagram, tm.points()));
-  return Certificate(certifier.run([&] { return std::make_unique<Geodesic_paths>(tm); }));
+  return SMG::internal::Private_access::make<Certificate>(certifier.run([&] { return std::make_unique<Geodesic_paths>(tm); }));
 }
 
 void check_violated(const Certificate& c, Condition condition, std::size_t culprit)

@@ -19,6 +19,7 @@
 #include <functional>
 #include <limits>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -30,6 +31,11 @@ using Certificate = SMG::Geodesic_distance_certificate<Mesh>;
 using Condition = Certificate::Condition;
 using Options = SMG::Geodesic_distance_options<Mesh>;
 using Distance_map = Mesh::Property_map<vertex_descriptor, double>;
+
+// No certificate comes from anywhere but a check.
+static_assert(!std::is_default_constructible<Certificate>::value, "a certificate without a check");
+static_assert(std::is_copy_constructible<Certificate>::value && std::is_copy_assignable<Certificate>::value,
+              "a certificate is a value");
 
 Distance_map add_distances(Mesh& tm)
 {

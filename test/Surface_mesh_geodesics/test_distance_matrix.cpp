@@ -123,10 +123,11 @@ void check_dense_matrix(const Mesh& tm, const Solver& solver, const Sources& sou
 
   for(const std::size_t number_of_threads : {1u, 3u})
   {
-    const SMG::internal::Distance_matrix<double> matrix(solver.surface().mesh(), solver.surface().source_set(sources));
+    const auto& surface = SMG::internal::Private_access::surface(solver);
+    const SMG::internal::Distance_matrix<double> matrix(surface.mesh(), surface.source_set(sources));
     Row_collector collector;
     auto output = [&](std::size_t i, const std::vector<double>& row) { collector.take(i, row); };
-    CHECK(matrix.put_dense_rows(Thread_team(number_of_threads), solver.surface().checked_ids(targets, "target"),
+    CHECK(matrix.put_dense_rows(Thread_team(number_of_threads), surface.checked_ids(targets, "target"),
                                 output));
     CHECK(collector.rows == expected);
   }

@@ -13,6 +13,7 @@
 #include <CGAL/license/Surface_mesh_geodesics.h>
 
 #include <CGAL/Surface_mesh_geodesics/internal/applications/Diagram_conditions.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/Private_access.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -32,6 +33,9 @@ Violations are relative numbers without a unit. Let \f$ e \f$ be the longest edg
 - Two locations that should be one, and are \f$ x \f$ apart, are a violation of \f$ x / e \f$.
 - An area that is wrong by \f$ x \f$ is a violation of \f$ x / (a + e^2) \f$, where \f$ a \f$ is the expected area.
 - A violation is infinite if something is missing or contradicts itself.
+
+Only the functions that check diagrams construct certificates, so there is none without a check. (A diagram of an empty
+mesh has nothing to check, and is certified.) Certificates can be copied and assigned.
 
 An object holds numbers only; it stays valid when the diagram or the mesh changes. All functions take constant time,
 throw nothing, and may be called by several threads at once.
@@ -61,13 +65,6 @@ public:
 
   /// returns the number that stands for "no site".
   static constexpr std::size_t null_site() { return internal::Diagram_violation::no_site(); }
-
-  /// constructs the certificate of a diagram that has not been checked: nothing is violated.
-  Geodesic_Voronoi_certificate() = default;
-
-#ifndef DOXYGEN_RUNNING
-  explicit Geodesic_Voronoi_certificate(const internal::Diagram_violations& violations) : m_violations(violations) {}
-#endif
 
   /// returns whether no condition is violated by more than the tolerance.
   ///
@@ -111,6 +108,9 @@ public:
   }
 
 private:
+  friend internal::Private_access;
+  explicit Geodesic_Voronoi_certificate(const internal::Diagram_violations& violations) : m_violations(violations) {}
+
   const internal::Diagram_violation& violation(Condition c) const
   {
     return m_violations[static_cast<std::size_t>(c)];

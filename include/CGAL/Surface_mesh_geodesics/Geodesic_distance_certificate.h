@@ -13,6 +13,7 @@
 #include <CGAL/license/Surface_mesh_geodesics.h>
 
 #include <CGAL/Surface_mesh_geodesics/internal/certificate/Checked_conditions.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/Private_access.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -39,6 +40,9 @@ const auto certificate = certify_geodesic_distances(mesh, distances, source);
 if(!certificate.is_certified())
   std::cerr << "violation: " << certificate.worst_violation() << std::endl;
 \endcode
+
+Only the functions that check distances construct certificates, so there is none without a check. (An empty mesh has
+nothing to check, and is certified.) Certificates can be copied and assigned.
 
 An object holds numbers and vertex descriptors; it is valid as long as the mesh does not change. All functions take
 constant time, throw nothing, and may be called by several threads at once.
@@ -116,7 +120,9 @@ public:
     return names[static_cast<std::size_t>(c)];
   }
 
-#ifndef DOXYGEN_RUNNING
+private:
+  friend internal::Private_access;
+
   template <typename FT, typename Descriptor>
   Geodesic_distance_certificate(const internal::Checked_conditions<FT>& conditions, Descriptor descriptor)
   {
@@ -126,9 +132,7 @@ public:
       m_entries[i] = {static_cast<double>(worst.size), descriptor(worst.vertex), worst.number_of_checks};
     }
   }
-#endif
 
-private:
   struct Entry
   {
     double violation;

@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Distance_solver.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Face_shapes.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/Private_access.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Pruning_rules.h>
 
 #include <CGAL/Default.h>
@@ -289,12 +290,11 @@ public:
 
   /// @}
 
-#ifndef DOXYGEN_RUNNING
-  const typename Solver::Surface& surface() const { return m_solver->surface(); }
-#endif
-
 private:
+  friend internal::Private_access;
   explicit Geodesic_distance_solver(std::unique_ptr<Solver> solver) : m_solver(std::move(solver)) {}
+
+  const typename Solver::Surface& surface() const { return m_solver->surface(); }
 
   std::unique_ptr<Solver> m_solver; // refers to itself, so it must not move
 };

@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_geodesics/Geodesic_distance_solver.h>
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Intrinsic_surface.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/Private_access.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/distance_functions.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -125,7 +126,8 @@ bool geodesic_distance_matrix(
   const Geodesic_distance_solver<TriangleMesh, SolverTag, VertexIndexMap, FaceIndexMap>& solver,
   const Sources& sources, const Targets& targets, RowOutput row_output)
 {
-  return internal::put_distance_matrix<ConcurrencyTag>(solver.surface(), sources, targets, row_output);
+  return internal::put_distance_matrix<ConcurrencyTag>(internal::Private_access::surface(solver),
+                                                       sources, targets, row_output);
 }
 
 /*!
@@ -189,7 +191,8 @@ bool symmetric_geodesic_distance_matrix(
   const Geodesic_distance_solver<TriangleMesh, SolverTag, VertexIndexMap, FaceIndexMap>& solver,
   const Vertices& vertices, RowOutput row_output)
 {
-  return internal::put_symmetric_distance_matrix<ConcurrencyTag>(solver.surface(), vertices, row_output);
+  return internal::put_symmetric_distance_matrix<ConcurrencyTag>(internal::Private_access::surface(solver),
+                                                                 vertices, row_output);
 }
 
 /*!
@@ -263,7 +266,8 @@ bool sparse_geodesic_distance_matrix(
   const Targets& targets, double maximum_distance, RowOutput row_output)
 {
   internal::check_maximum_distance(maximum_distance);
-  return internal::put_sparse_distance_matrix<ConcurrencyTag>(solver.surface(), sources, targets, maximum_distance,
+  return internal::put_sparse_distance_matrix<ConcurrencyTag>(internal::Private_access::surface(solver),
+                                                              sources, targets, maximum_distance,
                                                               row_output);
 }
 

@@ -19,6 +19,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/certificate/Lower_bound_check.h>
 #include <CGAL/Surface_mesh_geodesics/internal/certificate/Worst_violation.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Intrinsic_surface.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/Private_access.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_propagation.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Source_insertion.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
@@ -172,7 +173,8 @@ Certificate certify_distances(const TriangleMesh& tm, VertexDistanceMap vertex_d
   const auto conditions = certifier.run(
     [&](vertex_descriptor v) { return CGAL::to_double(get(vertex_distance_map, v)); }, options.maximum_distance,
     static_cast<std::size_t>(choose_parameter(get_parameter(np, internal_np::number_of_iterations), 4)));
-  return Certificate(conditions, [&](Vertex_id v) { return certifier.surface().descriptor_or_null(v); });
+  return Private_access::make<Certificate>(
+    conditions, [&](Vertex_id v) { return certifier.surface().descriptor_or_null(v); });
 }
 
 } // namespace internal
