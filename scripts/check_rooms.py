@@ -8,11 +8,13 @@ The folders of CGAL/Surface_mesh_geodesics/internal/ are rooms, and their order 
 - A file includes files of its own room or of a lower one. Rooms that share a rank do not include each other. Public
   headers are above all rooms, except two plain value types that the inside throws and fills.
 - Rooms below `interface` know neither meshes nor kernels.
-- A room has at most 15 files, and a README.md that says what the room is for.
+- A room has at most 15 files, and a README.md that names each of them and each subfolder. A subfolder of a room counts
+  as a room of its own.
 - Only public headers include the license header, and each of them does.
 - The convenience header includes every public header, and nobody includes it.
 - Includes have no cycle. Own headers are included with <>.
 - Only cgal_compatibility.h asks for the version of CGAL.
+- Each member of Tolerance has a caller: a tolerance that nobody uses is a dead copy of one that stands elsewhere.
 """
 
 import pathlib
@@ -27,6 +29,7 @@ INTERNAL = OWN + "internal/"
 CONVENIENCE_HEADER = "CGAL/Surface_mesh_geodesics.h"
 LICENSE_HEADER = "CGAL/license/Surface_mesh_geodesics.h"
 PLAIN_PUBLIC_HEADERS = {OWN + "Propagation_statistics.h", OWN + "Invalid_geodesic_input.h"}
+TOLERANCE = INTERNAL + "numeric/Tolerance.h"
 COMPATIBILITY = INTERNAL + "numeric/cgal_compatibility.h"
 
 # From the ground up; rooms of one line do not include each other.
@@ -58,6 +61,8 @@ PLAIN_CGAL_HEADERS = {
 }
 
 BLOCK_COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
+LINE_COMMENT = re.compile(r"//[^\n]*")
+MEMBER_OF_TOLERANCE = re.compile(r"\bstatic (?:constexpr )?\w+ (\w+)\(\)")
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"\n]+)[>"]', re.MULTILINE)
 
 
@@ -96,20 +101,36 @@ def check_own_include(name, include, texts, complaints):
 
 
 def check_rooms(folder, names, complaints):
-    """Every internal header is in a room; a room is small and has a first page."""
-    sizes = dict.fromkeys(RANK, 0)
+    """Every internal header is in a room; a room and each of its subfolders is small and has a first page."""
+    entries = {}  # the headers and subfolders of each folder
     for name in names:
         if not name.startswith(INTERNAL):
             continue
         if room_of(name) is None:
             complaints.append(f"{name}: in no room")
-        elif name.count("/") == INTERNAL.count("/") + 1:
-            sizes[room_of(name)] += 1
-    for room, size in sizes.items():
-        if size > MOST_FILES_IN_ROOM:
-            complaints.append(f"{INTERNAL}{room}: {size} files, at most {MOST_FILES_IN_ROOM} are allowed")
-        if size > 0 and not (pathlib.Path(folder) / INTERNAL / room / "README.md").is_file():
-            complaints.append(f"{INTERNAL}{room}: no README.md")
+            continue
+        path = pathlib.PurePosixPath(name)
+        entries.setdefault(path.parent.as_posix(), set()).add(path.name)
+        for above in list(path.parents)[1:]:
+            if room_of(above.as_posix() + "/"):
+                entries.setdefault(above.as_posix(), set()).add(path.relative_to(above).parts[0] + "/")
+    for room, contents in sorted(entries.items()):
+        check_room(pathlib.Path(folder), room, contents, complaints)
+
+
+def check_room(folder, room, contents, complaints):
+    """`contents` has the names of the headers, and those of the subfolders with a slash behind."""
+    size = sum(not entry.endswith("/") for entry in contents)
+    if size > MOST_FILES_IN_ROOM:
+        complaints.append(f"{room}: {size} files, at most {MOST_FILES_IN_ROOM} are allowed")
+    page = folder / room / "README.md"
+    if not page.is_file():
+        complaints.append(f"{room}: no README.md")
+        return
+    text = page.read_text(encoding="utf-8")
+    for entry in sorted(contents):
+        if f"`{entry}`" not in text:
+            complaints.append(f"{room}/README.md: does not name {entry}")
 
 
 def check_license(name, includes, complaints):
@@ -126,6 +147,16 @@ def check_convenience_header(texts, complaints):
     for name in texts:
         if name.startswith(OWN) and not name.startswith(INTERNAL) and name not in included:
             complaints.append(f"{CONVENIENCE_HEADER}: does not include {name}")
+
+
+def check_tolerances(texts, complaints):
+    """Each member of Tolerance is called by another file, or by another member."""
+    own_text = LINE_COMMENT.sub("", texts.get(TOLERANCE, ""))
+    others = "\n".join(LINE_COMMENT.sub("", text) for name, text in texts.items() if name != TOLERANCE)
+    for member in MEMBER_OF_TOLERANCE.findall(own_text):
+        is_called_here = len(re.findall(rf"\b{member}\(\)", own_text)) > 1
+        if not is_called_here and not re.search(rf"(?:Tolerance<[^<>]*>|\bT)::{member}\(\)", others):
+            complaints.append(f"{TOLERANCE}: nobody calls {member}()")
 
 
 def find_cycle(graph):
@@ -177,6 +208,7 @@ def check(folder):
         if name != COMPATIBILITY and "CGAL_VERSION" in text:
             complaints.append(f"{name}: mentions CGAL_VERSION")
     check_convenience_header(texts, complaints)
+    check_tolerances(texts, complaints)
     cycle = find_cycle(graph)
     if cycle:
         complaints.append("cycle of includes: " + " -> ".join(cycle))
@@ -196,10 +228,15 @@ SOUND_TREE = {
     OWN + "door.h": LICENSE_LINE + f"#include <{HIGH}>\n#include <CGAL/Kernel_traits.h>\n",
     OWN + "Propagation_statistics.h": LICENSE_LINE,
     HIGH: f"#include <{LOW}>\n#include <{OWN}Propagation_statistics.h>\n",
-    LOW: "#include <CGAL/assertions.h>\n#include <vector>\n/* #include <CGAL/x.h> */\n",
+    LOW: "#include <CGAL/assertions.h>\n#include <vector>\n/* #include <CGAL/x.h> */\nTolerance<FT>::length();\n",
+    TOLERANCE: "static FT unit() { return 1; }\nstatic FT length() { return 2 * unit(); }\n",
     COMPATIBILITY: "#include <CGAL/version.h>\n#if CGAL_VERSION_NR\n#endif\n",
     INTERNAL + "interface/mesh.h": "#include <CGAL/boost/graph/helpers.h>\n",
-    **{INTERNAL + room + "/README.md": "# A room\n" for room in ("numeric", "window", "interface", "paths")},
+    INTERNAL + "window/shelf/tool.h": "#include <vector>\n",
+    INTERNAL + "numeric/README.md": "# A room: `low.h`, `other.h`, `cgal_compatibility.h`\n",
+    INTERNAL + "window/README.md": "# A room: `high.h`, `shelf/`\n",
+    INTERNAL + "window/shelf/README.md": "# A subfolder: `tool.h`\n",
+    INTERNAL + "interface/README.md": "# A room: `mesh.h`\n",
 }
 
 # What each fault writes into the tree, and words of the complaint it has to raise.
@@ -220,6 +257,24 @@ FAULTS = {
     "crowded room": (
         {INTERNAL + f"paths/file_{i}.h": "#include <vector>\n" for i in range(MOST_FILES_IN_ROOM + 1)},
         "paths: 16 files"),
+    "crowded subfolder": (
+        {INTERNAL + f"window/shelf/file_{i}.h": "#include <vector>\n" for i in range(MOST_FILES_IN_ROOM)},
+        "window/shelf: 16 files"),
+    "subfolder without first page": (
+        {INTERNAL + "window/attic/tool.h": "#include <vector>\n"},
+        "window/attic: no README.md"),
+    "first page without a file": (
+        {INTERNAL + "window/stray.h": "#include <vector>\n"},
+        "window/README.md: does not name stray.h"),
+    "first page without a file of which it names a part": (
+        {INTERNAL + "numeric/ow.h": "#include <vector>\n"},
+        "numeric/README.md: does not name ow.h"),
+    "first page of a subfolder without a file": (
+        {INTERNAL + "window/shelf/stray.h": "#include <vector>\n"},
+        "window/shelf/README.md: does not name stray.h"),
+    "first page without a subfolder": (
+        {INTERNAL + "window/README.md": "# A room: `high.h`\n"},
+        "window/README.md: does not name shelf/"),
     "room without first page": (
         {INTERNAL + "surface/mesh.h": "#include <vector>\n"},
         "surface: no README.md"),
@@ -259,6 +314,9 @@ FAULTS = {
     "version": (
         {LOW: "#if CGAL_VERSION_NR\n#endif\n"},
         "low.h: mentions CGAL_VERSION"),
+    "dead tolerance": (
+        {LOW: "// Tolerance<FT>::length()\n"},
+        "Tolerance.h: nobody calls length()"),
     "cycle": (
         {INTERNAL + "numeric/other.h": f"#include <{LOW}>\n", LOW: f"#include <{INTERNAL}numeric/other.h>\n"},
         "cycle of includes"),

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Makes plots and tables of what run_benchmark.sh has measured.
+"""Makes plots and tables of the results of run_benchmark.sh.
 
 Usage: plot_benchmark.py FOLDER_WITH_CSV OUTPUT_FOLDER
 
-Reads the files that are there, of growth.csv, anisotropy.csv, sources.csv, reach.csv, rules.csv, face_queries.csv,
+Reads those of these files that exist: growth.csv, anisotropy.csv, sources.csv, reach.csv, rules.csv, face_queries.csv,
 threads.csv, matrix.csv and against_shortest_path_all.csv. Writes an SVG file of the same name for each of them and
-tables.md, with the tables of the manual. An SVG file tells the numbers that it shows: the lines of the CSV file are its
-description.
+tables.md, with the tables of the manual. The description of an SVG file has the lines of the CSV file, and so the
+numbers that the plot shows.
 """
 
 import csv
@@ -19,7 +19,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  (after the choice of the backend)
 from matplotlib.ticker import NullFormatter, ScalarFormatter  # noqa: E402
 
-# The same bits from the same numbers: no date, no random names.
+# The same numbers give the same bits: files have no date and no random names.
 matplotlib.rcParams["svg.hashsalt"] = "Surface_mesh_geodesics"
 matplotlib.rcParams["svg.fonttype"] = "none"
 matplotlib.rcParams["font.size"] = 9
@@ -31,14 +31,14 @@ matplotlib.rcParams["axes.spines.right"] = False
 
 
 def read(path):
-    """The lines of comments and those of the table of a file."""
+    """Returns the comment lines of a file, and the lines of its table."""
     with open(path, encoding="utf-8") as file:
         lines = file.read().splitlines()
     return [line[2:] for line in lines if line.startswith("# ")], [line for line in lines if not line.startswith("#")]
 
 
 def rows_of(lines):
-    """The rows of a table, as dictionaries of numbers where they are numbers."""
+    """Returns the rows of a table as dictionaries. Values that look like numbers become numbers."""
     rows = []
     for row in csv.DictReader(lines):
         for key, value in row.items():
@@ -51,7 +51,7 @@ def rows_of(lines):
 
 
 def groups(rows, key):
-    """The rows by the value of a column, in the order of appearance."""
+    """Groups the rows by the value of a column, in the order of appearance."""
     result = {}
     for row in rows:
         result.setdefault(row[key], []).append(row)
@@ -71,14 +71,14 @@ def error_bars(axes, x, rows, name, **style):
 
 
 def save(figure, path, lines):
-    """Writes a figure, with the table that it shows as its description. The same numbers give the same bits."""
+    """Writes a figure with its table as the description. The same numbers give the same bits."""
     figure.tight_layout()
     figure.savefig(path, metadata={"Date": None, "Description": "\n".join(lines)})
     plt.close(figure)
 
 
 def draw_file(name, source, path):
-    """Draws the plot of a question from a CSV file; returns its title, the comments of the file and its table."""
+    """Draws the plot of a question from a CSV file. Returns its title, the comments of the file, and its table."""
     comments, lines = read(source)
     figure, title, text = QUESTIONS[name](rows_of(lines))
     save(figure, path, lines)
@@ -86,7 +86,7 @@ def draw_file(name, source, path):
 
 
 def number(value, digits=1):
-    """A number as it stands in a table."""
+    """Formats a number for a table."""
     if isinstance(value, str):
         return value
     if value == int(value) and digits == 0:
@@ -95,7 +95,7 @@ def number(value, digits=1):
 
 
 def table(columns, rows):
-    """A table in markdown. `columns` are pairs of a head and a function of a row."""
+    """Returns a table in Markdown. `columns` are pairs of a heading and a function of a row."""
     lines = ["| " + " | ".join(head for head, _ in columns) + " |", "|" + "--:|" * len(columns)]
     for row in rows:
         lines.append("| " + " | ".join(cell(row) for _, cell in columns) + " |")
@@ -106,7 +106,7 @@ def spread(name):
     return lambda row: f"{number(row[name])} ({number(row[name + '_min'])}–{number(row[name + '_max'])})"
 
 
-# --- one function for each question: it returns a figure, a title and a table ----------------------------------------
+# --- one function for each question; it returns a figure, a title and a table ----------------------------------------
 
 
 def growth(rows):

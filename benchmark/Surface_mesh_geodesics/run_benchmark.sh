@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Measures geodesic_distances(), Surface_mesh_geodesic_paths and Surface_mesh_geodesic_Voronoi_diagram against
-# CGAL::Surface_mesh_shortest_path and CGAL::Heat_method_3 on CGAL's data meshes and writes the numbers as CSV files and
-# as tables in markdown. See readme.txt beside this file.
+# CGAL::Surface_mesh_shortest_path and CGAL::Heat_method_3 on CGAL's data meshes. Writes the numbers as CSV files and as
+# tables in Markdown. See readme.txt in this folder.
 set -euo pipefail
 
 usage()
@@ -83,7 +83,7 @@ build="$(cd "$build" && pwd)"
 flags="not known (--programs)"
 
 if [ -z "$programs" ]; then
-  # In CGAL's tree this folder is a project of its own.
+  # In CGAL's source tree, this folder is a project of its own.
   source=$root
   [ -f "$root/CMakeLists.txt" ] || source=$here
   cmake -S "$source" -B "$build/programs" -DCMAKE_BUILD_TYPE=Release -DCMAKE_EXPORT_COMPILE_COMMANDS=ON \
@@ -94,14 +94,14 @@ if [ -z "$programs" ]; then
   [ "$paths" = no ] || targets+=(benchmark_paths_against_shortest_path)
   [ "$voronoi" = no ] || targets+=(benchmark_Voronoi_diagram)
   [ "$heat" = no ] || targets+=(benchmark_against_heat_method)
-  [ "$questions" = no ] || targets+=(benchmark_growth benchmark_anisotropy benchmark_sources benchmark_reach benchmark_rules
-                                     benchmark_face_queries benchmark_threads benchmark_matrix)
+  [ "$questions" = no ] || targets+=(benchmark_growth benchmark_anisotropy benchmark_sources benchmark_reach
+                                     benchmark_rules benchmark_face_queries benchmark_threads benchmark_matrix)
   [ "$certify" = no ] || targets+=(benchmark_certification)
   [ "${#targets[@]}" -gt 0 ] || { usage >&2; exit 1; }
   cmake --build "$build/programs" --target "${targets[@]}" > "$build/build.log"
   programs="$(dirname "$(find "$build/programs" -type f -name "${targets[0]}" | head -n 1)")"
 fi
-# What the compiler was really called with, less folders, warnings, definitions of paths and file names.
+# The flags that the compiler received, without folders, warnings, file names and definitions that contain paths.
 commands="$programs/../../compile_commands.json"
 [ -f "$commands" ] || commands="$programs/compile_commands.json"
 if [ -f "$commands" ]; then
@@ -115,7 +115,7 @@ heat_program="$programs/benchmark_against_heat_method"
 
 if [ ! -f "$build/data/meshes/bunny00.off" ]; then
   if [ ! -f "$data_archive" ] && command -v apt-get > /dev/null; then
-    # Slim images of Debian drop all of /usr/share/doc while they install: take the file out of the package itself.
+    # Slim images of Debian do not install /usr/share/doc: take the file out of the package itself.
     mkdir -p "$build/libcgal-demo"
     (cd "$build/libcgal-demo" && apt-get download libcgal-demo && dpkg-deb --extract libcgal-demo_*.deb .) || true
     data_archive="$build/libcgal-demo/usr/share/doc/libcgal-dev/data.tar.gz"
@@ -133,29 +133,35 @@ if [ ! -f "$build/data/meshes/bunny00.off" ]; then
 fi
 meshes="$build/data/meshes"
 
-# CSV with '#' lines on top -> text and a table in markdown.
+# Converts a CSV file of benchmark_against_shortest_path to Markdown: the lines that start with '#', and a table.
 markdown()
 {
   awk -F, '
-    function range(middle, low, high) { return middle == "" ? "" : sprintf(middle < 1000 ? "%.1f (%.1f–%.1f)" : "%.0f (%.0f–%.0f)", middle, low, high) }
+    function range(middle, low, high) {
+      return middle == "" ? "" : sprintf(middle < 1000 ? "%.1f (%.1f–%.1f)" : "%.0f (%.0f–%.0f)", middle, low, high)
+    }
     function times(ratio) { return ratio == "" ? "" : sprintf("%.1f", ratio) }
     /^#/ { sub(/^# /, ""); print "- " $0; next }
     /^mesh,/ {
       print ""
-      print "| mesh | faces | original, ms | ours, ms | time ratio | original, added MB | ours, added MB | memory ratio | windows propagated | ns per window | largest relative difference |"
+      print "| mesh | faces | original, ms | ours, ms | time ratio | original, added MB | " \
+            "ours, added MB | memory ratio | windows propagated | ns per window | largest relative difference |"
       print "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|"
       next
     }
     {
       name = $1; sub(/\.[a-z]+$/, "", name)
       if ($2 > 0) name = name ", subdivided " ($2 == 1 ? "once" : $2 == 2 ? "twice" : $2 " times")
-      printf "| %s | %d | %s | %s | %s | %s | %s | %s | %s | %s | %s |\n", name, $3, range($5, $6, $7), range($8, $9, $10), \
-             times($11), times($12), ($13 == "" ? "" : sprintf("%.2f", $13)), times($14), $15, times($16), ($17 == "" ? "" : sprintf("%.1e", $17))
+      printf "| %s | %d | %s | %s | %s | %s | %s | %s | %s | %s | %s |\n", name, $3, \
+             range($5, $6, $7), range($8, $9, $10), times($11), times($12), \
+             ($13 == "" ? "" : sprintf("%.2f", $13)), times($14), $15, times($16), \
+             ($17 == "" ? "" : sprintf("%.1e", $17))
       if ($11 != "") { ratio[++n] = $11; memory[n] = $14 }
       if ($1 ~ /^bunny00/) bunny[$2] = $8
     }
     function median(a, n,   i, j, t) {
-      for (i = 2; i <= n; ++i) for (j = i; j > 1 && a[j - 1] + 0 > a[j] + 0; --j) { t = a[j]; a[j] = a[j - 1]; a[j - 1] = t }
+      for (i = 2; i <= n; ++i)
+        for (j = i; j > 1 && a[j - 1] + 0 > a[j] + 0; --j) { t = a[j]; a[j] = a[j - 1]; a[j - 1] = t }
       return n % 2 ? a[(n + 1) / 2] : (a[n / 2] + a[n / 2 + 1]) / 2
     }
     END {
@@ -166,11 +172,12 @@ markdown()
         printf "; ratio of added memory %.1f to %.1f, median %.1f.\n", memory[1], memory[n], m
       }
       if (bunny[0] > 0 && bunny[2] > 0)
-        printf "\nbunny00 subdivided twice (16 times the faces) takes %.1f times the time of bunny00.\n", bunny[2] / bunny[0]
+        printf "\nbunny00 subdivided twice (16 times the faces) takes %.1f times the time of bunny00.\n", \
+               bunny[2] / bunny[0]
     }' "$1"
 }
 
-# The same for the columns of benchmark_paths_against_shortest_path, found by their names.
+# Converts a CSV file of benchmark_paths_against_shortest_path to Markdown. Finds columns by their names.
 markdown_of_paths()
 {
   awk -F, '
@@ -179,12 +186,12 @@ markdown_of_paths()
     { row[++n] = $0 }
     function value(name) { return $(column[name]) }
     function number(x, digits) { return x == "" ? "" : sprintf("%." digits "f", x) }
-    # original, ours, ratio
+    # Cells for the original, ours and their ratio.
     function three(name, digits) {
       return sprintf(" %s | %s | %s |", number(value("original_" name), digits), number(value("ours_" name), digits), \
                      number(value("ratio_" name), digits_of_ratio(value("ratio_" name))))
     }
-    # ours, ratio
+    # Cells for ours and the ratio.
     function two(name, digits) {
       return sprintf(" %s | %s |", number(value("ours_" name), digits), \
                      number(value("ratio_" name), digits_of_ratio(value("ratio_" name))))
@@ -196,32 +203,40 @@ markdown_of_paths()
       return sprintf("| %s | %d |", name, value("sources"))
     }
     END {
-      print "\n| mesh | sources | build: original, ms | ours for vertices, ms | ratio | ours for faces, ms | ratio | added memory: original, MB | ours for vertices, MB | ratio | ours for faces, MB | ratio |"
+      print "\n| mesh | sources | build: original, ms | ours for vertices, ms | ratio | ours for faces, ms | " \
+            "ratio | added memory: original, MB | ours for vertices, MB | ratio | ours for faces, MB | ratio |"
       print "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|"
       for (r = 1; r <= n; ++r) {
         $0 = row[r]
-        print mesh() three("build_vertices_ms", 1) two("build_faces_ms", 1) three("memory_vertices_mb", 1) two("memory_faces_mb", 1)
+        print mesh() three("build_vertices_ms", 1) two("build_faces_ms", 1) three("memory_vertices_mb", 1) \
+              two("memory_faces_mb", 1)
       }
-      print "\n| mesh | sources | vertex query: original, µs | ours, µs | ratio | face query: original, µs | ours, µs | ratio | vertex path: original, µs | ours, µs | ratio | face path: original, µs | ours, µs | ratio | points of a path from a vertex, from a face | largest relative difference of distances, of path lengths |"
+      print "\n| mesh | sources | vertex query: original, µs | ours, µs | ratio | face query: original, µs | " \
+            "ours, µs | ratio | vertex path: original, µs | ours, µs | ratio | face path: original, µs | " \
+            "ours, µs | ratio | points of a path from a vertex, from a face | " \
+            "largest relative difference of distances, of path lengths |"
       print "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|"
       for (r = 1; r <= n; ++r) {
         $0 = row[r]
         difference = value("largest_distance_difference")
-        printf "%s%s%s%s%s %s, %s | %s |\n", mesh(), three("vertex_query_us", 3), three("face_query_us", 2), three("vertex_path_us", 1), \
-               three("face_path_us", 1), value("points_per_vertex_path"), value("points_per_face_path"), \
+        printf "%s%s%s%s%s %s, %s | %s |\n", mesh(), three("vertex_query_us", 3), three("face_query_us", 2), \
+               three("vertex_path_us", 1), three("face_path_us", 1), \
+               value("points_per_vertex_path"), value("points_per_face_path"), \
                difference == "" ? "" : sprintf("%.1e, %.1e", difference, value("largest_path_length_difference"))
       }
     }' "$1"
 }
 
-# The same for the columns of benchmark_Voronoi_diagram.
+# Converts a CSV file of benchmark_Voronoi_diagram to Markdown.
 markdown_of_voronoi()
 {
   awk -F, '
     /^#/ { sub(/^# /, ""); print "- " $0; next }
     /^mesh,/ {
       for (i = 1; i <= NF; ++i) column[$i] = i
-      print "\n| mesh | faces | sites | distances, ms | windows all kept, ms | removal, ms | diagram, ms | diagram / distances | windows kept | at once | ratio | all kept, MB | removal, MB | diagram, MB | arcs | vertices | naive, ms | naive / diagram |"
+      print "\n| mesh | faces | sites | distances, ms | windows all kept, ms | removal, ms | diagram, ms | " \
+            "diagram / distances | windows kept | at once | ratio | all kept, MB | removal, MB | diagram, MB | " \
+            "arcs | vertices | naive, ms | naive / diagram |"
       print "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|"
       next
     }
@@ -230,10 +245,15 @@ markdown_of_voronoi()
       name = $1; sub(/\.[a-z]+$/, "", name)
       if ($2 > 0) name = name ", subdivided " ($2 == 1 ? "once" : $2 == 2 ? "twice" : $2 " times")
       printf "| %s", name
-      n = split("faces sites distances_ms all_kept_ms removal_ms diagram_ms diagram_over_distances windows_kept windows_at_once ratio_of_windows all_kept_mb removal_mb diagram_mb arcs vertices naive_ms naive_over_diagram", names, " ")
+      n = split("faces sites distances_ms all_kept_ms removal_ms diagram_ms diagram_over_distances windows_kept " \
+                "windows_at_once ratio_of_windows all_kept_mb removal_mb diagram_mb arcs vertices " \
+                "naive_ms naive_over_diagram", names, " ")
       for (i = 1; i <= n; ++i) printf " | %s", value(names[i])
       print " |"
-      if (value("sites") == 30) { ratios = ratios sprintf("- %s: %s times fewer windows at once; diagram in %s times the time of the distances.\n", name, value("ratio_of_windows"), value("diagram_over_distances")) }
+      if (value("sites") == 30)
+        ratios = ratios sprintf("- %s: %s times fewer windows at once; " \
+                                "diagram in %s times the time of the distances.\n", \
+                                name, value("ratio_of_windows"), value("diagram_over_distances"))
     }
     END { printf "\nWith 30 sites:\n%s", ratios }' "$1"
 }
@@ -242,7 +262,7 @@ if [ "$standard" = yes ]; then
   csv="$build/against_shortest_path.csv"
   "$program" --kernel "$kernel" --repetitions "$repetitions" --flags "$flags" \
     "$meshes/bunny00.off" "$meshes/armadillo.off" "$meshes/refined_elephant.off" | tee "$csv" >&2
-  # Without the original, to which 8 GB are not enough even for bunny00 subdivided once.
+  # Only ours: the original needs more than 8 GB for bunny00 subdivided once.
   for k in 1 2; do
     "$program" --kernel "$kernel" --repetitions "$repetitions" --no-header --only ours --subdivide "$k" \
       "$meshes/bunny00.off" | tee -a "$csv" >&2
@@ -252,10 +272,12 @@ fi
 
 if [ "$all" = yes ]; then
   csv="$build/against_shortest_path_all.csv"
-  # Files that hold no triangle mesh, or no single surface, are named on the standard error and left out.
-  find "$meshes" -maxdepth 1 -type f \( -name '*.off' -o -name '*.ply' -o -name '*.stl' \) | LC_ALL=C sort > "$build/list.txt"
-  "$program" --kernel "$kernel" --repetitions "$all_repetitions" --flags "$flags" --minimum-faces 5000 --time-limit 600 \
-    --list "$build/list.txt" 2> "$build/all_meshes.log" | tee "$csv" >&2 || echo "some runs failed, see $build/all_meshes.log" >&2
+  # The program reports files without a triangle mesh, or with several surfaces, on standard error and skips them.
+  find "$meshes" -maxdepth 1 -type f \( -name '*.off' -o -name '*.ply' -o -name '*.stl' \) \
+    | LC_ALL=C sort > "$build/list.txt"
+  "$program" --kernel "$kernel" --repetitions "$all_repetitions" --flags "$flags" --minimum-faces 5000 \
+    --time-limit 600 --list "$build/list.txt" 2> "$build/all_meshes.log" | tee "$csv" >&2 \
+    || echo "some runs failed, see $build/all_meshes.log" >&2
   markdown "$csv" | tee "${csv%.csv}.md"
 fi
 
@@ -265,11 +287,11 @@ if [ "$paths" = yes ]; then
   for name in $paths_meshes; do
     files+=("$meshes/$name.off")
   done
-  # No run gets more than 8 GB.
+  # Each run is limited to 8 GB.
   "$paths_program" --kernel "$kernel" --repetitions "$paths_repetitions" --flags "$flags" --memory-limit 8192 \
     "${files[@]}" | tee "$csv" >&2
-  # Of the three subdivided once, the only one that the original does in 8 GB: with bunny00 and refined_elephant, which
-  # have more faces, it runs out of memory.
+  # Of the subdivided meshes, the original completes only armadillo in 8 GB. It runs out of memory with bunny00 and
+  # refined_elephant, which have more faces.
   case " $paths_meshes " in
     *" armadillo "*)
       "$paths_program" --kernel "$kernel" --repetitions "$paths_repetitions" --no-header --memory-limit 8192 \
@@ -280,11 +302,11 @@ fi
 
 if [ "$voronoi" = yes ]; then
   csv="$build/voronoi.csv"
-  "$voronoi_program" --repetitions "$voronoi_repetitions" --flags "$flags" "$meshes/bunny00.off" "$meshes/armadillo.off" \
-    | tee "$csv" >&2
-  # more than a million faces
+  "$voronoi_program" --repetitions "$voronoi_repetitions" --flags "$flags" \
+    "$meshes/bunny00.off" "$meshes/armadillo.off" | tee "$csv" >&2
+  # A mesh with more than a million faces.
   "$voronoi_program" --repetitions 1 --no-header --subdivide 2 "$meshes/bunny00.off" | tee -a "$csv" >&2
-  # the naive way, one object of Surface_mesh_shortest_path per site
+  # The naive method: one object of Surface_mesh_shortest_path for each site.
   "$voronoi_program" --repetitions 1 --no-header --sites 10 --naive 10 "$meshes/elephant.off" "$meshes/armadillo.off" \
     | tee -a "$csv" >&2
   markdown_of_voronoi "$csv" | tee "${csv%.csv}.md"
@@ -298,7 +320,7 @@ if [ "$heat" = yes ]; then
     "$meshes/bunny00.off" | tee -a "$csv" >&2
 fi
 
-# ask <question> <arguments>: runs the program of a question; its table goes to <question>.csv
+# ask QUESTION ARGUMENTS...: runs the program benchmark_QUESTION and writes its table to QUESTION.csv.
 ask()
 {
   local question="$1"
@@ -314,18 +336,19 @@ if [ "$questions" = yes ]; then
   ask reach --subdivide 1 "$meshes/bunny00.off"
   ask rules "$meshes/elephant.off" "$meshes/armadillo.off" "$meshes/bunny00.off"
   ask face_queries "$meshes/bunny00.off"
-  # These two measure the time that passes: the machine has to be idle.
+  # These two measure wall-clock time: the machine must be idle.
   ask threads --subdivide 2 "$meshes/bunny00.off"
   ask matrix --rows 64 "$meshes/bunny00.off"
 fi
 
 if [ "$certify" = yes ]; then
-  find "$meshes" -maxdepth 1 -type f \( -name '*.off' -o -name '*.ply' -o -name '*.stl' \) | LC_ALL=C sort > "$build/list.txt"
+  find "$meshes" -maxdepth 1 -type f \( -name '*.off' -o -name '*.ply' -o -name '*.stl' \) \
+    | LC_ALL=C sort > "$build/list.txt"
   "$programs/benchmark_certification" --flags "$flags" --memory-limit 8192 --list "$build/list.txt" \
     | tee "$build/certified_meshes.csv" || echo "some meshes are not certified, see $build/certified_meshes.csv" >&2
 fi
 
-# Nothing else is drawn.
+# Only these two groups have plots.
 [ "$all$questions" != nono ] || exit 0
 for python in python3 /usr/bin/python3; do
   if "$python" -c 'import matplotlib' 2> /dev/null; then

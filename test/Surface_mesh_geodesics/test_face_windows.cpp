@@ -35,8 +35,8 @@ std::vector<Vertex_id> roots(const Windows& windows, Halfedge_id h)
   return result;
 }
 
-// Lists of all lengths are added to the edges of some faces, and released, in any order.
-void windows_come_back(test_support::Random& random)
+// Adds lists of all lengths to the edges of some faces, and releases them, in random order.
+void each_edge_keeps_its_windows(test_support::Random& random)
 {
   const std::size_t number_of_faces = 5;
   Windows windows;
@@ -69,10 +69,10 @@ void windows_come_back(test_support::Random& random)
     if(round == 1000)
       memory = windows.memory();
   }
-  CHECK(windows.memory() <= 2 * memory); // it does not grow with what has been released
+  CHECK(windows.memory() <= 2 * memory); // memory of released windows is used again
 }
 
-void nothing_is_there_at_first()
+void a_new_or_reset_container_is_empty()
 {
   Windows windows;
   windows.reset(1);
@@ -93,7 +93,7 @@ void nothing_is_there_at_first()
 int main()
 {
   test_support::Random random(test_support::announce_seed(7));
-  windows_come_back(random);
-  nothing_is_there_at_first();
+  each_edge_keeps_its_windows(random);
+  a_new_or_reset_container_is_empty();
   return test_result();
 }

@@ -1,5 +1,5 @@
-// Windows are processed as many at a time as the processor has lanes for: whatever that number is, a propagation
-// does the same, to the last bit; or, if the compiler may fuse multiplications and additions, nearly.
+// Loops process as many windows at a time as the processor has lanes. The results of a propagation are the same bits
+// for each number of lanes, or the same up to rounding if the compiler may fuse multiplications and additions.
 
 #include "distance_test_helpers.h"
 #include "intrinsic_mesh_helpers.h"
@@ -23,7 +23,7 @@ using Intrinsic_mesh = internal::Intrinsic_mesh<double>;
 using Field = internal::Vertex_distance_field<double>;
 using Sources = std::vector<std::pair<internal::Vertex_id, double>>; // with offsets
 
-// What a propagation has come to: the results, and the counts of all that has been done to windows.
+// The results of a propagation, and the counts of what was done to windows.
 struct Outcome
 {
   Field field;
@@ -87,7 +87,7 @@ struct Without_vertex_rule : internal::All_pruning_rules
 };
 
 template <class Rules>
-void check_all_numbers_of_lanes(const Intrinsic_mesh& mesh, const Sources& sources)
+void check_that_lanes_agree(const Intrinsic_mesh& mesh, const Sources& sources)
 {
   const Outcome expected = propagate<Rules>(mesh, sources, internal::Lane_choice::ONE);
   {
@@ -104,7 +104,7 @@ void check_all_numbers_of_lanes(const Intrinsic_mesh& mesh, const Sources& sourc
   }
 }
 
-void check_mesh(const Indexed_mesh& indexed, test_support::Random& random)
+void all_numbers_of_lanes_give_the_same_results(const Indexed_mesh& indexed, test_support::Random& random)
 {
   test_support::Scope scope(indexed.name);
   const Intrinsic_mesh mesh = intrinsic_mesh(to_face_graph(indexed));
@@ -113,15 +113,15 @@ void check_mesh(const Indexed_mesh& indexed, test_support::Random& random)
   {
     sources.emplace_back(static_cast<internal::Vertex_id>(random.index(mesh.number_of_vertices())),
                          random.uniform(0., .1));
-    check_all_numbers_of_lanes<internal::All_pruning_rules>(mesh, sources);
+    check_that_lanes_agree<internal::All_pruning_rules>(mesh, sources);
   }
   if(mesh.number_of_faces() <= 400)
   {
-    check_all_numbers_of_lanes<Without_vertex_rule>(mesh, sources);
+    check_that_lanes_agree<Without_vertex_rule>(mesh, sources);
   }
 }
 
-// What is tested depends on the machine: say it.
+// Prints the numbers of lanes: which ones are tested depends on the machine.
 void print_lanes()
 {
   const auto lanes = [](internal::Lane_choice choice)
@@ -144,9 +144,10 @@ int main()
   print_lanes();
   for(const Indexed_mesh& indexed : collection(seed))
   {
-    check_mesh(indexed, random);
+    all_numbers_of_lanes_give_the_same_results(indexed, random);
   }
-  check_mesh(noisy_sphere(5, .01, seed), random);                   // long lists
-  check_mesh(midpoint_subdivision(voxel_surface("L", {{"##", "#."}}), 4), random); // flat: ties everywhere
+  all_numbers_of_lanes_give_the_same_results(noisy_sphere(5, .01, seed), random); // long lists
+  // Flat faces: ties everywhere.
+  all_numbers_of_lanes_give_the_same_results(midpoint_subdivision(voxel_surface("L", {{"##", "#."}}), 4), random);
   return test_result();
 }

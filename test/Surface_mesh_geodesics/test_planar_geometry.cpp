@@ -25,7 +25,7 @@ void add_angle(Angle_sum& sum, double angle, double scale)
   sum.add(scale * std::cos(angle), scale * std::sin(angle));
 }
 
-// an angle divided into n parts, each less than pi, of sizes as different as random numbers are.
+// The sum of n random parts of an angle. Requires: each part is less than pi.
 Angle_sum divided(double angle, std::size_t n, test_support::Random& random)
 {
   std::vector<double> parts;
@@ -43,10 +43,10 @@ Angle_sum divided(double angle, std::size_t n, test_support::Random& random)
   return sum;
 }
 
-// Angles of the size `half_turns` times pi and of sizes next to it, in many parts.
-void flat_angles_are_told_from_others(test_support::Random& random)
+// Sums of many parts that are pi or 2 pi, or differ from that by the margin.
+void angles_next_to_flat_ones_are_not_flat(test_support::Random& random)
 {
-  const double margin = 1e-9; // far more than rounding, and far less than what a mesh shows
+  const double margin = 1e-9; // far above rounding, and far below the angles of meshes
   for(std::size_t n = 6; n < 200; n += 1 + n / 4)
   {
     CHECK(!divided(2 * pi, n, random).is_more_than_full());
@@ -58,7 +58,7 @@ void flat_angles_are_told_from_others(test_support::Random& random)
   }
 }
 
-void large_and_small_sums_of_angles(test_support::Random& random)
+void sums_of_angles_are_compared_with_half_and_full_turns(test_support::Random& random)
 {
   for(std::size_t n = 16; n < 100; n += 7)
   {
@@ -82,7 +82,7 @@ void large_and_small_sums_of_angles(test_support::Random& random)
 }
 
 // Right angles are exact.
-void right_angles()
+void sums_of_right_angles_are_exact()
 {
   Angle_sum sum;
   for(int n = 1; n <= 12; ++n)
@@ -95,7 +95,7 @@ void right_angles()
 
 // --- triangles -------------------------------------------------------------------------------------------------------
 
-// The same triangle, with more digits: lengths are taken as they are, so that there is one right answer.
+// Compares a triangle with the same one in more digits. The sides are exact in both.
 void check_triangle(double a, double b, double c)
 {
   const internal::Planar_triangle<double> found = internal::planar_triangle_from_lengths(a, b, c);
@@ -103,17 +103,17 @@ void check_triangle(double a, double b, double c)
   CHECK_EQUAL(found.base, a);
   CHECK_CLOSE(found.apex_y, static_cast<double>(expected.apex_y), 1e-14);
   CHECK_NEAR(found.apex_x, static_cast<double>(expected.apex_x), 4e-16 * (std::max)(a, c));
-  // and the sides are what they were
+  // The distances of the corners are the given sides.
   CHECK_CLOSE(internal::norm<double>(found.apex_x, found.apex_y), c, 1e-15);
   CHECK_CLOSE(internal::norm<double>(found.apex_x - a, found.apex_y), b, 1e-15);
 }
 
-void triangles_have_their_sides(test_support::Random& random)
+void triangles_have_the_given_sides(test_support::Random& random)
 {
   for(std::size_t i = 0; i < 2000; ++i)
   {
     const double a = std::pow(10., random.uniform(-9., 0.));
-    // the angle at the first corner, and the side there
+    // The angle at the first corner, and the side from there to the apex.
     const double angle = random.uniform(.01, 3.13), c = random.uniform(1., 2.);
     const double b = std::hypot(c * std::cos(angle) - a, c * std::sin(angle));
     if(a <= b)
@@ -123,7 +123,7 @@ void triangles_have_their_sides(test_support::Random& random)
   }
 }
 
-void triangles_without_area()
+void triangles_without_area_have_no_height()
 {
   const internal::Planar_triangle<double> cap = internal::planar_triangle_from_lengths(1., 2., 3.);
   CHECK_EQUAL(cap.apex_y, 0.);
@@ -133,8 +133,8 @@ void triangles_without_area()
   CHECK_EQUAL(needle.apex_x, 2.);
 }
 
-// A triangle whose height cannot be told from rounding is as good as a segment, in any unit; others are not.
-void heights_that_are_lost_in_rounding()
+// The rule is relative to the longest side: the unit of length does not matter.
+void heights_below_rounding_count_as_zero()
 {
   for(const double longest : {1e-70, 1., 1e70})
   {
@@ -151,7 +151,7 @@ void heights_that_are_lost_in_rounding()
 
 // --- comparison ------------------------------------------------------------------------------------------------------
 
-void rounding_does_not_decide()
+void distances_that_differ_by_rounding_tie()
 {
   for(const double d : {1e-150, 1e-3, 1., 7., 1e150})
   {
@@ -170,12 +170,12 @@ void rounding_does_not_decide()
 int main()
 {
   test_support::Random random(test_support::announce_seed(20261122));
-  flat_angles_are_told_from_others(random);
-  large_and_small_sums_of_angles(random);
-  right_angles();
-  triangles_have_their_sides(random);
-  triangles_without_area();
-  heights_that_are_lost_in_rounding();
-  rounding_does_not_decide();
+  angles_next_to_flat_ones_are_not_flat(random);
+  sums_of_angles_are_compared_with_half_and_full_turns(random);
+  sums_of_right_angles_are_exact();
+  triangles_have_the_given_sides(random);
+  triangles_without_area_have_no_height();
+  heights_below_rounding_count_as_zero();
+  distances_that_differ_by_rounding_tie();
   return test_support::test_result();
 }

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cfenv>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -312,6 +313,33 @@ void the_rule_of_pairs_never_removes_both(test_support::Random& random)
   }
 }
 
+// An image on the edge, outside its interval, has no slope to divide by. Nothing is decided, and nothing divided.
+void images_on_the_edge_keep_crossed_pairs(test_support::Random& random)
+{
+  std::size_t number_checked = 0;
+  for(std::size_t i = 0; i < 20000; ++i)
+  {
+    Window left = random_window(random), right = random_window(random);
+    const std::size_t flat = random.index(3); // the left one, the right one, or both
+    for(Window* w : {flat != 1 ? &left : nullptr, flat != 0 ? &right : nullptr})
+      if(w != nullptr)
+      {
+        w->image_depth = 0;
+        set_end_distances(*w);
+      }
+    if(right.end > left.begin || internal::is_too_close_to_trim(left, 1.) || internal::is_too_close_to_trim(right, 1.))
+      continue;
+    CHECK(internal::is_valid(left, 1.) && internal::is_valid(right, 1.));
+    Window l = left, r = right;
+    std::feclearexcept(FE_ALL_EXCEPT);
+    const Pair_outcome outcome = internal::prune_pair(l, r);
+    CHECK(std::fetestexcept(FE_DIVBYZERO | FE_INVALID) == 0);
+    CHECK(outcome == Pair_outcome::KEEP_BOTH && are_same(l, left) && are_same(r, right));
+    ++number_checked;
+  }
+  CHECK(number_checked > 100);
+}
+
 // --- vertices --------------------------------------------------------------------------------------------------------
 
 void the_vertex_rule_obeys_definition_and_symmetries(test_support::Random& random)
@@ -541,6 +569,7 @@ int main()
   comparison_is_a_strict_order(random);
   pairs_obey_definition_and_symmetries(random);
   the_rule_of_pairs_never_removes_both(random);
+  images_on_the_edge_keep_crossed_pairs(random);
   the_vertex_rule_obeys_definition_and_symmetries(random);
   triangles_satisfy_their_error_bounds(random);
   sums_of_angles_satisfy_their_error_bound(random);

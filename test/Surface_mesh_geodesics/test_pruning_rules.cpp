@@ -1,5 +1,5 @@
-// Every pruning rule only saves work: without it, and with a hundred digits, the
-// distances are the same, and there are more windows. A second referee unfolds straight lines without any rule.
+// Each pruning rule only saves work: without it, the distances are the same, and there are more windows. They are also
+// the same with a hundred digits, and those of a brute-force method that unfolds straight lines without any rule.
 
 #include "brute_force_distances.h"
 #include "distance_test_helpers.h"
@@ -36,7 +36,7 @@ struct Without_vertex_rule : SMG::internal::All_pruning_rules
   static constexpr bool vertex_rule = false;
 };
 
-// The windows of all runs with some rules and numbers.
+// The number of windows in all runs with these rules and this number type.
 template <class Rules, class NumberType>
 std::size_t windows_propagated = 0;
 
@@ -53,7 +53,7 @@ std::vector<double> distances_with_rules(const Mesh& tm, const Sources& sources)
 }
 
 template <class Sources>
-void every_rule_may_be_left_out(const Mesh& tm, const Sources& sources)
+void distances_are_the_same_without_each_rule(const Mesh& tm, const Sources& sources)
 {
   const std::vector<double> expected = distances(tm, sources);
   CHECK((distances_with_rules<SMG::internal::All_pruning_rules, double>(tm, sources)) == expected);
@@ -71,8 +71,8 @@ void every_rule_may_be_left_out(const Mesh& tm, const Sources& sources)
   }
 }
 
-// All runs have been made once with each set of rules.
-void every_rule_has_saved_work()
+// Requires: the same runs have been made with each set of rules.
+void each_rule_has_saved_windows()
 {
   const std::size_t with_all = windows_propagated<SMG::internal::All_pruning_rules, double>;
   CHECK(with_all > 0);
@@ -82,14 +82,14 @@ void every_rule_has_saved_work()
 }
 
 template <class Sources>
-void a_hundred_digits_agree(const Mesh& tm, const Sources& sources)
+void distances_agree_with_a_hundred_digits(const Mesh& tm, const Sources& sources)
 {
   test_support::Scope scope("100 digits");
   CHECK_FIELDS_CLOSE((distances_with_rules<SMG::internal::All_pruning_rules, Hundred_digits>(tm, sources)),
                      distances(tm, sources), tolerance);
 }
 
-void unfolding_without_rules_agrees(const Indexed_mesh& indexed, const Mesh& tm, std::size_t source)
+void distances_agree_with_brute_force(const Indexed_mesh& indexed, const Mesh& tm, std::size_t source)
 {
   test_support::Scope scope("brute force");
   Brute_force_distances<long double> brute_force(indexed);
@@ -101,9 +101,9 @@ void unfolding_without_rules_agrees(const Indexed_mesh& indexed, const Mesh& tm,
   CHECK_FIELDS_CLOSE(distances(tm, vertex(source)), expected, tolerance);
 }
 
-// Lengths between 1 and 1.9 make triangles of any shape, on any mesh; most vertices
-// become saddles or sharp cones, and nothing is embedded.
-void random_metrics_agree(const Indexed_mesh& indexed, test_support::Random& random)
+// Random lengths between 1 and 1.9 satisfy the triangle inequality in any mesh. Most vertices become saddles or sharp
+// cones, and the surface is not embedded in space.
+void distances_agree_with_brute_force_on_random_metrics(const Indexed_mesh& indexed, test_support::Random& random)
 {
   test_support::Scope scope(indexed.name + ", random metric");
   Mesh tm = to_face_graph(indexed);
@@ -139,28 +139,28 @@ int main()
     const std::size_t number_of_faces = indexed.faces.size();
     if(number_of_faces <= 700)
     {
-      unfolding_without_rules_agrees(indexed, tm, std::size_t(random_vertex(tm, random)));
+      distances_agree_with_brute_force(indexed, tm, std::size_t(random_vertex(tm, random)));
     }
     if(number_of_faces <= 400)
     {
-      a_hundred_digits_agree(tm, random_vertex(tm, random));
+      distances_agree_with_a_hundred_digits(tm, random_vertex(tm, random));
     }
     if(number_of_faces <= 200)
     {
-      every_rule_may_be_left_out(tm, random_vertex(tm, random));
-      every_rule_may_be_left_out(tm, random_location(tm, random));
-      every_rule_may_be_left_out(tm, std::vector<vertex_descriptor>{random_vertex(tm, random),
+      distances_are_the_same_without_each_rule(tm, random_vertex(tm, random));
+      distances_are_the_same_without_each_rule(tm, random_location(tm, random));
+      distances_are_the_same_without_each_rule(tm, std::vector<vertex_descriptor>{random_vertex(tm, random),
                                                                     random_vertex(tm, random)});
-      a_hundred_digits_agree(tm, std::vector<Face_location>{random_location(tm, random),
+      distances_agree_with_a_hundred_digits(tm, std::vector<Face_location>{random_location(tm, random),
                                                             random_location(tm, random)});
     }
     if(number_of_faces <= 400)
     {
-      random_metrics_agree(indexed, random);
+      distances_agree_with_brute_force_on_random_metrics(indexed, random);
     }
     const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
     std::cout << indexed.name << ", " << number_of_faces << " faces: " << time.count() << " s" << std::endl;
   }
-  every_rule_has_saved_work();
+  each_rule_has_saved_windows();
   return test_result();
 }

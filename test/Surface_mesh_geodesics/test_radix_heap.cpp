@@ -15,8 +15,8 @@ namespace {
 namespace internal = CGAL::Surface_mesh_geodesics::internal;
 using internal::Face_id;
 
-// Entries come at any time, and some wait once more when they are called.
-void entries_leave_in_time(test_support::Random& random, double scale)
+// Entries are pushed at any time. Each one that leaves is pushed once more.
+void entries_leave_when_their_distance_is_reached(test_support::Random& random, double scale)
 {
   const double never = std::numeric_limits<double>::infinity();
   internal::Radix_heap queue;
@@ -51,20 +51,20 @@ void entries_leave_in_time(test_support::Random& random, double scale)
   }
 }
 
-void odd_calls()
+void reached_infinite_and_cleared_entries_are_handled()
 {
   internal::Radix_heap queue;
   queue.push(7, 1., 1.);
   queue.clear();
   queue.advance(2., [](Face_id, double) { CHECK(false); });
-  // what is not larger than what has been reached leaves as soon as it grows
+  // An entry for a distance that is reached already leaves as soon as the reached distance grows.
   queue.push(8, 1., 1.);
   std::size_t called = 0;
   queue.advance(1.5, [&](Face_id, double) { ++called; });
   CHECK_EQUAL(called, std::size_t(0));
   queue.advance(2.5, [&](Face_id, double) { ++called; });
   CHECK_EQUAL(called, std::size_t(1));
-  // what is too large for single precision
+  // Distances beyond single precision never leave.
   const double infinity = std::numeric_limits<double>::infinity();
   queue.push(9, 1e200, infinity);
   queue.advance(1e100, [&](Face_id, double) { CHECK(false); });
@@ -79,8 +79,8 @@ int main()
   for(const double scale : {1., 1e-3, 1e6, 1e-30, 1e-60})
   {
     const test_support::Scope scope("distances of " + std::to_string(scale));
-    entries_leave_in_time(random, scale);
+    entries_leave_when_their_distance_is_reached(random, scale);
   }
-  odd_calls();
+  reached_infinite_and_cleared_entries_are_handled();
   return test_support::test_result();
 }

@@ -80,7 +80,7 @@ void check_pieces(const Indexed_mesh& indexed, const std::vector<std::size_t>& s
 
 // --- laws of unfolding ---
 
-// The face as its mirror image shows it: A and B change places.
+// The face as its mirror image shows it: A and B are swapped.
 Face_frame mirrored(Face_frame c)
 {
   std::swap(c.apex_x, c.apex_rest);

@@ -260,7 +260,7 @@ void lists_are_split_at_their_shortest_path(Lane_choice choice)
     CHECK(children.left == keys({1, 2}));
     CHECK(children.right == keys({2, 3}));
   }
-  // unless its place beside the nearest one is not known
+  // unless its position beside the nearest one is not known
   {
     const Window wide = window(0, 1, .25, .25, 1);
     std::vector<Window> windows{numbered(middle, 2), numbered(wide, 2)};

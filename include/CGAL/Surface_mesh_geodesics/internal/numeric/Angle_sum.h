@@ -14,6 +14,8 @@
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
 
+#include <CGAL/assertions.h>
+
 #include <cmath>
 
 namespace CGAL {
@@ -49,6 +51,7 @@ struct Angle_sum
   void add(const FT& dot, const FT& cross)
   {
     using std::abs;
+    CGAL_assertion(cross >= 0);
     const FT size = FT(abs(dot)) + cross;
     if(!(size > 0))
       return;

@@ -10,9 +10,9 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_BITSET_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_BITSET_H
 
-// A set of small numbers, a bit for each, that is visited in ascending order. The time to visit it depends on the
-// number of its elements, without a branch for each number: membership cannot be predicted, and mispredicted branches
-// would take longer than the work on the elements.
+// A set of small numbers, with one bit for each, visited in ascending order. A visit takes time per element, not per
+// number, and has no branch that depends on membership: such branches cannot be predicted, and would take longer than
+// the work on the elements.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/bit_counting.h>
 
@@ -69,8 +69,8 @@ public:
     return none;
   }
 
-  // Calls visit(i) for all elements in ascending order. visit() may insert elements; those greater than i are visited,
-  // too.
+  // Calls visit(i) for all elements in ascending order. visit() may insert elements; those greater than i are visited
+  // as well.
   template <typename Visit>
   void for_each(Visit visit) const
   {

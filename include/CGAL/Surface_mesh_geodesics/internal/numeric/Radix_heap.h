@@ -12,8 +12,8 @@
 
 // Faces that wait until the wavefront has reached a distance: a radix heap (Ahuja, Mehlhorn, Orlin and Tarjan, Faster
 // algorithms for the shortest path problem, J. ACM 37, 1990). The reached distance only grows, and due entries may
-// leave in any order. So an entry moves at most 32 times to a lower bucket, mostly a few times, and no entries are
-// compared. (A binary heap took a tenth of the time of a diagram.)
+// leave in any order. So an entry moves to a lower bucket at most 32 times, in practice a few times, and entries are
+// not compared with each other. (A binary heap took a tenth of the time of a diagram.)
 //
 // Distances are stored in single precision and rounded up: no entry leaves too early, but it may leave too late by a
 // millionth of its distance. Distances beyond single precision wait until clear().
@@ -21,6 +21,8 @@
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/bit_counting.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/single_precision.h>
+
+#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <array>
@@ -44,15 +46,18 @@ public:
     m_reached = 0;
   }
 
-  // Lets f wait for a distance, and stores `limit` with it. Requires: 0 <= distance <= limit.
+  // Lets f wait for a distance, and stores `limit` with it. If the distance is reached already, f is due as soon as the
+  // reached distance grows.
+  // Requires: 0 <= distance <= limit.
   template <typename FT>
   void push(Face_id f, const FT& distance, const FT& limit)
   {
+    CGAL_assertion(distance >= 0 && distance <= limit);
     insert(Entry{bits(Single_precision::not_less(distance)), Single_precision::not_less(limit), f});
   }
 
-  // Calls leave(f, limit), with a limit rounded up, for the faces that wait for less than the reached distance. leave()
-  // may push f again, for a distance that is not less than the reached one.
+  // Raises the reached distance; a smaller one than before changes nothing. Calls leave(f, limit), with a limit rounded
+  // up, for the faces that wait for less. leave() may push f again.
   template <typename FT, typename Leave>
   void advance(const FT& distance, Leave leave)
   {

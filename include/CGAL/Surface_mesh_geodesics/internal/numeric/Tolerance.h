@@ -156,6 +156,16 @@ struct Tolerance
   // across about a thousand faces.
   static FT path() { return 4096 * unit_roundoff(); }
 
+  // Of a distance: the error of a path through few faces. The search for a path begins with it, so that it does not
+  // stop at a path that is longer than necessary.
+  static FT path_through_few_faces() { return path() / 64; }
+
+  // Of a distance, and of the lengths of the mesh: the search for a path ends with their sum. Wider than the error of
+  // any path that the tests know, which is the sum of the errors of its pieces. No bound is known; a path that is
+  // longer still is reported as hidden by rounding.
+  static FT path_of_many_pieces() { return 64 * path(); }
+  static FT lengthwise_of_many_pieces() { return 8 * lengthwise(); }
+
   // Of the length of an edge: how exactly the crossings of isolines are found.
   static FT isoline() { return 4096 * unit_roundoff(); }
 

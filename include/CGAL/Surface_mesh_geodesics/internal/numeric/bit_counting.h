@@ -10,8 +10,8 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_BIT_COUNTING_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_BIT_COUNTING_H
 
-// The lowest and the highest bit of a word, by one instruction where the compiler knows it: the length of a loop could
-// not be predicted.
+// The lowest and the highest bit of a word, by a single instruction with GCC and Clang: the processor could not predict
+// the length of a loop.
 
 #include <cstddef>
 #include <cstdint>

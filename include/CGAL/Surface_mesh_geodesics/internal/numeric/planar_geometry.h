@@ -15,6 +15,8 @@
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
 
+#include <CGAL/assertions.h>
+
 #include <cmath>
 #include <utility>
 
@@ -61,6 +63,7 @@ template <typename FT>
 Planar_triangle<FT> planar_triangle_from_lengths(const FT& a, const FT& b, const FT& c)
 {
   using std::sqrt;
+  CGAL_assertion(0 <= a && a <= b && a <= c);
   Planar_triangle<FT> t;
   t.base = a;
   if(!(a > 0))

@@ -14,7 +14,7 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// Asks the processor to load the memory at p into its caches. Nothing is read: p may be any address.
+// Asks the processor to load the memory at p into its caches. This never faults: p may be any address.
 inline void prefetch(const void* p)
 {
 #ifdef __GNUC__

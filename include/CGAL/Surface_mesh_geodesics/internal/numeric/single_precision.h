@@ -10,7 +10,8 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_SINGLE_PRECISION_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_SINGLE_PRECISION_H
 
-// Upper and lower bounds of non-negative distances in single precision: half the memory, and at most a millionth off.
+// Upper and lower bounds, in single precision, of distances that are not negative. They take half the memory of a
+// double and differ from the distance by at most a millionth of it.
 
 #include <algorithm>
 #include <limits>
@@ -21,7 +22,7 @@ namespace internal {
 
 struct Single_precision
 {
-  // Of a distance: four times the largest relative error of a conversion to float (2^-24), so that a bound stays one in
+  // Of a distance: four times the largest relative error of a conversion to float (2^-24), so that the bounds hold in
   // every rounding mode.
   static constexpr double rounding = 0x1p-22;
   static constexpr float largest = (std::numeric_limits<float>::max)();

@@ -108,16 +108,18 @@ private:
   // Searches for a path whose length is `distance`, with wider and wider tolerances: the first search should not stop
   // at a path that is longer than necessary. Distances err by some units for each face, relative to themselves and, on
   // small distances, to the lengths of the mesh, of which the longest is about 1.
-  // - relative / 64 is the error of a path through few faces.
-  // - relative, and relative + absolute, are what Straight_piece accepts for one piece.
-  // - The last one is wider than the sum for the pieces of any path that the tests know. No bound is known; a path that
-  //   is longer still is reported as hidden by rounding.
+  // - The first one suits a path through few faces.
+  // - Tolerance::path(), with and without the error along one piece, is what Straight_piece accepts for one piece.
+  // - The last one suits a path of many pieces.
   template <typename Search>
   bool search(const FT& distance, Search search_with) const
   {
-    const FT relative = Tolerance<FT>::path() * distance, absolute = Tolerance<FT>::lengthwise();
+    using T = Tolerance<FT>;
+    const FT relative = T::path() * distance;
     Path_search<FT> s(m_mesh, m_field);
-    for(const FT& tolerance : {FT(relative / 64), relative, FT(relative + absolute), FT(64 * relative + 8 * absolute)})
+    for(const FT& tolerance :
+        {FT(T::path_through_few_faces() * distance), relative, FT(relative + T::lengthwise()),
+         FT(T::path_of_many_pieces() * distance + T::lengthwise_of_many_pieces())})
       if(search_with(s, tolerance))
         return true;
     return false;
@@ -167,13 +169,15 @@ private:
   }
 
   // Checks what the trace functions promise: a source at the end, and the length, with a tolerance for each step. (Each
-  // piece, and the search, has checked its own length with the tolerances below; the errors of the pieces add up.)
+  // piece, and the search, has checked its own length; the errors of the pieces add up. The search accepts 64 times the
+  // tolerance of a piece, so a path of few steps gets twice that.)
   bool is_path_of_length(const Steps& path, const FT& distance) const
   {
     using std::abs;
     const FT one = Tolerance<FT>::path() * distance + Tolerance<FT>::lengthwise() * (std::max)(FT(1), distance);
     const Vertex_id end = path.back().vertex;
-    const FT number = FT(static_cast<double>(path.size() + 128));
+    const std::size_t for_search = 2 * 64;
+    const FT number = FT(static_cast<double>(path.size() + for_search));
     return end != null_id && m_field.is_source(end)
         && abs(FT(length_of(path) + m_field.distance[end] - distance)) <= number * one;
   }

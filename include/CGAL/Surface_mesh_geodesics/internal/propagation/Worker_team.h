@@ -10,7 +10,7 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_WORKER_TEAM_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_WORKER_TEAM_H
 
-// A team of threads: the only place that knows TBB. Parallel algorithms are templates of the team, so that tests can
+// A team of threads: the only file that knows TBB. Parallel algorithms are templates of the team, so that tests can
 // run them with plain threads, which a race detector understands.
 //
 // A team has three members: size(), run(n, work) and isolate(function), with the contracts below.

@@ -64,7 +64,8 @@ constexpr Window_history one_step = Window_history(1) << 32;
 // - 0 <= begin < end <= |AB|. Holds for new windows, in stored lists, and after Window_list_crossing::prune(). Trimming
 //   a list against neighbors from both sides may break begin < end; prune() removes such windows before it returns.
 // - image_depth >= 0. New windows have a positive depth (Tolerance::depth()). The image of a child may come to lie on
-//   its edge by rounding: then the depth is 0, and is_too_close_to_trim() keeps rules away that divide by it.
+//   its edge by rounding: then the depth is 0. prune_crossed_windows(), the only rule that divides by depths, keeps
+//   such a window.
 // - 0 <= root_distance <= begin_distance, end_distance < infinity.
 // Windows behind the end of a list, which loops over lanes read and write, satisfy none of this.
 template <typename FT>

@@ -51,7 +51,7 @@ public:
   // The shortest path to C through the list.
   struct Apex_path
   {
-    std::size_t index; // of its window in the list
+    std::size_t index; // of the window in the list
     FT distance;
     FT separating_point;
     FT image_x, image_depth;
@@ -63,16 +63,16 @@ public:
     : m_mesh(mesh), m_distance(distance), m_statistics(statistics), m_loops(lanes)
   {}
 
-  // Says whether the distance of a pseudo-source may have shrunk after its windows were made.
+  // Tells this object whether distances of pseudo-sources may have shrunk after their windows were made.
   void expect_stale_windows(bool are_expected) { m_has_stale_windows = are_expected; }
 
   // Removes windows that are redundant on the edge itself: windows of a pseudo-source that has been improved since,
   // windows beaten by a vertex or by a neighbor, and windows that have crossed more faces than any shortest path does
   // (Intrinsic_mesh.h).
   //
-  // First, all windows are trimmed against their original neighbors. Redundant windows become suspects, which are then
-  // looked at one by one. The order of pruning does not matter: each removed path is longer than some path on the
-  // surface. Lists are pruned on every fourth edge only. To remove a window later costs less than to look for it on
+  // First, all windows are trimmed against their original neighbors. Those that may be redundant become suspects, which
+  // are then examined one by one. The order of pruning does not matter: each removed path is longer than some path on
+  // the surface. Lists are pruned on every fourth edge only. To remove a window later costs less than to look for it on
   // each edge.
   // Requires: the list is valid. It is so afterwards; in between, trimming may leave empty intervals.
   void prune(Window_list<FT>& list, const Face_frame<FT>& c, const Corner_rivals<FT>& corners)
@@ -199,7 +199,7 @@ private:
     return n;
   }
 
-  // Looks at the suspects, and at windows whose left neighbor has been removed or trimmed.
+  // Examines the suspects, and the windows whose left neighbor has been removed or trimmed.
   void remove_redundant_suspects(Window_list<FT>& list, const Face_frame<FT>& c,
                                  const Corner_rivals<FT>& corners)
   {

@@ -85,7 +85,7 @@ struct Nearest_window
   bool has_close_images; // some windows of the list may be too close to trim
 };
 
-// Eight windows of a list, with a bit for each one that has to be looked at by itself.
+// Eight windows of a list, with a bit for each one that has to be examined by itself.
 using Suspects = unsigned char;
 constexpr std::size_t suspects_in_word = 8;
 
@@ -100,17 +100,16 @@ struct Window_list_loops
 
   std::size_t lanes; // at most Window_columns::padding
 
-  // Trims the n windows of a list against their neighbors (Trimmed_pairs), all with their original neighbors. Suspects
-  // are the windows that are beaten by a vertex or trimmed to nothing, and the right windows of undecided pairs.
-  // Returns whether there are any.
+  // Trims the n windows of a list against their original neighbors (Trimmed_pairs). Suspects are the windows that are
+  // beaten by a vertex or trimmed to nothing, and the right windows of undecided pairs. Returns whether there are any.
   bool (*trim)(const Columns& columns, std::size_t n, const FT& length, const Rival& left, const Rival& right,
                Suspects* suspects);
 
   // Finds the shortest path to C, and the apex_abscissa of all windows.
   Nearest_window<FT> (*find_nearest)(const Columns& columns, std::size_t n, const Face_frame<FT>& c, FT* abscissa);
 
-  // Does every window, by its interval, reach the side of s that its key tells: those before the best one the left
-  // side, those after it the right side?
+  // Does the interval of each window reach the side of s that the order of keys gives it: the left side for windows
+  // before the best one, the right side for those after it?
   bool (*is_split_by)(const Columns& columns, std::size_t n, std::size_t best, const FT& s);
 
   // Appends the children of the windows [first, last) to the batch of one edge.
@@ -179,8 +178,8 @@ namespace internal {
 // The loops with the most lanes that pay, with at most four lanes, with the lanes of the compilation, or with one lane.
 enum class Lane_choice { BEST, FOUR, COMPILED, ONE };
 
-// The choice depends on the flags of the compilation. So it stands in the namespace of the lanes of the compilation:
-// files of one program that are compiled for different instruction sets do not share it.
+// The choice depends on the flags of the compilation, so the function is in the namespace of the compiled lanes: files
+// of one program that are compiled for different instruction sets do not share it.
 namespace CGAL_SURFACE_MESH_GEODESICS_COMPILED_NAMESPACE {
 
 template <typename FT, typename Rules>

@@ -39,8 +39,8 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// The columns of a block. Each has `padding` more rows than windows: loops over lanes and copies read and write all
-// lanes of their last step.
+// The columns of a block. Each has `padding` more rows than the block has room for windows, because loops over lanes
+// and copies read and write all lanes of their last step.
 template <typename FT>
 struct Window_columns
 {
@@ -150,7 +150,7 @@ struct Window_list
   }
 };
 
-// Are the windows of a list in the order of their keys, and `steps` the joined_steps() of numbers that bound theirs?
+// Are the windows of a list in the order of their keys, within its capacity, and do its `steps` bound theirs?
 template <typename FT>
 bool is_sorted_by_key(const Window_list<FT>& list)
 {
@@ -233,6 +233,7 @@ public:
     list.size += static_cast<std::uint32_t>(n);
     list.steps = joined_steps(list.steps, steps);
     const Window_key* const key = list.columns.key();
+    CGAL_expensive_assertion(list.size <= list.capacity() && std::is_sorted(key + middle, key + list.size));
     if(middle > 0 && !(key[middle - 1] < key[middle]))
       merge(list, middle);
     CGAL_expensive_assertion(is_sorted_by_key(list));
@@ -275,8 +276,8 @@ private:
     list = other;
   }
 
-  // Merges the windows of a list before `middle` with those from there on, which came later. Copies them in runs:
-  // mostly, one of the two parts lies on the left of the other.
+  // Merges the windows of a list before `middle` with those from there on, which came later. Copies runs, not single
+  // windows: in most lists, one part lies on the left of the other.
   void merge(List& list, std::size_t middle)
   {
     List merged = allocate(list.size);
@@ -350,7 +351,7 @@ private:
     return Columns{slab.numbers, slab.words, height(size_class)};
   }
 
-  // Initializes all rows, because loops over lanes read unused ones, too: they hold numbers and a root that exists.
+  // Initializes all rows, because loops over lanes read unused ones, too: these must hold numbers and an existing root.
   Columns new_slab(std::size_t rows)
   {
     m_numbers.emplace_back(new FT[Columns::number_of_numbers * rows + Columns::padding]());
@@ -376,7 +377,7 @@ private:
   std::size_t m_number_of_rows = 0;
 };
 
-// The lists that wait, by halfedge. A table maps each halfedge to a slot; slots of taken lists are used again.
+// The waiting lists, by halfedge. A table maps each halfedge to a slot; slots of taken lists are used again.
 template <typename FT>
 class Window_lists
 {
@@ -387,8 +388,8 @@ public:
     : m_slot_of_halfedge(3 * number_of_faces, null_id)
   {}
 
-  // Removes all lists, and prepares for a mesh with this number of faces. Takes time proportional to the largest number
-  // of lists that have waited at a time.
+  // Removes all lists, and prepares for a mesh with this number of faces. Linear in the largest number of lists that
+  // have waited at the same time.
   void restart(std::size_t number_of_faces, Window_pool<FT>& pool)
   {
     for(std::size_t slot = 0; slot < m_lists.size(); ++slot)

@@ -15,10 +15,10 @@
 // double, there are as many lanes as the instruction set has: 8 with AVX-512, 4 with AVX, 2 with SSE2 or NEON, and one
 // for compilers other than GCC and Clang.
 //
-// Loads and stores need no alignment. No lane depends on another one, unless its operation says so; so lanes behind the
-// end of a column may hold anything. Each lane sees the operations of a single number: the results are the same bits
-// for any number of lanes, unless the compiler fuses multiplications and additions. GCC does so for instruction sets
-// that have fused operations (-march=native, ARM) without -ffp-contract=off.
+// Loads and stores need no alignment. Lanes are independent of each other, except in the operations that say otherwise;
+// so lanes behind the end of a column may hold anything. Each lane goes through the operations of a single number. So
+// the results are the same bits for any number of lanes, unless the compiler fuses multiplications and additions. GCC
+// does so, without -ffp-contract=off, for instruction sets that have fused operations (-march=native, ARM).
 //
 // The instruction set is that of the compilation; for x86-64 without flags it is chosen at run time
 // (Window_list_loops.h).
@@ -49,7 +49,7 @@
 #define CGAL_SURFACE_MESH_GEODESICS_COMPILED_NAMESPACE one_lane
 #endif
 
-// May code for AVX2 and AVX-512 stand beside code for SSE2? (Stacks on Windows are not aligned for it.)
+// May one program contain code for AVX2 and AVX-512 as well as for SSE2? (Stacks on Windows are not aligned for it.)
 #if CGAL_SURFACE_MESH_GEODESICS_COMPILED_LANES == 2 && defined(__x86_64__) && !defined(_WIN32) \
   && !defined(__EDG__)
 #define CGAL_SURFACE_MESH_GEODESICS_HAS_WIDE_CODE
@@ -59,7 +59,7 @@
 #include <cstddef>
 #include <cstdint>
 
-// For functions with many vectors as arguments or results: a call would put them all in memory.
+// For functions with many vectors as arguments or results: a call would pass all of them through memory.
 #ifdef __GNUC__
 #define CGAL_SURFACE_MESH_GEODESICS_INLINE __attribute__((always_inline)) inline
 #else
@@ -70,12 +70,13 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
+// One lane, which is a plain number: the operations that Lanes<FT> has for any number of lanes.
 template <typename FT>
 struct One_lane
 {
   using Number = FT;
   using Word = std::uint64_t;
-  using Mask = int; // 0 or 1; masks are combined by & and |, at which compilers warn for bool
+  using Mask = int; // 0 or 1, not bool: compilers warn of & and | of bool
   static constexpr std::size_t size = 1;
 
   static const Number& all(const FT& x) { return x; }
@@ -88,8 +89,8 @@ struct One_lane
   // The numbers begin, begin + 1, ...
   static Word count_from(std::size_t begin) { return begin; }
 
-  static std::uint64_t least(Word x, unsigned int) { return x; } // of the lanes whose bits are set
-  static const FT& least(const Number& x) { return x; } // of the lanes
+  static std::uint64_t least(Word x, unsigned int) { return x; } // among the lanes whose bits are set
+  static const FT& least(const Number& x) { return x; } // among all lanes
 
   // The lanes shifted up by one. The last lane of `previous` enters at lane 0.
   static const Number& shift_in(const Number& previous, const Number&) { return previous; }

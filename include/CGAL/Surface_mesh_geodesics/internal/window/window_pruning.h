@@ -21,6 +21,8 @@
 #include <CGAL/Surface_mesh_geodesics/internal/window/Window.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/one_lane.h>
 
+#include <CGAL/assertions.h>
+
 namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
@@ -44,12 +46,15 @@ enum class Pair_outcome { KEEP_BOTH, LEFT_IS_REDUNDANT, RIGHT_IS_REDUNDANT };
 // From the edge back to U, a distance shrinks by its straight part in proportion to h. This rule has no text for lanes:
 // pairs of this kind are rare, and lists leave them undecided.
 //
-// Ties, and paths that do not cross below the edge (which contradicts the order, by rounding), keep both windows. Error
-// bound: rounding of the slopes makes the two points differ by 5 u of the straight parts, and each distance there errs
-// by 8 u, so that the decision is right if the distances differ by 26 u = 13 unit_roundoff() of the longer one.
+// Ties, and paths that do not cross below the edge (which contradicts the order, by rounding), keep both windows. So
+// does an image on the edge: its paths run along the edge and have no slope. Error bound: rounding of the slopes makes
+// the two points differ by 5 u of the straight parts, and each distance there errs by 8 u, so that the decision is
+// right if the distances differ by 26 u = 13 unit_roundoff() of the longer one.
 template <typename FT>
 Pair_outcome prune_crossed_windows(const Window<FT>& left, const Window<FT>& right)
 {
+  if(!(left.image_depth > 0 && right.image_depth > 0))
+    return Pair_outcome::KEEP_BOTH;
   const FT left_slope = (left.image_x - left.begin) / left.image_depth;
   const FT right_slope = (right.image_x - right.end) / right.image_depth;
   const FT approach = right_slope - left_slope;
@@ -69,10 +74,12 @@ Pair_outcome prune_crossed_windows(const Window<FT>& left, const Window<FT>& rig
 
 // Applies the pair rules (thesis, 4.2.1, cases 1-6) to two windows of one edge: trims them, or finds one redundant,
 // which stays as it is. See one_lane::Trimmed_pairs for the rule and one_lane for its only text.
-// Requires: the key of `left` is less than that of `right`; neither is_too_close_to_trim().
+// Requires: left.key <= right.key, and not is_order_unknown(left, right): of two windows with equal keys, `left` comes
+// first in the list. Neither window is_too_close_to_trim().
 template <typename FT>
 Pair_outcome prune_pair(Window<FT>& left, Window<FT>& right)
 {
+  CGAL_expensive_assertion(left.key <= right.key && !is_order_unknown(left, right));
   if(left.end <= right.begin)
     return Pair_outcome::KEEP_BOTH;
   if(right.end <= left.begin)

@@ -18,8 +18,8 @@ namespace Surface_mesh_geodesics {
 namespace internal {
 namespace CGAL_SURFACE_MESH_GEODESICS_LANES_NAMESPACE {
 
-// Each loop reads whole steps of L::size rows, the last of which may run over the end of the list into the padding of
-// the block: masks of the first n lanes keep these rows out of results, and what is written there is never read.
+// Each loop processes L::size rows at a time. The last step may run past the end of the list into the padding of the
+// block. Masks of the first n lanes keep these rows out of the results; values stored there are never read.
 template <typename FT, typename Rules>
 class List_loops
 {
@@ -38,14 +38,21 @@ public:
   }
 
 private:
-  // The pair of each window and the next one is trimmed in one step. The new beginning of the next one is carried over
-  // to the step that stores it.
+  // Lane k of a step has window i + k and the pair that it makes with window i + k + 1. So the last pair of a step
+  // reaches one window into the next step, and the loop carries from step to step what belongs there:
+  // - `begin` and `begin_distance`: the beginnings that the pairs have computed for their right windows. They belong
+  //   one row further, so they are shifted by one lane; the one that falls out of the last lane enters the first lane
+  //   of the next step. They must not be stored before that step has loaded its windows: each pair is trimmed with the
+  //   original neighbors. Window 0 is in no pair as the right one and keeps its beginning.
+  // - `bits`: the suspects of the current word. An undecided pair makes its right window a suspect, which may be the
+  //   first window of the next word: the bit above the word, kept when the word is full.
+  // The pair of the last window and the row behind it does not exist; `is_pair` masks it out.
   static bool trim(const Columns& columns, std::size_t n, const FT& length, const Rival& left, const Rival& right,
                    Suspects* suspects)
   {
     Number begin = L::all(columns.begin()[0]), begin_distance = L::all(columns.begin_distance()[0]);
     const FT close_depth = Tolerance<FT>::closeness() * length;
-    unsigned int bits = 0, all_bits = 0; // the suspects of the current word, and the first one of the next word
+    unsigned int bits = 0, all_bits = 0;
     for(std::size_t i = 0; i < n; i += L::size)
     {
       const unsigned int position = i % suspects_in_word;
@@ -61,7 +68,6 @@ private:
         L::store(columns.end() + i, end);
         L::store(columns.end_distance() + i,
                  L::select(is_pair, pairs.left_end_distance, w.end_distance));
-        // The first window of this step begins where the last pair of the step before says.
         begin = L::shift_in(begin, pairs.right_begin);
         begin_distance = L::shift_in(begin_distance, pairs.right_begin_distance);
         L::store(columns.begin() + i, begin);
@@ -80,7 +86,8 @@ private:
     return all_bits != 0;
   }
 
-  // Each lane remembers its nearest window, the first one if several tie; the smallest index of the nearest lanes wins.
+  // Each lane remembers its nearest window, the first one of several that tie. At the end, the lanes are compared: of
+  // those that tie, the one with the smallest index wins. So the result does not depend on the number of lanes.
   static Nearest_window<FT> find_nearest(const Columns& columns, std::size_t n, const Face_frame<FT>& c, FT* abscissa)
   {
     using Word = typename L::Word;
@@ -108,6 +115,8 @@ private:
     return nearest;
   }
 
+  // `best` itself counts for neither side. For the lanes before it, best - i is positive; read as signed numbers, the
+  // differences become negative behind it, and L::first() of them is empty.
   static bool is_split_by(const Columns& columns, std::size_t n, std::size_t best, const FT& s)
   {
     const Number point = L::all(s);
@@ -121,8 +130,9 @@ private:
     return L::bits(wrong) == 0;
   }
 
-  // Children are stored as whole steps and then compacted, if some of them are not useful: without paths, slivers, or
-  // beaten by a vertex.
+  // Makes the children of one step, stores all of them, and compacts them if some are not useful: they have no paths,
+  // are slivers (narrower than Tolerance::interval()), or are beaten by a vertex. In most steps all children are
+  // useful, and storing them costs no branch.
   template <typename Child>
   static void cross(const Columns& from, std::size_t first, std::size_t last, const Face_frame<FT>& c,
                     const Edge_cut<FT>& edge, const FT* abscissa, Window_batch<FT>& batch,
@@ -163,8 +173,8 @@ private:
     batch.minimum_distance = (std::min)(batch.minimum_distance, L::least(minimum_distance));
   }
 
-  // Counts the windows of one step that have no child, by the reason. `whole` is the window that loses no paths at the
-  // cut.
+  // Counts the n windows of one step that have no useful child, by reason. `whole` is the lane of the window that loses
+  // no paths at the cut: Rule 1 does not remove it.
   static void count_removed(std::size_t n, std::size_t whole, unsigned int paths, unsigned int wide,
                             unsigned int useful, Propagation_statistics& statistics)
   {
@@ -176,7 +186,8 @@ private:
     }
   }
 
-  // Keeps those windows of one step, from `first` on, whose bits are set.
+  // Closes the gaps in one step: moves the windows whose bits are set to consecutive rows from `first` on. Returns the
+  // end of these rows.
   static std::size_t keep(const Columns& columns, std::size_t first, unsigned int useful)
   {
     std::size_t end = first;

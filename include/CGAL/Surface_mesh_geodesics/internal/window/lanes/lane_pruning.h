@@ -70,8 +70,9 @@ struct Compared_distances
   }
 };
 
-// The rule of pairs (thesis, 4.2.1, cases 1-6) for pairs of windows of one edge, one pair in each lane, where the key
-// of `left` is less than that of `right`.
+// The rule of pairs (thesis, 4.2.1, cases 1-6) for pairs of windows of one edge, one pair in each lane.
+// Requires, of each pair: left.key <= right.key, and not is_order_unknown(left, right). Lists keep the order of windows
+// with equal keys, and lists that may hold marked windows are not trimmed by lanes.
 //
 // Formula. At a point K of both intervals, let `right` be nearer. A path of `left` that ends on the right of K crosses
 // the path of `right` to K and is not the shorter one there: that part of `left` is redundant. The mirror image holds

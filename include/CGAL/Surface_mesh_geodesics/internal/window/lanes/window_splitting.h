@@ -10,12 +10,12 @@
 // Windows across one triangle, one in each lane: where they separate at the apex C (thesis, 4.2.1), and their children
 // on the left edge AC and the right edge CB. Requires: no edge of the triangle has the length 0.
 //
-// Formulas. They project AB on the other edges from the image. Wherever a sign matters they are sums and products of
-// non-negative numbers, so that no rounding turns an image to the wrong side of an edge.
+// Formulas. They project AB from the image onto the other edges. Where a sign matters, they add and multiply only
+// numbers that are not negative, so that rounding moves no image to the wrong side of an edge.
 //
-// An interval that ends at the line from the image to C, up to rounding, is extended to C. Otherwise, in front of an
-// image near AB, the rounding of its end would become a gap next to C. (The added paths miss an end of AB by the
-// rounding of its length, and are too short by the square of that.)
+// An interval that ends at the line from the image to C, up to rounding, is extended to C. Otherwise, if the image is
+// near AB, the rounding of the end would become a gap next to C. (The added paths miss the end of the interval on AB by
+// the rounding of the length of AB, and their lengths are too short by the square of that.)
 //
 // Error bound of an image, to first order in u = unit_roundoff() / 2, for an exact frame: on the left, image_x errs by
 // 3 u and the depth by 8 u of the distance from the image to A; on the right, they err by 4 u and 5 u of its distance
@@ -23,7 +23,7 @@
 // frames up.
 // Laws: scaling by a power of two scales the child exactly; the mirror image gives the mirror image up to rounding.
 //
-// Lanes without a window, or whose child has no interval, may hold anything afterwards.
+// Afterwards, lanes without a window, and lanes whose child has no interval, may hold anything.
 //
 // Included once for each number of lanes; see README.md.
 
@@ -89,8 +89,8 @@ public:
   CGAL_SURFACE_MESH_GEODESICS_INLINE
   typename L::Mask operator()(Window_lanes<FT>& w, const Number& t, const FT& cut) const
   {
-    // (A minimum is its second argument if one of them is not a number: an image on a flat face has no t, and no
-    // child.)
+    // L::minimum() returns its second argument if one of the two is not a number. So `end` is not a number if t is not:
+    // an image on the edge of a face without height has no child.
     const Number end = L::minimum(L::all(cut), L::minimum(w.end, t)), begin = w.begin;
     const Number length = L::all(m_length), zero = L::all(FT(0));
     const Number b = t * w.image_depth, a = m_length * w.image_depth;
