@@ -10,6 +10,7 @@
 
 namespace Geodesics = CGAL::Surface_mesh_geodesics;
 using All_rules = Geodesics::internal::All_pruning_rules;
+using No_rules = Geodesics::internal::No_pruning_rules;
 
 struct Without_rule_1 : All_rules
 {
@@ -26,16 +27,14 @@ struct Without_vertex_rule : All_rules
   static constexpr bool vertex_rule = false;
 };
 
-struct Rule_1_only : All_rules
+struct Rule_1_only : No_rules
 {
-  static constexpr bool pair_rules = false;
-  static constexpr bool vertex_rule = false;
+  static constexpr bool rule_1 = true;
 };
 
-struct Vertex_rule_only : All_rules
+struct Vertex_rule_only : No_rules
 {
-  static constexpr bool rule_1 = false;
-  static constexpr bool pair_rules = false;
+  static constexpr bool vertex_rule = true;
 };
 
 // Prints a row. The distances with the first set of rules are those expected.

@@ -38,15 +38,11 @@ const double tolerance_of_extent = 8 * std::numeric_limits<double>::epsilon();
 // 1e-50 may not be distinguished from the edge.
 const double tolerance_of_hundred_digits = 1e-45;
 
-struct Without_rules_of_pairs : SMG::internal::All_pruning_rules
-{
-  static constexpr bool rule_1 = false;
-  static constexpr bool pair_rules = false;
-};
+using Without_rules = SMG::internal::No_pruning_rules;
 
-struct Without_rules : Without_rules_of_pairs
+struct Without_rules_of_pairs : Without_rules
 {
-  static constexpr bool vertex_rule = false;
+  static constexpr bool vertex_rule = true;
 };
 
 double extent_of(const Indexed_mesh& mesh)

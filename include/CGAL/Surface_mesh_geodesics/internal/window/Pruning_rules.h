@@ -16,8 +16,17 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// All rules: the policy of every propagation but those of tests. Each rule only saves work: without it the distances
-// are the same. Without any rule no propagation ends.
+// No rules: the base of sets that switch single rules on, so that a new rule does not join them.
+struct No_pruning_rules
+{
+  static constexpr bool rule_1 = false;
+  static constexpr bool pair_rules = false;
+  static constexpr bool vertex_rule = false;
+};
+
+// All rules: the policy of every propagation but those of tests and measurements. Each rule only saves work: without it
+// the distances are the same. Without any rule a propagation takes exponential time. Two removals have no switch: stale
+// windows, and windows that have crossed too many faces.
 struct All_pruning_rules
 {
   static constexpr bool rule_1 = true;      // one angle, two sides (thesis, 4.2.3.1)
