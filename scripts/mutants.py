@@ -50,6 +50,7 @@ LOWER_BOUND = INTERNAL + "certificate/Lower_bound_check.h"
 EDGE_FUNCTION = INTERNAL + "certificate/Edge_distance_function.h"
 
 WINDOWS = "test_window_pruning"
+LAWS = "test_predicate_laws"
 LIST_CROSSINGS = "test_window_list_crossing"
 EMISSION = "test_emission_sector"
 PIECES = "test_straight_pieces"

@@ -53,7 +53,8 @@ struct Propagation_statistics
   /// number of windows removed by Rules 2 and 3 (pairs of windows of one edge; \ref Surface_mesh_geodesics_rules).
   std::size_t windows_removed_by_rules_2_and_3 = 0;
 
-  /// number of windows removed because a path through a vertex is shorter.
+  /// number of windows removed because a path through a vertex is shorter, because their pseudo-source has become
+  /// nearer since they were made, or because they have crossed more faces than a shortest path can cross.
   std::size_t windows_removed_by_vertices = 0;
 
   /// number of windows removed because their interval was as narrow as rounding makes it.

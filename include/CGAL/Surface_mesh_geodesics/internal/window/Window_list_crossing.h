@@ -13,8 +13,9 @@
 // One window list across one face (thesis, 4.2.3). prune() removes redundant windows, find_apex_path() finds the
 // nearest window for the apex C (Rule 1), and split() propagates the list to the two other edges.
 //
-// Neighbors in a sorted list are pruned against each other once, when the list is about to be propagated and all lists
-// that reach its edge have been merged into it. So Rule 2 (one list) and Rule 3 (merged lists) are one pass.
+// Neighbors in a sorted list are pruned against each other on every fourth edge that the list crosses, when it is about
+// to be propagated and all lists that reach the edge have been merged into it. So Rule 2 (one list) and Rule 3 (merged
+// lists) are one pass.
 
 #include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>

@@ -10,9 +10,12 @@
 // The rules that prune windows by vertices and by each other, for any number of lanes. The manual (page Theory) proves
 // them; window_pruning.h applies them to single windows.
 //
-// All rules work in the frame of Window.h, in which AB is the x axis. They compare distances by is_clearly_less(), so
-// that a tie removes nothing. Scaling all lengths by a power of two changes no decision. test_predicate_laws tests the
-// bounds and laws that stand below.
+// All rules work in the frame of Window.h, in which AB is the x axis. They compare distances beyond rounding. A tie
+// removes nothing, except by a vertex that wins ties (Vertex_rival). Scaling all lengths by a power of two changes no
+// decision. test_predicate_laws tests the bounds and laws that stand below.
+//
+// These rules cannot ask is_order_unknown(): lists that may hold marked windows are not trimmed here. They go to
+// Window_list_crossing::suspect_all(), and single windows are asked.
 //
 // Included once for each number of lanes; see README.md.
 
