@@ -10,16 +10,16 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_CELL_LOCATOR_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_CELL_LOCATOR_H
 
-// Locates a point of a face in the diagram, by the arcs in the face alone: when a diagram has been built, no windows
-// are left.
+// Finds the cell of a point of a face, from the arcs in the face alone: when a diagram has been built, no windows are
+// left.
 //
 // If the point is on an arc up to rounding, the images of the arc are the nearest ones and are compared. Any other
-// point is joined to a target by a segment; targets are points of the border, whose cells are known, and points of
+// point is joined to an anchor by a segment; anchors are points of the border, whose cells are known, and points of
 // arcs. The arc that the segment meets first, as seen from the point, tells the cell.
 //
 // On symmetric surfaces, arcs run along edges and meet in corners and in the middles of faces, where rounding decides
-// what a segment meets. So of several targets the one with the largest clearance is taken: the distance of the segment
-// from the ends of arcs, and of the target from other arcs.
+// what a segment meets. So of several anchors the one with the largest clearance is taken: the distance of the segment
+// from the ends of arcs, and of the anchor from other arcs.
 
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Voronoi_complex.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
@@ -63,12 +63,12 @@ public:
     if(corner[2].y <= resolution()) // in a face without height all segments are on one line
       return cell_on_border();
     const Vertex_id site = cell_on_arcs();
-    return site == null_id ? cell_on_the_way(best_target()) : site;
+    return site == null_id ? cell_on_the_way(best_anchor()) : site;
   }
 
 private:
   // A point, and the cell in which the segment from it to p starts.
-  struct Target
+  struct Anchor
   {
     Point point;
     Vertex_id site = null_id;
@@ -125,50 +125,50 @@ private:
     return t > 0 && t < curve.angle(a.last) ? (std::min)(to_ends, distance(x, curve.point_at_angle(t))) : to_ends;
   }
 
-  // Returns the best target of the first kind in which one has a clearance: corners, points of the border, points of
+  // Returns the best anchor of the first kind in which one has a clearance: corners, points of the border, points of
   // arcs.
-  Target best_target() const
+  Anchor best_anchor() const
   {
-    Target best;
+    Anchor best;
     const std::array<FT, 4> parameters{FT(0), FT(1) / 2, FT(3) / 8, FT(11) / 16};
     for(std::size_t i = 0; i < parameters.size() && !(best.clearance > resolution()); ++i)
-      add_targets_on_border(parameters[i], best);
+      add_anchors_on_border(parameters[i], best);
     for(std::size_t i = 1; i < parameters.size() && !(best.clearance > resolution()); ++i)
-      for_each_arc([&](const Arc& a) { add_target_on_arc(a, parameters[i], best); });
+      for_each_arc([&](const Arc& a) { add_anchor_on_arc(a, parameters[i], best); });
     return best;
   }
 
-  // Tries the points at parameter t of all parts of the border as targets.
-  void add_targets_on_border(const FT& t, Target& best) const
+  // Tries the points at parameter t of all parts of the border as anchors.
+  void add_anchors_on_border(const FT& t, Anchor& best) const
   {
     m_complex.for_each_border_interval(m_face, [&](Vertex_id site, const Point& from, const Point& to)
     {
       const Point q{FT(from.x + t * (to.x - from.x)), FT(from.y + t * (to.y - from.y))};
-      add_target(q, site, nullptr, best);
+      add_anchor(q, site, nullptr, best);
     });
   }
 
-  // Tries the point at parameter t of an arc as a target.
-  void add_target_on_arc(const Arc& a, const FT& t, Target& best) const
+  // Tries the point at parameter t of an arc as an anchor.
+  void add_anchor_on_arc(const Arc& a, const FT& t, Anchor& best) const
   {
     const Weighted_bisector<FT> curve(a.left, a.right, a.first);
     const Point q = is_curved(a, curve) ? curve.point_at_angle(t * curve.angle(a.last))
                                         : Point{FT(a.first.x + t * (a.last.x - a.first.x)),
                                                 FT(a.first.y + t * (a.last.y - a.first.y))};
-    add_target(q, site_towards_p(a, curve, q), &a, best);
+    add_anchor(q, site_towards_p(a, curve, q), &a, best);
   }
 
-  // Keeps the target q if its clearance is larger than that of the best one.
-  void add_target(const Point& q, Vertex_id site, const Arc* own, Target& best) const
+  // Keeps the anchor q if its clearance is larger than that of the best one.
+  void add_anchor(const Point& q, Vertex_id site, const Arc* own, Anchor& best) const
   {
     const FT clearance = clearance_of(q, own, best.clearance);
     if(clearance > best.clearance)
-      best = Target{q, site, clearance};
+      best = Anchor{q, site, clearance};
   }
 
-  // Returns the clearance of a target q: the smallest distance of the end of an arc from the segment to q, and of q
+  // Returns the clearance of an anchor q: the smallest distance of the end of an arc from the segment to q, and of q
   // from an arc other than its own. Stops with a larger value as soon as the clearance is known to be at most `bound`,
-  // so that most targets look at few arcs.
+  // so that most anchors look at few arcs.
   FT clearance_of(const Point& q, const Arc* own, const FT& bound) const
   {
     FT smallest = std::numeric_limits<FT>::infinity();
@@ -184,12 +184,12 @@ private:
     return smallest;
   }
 
-  // Returns the cell of p, given a target: that of the target, or beyond the first arc that the segment meets.
-  Vertex_id cell_on_the_way(const Target& target) const
+  // Returns the cell of p, given an anchor: that of the anchor, or beyond the first arc that the segment meets.
+  Vertex_id cell_on_the_way(const Anchor& anchor) const
   {
-    Vertex_id site = target.site;
-    FT first = distance(m_p, target.point);
-    for_each_arc([&](const Arc& a) { meet_arc(a, target.point, site, first); });
+    Vertex_id site = anchor.site;
+    FT first = distance(m_p, anchor.point);
+    for_each_arc([&](const Arc& a) { meet_arc(a, anchor.point, site, first); });
     return site;
   }
 
