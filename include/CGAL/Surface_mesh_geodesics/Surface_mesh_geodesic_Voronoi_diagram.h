@@ -632,7 +632,7 @@ public:
   ///
   /// The first call for a point that is not a vertex propagates a second time and keeps all windows, as the diagram has
   /// removed those that it does not need. Each call takes time linear in the number of windows on the edges of the
-  /// face.
+  /// face. Near an arc it may be the distance from the other site, up to rounding.
   ///
   /// \param f a face of the mesh
   /// \param location the coordinates of the point in `f`
