@@ -10,9 +10,9 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_EDGE_PARTITION_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_EDGE_PARTITION_H
 
-// Divides an edge into the intervals where one image is nearest: the lower envelope of the distances by the windows of
-// both sides and by the two ends (thesis, 5.2, the trimming rule). This decides which site owns each part of the edge;
-// both faces at the edge take over the result.
+// Divides an edge into the intervals where one image is nearest: the lower envelope of the distances through the
+// windows of both sides and through the two ends (thesis, 5.2, the trimming rule). This decides which site owns each
+// part of the edge; both faces at the edge use the result.
 //
 // The envelope is found by walking from the first end to the last one, from each image to the one that takes over
 // first.
@@ -20,8 +20,8 @@
 // Formula: the distance by an image is weight + |(x - image_x, depth)| in the frame of a halfedge, where x is the
 // abscissa. Two of them are equal at the roots of a quadratic equation (equal_points()), refined by Newton's method.
 // Ties: an image takes over only where it is nearer beyond rounding, is_nearer(). So where two sites tie along a part
-// of the edge, the one whose interval comes first keeps it. If two images take over at the same abscissa, the one whose
-// distance grows more slowly does; if their slopes are equal, too, the one that was added first.
+// of the edge, the one whose interval comes first keeps it. Of two images at the same abscissa, the one whose
+// distance grows more slowly takes over; if their slopes are equal, the one added first.
 // Error: the distances at a breakpoint are equal up to their rounding. No bound is known for its abscissa, as the two
 // distances may touch; cells narrower than Tolerance::interval() times the length are dropped.
 

@@ -14,16 +14,17 @@
 // possible: window-VTP with redundant window removal (thesis, 5.1 and 5.2). Decides when edges and faces are divided;
 // Edge_partition decides which site owns each part of an edge.
 //
-// *Redundant faces.* The distance at a point of a face is the smallest one by the windows that entered the face and by
-// the paths from its corners. So windows are kept for the face that they enter. If all of these windows and the three
+// *Redundant faces.* The shortest path to a point of a face comes from a corner of the face or through a window that
+// has entered the face. So windows are kept for the face that they enter. If all of these windows and the three
 // corners have the same site, the face is redundant and gives its windows back. (Definition 5.1 of the thesis looks at
 // a face and its neighbors, as it keeps windows on edges.)
 //
-// *Inactive faces.* A face is inactive (proposition 5.1) when the wavefront has passed the distances of all points of
-// its border: no later window can matter in it. Two bounds of these distances are used. The first is the smallest
-// distance of the windows that enter first plus the longest side. The second, often smaller, is found side by side: a
-// point of an edge AB of length l is not farther than (d(A) + d(B) + l) / 2, and where windows cross the edge, it is
-// not farther than by them. A face waits in a queue by a first guess, and again by its bound at that time (5.2.2).
+// *Inactive faces.* A face becomes inactive (proposition 5.1) when the wavefront has passed the distances of all points
+// of its border: no later window can change anything in it. Two upper bounds of these distances are used. The first is
+// the smallest distance of the windows that enter first, plus the longest side. The second is often smaller. It is
+// found for each side: a point of an edge AB of length l has at most the distance (d(A) + d(B) + l) / 2, and where a
+// window crosses the edge, at most the distance through this window. A face waits in a queue until a first guess is
+// reached, and then until its bound at that time is reached (5.2.2).
 //
 // *Edges.* When the faces on both sides of an edge are inactive, the edge is divided (Edge_partition.h) into the
 // intervals where its windows are nearest: the trimming rule of 5.2, for all windows of an edge at once. Windows that

@@ -11,7 +11,7 @@
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_REMESHING_H
 
 // Approximates a mesh by the dual of the geodesic Voronoi diagram of some of its vertices: sampling, relaxation, dual
-// (thesis, section 5.4.4). One visitor follows all propagations; once it cancels one, none is started any more.
+// (thesis, section 5.4.4). One visitor follows all propagations; once it cancels one, no further one starts.
 
 #include <CGAL/Surface_mesh_geodesics/internal/applications/Dual_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/applications/Lloyd_relaxation.h>

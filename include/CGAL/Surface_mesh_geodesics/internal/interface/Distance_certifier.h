@@ -10,9 +10,9 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_DISTANCE_CERTIFIER_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_DISTANCE_CERTIFIER_H
 
-// Checks distances of the user. A propagation of its own proposes a proof: paths, which show that no distance is too
-// short, and windows, which show that none is too long. Distance_checks and Lower_bound_check judge the proposal and
-// know nothing of the propagation.
+// Checks distances given by the user. A propagation of its own proposes a proof: paths, which show that no distance is
+// too short, and windows, which show that none is too long. Distance_checks and Lower_bound_check judge the proposal
+// and know nothing of the propagation.
 
 #include <CGAL/Surface_mesh_geodesics/internal/certificate/Checked_conditions.h>
 #include <CGAL/Surface_mesh_geodesics/internal/certificate/Distance_checks.h>

@@ -11,8 +11,9 @@
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_PATH_SOLVER_H
 
 // The solver that answers at any point of the surface: it keeps the windows of a run if they are wanted, and traces
-// paths and isolines. Below Surface_mesh_geodesic_paths and Surface_mesh_geodesic_Voronoi_diagram. (Distance_solver is
-// the one for distances of vertices alone, again and again; Geodesic_distance_solver is its public face.)
+// paths and isolines. Surface_mesh_geodesic_paths and Surface_mesh_geodesic_Voronoi_diagram are built on it.
+// (Distance_solver computes distances of vertices alone, again and again; the public class Geodesic_distance_solver
+// forwards to it.)
 //
 // The order of use is: build_mesh(), begin_sources(), add_source() for each source, run(), queries. Queries only read;
 // several threads may call them at once.

@@ -10,9 +10,9 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_INDEX_TABLE_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_INDEX_TABLE_H
 
-// A hash table from indices to values, for data of a few of the many faces or halfedges of a mesh. Linear probing in
-// arrays that are at most half full, so that entries are not allocated one by one. All operations take expected
-// constant time, insertions amortized.
+// A hash table from indices to values, for data of a few of the many faces or halfedges of a mesh. It probes linearly
+// in arrays that are at most half full, and never allocates single entries. All operations take expected constant time,
+// insertions amortized.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 

@@ -10,10 +10,10 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_RADIX_HEAP_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_RADIX_HEAP_H
 
-// Faces that wait until the wavefront has reached a distance: a radix heap (Ahuja, Mehlhorn, Orlin and Tarjan, Faster
-// algorithms for the shortest path problem, J. ACM 37, 1990). The reached distance only grows, and due entries may
-// leave in any order. So an entry moves to a lower bucket at most 32 times, in practice a few times, and entries are
-// not compared with each other. (A binary heap took a tenth of the time of a diagram.)
+// A radix heap for faces that wait until the wavefront has reached a distance (Ahuja, Mehlhorn, Orlin and Tarjan,
+// Faster algorithms for the shortest path problem, J. ACM 37, 1990). The reached distance only grows, and due entries
+// may leave in any order. So an entry moves to a lower bucket at most 32 times, in practice a few times, and entries
+// are not compared with each other. (A binary heap took a tenth of the time of a diagram.)
 //
 // Distances are stored in single precision and rounded up: no entry leaves too early, but it may leave too late by a
 // millionth of its distance. Distances beyond single precision wait until clear().

@@ -28,7 +28,8 @@ struct Tolerance
 {
   // --- Rounding units ------------------------------------------------------------------------------------------------
 
-  // The distance from 1 to the next number: twice the largest relative error of one operation.
+  // The distance from 1 to the next number, epsilon: 2 u, where u, the unit roundoff of the literature, is the largest
+  // relative error of one operation.
   static FT unit_roundoff() { return std::numeric_limits<FT>::epsilon(); }
 
   // The user's numbers are doubles, whatever the precision of the computation.

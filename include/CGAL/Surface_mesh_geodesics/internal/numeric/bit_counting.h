@@ -10,8 +10,8 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_BIT_COUNTING_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_BIT_COUNTING_H
 
-// The lowest and the highest bit of a word, by a single instruction with GCC and Clang: the processor could not predict
-// the length of a loop.
+// Finds the lowest and the highest bit of a word. GCC and Clang use a single instruction for each. A loop would be
+// slower, because the processor cannot predict its length.
 
 #include <cstddef>
 #include <cstdint>

@@ -184,7 +184,7 @@ private:
     add(Cone{m_mesh.opposite(h), FT(0), length, FT(length - x), y, null_id, m_stop, null_id});
   }
 
-  // Adds a cone unless it is empty, too far from the source, or useless beside what is known.
+  // Adds a cone unless it is empty, too far from the source, or redundant beside what is known.
   void add(Cone cone)
   {
     if(cone.halfedge == null_id || !(cone.begin < cone.end) || cone.image_depth < 0

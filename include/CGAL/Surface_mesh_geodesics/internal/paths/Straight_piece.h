@@ -13,7 +13,10 @@
 // A straight piece of a shortest path, followed from its end back to its pseudo-source. The faces on the way are laid
 // out in one plane (unfolding, thesis 3.3.1): the image of the pseudo-source is carried from face to face, and the line
 // to the image shows which edge comes next. As soon as the pseudo-source is a corner of the face that the line enters,
-// the piece ends there. No shortest path leaves a face of its own end to reach that end from another side.
+// the piece ends there. A shortest path that enters a face with its end at a corner never leaves that face again.
+//
+// The image is turned as in surface/unfolding.h, but by other operations and so with other bits: this file multiplies
+// by the inverse of the length, and takes the right side from B to C.
 //
 // Rounding. On which side of a vertex the line passes cannot always be decided, and on the wrong side of a vertex that
 // is not flat the line never meets its end. Where the line passes so near to a vertex, the distance of the vertex shows

@@ -12,11 +12,11 @@
 
 // Isolines: the lines of all points at one distance, which separate nearer points from farther ones.
 //
-// Crossings of edges. Along an edge the distance is known at every point, and it is 1-Lipschitz: it changes by at most
-// the length of the way. So a part of an edge between two points with known distances either cannot hold a point of the
-// line, or is halved. A crossing that separates nearer points from farther ones is found down to the resolution,
-// whatever the number of windows is. Pairs of crossings are looked for down to a coarser width only, because an edge
-// that the line touches would be halved without end.
+// Crossings of edges. Along an edge the distance is known at every point, and it is 1-Lipschitz: it changes by no more
+// than the length walked. So a part of an edge between two points with known distances is either discarded, because it
+// cannot hold a point of the line, or halved. A crossing that separates nearer points from farther ones is found down
+// to the resolution, whatever the number of windows is. Pairs of crossings are looked for down to a coarser width only,
+// because an edge that the line touches would be halved without end.
 //
 // Lines. Segments join the crossings in a face. Where a face has more than two, the distance at their centroid decides
 // which belong together. A closed line inside one face, around a point farther than all its edges, is not found.

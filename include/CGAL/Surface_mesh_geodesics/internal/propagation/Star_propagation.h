@@ -132,7 +132,7 @@ private:
   }
 
   // Emits a window from the vertex onto the opposite edge of each face of the sector, unless the edge is a border, has
-  // no length, or the vertices a and b dominate the window at once (rule of Xin and Wang 2009).
+  // no length, or the window is beaten by the vertex a or b at once (rule of Xin and Wang 2009).
   void emit(Star& star)
   {
     for(std::size_t i = 0; i < star.faces.size(); ++i)

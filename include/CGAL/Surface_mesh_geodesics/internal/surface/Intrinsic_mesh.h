@@ -19,9 +19,9 @@
 // squares of lengths then stay far from the ends of the range of numbers, and a surface scaled by a power of two gives
 // the same bits.
 //
-// Life: the builder (Intrinsic_mesh_builder.h) calls reset() and finish(); Source_insertion.h then adds vertices and
-// faces for sources that are not vertices, and removes them. The invariants hold between these steps, not within one:
-// see mesh_invariants.h. Queries take constant time unless they say otherwise, and may run in several threads.
+// Life cycle: the builder (Intrinsic_mesh_builder.h) calls reset() and finish(); Source_insertion.h then adds vertices
+// and faces for sources that are not vertices, and removes them. The invariants hold between these steps, not within
+// one: see mesh_invariants.h. Queries take constant time unless they say otherwise, and may run in several threads.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Angle_sum.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>

@@ -13,10 +13,6 @@
 // From the frame of a halfedge AB to the frames of the two other sides of its face, AC on the left and CB on the right
 // (Face_frame in Intrinsic_mesh.h). An image that lies below AB is turned about A, or about B, until the side is the x
 // axis. This is one step of unfolding (thesis 3.3.1), for one image.
-//
-// Two places do the same with other operations, and so with other bits. Lanes (window/lanes/window_splitting.h) compute
-// the depth from the abscissa below C, which they need anyway. Straight_piece.h multiplies by the inverse of the
-// length, and takes the right side from B to C.
 
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 

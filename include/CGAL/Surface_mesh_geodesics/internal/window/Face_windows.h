@@ -14,7 +14,7 @@
 // halfedge can be released, and their memory is used again.
 //
 // Windows lie in chunks of a few. The links between chunks are stored apart from them and are small enough for the
-// caches: on large meshes, a chunk that is reused is in no cache.
+// caches: on large meshes, a chunk that is reused is rarely cached.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Kept_window.h>

@@ -27,10 +27,11 @@
 // window with the smaller key ends on the right of a path of the other window, the two paths really cross, in that
 // disk. Every pruning of pairs needs this fact, and only the key tells it: the positions of images or intervals do not.
 //
-// Windows with equal keys have edge sequences that agree for 64 faces. Splitting and joining lists keeps the order of
-// such windows, so it is still known. It may be lost only where lists are merged that came to an edge at different
-// times. The windows that came later are marked then, and so are their children: no rule is applied to two windows of
-// equal keys if one of them is marked.
+// Two windows with equal keys have edge sequences that agree for 64 faces. Or one of them begins at a vertex where the
+// other one turns right, and the other one has only turned left before, more often than the key can hold. Splitting and
+// joining lists keeps the order of such windows, so it is still known. It may be lost only where lists are merged that
+// came to an edge at different times. The windows that came later are marked then, and so are their children: no rule
+// is applied to two windows with equal keys if one of them is marked.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>

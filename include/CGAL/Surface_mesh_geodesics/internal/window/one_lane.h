@@ -10,10 +10,10 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_ONE_LANE_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_ONE_LANE_H
 
-// The formulas and rules of single windows: those of lanes/, for one lane.
+// Instantiates the formulas and rules of lanes/ for one lane, which serves single windows.
 //
-// Each of them is written once, for any number of lanes, and is included here for the first time. One lane is a plain
-// number, so that the code reads and works like that of a single window.
+// Each formula is written once, for any number of lanes. One lane is a plain number, so the code reads and works like
+// code for a single window.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Vertex_rival.h>

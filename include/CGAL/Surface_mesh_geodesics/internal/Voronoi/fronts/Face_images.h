@@ -10,8 +10,8 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_FRONTS_FACE_IMAGES_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_FRONTS_FACE_IMAGES_H
 
-// The site images of a face together with the shape of the face: which image of a site is nearest to a point, and what
-// rounding means for lengths in this face.
+// The site images of a face together with the shape of the face: which image of a site is nearest to a point, and how
+// far lengths in this face are uncertain.
 
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Site_image.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>

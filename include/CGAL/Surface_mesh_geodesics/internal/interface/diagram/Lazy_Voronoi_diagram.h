@@ -18,8 +18,8 @@
 // number of threads may ask one object. Functions that are not const (sites, lengths, clear()) need the object for
 // themselves.
 //
-// Results appear in three independent steps, each with a flag of its own: the diagram; the measures of cells; the
-// windows. The later two require the first and write nothing that a query reads without asking for them.
+// Results appear in three steps, each with its own flag: the diagram first, then the measures and the windows, in any
+// order. Neither of these writes anything that other queries read.
 
 #include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Cell_locator.h>

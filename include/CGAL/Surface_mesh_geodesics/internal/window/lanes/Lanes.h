@@ -7,9 +7,9 @@
 //
 // Author(s)     : The Surface_mesh_geodesics authors
 
-// Several numbers at a time: for most number types one, for double the number of lanes of this inclusion. One_lane
-// (simd.h) documents the operations. The vectors are those of the language extension of GCC and Clang: +, -, * and /
-// work as usual, also between a vector and a number.
+// The vector operations of one inclusion: they process one number at a time for most number types, and for double as
+// many as this inclusion has lanes. One_lane (simd.h) documents the operations. The vectors are those of the language
+// extension of GCC and Clang: +, -, * and / work as usual, also between a vector and a number.
 //
 // Included once for each number of lanes; see README.md.
 

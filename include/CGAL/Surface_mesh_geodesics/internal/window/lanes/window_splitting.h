@@ -7,11 +7,13 @@
 //
 // Author(s)     : The Surface_mesh_geodesics authors
 
-// Windows across one triangle, one in each lane: where they separate at the apex C (thesis, 4.2.1), and their children
-// on the left edge AC and the right edge CB. Requires: no edge of the triangle has the length 0.
+// Carries windows across one triangle, one in each lane: finds where they separate at the apex C (thesis, 4.2.1), and
+// makes their children on the left edge AC and the right edge CB. Requires: no edge of the triangle has the length 0.
 //
 // Formulas. They project AB from the image onto the other edges. Where a sign matters, they add and multiply only
-// numbers that are not negative, so that rounding moves no image to the wrong side of an edge.
+// numbers that are not negative, so that rounding moves no image to the wrong side of an edge. The image is turned as
+// in surface/unfolding.h, but by other operations and so with other bits: the depth is computed from the abscissa below
+// C, which is needed anyway.
 //
 // An interval that ends at the line from the image to C, up to rounding, is extended to C. Otherwise, if the image is
 // near AB, the rounding of the end would become a gap next to C. (The added paths miss the end of the interval on AB by
