@@ -182,8 +182,8 @@ Certificate certificate_of(const Wrong_diagram& diagram, const Mesh& tm)
   const auto vertex_index_map = get(boost::vertex_index, tm);
   SMG::internal::Diagram_certifier<Wrong_diagram, decltype(vertex_index_map), decltype(length), Separation>
     certifier(diagram, vertex_index_map, length, Separation(diagram, tm.points()));
-  const auto make_paths = [&] { return std::make_unique<Geodesic_paths>(tm); };
-  return SMG::internal::Private_access::make<Certificate>(certifier.run(make_paths));
+  return SMG::internal::Private_access::make<Certificate>(
+    certifier.run([&] { return std::make_unique<Geodesic_paths>(tm); }));
 }
 
 void check_violated(const Certificate& c, Condition condition, std::size_t culprit)

@@ -30,10 +30,8 @@
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
-#include <iterator>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -394,19 +392,7 @@ public:
     template <typename OutputIterator>
     OutputIterator polyline(double tolerance, OutputIterator output) const
     {
-      std::vector<Face_location> locations;
-      bool is_first = true;
-      for(const std::pair<Arc, bool>& a : arcs())
-      {
-        locations.clear();
-        a.first.sample(tolerance, std::back_inserter(locations));
-        if(a.second)
-          std::reverse(locations.begin(), locations.end());
-        for(std::size_t i = is_first ? 0 : 1; i < locations.size(); ++i)
-          *output++ = m_diagram->point(locations[i]);
-        is_first = false;
-      }
-      return output;
+      return m_diagram->elements().write_polyline(m_index, tolerance, output);
     }
 
     /// returns the number of the edge: its position in `Surface_mesh_geodesic_Voronoi_diagram::edges()`.
@@ -694,15 +680,7 @@ public:
   ///
   /// \param i the number of the site
   /// \pre `i < number_of_sites()`
-  std::vector<Arc> arcs(Site_index i) const
-  {
-    std::vector<Arc> result;
-    for(const Boundary& b : boundary(i))
-      for(const std::pair<Edge, bool>& e : b.edges)
-        for(const std::pair<Arc, bool>& a : e.first.arcs())
-          result.push_back(a.first);
-    return result;
-  }
+  std::vector<Arc> arcs(Site_index i) const { return Elements::arcs_along(boundary(i)); }
 
   /// @}
 
@@ -723,19 +701,7 @@ public:
   ///
   /// \param i the number of the site
   /// \pre `i < number_of_sites()`
-  std::vector<Site_index> adjacent_sites(Site_index i) const
-  {
-    std::vector<Site_index> result;
-    for(const Boundary& b : boundary(i))
-      for(const std::pair<Edge, bool>& e : b.edges)
-      {
-        const std::pair<Site_index, Site_index> s = e.first.sites();
-        result.push_back(e.second ? s.first : s.second);
-      }
-    std::sort(result.begin(), result.end());
-    result.erase(std::unique(result.begin(), result.end()), result.end());
-    return result;
-  }
+  std::vector<Site_index> adjacent_sites(Site_index i) const { return Elements::sites_beyond(boundary(i)); }
 
   /// returns the edges around the cell, with the cell on their left. The pieces of the boundary along the border of the
   /// mesh are omitted: a component that they interrupt is not closed.
@@ -746,20 +712,8 @@ public:
   /// \pre `i < number_of_sites()`
   std::vector<Boundary> boundary(Site_index i) const
   {
-    std::vector<Boundary> result;
-    if(!has_built_cell(i))
-      return result;
-    for(const auto& component : m_lazy.complex().boundary(m_lazy.vertex_of_site(i)))
-    {
-      Boundary b;
-      b.is_closed = component.is_closed;
-      for(const auto& c : component.chains)
-        if(elements().edge_of_chain(c.first) != Elements::none)
-          b.edges.emplace_back(elements().edges()[elements().edge_of_chain(c.first)], c.second);
-      if(!b.edges.empty())
-        result.push_back(b);
-    }
-    return result;
+    return has_built_cell(i) ? elements().boundary(m_lazy.complex().boundary(m_lazy.vertex_of_site(i)))
+                             : std::vector<Boundary>();
   }
 
   /// returns the area of the cell, in the square of the unit of the mesh; 0 if the cell is empty.

@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -37,6 +38,7 @@ public:
   using Vertex = typename Diagram::Vertex;
   using Arc = typename Diagram::Arc;
   using Edge = typename Diagram::Edge;
+  using Boundary = typename Diagram::Boundary;
   using Directed_arc = std::pair<Arc, bool>; // and whether it runs from its end to its start
 
   // Stands for "no element".
@@ -79,6 +81,73 @@ public:
     auto it = std::lower_bound(m_arcs_by_face.begin(), m_arcs_by_face.end(), Run_of_arcs{face_index, 0, 0});
     for(; it != m_arcs_by_face.end() && it->face_index == face_index; ++it)
       result.insert(result.end(), m_arcs.begin() + it->first, m_arcs.begin() + it->last);
+    return result;
+  }
+
+  // --- along elements ---
+
+  // Writes the points of a polyline along edge e, which is at most `tolerance` away from its arcs. Takes time linear
+  // in the number of points.
+  template <typename OutputIterator>
+  OutputIterator write_polyline(std::size_t e, double tolerance, OutputIterator output) const
+  {
+    std::vector<typename Diagram::Face_location> locations;
+    bool is_first = true;
+    for(const Directed_arc& a : arcs_of_edge(e))
+    {
+      locations.clear();
+      a.first.sample(tolerance, std::back_inserter(locations));
+      if(a.second)
+        std::reverse(locations.begin(), locations.end());
+      for(std::size_t i = is_first ? 0 : 1; i < locations.size(); ++i) // arcs share their ends
+        *output++ = m_diagram->point(locations[i]);
+      is_first = false;
+    }
+    return output;
+  }
+
+  // Translates the components of the boundary of a cell, which are chains of the complex. Users see neither the chains
+  // without length nor the components that consist of these alone.
+  template <typename Components>
+  std::vector<Boundary> boundary(const Components& components) const
+  {
+    std::vector<Boundary> result;
+    for(const auto& component : components)
+    {
+      Boundary b;
+      b.is_closed = component.is_closed;
+      for(const auto& c : component.chains)
+        if(edge_of_chain(c.first) != none)
+          b.edges.emplace_back(m_edges[edge_of_chain(c.first)], c.second);
+      if(!b.edges.empty())
+        result.push_back(b);
+    }
+    return result;
+  }
+
+  // Returns the arcs of a boundary, in its order.
+  static std::vector<Arc> arcs_along(const std::vector<Boundary>& boundary)
+  {
+    std::vector<Arc> result;
+    for(const Boundary& b : boundary)
+      for(const std::pair<Edge, bool>& e : b.edges)
+        for(const Directed_arc& a : e.first.arcs())
+          result.push_back(a.first);
+    return result;
+  }
+
+  // Returns the sites on the other side of a boundary, in ascending order.
+  static std::vector<std::size_t> sites_beyond(const std::vector<Boundary>& boundary)
+  {
+    std::vector<std::size_t> result;
+    for(const Boundary& b : boundary)
+      for(const std::pair<Edge, bool>& e : b.edges)
+      {
+        const std::pair<std::size_t, std::size_t> s = e.first.sites();
+        result.push_back(e.second ? s.first : s.second);
+      }
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
     return result;
   }
 
