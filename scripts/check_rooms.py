@@ -233,7 +233,7 @@ SOUND_TREE = {
     COMPATIBILITY: "#include <CGAL/version.h>\n#if CGAL_VERSION_NR\n#endif\n",
     INTERNAL + "interface/mesh.h": "#include <CGAL/boost/graph/helpers.h>\n",
     INTERNAL + "window/shelf/tool.h": "#include <vector>\n",
-    INTERNAL + "numeric/README.md": "# A room: `low.h`, `other.h`, `cgal_compatibility.h`\n",
+    INTERNAL + "numeric/README.md": "# A room: `low.h`, `other.h`, `Tolerance.h`, `cgal_compatibility.h`\n",
     INTERNAL + "window/README.md": "# A room: `high.h`, `shelf/`\n",
     INTERNAL + "window/shelf/README.md": "# A subfolder: `tool.h`\n",
     INTERNAL + "interface/README.md": "# A room: `mesh.h`\n",

@@ -26,6 +26,12 @@ namespace Surface_mesh_geodesics {
 The class `Invalid_geodesic_input` is the exception that reports input for which geodesic distances are not
 defined. Functions throw it whether assertions are enabled or not, before they write to a property map of
 the user.
+
+`reason()` tells programs what is wrong, `element()` where, and `what()` tells it to the user, in one sentence. If the
+input has several faults, the first one that is found is reported.
+
+\sa `geodesic_distances()`
+\sa `Surface_mesh_geodesic_paths`
 */
 class Invalid_geodesic_input
   : public std::invalid_argument
@@ -56,12 +62,15 @@ public:
   ///
   /// \param reason what is wrong
   /// \param message what `what()` returns: a sentence for the user
-  /// \param element the element at fault
+  /// \param element the position of the element at fault in the range that `element()` names; `no_element` if the fault
+  ///        is not that of a single element
   Invalid_geodesic_input(Reason reason, const std::string& message, std::size_t element = no_element)
     : std::invalid_argument(message), m_reason(reason), m_element(element)
   {}
 
-  /// returns what is wrong.
+  /// returns what is wrong. Programs compare this value; the words of `what()` may change.
+  ///
+  /// \return the reason that the constructor has been given
   Reason reason() const { return m_reason; }
 
   /// returns the element at fault: the position of a vertex, a face or an edge in the range `vertices(tm)`,
