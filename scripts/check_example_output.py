@@ -86,7 +86,7 @@ def main(arguments):
     if len(arguments) != 3:
         print(__doc__)
         return 2
-    manual, data, program = (pathlib.Path(argument).resolve() for argument in arguments)
+    manual, data, program = (pathlib.Path(argument).absolute() for argument in arguments)
     pages = "".join(page.read_text(encoding="utf-8") for page in sorted(manual.glob("*.txt")))
     run = shown_run(pages, program.stem)
     if run is None:

@@ -49,7 +49,7 @@ def main(arguments):
     if len(arguments) != 2:
         print(__doc__)
         return 2
-    data, program = (pathlib.Path(argument).resolve() for argument in arguments)
+    data, program = (pathlib.Path(argument).absolute() for argument in arguments)
     with tempfile.TemporaryDirectory() as folder:
         os.symlink(data, pathlib.Path(folder) / "data")
         run = subprocess.run([str(program)], cwd=folder, capture_output=True, text=True, check=True)

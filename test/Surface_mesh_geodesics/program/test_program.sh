@@ -87,7 +87,7 @@ for mesh in point tiny; do
 done
 is_silent distances point.off --source-point 0,0,0 > point.csv
 # but the nearest location to a point is not found if CGAL's trees cannot distinguish the mesh from a point
-refuses 3 "tiny.off: the mesh, or its distance from the point to be located, is too large or too small" \
+refuses 3 "tiny.off: the mesh is too large or too small to locate points, or the point is too far" \
   distances tiny.off --source-point 0,0,0
 refuses 3 "text.off: the file is damaged" info text.off
 refuses 3 "no_last_points.off: the file is damaged" info no_last_points.off
