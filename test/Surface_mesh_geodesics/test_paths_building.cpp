@@ -365,8 +365,8 @@ void clear_takes_the_mesh_as_it_is()
     tm.point(v) = Kernel::Point_3(3. * p[0], p[1], p[2]);
   }
   const auto first_face = *faces(tm).begin();
-  const auto corner = corners_of_face(first_face, tm);
-  const Kernel::Point_3 middle = CGAL::centroid(tm.point(corner[0]), tm.point(corner[1]), tm.point(corner[2]));
+  const auto ends = corners_of_face(first_face, tm);
+  const Kernel::Point_3 middle = CGAL::centroid(tm.point(ends[0]), tm.point(ends[1]), tm.point(ends[2]));
   tm.point(target(CGAL::Euler::add_center_vertex(halfedge(first_face, tm), tm), tm)) = middle;
   paths.clear();
   paths.add_source_point(vertex(0));
