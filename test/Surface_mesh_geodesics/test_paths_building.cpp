@@ -364,10 +364,10 @@ void clear_takes_the_mesh_as_it_is()
     const Coordinates p = coordinates(v, tm);
     tm.point(v) = Kernel::Point_3(3. * p[0], p[1], p[2]);
   }
-  const auto h = halfedge(*faces(tm).begin(), tm);
-  const Kernel::Point_3 center =
-    CGAL::centroid(tm.point(source(h, tm)), tm.point(target(h, tm)), tm.point(target(next(h, tm), tm)));
-  tm.point(target(CGAL::Euler::add_center_vertex(h, tm), tm)) = center;
+  const auto first_face = *faces(tm).begin();
+  const auto ends = corners_of_face(first_face, tm);
+  const Kernel::Point_3 middle = CGAL::centroid(tm.point(ends[0]), tm.point(ends[1]), tm.point(ends[2]));
+  tm.point(target(CGAL::Euler::add_center_vertex(halfedge(first_face, tm), tm), tm)) = middle;
   paths.clear();
   paths.add_source_point(vertex(0));
   CHECK_CLOSE(ask(paths, Place(vertex(24))).distance, std::sqrt(10.), 1e-12);

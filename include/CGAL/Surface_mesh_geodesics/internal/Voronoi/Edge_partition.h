@@ -20,8 +20,8 @@
 // Formula: the distance by an image is weight + |(x - image_x, depth)| in the frame of a halfedge, where x is the
 // abscissa. Two of them are equal at the roots of a quadratic equation (equal_points()), refined by Newton's method.
 // Ties: an image takes over only where it is nearer beyond rounding, is_nearer(). So where two sites tie along a part
-// of the edge, the one whose interval comes first keeps it. Of two images at the same abscissa, the one whose
-// distance grows more slowly takes over; if their slopes are equal, the one added first.
+// of the edge, the one whose interval comes first keeps it. Of two candidates at the same abscissa, the one
+// whose distance grows more slowly takes over; if their slopes are equal, the one added first.
 // Error: the distances at a breakpoint are equal up to their rounding. No bound is known for its abscissa, as the two
 // distances may touch; cells narrower than Tolerance::interval() times the length are dropped.
 

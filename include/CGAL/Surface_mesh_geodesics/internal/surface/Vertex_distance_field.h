@@ -13,8 +13,8 @@
 // The result of a propagation at the vertices: the distance, and how the shortest path arrives. A path to a vertex can
 // be traced back from that; no windows are needed.
 //
-// The field lists the vertices that have been reached. The results of a propagation that ended early can
-// therefore be read and removed in time proportional to the area that it reached.
+// The field lists the vertices that have been reached. The results of a propagation that ended early can therefore
+// be read and removed in time proportional to the area that it reached.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 

@@ -14,8 +14,8 @@
 // its face, sorted by key.
 //
 // A list is a block of a pool, with a column for each field of its windows, because loops process several windows at a
-// time (simd.h). Blocks have room for 8, 16, 32, ... windows, and released blocks are used again. So the pool
-// never allocates single windows, a list is read in one sweep, and the memory is that of the widest wavefront.
+// time (simd.h). Blocks have room for 8, 16, 32, ... windows, and released blocks are used again. So the pool never
+// allocates single windows, a list is read in one sweep, and the memory is that of the widest wavefront.
 //
 // Invariants of a stored list, from Window_pool::add() to Window_lists::take(): it is not empty, is_sorted_by_key(),
 // and its windows are valid (Window.h). While it is pruned, windows may be empty; while it is split, it does not

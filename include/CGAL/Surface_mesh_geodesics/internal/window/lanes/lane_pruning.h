@@ -14,8 +14,9 @@
 // removes nothing, except by a vertex that wins ties (Vertex_rival). Scaling all lengths by a power of two changes no
 // decision. test_predicate_laws tests the bounds and laws that stand below.
 //
-// These rules cannot ask is_order_unknown(): lists that may hold marked windows are not trimmed here. They go to
-// Window_list_crossing::suspect_all(), and single windows are asked.
+// Rules for lanes cannot ask is_order_unknown(). So Window_list_crossing::prune() diverts lists that may hold marked
+// windows to suspect_all(), and applies the pair rule to single windows, for which it can ask. The rule for vertices
+// does not need the order.
 //
 // Included once for each number of lanes; see README.md.
 
