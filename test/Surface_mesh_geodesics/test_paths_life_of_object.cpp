@@ -204,7 +204,8 @@ private:
     const bool had_changed = m_paths.changed_since_last_build();
     const bool is_complete = m_random.index(2) == 0 ? m_paths.build_sequence_tree(visitor)
                                                     : m_paths.build_sequence_tree_for_faces(visitor);
-    CHECK_EQUAL(m_paths.changed_since_last_build(), !is_complete);
+    // A build that only adds windows leaves what is known of the vertices.
+    CHECK_EQUAL(m_paths.changed_since_last_build(), !is_complete && had_changed);
     CHECK(is_complete || had_changed || !m_sources.empty());
   }
 
