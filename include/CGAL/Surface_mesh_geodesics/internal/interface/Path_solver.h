@@ -126,7 +126,8 @@ public:
     return m_has_run;
   }
 
-  // Repeats the last run and keeps its windows. Returns false if go_on() does; the windows are unknown then.
+  // Repeats the last run and keeps its windows. Returns false if go_on() does; the windows are unknown then, and the
+  // statistics are those of the run before.
   //
   // Results of vertices are not written, only windows and statistics. So other threads may ask for distances and paths
   // at vertices meanwhile. The second run computes the same distances once more, in a field of its own.
@@ -135,8 +136,12 @@ public:
   bool add_windows(GoOn go_on)
   {
     CGAL_assertion(m_has_run);
+    const Propagation_statistics statistics = m_statistics;
     Vertex_distance_field<double> field;
-    return propagate(field, Window_keeper<double>(m_windows), go_on);
+    const bool is_complete = propagate(field, Window_keeper<double>(m_windows), go_on);
+    if(!is_complete)
+      m_statistics = statistics;
+    return is_complete;
   }
 
   const Propagation_statistics& statistics() const { return m_statistics; }
