@@ -51,7 +51,7 @@ class Outline:
 
     number_of_lines: int  # all of them
     number_of_text_lines: int  # without blank lines and the copyright block
-    number_of_comment_lines: int  # that hold no code, without the copyright block
+    number_of_comment_lines: int  # of these, the lines that hold a comment and no code
     tokens: list  # without comments and preprocessor lines
     functions: list
     namespaces: list  # tuples: name, first line, last line
@@ -250,5 +250,6 @@ def outline(text):
     lines = text.splitlines()
     block = copyright_lines(lines)
     blank = {number for number, each in enumerate(lines, 1) if not each.strip()}
-    return Outline(len(lines), len(lines) - len(blank | block), len(comment_lines(text, matches) - block), tokens,
-                   reader.functions, reader.namespaces)
+    comments = comment_lines(text, matches) - block - blank
+    return Outline(len(lines), len(lines) - len(blank | block), len(comments), tokens, reader.functions,
+                   reader.namespaces)

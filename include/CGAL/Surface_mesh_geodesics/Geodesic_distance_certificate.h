@@ -80,7 +80,8 @@ public:
 
   /// returns whether no condition is violated by more than the tolerance.
   ///
-  /// \param tolerance the largest violation that is accepted, a relative number
+  /// \param tolerance the largest violation that is accepted, a relative number; 0 accepts no violation at all
+  /// \return `true` exactly if `worst_violation()` is not greater than the tolerance
   bool is_certified(double tolerance = default_tolerance) const { return worst_violation() <= tolerance; }
 
   /// returns the largest violation of all conditions, or 0 if no condition is violated.
@@ -108,11 +109,13 @@ public:
   /// returns how many times a condition has been checked.
   ///
   /// \param c the condition
+  /// \return the number of vertices, edges, pairs of faces or paths that were checked; 0 if the condition was not
   std::size_t number_of_checks(Condition c) const { return entry(c).number_of_checks; }
 
   /// returns the name of a condition, such as "PATHS".
   ///
   /// \param c the condition
+  /// \return the name of the enumerator, a static string
   static const char* name(Condition c)
   {
     constexpr const char* names[number_of_conditions]

@@ -30,6 +30,17 @@ the user.
 `reason()` tells programs what is wrong, `element()` where, and `what()` tells it to the user, in one sentence. If the
 input has several faults, the first one that is found is reported.
 
+\code
+try
+{
+  CGAL::Surface_mesh_geodesics::geodesic_distances(mesh, distance, source);
+}
+catch(const CGAL::Surface_mesh_geodesics::Invalid_geodesic_input& error)
+{
+  std::cerr << "element " << error.element() << ": " << error.what() << std::endl;
+}
+\endcode
+
 \sa `geodesic_distances()`
 \sa `Surface_mesh_geodesic_paths`
 */
