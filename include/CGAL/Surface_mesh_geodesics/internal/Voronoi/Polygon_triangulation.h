@@ -16,6 +16,10 @@
 // All triangulations of the cyclic sequence of vertices are candidates. The result has as few triangles as possible
 // that are not counterclockwise, and among these candidates the best shapes. In a simple polygon all triangles are
 // counterclockwise, so that they do not overlap; for any other polygon the result still has the right combinatorics.
+//
+// The cost of a candidate is the pair of its badness (an integer, so that it is exact) and the sum of the shapes of its
+// good triangles, compared in this order. Both add up over the parts on the two sides of a triangle, which is what
+// dynamic programming needs.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
@@ -30,6 +34,8 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
+// The results are those of the last call of build(). The object is reused so that its arrays are allocated a few times
+// only.
 class Polygon_triangulation
 {
 public:
@@ -68,6 +74,7 @@ public:
   std::uint64_t badness() const { return m_badness; }
 
 private:
+  // Above the number of bad triangles of any polygon that fits in memory.
   static constexpr std::uint64_t FORBIDDEN = std::uint64_t(1) << 32;
 
   struct Cost
@@ -111,7 +118,7 @@ private:
   }
 
   // Returns the cost of a triangle; its shape is the sum of the squares of the sides over twice the area, which is
-  // smallest for equal sides.
+  // smallest for equal sides. A triangle that is not counterclockwise beyond rounding is bad and has no shape.
   static Cost cost(const Point& a, const Point& b, const Point& c)
   {
     const double ux = b.x - a.x, uy = b.y - a.y, vx = c.x - a.x, vy = c.y - a.y, wx = c.x - b.x, wy = c.y - b.y;
@@ -125,6 +132,7 @@ private:
     return result;
   }
 
+  // Lists the triangles of the part between the diagonal (i, j) and the sides i, ..., j.
   void collect(std::uint32_t i, std::uint32_t j, std::size_t n)
   {
     if(j < i + 2)

@@ -44,9 +44,16 @@ namespace internal {
 
 // Use: start(), add() for each divided face while distances are propagated, finish(). The queries are valid after that.
 //
-// Invariants after finish(): each node has one arc (at the border of the mesh), two, or three (at a vertex of the
-// diagram); each arc is in one chain; each chain is in the boundary of the cells on its two sides, once in each
-// direction.
+// Invariants after finish():
+// - Each node has one arc (at the border of the mesh), two, or three (at a vertex of the diagram). Face_partition gives
+//   one arc to each breakpoint of a face; an edge inside the mesh gets a second one from its other face, because
+//   Edge_partition divides the edge once for both.
+// - Each arc is in one chain; each chain is in the boundary of the cells on its two sides, once in each direction
+//   (link_chain()).
+// - The three sites of a vertex differ, so a cell has at most one chain that begins at a node. boundary() relies on it.
+//
+// Frame: a point of an arc or node is in the layout of its face. Nodes on an edge belong to the face that comes first;
+// the other face finds the same point by the abscissa.
 template <typename FT_>
 class Voronoi_complex
 {
@@ -58,15 +65,17 @@ public:
   using Node = Voronoi_node<FT>;
   using Chain = Voronoi_chain;
 
-  // Starts a complex. Then the divided faces are added in any order, each once, and finish() is called. The mesh is
-  // referred to, not copied.
+  // Removes all elements, and starts a complex. Then the divided faces are added in any order, each once, and finish()
+  // is called. The mesh is referred to, not copied.
   void start(const Mesh& mesh)
   {
     clear();
     m_mesh = &mesh;
   }
 
-  // Adds the curves in a face that lies in several cells.
+  // Adds the curves in a face that lies in several cells. Takes about the time of Face_partition::build().
+  // Requires: the breakpoints of a side are those that the other face at the edge gets; a cell that begins at one
+  // breakpoint ends at the next one.
   void add(const Divided_face<FT>& divided)
   {
     m_breakpoint_nodes.clear();
@@ -79,7 +88,9 @@ public:
     add_partition(divided.face);
   }
 
-  // Completes the complex, given the nearest site of each vertex of the mesh, null_id where none arrives.
+  // Completes the complex, given the nearest site of each vertex of the mesh, null_id where none arrives. Takes time
+  // linear in the sizes of mesh and complex.
+  // Requires: on each edge, the sites of its ends are those with which its breakpoints begin and end.
   void finish(std::vector<Vertex_id> owners)
   {
     CGAL_precondition(owners.size() == m_mesh->number_of_vertices());
@@ -145,7 +156,8 @@ public:
     return result;
   }
 
-  // Returns the nearest site of a face that no arc runs through.
+  // Returns the nearest site of a face that no arc runs through: that of any corner, as all of them agree.
+  // Requires: has_one_cell(f).
   Vertex_id owner_of_undivided(Face_id f) const { return m_owner[m_mesh->face(f).vertex[0]]; }
 
   // Returns whether no arc runs through a face.
@@ -201,6 +213,7 @@ public:
       entered.insert(end_of(chains[i]));
     }
     std::vector<char> is_used(chains.size(), 0);
+    // Round 0 starts where no chain of the cell ends, which is at the border; what is left for round 1 is closed.
     for(int round = 0; round < 2; ++round)
       for(std::uint32_t i = 0; i < chains.size(); ++i)
       {
@@ -212,24 +225,27 @@ public:
     return result;
   }
 
-  // Returns the Euler characteristic of a cell together with its boundary.
+  // Returns the Euler characteristic of a cell together with its boundary: vertices - edges + faces. Nodes and arcs of
+  // a closed part of the boundary cancel each other, so they need not be counted.
   int Euler_characteristic(Vertex_id site) const
   {
     const Voronoi_cell_elements n = cell(site);
-    int open = 0; // an open part of the boundary has one point more than arcs
+    int open = 0; // an open part of the boundary has one node more than arcs
     for(const Voronoi_boundary_part& part : boundary(site))
       open += part.is_closed ? 0 : 1;
     return static_cast<int>(n.vertices + n.face_regions) - static_cast<int>(n.edge_intervals) + open;
   }
 
-  // Returns how many curves were joined without numbers that tell how (see Face_partition).
+  // Returns how often fronts were joined although no computed distance tells how they meet (see Face_partition). 0 for
+  // a diagram in general position.
   std::size_t number_of_joints() const { return m_number_of_joints; }
 
   // Returns the corners of a face in its layout: the frame of all points in that face.
   std::array<Point, 3> layout(Face_id f) const { return layout_of_face(m_mesh->face(f)); }
 
   // Returns the barycentric coordinates of a point in the layout of a face. None of them is negative: a point outside,
-  // which is so by rounding, is replaced by the nearest point of the border.
+  // which is so by rounding, is replaced by the nearest point of the border. In a face without height the apex has no
+  // coordinate of its own; there the point is measured along the longest side, which covers the whole face.
   std::array<FT, 3> coordinates(Face_id f, const Point& p) const
   {
     const typename Mesh::Face& face = m_mesh->face(f);
@@ -278,7 +294,8 @@ private:
     return result;
   }
 
-  // Follows the boundary of a cell from chain i on, and marks the chains of that part as used.
+  // Follows the boundary of a cell from chain i on, and marks the chains of that part as used. The part ends where it
+  // closes, or at a node of the border, where no chain of the cell begins.
   Voronoi_boundary_part boundary_part(const std::vector<Oriented_index>& chains,
                                       const std::unordered_map<std::uint32_t, std::uint32_t>& starting,
                                       std::uint32_t i, std::vector<char>& is_used) const
@@ -311,7 +328,8 @@ private:
 
   // --- edges ---
 
-  // Returns the index of the first node on an edge. Makes the nodes when the first face at the edge is added.
+  // Returns the index of the first node on an edge; the nodes of an edge are consecutive, in the order of h. Makes them
+  // when the first face at the edge is added, so that both faces share them.
   // Requires: h is the halfedge of the edge with the smaller index.
   std::uint32_t first_node(Halfedge_id h, const std::vector<Edge_breakpoint<FT>>& breakpoints)
   {
@@ -324,7 +342,7 @@ private:
       node.face = face_of(h);
       node.point = point_on_edge(h, e.x);
       node.abscissa = e.x;
-      node.distance = 0; // set with the arcs
+      node.distance = 0; // add_partition() sets it with the arcs
       node.sites = {e.before, e.after, null_id};
       m_nodes.push_back(node);
     }
@@ -340,7 +358,8 @@ private:
     return Point{FT(a.x + t * (b.x - a.x)), FT(a.y + t * (b.y - a.y))};
   }
 
-  // Returns the counts of the cell of a site. The last site is remembered, as most calls repeat it.
+  // Returns the counts of the cell of a site. The last site is remembered, as most calls repeat it. (The pointer stays
+  // valid: std::unordered_map does not move its elements.)
   Voronoi_cell_elements& elements(Vertex_id site)
   {
     if(site != m_last_site)
@@ -380,7 +399,9 @@ private:
 
   // --- faces ---
 
-  // Adds the breakpoints on the side of h to the partition, from the source of h on.
+  // Adds the breakpoints on the side of h to the partition, from the source of h on. They come in the order of the
+  // halfedge with the smaller index; if that is the opposite of h, they are reversed, and so are the cells before and
+  // after each of them.
   void add_breakpoints(Halfedge_id h, const std::vector<Edge_breakpoint<FT>>& breakpoints)
   {
     if(breakpoints.empty())
@@ -402,7 +423,8 @@ private:
     }
   }
 
-  // Copies the nodes and arcs of the partition of face f into the complex.
+  // Copies the nodes and arcs of the partition of face f into the complex. The first nodes of the partition are the
+  // breakpoints, whose nodes exist already; the others are new.
   void add_partition(Face_id f)
   {
     m_number_of_joints += m_partition.number_of_joints();
@@ -434,7 +456,8 @@ private:
     count_regions();
   }
 
-  // Notes that an arc ends at a node. A node has at most three arcs, as the complex is generic.
+  // Notes that an arc ends at a node. Requires: the node has fewer than three arcs, which it has because the complex is
+  // generic.
   void add_arc_to_node(std::uint32_t node, std::uint32_t arc)
   {
     for(std::uint32_t& a : m_nodes[node].arc)
@@ -445,8 +468,9 @@ private:
       }
   }
 
-  // Counts the pieces of cells in the face: walks around each piece once, along the border and the arcs. is_seen[i]
-  // tells whether the part of the border behind breakpoint i has been walked along.
+  // Counts the pieces of cells in the face: walks around each piece once, along the border and the arcs. No piece is
+  // missed, since each one touches the border (Face_partition). is_seen[i] tells whether the part of the border behind
+  // breakpoint i has been walked along.
   void count_regions()
   {
     const std::size_t n = m_breakpoint_nodes.size();
@@ -468,6 +492,7 @@ private:
   }
 
   // Follows the arcs from a breakpoint, with the cell of `site` on the left, and returns the breakpoint where they end.
+  // At each node one arc leads on, as the other arcs there have `site` on the other side or not at all.
   std::size_t follow_in_face(std::size_t node, Vertex_id site) const
   {
     const std::vector<Face_arc<FT>>& arcs = m_partition.arcs();
@@ -488,12 +513,13 @@ private:
       if(node < n)
         break;
     }
-    return node < n ? node : 0;
+    return node < n ? node : 0; // 0 only if the arcs are no forest; the caller's walk ends all the same
   }
 
   // --- chains ---
 
-  // Links the arcs to chains: first those that end at a vertex or the border, then the closed ones.
+  // Links the arcs to chains: first those that end at a vertex or the border, from there, then the closed ones, from an
+  // arbitrary node. Takes linear time.
   void link_chains()
   {
     std::vector<char> is_linked(m_arcs.size(), 0);
@@ -507,7 +533,8 @@ private:
         link_chain(m_arcs[a].first_node, a, is_linked);
   }
 
-  // Adds the chain that leaves a node by an arc, and marks its arcs as linked.
+  // Adds the chain that leaves a node by an arc, and marks its arcs as linked. The cell on the left stays the same from
+  // arc to arc, as two arcs that meet at a node of two sites separate the same cells.
   void link_chain(std::uint32_t node, std::uint32_t arc, std::vector<char>& is_linked)
   {
     Chain chain;
@@ -538,7 +565,8 @@ private:
   }
 
 public:
-  // Returns whether an arc is longer than rounding can make it.
+  // Returns whether an arc is longer than rounding can make it. Arcs without length come from ties: where four cells
+  // meet in a point, the complex has two vertices and such an arc between them.
   bool has_length(const Arc& a) const
   {
     const typename Mesh::Face& face = m_mesh->face(a.face);
@@ -548,6 +576,7 @@ public:
 
   // Returns the length by which rounding may move a node, in a face or on an edge of a given size: the rounding of
   // coordinates there, plus that of the images, which are as far away as the sites and err by a smaller part of that.
+  // An estimate, not a proved bound (see Tolerance::interval()); it decides what readers leave out, not what is found.
   FT rounding_at(std::uint32_t node, const FT& size) const
   {
     return Tolerance<FT>::interval() * (size + m_nodes[node].distance / 8);

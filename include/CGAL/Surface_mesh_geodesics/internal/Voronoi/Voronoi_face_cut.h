@@ -45,6 +45,10 @@ namespace internal {
 
 // The vertices of a cut edge by their positions from the source of a halfedge: 0 is the source, last() the target, and
 // 1, ..., last() - 1 are nodes of the complex. Several nodes may have one position.
+//
+// Invariants: positions do not descend along the edge; each position between 0 and last() has a node. Both halfedges of
+// an edge get the same vertices in reverse order, because the constructor contracts in the order of the one with the
+// smaller index, whichever is given. So the cuts of both faces match.
 class Edge_contraction
 {
 public:
@@ -53,7 +57,8 @@ public:
 
   Edge_contraction(const Mesh& mesh, const Complex& complex, Halfedge_id h) : m_nodes(complex.nodes_on_edge(h))
   {
-    // Positions are found as the halfedge with the smaller index sees them.
+    // Positions are found as the halfedge with the smaller index sees them. A node near both ends goes to the nearer
+    // one, the source in a tie. null_id stands for last(), which is not known yet.
     const double length = mesh.length(h);
     const auto is_rounding = [&](std::uint32_t node, double gap) { return gap <= complex.rounding_at(node, length); };
     m_position.resize(m_nodes.number);
@@ -104,8 +109,12 @@ private:
 // Cuts one face after another; the results are those of the last call of cut(). The mesh and the complex are referred
 // to.
 //
-// Invariants of a cut: the triangles of a cell form a disk for each part of the cell; each side of the face is covered
-// by sides of triangles between consecutive border vertices; no two vertices have more than one edge.
+// Invariants of a cut: the triangles of a cell form a disk for each part of the cell (divide_into_cycles()); each side
+// of the face is covered by sides of triangles between consecutive border vertices (walk_along_border()); no two
+// vertices have more than one edge (triangulate() avoids such diagonals). The first two hold whatever rounding does.
+// What rounding may break is the geometry; badness() counts it, and diagonals that could not be avoided.
+//
+// Frame: the layout of the face. Lengths are in the unit of the intrinsic mesh.
 class Voronoi_face_cut
 {
 public:
@@ -121,7 +130,9 @@ public:
 
   Voronoi_face_cut(const Mesh& mesh, const Complex& complex) : m_mesh(mesh), m_complex(complex) {}
 
-  // Cuts face f. The segments are at most `tolerance` away from the arcs, in the unit of the intrinsic mesh.
+  // Cuts face f. The segments are at most `tolerance` away from the arcs, in the unit of the intrinsic mesh: half of it
+  // for the samples of the arcs, half for those that are left out.
+  // Requires: the complex is finished; a site reaches f.
   void cut(Face_id f, double tolerance)
   {
     m_face = f;
@@ -139,7 +150,8 @@ public:
   // Returns the triangles, counterclockwise in the layout, each with the site of its cell.
   const std::vector<Triangle>& triangles() const { return m_triangles; }
 
-  // Returns 0 if no triangle is degenerate or clockwise in the layout of the face, a larger number otherwise.
+  // Returns 0 if no triangle is degenerate or clockwise in the layout of the face and no diagonal is a second edge
+  // between its vertices, a larger number otherwise.
   std::uint64_t badness() const { return m_badness; }
 
 private:
@@ -180,12 +192,15 @@ private:
 
   // A node of the complex on the border, and the border vertex at which it is. For nodes at the end of the last side,
   // which is corner 0, `position` is the number of border vertices, so that positions ascend along the border.
+  //
+  // Invariant of m_border_nodes: in the order of the border, the same as that of the breakpoints of the face.
   struct Border_node
   {
     std::uint32_t node, position;
   };
 
-  // A curve between the same two cells from vertex to vertex of the cut, as a polyline.
+  // A curve between the same two cells from vertex to vertex of the cut, as a polyline: `vertices` begins with the
+  // vertex of first_node and ends with that of last_node, which may be one. The cell of left_site is on its left.
   struct Cut_curve
   {
     Vertex_id left_site, right_site;
@@ -225,7 +240,7 @@ private:
 
   // --- curves ---
 
-  // Starts a cut from the vertices on the border.
+  // Starts a cut from the vertices on the border, without those that earlier attempts have added inside.
   void start()
   {
     m_points = m_border_points;
@@ -235,6 +250,7 @@ private:
     m_badness = 0;
   }
 
+  // Cuts a divided face once. Takes time cubic in the number of vertices.
   void cut_divided(double tolerance)
   {
     start();
@@ -245,6 +261,9 @@ private:
 
   // Gives vertices to the nodes of the face. Those on the border have vertices already. An inner node where three cells
   // meet shares the vertex at the other end of an arc without length, if there is one; otherwise it gets a new one.
+  //
+  // The border goes first and vertices spread from it until nothing changes: what touches the border is contracted to
+  // the border, whose vertices both faces know. Inner nodes of two cells get no vertex; they are samples of a curve.
   void find_vertices_of_nodes()
   {
     m_vertex_of_node.clear();
@@ -283,7 +302,8 @@ private:
     return true;
   }
 
-  // Gives the vertex of a node to all nodes that arcs without length connect with it.
+  // Gives the vertex of a node to all nodes that arcs without length connect with it. Linear in the number of these
+  // nodes times that of arcs; a face has few of both.
   void spread(std::uint32_t node, std::uint32_t vertex)
   {
     std::vector<std::uint32_t> waiting{node};
@@ -323,7 +343,8 @@ private:
                        [node](const Border_node& b) { return b.node == node; });
   }
 
-  // Makes all curves of the face. Each of them starts at a node where curves end.
+  // Makes all curves of the face. Each of them starts at a node where curves end, as no curve in a face is closed (the
+  // curves are a forest, see Face_partition.h).
   void collect_curves(double tolerance)
   {
     m_curves.clear();
@@ -336,7 +357,8 @@ private:
   }
 
   // Adds the curve that leaves a node by an arc: follows arcs to the next node where a curve ends, samples them, and
-  // keeps the samples that the tolerance needs.
+  // keeps the samples that the tolerance needs. The ends of the curve move to the vertices of their nodes, which
+  // contraction may have put elsewhere, up to rounding. Marks the arcs as used.
   void add_curve(std::uint32_t arc, std::uint32_t node, double tolerance, std::vector<char>& is_used)
   {
     const std::pair<std::uint32_t, std::uint32_t> range = m_complex.arcs_of_face(m_face);
@@ -394,8 +416,9 @@ private:
     return (m_sides[a] & m_sides[b]) != 0 && (a + 1) % n != b && (b + 1) % n != a;
   }
 
-  // Adds vertices for those samples between i and j that the tolerance needs, at least one if `is_forced` (the
-  // algorithm of D. H. Douglas and T. K. Peucker).
+  // Adds vertices for those samples between i and j that the tolerance needs, in their order; at least one if
+  // `is_forced` and there are samples between them (the algorithm of D. H. Douglas and T. K. Peucker, 1973). Of samples
+  // that are equally far from the segment, the first one becomes a vertex.
   void simplify(std::size_t i, std::size_t j, double tolerance, bool is_forced, std::vector<std::uint32_t>& vertices)
   {
     std::size_t best = i;
@@ -416,6 +439,7 @@ private:
     simplify(best, j, tolerance, false, vertices);
   }
 
+  // Returns the distance of p from the nearest point of the segment ab, which may be a single point.
   static double distance_to_segment(const Point& p, const Point& a, const Point& b)
   {
     const double dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;
@@ -426,7 +450,8 @@ private:
 
   // --- pieces of cells ---
 
-  // Walks around each part of a cell once: along the border from node to node, and along curves back to the border.
+  // Walks around each part of a cell once: along the border from node to node, and along curves back to the border. The
+  // part is on the left of its walk. Each piece of the border is in one walk, each curve in two, one for each side.
   void collect_regions()
   {
     const std::size_t n = m_border_nodes.size();
@@ -449,7 +474,8 @@ private:
     }
   }
 
-  // Returns the cell on the border behind a border node, as this face sees it.
+  // Returns the cell on the border behind a border node, as this face sees it: that on the right of a curve that starts
+  // here. The node itself may list its two cells in the order of the other face.
   Vertex_id site_behind(std::size_t border_node) const
   {
     const std::uint32_t node = m_border_nodes[border_node].node;
@@ -461,7 +487,8 @@ private:
     return m_complex.nodes()[node].sites[1];
   }
 
-  // Appends the border vertices from one border node to the next one, both included.
+  // Appends the border vertices from one border node to the next one, both included. Positions run on past corner 0,
+  // so that the last piece of the border does not run backwards.
   void walk_along_border(std::size_t from, std::size_t to, std::vector<std::uint32_t>& walk) const
   {
     const std::uint32_t n = static_cast<std::uint32_t>(m_border_points.size());
@@ -470,7 +497,8 @@ private:
       walk.push_back(i % n);
   }
 
-  // Walks along the curves with the cell on the left, from a border node to the next border node, which is returned.
+  // Walks along the curves with the cell on the left, from a border node to the next border node, which is returned. At
+  // each vertex of the diagram one curve leads on, because the three cells there differ.
   std::size_t walk_along_curves(std::size_t border_node, Vertex_id site, std::vector<std::uint32_t>& walk) const
   {
     std::uint32_t node = m_border_nodes[border_node].node;
@@ -498,7 +526,8 @@ private:
     return border_node;
   }
 
-  // Triangulates the cycles of a walk: when a vertex is met again, the vertices since the last time are a cycle.
+  // Triangulates the cycles of a walk: when a vertex is met again, the vertices since the last time are a cycle. A walk
+  // meets a vertex twice where contraction has closed a part of the cell, or where curves share their vertex.
   void divide_into_cycles(const std::vector<std::uint32_t>& walk, Vertex_id site)
   {
     std::vector<std::uint32_t> open;
