@@ -21,6 +21,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Divided_face.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Face_partition.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/arcs_and_nodes.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/coordinates_in_layout.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_table.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
@@ -28,11 +29,9 @@
 
 #include <CGAL/assertions.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
@@ -243,57 +242,10 @@ public:
   // Returns the corners of a face in its layout: the frame of all points in that face.
   std::array<Point, 3> layout(Face_id f) const { return layout_of_face(m_mesh->face(f)); }
 
-  // Returns the barycentric coordinates of a point in the layout of a face. None of them is negative: a point outside,
-  // which is so by rounding, is replaced by the nearest point of the border. In a face without height the apex has no
-  // coordinate of its own; there the point is measured along the longest side, which covers the whole face.
-  std::array<FT, 3> coordinates(Face_id f, const Point& p) const
-  {
-    const typename Mesh::Face& face = m_mesh->face(f);
-    if(has_no_height(face))
-      return coordinates_on_edge(f, face.length[1] < face.length[2] ? 2 : 1, p);
-    std::array<FT, 3> b;
-    b[2] = p.y / face.apex_y;
-    b[1] = (p.x - b[2] * face.apex_x) / face.length[0];
-    b[0] = 1 - b[1] - b[2];
-    return b[0] >= 0 && b[1] >= 0 && b[2] >= 0 ? b : coordinates_on_border(f, p);
-  }
+  // Returns the barycentric coordinates of a point in the layout of a face; see coordinates_in_layout().
+  std::array<FT, 3> coordinates(Face_id f, const Point& p) const { return coordinates_in_layout(m_mesh->face(f), p); }
 
 private:
-  // Returns the coordinates of the point of the border nearest to p. (To set negative coordinates to zero instead would
-  // move the point along a narrow face.)
-  std::array<FT, 3> coordinates_on_border(Face_id f, const Point& p) const
-  {
-    const std::array<Point, 3> corner = layout(f);
-    std::array<FT, 3> best{};
-    FT smallest = std::numeric_limits<FT>::infinity();
-    for(unsigned int k = 0; k < 3; ++k)
-    {
-      const std::array<FT, 3> b = coordinates_on_edge(f, k, p);
-      const Point q{FT(b[0] * corner[0].x + b[1] * corner[1].x + b[2] * corner[2].x),
-                    FT(b[0] * corner[0].y + b[1] * corner[1].y + b[2] * corner[2].y)};
-      const FT d = distance(p, q);
-      if(d < smallest)
-      {
-        best = b;
-        smallest = d;
-      }
-    }
-    return best;
-  }
-
-  // Returns the coordinates of the point of side k nearest to p. In a face without height, that is p itself.
-  std::array<FT, 3> coordinates_on_edge(Face_id f, unsigned int k, const Point& p) const
-  {
-    const std::array<Point, 3> corner = layout(f);
-    const Point &a = corner[k], &b = corner[next_corner(k)];
-    const FT x = b.x - a.x, y = b.y - a.y, square = x * x + y * y;
-    const FT t = square > 0 ? FT(((p.x - a.x) * x + (p.y - a.y) * y) / square) : FT(0);
-    std::array<FT, 3> result{FT(0), FT(0), FT(0)};
-    result[next_corner(k)] = (std::min)((std::max)(t, FT(0)), FT(1));
-    result[k] = 1 - result[next_corner(k)];
-    return result;
-  }
-
   // Follows the boundary of a cell from chain i on, and marks the chains of that part as used. The part ends where it
   // closes, or at a node of the border, where no chain of the cell begins.
   Voronoi_boundary_part boundary_part(const std::vector<Oriented_index>& chains,

@@ -1,0 +1,88 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_COORDINATES_IN_LAYOUT_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_COORDINATES_IN_LAYOUT_H
+
+// The barycentric coordinates of a point that is given in the layout of a face. A diagram needs them to put nodes and
+// arcs into space.
+//
+// Frame: the layout of the face (corners 0, 1 and 2 at (0,0), (length[0],0) and (apex_x,apex_y)).
+
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Weighted_bisector.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_face.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+// Returns the coordinates of the point of side k nearest to p. In a face without height, that is p itself if side k is
+// a longest one.
+template <typename FT>
+std::array<FT, 3> coordinates_on_side(const Intrinsic_face<FT>& face, unsigned int k, const Planar_point<FT>& p)
+{
+  const std::array<Planar_point<FT>, 3> corner = layout_of_face(face);
+  const Planar_point<FT> &a = corner[k], &b = corner[next_corner(k)];
+  const FT x = b.x - a.x, y = b.y - a.y, square = x * x + y * y;
+  const FT t = square > 0 ? FT(((p.x - a.x) * x + (p.y - a.y) * y) / square) : FT(0);
+  std::array<FT, 3> result{FT(0), FT(0), FT(0)};
+  result[next_corner(k)] = (std::min)((std::max)(t, FT(0)), FT(1));
+  result[k] = 1 - result[next_corner(k)];
+  return result;
+}
+
+// Returns the coordinates of the point of the border nearest to p, on the first such side in a tie. (To set negative
+// coordinates to zero instead would move the point along a narrow face.)
+template <typename FT>
+std::array<FT, 3> coordinates_on_border(const Intrinsic_face<FT>& face, const Planar_point<FT>& p)
+{
+  const std::array<Planar_point<FT>, 3> corner = layout_of_face(face);
+  std::array<FT, 3> best{};
+  FT smallest = std::numeric_limits<FT>::infinity();
+  for(unsigned int k = 0; k < 3; ++k)
+  {
+    const std::array<FT, 3> b = coordinates_on_side(face, k, p);
+    const Planar_point<FT> q{FT(b[0] * corner[0].x + b[1] * corner[1].x + b[2] * corner[2].x),
+                             FT(b[0] * corner[0].y + b[1] * corner[1].y + b[2] * corner[2].y)};
+    const FT d = distance(p, q);
+    if(d < smallest)
+    {
+      best = b;
+      smallest = d;
+    }
+  }
+  return best;
+}
+
+// Returns the barycentric coordinates of a point in the layout of a face. None of them is negative: a point outside,
+// which is so by rounding, is replaced by the nearest point of the border. In a face without height the height of a
+// point tells nothing; there the point is measured along the longest side, which covers the whole face.
+template <typename FT>
+std::array<FT, 3> coordinates_in_layout(const Intrinsic_face<FT>& face, const Planar_point<FT>& p)
+{
+  if(has_no_height(face))
+    return coordinates_on_side(face, face.length[1] < face.length[2] ? 2 : 1, p); // side 0 is the shortest
+  std::array<FT, 3> b;
+  b[2] = p.y / face.apex_y;
+  b[1] = (p.x - b[2] * face.apex_x) / face.length[0];
+  b[0] = 1 - b[1] - b[2];
+  return b[0] >= 0 && b[1] >= 0 && b[2] >= 0 ? b : coordinates_on_border(face, p);
+}
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_COORDINATES_IN_LAYOUT_H
