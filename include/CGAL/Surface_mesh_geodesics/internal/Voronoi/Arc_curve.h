@@ -52,6 +52,9 @@ inline Border_integrals segment_integrals(const Planar_point<double>& p, const P
   return Border_integrals{cross / 2, cross * (p.x + q.x) / 6, cross * (p.y + q.y) / 6};
 }
 
+// A part of a bisector from its first to its last point, or a segment. Face_partition decides which one an arc is
+// meant to be; the constructor may still choose the segment, where rounding does not tell the bisector.
+//
 // Requires: the ends of the arc are on the bisector of its images up to rounding, if the arc says that it is a
 // bisector.
 class Arc_curve
@@ -88,7 +91,7 @@ public:
     return point_of_segment(t);
   }
 
-  // Returns the length of the arc.
+  // Returns the length of the arc: the integral of |dp| over the angle.
   double length() const
   {
     if(m_is_segment)
@@ -117,8 +120,8 @@ public:
     return result;
   }
 
-  // Calls visit(point) for points of the curve, without the first point and including the last one. The segments
-  // between them are at most `tolerance` away from the curve.
+  // Calls visit(point) for points of the curve in their order, without the first point and including the last one. The
+  // segments between them are at most `tolerance` away from the curve, unless 24 halvings do not suffice.
   template <typename Visit>
   void sample(double tolerance, Visit visit) const
   {
@@ -130,6 +133,7 @@ public:
 private:
   // Returns whether the curve is closer than the segment to the points of equal distance. Where the two images are so
   // close to each other that rounding moves the curve as a whole, the curve may end before the last point of the arc.
+  // Three points of both are compared only if it does; a curve that leaves the surroundings of the arc is not better.
   bool is_better_than_segment(const Arc& a) const
   {
     const double chord = distance(m_first, m_last);
@@ -153,11 +157,13 @@ private:
     return Point{m_first.x + t * (m_last.x - m_first.x), m_first.y + t * (m_last.y - m_first.y)};
   }
 
+  // Several integrands, which are computed together, or their integrals.
   template <std::size_t n>
   using Values = std::array<double, n>;
 
   // Returns the integrals over the curve of f(point, derivative by the angle). Intervals are halved until the sums
   // change by at most Tolerance::quadrature() of `scale`; a relative criterion would fail where f is only rounding.
+  // Each integral keeps the value at which it stops changing. After 1024 parts the last sums are returned as they are.
   template <std::size_t n, typename Function>
   Values<n> integrals_of(Function f, const Values<n>& scale) const
   {
@@ -204,6 +210,7 @@ private:
       sum[k] += scale * part[k];
   }
 
+  // Returns f at an angle. The curve is parametrized by the tangent t of the angle, whose derivative is 1 + t^2.
   template <typename Function>
   auto values_at(Function f, double angle) const
   {

@@ -114,7 +114,8 @@ private:
     return nearest.site;
   }
 
-  // Returns the distance of x from a point of an arc, which is the nearest one if x is close to the arc.
+  // Returns the distance of x from a point of an arc, which is the nearest one if x is close to the arc: an end, or the
+  // point in the direction of x from the focus. So the result is never too small.
   FT distance_from_arc(const Point& x, const Arc& a) const
   {
     const FT to_ends = (std::min)(distance(x, a.first), distance(x, a.last));
@@ -126,7 +127,7 @@ private:
   }
 
   // Returns the best anchor of the first kind in which one has a clearance: corners, points of the border, points of
-  // arcs.
+  // arcs. If none has, the best of all; its result may be wrong where rounding decides what the segment meets.
   Anchor best_anchor() const
   {
     Anchor best;
@@ -148,7 +149,7 @@ private:
     });
   }
 
-  // Tries the point at parameter t of an arc as an anchor.
+  // Tries the point at parameter t of an arc as an anchor. The segment starts there in the cell on the side of p.
   void add_anchor_on_arc(const Arc& a, const FT& t, Anchor& best) const
   {
     const Weighted_bisector<FT> curve(a.left, a.right, a.first);
@@ -184,7 +185,8 @@ private:
     return smallest;
   }
 
-  // Returns the cell of p, given an anchor: that of the anchor, or beyond the first arc that the segment meets.
+  // Returns the cell of p, given an anchor: of the arc that the segment meets nearest to p, the cell on the side of p;
+  // the cell of the anchor if the segment meets no arc.
   Vertex_id cell_on_the_way(const Anchor& anchor) const
   {
     Vertex_id site = anchor.site;
@@ -224,7 +226,8 @@ private:
         meet(curve.point(t));
   }
 
-  // Returns the cell of an arc on the side of p, as seen from a point x of the arc.
+  // Returns the cell of an arc on the side of p, as seen from a point x of the arc: the nearer one of its images a bit
+  // closer to p, or for a segment the side on which p is. Ties go to the right site.
   Vertex_id site_towards_p(const Arc& a, const Weighted_bisector<FT>& curve, const Point& x) const
   {
     if(!is_curved(a, curve))
@@ -234,7 +237,7 @@ private:
     return a.left.distance_to(y) < a.right.distance_to(y) ? a.left_site : a.right_site;
   }
 
-  // Returns the distance below which points are not told apart.
+  // Returns the distance below which points are not told apart, in the unit of the layout.
   FT resolution() const
   {
     const std::array<Point, 3> corner = m_complex.layout(m_face);
@@ -257,6 +260,7 @@ private:
     return abs(Half_plane<FT>::left_of(a.first, a.last)(middle)) > resolution() || !(chord > resolution());
   }
 
+  // Returns the distance of x from the nearest point of the segment pq, which may be a single point.
   static FT distance_from_segment(const Point& x, const Point& p, const Point& q)
   {
     const FT dx = q.x - p.x, dy = q.y - p.y, square = dx * dx + dy * dy;
@@ -265,6 +269,7 @@ private:
     return distance(x, Point{FT(p.x + t * dx), FT(p.y + t * dy)});
   }
 
+  // Calls visit(arc) for the arcs in the face.
   template <typename Visit>
   void for_each_arc(Visit visit) const
   {

@@ -79,6 +79,13 @@ struct Edge_interval
   std::size_t image;
 };
 
+// Frame: that of a halfedge of the edge; images of the other face are given in it, too. Depths are not negative, up to
+// rounding: on which side of the edge an image lies makes no difference to distances on it.
+//
+// Invariants after build(), whatever rounding does (is_partition() checks them): the intervals cover the edge without
+// overlap; the breakpoints ascend, lead from the site of the first end to that of the last one, and each one changes
+// the site. Redundant_window_removal relies on the order of the images: 0 and 1 are the ends, 2 is the first that is
+// added.
 template <typename FT>
 class Edge_partition
 {
@@ -148,7 +155,7 @@ private:
   }
 
   // Goes on to the image that takes over first. Returns false if the current image is nearest up to the end of the
-  // edge.
+  // edge. Where the interval of the current image ends before, successor() says what follows.
   bool take_over()
   {
     FT x = m_images[m_current].end;
@@ -249,8 +256,8 @@ private:
     return result;
   }
 
-  // Refines the abscissa `from` where g becomes nearer than c, within [first, last]. At `first` itself nothing is to be
-  // refined if g is nearer from the beginning.
+  // Refines the abscissa `from` where g becomes nearer than c, within [first, last]. If g is nearer from `first` on,
+  // its interval begins there, and there is nothing to refine.
   static FT refined_start(const Image& g, const Image& c, const FT& first, const FT& from, const FT& last)
   {
     if(!(from > first) && !(g.distance_at(from) > c.distance_at(from)))
@@ -259,7 +266,8 @@ private:
     return equal >= first && equal <= last ? equal : from;
   }
 
-  // Returns the abscissa where g becomes nearer than c, by bisection. Requires: g is nearer at `to`.
+  // Returns the abscissa where g becomes nearer than c, by bisection; `from` if c is not nearer there.
+  // Requires: from <= to; g is nearer at `to`.
   static FT equidistant_abscissa(const Image& g, const Image& c, FT from, FT to)
   {
     if(!(c.distance_at(from) < g.distance_at(from)))

@@ -62,6 +62,17 @@ struct Face_arc
   bool is_bisector; // otherwise the arc is straight, whatever the two images are
 };
 
+// Use: start(), add() for images and breakpoints, build(), then the queries. An object serves many faces.
+//
+// Invariant of a list of fronts, which bounds one part of the face: its fronts are in counterclockwise order, and each
+// one has on its right the cell that the next one has on its left, the last one that of the first one. build()
+// establishes it from the breakpoints, and split_at() and join() keep it: a connection removes the two ends of one
+// curve and leaves two such lists; a joint replaces two adjacent fronts by one. So the last two fronts of a list are
+// the ends of one curve, a single front is never left, as its two cells would be the same, and every list becomes empty
+// after fewer steps than it has fronts, whatever the distances are.
+//
+// Cost: at most quadratic in the number of breakpoints, counted in traces (Front_tracer::trace()); a face that one
+// curve crosses needs one trace.
 template <typename FT_>
 class Face_partition
 {
@@ -94,7 +105,8 @@ public:
   void add(const Image& image) { m_tracer.add(image); }
   void add(const Breakpoint& b) { m_tracer.add(b); }
 
-  // Makes the nodes and arcs. Requires: the cell that begins at a breakpoint is the one that ends at the next one.
+  // Makes the nodes and arcs. Requires: the cell that begins at a breakpoint is the one that ends at the next one; at
+  // each breakpoint, the two cells differ.
   void build()
   {
     CGAL_assertion(do_breakpoints_match());
@@ -121,7 +133,7 @@ public:
   const std::vector<Arc>& arcs() const { return m_arcs; }
   const std::vector<Image>& images() const { return m_tracer.images().all(); }
 
-  // Returns how many fronts were joined without distances that tell how.
+  // Returns how often fronts were joined or connected although no traced curve leads from one to the other.
   std::size_t number_of_joints() const { return m_number_of_joints; }
 
   // Returns how many traces have been made: the cost of the partition.
@@ -166,7 +178,10 @@ private:
 
   // --- closing a part of the face ---
 
-  // Joins and connects fronts, which are in counterclockwise order, until none is left.
+  // Joins and connects the fronts of a list until none is left. Parts that a connection cuts off go to m_waiting.
+  //
+  // What is surest comes first: fronts that start at one point, then curves that lead from one front to another, then
+  // fronts that meet in one vertex, then the pair with the closest ends.
   void close(std::vector<Front>& fronts)
   {
     while(fronts.size() > 2)
@@ -187,7 +202,8 @@ private:
     }
   }
 
-  // Tells the tracer the sites of some fronts.
+  // Tells the tracer the sites of some fronts: in this part of the face, no trace meets the cell of another site. By
+  // the invariant of a list, the sites on the left are all of them.
   void find_sites(const std::vector<Front>& fronts)
   {
     std::vector<Vertex_id>& sites = m_tracer.sites();
@@ -215,7 +231,8 @@ private:
     return false;
   }
 
-  // Connects the first front that leads to the start of another one with the same sites, if there is one.
+  // Connects the first front that leads to the start of another one with the same sites, if there is one. Returns
+  // whether there is.
   bool split(std::vector<Front>& fronts)
   {
     for(std::size_t i = 0; i < fronts.size(); ++i)
@@ -277,7 +294,8 @@ private:
       m_waiting.push_back(std::move(inner));
   }
 
-  // Joins the two adjacent fronts that agree and whose ends are closest to each other, if any agree.
+  // Joins the two adjacent fronts that agree and whose ends are closest to each other, if any agree. (Adjacent fronts
+  // with f.left == g.right are the two ends of one curve, which have no vertex in common.)
   bool join_agreeing(std::vector<Front>& fronts)
   {
     const std::size_t n = fronts.size();
@@ -301,7 +319,8 @@ private:
     return true;
   }
 
-  // Joins or connects the two adjacent fronts whose ends are closest to each other.
+  // Joins or connects the two adjacent fronts whose ends are closest to each other: the last resort, where two sites
+  // tie in a region.
   void join_nearest(std::vector<Front>& fronts)
   {
     ++m_number_of_joints;
@@ -325,7 +344,10 @@ private:
   }
 
   // Joins the fronts i and i + 1 in a vertex, from which one front goes on. The cell between them is closed; fronts
-  // that have met it are traced again.
+  // that have met it are traced again. The sites of the vertex are in counterclockwise order because f and g are.
+  //
+  // If the traces meet up to rounding, both end in the vertex. Otherwise the vertex is chosen among points
+  // of both traces, and each front is cut at it or led to it by segments.
   void join(std::vector<Front>& fronts, std::size_t i)
   {
     const std::size_t next = (i + 1) % fronts.size();
@@ -355,8 +377,8 @@ private:
 
   // --- one curve from end to end ---
 
-  // Connects two fronts that are the ends of one curve. Traces from a point of the border if there is one, since the
-  // border is a sure end.
+  // Connects two fronts that are the ends of one curve. Traces towards a point of the border if there is one, since the
+  // border is a sure end; traces back if the trace misses it. The way back counts only if it arrives.
   void connect(Front& f, Front& g)
   {
     if(starts_at_border(f) && !starts_at_border(g))
@@ -396,7 +418,8 @@ private:
   // The border is a sure end: a front that starts there has the node of a breakpoint.
   bool starts_at_border(const Front& f) const { return f.node < m_tracer.breakpoints().size(); }
 
-  // Makes arcs of the pieces of f, the last of which ends at p.
+  // Makes arcs of the pieces of f, the last of which ends at p, and a node between two of them. Pieces that are added
+  // here are segments, those that have been traced are bisectors.
   void finish(Front& f, const Point& p, std::size_t node)
   {
     if(completion().is_taken_over_before(f, p))

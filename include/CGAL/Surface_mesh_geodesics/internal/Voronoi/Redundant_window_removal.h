@@ -66,6 +66,14 @@ namespace internal {
 // In the propagation, keep() and advance() are called in turn, then finish(). All faces have been handed over when
 // finish() returns. Time: linear in the number of windows that enter faces, plus for each divided edge what
 // Edge_partition takes.
+//
+// Invariants:
+// - The state of a face only grows (State). m_windows has windows of ACTIVE and INACTIVE faces only; keep() refuses
+//   those that come later, and remove_windows() gives back those of a face that is DONE.
+// - Each edge is closed once, when the last of its faces becomes inactive (deactivate()); open_edges counts the sides
+//   that are still to come. So a face is handed over after all of its edges, and both faces at an edge get the same
+//   breakpoints.
+// - Both faces at an edge have the same bound for it (bound_by_windows()).
 template <typename FT_, typename Consumer_>
 class Redundant_window_removal
 {
@@ -96,7 +104,7 @@ public:
 
   // Gives the cell of `source` to `first`, as the two tie everywhere up to rounding. (Otherwise rounding would decide
   // for each edge anew which of them is nearer.) If `first` itself is nowhere the nearest source, `source` keeps its
-  // cell.
+  // cell. Call it after reset() and before the first keep().
   void unite(Vertex_id source, Vertex_id first) { m_first_of_equal[source] = first; }
 
   // Keeps the windows of a list that the propagation carries across h into the face of h, unless that face is inactive.
@@ -128,7 +136,8 @@ public:
   }
 
   // Lets the inactive region grow, as the wavefront has reached a distance (thesis, algorithm 4, step 4). A face with a
-  // large bound is looked at again half-way, as bounds shrink.
+  // large bound is looked at again half-way, as bounds shrink. The margin below `reached` covers the error of images.
+  // Requires: distances below `reached` are final, and windows with paths that short have been kept.
   void advance(const FT& reached)
   {
     const FT below = reached * (1 - Tolerance<FT>::succession());
@@ -178,7 +187,7 @@ public:
   }
 
 private:
-  // Returns whether the intervals of the windows of a list are parts of their edge.
+  // The contract of keep(): returns whether the intervals of the windows of a list are parts of their edge.
   static bool are_on_edge(const Window_list<FT>& list, const FT& length)
   {
     for(std::size_t i = 0; i < list.size; ++i)
@@ -188,6 +197,7 @@ private:
     return true;
   }
 
+  // Returns the source whose cell `source` shares: another one after unite(), otherwise itself. (null_id stays.)
   Vertex_id first_of_equal(Vertex_id source) const
   {
     if(m_first_of_equal.empty())
@@ -203,10 +213,12 @@ private:
     Vertex_id vertex;
   };
 
+  // (The distance of the entry is -1 before v is asked for the first time, which no vertex has.)
   bool is_source_known(Vertex_id v) const { return m_source[v].distance == m_field->distance[v]; }
 
   // Returns the source from which the shortest path to v known so far starts, null_id if there is none. Follows the
-  // roots back and remembers the answer for each of them, as that chain may be long.
+  // roots back and remembers the answer for each of them, as that chain may be long. Amortized: each vertex is asked
+  // for its root once for each distance that it takes.
   Vertex_id source_of(Vertex_id v)
   {
     Vertex_id last = v;
@@ -228,7 +240,7 @@ private:
   static constexpr Vertex_id several_sources = null_id - 1;
 
   // UNTOUCHED: no window has entered. ACTIVE: windows may still enter. INACTIVE: waits for its neighbors. DONE: has
-  // given its windows back.
+  // given its windows back. A face in the queue is ACTIVE. Faces around a source may stay UNTOUCHED until finish().
   enum State : unsigned char { UNTOUCHED, ACTIVE, INACTIVE, DONE };
 
   struct Face_record
@@ -249,7 +261,9 @@ private:
     record.source = record.source == null_id || record.source == source ? source : several_sources;
   }
 
-  // Puts a face into the queue when the first list enters it.
+  // Puts a face into the queue when the first list enters it: until the bound of proposition 5.1, with a first look
+  // half a side earlier, since bound() is often smaller. A path through the nearest window and straight on to any point
+  // of the face is at most that long.
   void wait(Face_id f, const Window_list<FT>& list)
   {
     const FT *const at_begin = list.columns.begin_distance(), *const at_end = list.columns.end_distance();
@@ -260,7 +274,8 @@ private:
     m_queue.push(f, FT(nearest + longest / 2), FT(nearest + longest));
   }
 
-  // Returns a distance that no point of the border of a face exceeds.
+  // Returns a distance that no point of the border of a face exceeds, as known so far. Later windows and smaller
+  // distances of the corners may only reduce it.
   FT bound(Face_id f) const
   {
     const typename Mesh::Face& face = m_mesh->face(f);
@@ -274,8 +289,8 @@ private:
     return largest;
   }
 
-  // Returns a distance that no point between two points on an edge exceeds: the paths by both of them are at most that
-  // long.
+  // Returns a distance that no point between two points on an edge exceeds: the paths by the two points have this
+  // length on average, so one of them is not longer.
   static FT bound_between(const FT& at_first, const FT& at_last, const FT& length)
   {
     return FT((at_first + at_last + length) / 2);
@@ -313,7 +328,8 @@ private:
 
   bool is_inactive(Face_id f) const { return m_faces[f].state == INACTIVE || m_faces[f].state == DONE; }
 
-  // Makes a face inactive (procedure 3 of the thesis), and closes its edges to inactive neighbors.
+  // Makes a face inactive (procedure 3 of the thesis), and closes its edges to inactive neighbors. A redundant face
+  // gives its windows back at once. Its edges are closed all the same, since the neighbors count them.
   void deactivate(Face_id f)
   {
     m_faces[f].state = INACTIVE;
@@ -330,7 +346,7 @@ private:
   }
 
   // Returns whether a face is redundant (definition 5.1): its corners and all windows that have entered have one
-  // source.
+  // source. Then all of the face is in one cell, its border too: no shortest path to it comes from elsewhere.
   bool has_one_source(Face_id f)
   {
     const auto& corner = m_mesh->face(f).vertex;
@@ -381,6 +397,7 @@ private:
   }
 
   // Gives a face in several cells to the consumer, with the breakpoints on its sides and its site images.
+  // Requires: all three edges are closed, and the windows have not been given back.
   void hand_over(Face_id f)
   {
     m_divided_face.face = f;
@@ -405,7 +422,7 @@ private:
   }
 
   // Finds the breakpoints of the edge, and removes the windows of both sides that are nearest nowhere.
-  // Requires: h < o, or o is null_id.
+  // Requires: h < o, or o is null_id; both faces at the edge are INACTIVE.
   void divide_edge(Halfedge_id h, Halfedge_id o)
   {
     const Vertex_id a = m_mesh->source(h), b = m_mesh->target(h);

@@ -28,7 +28,9 @@ namespace Surface_mesh_geodesics {
 namespace internal {
 
 // Use: clear(), then add_face() for each face that is reached. Takes time proportional to the number of faces and arcs.
-// Ties: the area of an arc between two cells counts for neither.
+// Areas are in the squared unit of the intrinsic mesh, centroids in the unit of the given positions.
+// Error: rounding, and that of Arc_curve::integrals(). An arc adds to the cell on its left what it takes from the cell
+// on its right, so its error cancels in the sum of all areas.
 class Voronoi_cell_measures
 {
 public:
@@ -40,7 +42,8 @@ public:
     m_last_sum = nullptr;
   }
 
-  // Adds a face, given the positions of its corners in space.
+  // Adds a face, given the positions of its corners in space. By Green's theorem, each part of the face gets the
+  // integrals along its border: an arc counts for the cell on its left, and backwards for the cell on its right.
   void add_face(const Voronoi_complex<double>& complex, Face_id f, const std::array<Space_point, 3>& corner)
   {
     const auto layout = complex.layout(f);
@@ -67,7 +70,8 @@ public:
     return it == m_sums.end() ? 0 : it->second.area;
   }
 
-  // Returns the centroid of a cell in space. It is not finite if the cell has no area.
+  // Returns the centroid of a cell in space, which need not lie on the surface. It is not finite if the cell has no
+  // area.
   Space_point centroid(Vertex_id site) const
   {
     Sum s;
@@ -86,7 +90,7 @@ private:
     Space_point moment{};
   };
 
-  // The part of a face in a cell.
+  // The part of a face in a cell, with the integrals over it in the layout of the face.
   struct Part
   {
     Vertex_id site;
@@ -114,6 +118,8 @@ private:
     return *m_last_sum;
   }
 
+  // Adds a part of a face to the sums of its cell. Barycentric coordinates carry the integrals from the layout to
+  // space, since both maps are affine. A face without height has no area, and no moment either.
   static void add_part(Sum& s, const Border_integrals& i, const std::array<Planar_point<double>, 3>& layout,
                        const std::array<Space_point, 3>& corner)
   {

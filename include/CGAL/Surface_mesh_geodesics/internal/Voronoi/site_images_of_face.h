@@ -26,7 +26,8 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// The frame of one side of a face in the layout of the face: x runs along the side, y points into the face.
+// The frame of one side of a face in the layout of the face: x runs along the side, y points into the face. It is the
+// frame of the windows that enter across that side (Window.h), so that their images have y = -image_depth.
 template <typename FT>
 struct Side_frame
 {
@@ -96,7 +97,9 @@ void for_each_site_image(const Intrinsic_mesh<FT>& mesh, const Vertex_distance_f
 }
 
 // Shortens the interval from `first` to `last` of the edge from a to b to the part that is in the cone of an image.
-// Returns false if no point of the edge is in one of the two half-planes.
+// Returns false if no point of the edge is in one of the two half-planes. If it returns true, the interval may still be
+// empty, with last < first.
+// Requires: image.has_cone; `length` is the distance from a to b.
 template <typename FT>
 bool clip_to_cone(const Site_image<FT>& image, const Planar_point<FT>& a, const Planar_point<FT>& b, const FT& length,
                   FT& first, FT& last)
@@ -114,7 +117,10 @@ bool clip_to_cone(const Site_image<FT>& image, const Planar_point<FT>& a, const 
   return true;
 }
 
-// Finds what an image of the face of h is to the points of the edge of h. Returns false if it sees none of them.
+// Finds what an image of the face of h is to the points of the edge of h, in the frame of h: the paths from inside the
+// face, which matter on the border of the mesh. Returns false if it sees none of them. The depth is then the distance
+// from the line of the edge on the inner side, where the windows across h have their images on the outer one; distances
+// on the edge are the same for both.
 // Requires: the edge has a length.
 template <typename FT>
 bool image_on_edge(const Intrinsic_mesh<FT>& mesh, Halfedge_id h, const Site_image<FT>& image, Edge_image<FT>& result)

@@ -29,7 +29,11 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// All points are in the layout of the face. Queries take time proportional to the number of images.
+// Frame: the layout of the face. Queries take time proportional to the number of images.
+//
+// Invariant: cones() has one cone for each image, in the same order. Lengths that are uncertain come in three sizes:
+// width() for what rounding alone does, touching() for points where curves touch a line or each other (the square root
+// of rounding), joining_distance() for a first guess that a closer look has to confirm.
 template <typename FT_>
 class Face_images
 {
@@ -48,6 +52,7 @@ public:
       m_side[k] = Half_plane<FT>::left_of(corner[k], corner[(k + 1) % 3]);
     m_size = (std::max)({distance(corner[0], corner[1]), distance(corner[1], corner[2]),
                          distance(corner[2], corner[0])});
+    // (A side is a unit vector, so that this is the height above side 0 times its length: twice the area.)
     m_has_no_height = is_without_height<FT>(m_side[0](corner[2]) * distance(corner[0], corner[1]), m_size);
   }
 
@@ -114,7 +119,8 @@ public:
     return best_seeing != none && is_tie ? best_seeing : best;
   }
 
-  // Returns the images of a site that tie with its nearest one at p, in ascending order.
+  // Returns the images of a site that tie with its nearest one at p, in ascending order, whether they see p or bend.
+  // None if the site has no image.
   std::vector<std::size_t> tied_images(Vertex_id site, const Point& p) const
   {
     std::vector<std::size_t> result;

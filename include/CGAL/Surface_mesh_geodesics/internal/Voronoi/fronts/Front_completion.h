@@ -31,7 +31,9 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// Refers to the images of a face.
+// Refers to the images of a face. Functions that lead f elsewhere leave its pieces so that each one starts where the
+// one before ends; Face_partition::finish() makes arcs of them. f.stop tells it whether the last piece may be drawn on
+// to the end (OUTSIDE) or segments have to be added (LOST).
 template <typename FT_>
 class Front_completion
 {
@@ -67,6 +69,7 @@ public:
 
   // Returns whether other paths become the shortest ones between the end of the last piece and p. The last piece of a
   // front is drawn on to p though it may end at some distance: points are known up to the square root of rounding only.
+  // False for a front without pieces.
   bool is_taken_over_before(const Front& f, const Point& p) const
   {
     if(f.pieces.empty())
@@ -76,7 +79,7 @@ public:
         && !(is_nearest_at(f, last.left, p) && is_nearest_at(f, last.right, p));
   }
 
-  // Lets a front that ends close to p go straight from there.
+  // Lets a front that ends close to p go straight from where it is closest. Changes nothing if no piece comes close.
   void lead_back(Front& f, const Point& p) const
   {
     const std::pair<std::size_t, FT> nearest = f.nearest_end(p);
@@ -87,11 +90,12 @@ public:
   }
 
   // Appends the segment pq to f, divided where other paths become the shortest ones: it is halved until the images of
-  // each part are nearest at both of its ends, then adjacent parts with the same images are joined.
+  // each part are nearest at both of its ends, then adjacent parts with the same images are joined. Takes at most
+  // quadratic time in the number of images.
   void add_straight_pieces(Front& f, const Point& p, const Point& q) const
   {
     std::size_t halvings = 8 * m_images.number() + 64; // a bound, should rounding never let the ends agree
-    std::vector<Point> ends{q};
+    std::vector<Point> ends{q}; // of the parts that are still to be added, the next one last
     const std::size_t number_traced = f.pieces.size();
     for(Point from = p; !ends.empty();)
     {

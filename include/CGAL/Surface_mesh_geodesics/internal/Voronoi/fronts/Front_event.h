@@ -33,6 +33,9 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
+// What ends a piece, and where. BORDER: the curve leaves the face; UNTIL: it leaves the half-plane of the trace;
+// LEFT_CONE, RIGHT_CONE: it leaves the cone of its left or right image; NEARER: another image becomes nearer;
+// IMPRECISE: the curve has to be described anew from here. With NOTHING, t is where the search ends, if it is bounded.
 template <typename FT>
 struct Front_event
 {
@@ -45,6 +48,10 @@ struct Front_event
   bool is_bounded() const { return t < std::numeric_limits<FT>::infinity(); }
 };
 
+// Use: start(), leave() and its like, find_reach(), take_over() for images, event(). One object serves many searches.
+//
+// Invariant: no candidate that has been given has an event before event().t, up to the tolerances of leave() and
+// take_over().
 template <typename FT_>
 class First_event
 {
@@ -77,7 +84,8 @@ public:
 
   const Event& event() const { return m_event; }
 
-  // Bounds the part of the curve before the event. Call it after the half-planes and before the images.
+  // Bounds the part of the curve before the event. Call it after the half-planes and before the images: the bound
+  // rejects most images at once. Without it, all images are tested.
   void find_reach()
   {
     if(m_event.is_bounded())
@@ -88,6 +96,9 @@ public:
   //
   // A curve that starts on the line may be outside by rounding, and so may be one that touches it. Therefore the curve
   // is outside next to its start, or between two roots, only if it is so by more than `slack` or `width`.
+  //
+  // The roots of the quadratic divide the curve up to the event into at most three intervals, on each of which it is on
+  // one side of the line; the sign at the middle tells which. The event is the start of the first interval outside.
   void leave(const Half_plane<FT>& h, typename Event::Kind kind, std::size_t index)
   {
     const Quadratic<FT> q = m_curve->side(h);
@@ -112,7 +123,7 @@ public:
     }
   }
 
-  // Finds where the curve leaves the cone of an image.
+  // Finds where the curve leaves the cone of an image: one of its two sides. Without a cone, it never does.
   void leave_cone(const Image& image, typename Event::Kind kind)
   {
     if(!image.has_cone)
@@ -121,7 +132,8 @@ public:
     leave(image.right, kind, 1);
   }
 
-  // Finds where the curve leaves a half-plane that it may have to enter first.
+  // Finds where the curve leaves a half-plane that it may have to enter first. From outside, it enters at the first
+  // root and leaves at the second one; if it has fewer roots, it does not leave.
   void enter_and_leave(const Half_plane<FT>& h)
   {
     if(h(m_curve->start()) >= -m_width)
@@ -158,7 +170,8 @@ public:
   }
 
 private:
-  // A third image along the curve: positive where it is nearer, and where the curve is inside of each side of its cone.
+  // A third image along the curve, as polynomials of its parameter: positive where the image is nearer than the two of
+  // the curve, and where the curve is inside of each side of its cone.
   struct Challenge
   {
     Quadratic<FT> nearer{}, in_left{}, in_right{};
@@ -173,7 +186,8 @@ private:
   }
 
   // Returns false if g takes over nowhere before the event; sets c otherwise. The cheap tests come first: distances
-  // change by at most the length of the way, for g as for the images of the curve.
+  // change by at most the length of the way, for g as for the images of the curve. The others look at the coefficients
+  // in Bernstein form (Quadratic): they may fail to reject an image, but reject none that takes over.
   bool may_take_over(const FT& at_start, const Image& g, Challenge& c) const
   {
     const Point& p = m_curve->start();
@@ -209,6 +223,7 @@ private:
     return true;
   }
 
+  // Collects the roots of q before the event; none if q is positive up to there, beyond the rounding of its values.
   void add_roots(const Quadratic<FT>& q)
   {
     if(m_event.is_bounded() && q.is_positive_until(m_event.t))
@@ -218,7 +233,8 @@ private:
         m_roots.push_back(r);
   }
 
-  // Returns whether g is nearer between two parameters, with no root between them.
+  // Returns whether g is nearer between two parameters, with no root between them, so that the middle speaks for all of
+  // the interval. The polynomials may err near double roots, so the distances themselves are compared as well.
   bool is_taken_over_between(const FT& from, const FT& to, const Image& left, const Image& g, const Challenge& c) const
   {
     const FT middle = from + (to - from) / 2;

@@ -32,6 +32,10 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
+// Answers two questions: whether the traces of f and g meet (agree(), is_vertex()), and where (common_end(), and
+// best_vertex() if they do not meet). Distances decide the second one only; whether f and g are joined at all is a
+// matter of their sites (Face_partition.h).
+//
 // Refers to the images of a face.
 template <typename FT_>
 class Front_meeting
@@ -85,12 +89,13 @@ public:
 
   // Returns the best vertex for two fronts that do not meet, of all points where their pieces start and end. The cost
   // of a point is the amount by which the farthest of the three sites is farther than the nearest of all, plus the
-  // distances of the point from both fronts. The first point of the smallest cost is taken.
+  // distances of the point from both fronts: zero, up to rounding, for a true vertex that both traces reach. The first
+  // point of the smallest cost is taken.
   Point best_vertex(const Front& f, const Front& g) const
   {
     Point best = f.p;
     FT smallest = std::numeric_limits<FT>::infinity();
-    const auto look_at = [&](const Point& p)
+    const auto try_point = [&](const Point& p)
     {
       const FT cost = excess_at(p, {f.left, f.right, g.right}) + f.distance_from(p) + g.distance_from(p);
       if(!(cost < smallest))
@@ -100,16 +105,17 @@ public:
     };
     for(const Front* front : {&f, &g})
     {
-      look_at(front->end);
+      try_point(front->end);
       for(const Front_piece<FT>& piece : front->pieces)
-        look_at(piece.end);
-      look_at(front->p);
+        try_point(piece.end);
+      try_point(front->p);
     }
     return best;
   }
 
 private:
-  // Returns how much farther the farthest of some sites is from p than the nearest of all sites.
+  // Returns how much farther the farthest of some sites is from p than the nearest of all sites; infinity if one of
+  // them has no image. Not negative beyond rounding.
   FT excess_at(const Point& p, const std::array<Vertex_id, 3>& sites) const
   {
     FT nearest = std::numeric_limits<FT>::infinity(), farthest = 0;

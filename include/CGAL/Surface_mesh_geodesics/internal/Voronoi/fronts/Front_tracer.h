@@ -18,8 +18,8 @@
 // the trace.
 //
 // Rounding may lead into circles where many images tie. Three rules end them: an image that has been left at a point
-// does not come back there, the number of pieces is bounded, and a front that cannot go on looks once for a pair of
-// tied images whose curve leads on.
+// follows no other one there and takes over there once at most, the number of pieces is bounded, and a front that
+// cannot go on looks once for a pair of tied images whose curve leads on.
 
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/fronts/Cell_front.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/fronts/Face_images.h>
@@ -46,6 +46,11 @@ namespace internal {
 // events at the same parameter the one tried first stays: the border, cones, images beside the current ones, other
 // images by their index. Error: ends of pieces are refined until both conditions of the event hold up to the rounding
 // of distances; no bound is known for their position, as curves may touch.
+//
+// State of a trace, between two pieces: f.end is on the bisector of image(f.left_image) and image(f.right_image), which
+// are the nearest ones of the sites f.left and f.right there, up to rounding. An index from images().number() on means
+// a bend (add_bend()): paths around the end of an interval, which are not straight at the image. f.stop is LOST while
+// the trace goes on; go_over() and update_stop_at_border() change it where the trace ends.
 template <typename FT_>
 class Front_tracer
 {
@@ -86,7 +91,8 @@ public:
   // Returns how many traces have been made since start(): the cost of a partition.
   std::size_t number_of_traces() const { return m_number_of_traces; }
 
-  // Sets h to the half-plane into which a front starts. Returns false if that is not known.
+  // Sets h to the half-plane into which a front starts: ahead of the line through its start across its curve. Returns
+  // false if that is not known.
   bool find_half_plane_ahead(const Front& f, Half_plane<FT>& h) const
   {
     const std::size_t l = m_images.nearest_of(f.left, f.p), r = m_images.nearest_of(f.right, f.p);
@@ -102,8 +108,10 @@ public:
   }
 
   // Follows f until it meets the cell of a third one of sites(), leaves the face, or leaves the half-plane `until`,
-  // unless that is nullptr. In a face without height the front stops at its start. Takes time proportional to the
-  // number of images for each piece.
+  // unless that is nullptr. Replaces the result of an earlier trace of f. In a face without height the front stops at
+  // its start. Takes time proportional to the number of images for each piece; where images tie, the search for a way
+  // ahead takes a time quadratic in the number of those that do.
+  // Requires: sites() are set; the two sites of f are equally far from its start, up to rounding.
   void trace(Front& f, const Half_plane<FT>* until)
   {
     CGAL_expensive_assertion(std::is_sorted(m_sites.begin(), m_sites.end()));
@@ -122,7 +130,8 @@ public:
         steps_here = m_images.number() + 1; // only once at each point
         continue;
       }
-      m_slack = m_images.width();
+      m_slack = m_images.width(); // find_way_ahead() may have widened it, for one piece
+      // After a real step, only the images that it has left at its end count as left here.
       if(distance(from, f.end) > Tolerance<FT>::standstill() * m_images.size())
       {
         steps_here = 0;
@@ -138,7 +147,8 @@ private:
   using Event = Front_event<FT>;
   using Bisector = Weighted_bisector<FT>;
 
-  // Prepares a trace from the start of f. Returns false if nothing can be traced.
+  // Prepares a trace from the start of f. Returns false if nothing can be traced: the face has no height, or one of the
+  // sites has no image in this face (f.stop is LOST then).
   bool start_trace(Front& f)
   {
     f.pieces.clear();
@@ -182,7 +192,8 @@ private:
 
   // --- one piece ---
 
-  // Follows f along one piece. Returns false if no curve leads on.
+  // Follows f along one piece. Returns false if no curve leads on, or if it has no end. If the curve leaves the face at
+  // the event, up to rounding, the border decides: whatever else happens there belongs to the adjacent face.
   bool step(Front& f, const Half_plane<FT>* until)
   {
     const Image &left = image(f.left_image), &right = image(f.right_image);
@@ -218,7 +229,7 @@ private:
   }
 
   // Returns the first event along the curve of f, NOTHING if there is none. Sets at_border to the first event without
-  // the half-plane `until`, cones and other images.
+  // the half-plane `until`, cones and other images. The order of the candidates decides ties; see the class.
   Event find_event(const Front& f, const Bisector& curve, const Half_plane<FT>* until, Event& at_border)
   {
     m_first.start(curve, m_images.width(), m_slack);
@@ -253,6 +264,9 @@ private:
       try_image(f, n + m_bends.size() - 1, at_start);
   }
 
+  // Tries whether image i takes over, unless it is one of the current two or belongs to a site that f cannot meet. An
+  // image may be left once and come back at the same point, as rounding may make two images seem nearer in turn; the
+  // second time it has to be nearer farther on.
   void try_image(const Front& f, std::size_t i, const FT& at_start)
   {
     if(i == f.left_image || i == f.right_image || !has_site(image(i).site))
@@ -264,8 +278,9 @@ private:
   // Whether |i - j| <= 1, for unsigned numbers.
   static bool is_beside(std::size_t i, std::size_t j) { return i + 1 - j <= 2; }
 
-  // Returns where a piece ends, refined by Newton's method. `at_border` is the parameter where the curve leaves the
-  // face.
+  // Returns where a piece ends, refined by Newton's method: equally far from both images and from a third site, or on
+  // the line that the curve leaves. `at_border` is the parameter where the curve leaves the face; a vertex that comes
+  // to lie outside by refinement is taken from the curve instead.
   Point end_of_piece(const Front& f, const Bisector& curve, const Event& event, const FT& at_border) const
   {
     if(!(event.t > 0))
@@ -357,6 +372,7 @@ private:
     return best != none ? best : at_end;
   }
 
+  // Returns whether f has left image i at its current end.
   bool has_been_left_here(std::size_t i) const
   {
     return std::find(m_left_here.begin(), m_left_here.end(), i) != m_left_here.end();
@@ -429,7 +445,8 @@ private:
 
   // --- images and bends ---
 
-  // Adds the paths around the end of image i that is nearer to p, and returns their index.
+  // Adds the paths around the end of image i that is nearer to p, and returns their index. Bends live until the next
+  // trace. A bend of a bend has no cone; it is not made, since only images with a cone are left or do not see p.
   std::size_t add_bend(std::size_t i, const Point& p)
   {
     m_bends.push_back(Images::bend(image(i), p));
