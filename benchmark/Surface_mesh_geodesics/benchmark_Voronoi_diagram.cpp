@@ -9,10 +9,9 @@
 //   removal:    the same, removing redundant windows; faces in several cells are dropped, so there are no arcs;
 //   diagram:    Surface_mesh_geodesic_Voronoi_diagram::build(): removal, and all arcs, vertices and edges;
 //   naive:      one Surface_mesh_shortest_path per site, with queries at all vertices (--naive N: up to N sites).
-// They alternate, and ratios are medians of the ratios of adjacent runs. Each reads the mesh into the form that the
-// package works on; this is a part of the time of all of them. The time is the processor time of the process. What
-// counts as memory: the peak of the resident memory from the start of the construction to the end, minus what was
-// resident before.
+// They alternate, and ratios are medians of the ratios of adjacent runs. The time of each kind includes reading the
+// user's mesh into the intrinsic mesh. The time is the processor time of the process. Memory is the peak of the
+// resident memory from the start of the construction to the end, minus the memory that was resident before.
 
 #include "benchmark_support.h"
 
@@ -48,9 +47,9 @@ struct Report
   std::uint64_t faces = 0;
   double time = 0; // ms
   double added_mb = 0;
-  std::uint64_t kept = 0;    // windows kept in all
-  std::uint64_t at_once = 0; // at most at a time
-  std::uint64_t waiting = 0; // windows of the wavefront, at most at a time
+  std::uint64_t kept = 0;    // the number of windows that were kept
+  std::uint64_t at_once = 0; // the largest number of kept windows at one time
+  std::uint64_t waiting = 0; // the largest number of windows on the wavefront at one time
   std::uint64_t arcs = 0, vertices = 0;
 };
 
@@ -104,7 +103,7 @@ struct No_consumer
   void add(const internal::Divided_face<double>&) {}
 };
 
-// The engine of the diagram without its arcs.
+// The propagation of a diagram, without arcs.
 void propagate(const Mesh& mesh, const std::vector<Mesh::Vertex_index>& sites, const std::string& method,
                Report& report)
 {

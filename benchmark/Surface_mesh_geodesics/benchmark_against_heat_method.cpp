@@ -210,7 +210,7 @@ struct Errors
 {
   double mean = 0;              // relative to the distance of the vertex
   double largest = 0;           // relative to the distance of the vertex
-  double place_of_largest = 0;  // that distance, relative to the largest distance
+  double place_of_largest = 0;  // the distance of the vertex with the largest error, relative to the largest distance
   double largest_of_extent = 0; // relative to the largest distance
   std::size_t not_finite = 0;   // estimates that are not finite; excluded from the errors above
 };

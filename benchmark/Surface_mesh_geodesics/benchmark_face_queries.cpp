@@ -1,6 +1,5 @@
-// Three ways to answer queries at points inside faces, side by side. Prints one line of comma
-// separated values per mesh, number of sources (random vertices) and alternative; lines that start with '#' describe
-// the machine.
+// Three ways to answer queries at points inside faces, side by side. Prints one line of comma separated values per
+// mesh, number of sources (random vertices) and alternative; lines that start with '#' describe the machine.
 //
 //   lazily:    Surface_mesh_geodesic_paths as it is: build_sequence_tree(), and the first query in a face repeats the
 //              propagation and keeps the windows;
@@ -134,7 +133,7 @@ public:
   {
     Solver::Options options;
     options.maximum_distance = bound(q) * (1 + 1e-12); // more than rounding
-    if(m_sources.size() == 1) // several need not all be in reach
+    if(m_sources.size() == 1) // (of several sources, some may be out of reach)
     {
       options.targets = m_sources;
     }
@@ -245,7 +244,7 @@ Report median_of(const std::vector<Report>& reports)
   return result;
 }
 
-// The number of queries from which on kept windows take less time than backward runs in all.
+// The number of queries from which on keeping the windows takes less time in all than backward runs.
 double break_even(const Report& kept, const Report& backward)
 {
   const double n = std::ceil((kept.total(1) - backward.total(1)) / (backward.query - kept.query)) + 1;
@@ -265,7 +264,7 @@ void print_row(const std::string& mesh, std::size_t number_of_sources, const std
   std::cout << ',' << cell(break_even_queries, 0) << ',' << difference << std::endl;
 }
 
-// Returns false if something has failed that should not.
+// Returns false if a measurement failed unexpectedly.
 bool compare_on(const Settings& settings, const Query_settings& query_settings, std::size_t number_of_sources,
                 const std::string& mesh)
 {
@@ -292,7 +291,7 @@ bool compare_on(const Settings& settings, const Query_settings& query_settings, 
   for(std::size_t a = 0; a < alternatives.size(); ++a)
   {
     const std::size_t common = (std::min)(answers[0].size(), answers[a].size());
-    answers[0].resize(common); // that with the fewest queries comes last
+    answers[0].resize(common); // the last alternative answers the fewest queries
     answers[a].resize(common);
     const Report report = median_of(reports[a]);
     const bool is_backward = a == 2;

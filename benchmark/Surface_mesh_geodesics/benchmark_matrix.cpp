@@ -1,7 +1,7 @@
 // A matrix of distances: from each of some random vertices to all of them, row by row, with 1, 2, ... threads. Prints
-// one line of comma separated values per mesh, kind of matrix and number of threads. Times are those that pass on
-// the clock: the machine must be idle. Runs with different numbers of threads alternate, and the speedup is the median
-// of their ratios. Needs TBB (CGAL_LINKED_WITH_TBB); without it there is one thread.
+// one line of comma separated values per mesh, kind of matrix and number of threads. Times are elapsed times: the
+// machine must be idle. Runs with different numbers of threads alternate, and the speedup is the median of the ratios
+// of adjacent runs. Without TBB (CGAL_LINKED_WITH_TBB), only sequential runs are measured.
 
 #include "runs_in_process.h"
 #include "thread_counts.h"

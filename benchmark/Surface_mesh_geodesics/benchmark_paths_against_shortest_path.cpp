@@ -1,22 +1,22 @@
 // Runs CGAL::Surface_mesh_shortest_path and CGAL::Surface_mesh_geodesic_paths side by side: building, distance queries
 // and path queries at vertices and in faces, for 1, 10 and 50 source points strictly inside random faces. Prints one
-// line of comma separated values per mesh and number of sources; lines that start with '#' say where it was measured.
+// line of comma separated values per mesh and number of sources; lines that start with '#' describe the machine.
 //
-// Every measurement is done in a process of its own (this program starts itself again). There are three kinds:
+// Every measurement runs in its own process (this program starts itself again). There are three kinds:
 //   original:        Surface_mesh_shortest_path; what it builds serves queries at vertices and in faces;
 //   ours, vertices:  Surface_mesh_geodesic_paths with build_sequence_tree(), then queries at vertices;
 //   ours, faces:     Surface_mesh_geodesic_paths with build_sequence_tree_for_faces(), then queries in faces.
 // They alternate, and a ratio is the median of the ratios of adjacent runs: a machine that becomes slower for a
-// while harms all alike.
+// while affects all alike.
 //
 // What is timed:
 //   build:   construction, adding the sources, and the function that builds;
 //   queries: shortest_distance_to_source_points() at random vertices, or at random points strictly inside faces;
 //   paths:   shortest_path_points_to_source_points() from such locations, into a vector.
-// Reading the mesh and the destruction of the object are in none. The time is the processor time of the process: all
-// methods use one thread, and turns that other programs take on a shared machine do not count (--clock wall counts
-// them). What counts as memory: the peak of the resident memory from the start of the construction to the last path,
-// minus what was resident before, with the mesh, the locations of the queries and the array of the answers.
+// Neither includes reading the mesh and destroying the object. The time is the processor time of the process: all
+// methods use one thread, and other programs on a shared machine do not add to it. (--clock wall measures the elapsed
+// time.) Memory is the peak of the resident memory from the start of the construction to the last path, minus the
+// memory that was resident before, with the mesh, the locations of the queries and the array of the answers.
 
 #include "benchmark_support.h"
 #include "random_locations.h"
@@ -41,9 +41,9 @@
 #include <string>
 #include <vector>
 
-// What a measuring process sends back, with its answers: the distances from the vertices, the lengths of the paths from
-// the vertices, the distances from the points in faces, the lengths of the paths from there. Times in ms per build, and
-// in microseconds per query; not a number where a process does not measure something.
+// The report of a measuring process. The answers are the distances of the vertices, the lengths of the paths from the
+// vertices, the distances of the points in faces, and the lengths of the paths from these points. Times are in ms per
+// build and in microseconds per query; NaN if the process does not measure them.
 struct Report
 {
   static constexpr double none = std::numeric_limits<double>::quiet_NaN();
@@ -57,7 +57,7 @@ struct Report
   double points_per_vertex_path = none, points_per_face_path = none;
 };
 
-// Settings that only this program has.
+// The options of this program only.
 struct Path_settings
 {
   std::vector<std::size_t> numbers_of_sources = {1, 10, 50};
@@ -104,7 +104,7 @@ double polyline_length(const std::vector<Point>& points)
   {
     length += std::sqrt(CGAL::squared_distance(points[i - 1], points[i]));
   }
-  return points.empty() ? std::numeric_limits<double>::infinity() : length; // the distance is infinite, too
+  return points.empty() ? std::numeric_limits<double>::infinity() : length; // without a path, the distance is infinite
 }
 
 template <class Paths>
@@ -135,7 +135,7 @@ struct Query_locations
   }
 };
 
-// Queries at vertices and in faces in the same words.
+// One interface for queries at vertices and in faces.
 template <class Paths>
 auto distance_to(Paths& paths, typename Paths::vertex_descriptor v)
 {
@@ -332,7 +332,7 @@ void print_row(const Settings& settings, const Path_settings& path_settings, std
   std::cout << ',' << cell(median(ours_vertices.values(&Report::points_per_vertex_path)), 1) << ','
             << cell(median(ours_faces.values(&Report::points_per_face_path)), 1);
 
-  // With several sources the original does not always give the distance to the nearest one.
+  // With several sources the original does not always return the distance from the nearest one.
   if(number_of_sources != 1 || original.reports.empty() || ours_vertices.reports.empty() || ours_faces.reports.empty())
   {
     std::cout << ",," << std::endl;
@@ -348,7 +348,7 @@ void print_row(const Settings& settings, const Path_settings& path_settings, std
   std::cout << ',' << difference(0, queries) << ',' << difference(queries, paths) << std::endl;
 }
 
-// Returns false if something has failed that should not.
+// Returns false if a measurement failed unexpectedly.
 bool compare_on(const Settings& settings, const Path_settings& path_settings, std::size_t number_of_sources,
                 const std::string& mesh)
 {

@@ -1,7 +1,7 @@
-// What a computation costs that ends early, when the solver is used again and again: distances within a radius, and up
-// to one target. Prints one line of comma separated values per mesh, level of midpoint subdivision and reach, which is
-// given as a part of the largest distance; processor times. The area reached, not the size of the mesh, should count:
-// compare the times per vertex reached.
+// The cost of a computation that ends early, with a solver that is used again and again: distances within a radius, and
+// up to one target. Prints one line of comma separated values per mesh, level of midpoint subdivision and reach, which
+// is given as a part of the largest distance; processor times. The cost should depend on the area reached, not on the
+// size of the mesh: compare the times per vertex reached.
 
 #include "runs_in_process.h"
 
@@ -26,7 +26,7 @@ void print_reach(const Settings& settings, const std::string& name, Solver& solv
 {
   Geodesics::Propagation_statistics statistics;
   options.statistics = &statistics;
-  solver.compute_distances(source, options); // after this one nothing of another reach is left to be cleared
+  solver.compute_distances(source, options); // clears the results of a run with another reach
   const Spread run = repeated(settings, settings.clock_id(), [&]() {
     statistics = Geodesics::Propagation_statistics();
     solver.compute_distances(source, options);

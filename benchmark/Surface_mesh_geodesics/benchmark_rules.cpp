@@ -1,6 +1,7 @@
-// What each rule of pruning saves (the thesis does the same in figures 4.12 and 4.15): distances of all vertices from
-// vertex 0 with all rules, and without some of them. Prints one line of comma separated values per mesh and set of
-// rules: windows and processor times. Small meshes only: without rules the number of windows grows like the square.
+// What each pruning rule saves, as in figures 4.12 and 4.15 of the thesis: distances of all vertices from vertex 0 with
+// all rules, and without some of them. Prints one line of comma separated values per mesh and set of rules: windows and
+// processor times. Each set has at least one rule: without any, the number of windows can grow exponentially (thesis,
+// 2.1.1.1).
 
 #include "runs_in_process.h"
 

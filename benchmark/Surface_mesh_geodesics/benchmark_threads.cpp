@@ -1,8 +1,8 @@
-// One source, 1, 2, ... threads: distances of all vertices from vertex 0 by the parallel propagation, against the
+// One source, 1, 2, ... threads: distances of all vertices from vertex 0 by the parallel propagation, compared with the
 // sequential one. Prints one line of comma separated values per mesh, level of midpoint subdivision and number of
-// threads. Times are those that pass on the clock: the machine must be idle. Runs with different numbers of threads
-// alternate, and the speedup is the median of their ratios. Needs TBB (CGAL_LINKED_WITH_TBB); without it there is one
-// thread.
+// threads. Times are elapsed times: the machine must be idle. Runs with different numbers of threads alternate, and the
+// speedup is the median of the ratios of adjacent runs. Without TBB (CGAL_LINKED_WITH_TBB), only the sequential
+// propagation is measured.
 
 #include "runs_in_process.h"
 #include "thread_counts.h"

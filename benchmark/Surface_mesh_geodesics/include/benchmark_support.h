@@ -150,8 +150,8 @@ inline bool read_common_option(const std::string& option, const std::string& val
   return true;
 }
 
-// Reads the command line; `read_own_option(option, value)` reads the options that only one program has. Returns false
-// if the command line makes no sense.
+// Reads the command line; `read_own_option(option, value)` reads the options of one program only. Returns false if the
+// command line is wrong.
 template <class ReadOwnOption>
 bool read_settings(int argc, char* argv[], Settings& settings, const ReadOwnOption& read_own_option)
 {
@@ -190,8 +190,8 @@ inline double milliseconds_now(clockid_t clock)
   return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
 }
 
-// One number of kilobytes out of /proc/self/status. `getrusage()` does not serve here: its maximum is inherited from
-// the process that called exec().
+// Returns a number of kilobytes from /proc/self/status. (`getrusage()` is of no use here: its maximum is inherited from
+// the process that called exec().)
 inline std::uint64_t status_kilobytes(const std::string& name)
 {
   std::ifstream in("/proc/self/status");
@@ -206,8 +206,8 @@ inline std::uint64_t status_kilobytes(const std::string& name)
   return 0;
 }
 
-// Gives memory that reading the mesh has freed back to the system and starts the peak anew, so that a method can
-// neither use leftovers for free nor be charged with the peak of the reading.
+// Returns the memory that reading the mesh has freed to the system and resets the peak. Otherwise a method could use
+// the freed memory for free, or its peak could be that of the reading.
 inline std::uint64_t start_of_memory_measurement()
 {
   malloc_trim(0);
@@ -215,7 +215,7 @@ inline std::uint64_t start_of_memory_measurement()
   return status_kilobytes("VmRSS:");
 }
 
-// The kernel counts pages in batches, so that a method which adds next to nothing may seem to have given back some.
+// The kernel counts pages in batches, so a method that adds hardly any memory may seem to have freed some.
 inline std::uint64_t added_memory(std::uint64_t resident_before)
 {
   const std::uint64_t peak = status_kilobytes("VmHWM:");
@@ -255,7 +255,7 @@ Mesh midpoint_subdivision(const Mesh& mesh)
   return fine;
 }
 
-// Reads the only mesh of a measuring process. Returns the exit code, 0 if all is well.
+// Reads the only mesh of a measuring process. Returns the exit code, 0 for success.
 template <class Mesh>
 int read_wanted_mesh(const Settings& settings, Mesh& mesh)
 {
@@ -290,8 +290,8 @@ inline bool write_all(int file, const void* data, std::size_t size)
   return true;
 }
 
-// Sends a report and the answers of a method to the process that compares, and ends this one without destructors: they
-// take time that nobody asks for.
+// Sends a report and the answers of a method to the process that compares, and ends this process without destructors,
+// which only take time.
 template <class Report>
 [[noreturn]] void send_and_exit(const Settings& settings, const Report& report, const std::vector<double>& answers)
 {
@@ -416,7 +416,7 @@ int run_measurement(const Settings& settings, const std::string& mesh, const std
   return (WEXITSTATUS(status) == 0 && !complete) ? method_failed : WEXITSTATUS(status);
 }
 
-// Says what an exit code other than 0 means. Returns whether the mesh is one to leave out.
+// Prints what an exit code other than 0 means. Returns whether the comparison leaves out this mesh.
 inline bool is_skipped(int code, const std::string& mesh, const std::string& method)
 {
   if(code == not_wanted)
@@ -476,7 +476,7 @@ inline double largest_relative_difference(const std::vector<double>& a, const st
   return largest;
 }
 
-// A number, or nothing where it was not measured.
+// Formats a number; the result is empty if the number was not measured.
 inline std::string cell(double number, int digits)
 {
   if(std::isnan(number))
@@ -494,7 +494,7 @@ inline std::string file_name(const std::string& path)
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// Where it was measured
+// The machine
 // ---------------------------------------------------------------------------------------------------------------------
 
 inline std::string processor()
@@ -528,15 +528,15 @@ inline void print_machine(const Settings& settings)
             << "# built: ASSERTIONS ON"
 #endif
 #if defined(__OPTIMIZE__)
-            << ", optimised"
+            << ", optimized"
 #else
-            << ", NOT OPTIMISED"
+            << ", NOT OPTIMIZED"
 #endif
             << '\n'
             << "# CGAL " << CGAL_VERSION_STR << ", kernel: "
             << (settings.kernel == "epick" ? "Exact_predicates_inexact_constructions_kernel"
                                            : "Simple_cartesian<double>")
-            << " for both methods, one thread\n";
+            << " for all methods, one thread unless a column says otherwise\n";
 }
 
 #endif // BENCHMARK_SUPPORT_H

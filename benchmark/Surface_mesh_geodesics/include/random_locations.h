@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-// Random locations that are the same on every machine: the distributions of the standard library are not.
+// Random locations that are the same on every machine. (The distributions of the standard library differ.)
 class Random_locations
 {
 public:
@@ -25,7 +25,7 @@ public:
     return range[m_generator() % range.size()];
   }
 
-  // Not nearer to the border of a face than a thirtieth of its heights.
+  // Barycentric coordinates, each above 1/30, so that a location stays away from the border of its face.
   std::array<double, 3> inner_weights()
   {
     std::array<double, 3> weights = {0.1 + uniform(), 0.1 + uniform(), 0.1 + uniform()};
@@ -36,7 +36,7 @@ public:
     return weights;
   }
 
-  // strictly inside a random face
+  // Returns a location strictly inside a random face.
   template <class Face_location, class Face>
   Face_location inner_location(const std::vector<Face>& faces)
   {
@@ -51,7 +51,7 @@ private:
   std::mt19937_64 m_generator;
 };
 
-// Reads numbers that commas separate. Returns false if there is none, or a zero among them.
+// Reads numbers that commas separate. Returns false if there is none, or if one is zero.
 inline bool read_numbers(const std::string& text, std::vector<std::size_t>& numbers)
 {
   numbers.clear();

@@ -1,5 +1,5 @@
-// What the benchmark programs share that measure our functions only: repeated runs in one process, rows of
-// comma separated values, meshes.
+// For the benchmark programs that measure this package only: repeated runs in one process, rows of comma separated
+// values, meshes.
 
 #ifndef RUNS_IN_PROCESS_H
 #define RUNS_IN_PROCESS_H
@@ -46,7 +46,7 @@ inline std::string spread_columns(const std::string& name)
   return name + ',' + name + "_min," + name + "_max";
 }
 
-// The milliseconds that a function takes.
+// Returns the milliseconds that a function takes.
 template <class Function>
 double milliseconds_of(clockid_t clock, const Function& function)
 {
@@ -81,7 +81,7 @@ inline bool read_mesh(const std::string& file, std::size_t subdivisions, Benchma
   return true;
 }
 
-// Vertices that are spread at random, the same for every run.
+// Returns random vertices, the same ones in every run.
 inline std::vector<Benchmark_vertex> random_vertices(const Benchmark_mesh& mesh, std::size_t n)
 {
   std::mt19937_64 random(20260601);

@@ -1,4 +1,4 @@
-// Runs with 1, 2, ... threads, in turn, and their speedup over the sequential ones.
+// Runs with 1, 2, ... threads, in turn, and their speedup over sequential runs.
 
 #ifndef THREAD_COUNTS_H
 #define THREAD_COUNTS_H
@@ -29,7 +29,7 @@ public:
     double speedup;
   };
 
-  // Calls run(n) for n threads, and run(0) for what is not parallel at all, and times it by the clock.
+  // Calls run(n) for n threads and run(0) for the sequential code, and measures the elapsed time.
   template <class Run>
   Scaling(const Settings& settings, const Run& run)
   {
@@ -52,7 +52,7 @@ public:
   const std::vector<Entry>& entries() const { return m_entries; }
 
 private:
-  // 0, 1, 2, 4, ... and all.
+  // Returns 0 (sequential), the powers of two below the number of hardware threads, and this number.
   static std::vector<std::size_t> thread_counts()
   {
     std::vector<std::size_t> counts{0};
