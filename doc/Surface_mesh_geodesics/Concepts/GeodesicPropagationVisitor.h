@@ -32,8 +32,8 @@ public:
   /// \param number_of_vertices the number of vertices of the mesh
   void on_propagation_begin(std::size_t number_of_vertices);
 
-  /// is called repeatedly: by one thread before each visit of a vertex, by several threads less often. Neither of the
-  /// two numbers ever decreases during a propagation.
+  /// is called repeatedly: before each visit of a vertex if one thread propagates, less often if several do. Neither of
+  /// the two numbers ever decreases during a propagation.
   ///
   /// \param number_of_visits the number of vertices that the wavefront has visited so far; a vertex that is visited
   ///        again counts again

@@ -30,10 +30,10 @@ namespace Surface_mesh_geodesics {
 The class `Geodesic_distance_certificate` is the result of `certify_geodesic_distances()`: how far given distances
 violate each of several conditions, and where.
 
-A violation is a relative number without a unit: the amount by which a number is too large or too small, divided by the
-sum of the right number and the longest edge of the faces around the vertex. It is infinite where a number is infinite
-or NaN that must not be. An amount of less than \f$ 8 \epsilon \approx 1.8 \cdot 10^{-15} \f$ times the longest edge of
-the component is no violation, as points so close to each other are not distinguished.
+A violation is a relative number without a unit: the amount by which a number is too large or too small, divided by
+the sum of the right number and the longest edge of the faces around the vertex. It is infinite if a number that must
+be finite is not. An amount of less than \f$ 8 \epsilon \approx 1.8 \cdot 10^{-15} \f$ times the longest edge of the
+component is no violation, as points so close to each other are not distinguished.
 
 \code
 const auto certificate = certify_geodesic_distances(mesh, distances, source);
@@ -74,8 +74,7 @@ public:
   /// the number of conditions; their values are `0` to `number_of_conditions - 1`.
   static constexpr std::size_t number_of_conditions = internal::NUMBER_OF_CHECKED_CONDITIONS;
 
-  /// the default tolerance of `is_certified()`, \f$ 2^{-40} \f$, which is some thousand times the rounding error of a
-  /// `double`.
+  /// the default tolerance of `is_certified()`, \f$ 2^{-40} = 4096 \epsilon \f$.
   static constexpr double default_tolerance = 0x1p-40;
 
   /// returns whether no condition is violated by more than the tolerance.

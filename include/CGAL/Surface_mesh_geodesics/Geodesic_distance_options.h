@@ -62,8 +62,8 @@ struct Geodesic_distance_options
   std::vector<vertex_descriptor> targets;
 
   /// empty, or one number for each source, which is added to all distances from that source. In the unit of the mesh,
-  /// not negative, and finite, also as a multiple of the extent of the mesh. If another source reaches a source with a
-  /// distance smaller than its offset, it is the nearest source of no vertex.
+  /// not negative, and finite, also as a multiple of the extent of the mesh. A source that another
+  /// source reaches with a smaller distance than its offset is the nearest source of no vertex.
   std::vector<double> source_offsets;
 
   /// receives, for each vertex, the position in the range of sources, counted from 0, of a source from which its

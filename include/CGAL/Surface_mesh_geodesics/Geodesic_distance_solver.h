@@ -56,8 +56,8 @@ solver.compute_distances(v, options);                       // one to all within
 solver.vertices_reached(std::back_inserter(nearby));
 \endcode
 
-<b>Thread safety.</b> Several threads may call `const` member functions at once. A thread that calls another member
-function needs the object for itself. Each thread may have an object of its own on the same mesh;
+<b>Thread safety.</b> Several threads may call `const` member functions at once. While a thread calls another member
+function, no other thread may use the object. Each thread may have an object of its own on the same mesh;
 `geodesic_distance_matrix()` does the same with less memory.
 
 <b>Validity.</b> An object refers to the mesh and stores copies of the maps. The mesh must not change and must outlive

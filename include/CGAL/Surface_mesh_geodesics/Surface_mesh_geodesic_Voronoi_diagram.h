@@ -71,9 +71,8 @@ also as multiples of the extent of the mesh.
 
 <b>Ties.</b> Of several sites at one point with the same weight, the first one owns the cell, and the cells of the
 others are empty. The same may happen if the distance of two sites plus the difference of their weights is less than
-about
-\f$ 6 \cdot 10^{-14} \f$ times the extent of the mesh, as no distance tells which of them is nearer. If two sites are
-equally far from a vertex at which shortest paths bend, whole regions may be equally far from both. Such a region
+about \f$ 6 \cdot 10^{-14} \f$ times the extent of the mesh, as no distance tells which of them is nearer. If two sites
+are equally far from a vertex at which shortest paths bend, whole regions may be equally far from both. Such a region
 belongs to one of the two, which is decided at that vertex; its boundary consists of the points beyond which the paths
 from the other site are longer. Where the diagram is symmetric, arcs may run along edges and through vertices of the
 mesh, and more than three cells may meet.
@@ -91,10 +90,7 @@ mutex, and the others wait; once it is there, queries take no lock. Functions th
 same time as any other function of the object.
 
 <b>Differences from `Surface_mesh_geodesic_paths`.</b> Both classes follow the rule above. The other class keeps to the
-interface of `Surface_mesh_shortest_path`: its functions that build are not `const`, and it reads no mesh before there
-are source points. Its `use_edge_lengths()` reads the lengths and throws at once; a diagram reads them in the next
-`build()`. Its `statistics()` builds nothing. Its number for "no source point" is the constant `no_source`, whereas the
-one for "no site" is the function `null_site()`.
+interface of `Surface_mesh_shortest_path`; its reference page lists where it therefore differs from a diagram.
 
 <b>Units.</b> Distances, weights and lengths are in the unit of the points, or of the edge lengths; areas are in its
 square.
@@ -575,7 +571,7 @@ public:
   /// returns whether the diagram is computed for the present sites.
   bool is_built() const { return m_lazy.is_built(); }
 
-  /// returns figures about the propagation. The diagram is computed if necessary.
+  /// returns the counts of the propagation. The diagram is computed if necessary.
   Surface_mesh_geodesics::Propagation_statistics statistics() const { return m_lazy.statistics(); }
 
   /// returns the largest number of windows that were kept for the diagram at one time, and the number that would have
@@ -632,7 +628,7 @@ public:
   ///
   /// The first call for a point that is not a vertex propagates a second time and keeps all windows, as the diagram has
   /// removed those that it does not need. Each call takes time linear in the number of windows on the edges of the
-  /// face. Near an arc it may be the distance from the other site, up to rounding.
+  /// face. Near an arc, the result may be the distance from the other site of the arc; both are equal up to rounding.
   ///
   /// \param f a face of the mesh
   /// \param location the coordinates of the point in `f`

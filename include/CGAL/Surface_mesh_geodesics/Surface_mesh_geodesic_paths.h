@@ -120,7 +120,7 @@ point" is the constant `no_source`; for "no site" it is the function `null_site(
 - <em>More members:</em> `build_sequence_tree_for_faces()`, visitors of the progress that may cancel,
   `use_edge_lengths()`, `statistics()`, `nearest_source_point()`, `shortest_distances_to_source_points()`,
   `farthest_vertex()`, `shortest_path_polyline_to_source_points()`, `isolines()`, and the static overload of
-  `build_aabb_tree()` for a mesh and a tree, which the original documents and does not have.
+  `build_aabb_tree()` for a mesh and a tree, which the original documents but does not have.
 - <em>Fewer members:</em> objects cannot be copied (copies of the original share memory that each of them frees). The
   undocumented members for debugging do not exist: `m_debugOutput`, and, with assertions, `peak_node_count()`,
   `current_node_count()`, `peak_queue_size()`, `peak_memory_usage()`, `current_memory_usage()`.
@@ -418,9 +418,9 @@ public:
   /// \name Shortest Distance Queries
   /// The distance is the length of the shortest path: a program that wants the length does not need the path.
   /// Queries at a vertex take constant time. Queries at other points take time linear in the number of windows
-  /// on the three edges of the face, which are some tens. The first query may build, see the class comment.
+  /// on the three edges of the face. The first query may build, see the class comment.
   ///
-  /// The iterators that are returned are valid as those of `add_source_point()`.
+  /// The iterators that queries return are valid as long as those of `add_source_point()`.
   /// @{
 
   /// returns the distance from a vertex to the nearest source point, and that source point.

@@ -43,13 +43,14 @@ length, faces without area, duplicate points, borders, several components and is
 allowed.
 
 The algorithm is VTP \cgalCite{qin2016fast}: a wavefront of vertices, nearest first, moves lists of
-windows from edge to edge, and prunes them in each triangle. It takes \cgalBigO{n^2} time and memory
-in the worst case for \f$ n \f$ vertices (thesis, section 4.4). The memory is linear, plus that of the windows on the
-wavefront. On usual meshes the time is nearly linear: see \ref Surface_mesh_geodesics_performance.
+windows from edge to edge, and prunes them in each triangle. In the worst case it takes
+\cgalBigO{n^2} time and memory for \f$ n \f$ vertices (thesis, section 4.4). The memory holds the mesh, the
+distances and the windows on the wavefront. Usual meshes take far less of both: see \ref
+Surface_mesh_geodesics_performance.
 
 With `Parallel_tag`, several threads visit vertices of the wavefront at the same time. The distances do not depend on
 the number of threads; they may differ from those of `Sequential_tag` in the last digits. The calling thread calls the
-functions of the visitor, and less often.
+functions of the visitor, less often than with `Sequential_tag`.
 
 <b>Thread safety.</b> Several threads may call the function at once, also on the same mesh, if each call writes to maps
 of its own and no thread changes the mesh or its points. Indices that are stored in the elements of the mesh (such as
@@ -109,9 +110,9 @@ those of `Polyhedron_items_with_id_3`) must be set before, as the first call wou
 
 \throws Invalid_geodesic_input if a face is not a triangle or has a vertex twice, if two faces disagree about the ends
         of their edge, if a coordinate is not finite or the extent of the points exceeds \f$ 2^{960} \f$, if one of
-        several components is too small beside the mesh, if a location is not in its face or has a null face, if a
-        descriptor is not one of `tm` according to the index maps, if an index map has values that are out of range or
-        equal, or if the mesh is too large. The map is unchanged then.
+        several components is smaller than the mesh by a factor of more than \f$ 10^{60} \f$, if a location is not in
+        its face or has a null face, if a descriptor is not one of `tm` according to the index maps, if an index map has
+        values that are out of range or equal, or if the mesh has too many faces. The map is unchanged then.
 \throws std::bad_alloc if there is not enough memory. The map is unchanged then, and also if the visitor throws; its
         exception is passed on.
 */
@@ -144,7 +145,7 @@ computations.
 
 \param tm the triangle mesh
 \param vertex_distance_map receives the distance of each vertex, in the unit of the points; infinity beyond the radius,
-       and where the distance is not final yet when those of all targets are
+       and for vertices whose distances are not final when the computation stops at the targets
 \param sources the source or sources, as above
 \param options the options
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among those of the function above

@@ -24,9 +24,9 @@ struct No_pruning_rules
   static constexpr bool vertex_rule = false;
 };
 
-// All rules: the policy of every propagation but those of tests and measurements. Each rule only saves work: without it
-// the distances are the same. Without any rule a propagation takes exponential time. Two removals have no switch: stale
-// windows, and windows that have crossed too many faces.
+// All rules: the policy of every propagation except those of tests and measurements. Each rule only saves work: without
+// it the distances are the same. Without any rule, the number of windows can grow exponentially (thesis, 2.1.1.1). Two
+// removals have no switch: stale windows, and windows that have crossed too many faces.
 struct All_pruning_rules
 {
   static constexpr bool rule_1 = true;      // one angle, two sides (thesis, 4.2.3.1)
