@@ -31,7 +31,9 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// Batches of windows, and for each halfedge the chain of its batches, the latest first. Windows are never removed.
+// Batches of windows, and for each halfedge the chain of its batches, the latest first. Windows are never removed, and
+// never move: chunks have a fixed size, and a list that does not fit into the rest of a chunk becomes two batches.
+// Keeping a window takes constant time, amortized, and the memory of one Kept_window.
 template <typename FT_>
 class Edge_window_field
 {
@@ -39,6 +41,7 @@ public:
   using FT = FT_;
   using Kept = Kept_window<FT>;
 
+  // Removes all windows, and prepares for a mesh with this number of faces. Takes time linear in that number.
   void reset(std::size_t number_of_faces)
   {
     m_last_batch.assign(3 * number_of_faces, null_id);
@@ -47,7 +50,7 @@ public:
     m_chunk_size = 0;
   }
 
-  // Keeps the windows of a list that a propagation carries across h.
+  // Keeps the windows of a list that a propagation carries across h, in the frame of h.
   void keep(Halfedge_id h, const Window_list<FT>& list)
   {
     std::size_t done = 0;
@@ -73,7 +76,8 @@ public:
     }
   }
 
-  // Calls visit(window) for all windows of h, the lists in the reverse order of their coming.
+  // Calls visit(window) for all windows of h, the batches in the reverse order of their coming. Takes time linear in
+  // the number of windows.
   template <typename Visit>
   void for_each_window(Halfedge_id h, Visit visit) const
   {
@@ -105,7 +109,7 @@ private:
   std::vector<std::uint32_t> m_last_batch;
 };
 
-// The keeper of a propagation whose windows go into a field.
+// The keeper of a propagation whose windows go into a field. The distance that is reached does not matter to it.
 template <typename FT>
 class Window_keeper
 {

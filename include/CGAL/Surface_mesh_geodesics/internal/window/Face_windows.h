@@ -15,6 +15,10 @@
 //
 // Windows lie in chunks of a few. The links between chunks are stored apart from them and are small enough for the
 // caches: on large meshes, a chunk that is reused is rarely cached.
+//
+// Adding a window takes constant time, amortized; releasing all windows of a halfedge does, too, as the ring of its
+// chunks becomes part of the free list by one exchange. Memory is that of the largest number of windows at a time, and
+// of unused room in the last chunk of each halfedge.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Kept_window.h>
@@ -30,10 +34,13 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
+// Invariants: all chunks of a halfedge but the last one are full; each chunk is in the ring of one halfedge or in the
+// free list; size() is the number of windows in all rings.
 template <typename FT>
 class Face_windows
 {
 public:
+  // Removes all windows, and prepares for a mesh with this number of faces. Takes time linear in that number.
   void reset(std::size_t number_of_faces)
   {
     m_last_chunk.assign(3 * number_of_faces, null_id);
@@ -48,7 +55,7 @@ public:
     add(h, 1, [&](std::size_t) { return w; });
   }
 
-  // Adds window(i) for i = 0 .. n-1.
+  // Adds window(i) for i = 0 .. n-1, called once each and in this order.
   template <typename Window_at>
   void add(Halfedge_id h, std::size_t n, Window_at window)
   {
@@ -74,6 +81,7 @@ public:
     if(last == null_id)
       return;
     m_size -= m_links[last].number;
+    // The first chunk becomes the head of the free list, and the old head follows the last chunk.
     std::swap(m_links[last].next, m_first_free);
     last = null_id;
   }
@@ -106,7 +114,8 @@ public:
   }
 
 private:
-  // A few windows of one halfedge.
+  // A few windows of one halfedge: with double, 216 bytes. (Roots lie together, as an array of Kept_window would spend
+  // four bytes of padding on each.)
   struct Chunk
   {
     static constexpr std::uint32_t capacity = 6;
@@ -132,7 +141,7 @@ private:
     std::uint32_t next;
   };
 
-  // Puts an empty chunk behind the last one.
+  // Puts an empty chunk behind the last one, or makes it the only one. It becomes the last chunk.
   void add_chunk(std::uint32_t& last)
   {
     const std::uint32_t c = new_chunk();
@@ -145,6 +154,7 @@ private:
     last = c;
   }
 
+  // Returns a chunk of the free list, otherwise a new one. Its link is not set.
   std::uint32_t new_chunk()
   {
     if(m_first_free == null_id)

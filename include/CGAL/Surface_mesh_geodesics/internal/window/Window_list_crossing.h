@@ -13,6 +13,9 @@
 // One window list across one face (thesis, 4.2.3). prune() removes redundant windows, find_apex_path() finds the
 // nearest window for the apex C (Rule 1), and split() propagates the list to the two other edges.
 //
+// Frame: that of the halfedge AB across which the list enters the face ABC (Window.h, Face_frame); lists on the two
+// other edges are in the frames of AC and CB.
+//
 // Neighbors in a sorted list are pruned against each other on every fourth edge that the list crosses, when it is about
 // to be propagated and all lists that reach the edge have been merged into it. So Rule 2 (one list) and Rule 3 (merged
 // lists) are one pass.
@@ -43,6 +46,10 @@ struct Corner_rivals
   Vertex_rival<FT> origin, target, apex;
 };
 
+// Use, for each list: prune(); if a window is left, find_apex_path(); then split(). left() and right() are the results
+// until the next split(). The object keeps buffers between lists, and nothing about one list that the next one sees.
+// Linear in the number of windows: trimming and splitting look at each window a few times, and an examination of
+// suspects that goes back removes a window at each step.
 template <typename FT, typename Rules>
 class Window_list_crossing
 {
@@ -54,8 +61,8 @@ public:
   {
     std::size_t index; // of the window in the list
     FT distance;
-    FT separating_point;
-    FT image_x, image_depth;
+    FT separating_point; // the abscissa where the path crosses AB, within the interval of the window (thesis, 4.2.3.1)
+    FT image_x, image_depth; // of the window, in the frame of AB
     Vertex_id root;
   };
 
@@ -110,9 +117,17 @@ public:
     return best;
   }
 
-  // Splits a list at its separating point (Rule 1) and propagates it to the two other edges, into the room behind the
-  // given lists; a list without a block gets nothing.
-  // Requires: `path` is the result of the last call of find_apex_path(), for the same list.
+  // Splits a list at its separating point (Rule 1; thesis, 4.2.3.1) and propagates it to the two other edges, into the
+  // room behind the given lists; a list without a block gets nothing.
+  //
+  // Windows before the nearest one send their paths to the left edge only, those after it to the right edge: by the
+  // order of the keys, their other paths cross the shortest path to C, and are longer beyond. The nearest window itself
+  // loses no paths. Where that proof fails, the list is split window by window: if the order of windows is unknown, an
+  // image may be too close to its edge, or an interval contradicts the order.
+  //
+  // The new windows have crossed one more face, which is two steps more; the lists get them by Window_pool::add().
+  // Requires: `path` is the result of the last call of find_apex_path(), for the same list; both rooms have place for
+  // list.size more windows.
   void split(const Window_list<FT>& list, const Face_frame<FT>& c, const Corner_rivals<FT>& corners,
              const Apex_path& path, const Window_list<FT>& left_room, const Window_list<FT>& right_room)
   {
@@ -139,6 +154,7 @@ public:
 private:
   static constexpr std::uint32_t edges_for_pruning = 4;
 
+  // Returns whether a window of the list has a pseudo-source that has been improved since the window was made.
   bool has_stale_windows(const Window_list<FT>& list) const
   {
     for(std::size_t i = 0; i < list.size; ++i)
@@ -168,7 +184,8 @@ private:
     }
   }
 
-  // Makes all windows of a list suspects: marked neighbors must not be trimmed all at once. Recomputes the steps.
+  // Makes all windows of a list suspects: marked neighbors must not be trimmed all at once. Recomputes the steps, as
+  // windows that made the list unusual may be gone. Returns true.
   bool suspect_all(Window_list<FT>& list)
   {
     list.steps = 0;
@@ -200,13 +217,15 @@ private:
     return n;
   }
 
-  // Examines the suspects, and the windows whose left neighbor has been removed or trimmed.
+  // Examines the suspects, and the windows whose left neighbor has been removed or trimmed. The windows [0, last) are
+  // done and stay; those from i on are still to come; the rows in between are free. Runs of windows that need no look
+  // are moved as a whole.
   void remove_redundant_suspects(Window_list<FT>& list, const Face_frame<FT>& c,
                                  const Corner_rivals<FT>& corners)
   {
     const Vertex_rival<FT> left = corners.origin, right = corners.target;
     std::size_t last = 0; // the end of the windows that are done
-    bool is_changed = false;
+    bool is_changed = false; // whether the left neighbor of window i is not what trim() has compared it with
     for(std::size_t i = 0; i < list.size;)
     {
       const std::size_t first = i;
@@ -312,7 +331,8 @@ private:
     return true;
   }
 
-  // Appends the children of the windows [first, last) to the batch of one edge, if it has room.
+  // Appends the children of the windows [first, last) to the batch of one edge, if it has room. The loop is chosen by
+  // the number of these windows, not by that of the list.
   void cross(typename Window_list_loops<FT>::Cross Window_list_loops<FT>::*loop, const Window_list<FT>& list,
              std::size_t first, std::size_t last, const Face_frame<FT>& c, const Edge_cut<FT>& edge,
              Window_batch<FT>& batch)

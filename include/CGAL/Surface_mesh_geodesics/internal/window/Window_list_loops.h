@@ -39,7 +39,8 @@ namespace Surface_mesh_geodesics {
 namespace internal {
 
 // The new windows that a list sends across one edge, in the room behind the list of that edge, and their smallest
-// distance.
+// distance. `list` refers to the block; its size does not count the new windows. Window_pool::add() makes them part of
+// the list.
 template <typename FT>
 struct Window_batch
 {
@@ -89,6 +90,8 @@ struct Nearest_window
 using Suspects = unsigned char;
 constexpr std::size_t suspects_in_word = 8;
 
+// The loops for one number of lanes, as a table of functions: an indirect call for each list, and none for a window.
+// The comments say what each of them does; lanes/List_loops.h says how.
 template <typename FT>
 struct Window_list_loops
 {
@@ -105,14 +108,16 @@ struct Window_list_loops
   bool (*trim)(const Columns& columns, std::size_t n, const FT& length, const Rival& left, const Rival& right,
                Suspects* suspects);
 
-  // Finds the shortest path to C, and the apex_abscissa of all windows.
+  // Finds the shortest path to C, and the apex_abscissa of all windows. Writes up to a full step of lanes into
+  // `abscissa`.
   Nearest_window<FT> (*find_nearest)(const Columns& columns, std::size_t n, const Face_frame<FT>& c, FT* abscissa);
 
   // Does the interval of each window reach the side of s that the order of keys gives it: the left side for windows
   // before the best one, the right side for those after it?
   bool (*is_split_by)(const Columns& columns, std::size_t n, std::size_t best, const FT& s);
 
-  // Appends the children of the windows [first, last) to the batch of one edge.
+  // Appends the children of the windows [first, last) to the batch of one edge, in their order, and counts those that
+  // are removed. Uses the apex_abscissa of the windows.
   Cross cross_left, cross_right;
 };
 

@@ -20,6 +20,9 @@
 // Invariants of a stored list, from Window_pool::add() to Window_lists::take(): it is not empty, is_sorted_by_key(),
 // and its windows are valid (Window.h). While it is pruned, windows may be empty; while it is split, it does not
 // change.
+//
+// Invariants of the memory: each block has one owner, a list or the pool; all rows of a slab are initialized, so that
+// the rows behind a list hold numbers whatever they mean; all columns are aligned (Window_pool::aligned()).
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Window.h>
@@ -41,6 +44,9 @@ namespace internal {
 
 // The columns of a block. Each has `padding` more rows than the block has room for windows, because loops over lanes
 // and copies read and write all lanes of their last step.
+//
+// A value of this type refers to a block and does not own it. Its functions are const in the sense of a pointer: they
+// change windows, not the block. Row i of all columns together is window i.
 template <typename FT>
 struct Window_columns
 {
@@ -93,14 +99,15 @@ struct Window_columns
   }
 
   // Copies the windows [first, last) of another block to the rows from i on, and the rows behind them up to a full
-  // step.
+  // step: the padding of both blocks has room for these.
   void copy(const Window_columns& from, std::size_t first, std::size_t last, std::size_t i) const
   {
     for(; first < last; first += step, i += step)
       copy_step(from, first, i);
   }
 
-  // Moves the windows [first, last) to the rows from i on, and no others. Requires: i < first.
+  // Moves the windows [first, last) to the rows from i on, and no others: rows behind them may still be in use.
+  // Requires: i < first.
   void move_down(std::size_t first, std::size_t last, std::size_t i) const
   {
     for(; first + step <= last; first += step, i += step)
@@ -110,6 +117,7 @@ struct Window_columns
   }
 
 private:
+  // Copies the rows first .. first + step - 1 of another block, or of this one, to the rows from i on.
   // (All rows of a step are read before any is written, so that the two ranges may overlap.)
   void copy_step(const Window_columns& from, std::size_t first, std::size_t i) const
   {
@@ -132,14 +140,15 @@ private:
   }
 };
 
-// A list of windows sorted by key, in a block of the pool.
+// A list of windows sorted by key, in a block of the pool, or an empty list without a block. A copy refers to the same
+// block; only one of the two may go back to the pool.
 template <typename FT>
 struct Window_list
 {
   Window_columns<FT> columns;
   std::uint32_t size = 0;
   std::uint32_t size_class = 0;
-  std::uint32_t steps = 0; // joined_steps() of the windows
+  std::uint32_t steps = 0; // joined_steps() of the windows, or a bound of it
 
   std::uint32_t number_of_faces_crossed() const { return steps / 2; }
   bool may_be_marked() const { return (steps & 1) != 0; }
@@ -177,6 +186,10 @@ bool is_valid(const Window_list<FT>& list, const FT& length)
   return is_sorted_by_key(list);
 }
 
+// The memory of lists: slabs of rows, cut into blocks of 8, 16, 32, ... rows (size classes 0, 1, 2, ...) and padding.
+// Released blocks wait in one stack for each class. No slab is freed before clear(). All operations take time linear in
+// the number of windows that they move, amortized. An object must not be used by two threads at the same time; a list
+// may be released to another pool than its own, as long as both live until all lists are gone.
 template <typename FT>
 class Window_pool
 {
@@ -208,7 +221,8 @@ public:
     list = List();
   }
 
-  // Makes room for n more windows behind those of a list. add() makes them part of the list.
+  // Makes room for n more windows behind those of a list. add() makes them part of the list. The list moves to a larger
+  // block if it has to; then its columns change.
   void make_room(List& list, std::size_t n)
   {
     if(list.size + n <= list.capacity())
@@ -234,7 +248,7 @@ public:
     list.steps = joined_steps(list.steps, steps);
     const Window_key* const key = list.columns.key();
     CGAL_expensive_assertion(list.size <= list.capacity() && std::is_sorted(key + middle, key + list.size));
-    if(middle > 0 && !(key[middle - 1] < key[middle]))
+    if(middle > 0 && !(key[middle - 1] < key[middle])) // otherwise the list is sorted as it is
       merge(list, middle);
     CGAL_expensive_assertion(is_sorted_by_key(list));
   }
@@ -276,8 +290,11 @@ private:
     list = other;
   }
 
-  // Merges the windows of a list before `middle` with those from there on, which came later. Copies runs, not single
-  // windows: in most lists, one part lies on the left of the other.
+  // Merges the windows of a list before `middle` with those from there on, which came later; of equal keys the old ones
+  // stay first. Copies runs, not single windows: in most lists, one part lies on the left of the other.
+  //
+  // A late window with the key of an old one is marked, as their order is not known (Window.h). Marks are set in the
+  // lowest bit of the steps, which is one_step in the history.
   void merge(List& list, std::size_t middle)
   {
     List merged = allocate(list.size);
@@ -309,12 +326,13 @@ private:
     replace(list, merged);
   }
 
-  // The smallest class of blocks with room for n windows. Requires: n > 0.
+  // The smallest class of blocks with room for n windows: n - 1 has at most class + 3 bits. Requires: n > 0.
   static std::uint32_t size_class_for(std::size_t n)
   {
     return static_cast<std::uint32_t>(number_of_bits((n - 1) | 7) - 3);
   }
 
+  // A slab serves several lists; larger blocks get a slab of their own.
   static constexpr std::size_t slab_rows = 1024;
 
   static std::size_t height(std::size_t size_class) { return (std::size_t(8) << size_class) + Columns::padding; }
@@ -336,7 +354,7 @@ private:
     return cut(size_class);
   }
 
-  // Cuts a block off the slab.
+  // Cuts a block off the slab. Requires: the slab has that many rows left.
   Columns cut(std::size_t size_class)
   {
     const Columns columns = block(m_slab, size_class);
@@ -360,7 +378,8 @@ private:
     return Columns{aligned(m_numbers.back().get()), aligned(m_words.back().get()), 0};
   }
 
-  // Vectors are loaded faster from addresses that are multiples of their size.
+  // Vectors are loaded faster from addresses that are multiples of their size. Heights of blocks are multiples of
+  // `padding` rows, so if a slab is aligned, all columns of its blocks are.
   template <typename T>
   static T* aligned(T* p)
   {
@@ -377,7 +396,11 @@ private:
   std::size_t m_number_of_rows = 0;
 };
 
-// The waiting lists, by halfedge. A table maps each halfedge to a slot; slots of taken lists are used again.
+// The waiting lists, by halfedge. A table maps each halfedge to a slot; slots of taken lists are used again. So the
+// table has four bytes for each halfedge of the mesh, and the lists take memory for the widest wavefront only.
+//
+// Invariants: a halfedge has a slot if and only if the slot has that halfedge; lists in slots are not empty, those in
+// free slots have no block; number_of_windows() is the sum of the sizes of all lists.
 template <typename FT>
 class Window_lists
 {
@@ -388,8 +411,8 @@ public:
     : m_slot_of_halfedge(3 * number_of_faces, null_id)
   {}
 
-  // Removes all lists, and prepares for a mesh with this number of faces. Linear in the largest number of lists that
-  // have waited at the same time.
+  // Removes all lists, gives their blocks to the pool, and prepares for a mesh with this number of faces. Linear in the
+  // largest number of lists that have waited at the same time.
   void restart(std::size_t number_of_faces, Window_pool<FT>& pool)
   {
     for(std::size_t slot = 0; slot < m_lists.size(); ++slot)

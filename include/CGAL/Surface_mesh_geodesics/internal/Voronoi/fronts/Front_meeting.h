@@ -33,8 +33,8 @@ namespace Surface_mesh_geodesics {
 namespace internal {
 
 // Answers two questions: whether the traces of f and g meet (agree(), is_vertex()), and where (common_end(), and
-// best_vertex() if they do not meet). Distances decide the second one only; whether f and g are joined at all is a
-// matter of their sites (Face_partition.h).
+// best_vertex() if they do not meet). Whether f and g may be joined at all is a matter of their sites alone
+// (Face_partition.h).
 //
 // Refers to the images of a face.
 template <typename FT_>

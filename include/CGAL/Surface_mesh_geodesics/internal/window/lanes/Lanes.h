@@ -20,6 +20,7 @@ namespace Surface_mesh_geodesics {
 namespace internal {
 namespace CGAL_SURFACE_MESH_GEODESICS_LANES_NAMESPACE {
 
+// The number types other than double have one lane in every inclusion.
 template <typename FT>
 struct Lanes : One_lane<FT>
 {};
@@ -46,6 +47,7 @@ struct Lanes<double>
 #endif
   }
 
+  // (Vectors of the extension are aligned to their size by themselves; those below may start at any number.)
   static Number load(const double* p) { return *reinterpret_cast<const Numbers_anywhere*>(p); }
   static Word load(const std::uint64_t* p) { return *reinterpret_cast<const Words_anywhere*>(p); }
   static void store(double* p, Number x) { *reinterpret_cast<Numbers_anywhere*>(p) = x; }
@@ -68,6 +70,7 @@ struct Lanes<double>
     return result;
   }
 
+  // The smallest number of all lanes, by halves. Requires: no lane is a NaN.
   static double least(Number x)
   {
 #if CGAL_SURFACE_MESH_GEODESICS_LANES == 8
@@ -103,6 +106,8 @@ struct Lanes<double>
   static Mask less_equal(Number a, Number b) { return a <= b; }
 #endif
 
+  // (Compared as numbers, since SSE2 has no comparison of 64-bit integers. The conversion is exact for every size of a
+  // list.)
   static Mask first(std::size_t n)
   {
     static constexpr double numbers[8] = {0, 1, 2, 3, 4, 5, 6, 7};
@@ -143,6 +148,7 @@ struct Lanes<double>
   static Word select_word(Mask m, Word a, Word b) { return m ? a : b; }
 #endif
 
+  // If one of the two is a NaN, minimum() returns b, and maximum() returns a. Left_child relies on the former.
   static Number minimum(Number a, Number b) { return a < b ? a : b; }
   static Number maximum(Number a, Number b) { return a < b ? b : a; }
 

@@ -7,7 +7,9 @@
 //
 // Author(s)     : The Surface_mesh_geodesics authors
 
-// The loops of Window_list_loops.h, for one number of lanes.
+// The loops of Window_list_loops.h, for one number of lanes: what the functions do is said there. The results are the
+// same bits for any number of lanes, since lanes are independent, and the few operations across lanes are minima and
+// counts.
 //
 // Included once for each number of lanes; see README.md.
 
@@ -38,8 +40,9 @@ public:
   }
 
 private:
-  // Lane k of a step has window i + k and the pair that it makes with window i + k + 1. So the last pair of a step
-  // reaches one window into the next step, and the loop carries from step to step what belongs there:
+  // Trims pairs of neighbors. Lane k of a step has window i + k and the pair that it makes with window i + k + 1. So
+  // the last pair of a step reaches one window into the next step, and the loop carries from step to step what belongs
+  // there:
   // - `begin` and `begin_distance`: the beginnings that the pairs have computed for their right windows. They belong
   //   one row further, so they are shifted by one lane; the one that falls out of the last lane enters the first lane
   //   of the next step. They must not be stored before that step has loaded its windows: each pair is trimmed with the
@@ -86,8 +89,9 @@ private:
     return all_bits != 0;
   }
 
-  // Each lane remembers its nearest window, the first one of several that tie. At the end, the lanes are compared: of
-  // those that tie, the one with the smallest index wins. So the result does not depend on the number of lanes.
+  // Finds the nearest window. Each lane remembers its nearest one, the first one of several that tie. At the end, the
+  // lanes are compared: of those that tie, the one with the smallest index wins. So the result does not depend on the
+  // number of lanes.
   static Nearest_window<FT> find_nearest(const Columns& columns, std::size_t n, const Face_frame<FT>& c, FT* abscissa)
   {
     using Word = typename L::Word;
@@ -115,8 +119,8 @@ private:
     return nearest;
   }
 
-  // `best` itself counts for neither side. For the lanes before it, best - i is positive; read as signed numbers, the
-  // differences become negative behind it, and L::first() of them is empty.
+  // Looks for windows on the wrong side of s. `best` itself counts for neither side. For the lanes before it, best - i
+  // is positive; read as signed numbers, the differences become negative behind it, and L::first() of them is empty.
   static bool is_split_by(const Columns& columns, std::size_t n, std::size_t best, const FT& s)
   {
     const Number point = L::all(s);
