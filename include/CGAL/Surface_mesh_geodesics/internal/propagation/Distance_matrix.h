@@ -12,6 +12,10 @@
 
 // Distances from many sources, one by one: a run of the propagation for each row, all on one intrinsic mesh. Threads
 // compute rows at the same time; Ordered_rows.h passes them on in order.
+//
+// A run takes time for the area that it reaches, not for the mesh: the worker of a thread keeps its tables from row to
+// row (Repeated_propagation.h). Rows have the same bits for any number of threads, as each of them is a
+// sequential run.
 
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_propagation.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Repeated_propagation.h>
@@ -33,7 +37,7 @@ namespace Surface_mesh_geodesics {
 namespace internal {
 
 // The data of one thread. A source in a face changes the mesh during a run; if there are such sources, the thread works
-// on a copy of the mesh.
+// on a copy of the mesh. Otherwise all threads read one mesh, which must outlive the worker.
 template <typename FT>
 class Matrix_worker
 {
@@ -53,7 +57,9 @@ public:
       m_runner = std::make_unique<Runner>(mesh);
   }
 
-  // Runs from one source, and returns the result. If `stop` is set meanwhile, no distances are known.
+  // Runs from one source, and returns the result, which is valid until the next run. The source is `location` unless
+  // that is null, else `vertex`. If `stop` is set meanwhile, the run ends early and no distances are known; the row is
+  // not output then.
   const Runner& run(Vertex_id vertex, const Located_source<FT>* location, const Run_limits<FT>& limits,
                     const Stop_flag& stop)
   {
@@ -73,7 +79,8 @@ private:
   Source_set<FT> m_source;
 };
 
-// Passes a row to the function of the user; returns whether to go on. A function that returns void never stops.
+// Passes a row to the function of the user; returns whether to go on. A function that returns void never stops; the
+// result of any other is converted to bool.
 template <typename Output, typename Row>
 bool put_row(Output& output, std::size_t i, const Row& row)
 {
@@ -86,6 +93,11 @@ bool put_row(Output& output, std::size_t i, const Row& row)
     return static_cast<bool>(output(i, row));
 }
 
+// Sources and targets are numbered by their positions in the ranges of the user. Distances are those of the user's
+// unit, infinity for targets in components without the source.
+//
+// The functions are const and share no state, except what `output` does. A row exists for a short time only: `output`
+// has to copy what it wants to keep.
 template <typename FT>
 class Distance_matrix
 {
@@ -96,6 +108,8 @@ public:
   using Dense_row = std::vector<double>;
   using Sparse_row = std::vector<std::pair<std::size_t, double>>; // positions of targets, and their distances
 
+  // The mesh is referred to, not copied. Offsets of the sources are ignored. Requires: a source that is not a vertex is
+  // located.
   Distance_matrix(const Mesh& mesh, Source_set<FT> sources)
     : m_mesh(mesh), m_sources(std::move(sources)), m_location(m_sources.vertices.size(), nullptr)
   {
@@ -107,9 +121,11 @@ public:
   Distance_matrix& operator=(const Distance_matrix&) = delete;
 
   // The functions below pass the rows to output(i, row), in the order of the sources, and return false if `output` ends
-  // the computation.
+  // the computation. `tag` is Sequential_tag, or a tag or a team of threads that Ordered_rows.h knows. An exception of
+  // `output` ends all threads and is thrown on.
 
-  // Row i has the distances of all targets from source i.
+  // Row i has the distances of all targets from source i, in the order of the targets. Each run ends when all of them
+  // are known.
   template <typename Tag, typename Output>
   bool put_dense_rows(Tag tag, const std::vector<Vertex_id>& targets, Output& output) const
   {
@@ -119,7 +135,8 @@ public:
     });
   }
 
-  // Row i has the distances of the sources i, i+1, ... from source i. Requires: all sources are vertices.
+  // Row i has the distances of the sources i, i+1, ... from source i: the rest is symmetric. Requires: all sources are
+  // vertices.
   template <typename Tag, typename Output>
   bool put_triangular_rows(Tag tag, Output& output) const
   {
@@ -130,7 +147,8 @@ public:
     });
   }
 
-  // Row i has the targets whose distance from source i is at most the maximum, in the order of their positions.
+  // Row i has the targets whose distance from source i is at most the maximum (in the user's unit), in the order of
+  // their positions.
   template <typename Tag, typename Output>
   bool put_sparse_rows(Tag tag, const std::vector<Vertex_id>& targets, double maximum_distance,
                        Output& output) const
@@ -154,7 +172,8 @@ public:
   }
 
 private:
-  // The positions of each vertex in a range of targets, which may contain it several times.
+  // The positions of each vertex in a range of targets, which may contain it several times: a list for each vertex,
+  // linked by position.
   class Target_positions
   {
   public:
@@ -182,11 +201,13 @@ private:
     std::vector<std::size_t> m_first, m_next;
   };
 
+  // Returns the distance of a vertex in the user's unit.
   double distance(const Runner& runner, Vertex_id v) const
   {
     return static_cast<double>(FT(runner.distance(v) * m_mesh.unit()));
   }
 
+  // Fills a row with the distances of [first, last) from source i. The range must not change during the run.
   void run_to(Worker& worker, std::size_t i, const Vertex_id* first, const Vertex_id* last, Dense_row& row,
               const Stop_flag& stop) const
   {
@@ -201,6 +222,7 @@ private:
       row.push_back(distance(runner, *first));
   }
 
+  // Calls compute(worker, i, row, stop) for each row, in the threads of `tag`, and passes the rows on in order.
   template <typename Row, typename Tag, typename Output, typename Compute>
   bool put_rows(Tag tag, Output& output, Compute compute) const
   {

@@ -31,7 +31,8 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// Tells a thread that computes a row that the row is not wanted any more.
+// Tells a thread that computes a row that the row is not wanted any more. A row that is filled nevertheless is not
+// output.
 using Stop_flag = std::atomic<bool>;
 
 // The rows 0 .. n-1. Any number of threads call work(); when all have returned, one calls finish().
@@ -88,7 +89,9 @@ public:
 private:
   Row& row(std::size_t i) { return m_rows[i % m_rows.size()]; }
 
-  // Waits until there is room for another row. Returns the row to be computed next, or n if there is none.
+  // Waits until there is room for another row. Returns the row to be computed next, or n if there is none. No thread
+  // waits for ever: row m_first_inside has been claimed by a thread that is computing it or handing it out, or the
+  // condition holds.
   std::size_t claim()
   {
     std::unique_lock<std::mutex> lock(m_mutex);
@@ -98,7 +101,9 @@ private:
     return m_stop || m_next == m_number ? m_number : m_next++;
   }
 
-  // Marks row i as filled, and outputs the rows that are filled and whose turn has come, unless another thread does.
+  // Marks row i as filled, and outputs the rows that are filled and whose turn has come, unless another thread does:
+  // that thread sees the mark before it stops handing out, as both happen under the mutex. The mutex is free during an
+  // output, so that the other threads go on computing.
   void hand_out(std::size_t i)
   {
     std::unique_lock<std::mutex> lock(m_mutex);

@@ -118,7 +118,9 @@ public:
   std::size_t memory() const { return m_pool.memory(); }
 
 private:
-  // Improves the vertices of the link by the paths from the vertex along its edges.
+  // Improves the vertices of the link by the paths from the vertex along its edges. A window improves only the apex of
+  // the face that it enters, not the ends of its own edge. Each edge is tried from both of its faces, the second time
+  // in vain.
   void walk_along_edges(Star& star) const
   {
     for(const Face& f : star.faces)
@@ -174,7 +176,7 @@ private:
       });
   }
 
-  // The mirror image.
+  // The mirror image: faces are numbered from the last one on, so that the sweep runs against their order.
   void turn_clockwise(Star& star)
   {
     Bitset& waiting = star.waiting_from_last;
@@ -190,7 +192,8 @@ private:
       });
   }
 
-  // Propagates a list across va: its left part goes on around v, its right part leaves the star.
+  // Propagates a list across va: its left part goes on around v, its right part leaves the star. The list is taken out
+  // of the face first, since the part that goes on around v may wait for the same face (a star of one face).
   void cross_counterclockwise(Star& star, Face& f)
   {
     const Face_frame<FT> c = m_mesh.face_frame(f.halfedge);
