@@ -47,6 +47,9 @@ namespace Surface_mesh_geodesics {
 namespace internal {
 
 // `Length` gives the length of a halfedge in the unit of the mesh; `Separation` is described in Location_separation.h.
+//
+// The certifier uses the answers of the diagram and its own distances only, no table of the diagram, so that it does
+// not share its faults. It records the size of each violation and judges none: the caller compares it with a tolerance.
 template <typename Diagram, typename VertexIndexMap, typename Length, typename Separation>
 class Diagram_certifier
 {
@@ -85,6 +88,7 @@ private:
   static constexpr std::size_t no_site() { return Diagram_violation::no_site(); }
   static double infinity() { return std::numeric_limits<double>::infinity(); }
 
+  // Counts a check of a condition for a site; a violation that is not positive is none.
   void record(Diagram_condition condition, double violation, std::size_t site)
   {
     m_violations[condition].record(violation, site);
@@ -107,6 +111,7 @@ private:
     m_components.finish();
   }
 
+  // Returns some corner of a face, which tells its component.
   vertex_descriptor corner(face_descriptor f) const { return target(halfedge(f, m_tm), m_tm); }
 
   std::size_t component_of(vertex_descriptor v) const { return m_components.component(get(m_vertex_index_map, v)); }
@@ -115,11 +120,13 @@ private:
   double extent_around(vertex_descriptor v) const { return m_components.extent(component_of(v)); }
   double extent_around(face_descriptor f) const { return extent_around(corner(f)); }
 
-  // `excess / scale`, but 0 for no excess on a component all of whose edges have length 0.
+  // Returns `excess / scale`, but 0 for no excess on a component all of whose edges have length 0.
   static double relative(double excess, double scale) { return excess == 0 ? 0. : excess / scale; }
 
   // --- distances ---
 
+  // Compares all samples with the distances from each site. One site after the other, as the windows of a propagation
+  // take far more memory than the samples.
   template <typename MakePaths>
   void check_distances(MakePaths make_paths)
   {
@@ -152,7 +159,9 @@ private:
     }
   }
 
-  // Compares the distance of a sample from site i, infinity if the site does not reach it, with what the diagram says.
+  // Compares the distance of a sample from site i, infinity if the site does not reach it, with what the diagram says:
+  // it is that of the sample if the diagram names i among the nearest sites, and not smaller otherwise.
+  //
   // The difference of a distance and a weight is rounded to the size of the larger one; where the weight is the larger
   // one, that is more than the rounding of lengths, and is granted.
   void check_sample(const Sample& s, const Samples& samples, std::size_t i, double distance, double weight)
@@ -230,13 +239,13 @@ private:
     return e.second ? end_of(reversed(e.first.arcs().front())) : end_of(e.first.arcs().back());
   }
 
-  // The distance of two locations, relative to the longest edge.
+  // Returns the distance of two locations, relative to the longest edge.
   double gap(const Face_location& a, const Face_location& b) const
   {
     return relative(m_separation(a, b), extent_around(a.first));
   }
 
-  // The distance of a location from the border of the mesh, relative to the longest edge.
+  // Returns the distance of a location from the border of the mesh, relative to the longest edge.
   double gap_to_border(const Face_location& l) const
   {
     return relative(m_separation.from_border(l), extent_around(l.first));
@@ -244,8 +253,8 @@ private:
 
   // --- areas ---
 
-  // The areas of the cells of a component add up to that of its faces, if a site reaches it. A cell is in the component
-  // of its site.
+  // Checks that the areas of the cells of a component add up to that of its faces, if a site reaches it, and that none
+  // is negative. A cell is in the component of its site. So gaps and overlaps of cells show even where no sample lies.
   void check_areas()
   {
     std::vector<double> expected(num_vertices(m_tm), 0.), sum(expected);
@@ -267,6 +276,7 @@ private:
         record(DIAGRAM_AREAS, relative(std::abs(sum[c] - expected[c]), scale(c)), no_site());
   }
 
+  // Returns the area of a face from its lengths, which is accurate for needles as the shortest one is the base.
   double area(face_descriptor f) const
   {
     std::array<double, 3> l = lengths(f);

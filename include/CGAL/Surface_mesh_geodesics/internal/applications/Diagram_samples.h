@@ -31,6 +31,8 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
+// The constructor asks the diagram all questions; then the samples are plain values. They are the same in each run, so
+// a certificate can be repeated.
 template <typename Diagram>
 class Diagram_samples
 {
@@ -80,6 +82,7 @@ private:
         add(arc.point(t), {arc.sites().first, arc.sites().second}, CGAL::to_double(arc.distance(t)), DIAGRAM_ARCS);
   }
 
+  // Adds a vertex of the mesh, with the one site that the diagram names for it.
   void add_vertex_of_mesh(vertex_descriptor v)
   {
     add(Face_location(), {m_diagram.nearest_site(v)}, CGAL::to_double(m_diagram.distance_to_nearest_site(v)),
@@ -116,6 +119,7 @@ private:
     return {x, y};
   }
 
+  // Adds a sample at a location.
   void add(const Face_location& l, const std::vector<std::size_t>& sites, double distance, Diagram_condition condition)
   {
     m_samples.push_back({Graph_traits::null_vertex(), l, m_sites.size(), sites.size(), distance, condition});

@@ -11,7 +11,8 @@
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_DIAGRAM_WRITERS_H
 
 // Writes the drawing of a diagram as text in the formats OBJ, PLY and legacy VTK. What each file holds is documented at
-// the public functions of write_geodesic_Voronoi_diagram.h. All functions return whether the stream is still good.
+// the public functions of write_geodesic_Voronoi_diagram.h. Functions that write a whole file flush the stream and
+// return whether it is still good. Numbers are written with the precision of the stream.
 
 #include <CGAL/Surface_mesh_geodesics/internal/applications/Cell_coloring.h>
 #include <CGAL/Surface_mesh_geodesics/internal/applications/Voronoi_drawing.h>
@@ -36,6 +37,7 @@ inline long site_number(std::size_t i)
   return i == (std::numeric_limits<std::size_t>::max)() ? -1l : static_cast<long>(i);
 }
 
+// Returns the triangles of the cells and the polylines of the edges, which PLY and VTK show together.
 template <typename Diagram>
 Voronoi_drawing drawing_with_cells(const Diagram& diagram, double tolerance)
 {
@@ -45,6 +47,7 @@ Voronoi_drawing drawing_with_cells(const Diagram& diagram, double tolerance)
   return drawing;
 }
 
+// Writes each point on a line of its own, behind a prefix.
 inline void write_points(std::ostream& os, const Voronoi_drawing& drawing, const char* prefix = "")
 {
   for(const Voronoi_drawing::Point& p : drawing.points)
@@ -53,6 +56,8 @@ inline void write_points(std::ostream& os, const Voronoi_drawing& drawing, const
 
 // --- OBJ ---
 
+// Writes a group with one polyline for each edge. OBJ has neither colors nor sites, so the names of the groups tell
+// them.
 template <typename Diagram>
 bool write_diagram_OBJ(std::ostream& os, const Diagram& diagram, double tolerance)
 {
@@ -76,6 +81,8 @@ inline void write_color(std::ostream& os, const IO::Color& c)
   os << int(c.red()) << ' ' << int(c.green()) << ' ' << int(c.blue());
 }
 
+// Writes the header, with a comment for each site, since PLY has no element for sites. Segments are elements of type
+// `edge`, as PLY has no polylines.
 inline void write_header_PLY(std::ostream& os, const Voronoi_drawing& drawing, const std::vector<IO::Color>& colors)
 {
   os << "ply\nformat ascii 1.0\n";
@@ -92,6 +99,7 @@ inline void write_header_PLY(std::ostream& os, const Voronoi_drawing& drawing, c
      << "\nproperty int vertex1\nproperty int vertex2\nproperty int left_site\nproperty int right_site\nend_header\n";
 }
 
+// Writes triangles in the colors of their cells, gray where no site reaches, and the segments of the edges.
 template <typename Diagram>
 bool write_diagram_PLY(std::ostream& os, const Diagram& diagram, double tolerance)
 {
@@ -127,6 +135,7 @@ void write_sites_VTK(std::ostream& os, const Voronoi_drawing& drawing, const cha
     os << site_number(site) << '\n';
 }
 
+// Writes the polylines. The second number of the header counts all numbers that follow: a size and the points of each.
 inline void write_lines_VTK(std::ostream& os, const Voronoi_drawing& drawing)
 {
   const std::size_t number_of_lines = drawing.polylines.size();
@@ -141,6 +150,7 @@ inline void write_lines_VTK(std::ostream& os, const Voronoi_drawing& drawing)
   }
 }
 
+// Writes polylines, then triangles: legacy VTK numbers the cells of a file in this order, and the cell data follow it.
 template <typename Diagram>
 bool write_diagram_VTK(std::ostream& os, const Diagram& diagram, double tolerance)
 {

@@ -12,6 +12,10 @@
 
 // Reads a model of FaceListGraph: makes its intrinsic mesh, and the tables between the elements of both. This is the
 // only file that walks over the mesh of a user. The mesh half is in surface/Intrinsic_mesh_builder.h.
+//
+// Three numberings occur. The *index* of a vertex or face is that of the user's property map; its *position* is that in
+// the range vertices(tm) or faces(tm); its *id* is that in the intrinsic mesh, which the builder chooses. Indices have
+// to be below num_vertices() and num_faces() and different from each other; they may have gaps at removed elements.
 
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Face_shapes.h>
@@ -38,7 +42,9 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// The elements of a mesh of the user and those of its intrinsic mesh.
+// The elements of a mesh of the user and those of its intrinsic mesh. Face_graph_reader fills it; the tables are
+// inverse to each other. Halfedges are found by face: halfedge(f, tm) has an id, and next() is next_halfedge() on both
+// sides.
 template <typename TriangleMesh>
 struct Face_graph_correspondence
 {
@@ -59,7 +65,13 @@ struct Face_graph_correspondence
   }
 };
 
-// Reads a mesh once. Positions in messages are those in the ranges vertices(tm) and faces(tm).
+// Reads a mesh once: read() moves its buffers away. Positions in messages are those in the ranges vertices(tm) and
+// faces(tm).
+//
+// Faults are looked for in this order, and the first one that is found is thrown: face by face, whether it is a
+// triangle and has a valid index, and whether its vertices differ and have valid indices; then whether vertices have
+// different indices; then the points or lengths (Face_shapes.h), the triangle inequality, whether neighbors agree about
+// their edge, and the sizes of components.
 template <typename FT, typename TriangleMesh, typename VertexIndexMap, typename FaceIndexMap>
 class Face_graph_reader
 {
@@ -122,7 +134,7 @@ private:
     }
   }
 
-  // Throws for the face at position m_faces.size().
+  // Throw for the face at position m_faces.size(), which is being read.
   [[noreturn]] void throw_for_face(Reason reason, const char* fault) const
   {
     throw Invalid_geodesic_input(reason, "face " + std::to_string(m_faces.size()) + fault, m_faces.size());
@@ -134,6 +146,7 @@ private:
                                  "the index of face " + std::to_string(m_faces.size()) + fault, m_faces.size());
   }
 
+  // Notes which face has an index. Throws if the index is out of range, or taken.
   void register_index(face_descriptor f, std::size_t range_of_indices)
   {
     const std::size_t index = index_of(f);
@@ -146,6 +159,8 @@ private:
     m_position_of_index[index] = static_cast<std::uint32_t>(m_faces.size());
   }
 
+  // Appends the indices of the corners of the last face: corner k is the source of h[k]. Throws if two are the same
+  // vertex.
   void read_corners(const std::array<halfedge_descriptor, 3>& h, std::size_t number_of_vertices)
   {
     // (A halfedge data structure stores targets; a source is one step away.)
@@ -158,6 +173,7 @@ private:
                                       vertex_index(v2, number_of_vertices)});
   }
 
+  // Finds what is across each edge of each face. Requires: all faces have been read.
   void find_neighbors()
   {
     m_connectivity.neighbors.resize(m_faces.size());
@@ -166,7 +182,8 @@ private:
         m_connectivity.neighbors[f][j] = neighbor(m_halfedges[f][j]);
   }
 
-  // Returns 4 * (position of the face across h) + (the edge there), or null_id if there is no face.
+  // Returns 4 * (position of the face across h) + (the edge there), or null_id if there is no face, or none that has
+  // been read: then the mesh is treated as if it had a border here.
   Halfedge_id neighbor(halfedge_descriptor h) const
   {
     const halfedge_descriptor o = opposite(h, m_tm);
@@ -182,7 +199,9 @@ private:
     return around[j] == o ? halfedge_of(g, j) : null_id;
   }
 
-  // Numbers the vertices in the order of the faces, and the isolated ones last. Returns how many are in faces.
+  // Numbers the vertices in the order of the faces, so that neighbors are close in memory, and the isolated ones last.
+  // Fills the tables of vertices. Returns how many are in faces. Throws if two vertices have one index, or if a corner
+  // of a face is not in vertices(tm).
   std::size_t number_vertices(Builder& builder, Correspondence& table) const
   {
     const std::size_t range_of_indices = num_vertices(m_tm);
@@ -219,6 +238,8 @@ private:
     return static_cast<std::uint32_t>(index);
   }
 
+  // Fills the tables of faces. The builder has reordered the faces, and turned them so that their shortest edge is
+  // first.
   void fill_face_tables(const Builder& builder, Correspondence& table) const
   {
     table.faces.resize(m_faces.size());

@@ -18,6 +18,8 @@
 // - prepare(): reads and checks what is scaled; returns the exponent of the power of two by which lengths are divided;
 // - shape(): sets one face of the intrinsic mesh;
 // - has_length(): whether an edge of the user has a length before scaling and rounding.
+// They are called in this order. prepare() throws for a number that is not finite or out of range, so that shape() sees
+// lengths of at most about 1 (Intrinsic_mesh.h); both faces at an edge get its length in the same bits.
 
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
@@ -78,6 +80,7 @@ public:
     return exponent;
   }
 
+  // Sets the shape of the face of three vertices, and returns which of its edges becomes halfedge 0.
   unsigned int shape(const std::array<halfedge_descriptor, 3>&, std::size_t, const std::array<Vertex_id, 3>& v,
                      Intrinsic_face<FT>& f) const
   {
@@ -101,7 +104,8 @@ private:
         x = std::isfinite(x * factor) ? x * factor : 0.;
   }
 
-  // Throws for the first vertex whose point is not finite or too far away from that of the first vertex.
+  // Throws for the first vertex of vertices(tm) that has a coordinate which is not finite or too large by itself;
+  // otherwise for no vertex in particular, as points are too far from each other.
   [[noreturn]] void refuse_point() const
   {
     std::size_t position = 0, culprit = 0;
@@ -121,6 +125,8 @@ private:
                                  element);
   }
 
+  // Returns the vector from vertex a to vertex b. Exact up to one rounding for each coordinate, as points are scaled by
+  // a power of two.
   Space_vector<FT> difference(Vertex_id b, Vertex_id a) const
   {
     const std::array<double, 3>&p = m_points[a], &q = m_points[b];
@@ -145,6 +151,8 @@ public:
 
   Shape_from_edge_lengths(const TriangleMesh& tm, EdgeLengthMap elm) : m_tm(tm), m_elm(elm) {}
 
+  // Checks the lengths of all edges, in the order of edges(tm). The map is read again by shape(), so that no table of
+  // lengths is needed.
   template <typename Vertices>
   int prepare(const Vertices&, std::size_t)
   {
@@ -168,6 +176,8 @@ public:
     return exponent;
   }
 
+  // Sets the shape of the face of three halfedges, and returns which of them becomes halfedge 0. Throws if one edge is
+  // longer than the two others, beyond rounding.
   unsigned int shape(const std::array<halfedge_descriptor, 3>& h, std::size_t face_position,
                      const std::array<Vertex_id, 3>&, Intrinsic_face<FT>& f) const
   {

@@ -53,7 +53,12 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// `Elements` is Voronoi_handles<Diagram>, where Diagram is the public class. Its parameters are those of the latter.
+// `Elements` is Voronoi_handles<Diagram>, where Diagram is the public class. The other parameters are those of the
+// latter.
+//
+// Invariants: m_has_measures and m_has_windows imply m_is_built. While m_is_built is set, the sites, the mesh and the
+// maps are those that the complex was made from; functions that change one of them call forget_diagram(). What a flag
+// guards is written under the mutex before the flag is set (compute_once()), and read after it was seen.
 template <typename Traits, typename VertexIndexMap, typename FaceIndexMap, typename VertexPointMap, typename Elements>
 class Lazy_Voronoi_diagram
 {
@@ -72,7 +77,7 @@ public:
   using Solver = Path_solver<Triangle_mesh, VertexIndexMap, FaceIndexMap>;
   using Complex = Voronoi_complex<double>;
 
-  // Stands for "no site".
+  // Stands for "no site" where a number of a site is returned.
   static constexpr std::size_t no_site = (std::numeric_limits<std::size_t>::max)();
 
   Lazy_Voronoi_diagram(const Triangle_mesh& tm, VertexIndexMap vertex_index_map, FaceIndexMap face_index_map,
@@ -101,19 +106,22 @@ public:
     return add({false, Graph_traits::null_vertex(), location, weight});
   }
 
+  // Removes the sites; the mesh that has been read stays.
   void remove_all_sites()
   {
     m_sites.clear();
     forget_diagram();
   }
 
+  // Removes the sites, and reads the mesh again at the next build.
   void clear()
   {
     m_sites.clear();
     forget_mesh();
   }
 
-  // Returns the null location for a vertex that is in no face, or not in the mesh.
+  // Returns the location of site i as the user gave it, for a vertex a corner of a face around it. Returns the null
+  // location for a vertex that is in no face, or not in the mesh.
   Face_location location_of_site(std::size_t i) const
   {
     const typename Sites::Site& s = m_sites[i];
@@ -149,7 +157,7 @@ public:
     build_with([](auto propagate) { return propagate([](std::size_t, double) { return true; }); });
   }
 
-  // Returns false if the visitor cancels; nothing is known then.
+  // Returns false if the visitor cancels; nothing is known then, and the next query builds from the start.
   template <typename Visitor>
   bool build(Visitor& visitor) const
   {
@@ -184,28 +192,31 @@ public:
     return m_elements;
   }
 
-  // The number of the site at a vertex of the refined mesh, no_site for null_id.
+  // Returns the number of the site at a vertex of the refined mesh, no_site for null_id and without a site.
   std::size_t site_at(Vertex_id v) const { return v == null_id ? no_site : m_solver.source_at(v); }
 
-  // The vertex of the refined mesh at a site. Several sites may be at one vertex.
+  // Returns the vertex of the refined mesh at a site. Several sites may be at one vertex.
   Vertex_id vertex_of_site(std::size_t i) const { return m_solver.source_vertex(i); }
 
-  // Does the site have a cell? No other site at the same point, or nearby, has taken it, and none hides it.
+  // Returns whether the site has a cell: no other site is nearer to its own point, ties there and comes first, or has
+  // been united with it (Redundant_window_removal::unite()).
   bool has_cell(std::size_t i) const
   {
     const Vertex_id v = m_solver.source_vertex(i);
     return complex().owner(v) == v && m_solver.source_at(v) == i;
   }
 
-  // The user's unit: lengths of the intrinsic mesh are multiples of it. 1 if there are no sites.
+  // Returns the factor from lengths of the intrinsic mesh to those of the user: a power of two. 1 if there are no
+  // sites.
   double unit() const { return m_sites.empty() ? 1. : m_solver.unit(); }
 
-  // A distance of the propagation in the user's unit, less the weight of the site.
+  // Returns a distance of the propagation in the user's unit, less the weight of its site. The offset of a site is the
+  // largest weight minus its own (Weighted_site_list.h), so that only the largest weight is left to subtract.
   FT user_distance(double d) const { return FT(d * m_solver.unit() - m_largest_weight); }
 
   face_descriptor user_face(Face_id f) const { return m_solver.user_face(f); }
 
-  // The location of a point of the plane of a face of the refined mesh.
+  // Returns the location on the user's mesh of a point in the layout of a face of the refined mesh.
   Face_location location(Face_id f, const Planar_point<double>& p) const
   {
     const auto l = m_solver.user_location(f, complex().coordinates(f, p));
@@ -214,7 +225,7 @@ public:
 
   const Intrinsic_mesh<double>& refined_mesh() const { return m_solver.mesh(); }
 
-  // The point of a vertex of the refined mesh: of the user's mesh, or of a site.
+  // Returns the point of a vertex of the refined mesh: of the user's mesh, or of a site.
   Point_3 point_of_vertex(Vertex_id v) const
   {
     const vertex_descriptor user = m_solver.user_vertex(v);
@@ -224,7 +235,9 @@ public:
 
   // --- queries: they build what they need ---
 
-  // They throw Invalid_geodesic_input for a vertex or location that is not on the mesh, also if there are no sites.
+  // Both return the site whose cell a point is in, no_site if none reaches it. They throw Invalid_geodesic_input for a
+  // vertex or location that is not on the mesh, also if there are no sites. A vertex takes constant time; a location
+  // takes the time of Cell_locator if arcs run through its face, constant time otherwise.
   std::size_t nearest_site(vertex_descriptor v) const
   {
     build();
@@ -250,7 +263,8 @@ public:
     return site_at(Cell_locator<double>(m_complex, q.face, p).cell());
   }
 
-  // -1 if no site reaches the point.
+  // Both return the distance to the nearest site, less its weight; -1 if no site reaches the point. A location that is
+  // neither a vertex nor a site needs windows, which the first such query computes by one more propagation.
   FT distance_to_nearest_site(vertex_descriptor v) const
   {
     build();
@@ -275,7 +289,7 @@ public:
     return m_elements.arcs_in_face(face_index(f));
   }
 
-  // 0 for an empty cell.
+  // Returns the area of the cell of site i, 0 for an empty cell. The first query of a measure takes linear time.
   FT area(std::size_t i) const
   {
     build();
@@ -283,7 +297,7 @@ public:
     return FT(measures().area(cell_vertex(i)) * u * u);
   }
 
-  // The site if the cell has no area.
+  // Returns the centroid of the cell of site i, the point of the site if the cell has no area.
   Point_3 centroid(std::size_t i) const
   {
     build();
@@ -291,7 +305,8 @@ public:
     return std::isfinite(c[0]) ? Point_3(c[0], c[1], c[2]) : point_of_site(i);
   }
 
-  // The vertex in the cell that is nearest to the centroid, the first of several; the null vertex if there is none.
+  // Returns the vertex in the cell that is nearest to the centroid in space, the first of several; the null vertex if
+  // the cell has no vertex. Takes time linear in the number of vertices of the mesh.
   vertex_descriptor central_vertex(std::size_t i) const
   {
     const Point_3 c = centroid(i);
@@ -322,6 +337,7 @@ private:
 
   // --- forgetting ---
 
+  // Adds a site and forgets the diagram. If the site is refused, nothing changes.
   std::size_t add(const typename Sites::Site& site)
   {
     const std::size_t i = m_sites.add(site);
@@ -329,6 +345,7 @@ private:
     return i;
   }
 
+  // Lets the next build read the mesh again.
   void forget_mesh()
   {
     m_solver.forget();
@@ -401,6 +418,8 @@ private:
     });
   }
 
+  // Reads the mesh unless that is done, and hands the sites over as sources, in their order. Throws for an invalid mesh
+  // or site.
   void give_sites_to_solver() const
   {
     m_largest_weight = m_sites.largest_weight();
@@ -416,7 +435,8 @@ private:
     });
   }
 
-  // Propagates from all sites at once; faces that arcs cross are cut behind the wavefront.
+  // Propagates from all sites at once; faces that arcs cross are divided behind the wavefront. The removal has to start
+  // when the solver has made vertices of the sites, but before the first window: run_with_keeper() calls start() then.
   template <typename Run>
   bool propagate(Run run) const
   {
@@ -459,6 +479,8 @@ private:
     return m_measures;
   }
 
+  // Adds up areas and centroids face by face. Corners are taken from the user's mesh by location, since a face of the
+  // refined mesh may be a part of one of the user's.
   void measure() const
   {
     m_measures.clear();
@@ -480,6 +502,7 @@ private:
 
   // --- helpers ---
 
+  // Returns the vertex by which measures know the cell of site i, null_id if it has none.
   Vertex_id cell_vertex(std::size_t i) const { return has_cell(i) ? m_solver.source_vertex(i) : null_id; }
 
   FT user_distance(const typename Solver::Arrival& a) const
@@ -487,7 +510,7 @@ private:
     return a.root == null_id ? FT(-1) : user_distance(a.distance);
   }
 
-  // Works for a vertex in no face, too.
+  // Returns the point of site i, also for a vertex in no face, which has no location.
   Point_3 point_of_site(std::size_t i) const
   {
     const typename Sites::Site& s = m_sites[i];
@@ -504,7 +527,7 @@ private:
   FaceIndexMap m_face_index_map;
   VertexPointMap m_vertex_point_map;
   Sites m_sites;
-  std::function<void()> m_read_mesh;
+  std::function<void()> m_read_mesh; // builds the intrinsic mesh from points or from lengths
 
   mutable std::mutex m_mutex; // held by the thread that computes
   mutable std::atomic<bool> m_is_built{false}, m_has_measures{false}, m_has_windows{false};

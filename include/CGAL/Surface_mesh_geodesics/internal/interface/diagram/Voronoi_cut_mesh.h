@@ -41,6 +41,10 @@ namespace Surface_mesh_geodesics {
 namespace internal {
 
 // `VertexPointMap` is writable, with the points of the output as values.
+//
+// How halfedges are linked: new_edge() makes border halfedges without a next one; add_triangle() links those inside;
+// link_border_at() and link_border_inside_edges() link what has stayed on the border. So each halfedge gets its next
+// one exactly once. Takes time linear in the size of the output, plus the time of the cuts.
 template <typename OutputMesh, typename VertexPointMap>
 class Voronoi_cut_mesh
 {
@@ -81,13 +85,14 @@ public:
   }
 
 private:
-  // Is h the halfedge of its edge along which the pieces are stored?
+  // Returns whether h is the halfedge of its edge along which the pieces are stored: the one with the smaller index.
   bool is_first(Halfedge_id h) const
   {
     const Halfedge_id o = m_mesh.opposite(h);
     return o == null_id || h < o;
   }
 
+  // Adds an isolated vertex to the output.
   template <typename Point>
   vertex_descriptor new_vertex(const Point& p)
   {
@@ -97,6 +102,7 @@ private:
     return v;
   }
 
+  // Adds an edge with both halfedges on the border and not linked yet; returns the halfedge that leads to `to`.
   halfedge_descriptor new_edge(vertex_descriptor from, vertex_descriptor to)
   {
     const halfedge_descriptor h = halfedge(add_edge(m_output), m_output), o = opposite(h, m_output);
@@ -107,7 +113,8 @@ private:
     return h;
   }
 
-  // Divides the edge of h where arcs end on it, and adds the pieces from its source to its target.
+  // Divides the edge of h where arcs end on it, and adds the pieces from its source to its target. The cut of both
+  // faces divides the edge in the same way (Edge_contraction). Requires: is_first(h).
   template <typename PointInFace>
   void add_edge_pieces(Halfedge_id h, PointInFace point_in_face)
   {
@@ -144,7 +151,8 @@ private:
   }
 
   // Adds the triangles of a face. They fill the polygon that the pieces of its edges form, so each halfedge is used
-  // once.
+  // once. m_open holds the halfedges that still need a triangle on their left: at first the border of the polygon, at
+  // the end none. It finds them by their two vertices, which relies on Voronoi_face_cut making one edge between two.
   template <typename PointInFace, typename SetSite>
   void fill_face(Face_id f, const Voronoi_face_cut& cut, PointInFace point_in_face, SetSite set_site)
   {
@@ -183,6 +191,7 @@ private:
     return h;
   }
 
+  // Adds a triangle, given its vertices in m_local counterclockwise, and links its halfedges.
   face_descriptor add_triangle(const std::array<std::uint32_t, 3>& vertex)
   {
     const face_descriptor f = add_face(m_output);
@@ -199,6 +208,7 @@ private:
     return f;
   }
 
+  // Return the first and the last piece along h. Requires: is_first(h), which holds on the border of the mesh.
   halfedge_descriptor first_piece(Halfedge_id h) const
   {
     return m_pieces[m_first_piece[h]];

@@ -31,6 +31,11 @@ namespace Surface_mesh_geodesics {
 namespace internal {
 
 // `Diagram` has the handle types Vertex, Arc and Edge, which are constructible from a pointer to it and a number.
+//
+// Invariants, from collect() to clear(): elements have the numbers 0, 1, ... in their vectors; each one leads to one
+// element of the complex (complex_arc(), chain_of_edge(), node_of_vertex()), chains and nodes back to edges and
+// vertices. A chain or arc without length has no handle; nodes that such chains connect have one vertex in common.
+// Handles hold a pointer to the diagram, which therefore must not move.
 template <typename Diagram>
 class Voronoi_handles
 {
@@ -68,13 +73,14 @@ public:
   const std::vector<Arc>& arcs() const { return m_arcs; }
   const std::vector<Edge>& edges() const { return m_edges; }
 
-  // The arcs of an edge, from its start to its end.
+  // Returns the arcs of an edge, from its start to its end. There is at least one.
   const std::vector<Directed_arc>& arcs_of_edge(std::size_t e) const { return m_edge_arcs[e]; }
 
-  // The sites whose cells meet at a vertex, in ascending order.
+  // Returns the sites whose cells meet at a vertex, in ascending order: three, or more where nodes became one vertex.
   const std::vector<std::size_t>& sites_of_vertex(std::size_t v) const { return m_vertex_sites[v]; }
 
-  // The arcs in a face, which is given by its index. Takes O(log n + k) time for n arcs in all and k in the face.
+  // Returns the arcs in a face of the user, which is given by its index. Takes O(log n + k) time for n arcs in all and
+  // k in the face.
   std::vector<Arc> arcs_in_face(std::size_t face_index) const
   {
     std::vector<Arc> result;
@@ -201,7 +207,8 @@ private:
     return number;
   }
 
-  // Makes an edge of each chain that has a length.
+  // Makes an edge of each chain that has a length. The arcs of the edge that have no length are left out: the others
+  // still follow each other, up to rounding.
   template <typename Complex>
   void collect_edges(const Complex& complex, const std::vector<std::size_t>& number_of_arc)
   {
@@ -224,7 +231,8 @@ private:
     }
   }
 
-  // Makes one vertex of all nodes that chains without length connect.
+  // Makes one vertex of all nodes that chains without length connect. Its node is the one with the smallest index; its
+  // sites are those of all of them. Takes almost linear time.
   template <typename Complex, typename SiteAt>
   void collect_vertices(const Complex& complex, SiteAt site_at)
   {
@@ -258,6 +266,7 @@ private:
     }
   }
 
+  // Adds a vertex that stands at a node, and returns its number.
   std::size_t add_vertex_at(std::size_t node)
   {
     const std::size_t v = m_vertices.size();

@@ -29,6 +29,8 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
+// Sites have the numbers 0, 1, ... in the order in which they are added. Invariant: all weights are finite; add()
+// refuses others. Whether vertices and locations are on the mesh is checked by the solver, which gets them later.
 template <typename vertex_descriptor, typename Face_location, typename FT>
 class Weighted_site_list
 {
