@@ -9,7 +9,8 @@ Usage: check_figures.py                   checks
 
 A table follows the line `<!-- table: NAME -->`; a figure in a sentence follows the comment `<!-- figure: NAME -->`.
 measured_figures.py computes both. The check complains about a table or a figure that differs from the results, an
-unknown name, a table with numbers that has no mark, and results or figures that no document uses.
+unknown name, a table with numbers that has no mark, and results or figures that no document uses. In Markdown, a mark
+of a figure must not begin a line, because a comment there ends the paragraph.
 """
 
 import pathlib
@@ -97,6 +98,8 @@ def check_figures(name, text, figures, quoted, complaints):
         figure, number = match.groups()
         line = text.count("\n", 0, match.start()) + 1
         quoted.add(figure)
+        if name.endswith(".md") and text[:match.start()].rpartition("\n")[2].strip() == "":
+            complaints.append(f"{name}:{line}: the mark of {figure} begins a line, which ends the paragraph")
         if figure not in figures:
             complaints.append(f"{name}:{line}: unknown figure {figure}")
             return match.group(0)
@@ -158,8 +161,7 @@ SOUND_TEXT = """# Title
 | cow | 1.2 |
 | pig | 3.0 |
 
-On the cow it takes
-<!-- figure: cow -->1.2, or less.
+On the cow it takes <!-- figure: cow -->1.2, or less.
 
 | folder | content |
 |---|---|
@@ -180,6 +182,7 @@ FAULTS = {
     "a line too many": (("| pig | 3.0 |\n", "| pig | 3.0 |\n| cat | 9.9 |\n"), "measured no line", True),
     "another figure": (("-->1.2", "-->1.3"), "says 1.3, measured 1.2", True),
     "no number": (("-->1.2,", "-->"), "says None, measured 1.2", True),
+    "a mark at the beginning of a line": (("takes <!--", "takes\n<!--"), "begins a line", False),
     "unknown figure": (("figure: cow", "figure: cat"), "unknown figure cat", False),
     "a figure without a mark": (("<!-- figure: cow -->", ""), "no document quotes the figure cow", False),
     "no mark": (("<!-- table: times -->", ""), "without a mark", False),
