@@ -620,7 +620,7 @@ public:
   ///
   /// \param v a vertex of the mesh
   /// \return the distance, in the unit of the mesh, or -1 if no site reaches `v`. With positive weights, a distance may
-  ///         be negative as well; ask `nearest_site()` then.
+  ///         be negative as well; `nearest_site()` then tells whether a site reaches `v`.
   /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if `v` is not a vertex of the mesh
   FT distance_to_nearest_site(vertex_descriptor v) const { return m_lazy.distance_to_nearest_site(v); }
 

@@ -363,8 +363,8 @@ public:
   }
 
   /// takes the lengths of the edges from a map instead of from points. Distances and sequences then need no points;
-  /// the points of paths are those of the point map at the same locations. (The point map that the constructor takes is
-  /// not read before a point is asked for, so any map will do.) All results are dropped, source points are kept. The
+  /// the points of paths are those of the point map at the same locations. (The object reads the point map of the
+  /// constructor only when it needs a point, so any map will do.) All results are dropped, source points are kept. The
   /// lengths are read at once, and used until `clear()`. Takes time linear in the size of the mesh.
   ///
   /// \tparam EdgeLengthMap a model of `ReadablePropertyMap` with the edge descriptor as key type and a number
