@@ -12,7 +12,7 @@
 
 // A hash table from indices to values, for data of a few of the many faces or halfedges of a mesh. It probes linearly
 // in arrays that are at most half full, and never allocates single entries. All operations take expected constant time,
-// insertions amortized.
+// insertions amortized. There is no removal of single entries, so probing needs no marks of removed ones.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 
@@ -26,6 +26,8 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
+// Invariants: at most half of the positions are used, so that position() ends; no free position lies between an entry
+// and the position that its hash gives.
 template <typename Value>
 class Index_table
 {
@@ -66,6 +68,7 @@ private:
   // The position of the key, or the free position where it belongs. Requires: a position is free.
   std::size_t position(std::uint32_t key) const
   {
+    // (Fibonacci hashing: the constant is 2^64 over the golden ratio. Keys that follow each other are spread evenly.)
     const std::size_t mask = m_keys.size() - 1;
     std::size_t i = static_cast<std::size_t>((key * std::uint64_t(0x9E3779B97F4A7C15)) >> 32) & mask;
     while(m_keys[i] != key && m_keys[i] != null_id)
@@ -73,6 +76,7 @@ private:
     return i;
   }
 
+  // Doubles the arrays and inserts all entries anew.
   void grow()
   {
     const std::size_t n = (std::max)(std::size_t(16), 2 * m_keys.size());

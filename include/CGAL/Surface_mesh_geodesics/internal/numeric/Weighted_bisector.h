@@ -160,6 +160,10 @@ public:
 
   // Makes the bisector of `left` and `right` from p on, in the direction that has the points nearer to `left` on its
   // left. Requires: p is on the bisector up to rounding.
+  //
+  // The names are those of the beginning of this file: F is m_focus, d the distance of the foci here, s the difference
+  // of the weights, k is K. The bisector is a curve if |s| < d, which is K > 0; a ray if |s| = d; else it does not
+  // exist. All three are decided beyond the rounding of the distances.
   Weighted_bisector(const Focus& left, const Focus& right, const Point& p)
     : m_p(p)
   {
@@ -212,6 +216,7 @@ public:
   // Returns whether the focus F is `left`. For a ray, F is the point where paths bend.
   bool is_left_focus() const { return m_is_left_focus; }
 
+  // Returns the point at parameter t >= 0: the start at 0. Behind end(), it is on the other branch.
   Point point(const FT& t) const
   {
     if(m_is_straight)
@@ -245,6 +250,7 @@ public:
     return atan2(across, FT(norm(along, across) + along));
   }
 
+  // Returns the point at half an angle, the inverse of angle().
   Point point_at_angle(const FT& angle) const
   {
     using std::tan;
@@ -372,6 +378,7 @@ private:
     return Quadratic<FT>{FT((s - d) * (s + d)), FT((m_is_outward ? s : FT(-s)) - (dx * m_tx + dy * m_ty)), 0};
   }
 
+  // Sets the tangent at p0: dp/dt over twice the radius.
   void set_tangent()
   {
     m_tx = m_vx - m_b * m_radius * m_ux;

@@ -13,7 +13,10 @@
 // A straight piece of a shortest path, followed from its end back to its pseudo-source. The faces on the way are laid
 // out in one plane (unfolding, thesis 3.3.1): the image of the pseudo-source is carried from face to face, and the line
 // to the image shows which edge comes next. As soon as the pseudo-source is a corner of the face that the line enters,
-// the piece ends there. A shortest path that enters a face with its end at a corner never leaves that face again.
+// the piece ends there, by the straight way in that face. On a surface with points no way is shorter, as this one is a
+// segment in space. If lengths are given, the path may leave the face and come to the corner through others
+// (Intrinsic_mesh::most_faces_crossed()). Then the piece is too long, trace() finds that out, and path_tracing.h looks
+// for the path by its length.
 //
 // The image is turned as in surface/unfolding.h, but by other operations and so with other bits: this file multiplies
 // by the inverse of the length, and takes the right side from B to C.

@@ -33,7 +33,8 @@ namespace Surface_mesh_geodesics {
 namespace internal {
 
 // Components from the faces of any mesh whose vertices have the indices 0 .. n-1. Call add_face() for all faces, then
-// finish(), then the queries. Takes almost linear time in all, and constant time for a query.
+// finish(), then the queries. Takes almost linear time in all, and constant time for a query. The result does not
+// depend on the order of the faces, except which vertex represents a component.
 template <typename FT>
 class Component_extents
 {
@@ -46,7 +47,7 @@ public:
       all.make_set(v);
   }
 
-  // Adds a face with its corners and its longest edge.
+  // Adds a face with its corners and its longest edge, which is kept at corner 0 until finish() knows the components.
   void add_face(const std::array<std::size_t, 3>& corner, const FT& longest_edge)
   {
     Sets all = sets();
@@ -55,6 +56,7 @@ public:
     m_longest_edge[corner[0]] = (std::max)(m_longest_edge[corner[0]], longest_edge);
   }
 
+  // Finds the component of each vertex and its longest edge.
   void finish()
   {
     Sets all = sets();
@@ -99,8 +101,10 @@ std::vector<FT> extents_of_components(const Intrinsic_mesh<FT>& mesh)
   return extents;
 }
 
-// Calls visit(v) for each vertex that is connected with one of `stack` through faces, these included. Marks it in
-// `is_known`. Requires: is_known[v] is 0 for all vertices of these components.
+// Calls visit(v) for each vertex that is connected with one of `stack` through faces, these included, in no particular
+// order. Marks it in `is_known`. Takes time linear in the number of faces of these components; that is why the marks
+// are the caller's, who may visit one component after another.
+// Requires: is_known[v] is 0 for all vertices of these components; `stack` has no vertex twice.
 template <typename FT, typename Visit>
 void for_each_connected_vertex(const Intrinsic_mesh<FT>& mesh, std::vector<Vertex_id> stack,
                                std::vector<char>& is_known, Visit visit)

@@ -37,11 +37,16 @@ struct Face_part
 
 // A face that is not in the tables has not been divided: it is its own only part. Queries take expected constant time,
 // and part_with() a time linear in the number of parts of the face.
+//
+// Invariants, between splits (Source_insertion.h fills the tables): the parts of a face cover it and do not overlap, up
+// to the rounding of the coordinates of their corners; one of them has the index of the whole face. A corner on an edge
+// of the whole face has an exact zero there, which find_on_whole_edge() relies on.
 template <typename FT>
 class Face_parts
 {
 public:
-  // Returns the part of face f of the first mesh that contains the point b; b become its coordinates there.
+  // Returns the part of face f of the first mesh that contains the point b; b become its coordinates there, snapped to
+  // the edges and corners of that part (snap_coordinates()).
   Face_id part_with(Face_id f, Barycentric<FT>& b) const
   {
     const auto parts = m_parts.find(f);
@@ -71,7 +76,8 @@ public:
   }
 
   // Returns whether the point at fraction t of halfedge h is on an edge of the first mesh; if so, h and t become that
-  // halfedge and the fraction there.
+  // halfedge and the fraction there. Decided for the halfedge as a whole: both of its ends are on that edge. (An edge
+  // of a part that only ends on an edge of the whole face does not count, even at its end.)
   bool find_on_whole_edge(Halfedge_id& h, FT& t) const
   {
     const auto it = m_part_of.find(face_of(h));

@@ -166,7 +166,8 @@ public:
 
   // --- sizes and bounds ---
 
-  // Returns the factor from the lengths of this mesh to those of the user: a power of two.
+  // Returns the factor from the lengths of this mesh to those of the user: a power of two, so that multiplying by it is
+  // exact.
   const FT& unit() const { return m_unit; }
 
   std::size_t memory() const
@@ -265,6 +266,7 @@ public:
     return static_cast<Vertex_id>(m_vertex_halfedge.size() - 1);
   }
 
+  // Adds a face and returns its index. The opposites of its neighbors are the caller's task.
   Face_id add_face(const Face& f)
   {
     m_faces.push_back(f);
@@ -282,6 +284,7 @@ public:
     count_most_faces_crossed();
   }
 
+  // Sets the halfedge that leaves v. Requires: it is the first one of its umbrella if that has a border.
   void set_halfedge(Vertex_id v, Halfedge_id h) { m_vertex_halfedge[v] = h; }
 
   unsigned char kind(Vertex_id v) const { return m_vertex_kind[v]; }

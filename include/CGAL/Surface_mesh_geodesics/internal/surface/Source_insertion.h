@@ -38,6 +38,17 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
+// A *split* replaces one face by three, or the faces on both sides of an edge by two each. The first new face takes the
+// index of the old one, the others are appended; so the mesh has no gaps, and undo() only truncates it. An edge of the
+// old face that survives as a whole gets a new halfedge (Kept_edge), and vertices that store the old one are told
+// (Renaming).
+//
+// How a split loses no digits. Positions are never subtracted near the new vertex: its distances from the corners come
+// from its coordinates (from_corner()), lengths of surviving edges are copied, and the halves of an edge are its length
+// times the two weights. Each new face gets its own layout from these vectors, with its shortest edge as the base.
+//
+// Invariants, between public functions: m_saved has each changed face as it was before each change, in that order,
+// m_saved_kinds each changed kind; parts() knows all faces that are parts of a face of the first mesh.
 template <typename FT_>
 class Source_insertion
 {
@@ -54,7 +65,8 @@ public:
   const Face_parts<FT>& parts() const { return m_parts; }
 
   // Returns the vertex at the point b of face f of the first mesh, and makes it if there is none. A point that is up to
-  // rounding on an edge or at a vertex is there; see snap_coordinates().
+  // rounding on an edge or at a vertex is there; see snap_coordinates(). On an edge without length, the vertex is an
+  // end of the edge. Takes time linear in the number of parts of f, unless a vertex around is pinched.
   // Requires: are_valid_coordinates(b).
   Vertex_id insert(Face_id f, Coordinates b)
   {
@@ -87,7 +99,9 @@ public:
     m_number_of_faces = m_mesh.number_of_faces();
   }
 
-  // Removes all inserted vertices: each face, vertex and kind becomes what it was, to the same bits.
+  // Removes all inserted vertices: each face, vertex and kind becomes what it was, to the same bits. Takes time for
+  // what the insertions have changed. Changes are taken back in reverse order, since a face may have been saved several
+  // times.
   void undo()
   {
     if(m_saved.empty())
@@ -104,6 +118,7 @@ public:
   }
 
 private:
+  // A vector in the layout of the face that is split.
   struct Vector_2
   {
     FT x, y;
@@ -116,7 +131,8 @@ private:
     std::vector<Halfedge_id> from, to;
   };
 
-  // A new face before its edges are ordered: side k leads from vertex k to vertex k+1.
+  // A new face before its edges are ordered: side k leads from vertex k to vertex k+1. `side` is in the layout of the
+  // old face; `corner` has the coordinates of the vertices in the whole face of the first mesh.
   struct Draft
   {
     std::array<Vertex_id, 3> vertex;
@@ -148,7 +164,7 @@ private:
   }
 
   // Makes a face of a draft, instead of face f, or at the end if f is null_id; returns the halfedge that is side 0
-  // of the draft. The opposites are not set.
+  // of the draft. The opposites are not set. The shortest side becomes halfedge 0, the first one in a tie.
   Halfedge_id make_face(const Draft& draft, Face_id whole, Face_id f)
   {
     const unsigned int shift = static_cast<unsigned int>(
@@ -177,7 +193,8 @@ private:
     return halfedge_of(f, (3 - shift) % 3);
   }
 
-  // Sets the apex by the projection of the third side on the base, side `shift` of the draft.
+  // Sets the apex by the projection of the third side on the base, side `shift` of the draft. A height that rounding
+  // makes negative is zero: the invariant of a layout.
   static void set_apex_of(const Draft& draft, unsigned int shift, Face& face)
   {
     const Vector_2& base = draft.side[shift];
@@ -196,8 +213,10 @@ private:
     }
   }
 
+  // Remembers a face before it changes.
   void save(Face_id f) { m_saved.emplace_back(f, m_mesh.face(f)); }
 
+  // Makes a and b opposite to each other; null_id stands for the border.
   void link(Halfedge_id a, Halfedge_id b)
   {
     if(a != null_id)
@@ -261,13 +280,15 @@ private:
     });
   }
 
+  // Adds flags to the kind of a vertex, and remembers what it was.
   void mark(Vertex_id v, unsigned char kind)
   {
     m_saved_kinds.emplace_back(v, m_mesh.kind(v));
     m_mesh.set_kind(v, static_cast<unsigned char>(m_mesh.kind(v) | kind));
   }
 
-  // Replaces each halfedge from[i] that is stored for one of the vertices by to[i].
+  // Replaces each halfedge from[i] that is stored for one of the vertices by to[i]. All at once, as a new name may
+  // equal the old name of another halfedge: the first new face has the index of the old one.
   void rename(const std::vector<Vertex_id>& vertices, const std::vector<Halfedge_id>& from,
               const std::vector<Halfedge_id>& to)
   {
@@ -279,7 +300,8 @@ private:
       });
   }
 
-  // Splits face s at the inner point b into three; returns the new vertex.
+  // Splits face s at the inner point b into three; returns the new vertex. Face k of the three has the old edge k and
+  // the new vertex.
   Vertex_id split_face(Face_id s, const Coordinates& b)
   {
     const Face_part<FT> whole = m_parts.part(s);
@@ -308,7 +330,7 @@ private:
       made[k] = make_face(d, whole.whole, k == 0 ? s : null_id);
       kept.push_back(Kept_edge{halfedge_of(s, k), old.opposite[k], made[k], old.vertex[k]});
     }
-    for(unsigned int k = 0; k < 3; ++k)
+    for(unsigned int k = 0; k < 3; ++k) // the spokes between neighbors
       link(next_halfedge(made[k]), previous_halfedge(made[next_corner(k)]));
     finish_split(v, previous_halfedge(made[0]), kept, Renaming());
     return v;
@@ -347,7 +369,8 @@ private:
     return v;
   }
 
-  // Splits an edge with the same face on both sides. First splits that face into three, so that the sides differ.
+  // Splits an edge with the same face on both sides. First splits that face into three, so that the sides differ; the
+  // additional vertex in the middle of the face is flat, and undo() removes it with the others.
   Vertex_id split_glued_edge(Halfedge_id h, const FT& wa, const FT& wb)
   {
     const Face_part<FT> whole = m_parts.part(face_of(h));
@@ -402,6 +425,7 @@ private:
     return {av, vb};
   }
 
+  // Remembers a face and those across its edges, whose opposites will change.
   void save_with_neighbors(Face_id s)
   {
     save(s);
