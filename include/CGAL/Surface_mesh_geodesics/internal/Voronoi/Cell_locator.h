@@ -260,15 +260,6 @@ private:
     return abs(Half_plane<FT>::left_of(a.first, a.last)(middle)) > resolution() || !(chord > resolution());
   }
 
-  // Returns the distance of x from the nearest point of the segment pq, which may be a single point.
-  static FT distance_from_segment(const Point& x, const Point& p, const Point& q)
-  {
-    const FT dx = q.x - p.x, dy = q.y - p.y, square = dx * dx + dy * dy;
-    FT t = square > 0 ? FT(((x.x - p.x) * dx + (x.y - p.y) * dy) / square) : FT(0);
-    t = (std::min)((std::max)(t, FT(0)), FT(1));
-    return distance(x, Point{FT(p.x + t * dx), FT(p.y + t * dy)});
-  }
-
   // Calls visit(arc) for the arcs in the face.
   template <typename Visit>
   void for_each_arc(Visit visit) const

@@ -31,7 +31,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <set>
@@ -425,7 +424,7 @@ private:
     double largest = -1;
     for(std::size_t k = i + 1; k < j; ++k)
     {
-      const double d = distance_to_segment(m_samples[k], m_samples[i], m_samples[j]);
+      const double d = distance_from_segment(m_samples[k], m_samples[i], m_samples[j]);
       if(d > largest)
       {
         best = k;
@@ -437,15 +436,6 @@ private:
     simplify(i, best, tolerance, false, vertices);
     vertices.push_back(add_vertex(m_samples[best]));
     simplify(best, j, tolerance, false, vertices);
-  }
-
-  // Returns the distance of p from the nearest point of the segment ab, which may be a single point.
-  static double distance_to_segment(const Point& p, const Point& a, const Point& b)
-  {
-    const double dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;
-    double t = square > 0 ? ((p.x - a.x) * dx + (p.y - a.y) * dy) / square : 0;
-    t = (std::min)((std::max)(t, 0.), 1.);
-    return distance(p, Point{a.x + t * dx, a.y + t * dy});
   }
 
   // --- pieces of cells ---

@@ -20,7 +20,6 @@
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_face.h>
 
-#include <algorithm>
 #include <array>
 #include <limits>
 
@@ -34,11 +33,8 @@ template <typename FT>
 std::array<FT, 3> coordinates_on_side(const Intrinsic_face<FT>& face, unsigned int k, const Planar_point<FT>& p)
 {
   const std::array<Planar_point<FT>, 3> corner = layout_of_face(face);
-  const Planar_point<FT> &a = corner[k], &b = corner[next_corner(k)];
-  const FT x = b.x - a.x, y = b.y - a.y, square = x * x + y * y;
-  const FT t = square > 0 ? FT(((p.x - a.x) * x + (p.y - a.y) * y) / square) : FT(0);
   std::array<FT, 3> result{FT(0), FT(0), FT(0)};
-  result[next_corner(k)] = (std::min)((std::max)(t, FT(0)), FT(1));
+  result[next_corner(k)] = nearest_fraction(p, corner[k], corner[next_corner(k)]);
   result[k] = 1 - result[next_corner(k)];
   return result;
 }

@@ -52,6 +52,23 @@ Planar_point<FT> midpoint(const Planar_point<FT>& p, const Planar_point<FT>& q)
   return {FT((p.x + q.x) / 2), FT((p.y + q.y) / 2)};
 }
 
+// Returns the fraction t in [0, 1] of the segment from a to b at which its point nearest to p lies; 0 if a equals b.
+template <typename FT>
+FT nearest_fraction(const Planar_point<FT>& p, const Planar_point<FT>& a, const Planar_point<FT>& b)
+{
+  const FT dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;
+  const FT t = square > 0 ? FT(((p.x - a.x) * dx + (p.y - a.y) * dy) / square) : FT(0);
+  return (std::min)((std::max)(t, FT(0)), FT(1));
+}
+
+// Returns the distance of p from the nearest point of the segment from a to b, which may be a single point.
+template <typename FT>
+FT distance_from_segment(const Planar_point<FT>& p, const Planar_point<FT>& a, const Planar_point<FT>& b)
+{
+  const FT t = nearest_fraction(p, a, b);
+  return distance(p, Planar_point<FT>{FT(a.x + t * (b.x - a.x)), FT(a.y + t * (b.y - a.y))});
+}
+
 // A point with a distance of its own: the distance of p from it is `weight` plus the distance in the plane.
 template <typename FT>
 struct Additively_weighted_point

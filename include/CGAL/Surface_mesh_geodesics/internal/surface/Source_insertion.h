@@ -118,11 +118,7 @@ public:
   }
 
 private:
-  // A vector in the layout of the face that is split.
-  struct Vector_2
-  {
-    FT x, y;
-  };
+  using Vector = Planar_point<FT>; // in the layout of the face that is split
 
   // The old and the new names of halfedges that leave some vertices.
   struct Renaming
@@ -136,31 +132,22 @@ private:
   struct Draft
   {
     std::array<Vertex_id, 3> vertex;
-    std::array<Vector_2, 3> side;
+    std::array<Vector, 3> side;
     std::array<FT, 3> length;
     std::array<Coordinates, 3> corner;
   };
 
-  // Returns the positions of the corners of a face in its layout.
-  static std::array<Vector_2, 3> layout(const Face& f)
-  {
-    return {Vector_2{0, 0}, Vector_2{f.length[0], 0}, Vector_2{f.apex_x, f.apex_y}};
-  }
+  static Vector difference(const Vector& b, const Vector& a) { return Vector{FT(b.x - a.x), FT(b.y - a.y)}; }
 
-  static Vector_2 difference(const Vector_2& b, const Vector_2& a)
-  {
-    return Vector_2{FT(b.x - a.x), FT(b.y - a.y)};
-  }
-
-  static Vector_2 negated(const Vector_2& a) { return Vector_2{FT(-a.x), FT(-a.y)}; }
+  static Vector negated(const Vector& a) { return Vector{FT(-a.x), FT(-a.y)}; }
 
   // Returns the vector from corner k to the point b. Its relative error stays small if the point is near the corner,
   // as no positions are subtracted.
-  static Vector_2 from_corner(const std::array<Vector_2, 3>& p, const Coordinates& b, unsigned int k)
+  static Vector from_corner(const std::array<Vector, 3>& p, const Coordinates& b, unsigned int k)
   {
     const unsigned int i = next_corner(k), j = previous_corner(k);
-    const Vector_2 u = difference(p[i], p[k]), v = difference(p[j], p[k]);
-    return Vector_2{FT(b[i] * u.x + b[j] * v.x), FT(b[i] * u.y + b[j] * v.y)};
+    const Vector u = difference(p[i], p[k]), v = difference(p[j], p[k]);
+    return Vector{FT(b[i] * u.x + b[j] * v.x), FT(b[i] * u.y + b[j] * v.y)};
   }
 
   // Makes a face of a draft, instead of face f, or at the end if f is null_id; returns the halfedge that is side 0
@@ -197,8 +184,8 @@ private:
   // makes negative is zero: the invariant of a layout.
   static void set_apex_of(const Draft& draft, unsigned int shift, Face& face)
   {
-    const Vector_2& base = draft.side[shift];
-    const Vector_2 apex = negated(draft.side[(shift + 2) % 3]);
+    const Vector& base = draft.side[shift];
+    const Vector apex = negated(draft.side[(shift + 2) % 3]);
     // Equal to length[0] up to rounding. length[0] itself would rescale the apex by the difference.
     const FT base_length = norm(base.x, base.y);
     if(base_length > 0)
@@ -307,8 +294,8 @@ private:
     const Face_part<FT> whole = m_parts.part(s);
     const Face old = m_mesh.face(s);
     const Coordinates where = combination(whole.corner, b);
-    const std::array<Vector_2, 3> p = layout(old);
-    std::array<Vector_2, 3> spoke; // from corner to point
+    const std::array<Vector, 3> p = layout_of_face(old);
+    std::array<Vector, 3> spoke; // from corner to point
     std::array<FT, 3> spoke_length;
     for(unsigned int k = 0; k < 3; ++k)
     {
@@ -394,24 +381,24 @@ private:
     const unsigned int ka = index_in_face(h), kb = next_corner(ka), kc = previous_corner(ka);
     const Face_part<FT> whole = m_parts.part(s);
     const Face old = m_mesh.face(s);
-    const std::array<Vector_2, 3> p = layout(old);
+    const std::array<Vector, 3> p = layout_of_face(old);
     Coordinates b;
     b[ka] = wa;
     b[kb] = wb;
     b[kc] = 0;
     const Coordinates where = combination(whole.corner, b);
-    const Vector_2 ab = difference(p[kb], p[ka]), to_c = negated(from_corner(p, b, kc));
+    const Vector ab = difference(p[kb], p[ka]), to_c = negated(from_corner(p, b, kc));
     const FT to_c_length = norm(to_c.x, to_c.y);
 
     Draft d;
     d.vertex = {old.vertex[ka], v, old.vertex[kc]};
-    d.side = {Vector_2{FT(wb * ab.x), FT(wb * ab.y)}, to_c, difference(p[ka], p[kc])};
+    d.side = {Vector{FT(wb * ab.x), FT(wb * ab.y)}, to_c, difference(p[ka], p[kc])};
     d.length = {FT(wb * length), to_c_length, old.length[kc]};
     d.corner = {whole.corner[ka], where, whole.corner[kc]};
     const Halfedge_id av = make_face(d, whole.whole, s);
 
     d.vertex = {v, old.vertex[kb], old.vertex[kc]};
-    d.side = {Vector_2{FT(wa * ab.x), FT(wa * ab.y)}, difference(p[kc], p[kb]),
+    d.side = {Vector{FT(wa * ab.x), FT(wa * ab.y)}, difference(p[kc], p[kb]),
               negated(to_c)};
     d.length = {FT(wa * length), old.length[kb], to_c_length};
     d.corner = {where, whole.corner[kb], whole.corner[kc]};
