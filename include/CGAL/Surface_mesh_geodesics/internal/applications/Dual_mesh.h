@@ -60,7 +60,8 @@ public:
   }
 
 private:
-  // Two triangles with the same halfedge mean that two cells have two edges in common.
+  // Counts the triangles of each three sites, and the uses of each halfedge. Two triangles with the same halfedge mean
+  // that two cells have two edges in common.
   void check_triangles(Report& r)
   {
     std::map<Triple, int> number_of_triangles;
@@ -78,6 +79,7 @@ private:
     }
   }
 
+  // Finds cells that are no disks, have several boundaries, or are corners of no triangle; empty ones do not count.
   // Requires: check_triangles() has been called.
   void check_cells(Report& r) const
   {
@@ -94,7 +96,8 @@ private:
     }
   }
 
-  // Requires: check_triangles() has been called. An edge from border to border is in no triangle.
+  // Finds cells with several edges in common, and edges whose dual is in no triangle: those from border to border.
+  // Requires: check_triangles() has been called.
   void check_edges(Report& r)
   {
     std::map<Pair, int> number_of_edges;

@@ -34,6 +34,8 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
+// Ties: of vertices that are equally far, the one that comes first in vertices(tm). Time: each sample costs the windows
+// of its cell and a little more; Farthest_vertex_queue finds the next one.
 template <typename TriangleMesh, typename VertexIndexMap, typename FaceIndexMap>
 class Farthest_point_sampling
 {
@@ -83,7 +85,8 @@ public:
   }
 
 private:
-  // Returns false if the visitor cancels.
+  // Makes sources of the samples that the user gives, and propagates from all of them at once. Returns false if the
+  // visitor cancels.
   template <typename Visitor>
   bool add_first_samples(Propagation& propagation, const std::vector<vertex_descriptor>& samples, Visitor& visitor)
   {
@@ -92,6 +95,7 @@ private:
     return samples.empty() || propagate(propagation, visitor);
   }
 
+  // Continues the propagation with the sources that are new. Returns false if the visitor cancels.
   template <typename Visitor>
   bool propagate(Propagation& propagation, Visitor& visitor) const
   {

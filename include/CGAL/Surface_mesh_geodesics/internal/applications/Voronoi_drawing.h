@@ -27,6 +27,7 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
+// Triangles and polylines do not share points: polylines follow the arcs by themselves, with another set of samples.
 struct Voronoi_drawing
 {
   using Point = Simple_cartesian<double>::Point_3;

@@ -43,6 +43,9 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
+// Each check returns the worst violation of one condition, and the number of its checks. Under a limit, a vertex whose
+// right value is beyond it may have the value infinity (is_beyond()). All checks take linear time, except
+// check_paths(), which takes the time to trace the paths, and check_reverse(), which is for one vertex.
 template <typename FT_>
 class Distance_checks
 {
@@ -144,7 +147,8 @@ public:
     return worst;
   }
 
-  // Each value is the length of a path to a source plus the offset of the source. The field proposes the paths.
+  // Each value is the length of a path to a source plus the offset of the source. The field proposes the paths; each is
+  // measured here, in the faces that it names. A vertex that the field does not reach is left to check_reach().
   Violation check_paths(const Vertex_distance_field<FT>& field, const FT& limit) const
   {
     const Path_tracer<FT> tracer(m_mesh, field);
@@ -228,6 +232,7 @@ private:
     record(values[to] - d, d, to, worst);
   }
 
+  // Returns, for each vertex, whether faces lead from it to a source.
   std::vector<char> vertices_connected_to_sources() const
   {
     std::vector<char> is_connected(m_mesh.number_of_vertices(), 0);

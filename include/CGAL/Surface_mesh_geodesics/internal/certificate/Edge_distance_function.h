@@ -57,6 +57,12 @@ std::array<FT, 2> turning_points(const FT& x, const FT& depth, const FT& other_x
 }
 
 // The function on one edge, as a sequence of pieces.
+//
+// Invariant between calls: there are no pieces, or they cover [0, length] without gaps and overlaps, each with a length
+// (do_pieces_cover_edge()). add() keeps it: the first three parts cover the edge, and merge() replaces a piece by
+// pieces over the same interval. So the function never grows, up to rounding.
+// Ties: the piece that came first stays; a new one has to be clearly less somewhere (is_clearly_less()). That makes the
+// bound larger by rounding at most, and keeps the number of pieces small.
 template <typename FT_>
 class Edge_distance_function
 {
@@ -119,6 +125,7 @@ private:
     return end == m_length;
   }
 
+  // Appends a part unless its interval is empty.
   static void append_part(const Piece& part, std::vector<Piece>& pieces)
   {
     if(part.begin < part.end)
@@ -141,6 +148,7 @@ private:
     m_pieces.swap(m_buffer);
   }
 
+  // Returns whether the intervals have a common interval that is not a point.
   static bool do_overlap(const Piece& part, const Piece& old)
   {
     return (std::max)(part.begin, old.begin) < (std::min)(part.end, old.end);

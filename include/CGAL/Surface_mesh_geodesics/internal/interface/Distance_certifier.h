@@ -44,6 +44,10 @@ namespace Surface_mesh_geodesics {
 namespace internal {
 
 // Reads the user's mesh when it is constructed. Call set_sources() once, then run().
+//
+// What the proof rests on. The values are the user's. The propagation here may be wrong, too: its paths are measured
+// face by face, and its windows only propose a lower bound on each edge, which Lower_bound_check verifies. So a fault
+// of the propagation can make right distances fail, but not wrong ones pass.
 template <typename FT, typename TriangleMesh, typename VertexIndexMap, typename FaceIndexMap>
 class Distance_certifier
 {
@@ -61,7 +65,8 @@ public:
 
   const Surface& surface() const { return m_surface; }
 
-  // Numbers the sources and makes vertices of them. Throws Invalid_geodesic_input. An offset of each source, or none.
+  // Numbers the sources and makes vertices of them. `offsets` has one for each source, or none, in the user's unit.
+  // Throws Invalid_geodesic_input.
   template <typename Sources>
   void set_sources(const Sources& sources, const std::vector<double>& offsets)
   {
@@ -115,7 +120,7 @@ private:
     result[CHECKED_PROOF].record(check_bounds_at_sources(field, checks));
   }
 
-  // The lower bound of a source is not greater than its offset, which the proof requires.
+  // Checks that the lower bound of a source is not greater than its offset, which the proof requires.
   Worst_violation<FT> check_bounds_at_sources(const Field& field, const Distance_checks<FT>& checks) const
   {
     Worst_violation<FT> worst;
@@ -125,7 +130,8 @@ private:
   }
 
   // Computes distances from some vertices to the sources, and compares them. The vertices are spread over all numbers:
-  // the reader numbers vertices by their distance from a face, so these are near it, far from it, and in between.
+  // the reader numbers vertices by their distance from a face, so these are near it, far from it, and in between. (With
+  // one run, the vertex in the middle of the numbers.)
   Worst_violation<FT> check_reverse(const Distance_checks<FT>& checks, const FT& limit, std::size_t number) const
   {
     std::vector<Vertex_id> targets;

@@ -53,6 +53,9 @@ struct Propagation_for_tag<Parallel_tag, FT, Rules>
 };
 #endif
 
+// Invariant between runs: the intrinsic mesh has no inserted sources (Repeated_propagation removes them), so that each
+// run starts from the mesh as it was read. The answers are those of the last run until the next one begins; after a run
+// that was canceled or failed, no vertex is reached.
 template <typename ConcurrencyTag, typename Rules, typename FT, typename TriangleMesh, typename VertexIndexMap,
           typename FaceIndexMap>
 class Distance_solver
@@ -79,7 +82,8 @@ public:
   const Surface& surface() const { return m_surface; }
 
   // Propagates from the sources. Returns false if the visitor canceled: no vertex has been reached then. Throws
-  // Invalid_geodesic_input, before anything changes, if a source, a target or a number is invalid.
+  // Invalid_geodesic_input, before anything changes, if a source, a target or a number is invalid. `options` are those
+  // of the public functions, in the user's unit. Takes time for the area that the run reaches, if there are limits.
   template <typename Sources, typename Options, typename Visitor>
   bool run(const Sources& sources, const Options& options, Visitor& visitor)
   {

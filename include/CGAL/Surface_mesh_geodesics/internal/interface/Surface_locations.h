@@ -39,6 +39,8 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
+// `Traits` is a model of SurfaceMeshShortestPathTraits; points and coordinates are made by its function objects.
+// Numbers are converted to double where a decision is made.
 template <typename Traits, typename VertexPointMap>
 struct Surface_locations
 {
@@ -137,6 +139,7 @@ struct Surface_locations
 
   // --- locations of points of space ---
 
+  // Fills a tree with the faces of the mesh, in place of what it has held.
   // Complexity: O(n log n) for n faces.
   template <typename AABBTraits>
   static void build_tree(const Triangle_mesh& tm, AABB_tree<AABBTraits>& tree, VertexPointMap vertex_point_map)
@@ -199,6 +202,7 @@ private:
                                    "the mesh is too large or too small to locate points, or the point is too far");
   }
 
+  // Returns the longest side of a box.
   static double largest_span(const Bbox_3& box)
   {
     return (std::max)(box.xmax() - box.xmin(), (std::max)(box.ymax() - box.ymin(), box.zmax() - box.zmin()));
@@ -217,7 +221,7 @@ private:
                                                 get(vertex_point_map, target(next(h, tm), tm)));
   }
 
-  // Requires: `he` has a face.
+  // Returns the location at t of a halfedge in its face; the third coordinate is an exact 0. Requires: `he` has a face.
   static Face_location location_in_face(halfedge_descriptor he, const FT& t, const Triangle_mesh& tm,
                                         const Traits& traits)
   {

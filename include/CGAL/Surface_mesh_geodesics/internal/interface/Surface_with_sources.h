@@ -31,7 +31,8 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// A point of a query: a vertex, or a point of a face of the refined mesh.
+// A point of a query: a vertex, or a point of a face of the refined mesh. `face` and `coordinates` are set if the point
+// is not a vertex of the first mesh; `vertex` is then set as well if a source is there.
 struct Surface_query
 {
   Vertex_id vertex = null_id;
@@ -42,6 +43,8 @@ struct Surface_query
   bool is_on_edge = false;  // a location on an edge of the first mesh. Rounding may move other ones there, too.
 };
 
+// Use: read(), add_source() for each source, insert_sources(), then the queries; clear_sources() or read() begins anew.
+// Invariant between calls: the mesh is refined only while m_are_inserted is set.
 template <typename TriangleMesh, typename VertexIndexMap, typename FaceIndexMap>
 class Surface_with_sources
 {
@@ -119,6 +122,7 @@ public:
 
   // --- from the refined mesh to the user ---
 
+  // Returns the user's face, and the coordinates in the order of its corners, of a point of a face of the refined mesh.
   std::pair<face_descriptor, Coordinates> user_location(Face_id f, Coordinates b) const
   {
     const Face_id whole = m_insertion.parts().coordinates_in_whole(f, b);

@@ -111,7 +111,9 @@ template <typename Paths, typename OutputIterator>
 struct Wants_faces_of_segments<Path_polyline_writer<Paths, OutputIterator>> : std::true_type
 {};
 
-// Turns what the solver reports of a path into calls of the visitor. `structure` knows the source points.
+// Turns what the solver reports of a path into calls of the visitor, in the order of the path from the query point to
+// the source: face() before each element that is reached through a face, and source() at the end unless the source is a
+// vertex. `structure` knows the source points.
 template <typename Structure, typename Visitor>
 class Path_sequence_sink
 {
@@ -146,7 +148,7 @@ public:
     std::array<double, 3> b = m_structure.weights(location.second); // in the order of the user's corners
     snap_coordinates(b);
     halfedge_descriptor h = halfedge(location.first, m_structure.mesh());
-    for(std::size_t k = 0; k < 3; ++k, h = next(h, m_structure.mesh()))
+    for(std::size_t k = 0; k < 3; ++k, h = next(h, m_structure.mesh())) // h leads from corner k to corner k + 1
       if(b[(k + 2) % 3] == 0)
       {
         m_visitor(h, FT(b[(k + 1) % 3]));
@@ -185,6 +187,7 @@ public:
   }
 
 private:
+  // Appends a point unless the line ends with it.
   static void append(std::vector<Point_3>& line, const Point_3& p)
   {
     if(line.empty() || p != line.back())

@@ -33,6 +33,7 @@ namespace internal {
 
 // --- kinds of sources ---
 
+// True for a vertex descriptor and what converts to one.
 template <typename TriangleMesh, typename Source>
 struct Is_vertex
   : std::is_convertible<Source, typename boost::graph_traits<TriangleMesh>::vertex_descriptor>
@@ -52,13 +53,14 @@ struct Is_face_location<TriangleMesh, Source,
                         typename boost::graph_traits<TriangleMesh>::face_descriptor>
 {};
 
+// True for a single source of either kind. Anything else is taken for a range.
 template <typename TriangleMesh, typename Source>
 struct Is_source
   : std::integral_constant<bool, Is_vertex<TriangleMesh, Source>::value
                                    || Is_face_location<TriangleMesh, Source>::value>
 {};
 
-// Calls visit(source) for a single source, or for each source of a range.
+// Calls visit(source) for a single source, or for each source of a range, in its order.
 template <typename TriangleMesh, typename Sources, typename Visit>
 void for_each_source(const Sources& sources, Visit visit)
 {
@@ -144,8 +146,9 @@ bool is_face_of(typename boost::graph_traits<TriangleMesh>::face_descriptor f, c
   refuse_descriptor(Invalid_geodesic_input::Reason::INVALID_LOCATION, what, position, " has a null face");
 }
 
-// Returns the barycentric coordinates of a location in the order of the corners of the intrinsic face, where h is
-// halfedge(f, tm). Throws if they are not valid.
+// Returns the barycentric coordinates of a location in the order of the corners of the intrinsic face. The user's order
+// begins at the source of halfedge(f, tm), which is h in the intrinsic mesh. Throws if they are not valid
+// (are_valid_coordinates()). Does not round them to the edges; see snap_coordinates().
 template <typename FT, typename Coordinates>
 Barycentric<FT> intrinsic_coordinates(Halfedge_id h, const Coordinates& b, const char* what, std::size_t position)
 {

@@ -41,6 +41,12 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
+// Invariants, during a search: m_stop and m_length belong to the vertex that is looked from; each cone leads, by
+// `parent`, back to the first cone of its stop, and each stop, by `previous`, back to the beginning; the cones of an
+// edge form a list, from m_last_cone on, along `other`. Cones and stops are never removed, so their indices stay valid.
+//
+// Frame: a cone is in the frame of the halfedge behind the edge that it crosses; see Cone. An object serves many
+// searches.
 template <typename FT>
 class Path_search
 {
@@ -103,6 +109,7 @@ private:
     Index cone, previous;
   };
 
+  // Starts a search for a path of length `distance` to the source of `root`. The memory of earlier searches is kept.
   void begin(Vertex_id root, const FT& distance, const FT& tolerance)
   {
     m_source = m_field.source_of(root);
@@ -151,7 +158,8 @@ private:
     return false;
   }
 
-  // Looks from a vertex into the faces around it: at their other corners, and across their opposite edges.
+  // Looks from a vertex into the faces around it: at their other corners, and across their opposite edges. All faces
+  // are tried, also those on the way back: what is too far from the source falls out in add().
   void look_around(Vertex_id v)
   {
     m_mesh.for_each_halfedge_around(v, [this](Halfedge_id h)
@@ -243,6 +251,7 @@ private:
     return false;
   }
 
+  // Returns the squared distance from the image of a cone to the point x of its edge.
   static FT squared_distance(const Cone& cone, const FT& x)
   {
     return (x - cone.image_x) * (x - cone.image_x) + cone.image_depth * cone.image_depth;
@@ -281,7 +290,8 @@ private:
     return (std::min)((std::max)(t, cone.begin), cone.end);
   }
 
-  // Looks at the apex of the face behind a cone, and through the two other sides of the face.
+  // Looks at the apex of the face behind a cone, and through the two other sides of the face. The line from the image
+  // to the apex crosses the edge at t, moved into the cone; there the cone is divided between the two sides.
   void look_through(Index i)
   {
     const Cone cone = m_cones[i];
