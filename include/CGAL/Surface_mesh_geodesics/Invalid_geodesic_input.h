@@ -28,7 +28,7 @@ defined. Functions throw it whether assertions are enabled or not, before they w
 the user.
 
 `reason()` tells programs what is wrong, `element()` where, and `what()` tells it to the user, in one sentence. If the
-input has several faults, the first one that is found is reported.
+input has several faults, one of them is reported, which need not be the first one in its range.
 
 \code
 try
