@@ -8,22 +8,22 @@ usage()
 {
   cat <<'END'
 usage: run_benchmark.sh [options]
-  --all              every triangle mesh of the data with at least 5000 faces, too
-  --no-standard      leave out the standard meshes (only the other tables that are asked for)
-  --paths            Surface_mesh_geodesic_paths, too: builds, queries and paths
-  --voronoi          Surface_mesh_geodesic_Voronoi_diagram, too: 1 to 1000 sites
-  --heat             Heat_method_3, too: times and errors (needs Eigen)
-  --questions        the programs for one question each, too: growth, anisotropy, sources, reach, rules, face queries,
-                     threads, matrix; and plots, if python3 has matplotlib
-  --certify          certified distances on all meshes of the data, too, compared with the original
+  --all              also measure every triangle mesh of the data with at least 5000 faces
+  --no-standard      do not measure the standard meshes
+  --paths            also measure Surface_mesh_geodesic_paths: builds, queries and paths
+  --voronoi          also measure Surface_mesh_geodesic_Voronoi_diagram with 1 to 1000 sites
+  --heat             also measure Heat_method_3: times and errors (needs Eigen)
+  --questions        also run the programs for one question each: growth, anisotropy, sources, reach, rules, face
+                     queries, threads, matrix; draw plots if python3 has matplotlib
+  --certify          also certify distances on all meshes of the data, and compare them with the original
   --repetitions N    runs of each method on the standard meshes (5)
   --all-repetitions N  the same for --all (3)
   --paths-repetitions N  the same for --paths (5)
   --questions-repetitions N  the same for --questions (7)
   --voronoi-repetitions N  the same for --voronoi (3)
   --heat-repetitions N  the same for --heat (5)
-  --paths-meshes LIST  names of meshes for --paths ("bunny00 armadillo refined_elephant"); with armadillo among them,
-                     armadillo subdivided once, too
+  --paths-meshes LIST  names of meshes for --paths ("bunny00 armadillo refined_elephant"); armadillo among them is also
+                     measured subdivided once
   --kernel K         simple or epick (simple)
   --build FOLDER     where to build and write (build/benchmark)
   --data FILE        CGAL's data as a tar.gz (Debian: package libcgal-demo)
