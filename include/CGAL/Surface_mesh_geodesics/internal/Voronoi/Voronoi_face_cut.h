@@ -75,7 +75,7 @@ public:
       {
         ++m_last;
         last_abscissa = x;
-        m_first_node.push_back(node);
+        m_fraction.push_back(x / length);
       }
       m_position[i] = m_last;
     }
@@ -93,15 +93,17 @@ public:
     return m_nodes.is_reversed ? m_last - m_position[m_nodes.number - 1 - i] : m_position[i];
   }
 
-  // Returns the first node at a position. Requires: 0 < position < last().
-  std::uint32_t node_at(std::uint32_t position) const
+  // Returns where a position is, as a fraction of the edge from the source of the halfedge: that of the first of its
+  // nodes along the halfedge with the smaller index. Requires: 0 < position < last().
+  double fraction(std::uint32_t position) const
   {
-    return m_first_node[m_nodes.is_reversed ? m_last - position - 1 : position - 1];
+    return m_nodes.is_reversed ? 1 - m_fraction[m_last - position - 1] : m_fraction[position - 1];
   }
 
 private:
   typename Complex::Nodes_on_edge m_nodes;
-  std::vector<std::uint32_t> m_position, m_first_node;
+  std::vector<std::uint32_t> m_position;
+  std::vector<double> m_fraction;
   std::uint32_t m_last = 0;
 };
 
@@ -227,8 +229,7 @@ private:
       const Point a = corner[k], b = corner[next_corner(k)];
       for(std::uint32_t i = 1; i < edge.last(); ++i)
       {
-        const double x = m_complex.nodes()[edge.node_at(i)].abscissa / m_mesh.length(h);
-        const double t = m_complex.nodes_on_edge(h).is_reversed ? 1 - x : x;
+        const double t = edge.fraction(i);
         m_border_points.push_back(Point{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)});
         m_sides.push_back(side);
       }

@@ -128,7 +128,7 @@ private:
       vertex_descriptor to = m_vertices[m_mesh.target(h)];
       if(i < edge.last())
       {
-        const double t = m_complex.nodes()[edge.node_at(i)].abscissa / m_mesh.length(h);
+        const double t = edge.fraction(i);
         to = new_vertex(point_in_face(face_of(h),
                                       Planar_point<double>{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)}));
       }
