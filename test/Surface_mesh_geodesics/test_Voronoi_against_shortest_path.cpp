@@ -73,7 +73,7 @@ private:
 // Checks that the owner of a point is the nearest site, up to ties.
 void check_owner(const Voronoi& diagram, Referee& referee, const Face_location& q)
 {
-  test_support::Scope scope(description(Place(q)));
+  test_support::Scope scope(description(Surface_point(q)));
   const std::vector<double> all = referee.distances(q);
   const double nearest = *std::min_element(all.begin(), all.end());
   const std::size_t owner = diagram.nearest_site(q);

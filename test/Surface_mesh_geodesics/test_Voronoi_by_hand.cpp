@@ -75,7 +75,7 @@ std::vector<Coordinates> middles_of_faces(const Indexed_mesh& mesh)
 }
 
 // Checks that the vertices of the diagram are the expected points, in any order.
-void check_places_of_vertices(const Voronoi& diagram, std::vector<Coordinates> expected)
+void check_positions_of_vertices(const Voronoi& diagram, std::vector<Coordinates> expected)
 {
   CHECK_EQUAL(diagram.vertices().size(), expected.size());
   for(const Voronoi::Vertex& v : diagram.vertices())
@@ -85,7 +85,7 @@ void check_places_of_vertices(const Voronoi& diagram, std::vector<Coordinates> e
                                     [&](const Coordinates& q) { return length(p - q) <= 1e-14; });
     if(CHECK(found != expected.end()))
     {
-      expected.erase(found); // no two vertices are at one place
+      expected.erase(found); // no two vertices are at one position
     }
   }
 }
@@ -115,7 +115,7 @@ void test_corners_of_cube()
 {
   test_support::Scope scope("corners of a cube");
   Case c(cube(), all_vertices(8));
-  check_places_of_vertices(c.diagram, {{.5, .5, 0.}, {.5, .5, 1.}, {.5, 0., .5}, {.5, 1., .5}, {0., .5, .5},
+  check_positions_of_vertices(c.diagram, {{.5, .5, 0.}, {.5, .5, 1.}, {.5, 0., .5}, {.5, 1., .5}, {0., .5, .5},
                                        {1., .5, .5}});
   check_degrees(c.diagram, 4, std::sqrt(.5));
   CHECK_EQUAL(c.diagram.edges().size(), 12u);
@@ -135,7 +135,7 @@ void test_corners_of_tetrahedron()
 {
   test_support::Scope scope("corners of a regular tetrahedron");
   Case c(regular_tetrahedron(), all_vertices(4));
-  check_places_of_vertices(c.diagram, middles_of_faces(regular_tetrahedron()));
+  check_positions_of_vertices(c.diagram, middles_of_faces(regular_tetrahedron()));
   check_degrees(c.diagram, 3, std::sqrt(8. / 3.));
   CHECK_EQUAL(c.diagram.edges().size(), 6u);
   for(const Voronoi::Edge& e : c.diagram.edges())
@@ -382,7 +382,7 @@ void test_flat_torus()
   {
     CHECK_CLOSE(e.length(), 3., 1e-13);
   }
-  check_places_of_vertices(diagram, middles_of_diagonals(tm, {{1, 1}, {1, 4}, {4, 1}, {4, 4}}, n));
+  check_positions_of_vertices(diagram, middles_of_diagonals(tm, {{1, 1}, {1, 4}, {4, 1}, {4, 4}}, n));
   CHECK_CLOSE(diagram.distance_to_nearest_site(vertex(n + 1)), std::sqrt(2.), 1e-14);
 }
 

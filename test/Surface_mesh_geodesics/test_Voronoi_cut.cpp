@@ -219,7 +219,7 @@ void test_collection(std::uint64_t seed)
   CHECK(number_of_fine_cuts >= 50);
 }
 
-// Sites at symmetric places: arcs run along edges and through vertices.
+// Sites at symmetric positions: arcs run along edges and through vertices.
 void test_symmetric()
 {
   std::vector<Indexed_mesh> meshes{flat_patch(4, 4, 0., false, 1), flat_patch(5, 5, 0., false, 1), cube(), cube_grid(2),

@@ -4,7 +4,6 @@
 #include "random_Voronoi_diagram.h"
 
 #include <CGAL/Surface_mesh_geodesics/certify_geodesic_Voronoi_diagram.h>
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <array>
 #include <cmath>
@@ -22,7 +21,7 @@ std::size_t number_of_points = 0;
 void check_point(const Mesh& tm, const Voronoi& diagram, const Weighted_sites& sites, Distances_of_sites& distances,
                  const Face_location& q)
 {
-  test_support::Scope scope(description(Place(q)));
+  test_support::Scope scope(description(Surface_point(q)));
   const std::size_t site = diagram.nearest_site(q);
   const double nearest = diagram.distance_to_nearest_site(q);
   if(site == null_site)
@@ -31,7 +30,7 @@ void check_point(const Mesh& tm, const Voronoi& diagram, const Weighted_sites& s
     return;
   }
   CHECK(site < sites.size());
-  CHECK_NEAR(distances(site, Place(q)), nearest, 1e-9 * longest_edge(tm));
+  CHECK_NEAR(distances(site, Surface_point(q)), nearest, 1e-9 * longest_edge(tm));
   ++number_of_points;
 }
 
@@ -119,20 +118,13 @@ void test_random_grid(std::uint64_t seed)
   check_diagram(tm, sites, points);
 }
 
-Mesh mesh_of_file(const std::string& name)
-{
-  Mesh tm;
-  CHECK(CGAL::IO::read_polygon_mesh(name, tm));
-  return tm;
-}
-
 // Meshes on which diagrams were wrong in former versions, with sites at vertices and in a face.
 void certify_diagrams()
 {
   {
     // Close to a site, distances are smaller than the rounding of abscissas on the edge of a face without height.
     test_support::Scope scope("cells in a flat cap");
-    const Mesh tm = mesh_of_file("data/cells_in_flat_cap.off");
+    const Mesh tm = load_data("cells_in_flat_cap");
     Voronoi diagram(tm);
     diagram.add_site(vertex(11));
     diagram.add_site(vertex(8));
@@ -142,7 +134,7 @@ void certify_diagrams()
   {
     // Sites at different vertices with the same point: arcs between them lie in faces without area.
     test_support::Scope scope("sites at one point");
-    const Mesh tm = mesh_of_file("data/sites_at_one_point.off");
+    const Mesh tm = load_data("sites_at_one_point");
     Voronoi diagram(tm);
     diagram.add_site(vertex(8));
     diagram.add_site(Face_location(face(21), {0.41494522565178216, 0.0084301875672685694, 0.5766245867809493}));

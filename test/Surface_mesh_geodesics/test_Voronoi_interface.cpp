@@ -232,10 +232,10 @@ void test_handles()
   check_handles<Voronoi::Edge>(diagram, other, [](const Voronoi& d) { return d.edges(); });
 }
 
-// Queries refuse places that are not in the mesh, with and without sites.
-void test_absent_places()
+// Queries reject locations that are not in the mesh, with and without sites.
+void test_absent_locations()
 {
-  test_support::Scope scope("absent places");
+  test_support::Scope scope("absent locations");
   using Reason = Invalid_geodesic_input::Reason;
   const Mesh tm = to_face_graph(cube());
   const std::vector<vertex_descriptor> no_vertices = {vertex(100), boost::graph_traits<Mesh>::null_vertex()};
@@ -443,22 +443,22 @@ void test_other_mesh(const std::string& name)
   const Mesh tm = to_face_graph(indexed);
   Other_mesh other = to_face_graph<Other_mesh>(indexed);
   CGAL::set_halfedgeds_items_id(other);
-  const std::vector<std::size_t> places = {0, 5, 11};
+  const std::vector<std::size_t> numbers = {0, 5, 11};
   const std::vector<typename boost::graph_traits<Other_mesh>::vertex_descriptor> all(vertices(other).begin(),
                                                                                       vertices(other).end());
   Voronoi expected(tm);
   Diagram diagram(other);
-  for(const std::size_t v : places)
+  for(const std::size_t v : numbers)
   {
     expected.add_site(vertex(v), .125);
     diagram.add_site(all[v], typename Traits::FT(.125));
   }
   double sum = 0.;
-  for(std::size_t i = 0; i < places.size(); ++i)
+  for(std::size_t i = 0; i < numbers.size(); ++i)
   {
     sum += CGAL::to_double(diagram.area(i));
-    CHECK_EQUAL(diagram.nearest_site(all[places[i]]), i);
-    CHECK_EQUAL(CGAL::to_double(diagram.distance_to_nearest_site(all[places[i]])), -.125);
+    CHECK_EQUAL(diagram.nearest_site(all[numbers[i]]), i);
+    CHECK_EQUAL(CGAL::to_double(diagram.distance_to_nearest_site(all[numbers[i]])), -.125);
   }
   CHECK_CLOSE(sum, 24., 1e-12);
   double l = 0., m = 0.;
@@ -527,7 +527,7 @@ int main()
   test_other_sites();
   test_elements();
   test_handles();
-  test_absent_places();
+  test_absent_locations();
   test_parameters_of_arcs();
   test_invalid_input();
   test_threads();

@@ -27,7 +27,7 @@ std::vector<Point_2> points_of(const Weighted_sites& sites, const Mesh& tm)
   std::vector<Point_2> points;
   for(const Weighted_site& s : sites)
   {
-    points.push_back(flat(s.place.is_vertex() ? coordinates(s.place.vertex, tm) : coordinates(s.place.location, tm)));
+    points.push_back(flat(s.point.is_vertex() ? coordinates(s.point.vertex, tm) : coordinates(s.point.location, tm)));
   }
   return points;
 }

@@ -44,10 +44,10 @@ void test_sites(const Mesh& tm, const Weighted_sites& sites)
     for(const std::array<double, 3>& b : special_coordinates())
     {
       const Face_location q{f, {b[0], b[1], b[2]}};
-      const std::vector<double> all = distances.all(Place(q));
+      const std::vector<double> all = distances.all(Surface_point(q));
       const double nearest = *std::min_element(all.begin(), all.end());
       const std::size_t site = diagram.nearest_site(q);
-      test_support::Scope scope(description(Place(q)));
+      test_support::Scope scope(description(Surface_point(q)));
       CHECK(site < all.size() && all[site] - nearest <= 1e-11);
       CHECK_NEAR(diagram.distance_to_nearest_site(q), nearest, 1e-11);
       ++number_of_points;

@@ -140,8 +140,8 @@ Indexed_mesh sorted(const Indexed_mesh& mesh)
   {
     for(std::size_t& v : t)
     {
-      const auto place = std::lower_bound(result.points.begin(), result.points.end(), mesh.points[v]);
-      v = static_cast<std::size_t>(place - result.points.begin());
+      const auto position = std::lower_bound(result.points.begin(), result.points.end(), mesh.points[v]);
+      v = static_cast<std::size_t>(position - result.points.begin());
     }
     std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
   }

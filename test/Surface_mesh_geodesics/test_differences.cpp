@@ -64,7 +64,7 @@ public:
   const Mesh& mesh() const { return m_tm; }
 
   // a source for both classes
-  void add_source(const Place& p)
+  void add_source(const Surface_point& p)
   {
     add_to(m_ours, p);
     ask_original([&]() {
@@ -74,7 +74,7 @@ public:
   }
 
   // The distance is `expected` times the unit. If `asks_original` is false, the other class is no longer queried.
-  void ask_distance(const Place& q, double expected, bool asks_original = true)
+  void ask_distance(const Surface_point& q, double expected, bool asks_original = true)
   {
     const double d = ask(m_ours, q).distance;
     const double expected_answer = expected < 0. ? expected : expected * m_unit;
@@ -90,7 +90,7 @@ public:
   }
 
   // The number of points of the path is a column of the table.
-  void ask_path(const Place& q, const std::vector<Coordinates>& expected)
+  void ask_path(const Surface_point& q, const std::vector<Coordinates>& expected)
   {
     add(m_our_answers, std::to_string(check_path(q, expected)) + " points");
     ask_original([&]() {
@@ -101,7 +101,7 @@ public:
   }
 
   // Checks that our path has these points; returns their number.
-  std::size_t check_path(const Place& q, const std::vector<Coordinates>& expected)
+  std::size_t check_path(const Surface_point& q, const std::vector<Coordinates>& expected)
   {
     std::vector<Kernel::Point_3> points;
     ask_points(m_ours, q, std::back_inserter(points));
@@ -132,7 +132,7 @@ public:
 
 private:
   template <class Paths>
-  static void add_to(Paths& paths, const Place& p)
+  static void add_to(Paths& paths, const Surface_point& p)
   {
     if(p.is_vertex())
     {
@@ -149,7 +149,7 @@ private:
     answers += (answers.empty() || answer.empty() ? "" : ", ") + answer;
   }
 
-  double answer_of_original(const Place& q)
+  double answer_of_original(const Surface_point& q)
   {
     return q.is_vertex() ? m_original.shortest_distance_to_source_points(q.vertex).first
                          : m_original.shortest_distance_to_source_points(q.location.first, q.location.second).first;
@@ -220,15 +220,8 @@ Indexed_mesh fan_of_four()
 
 // --- locations ---
 
-// the point a + t (b - a) of an edge
-Place on_edge(std::size_t a, std::size_t b, double t, const Mesh& tm)
-{
-  const auto h = halfedge(vertex(a), vertex(b), tm).first;
-  return is_border(h, tm) ? location_on_halfedge(opposite(h, tm), 1. - t, tm) : location_on_halfedge(h, t, tm);
-}
-
 // the point of a face with these weights of its vertices
-Place in_face(std::size_t f, const std::array<std::pair<std::size_t, double>, 3>& weights, const Mesh& tm)
+Surface_point in_face(std::size_t f, const std::array<std::pair<std::size_t, double>, 3>& weights, const Mesh& tm)
 {
   Face_location location(face(f), {0., 0., 0.});
   const auto corners = corners_of_face(face(f), tm);
@@ -242,7 +235,7 @@ Place in_face(std::size_t f, const std::array<std::pair<std::size_t, double>, 3>
       }
     }
   }
-  return Place(location);
+  return Surface_point(location);
 }
 
 // --- the rows ---
@@ -251,7 +244,7 @@ void sources_on_edges()
 {
   {
     Row row("triangle", triangle(), "from (3/4, 0) to the corners");
-    row.add_source(on_edge(0, 1, .25, row.mesh()));
+    row.add_source(on_edge(0, 1, .25, row.mesh()).front());
     row.ask_distance(vertex(0), .75);
     row.ask_distance(vertex(1), 2.25);
     row.ask_distance(vertex(2), std::sqrt(.75 * .75 + 4. * 4.));
@@ -259,8 +252,8 @@ void sources_on_edges()
     row.print();
   }
   Row row("triangle", triangle(), "from (3/4, 0) to itself");
-  row.add_source(on_edge(0, 1, .25, row.mesh()));
-  row.ask_distance(on_edge(0, 1, .25, row.mesh()), 0.);
+  row.add_source(on_edge(0, 1, .25, row.mesh()).front());
+  row.ask_distance(on_edge(0, 1, .25, row.mesh()).front(), 0.);
   row.print();
 }
 
@@ -286,7 +279,7 @@ void queries_on_the_border()
 {
   Row row("triangle", triangle(), "from (0, 4) to (0, 3/2)");
   row.add_source(vertex(2));
-  row.ask_distance(on_edge(0, 2, .375, row.mesh()), 2.5);
+  row.ask_distance(on_edge(0, 2, .375, row.mesh()).front(), 2.5);
   row.print();
 }
 
@@ -305,7 +298,7 @@ void several_sources()
   Row row("square", square(), "from both (3/4, 1/8) and (5/8, 1/8) to (5/8, 1/2)");
   row.add_source(in_face(0, {{{0, .125}, {1, .75}, {2, .125}}}, row.mesh()));
   row.add_source(in_face(0, {{{0, .25}, {1, .625}, {2, .125}}}, row.mesh()));
-  const Place query = in_face(1, {{{1, .5}, {2, .375}, {3, .125}}}, row.mesh());
+  const Surface_point query = in_face(1, {{{1, .5}, {2, .375}, {3, .125}}}, row.mesh());
   CHECK((coordinates(query.location, row.mesh()) == Coordinates{.625, .5, 0.}));
   row.ask_distance(query, .375);
   row.check_path(query, {{.625, .5, 0.}, {.625, .375, 0.}, {.625, .125, 0.}});
@@ -340,7 +333,7 @@ void points_of_paths()
 {
   Row row("square", square(), "from (0, 0) to (3/8, 5/8): the path");
   row.add_source(vertex(0));
-  row.ask_path(on_edge(1, 2, .625, row.mesh()), {{.375, .625, 0.}, {0., 0., 0.}});
+  row.ask_path(on_edge(1, 2, .625, row.mesh()).front(), {{.375, .625, 0.}, {0., 0., 0.}});
   row.print();
 }
 

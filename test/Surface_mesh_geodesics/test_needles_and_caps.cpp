@@ -6,8 +6,6 @@
 #include "test_meshes.h"
 #include "test_support.h"
 
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -32,14 +30,10 @@ std::vector<long double> distances_in_long_double(const Mesh& tm, vertex_descrip
   return result;
 }
 
-void distances_are_right(const std::string& filename)
+void distances_are_right(const std::string& name)
 {
-  test_support::Scope scope(filename);
-  Mesh tm;
-  if(!CHECK(CGAL::IO::read_polygon_mesh("data/" + filename, tm)))
-  {
-    return;
-  }
+  test_support::Scope scope(name);
+  const Mesh tm = load_data(name);
   std::vector<std::vector<double>> all;
   for(const vertex_descriptor s : vertices(tm))
   {
@@ -106,7 +100,7 @@ int main()
       {"cap_A_9682", "cap_source_in_front", "caps_back_to_back", "caps_two_rotated", "needle_1e-12",
        "needle_1e-12b", "needle_1e-15", "needle_B_3828", "needle_B_6574", "needle_B_6892"})
   {
-    distances_are_right(std::string(name) + ".off");
+    distances_are_right(name);
   }
   return test_result();
 }

@@ -24,13 +24,13 @@ const double tolerance = 1e-12;
 std::size_t number_of_queries = 0;
 std::size_t queries_with_one_source = 0;
 
-Place random_place(const Mesh& tm, test_support::Random& random)
+Surface_point random_point(const Mesh& tm, test_support::Random& random)
 {
   if(random.index(2) == 0)
   {
-    return Place(random_vertex(tm, random));
+    return Surface_point(random_vertex(tm, random));
   }
-  return Place(random_location(tm, random, random.index(4) == 0 ? 1e-5 : 1e-2));
+  return Surface_point(random_location(tm, random, random.index(4) == 0 ? 1e-5 : 1e-2));
 }
 
 void check_distance(double d, double expected, double size)
@@ -48,21 +48,21 @@ void one_source(const Mesh& tm, double size, std::size_t sources, std::size_t qu
   Geodesic_paths paths(tm);
   for(std::size_t i = 0; i < sources; ++i)
   {
-    const Place source = random_place(tm, random);
+    const Surface_point source = random_point(tm, random);
     Shortest_path original(tm);
     add(original, source);
     paths.remove_all_source_points();
     add(paths, source);
     for(std::size_t j = 0; j < queries; ++j)
     {
-      const Place query = random_place(tm, random);
+      const Surface_point query = random_point(tm, random);
       check_distance(ask(paths, query).distance, ask(original, query).distance, size);
       checked_path(paths, query, tm, size);
     }
     if(!source.is_vertex())
     {
       // from the same face, and from the source itself
-      Place query = source;
+      Surface_point query = source;
       CHECK_EQUAL(ask(paths, query).distance, 0.);
       CHECK_EQUAL(checked_path(paths, query, tm, size).size(), 1u);
       const double a = random.uniform(.1, .4), b = random.uniform(.1, .4);
@@ -81,7 +81,7 @@ void several_sources(const Mesh& tm, double size, std::size_t number, std::size_
   std::vector<std::unique_ptr<Shortest_path>> originals;
   for(std::size_t i = 0; i < number; ++i)
   {
-    const Place source = random_place(tm, random);
+    const Surface_point source = random_point(tm, random);
     originals.push_back(std::make_unique<Shortest_path>(tm));
     add(*originals.back(), source);
     add(paths, source);
@@ -90,7 +90,7 @@ void several_sources(const Mesh& tm, double size, std::size_t number, std::size_
   const Geodesic_paths& built = paths;
   for(std::size_t j = 0; j < queries; ++j)
   {
-    const Place query = random_place(tm, random);
+    const Surface_point query = random_point(tm, random);
     std::vector<double> expected;
     for(const auto& original : originals)
     {
@@ -132,19 +132,19 @@ void points_of_edges(const Indexed_mesh& indexed, const Mesh& tm, double size, s
       {
         continue;
       }
-      const Place place(location_on_halfedge(side.first, side.second, tm));
+      const Surface_point point(location_on_halfedge(side.first, side.second, tm));
       from_edge.remove_all_source_points();
-      add(from_edge, place);
+      add(from_edge, point);
       for(std::size_t j = 0; j < 5; ++j)
       {
-        const Place v(random_vertex(tm, random));
+        const Surface_point v(random_vertex(tm, random));
         const double expected = ask(original, v).distance;
         check_distance(ask(from_edge, v).distance, expected, size);
         checked_path(from_edge, v, tm, size);
         from_vertex.remove_all_source_points();
         add(from_vertex, v);
-        check_distance(ask(from_vertex, place).distance, expected, size);
-        checked_path(from_vertex, place, tm, size);
+        check_distance(ask(from_vertex, point).distance, expected, size);
+        checked_path(from_vertex, point, tm, size);
       }
     }
   }

@@ -341,11 +341,11 @@ void other_const_members_do_not_build()
   CHECK(constant.changed_since_last_build());
   for(const vertex_descriptor v : vertices(tm))
   {
-    checked_path(constant, Place(v), tm, 1.);
+    checked_path(constant, Surface_point(v), tm, 1.);
   }
   for(const face_descriptor f : faces(tm))
   {
-    checked_path(constant, Place(Face_location(f, inside)), tm, 1.);
+    checked_path(constant, Surface_point(Face_location(f, inside)), tm, 1.);
   }
   CHECK(!constant.changed_since_last_build());
 }
@@ -358,7 +358,7 @@ void clear_takes_the_mesh_as_it_is()
   Mesh tm = load_data("grid5");
   Geodesic_paths paths(tm);
   paths.add_source_point(vertex(0));
-  CHECK_CLOSE(ask(paths, Place(vertex(24))).distance, std::sqrt(2.), 1e-12);
+  CHECK_CLOSE(ask(paths, Surface_point(vertex(24))).distance, std::sqrt(2.), 1e-12);
   for(const vertex_descriptor v : vertices(tm))
   {
     const Coordinates p = coordinates(v, tm);
@@ -370,12 +370,12 @@ void clear_takes_the_mesh_as_it_is()
   tm.point(target(CGAL::Euler::add_center_vertex(halfedge(first_face, tm), tm), tm)) = middle;
   paths.clear();
   paths.add_source_point(vertex(0));
-  CHECK_CLOSE(ask(paths, Place(vertex(24))).distance, std::sqrt(10.), 1e-12);
-  CHECK_EQUAL(ask(paths, Place(vertex(25))).source, 0u);
+  CHECK_CLOSE(ask(paths, Surface_point(vertex(24))).distance, std::sqrt(10.), 1e-12);
+  CHECK_EQUAL(ask(paths, Surface_point(vertex(25))).source, 0u);
 }
 
 // The same paths, element by element.
-void check_equal_paths(Geodesic_paths& first, Geodesic_paths& second, const Place& query)
+void check_equal_paths(Geodesic_paths& first, Geodesic_paths& second, const Surface_point& query)
 {
   Path_recorder<Geodesic_paths> a, b;
   ask_sequence(first, query, a);
@@ -409,12 +409,12 @@ void edge_lengths_replace_points()
   test_support::Random random(5);
   for(std::size_t i = 0; i < 6; ++i)
   {
-    const Place source = i % 2 == 0 ? Place(random_vertex(tm, random)) : Place(random_location(tm, random));
+    const Surface_point source = random_vertex_or_location(i % 2 == 0, tm, random);
     add(by_points, source);
     add(by_lengths, source);
     for(std::size_t j = 0; j < 40; ++j)
     {
-      const Place query = j % 2 == 0 ? Place(random_vertex(tm, random)) : Place(random_location(tm, random));
+      const Surface_point query = random_vertex_or_location(j % 2 == 0, tm, random);
       CHECK_CLOSE(ask(by_lengths, query).distance, ask(by_points, query).distance, 1e-12);
       check_equal_paths(by_points, by_lengths, query);
     }
@@ -434,17 +434,19 @@ void other_edge_lengths_replace_the_first_ones()
   }
   Geodesic_paths by_points(tm), by_lengths(tm);
   by_lengths.use_edge_lengths(lengths);
-  for(const Place& source : {Place(vertex(11)), Place(Face_location(face(20), {.2, .3, .5})), Place(vertex(50))})
+  const Face_location in_face(face(20), {.2, .3, .5});
+  for(const Surface_point& source : {Surface_point(vertex(11)), Surface_point(in_face), Surface_point(vertex(50))})
   {
     add(by_points, source);
     add(by_lengths, source);
   }
-  CHECK_CLOSE(ask(by_lengths, Place(vertex(3))).distance, ask(by_points, Place(vertex(3))).distance, 1e-13);
+  const Surface_point query(vertex(3));
+  CHECK_CLOSE(ask(by_lengths, query).distance, ask(by_points, query).distance, 1e-13);
   by_lengths.use_edge_lengths(doubled);
   CHECK(by_lengths.changed_since_last_build());
   for(const vertex_descriptor v : vertices(tm))
   {
-    CHECK_CLOSE(ask(by_lengths, Place(v)).distance, 2. * ask(by_points, Place(v)).distance, 1e-13);
+    CHECK_CLOSE(ask(by_lengths, Surface_point(v)).distance, 2. * ask(by_points, Surface_point(v)).distance, 1e-13);
   }
   const auto e = *edges(tm).begin();
   for(const std::pair<double, Reason>& bad :
@@ -457,7 +459,7 @@ void other_edge_lengths_replace_the_first_ones()
     doubled[e] = right;
   }
   by_lengths.use_edge_lengths(doubled);
-  CHECK_CLOSE(ask(by_lengths, Place(vertex(3))).distance, 2. * ask(by_points, Place(vertex(3))).distance, 1e-13);
+  CHECK_CLOSE(ask(by_lengths, query).distance, 2. * ask(by_points, query).distance, 1e-13);
 }
 
 // --- progress and canceling ---
@@ -517,7 +519,7 @@ void building_can_be_canceled()
                     expected.shortest_distance_to_source_points(vertex(3)).first);
         CHECK(!paths.changed_since_last_build());
       }
-      for(const Place& q : {Place(vertex(3)), Place(Face_location(face(12), {.2, .3, .5}))})
+      for(const Surface_point& q : {Surface_point(vertex(3)), Surface_point(Face_location(face(12), {.2, .3, .5}))})
       {
         CHECK_EQUAL(ask(paths, q).distance, ask(expected, q).distance);
         CHECK_EQUAL(ask(paths, q).source, ask(expected, q).source);
@@ -552,7 +554,7 @@ void canceling_the_second_stage_keeps_the_first()
   CHECK_EQUAL(visitor.begins, 0u);
   Geodesic_paths expected(tm);
   expected.add_source_point(vertex(0));
-  const Place query(Face_location(face(12), {.2, .3, .5}));
+  const Surface_point query(Face_location(face(12), {.2, .3, .5}));
   CHECK_EQUAL(ask(paths, query).distance, ask(expected, query).distance);
 }
 
@@ -574,7 +576,7 @@ void visitors_may_throw()
   CHECK(paths.changed_since_last_build());
   for(const vertex_descriptor v : vertices(tm))
   {
-    CHECK_EQUAL(ask(paths, Place(v)).distance, ask(expected, Place(v)).distance);
+    CHECK_EQUAL(ask(paths, Surface_point(v)).distance, ask(expected, Surface_point(v)).distance);
   }
   CHECK(throws<std::runtime_error>([&] { paths.build_sequence_tree_for_faces(visitor); }));
   CHECK(!paths.changed_since_last_build()); // the vertices are still known

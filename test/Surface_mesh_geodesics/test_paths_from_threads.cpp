@@ -21,7 +21,7 @@ namespace {
 
 // The answers of all members to one query, as numbers.
 template <class Paths> // const or not
-std::vector<double> everything(Paths& paths, const Place& query)
+std::vector<double> everything(Paths& paths, const Surface_point& query)
 {
   std::vector<double> result;
   const Answer answer = ask(paths, query);
@@ -97,7 +97,7 @@ std::vector<double> everything_at_once(Paths& paths, const Mesh& tm)
 
 // Asks all queries, from the given one on. What is asked once for the whole mesh comes first or last.
 template <class Paths>
-std::vector<std::vector<double>> all_answers(Paths& paths, const Mesh& tm, const std::vector<Place>& queries,
+std::vector<std::vector<double>> all_answers(Paths& paths, const Mesh& tm, const std::vector<Surface_point>& queries,
                                              std::size_t first, bool whole_mesh_first)
 {
   std::vector<std::vector<double>> results(queries.size() + 1);
@@ -134,7 +134,7 @@ void run_in_threads(std::size_t number_of_threads, Ask ask)
   }
 }
 
-void threads_ask_a_built_object(Geodesic_paths& built, const Mesh& tm, const std::vector<Place>& queries,
+void threads_ask_a_built_object(Geodesic_paths& built, const Mesh& tm, const std::vector<Surface_point>& queries,
                                 const All_answers& expected)
 {
   test_support::Scope scope("built");
@@ -154,13 +154,14 @@ void threads_ask_a_built_object(Geodesic_paths& built, const Mesh& tm, const std
 }
 
 // All threads begin at once, with queries of different kinds.
-void threads_ask_an_object_that_is_not_built(const std::vector<Place>& sources, bool has_vertices, const Mesh& tm,
-                                             const std::vector<Place>& queries, const All_answers& expected)
+void threads_ask_an_object_that_is_not_built(const std::vector<Surface_point>& sources, bool has_vertices,
+                                             const Mesh& tm, const std::vector<Surface_point>& queries,
+                                             const All_answers& expected)
 {
   test_support::Scope scope(has_vertices ? "built for vertices" : "never built");
   const std::size_t number_of_threads = 8;
   Geodesic_paths paths(tm);
-  for(const Place& source : sources)
+  for(const Surface_point& source : sources)
   {
     add(paths, source);
   }
@@ -189,7 +190,7 @@ void threads_ask_an_object_that_is_not_built(const std::vector<Place>& sources, 
 }
 
 // If the first query finds a bad source, every thread gets the exception; then the object can be mended.
-void threads_get_the_exception_of_a_build(const Mesh& tm, const std::vector<Place>& queries)
+void threads_get_the_exception_of_a_build(const Mesh& tm, const std::vector<Surface_point>& queries)
 {
   test_support::Scope scope("bad source");
   Geodesic_paths paths(tm);
@@ -211,7 +212,7 @@ void threads_get_the_exception_of_a_build(const Mesh& tm, const std::vector<Plac
   CHECK_EQUAL(number_of_exceptions.load(), 8u);
   CHECK(paths.changed_since_last_build());
   paths.remove_source_point(bad);
-  CHECK_EQUAL(ask(constant, Place(vertex(0))).distance, 0.);
+  CHECK_EQUAL(ask(constant, Surface_point(vertex(0))).distance, 0.);
 }
 
 void test_mesh(const Indexed_mesh& indexed, test_support::Random& random)
@@ -219,15 +220,15 @@ void test_mesh(const Indexed_mesh& indexed, test_support::Random& random)
   test_support::Scope scope(indexed.name);
   const Mesh tm = to_face_graph(indexed);
   Geodesic_paths paths(tm);
-  std::vector<Place> sources, queries;
+  std::vector<Surface_point> sources, queries;
   for(std::size_t i = 0; i < 5; ++i)
   {
-    sources.push_back(i % 2 == 0 ? Place(random_vertex(tm, random)) : Place(random_location(tm, random)));
+    sources.push_back(random_vertex_or_location(i % 2 == 0, tm, random));
     add(paths, sources.back());
   }
   for(std::size_t i = 0; i < 600; ++i)
   {
-    queries.push_back(i % 3 == 0 ? Place(random_vertex(tm, random)) : Place(random_location(tm, random)));
+    queries.push_back(random_vertex_or_location(i % 3 == 0, tm, random));
   }
   paths.build_sequence_tree_for_faces();
   const All_answers expected = all_answers(std::as_const(paths), tm, queries, 0, false);

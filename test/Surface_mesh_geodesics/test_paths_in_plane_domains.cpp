@@ -1,8 +1,8 @@
 // Paths in plane domains, convex or with holes. The distances are known from a visibility graph, or by hand: random
 // points in all the ways to give them, sources near to vertices, paths that bend at corners.
 
-#include "path_places.h"
 #include "path_test_helpers.h"
+#include "surface_points.h"
 #include "test_meshes.h"
 #include "test_support.h"
 
@@ -89,10 +89,10 @@ void check_plane_mesh(const std::string& name, const Mesh& tm, const std::vector
   Geodesic_paths paths(tm);
   for(std::size_t i = 0; i < pairs; ++i)
   {
-    std::vector<Place> sources = random_spot(tm, random);
+    std::vector<Surface_point> sources = random_spot(tm, random);
     random.shuffle(sources);
     sources.resize((std::min)(sources.size(), std::size_t(3)), sources.front());
-    std::vector<std::vector<Place>> queries;
+    std::vector<std::vector<Surface_point>> queries;
     for(std::size_t j = 0; j < 6; ++j)
     {
       queries.push_back(random_spot(tm, random));
@@ -100,14 +100,14 @@ void check_plane_mesh(const std::string& name, const Mesh& tm, const std::vector
       queries.back().resize((std::min)(queries.back().size(), std::size_t(4)), queries.back().front());
     }
     queries.push_back(sources); // from a point to itself
-    for(const Place& source : sources)
+    for(const Surface_point& source : sources)
     {
       paths.remove_all_source_points();
       add(paths, source);
       test_support::Scope source_scope("from " + description(source));
-      for(const std::vector<Place>& spot : queries)
+      for(const std::vector<Surface_point>& spot : queries)
       {
-        for(const Place& query : spot)
+        for(const Surface_point& query : spot)
         {
           test_support::Scope query_scope("to " + description(query));
           const double expected = plane_distance(position(source, tm), position(query, tm), boxes);
@@ -162,8 +162,8 @@ void sources_near_to_vertices_have_exact_distances(test_support::Random& random)
       source.second[(k + side) % 3] = e * share;
       source.second[(k + 3 - side) % 3] = e * (1. - share);
       paths.remove_all_source_points();
-      add(paths, Place(source));
-      test_support::Scope source_scope("from " + description(Place(source)));
+      add(paths, Surface_point(source));
+      test_support::Scope source_scope("from " + description(Surface_point(source)));
       for(std::size_t j = 0; j < 4; ++j)
       {
         Face_location query = random_location(tm, random);
@@ -177,10 +177,10 @@ void sources_near_to_vertices_have_exact_distances(test_support::Random& random)
           query.second[(zero + 1) % 3] += query.second[zero];
           query.second[zero] = 0.;
         }
-        test_support::Scope query_scope("to " + description(Place(query)));
-        CHECK_NEAR(ask(paths, Place(query)).distance, length(coordinates(source, tm) - coordinates(query, tm)),
+        test_support::Scope query_scope("to " + description(Surface_point(query)));
+        CHECK_NEAR(ask(paths, Surface_point(query)).distance, length(coordinates(source, tm) - coordinates(query, tm)),
                    tolerance * size);
-        checked_path(paths, Place(query), tm, size);
+        checked_path(paths, Surface_point(query), tm, size);
       }
     }
   }
@@ -188,17 +188,17 @@ void sources_near_to_vertices_have_exact_distances(test_support::Random& random)
 
 // --- paths that bend, with distances by hand ---
 
-Place vertex_at(double x, double y, const Mesh& tm)
+Surface_point vertex_at(double x, double y, const Mesh& tm)
 {
   for(const vertex_descriptor v : vertices(tm))
   {
     if(coordinates(v, tm) == Coordinates{x, y, 0.})
     {
-      return Place(v);
+      return Surface_point(v);
     }
   }
   CHECK(false);
-  return Place(vertex_descriptor());
+  return Surface_point(vertex_descriptor());
 }
 
 // Returns the points where a path in the plane changes its direction.
@@ -222,13 +222,13 @@ struct Path_by_hand
   std::vector<std::vector<Coordinates>> possible_bends;
 };
 
-void check_by_hand(const Mesh& tm, const Place& source, const std::vector<Path_by_hand>& expected)
+void check_by_hand(const Mesh& tm, const Surface_point& source, const std::vector<Path_by_hand>& expected)
 {
   Geodesic_paths paths(tm);
   add(paths, source);
   for(const Path_by_hand& path : expected)
   {
-    for(const Place& query : {vertex_at(path.x, path.y, tm), in_plane(path.x, path.y, tm)})
+    for(const Surface_point& query : {vertex_at(path.x, path.y, tm), in_plane(path.x, path.y, tm)})
     {
       test_support::Scope scope("to " + description(query));
       CHECK_CLOSE(ask(paths, query).distance, path.distance, tolerance);

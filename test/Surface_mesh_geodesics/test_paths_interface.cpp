@@ -361,19 +361,19 @@ void check_members_with_sources(Geodesic_paths& paths, const Mesh& tm, Map map, 
   double largest = -1.;
   for(const vertex_descriptor v : vertices(tm))
   {
-    const Answer answer = ask(paths, Place(v));
+    const Answer answer = ask(paths, Surface_point(v));
     CHECK_EQUAL(get(map, v), answer.distance);
     CHECK_EQUAL(get(float_map, v), float(answer.distance));
     CHECK_EQUAL(paths.nearest_source_point(v), answer.source);
     largest = (std::max)(largest, answer.distance);
-    checked_path(paths, Place(v), tm, size);
+    checked_path(paths, Surface_point(v), tm, size);
   }
   const auto farthest = paths.farthest_vertex();
   CHECK_EQUAL(farthest.second, largest);
-  CHECK_EQUAL(ask(paths, Place(farthest.first)).distance, largest);
+  CHECK_EQUAL(ask(paths, Surface_point(farthest.first)).distance, largest);
   for(std::size_t j = 0; j < 50; ++j)
   {
-    const Place query = random_location(tm, random);
+    const Surface_point query = random_location(tm, random);
     CHECK_EQUAL(paths.nearest_source_point(query.location.first, query.location.second), ask(paths, query).source);
     checked_path(paths, query, tm, size);
   }

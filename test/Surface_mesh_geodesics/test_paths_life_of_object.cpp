@@ -23,7 +23,7 @@ const std::size_t number_of_steps = 12000;
 // A source as the test knows it, with the iterator that the object gave for it.
 struct Known_source
 {
-  Place place;
+  Surface_point point;
   Geodesic_paths::Source_point_iterator iterator;
 };
 
@@ -140,16 +140,16 @@ private:
   }
 
   // Returns a vertex, a point of an edge, a point of a face, or a point that is a source already.
-  Place random_place()
+  Surface_point random_point()
   {
     const std::size_t kind = m_random.index(8);
     if(kind == 0 && !m_sources.empty())
     {
-      return m_sources[m_random.index(m_sources.size())].place;
+      return m_sources[m_random.index(m_sources.size())].point;
     }
     if(kind < 4)
     {
-      return Place(vertex(m_random.index(num_vertices(m_tm))));
+      return Surface_point(vertex(m_random.index(num_vertices(m_tm))));
     }
     if(kind < 6)
     {
@@ -158,15 +158,15 @@ private:
       {
         h = opposite(h, m_tm);
       }
-      return Place(location_on_halfedge(h, m_random.index(3) == 0 ? .5 : m_random.uniform(), m_tm));
+      return Surface_point(location_on_halfedge(h, m_random.index(3) == 0 ? .5 : m_random.uniform(), m_tm));
     }
-    return Place(random_location(m_tm, m_random));
+    return Surface_point(random_location(m_tm, m_random));
   }
 
   void add_one()
   {
-    const Place place = random_place();
-    m_sources.push_back({place, add(m_paths, place)});
+    const Surface_point point = random_point();
+    m_sources.push_back({point, add(m_paths, point)});
     CHECK(m_paths.changed_since_last_build());
   }
 
@@ -181,7 +181,7 @@ private:
     auto it = m_paths.add_source_points(range.begin(), range.end());
     for(const Face_location& location : locations)
     {
-      m_sources.push_back({Place(location), it++});
+      m_sources.push_back({Surface_point(location), it++});
     }
     CHECK(it == m_paths.source_points_end());
   }
@@ -271,34 +271,34 @@ private:
     }
     for(const Known_source& s : m_sources)
     {
-      add(fresh, s.place);
+      add(fresh, s.point);
     }
   }
 
   void query()
   {
     ++m_number_of_queries;
-    const Place place = random_place();
+    const Surface_point point = random_point();
     Geodesic_paths fresh(m_tm);
     make_alike(fresh);
     // the structure is the same whether windows are kept or not
-    Answer answer = ask(m_paths, place);
-    const Answer expected = ask(fresh, place);
+    Answer answer = ask(m_paths, point);
+    const Answer expected = ask(fresh, point);
     CHECK_EQUAL(answer.distance, expected.distance);
     CHECK_EQUAL(answer.source, expected.source);
-    CHECK_EQUAL(nearest(m_paths, place), expected.source);
-    CHECK_EQUAL(nearest(std::as_const(m_paths), place), expected.source);
+    CHECK_EQUAL(nearest(m_paths, point), expected.source);
+    CHECK_EQUAL(nearest(std::as_const(m_paths), point), expected.source);
     CHECK(!m_paths.changed_since_last_build());
     CHECK_EQUAL(m_paths.statistics().vertices_visited > 0, !m_sources.empty());
     if(m_random.index(2) == 0)
     {
-      const Polyline polyline = polyline_of(m_paths, place);
-      CHECK(polyline == polyline_of(fresh, place));
-      CHECK(polyline == polyline_of(std::as_const(m_paths), place));
+      const Polyline polyline = polyline_of(m_paths, point);
+      CHECK(polyline == polyline_of(fresh, point));
+      CHECK(polyline == polyline_of(std::as_const(m_paths), point));
       if(m_factor == 0.)
       {
-        const std::vector<Coordinates> points = checked_path(m_paths, place, m_tm, m_size);
-        CHECK(points == checked_path(fresh, place, m_tm, m_size));
+        const std::vector<Coordinates> points = checked_path(m_paths, point, m_tm, m_size);
+        CHECK(points == checked_path(fresh, point, m_tm, m_size));
       }
       else
       {
@@ -356,18 +356,18 @@ private:
 
   // `Paths` may be const
   template <class Paths>
-  static Polyline polyline_of(Paths& paths, const Place& place)
+  static Polyline polyline_of(Paths& paths, const Surface_point& point)
   {
     Polyline result;
-    ask_polyline(paths, place, std::back_inserter(result));
+    ask_polyline(paths, point, std::back_inserter(result));
     return result;
   }
 
   template <class Paths>
-  static std::size_t nearest(Paths& paths, const Place& place)
+  static std::size_t nearest(Paths& paths, const Surface_point& point)
   {
-    return place.is_vertex() ? paths.nearest_source_point(place.vertex)
-                             : paths.nearest_source_point(place.location.first, place.location.second);
+    return point.is_vertex() ? paths.nearest_source_point(point.vertex)
+                             : paths.nearest_source_point(point.location.first, point.location.second);
   }
 
   // the iterators are those of the sources that are left, in the order of addition
@@ -382,17 +382,17 @@ private:
         return;
       }
       CHECK(it == s.iterator);
-      if(!s.place.is_vertex())
+      if(!s.point.is_vertex())
       {
-        CHECK(s.iterator->first == s.place.location.first && s.iterator->second == s.place.location.second);
+        CHECK(s.iterator->first == s.point.location.first && s.iterator->second == s.point.location.second);
       }
-      else if(m_tm.is_isolated(s.place.vertex))
+      else if(m_tm.is_isolated(s.point.vertex))
       {
         CHECK(s.iterator->first == boost::graph_traits<Mesh>::null_face());
       }
       else
       {
-        CHECK(*s.iterator == m_paths.face_location(s.place.vertex));
+        CHECK(*s.iterator == m_paths.face_location(s.point.vertex));
       }
       ++it;
     }

@@ -47,7 +47,7 @@ void line_through_a_vertex_of_needles()
       Geodesic_paths paths(cut);
       paths.add_source_point(face_descriptor(5), {0.9999999999, 4.7282399108046434e-11, 5.2717600891953569e-11});
       checked_path(paths,
-                   Place(Geodesic_paths::Face_location(
+                   Surface_point(Geodesic_paths::Face_location(
                      face_descriptor(static_cast<std::uint32_t>(f)),
                      {0.060463493181134559, 0.79075815096729074, 0.1487783558515747})),
                    cut, 3.);

@@ -1,7 +1,7 @@
 // Paths on surfaces in space whose distances are known by hand: cubes, saddles, cones, regular polyhedra.
 
-#include "path_places.h"
 #include "path_test_helpers.h"
+#include "surface_points.h"
 #include "test_meshes.h"
 #include "test_support.h"
 
@@ -77,14 +77,14 @@ double cube_distance(const Coordinates& p, const Coordinates& q)
       {
         continue;
       }
-      // the cube with that face down; a reflection does no harm
-      auto place = [axis, side](Coordinates c) -> Coordinates
+      // Turns the cube so that this face is at the bottom. It may be reflected too, which changes no distance.
+      auto turned = [axis, side](Coordinates c) -> Coordinates
       {
         std::swap(c[axis], c[2]);
         c[2] = std::abs(c[2] - side);
         return c;
       };
-      roll(place(q), {{.5, .5, 0.}}, 0., 0., place(p), best);
+      roll(turned(q), {{.5, .5, 0.}}, 0., 0., turned(p), best);
     }
   }
   return best;
@@ -103,14 +103,14 @@ void distances_on_a_cube_are_those_of_the_rolled_cube(test_support::Random& rand
     Geodesic_paths paths(tm);
     for(std::size_t i = 0; i < 60; ++i)
     {
-      const std::vector<Place> spot = random_spot(tm, random);
-      const Place source = spot[random.index(spot.size())];
+      const std::vector<Surface_point> spot = random_spot(tm, random);
+      const Surface_point source = spot[random.index(spot.size())];
       paths.remove_all_source_points();
       add(paths, source);
       for(std::size_t j = 0; j < 12; ++j)
       {
-        const std::vector<Place> other = random_spot(tm, random);
-        const Place query = other[random.index(other.size())];
+        const std::vector<Surface_point> other = random_spot(tm, random);
+        const Surface_point query = other[random.index(other.size())];
         CHECK_NEAR(ask(paths, query).distance, cube_distance(position(source, tm), position(query, tm)), tolerance);
         checked_path(paths, query, tm, 1.);
       }
@@ -126,14 +126,14 @@ void corners_of_a_cube_have_known_distances()
   Geodesic_paths paths(tm);
   const std::vector<double> expected{
     0., 1., 1., std::sqrt(2.), 1., std::sqrt(2.), std::sqrt(2.), std::sqrt(5.)};
-  for(const Place& source : at_vertex(0, tm))
+  for(const Surface_point& source : at_vertex(0, tm))
   {
     paths.remove_all_source_points();
     add(paths, source);
     for(std::size_t v = 0; v < 8; ++v)
     {
-      CHECK_CLOSE(ask(paths, Place(vertex(v))).distance, expected[v], tolerance);
-      checked_path(paths, Place(vertex(v)), tm, 1.);
+      CHECK_CLOSE(ask(paths, Surface_point(vertex(v))).distance, expected[v], tolerance);
+      checked_path(paths, Surface_point(vertex(v)), tm, 1.);
     }
   }
 }
@@ -159,7 +159,7 @@ void paths_on_a_saddle_are_chords_or_pass_its_vertex()
       {
         const std::size_t steps = (std::min)(i, n - i);
         const double turn = angle * static_cast<double>(steps);
-        const Place query(vertex(1 + i));
+        const Surface_point query(vertex(1 + i));
         CHECK_CLOSE(ask(paths, query).distance, 2. * radius * (turn < pi ? std::sin(turn / 2.) : 1.), tolerance);
         const auto points = checked_path(paths, query, tm, radius);
         CHECK_EQUAL(points.size(), turn < pi ? steps + 1 : 3u);
@@ -174,11 +174,11 @@ void tetrahedron()
   test_support::Scope scope("tetra");
   const Mesh tm = load_data("tetra");
   Geodesic_paths paths(tm);
-  add(paths, Place(Face_location(face(0), {1. / 3., 1. / 3., 1. / 3.})));
+  add(paths, Surface_point(Face_location(face(0), {1. / 3., 1. / 3., 1. / 3.})));
   for(std::size_t v = 0; v < 4; ++v)
   {
-    CHECK_CLOSE(ask(paths, Place(vertex(v))).distance, (v == 3 ? 2. : 1.) * std::sqrt(8. / 3.), tolerance);
-    checked_path(paths, Place(vertex(v)), tm, 3.);
+    CHECK_CLOSE(ask(paths, Surface_point(vertex(v))).distance, (v == 3 ? 2. : 1.) * std::sqrt(8. / 3.), tolerance);
+    checked_path(paths, Surface_point(vertex(v)), tm, 3.);
   }
 }
 
@@ -188,10 +188,10 @@ void octahedron_with_one_or_several_sources()
   const Mesh tm = load_data("octahedron");
   Geodesic_paths single(tm);
   single.add_source_point(vertex(0));
-  CHECK_CLOSE(ask(single, Place(vertex(1))).distance, std::sqrt(6.), tolerance);
+  CHECK_CLOSE(ask(single, Surface_point(vertex(1))).distance, std::sqrt(6.), tolerance);
   Geodesic_paths twice(tm);
   twice.add_source_point(vertex(0));
-  for(const Place& same : at_vertex(0, tm))
+  for(const Surface_point& same : at_vertex(0, tm))
   {
     add(twice, same);
   }
@@ -201,11 +201,11 @@ void octahedron_with_one_or_several_sources()
   CHECK(first == three.source_points_begin());
   for(std::size_t v = 0; v < 6; ++v)
   {
-    CHECK_EQUAL(ask(twice, Place(vertex(v))).distance, ask(single, Place(vertex(v))).distance);
-    CHECK_EQUAL(ask(twice, Place(vertex(v))).source, 0u);
-    checked_path(twice, Place(vertex(v)), tm, 1.);
-    CHECK_CLOSE(ask(three, Place(vertex(v))).distance, v % 2 == 0 ? 0. : std::sqrt(2.), tolerance);
-    checked_path(three, Place(vertex(v)), tm, 1.);
+    CHECK_EQUAL(ask(twice, Surface_point(vertex(v))).distance, ask(single, Surface_point(vertex(v))).distance);
+    CHECK_EQUAL(ask(twice, Surface_point(vertex(v))).source, 0u);
+    checked_path(twice, Surface_point(vertex(v)), tm, 1.);
+    CHECK_CLOSE(ask(three, Surface_point(vertex(v))).distance, v % 2 == 0 ? 0. : std::sqrt(2.), tolerance);
+    checked_path(three, Surface_point(vertex(v)), tm, 1.);
   }
 }
 
@@ -215,7 +215,7 @@ void paths_bend_at_the_corner_of_an_L()
   const Mesh tm = load_data("L_shape");
   Geodesic_paths paths(tm);
   paths.add_source_point(vertex(7));
-  const auto points = checked_path(paths, Place(vertex(2)), tm, 2.);
+  const auto points = checked_path(paths, Surface_point(vertex(2)), tm, 2.);
   CHECK_CLOSE(polyline_length(points), 1. + std::sqrt(2.), tolerance);
   CHECK(std::find(points.begin(), points.end(), coordinates(vertex(4), tm)) != points.end());
 }
@@ -229,8 +229,8 @@ void paths_of_a_saddle_in_a_file()
   for(std::size_t v = 0; v < 9; ++v)
   {
     const double expected = v == 0 ? 1. : v == 1 ? 0. : v == 2 || v == 8 ? 1.6645969834 : 2.;
-    CHECK_CLOSE(ask(paths, Place(vertex(v))).distance, expected, 1e-10);
-    const auto points = checked_path(paths, Place(vertex(v)), tm, 1.);
+    CHECK_CLOSE(ask(paths, Surface_point(vertex(v))).distance, expected, 1e-10);
+    const auto points = checked_path(paths, Surface_point(vertex(v)), tm, 1.);
     if(expected == 2.)
     {
       CHECK_EQUAL(points.size(), 3u);
@@ -249,14 +249,14 @@ void paths_around_a_cone()
   for(std::size_t i = 0; i < 64; ++i)
   {
     const std::size_t steps = (std::min)(i, 64 - i);
-    CHECK_CLOSE(ask(paths, Place(vertex(1 + i))).distance,
+    CHECK_CLOSE(ask(paths, Surface_point(vertex(1 + i))).distance,
                 2. * r2 * std::sin(.5 * sector * static_cast<double>(steps)), tolerance);
-    CHECK_EQUAL(checked_path(paths, Place(vertex(1 + i)), tm, r2).size(), 1 + steps);
+    CHECK_EQUAL(checked_path(paths, Surface_point(vertex(1 + i)), tm, r2).size(), 1 + steps);
   }
   // along a generator of the cone, in any face there
   for(const double t : {.25, .5})
   {
-    for(const Place& query : on_edge(17, 0, t, tm))
+    for(const Surface_point query : on_edge(17, 0, t, tm))
     {
       const double a = 16. * sector, r = r2 * (1. - t);
       CHECK_CLOSE(ask(paths, query).distance, std::sqrt(2. + r * r - 2. * r2 * r * std::cos(a)), tolerance);
@@ -275,12 +275,12 @@ void paths_pass_a_pinched_vertex()
   const std::vector<double> expected{r2, 1., 0., 1. + r2, 2. * r2};
   for(std::size_t v = 0; v < 5; ++v)
   {
-    CHECK_CLOSE(ask(paths, Place(vertex(v))).distance, expected[v], tolerance);
-    checked_path(paths, Place(vertex(v)), tm, 1.);
+    CHECK_CLOSE(ask(paths, Surface_point(vertex(v))).distance, expected[v], tolerance);
+    checked_path(paths, Surface_point(vertex(v)), tm, 1.);
   }
   for(const face_descriptor f : faces(tm))
   {
-    checked_path(paths, Place(Face_location(f, {.25, .25, .5})), tm, 1.);
+    checked_path(paths, Surface_point(Face_location(f, {.25, .25, .5})), tm, 1.);
   }
 }
 

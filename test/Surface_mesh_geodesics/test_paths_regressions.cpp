@@ -1,8 +1,8 @@
 // Situations in which other programs are wrong or crash: sources on edges, with noise, on the border, several in a
 // face, vertices without faces, edges without length. Then each file of the folder data/.
 
-#include "path_places.h"
 #include "path_test_helpers.h"
+#include "surface_points.h"
 #include "test_meshes.h"
 #include "test_support.h"
 
@@ -28,39 +28,39 @@ void edge_sources_are_not_mirrored()
     test_support::Scope scope("single_triangle");
     const Mesh tm = load_data("single_triangle");
     const std::vector<double> expected{.75, 2.25, std::sqrt(16.5625)};
-    for(const Place& source : with_noise(on_edge(0, 1, .25, tm)))
+    for(const Surface_point& source : with_noise(on_edge(0, 1, .25, tm)))
     {
       Geodesic_paths paths(tm);
       add(paths, source);
       for(std::size_t i = 0; i < 3; ++i)
       {
-        CHECK_CLOSE(ask(paths, Place(vertex(i))).distance, expected[i], tolerance);
-        checked_path(paths, Place(vertex(i)), tm, 4.);
+        CHECK_CLOSE(ask(paths, Surface_point(vertex(i))).distance, expected[i], tolerance);
+        checked_path(paths, Surface_point(vertex(i)), tm, 4.);
       }
     }
   }
   test_support::Scope scope("two_tri_square");
   const Mesh tm = load_data("two_tri_square");
-  for(const Place& source : on_edge(0, 1, .25, tm))
+  for(const Surface_point source : on_edge(0, 1, .25, tm))
   {
     Geodesic_paths paths(tm);
     add(paths, source);
     const std::vector<double> expected{.25, .75, 1.25, std::sqrt(1.0625)};
     for(std::size_t i = 0; i < 4; ++i)
     {
-      CHECK_CLOSE(ask(paths, Place(vertex(i))).distance, expected[i], tolerance);
+      CHECK_CLOSE(ask(paths, Surface_point(vertex(i))).distance, expected[i], tolerance);
     }
-    for(const Place& query : on_edge(0, 1, .75, tm))
+    for(const Surface_point query : on_edge(0, 1, .75, tm))
     {
       CHECK_CLOSE(ask(paths, query).distance, .5, tolerance);
       CHECK_EQUAL(checked_path(paths, query, tm, 1.).size(), 2u);
     }
   }
-  for(const Place& source : on_edge(0, 2, .25, tm))
+  for(const Surface_point source : on_edge(0, 2, .25, tm))
   {
     Geodesic_paths paths(tm);
     add(paths, source);
-    for(const Place& query : on_edge(0, 2, .75, tm))
+    for(const Surface_point query : on_edge(0, 2, .75, tm))
     {
       CHECK_CLOSE(ask(paths, query).distance, std::sqrt(.5), tolerance);
       CHECK_EQUAL(checked_path(paths, query, tm, 1.).size(), 2u);
@@ -76,17 +76,17 @@ void noise_at_a_corner_changes_nothing()
   Geodesic_paths expected(tm);
   expected.add_source_point(corner);
   CHECK_EQUAL(std::size_t(corner), 4u);
-  for(const Place& source : at_vertex(4, tm))
+  for(const Surface_point& source : at_vertex(4, tm))
   {
     Geodesic_paths paths(tm);
     add(paths, source);
-    CHECK_EQUAL(ask(paths, Place(corner)).distance, 0.);
+    CHECK_EQUAL(ask(paths, Surface_point(corner)).distance, 0.);
     CHECK_EQUAL(ask(paths, source).distance, 0.);
     for(const vertex_descriptor v : vertices(tm))
     {
-      CHECK_EQUAL(ask(paths, Place(v)).distance, ask(expected, Place(v)).distance);
+      CHECK_EQUAL(ask(paths, Surface_point(v)).distance, ask(expected, Surface_point(v)).distance);
     }
-    CHECK_EQUAL(checked_path(paths, Place(corner), tm, 1.).size(), 1u);
+    CHECK_EQUAL(checked_path(paths, Surface_point(corner), tm, 1.).size(), 1u);
   }
 }
 
@@ -111,7 +111,7 @@ void two_vertices_may_be_sources()
   const std::vector<double> expected{0., 0., 1., 1.};
   for(std::size_t i = 0; i < 4; ++i)
   {
-    const Answer answer = ask(paths, Place(vertex(i)));
+    const Answer answer = ask(paths, Surface_point(vertex(i)));
     CHECK_CLOSE(answer.distance, expected[i], tolerance);
     CHECK_EQUAL(answer.source, i % 2);
   }
@@ -137,8 +137,8 @@ std::vector<Coordinates> add_random_sources(Geodesic_paths& paths, const Mesh& g
   std::vector<Coordinates> positions;
   for(std::size_t i = 0; i < number; ++i)
   {
-    std::vector<Place> spot = random_spot(grid, random);
-    Place source = spot[random.index(spot.size())];
+    std::vector<Surface_point> spot = random_spot(grid, random);
+    Surface_point source = spot[random.index(spot.size())];
     if(i > 0 && random.index(3) == 0)
     {
       const Coordinates p = positions[random.index(i)];
@@ -152,7 +152,7 @@ std::vector<Coordinates> add_random_sources(Geodesic_paths& paths, const Mesh& g
 
 // Asks for the nearest of some sources of a plane square.
 void check_nearest_source(Geodesic_paths& paths, const Mesh& grid, const std::vector<Coordinates>& positions,
-                          const Place& query)
+                          const Surface_point& query)
 {
   double expected = infinity;
   for(const Coordinates& p : positions)
@@ -183,7 +183,7 @@ void several_sources_in_faces_are_all_found(test_support::Random& random)
       const std::vector<Coordinates> positions = add_random_sources(paths, grid, number, random);
       for(std::size_t j = 0; j < 30; ++j)
       {
-        const std::vector<Place> spot = random_spot(grid, random);
+        const std::vector<Surface_point> spot = random_spot(grid, random);
         check_nearest_source(paths, grid, positions,
                              j < number ? in_plane(positions[j][0], positions[j][1], grid)
                                         : spot[random.index(spot.size())]);
@@ -201,23 +201,23 @@ void isolated_vertices_are_reached_by_themselves_only()
   const std::vector<double> expected{0., 1., std::sqrt(2.), 1., -1.};
   for(std::size_t i = 0; i < 5; ++i)
   {
-    CHECK_CLOSE(ask(paths, Place(vertex(i))).distance, expected[i], tolerance);
-    CHECK_EQUAL(checked_path(paths, Place(vertex(i)), tm, 1.).empty(), i == 4);
+    CHECK_CLOSE(ask(paths, Surface_point(vertex(i))).distance, expected[i], tolerance);
+    CHECK_EQUAL(checked_path(paths, Surface_point(vertex(i)), tm, 1.).empty(), i == 4);
   }
   paths.remove_all_source_points();
   const auto isolated = paths.add_source_point(vertex(4));
   for(std::size_t i = 0; i < 5; ++i)
   {
-    CHECK_EQUAL(ask(paths, Place(vertex(i))).distance, i == 4 ? 0. : -1.);
-    CHECK_EQUAL(checked_path(paths, Place(vertex(i)), tm, 1.).size(), i == 4 ? 1u : 0u);
+    CHECK_EQUAL(ask(paths, Surface_point(vertex(i))).distance, i == 4 ? 0. : -1.);
+    CHECK_EQUAL(checked_path(paths, Surface_point(vertex(i)), tm, 1.).size(), i == 4 ? 1u : 0u);
   }
   CHECK(isolated->first == Geodesic_paths::Graph_traits::null_face());
-  CHECK_EQUAL(ask(paths, Place(location_of_vertex(vertex(2), face(0), tm))).distance, -1.);
+  CHECK_EQUAL(ask(paths, Surface_point(location_of_vertex(vertex(2), face(0), tm))).distance, -1.);
   CHECK_EQUAL(ask(paths, in_plane(.25, .5, tm)).distance, -1.);
   CHECK(checked_path(paths, in_plane(.25, .5, tm), tm, 1.).empty());
   paths.add_source_point(vertex(1));
-  CHECK_EQUAL(ask(paths, Place(vertex(4))).source, 0u);
-  CHECK_EQUAL(ask(paths, Place(vertex(3))).source, 1u);
+  CHECK_EQUAL(ask(paths, Surface_point(vertex(4))).source, 0u);
+  CHECK_EQUAL(ask(paths, Surface_point(vertex(3))).source, 1u);
   CHECK_CLOSE(ask(paths, in_plane(.5, .5, tm)).distance, std::sqrt(.5), tolerance);
 }
 
@@ -229,16 +229,16 @@ void other_components_are_not_reached()
   paths.add_source_point(vertex(0));
   for(std::size_t i = 0; i < 6; ++i)
   {
-    CHECK_EQUAL(ask(paths, Place(vertex(i))).distance, i > 2 ? -1. : i == 0 ? 0. : 1.);
+    CHECK_EQUAL(ask(paths, Surface_point(vertex(i))).distance, i > 2 ? -1. : i == 0 ? 0. : 1.);
   }
-  CHECK(checked_path(paths, Place(Face_location(face(1), {.25, .25, .5})), tm, 1.).empty());
+  CHECK(checked_path(paths, Surface_point(Face_location(face(1), {.25, .25, .5})), tm, 1.).empty());
   paths.add_source_point(vertex(3));
   for(std::size_t i = 0; i < 6; ++i)
   {
-    CHECK_EQUAL(ask(paths, Place(vertex(i))).distance, i % 3 == 0 ? 0. : 1.);
-    CHECK_EQUAL(ask(paths, Place(vertex(i))).source, i / 3);
+    CHECK_EQUAL(ask(paths, Surface_point(vertex(i))).distance, i % 3 == 0 ? 0. : 1.);
+    CHECK_EQUAL(ask(paths, Surface_point(vertex(i))).source, i / 3);
   }
-  checked_path(paths, Place(Face_location(face(1), {.25, .25, .5})), tm, 1.);
+  checked_path(paths, Surface_point(Face_location(face(1), {.25, .25, .5})), tm, 1.);
 }
 
 void points_of_paths_are_not_repeated()
@@ -248,15 +248,15 @@ void points_of_paths_are_not_repeated()
     const Mesh tm = load_data("grid6");
     Geodesic_paths paths(tm);
     paths.add_source_point(vertex(0));
-    CHECK_EQUAL(checked_path(paths, Place(vertex(5)), tm, 1.).size(), 6u);
+    CHECK_EQUAL(checked_path(paths, Surface_point(vertex(5)), tm, 1.).size(), 6u);
     for(const vertex_descriptor s : vertices(tm))
     {
       paths.remove_all_source_points();
       paths.add_source_point(s);
       for(const vertex_descriptor v : vertices(tm))
       {
-        CHECK_NEAR(ask(paths, Place(v)).distance, length(coordinates(s, tm) - coordinates(v, tm)), tolerance);
-        checked_path(paths, Place(v), tm, 1.);
+        CHECK_NEAR(ask(paths, Surface_point(v)).distance, length(coordinates(s, tm) - coordinates(v, tm)), tolerance);
+        checked_path(paths, Surface_point(v), tm, 1.);
       }
     }
   }
@@ -268,8 +268,8 @@ void points_of_paths_are_not_repeated()
   const std::vector<double> expected{r2, r2, 1., 2., 0.};
   for(std::size_t i = 0; i < 5; ++i)
   {
-    CHECK_CLOSE(ask(paths, Place(vertex(i))).distance, expected[i], tolerance);
-    checked_path(paths, Place(vertex(i)), tm, 1.);
+    CHECK_CLOSE(ask(paths, Surface_point(vertex(i))).distance, expected[i], tolerance);
+    checked_path(paths, Surface_point(vertex(i)), tm, 1.);
   }
 }
 
@@ -278,32 +278,33 @@ void edges_may_have_no_length()
   test_support::Scope scope("needle_dup_position");
   const Mesh tm = load_data("needle_dup_position");
   const std::vector<double> expected{0., 1., std::sqrt(2.), 1., 1., 2., std::sqrt(5.)};
-  for(const Place& source : at_vertex(0, tm))
+  for(const Surface_point& source : at_vertex(0, tm))
   {
     Geodesic_paths paths(tm);
     add(paths, source);
     for(std::size_t i = 0; i < 7; ++i)
     {
-      CHECK_CLOSE(ask(paths, Place(vertex(i))).distance, expected[i], tolerance);
-      checked_path(paths, Place(vertex(i)), tm, 2.);
+      CHECK_CLOSE(ask(paths, Surface_point(vertex(i))).distance, expected[i], tolerance);
+      checked_path(paths, Surface_point(vertex(i)), tm, 2.);
     }
     for(const double t : {.25, .5})
     {
-      for(const Place& query : on_edge(1, 4, t, tm))
+      for(const Surface_point query : on_edge(1, 4, t, tm))
       {
         CHECK_CLOSE(ask(paths, query).distance, 1., tolerance);
         checked_path(paths, query, tm, 2.);
       }
     }
   }
-  for(const Place& source : on_edge(1, 4, .25, tm))
+  for(const Surface_point source : on_edge(1, 4, .25, tm))
   {
     Geodesic_paths paths(tm);
     add(paths, source);
     for(const vertex_descriptor v : vertices(tm))
     {
-      CHECK_NEAR(ask(paths, Place(v)).distance, length(coordinates(v, tm) - Coordinates{1., 0., 0.}), tolerance);
-      checked_path(paths, Place(v), tm, 2.);
+      const double expected_distance = length(coordinates(v, tm) - Coordinates{1., 0., 0.});
+      CHECK_NEAR(ask(paths, Surface_point(v)).distance, expected_distance, tolerance);
+      checked_path(paths, Surface_point(v), tm, 2.);
     }
   }
 }
@@ -356,25 +357,26 @@ void every_file_has_right_distances(test_support::Random& random)
     auto expected = get(CGAL::dynamic_vertex_property_t<double>(), tm);
     for(std::size_t i = 0; i < num_vertices(tm) + 5; ++i)
     {
-      const Place place = i < num_vertices(tm) ? Place(vertex(i)) : Place(random_location(tm, random));
-      test_support::Scope source_scope("source " + description(place));
+      const bool is_vertex = i < num_vertices(tm);
+      const Surface_point point = is_vertex ? Surface_point(vertex(i)) : Surface_point(random_location(tm, random));
+      test_support::Scope source_scope("source " + description(point));
       Geodesic_paths paths(tm);
-      add(paths, place);
-      if(place.is_vertex())
+      add(paths, point);
+      if(is_vertex)
       {
-        CGAL::Surface_mesh_geodesics::geodesic_distances(tm, expected, place.vertex);
+        CGAL::Surface_mesh_geodesics::geodesic_distances(tm, expected, point.vertex);
       }
       else
       {
-        CGAL::Surface_mesh_geodesics::geodesic_distances(tm, expected, place.location);
+        CGAL::Surface_mesh_geodesics::geodesic_distances(tm, expected, point.location);
       }
       for(const vertex_descriptor v : vertices(tm))
       {
-        const double distance = ask(paths, Place(v)).distance;
+        const double distance = ask(paths, Surface_point(v)).distance;
         CHECK_EQUAL(distance < 0. ? infinity : distance, get(expected, v));
-        checked_path(paths, Place(v), tm, size);
+        checked_path(paths, Surface_point(v), tm, size);
       }
-      checked_path(paths, place, tm, size);
+      checked_path(paths, point, tm, size);
     }
   }
   CHECK(number_of_meshes >= 37);

@@ -84,7 +84,7 @@ void bad_sources_and_queries_are_refused()
     paths.remove_all_source_points();
     paths.add_source_point(vertex(0));
     CHECK_EQUAL(paths.shortest_distance_to_source_points(vertex(5)).first, expected);
-    CHECK_EQUAL(ask(paths, Place(Face_location(face(4), {.2, .3, .5}))).source, 0u);
+    CHECK_EQUAL(ask(paths, Surface_point(Face_location(face(4), {.2, .3, .5}))).source, 0u);
   };
 
   // sources

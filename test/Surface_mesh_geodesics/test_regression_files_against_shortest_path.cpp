@@ -11,7 +11,6 @@
 #include "test_support.h"
 
 #include <CGAL/Surface_mesh_shortest_path.h>
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <cmath>
 #include <string>
@@ -25,14 +24,10 @@ using Original_traits
   = CGAL::Surface_mesh_shortest_path_traits<CGAL::Exact_predicates_inexact_constructions_kernel, Mesh>;
 using Original = CGAL::Surface_mesh_shortest_path<Original_traits>;
 
-void distances_are_those_of_the_original(const std::string& filename)
+void distances_are_those_of_the_original(const std::string& name)
 {
-  test_support::Scope scope(filename);
-  Mesh tm;
-  if(!CHECK(CGAL::IO::read_polygon_mesh("data/" + filename, tm)))
-  {
-    return;
-  }
+  test_support::Scope scope(name);
+  const Mesh tm = load_data(name);
   for(const vertex_descriptor s : vertices(tm))
   {
     const std::vector<double> ours = distances(tm, s);
@@ -62,7 +57,7 @@ int main()
        "kite_pp3d30", "octahedron", "saddle_fan8", "single_triangle", "square100_gc111", "strip4", "tetra",
        "two_components", "two_tri_square", "two_tri_square_b"})
   {
-    distances_are_those_of_the_original(std::string(name) + ".off");
+    distances_are_those_of_the_original(name);
   }
   return test_result();
 }

@@ -4,10 +4,10 @@
 #include "test_meshes.h"
 #include "test_support.h"
 
-#include <CGAL/Surface_mesh/IO/OFF.h>
-
+#include <array>
 #include <cmath>
-#include <fstream>
+#include <cstddef>
+#include <exception>
 #include <string>
 #include <vector>
 
@@ -19,71 +19,7 @@ namespace {
 const double written = 1e-10;
 const double tolerance = 1e-12;
 
-bool read(const std::string& name, Mesh& tm)
-{
-  std::ifstream in("data/" + name + ".off");
-  return static_cast<bool>(in) && CGAL::IO::read_OFF(in, tm);
-}
-
-Mesh load(const std::string& name)
-{
-  Mesh tm;
-  CHECK(read(name, tm));
-  return tm;
-}
-
-// The halfedge from vertex a to vertex b.
-Mesh::Halfedge_index halfedge_between(std::size_t a, std::size_t b, const Mesh& tm)
-{
-  return halfedge(vertex(a), vertex(b), tm).first;
-}
-
-// The point a + t (b - a) from every face at that edge.
-std::vector<Face_location> on_edge(std::size_t a, std::size_t b, double t, const Mesh& tm)
-{
-  std::vector<Face_location> locations;
-  const auto h = halfedge_between(a, b, tm);
-  if(!is_border(h, tm))
-  {
-    locations.push_back(location_on_halfedge(h, t, tm));
-  }
-  if(!is_border(opposite(h, tm), tm))
-  {
-    locations.push_back(location_on_halfedge(opposite(h, tm), 1. - t, tm));
-  }
-  return locations;
-}
-
-// The location of a point of the plane z = 0, in the first face that contains it.
-Face_location locate_in_plane(double x, double y, const Mesh& tm)
-{
-  for(const face_descriptor f : faces(tm))
-  {
-    const auto corners = corners_of_face(f, tm);
-    std::array<Coordinates, 3> p;
-    for(std::size_t k = 0; k < 3; ++k)
-    {
-      p[k] = coordinates(corners[k], tm);
-    }
-    const double area = cross(p[1] - p[0], p[2] - p[0])[2];
-    std::array<double, 3> weights{};
-    bool is_inside = true;
-    for(std::size_t k = 0; k < 3; ++k)
-    {
-      const Coordinates& a = p[(k + 1) % 3];
-      const Coordinates& b = p[(k + 2) % 3];
-      weights[k] = cross(b - a, Coordinates{x, y, 0.} - a)[2] / area;
-      is_inside = is_inside && weights[k] >= 0.;
-    }
-    if(is_inside)
-    {
-      return {f, weights};
-    }
-  }
-  return {boost::graph_traits<Mesh>::null_face(), {0., 0., 0.}};
-}
-
-// A query at a point that is no vertex: by symmetry, the point is the source.
+// The query point a is not a vertex, so it is the source: distances are symmetric.
 double distance_between(const Face_location& a, std::size_t b, const Mesh& tm)
 {
   return distances(tm, a)[b];
@@ -102,7 +38,7 @@ std::vector<double> Euclidean_field(const Mesh& tm, const Coordinates& p)
 void square_of_two_triangles()
 {
   test_support::Scope scope("two_tri_square");
-  const Mesh tm = load("two_tri_square");
+  const Mesh tm = load_data("two_tri_square");
   for(const Face_location& s : on_edge(0, 1, .5, tm))
   {
     CHECK_FIELDS_CLOSE(distances(tm, s), (std::vector<double>{.5, .5, 1.1180339887498949, 1.1180339887498949}),
@@ -143,15 +79,15 @@ void square_of_two_triangles()
 void other_square_of_two_triangles()
 {
   test_support::Scope scope("two_tri_square_b");
-  const Mesh tm = load("two_tri_square_b");
-  CHECK_CLOSE(distance_between(locate_in_plane(0, .5, tm), 1, tm), .5, tolerance);
-  CHECK_CLOSE(distance_between(locate_in_plane(0, .25, tm), 1, tm), .75, tolerance);
+  const Mesh tm = load_data("two_tri_square_b");
+  CHECK_CLOSE(distance_between(location_in_plane(0, .5, tm), 1, tm), .5, tolerance);
+  CHECK_CLOSE(distance_between(location_in_plane(0, .25, tm), 1, tm), .75, tolerance);
   CHECK_FIELDS_CLOSE(distances(tm, std::vector<vertex_descriptor>{vertex(0), vertex(1)}),
                      (std::vector<double>{0, 0, 1, 1}), tolerance);
 
   // Two sources strictly inside one face. The query point becomes a vertex.
   const Indexed_mesh indexed = to_indexed_mesh(tm, "two_tri_square_b");
-  const Face_location query = locate_in_plane(.625, .5, tm);
+  const Face_location query = location_in_plane(.625, .5, tm);
   const auto corners = corners_of_face(query.first, tm);
   Indexed_mesh split = indexed;
   for(std::size_t f = 0; f < indexed.faces.size(); ++f)
@@ -179,8 +115,8 @@ void other_square_of_two_triangles()
   }
   const Mesh split_tm = to_face_graph(split);
   auto nearest = get(CGAL::dynamic_vertex_property_t<std::size_t>(), split_tm);
-  const std::vector<Face_location> sources{locate_in_plane(.75, .125, split_tm),
-                                           locate_in_plane(.625, .125, split_tm)};
+  const std::vector<Face_location> sources{location_in_plane(.75, .125, split_tm),
+                                           location_in_plane(.625, .125, split_tm)};
   const std::vector<double> result =
     distances_with_options(split_tm, sources, SMG::make_geodesic_distance_options<Mesh>(nearest));
   CHECK_CLOSE(result.back(), .375, tolerance);
@@ -190,7 +126,7 @@ void other_square_of_two_triangles()
 void single_triangle()
 {
   test_support::Scope scope("single_triangle");
-  const Mesh tm = load("single_triangle");
+  const Mesh tm = load_data("single_triangle");
   CHECK_FIELDS_CLOSE(distances(tm, on_edge(0, 1, .25, tm).front()),
                      (std::vector<double>{.75, 2.25, std::sqrt(16.5625)}), tolerance);
   CHECK_FIELDS_CLOSE(distances(tm, vertex(0)), (std::vector<double>{0, 3, 4}), tolerance);
@@ -205,7 +141,7 @@ void grids_are_Euclidean()
   {
     const std::string name = "grid" + std::to_string(n);
     test_support::Scope scope(name);
-    const Mesh tm = load(name);
+    const Mesh tm = load_data(name);
     CHECK_EQUAL(num_vertices(tm), n * n);
     for(const vertex_descriptor v : vertices(tm))
     {
@@ -219,7 +155,7 @@ void grids_are_Euclidean()
       }
     }
     // the corner (0, 1, 0) given as a point
-    const std::vector<double> from_point = distances(tm, locate_in_plane(0., 1., tm));
+    const std::vector<double> from_point = distances(tm, location_in_plane(0., 1., tm));
     CHECK_EQUAL(from_point[n - 1], 0.);
     CHECK_FIELDS_CLOSE(from_point, distances(tm, vertex(n - 1)), tolerance);
   }
@@ -228,7 +164,7 @@ void grids_are_Euclidean()
 void noise_at_a_corner_of_grid5()
 {
   test_support::Scope scope("grid5, noise");
-  const Mesh tm = load("grid5");
+  const Mesh tm = load_data("grid5");
   const face_descriptor f = face(6);
   const auto corners = corners_of_face(f, tm);
   CHECK(std::size_t(corners[0]) + std::size_t(corners[1]) + std::size_t(corners[2]) == 3 + 4 + 9);
@@ -236,22 +172,13 @@ void noise_at_a_corner_of_grid5()
   {
     const std::size_t v = std::size_t(corners[k]);
     const std::vector<double> expected = Euclidean_field(tm, coordinates(corners[k], tm));
-    const std::array<std::array<double, 3>, 4> noisy_weights{
-      {{1., 0., 5.6e-17}, {1. - 1e-16, 0., 1.1e-16}, {1., 0., -5.6e-17}, {1., 5.6e-17, -5.6e-17}}};
-    for(const std::array<double, 3>& weights : noisy_weights)
+    for(const Face_location& location : noisy_locations_of_vertex(corners[k], f, tm))
     {
-      for(const bool is_mirrored : {false, true})
+      const std::vector<double> result = distances(tm, location);
+      CHECK(result[v] < 1e-12);
+      for(std::size_t i = 0; i < result.size(); ++i)
       {
-        Face_location location(f, {0., 0., 0.});
-        location.second[k] = weights[0];
-        location.second[(k + 1) % 3] = weights[is_mirrored ? 2 : 1];
-        location.second[(k + 2) % 3] = weights[is_mirrored ? 1 : 2];
-        const std::vector<double> result = distances(tm, location);
-        CHECK(result[v] < 1e-12);
-        for(std::size_t i = 0; i < result.size(); ++i)
-        {
-          CHECK_NEAR(result[i], expected[i], 1e-12);
-        }
+        CHECK_NEAR(result[i], expected[i], 1e-12);
       }
     }
   }
@@ -261,7 +188,7 @@ void unreachable_vertices_are_at_infinity()
 {
   {
     test_support::Scope scope("isolated_vertex");
-    const Mesh tm = load("isolated_vertex");
+    const Mesh tm = load_data("isolated_vertex");
     CHECK_EQUAL(num_vertices(tm), 5u);
     CHECK_FIELDS_CLOSE(distances(tm, vertex(0)), (std::vector<double>{0, 1, std::sqrt(2.), 1, infinity}), tolerance);
     CHECK_FIELDS_CLOSE(distances(tm, vertex(4)),
@@ -271,7 +198,7 @@ void unreachable_vertices_are_at_infinity()
   }
   {
     test_support::Scope scope("two_components");
-    const Mesh tm = load("two_components");
+    const Mesh tm = load_data("two_components");
     CHECK_FIELDS_CLOSE(distances(tm, vertex(0)), (std::vector<double>{0, 1, 1, infinity, infinity, infinity}),
                        tolerance);
     CHECK_FIELDS_CLOSE(distances(tm, std::vector<vertex_descriptor>{vertex(0), vertex(3)}),
@@ -283,13 +210,13 @@ void flat_meshes_of_the_heat_method()
 {
   {
     test_support::Scope scope("kite_pp3d30");
-    const Mesh tm = load("kite_pp3d30");
+    const Mesh tm = load_data("kite_pp3d30");
     CHECK_FIELDS_CLOSE(distances(tm, vertex(2)), (std::vector<double>{2, std::sqrt(10.), 0, std::sqrt(10.)}),
                        tolerance);
   }
   {
     test_support::Scope scope("square100_gc111");
-    const Mesh tm = load("square100_gc111");
+    const Mesh tm = load_data("square100_gc111");
     CHECK_FIELDS_CLOSE(distances(tm, vertex(0)), (std::vector<double>{0, 100, 100. * std::sqrt(2.), 100}), tolerance);
   }
 }
@@ -298,7 +225,7 @@ void needle_without_area_does_no_harm()
 {
   const double r2 = std::sqrt(2.);
   test_support::Scope scope("needle_dup_position");
-  const Mesh tm = load("needle_dup_position");
+  const Mesh tm = load_data("needle_dup_position");
   CHECK_FIELDS_CLOSE(distances(tm, vertex(0)), (std::vector<double>{0, 1, r2, 1, 1, 2, std::sqrt(5.)}), tolerance);
   for(const vertex_descriptor v : vertices(tm))
   {
@@ -330,7 +257,7 @@ void cap_without_area_does_no_harm()
 {
   const double r2 = std::sqrt(2.);
   test_support::Scope scope("cap_zero_area");
-  const Mesh tm = load("cap_zero_area");
+  const Mesh tm = load_data("cap_zero_area");
   CHECK_FIELDS_CLOSE(distances(tm, vertex(3)), (std::vector<double>{r2, r2, 1, 0, 2}), tolerance);
   for(const vertex_descriptor v : vertices(tm))
   {
@@ -358,7 +285,7 @@ void thin_sliver_does_no_harm()
 {
   const double r2 = std::sqrt(2.);
   test_support::Scope scope("sliver_1e-12");
-  const Mesh tm = load("sliver_1e-12");
+  const Mesh tm = load_data("sliver_1e-12");
   CHECK_FIELDS_CLOSE(distances(tm, vertex(3)), (std::vector<double>{r2, r2, 1. + 1e-12, 0, 2}), 1e-9);
   for(const vertex_descriptor v : vertices(tm))
   {
@@ -378,7 +305,7 @@ void scale_and_position_do_not_matter()
                             Entry{"grid5_offset_1e6", 1., 1e-9}})
   {
     test_support::Scope scope(entry.name);
-    const Mesh tm = load(entry.name);
+    const Mesh tm = load_data(entry.name);
     const std::vector<double> result = distances(tm, vertex(0));
     CHECK_CLOSE(result[4], entry.size, entry.relative);
     CHECK_CLOSE(result[24], entry.size * std::sqrt(2.), entry.relative);
@@ -395,7 +322,7 @@ void polyhedra()
   const double r2 = std::sqrt(2.);
   {
     test_support::Scope scope("cube");
-    Mesh tm = load("cube");
+    Mesh tm = load_data("cube");
     CHECK_FIELDS_CLOSE(distances(tm, vertex(0)), (std::vector<double>{0, 1, 1, r2, 1, r2, r2, std::sqrt(5.)}),
                        tolerance);
     // from the center of a face, which lies on a diagonal, to the opposite center
@@ -410,7 +337,7 @@ void polyhedra()
   }
   {
     test_support::Scope scope("tetra");
-    const Mesh tm = load("tetra");
+    const Mesh tm = load_data("tetra");
     const double d = std::sqrt(8. / 3.);
     CHECK_FIELDS_CLOSE(distances(tm, Face_location(face(0), {1. / 3., 1. / 3., 1. / 3.})),
                        (std::vector<double>{d, d, d, 2. * d}), tolerance);
@@ -418,7 +345,7 @@ void polyhedra()
   }
   {
     test_support::Scope scope("octahedron");
-    const Mesh tm = load("octahedron");
+    const Mesh tm = load_data("octahedron");
     const std::vector<double> single = distances(tm, vertex(0));
     CHECK_CLOSE(single[1], std::sqrt(6.), tolerance);
     CHECK(distances(tm, std::vector<vertex_descriptor>{vertex(0), vertex(0)}) == single);
@@ -442,7 +369,7 @@ void paths_bend_at_a_reflex_border_vertex()
 {
   const double r2 = std::sqrt(2.);
   test_support::Scope scope("L_shape");
-  const Mesh tm = load("L_shape");
+  const Mesh tm = load_data("L_shape");
   CHECK_FIELDS_CLOSE(distances(tm, vertex(7)),
                      (std::vector<double>{std::sqrt(5.), 2, 1. + r2, r2, 1, 2, 1, 0}), tolerance);
 }
@@ -451,7 +378,7 @@ void nearest_source_on_a_strip()
 {
   const double r2 = std::sqrt(2.);
   test_support::Scope scope("strip4");
-  const Mesh tm = load("strip4");
+  const Mesh tm = load_data("strip4");
   const std::vector<vertex_descriptor> sources{vertex(0), vertex(8)};
   auto nearest = get(CGAL::dynamic_vertex_property_t<std::size_t>(), tm);
   const std::vector<double> result =
@@ -475,7 +402,7 @@ void paths_around_saddle_and_cone()
   const double r2 = std::sqrt(2.);
   {
     test_support::Scope scope("saddle_fan8");
-    const Mesh tm = load("saddle_fan8");
+    const Mesh tm = load_data("saddle_fan8");
     std::vector<double> expected(9, 2.);
     expected[0] = 1.;
     expected[1] = 0.;
@@ -484,7 +411,7 @@ void paths_around_saddle_and_cone()
   }
   {
     test_support::Scope scope("cone64");
-    const Mesh tm = load("cone64");
+    const Mesh tm = load_data("cone64");
     const std::vector<double> result = distances(tm, vertex(1));
     CHECK_CLOSE(result[0], r2, tolerance);
     const double sector = 2. * std::asin(std::sin(pi / 64.) / r2);
@@ -504,7 +431,7 @@ void paths_pass_a_pinched_vertex()
   const double r2 = std::sqrt(2.);
   test_support::Scope scope("pinched_vertex");
   // Paths may pass a vertex that two parts of the surface share.
-  const Mesh tm = load("pinched_vertex");
+  const Mesh tm = load_data("pinched_vertex");
   CHECK_FIELDS_CLOSE(distances(tm, vertex(2)), (std::vector<double>{r2, 1, 0, 1. + r2, 2. * r2}), tolerance);
   CHECK_FIELDS_CLOSE(distances(tm, vertex(0)), (std::vector<double>{0, 1, r2, 1, r2}), tolerance);
 }
@@ -519,7 +446,7 @@ void broken_files_are_refused()
     try
     {
       Mesh tm;
-      if(!read(name, tm))
+      if(!read_data(name, tm))
       {
         is_refused = true;
       }

@@ -68,9 +68,9 @@ struct Answers
   std::vector<double> parameters; // what has no unit: indices, barycentric coordinates
 };
 
-void add_distances(Geodesic_paths& paths, const std::vector<Place>& places, Answers& answers)
+void add_distances(Geodesic_paths& paths, const std::vector<Surface_point>& points, Answers& answers)
 {
-  for(const Place& p : places)
+  for(const Surface_point& p : points)
   {
     std::vector<Kernel::Point_3> points;
     const double d = ask_points(paths, p, std::back_inserter(points)).distance;
@@ -133,14 +133,14 @@ Weighted_sites with_unit(Weighted_sites sites, double unit)
 Answers answers_for(const Mesh& tm, const Questions& q, double unit, bool has_diagram)
 {
   Answers answers;
-  std::vector<Place> places(vertices(tm).begin(), vertices(tm).end());
-  places.insert(places.end(), q.queries.begin(), q.queries.end());
+  std::vector<Surface_point> points(vertices(tm).begin(), vertices(tm).end());
+  points.insert(points.end(), q.queries.begin(), q.queries.end());
   Geodesic_paths paths(tm);
   paths.add_source_point(q.vertex_source);
-  add_distances(paths, places, answers);
+  add_distances(paths, points, answers);
   paths.remove_all_source_points();
   paths.add_source_points(q.location_sources.begin(), q.location_sources.end());
-  add_distances(paths, places, answers);
+  add_distances(paths, points, answers);
   if(has_diagram)
   {
     Voronoi diagram(tm);
@@ -180,7 +180,7 @@ void powers_of_two_change_no_bit(const Indexed_mesh& indexed, const Questions& q
     check_bits(found.coordinates, expected.coordinates, unit, "points");
     check_bits(found.lengths, expected.lengths, unit, "lengths of the diagram");
     check_bits(found.areas, expected.areas, unit * unit, "areas");
-    check_bits(found.parameters, expected.parameters, 1., "places, cells");
+    check_bits(found.parameters, expected.parameters, 1., "locations, cells");
   }
 }
 
@@ -304,7 +304,7 @@ void only_rounding_differs(const Indexed_mesh& indexed, const Indexed_mesh& move
 
 void print_table()
 {
-  std::cout << "| unit or place | worst relative error | of the bound | certificate | of the diagram |\n"
+  std::cout << "| unit or position | worst relative error | of the bound | certificate | of the diagram |\n"
             << "|---|--:|--:|--:|--:|\n"
             << std::setprecision(2) << std::scientific;
   for(const auto& w : worst_of)

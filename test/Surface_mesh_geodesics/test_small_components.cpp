@@ -36,29 +36,29 @@ void a_small_component_has_the_answers_it_has_alone(const Indexed_mesh& small, d
   Mesh alone = to_face_graph(small);
   Mesh tm = to_face_graph(is_first ? side_by_side(part, large, "both") : side_by_side(large, part, "both"));
   const std::size_t shift = is_first ? 0 : large.points.size();
-  const auto vertex_of = [](std::size_t i) { return vertex_descriptor(static_cast<Mesh::size_type>(i)); };
+  const double size = size_of(alone) * unit;
   const std::size_t source = random.index(small.points.size());
   Geodesic_paths expected(alone), found(tm);
-  expected.add_source_point(vertex_of(source));
-  found.add_source_point(vertex_of(source + shift));
+  expected.add_source_point(vertex(source));
+  found.add_source_point(vertex(source + shift));
   for(std::size_t i = 0; i < small.points.size(); ++i)
   {
-    const double d = expected.shortest_distance_to_source_points(vertex_of(i)).first,
-                 e = found.shortest_distance_to_source_points(vertex_of(i + shift)).first;
+    const double d = expected.shortest_distance_to_source_points(vertex(i)).first,
+                 e = found.shortest_distance_to_source_points(vertex(i + shift)).first;
     CHECK_CLOSE(e / unit, d, 1e-13 * (1 + d));
-    const std::vector<Coordinates> path = checked_path(found, Place(vertex_of(i + shift)), tm, size_of(alone) * unit);
+    const std::vector<Coordinates> path = checked_path(found, Surface_point(vertex(i + shift)), tm, size);
     CHECK(path.size() >= (i == source ? 1 : 2));
-    CHECK(path.front() == coordinates(vertex_of(i + shift), tm));
-    CHECK(path.back() == coordinates(vertex_of(source + shift), tm));
+    CHECK(path.front() == coordinates(vertex(i + shift), tm));
+    CHECK(path.back() == coordinates(vertex(source + shift), tm));
     CHECK_CLOSE(polyline_length(path) / unit, e / unit, 1e-12 * (1 + d));
   }
   for(std::size_t i = 0; i < large.points.size(); ++i)
   {
-    CHECK(found.shortest_distance_to_source_points(vertex_of(i + (is_first ? small.points.size() : 0))).first < 0);
+    CHECK(found.shortest_distance_to_source_points(vertex(i + (is_first ? small.points.size() : 0))).first < 0);
   }
   const Distances distances = tm.add_property_map<vertex_descriptor, double>("v:distance", 0.).first;
-  SMG::geodesic_distances(tm, distances, vertex_of(source + shift));
-  CHECK(SMG::certify_geodesic_distances(tm, distances, vertex_of(source + shift)).is_certified());
+  SMG::geodesic_distances(tm, distances, vertex(source + shift));
+  CHECK(SMG::certify_geodesic_distances(tm, distances, vertex(source + shift)).is_certified());
 }
 
 // A component without lengths is equivalent to a point.

@@ -49,12 +49,12 @@ public:
     CHECK_EQUAL(m_diagram.number_of_sites(), m_sites.size());
     for(std::size_t i = 0; i < m_sites.size(); ++i)
     {
-      const Place place = place_of(i);
-      const double own = -m_sites[i].weight, tolerance = 1e-10 * scale(i, place);
+      const Surface_point location = m_sites[i].point;
+      const double own = -m_sites[i].weight, tolerance = 1e-10 * scale(i, location);
       double best = infinity;
       for(std::size_t j = 0; j < m_sites.size(); ++j)
       {
-        best = j == i ? best : (std::min)(best, m_distances(j, place));
+        best = j == i ? best : (std::min)(best, m_distances(j, location));
       }
       if(best < own - tolerance)
       {
@@ -81,12 +81,12 @@ public:
     std::map<face_descriptor, std::vector<std::vector<double>>> seen; // the distances of all sites
     for(std::size_t k = 0; k < number; ++k)
     {
-      const Place p(random_location(m_tm, random, random.index(8) == 0 ? 1e-6 : 1e-3));
+      const Surface_point p(random_location(m_tm, random, random.index(8) == 0 ? 1e-6 : 1e-3));
       seen[p.location.first].push_back(check_point(p));
     }
     for(const vertex_descriptor v : vertices(m_tm))
     {
-      const std::vector<double> all = check_point(Place(v));
+      const std::vector<double> all = check_point(Surface_point(v));
       for(const face_descriptor f : faces_around(v, m_tm))
       {
         seen[f].push_back(all);
@@ -119,7 +119,7 @@ public:
       CHECK(a.sites().first != a.sites().second);
       for(const double t : {0., .25, .5, 1.})
       {
-        check_equidistant({a.sites().first, a.sites().second}, Place(a.point(t)), a.distance(t));
+        check_equidistant({a.sites().first, a.sites().second}, Surface_point(a.point(t)), a.distance(t));
       }
       check_sides(a);
     }
@@ -132,7 +132,7 @@ public:
     {
       CHECK(v.sites().size() >= 3);
       CHECK(std::is_sorted(v.sites().begin(), v.sites().end()));
-      check_equidistant(v.sites(), Place(v.location()), v.distance());
+      check_equidistant(v.sites(), Surface_point(v.location()), v.distance());
     }
     std::vector<std::array<std::size_t, 3>> triangles;
     m_diagram.dual(std::back_inserter(triangles));
@@ -167,7 +167,6 @@ public:
   Distances_of_sites& distances() { return m_distances; }
 
 private:
-  Place place_of(std::size_t i) const { return m_sites[i].place; }
 
   double length_of_edge(halfedge_descriptor h) const
   {
@@ -197,14 +196,14 @@ private:
   }
 
   // what errors of the distance of site i are to be compared with
-  double scale(std::size_t i, const Place& p)
+  double scale(std::size_t i, const Surface_point& p)
   {
     const double d = m_distances.without_weight(i, p);
     return (d < infinity ? d : 0.) + m_largest_weight
          + (p.is_vertex() ? 0. : size_of_face(p.location.first));
   }
 
-  std::vector<double> check_point(const Place& p)
+  std::vector<double> check_point(const Surface_point& p)
   {
     const std::vector<double> all = m_distances.all(p);
     const double best = all.empty() ? infinity : *std::min_element(all.begin(), all.end());
@@ -248,7 +247,7 @@ private:
     return owners.size() >= 2;
   }
 
-  void check_equidistant(const std::vector<std::size_t>& sites, const Place& p, double distance)
+  void check_equidistant(const std::vector<std::size_t>& sites, const Surface_point& p, double distance)
   {
     const std::vector<double> all = m_distances.all(p);
     const double best = *std::min_element(all.begin(), all.end());
@@ -278,7 +277,7 @@ private:
       {
         continue;
       }
-      const Place x(Face_location(a.face(), c));
+      const Surface_point x(Face_location(a.face(), c));
       const double left = m_distances(a.sites().first, x), right = m_distances(a.sites().second, x);
       CHECK(side * (left - right) <= 1e-10 * scale(a.sites().first, x));
     }

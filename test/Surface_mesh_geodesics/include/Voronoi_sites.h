@@ -27,12 +27,12 @@ const std::size_t null_site = Voronoi::null_site();
 
 struct Weighted_site
 {
-  Place place;
+  Surface_point point;
   double weight = 0.;
 
-  Weighted_site(const Place& p, double w = 0.) : place(p), weight(w) {}
-  Weighted_site(vertex_descriptor v, double w = 0.) : place(v), weight(w) {}
-  Weighted_site(const Face_location& l, double w = 0.) : place(l), weight(w) {}
+  Weighted_site(const Surface_point& p, double w = 0.) : point(p), weight(w) {}
+  Weighted_site(vertex_descriptor v, double w = 0.) : point(v), weight(w) {}
+  Weighted_site(const Face_location& l, double w = 0.) : point(l), weight(w) {}
 };
 
 using Weighted_sites = std::vector<Weighted_site>;
@@ -42,13 +42,13 @@ void add_sites(Diagram& diagram, const Weighted_sites& sites)
 {
   for(const Weighted_site& s : sites)
   {
-    if(s.place.is_vertex())
+    if(s.point.is_vertex())
     {
-      diagram.add_site(s.place.vertex, s.weight);
+      diagram.add_site(s.point.vertex, s.weight);
     }
     else
     {
-      diagram.add_site(s.place.location, s.weight);
+      diagram.add_site(s.point.location, s.weight);
     }
   }
 }
@@ -76,19 +76,19 @@ public:
       {
         m_paths.back()->use_edge_lengths(*lengths);
       }
-      add(*m_paths.back(), s.place);
+      add(*m_paths.back(), s.point);
       m_paths.back()->build_sequence_tree_for_faces();
       m_originals.emplace_back();
-      if(compares_with_shortest_path && s.place.is_vertex())
+      if(compares_with_shortest_path && s.point.is_vertex())
       {
         m_originals.back() = std::make_unique<Shortest_path>(tm);
-        m_originals.back()->add_source_point(s.place.vertex);
+        m_originals.back()->add_source_point(s.point.vertex);
       }
     }
   }
 
   // infinity where the site does not reach
-  double without_weight(std::size_t i, const Place& q)
+  double without_weight(std::size_t i, const Surface_point& q)
   {
     const Geodesic_paths& paths = *m_paths[i];
     const double d = ask(paths, q).distance;
@@ -101,9 +101,9 @@ public:
     return d < 0. ? infinity : d;
   }
 
-  double operator()(std::size_t i, const Place& q) { return without_weight(i, q) - m_sites[i].weight; }
+  double operator()(std::size_t i, const Surface_point& q) { return without_weight(i, q) - m_sites[i].weight; }
 
-  std::vector<double> all(const Place& q)
+  std::vector<double> all(const Surface_point& q)
   {
     std::vector<double> result;
     for(std::size_t i = 0; i < m_paths.size(); ++i)
@@ -116,8 +116,8 @@ public:
   std::size_t number_of_comparisons() const { return m_number_of_comparisons; }
 
 private:
-  // Surface_mesh_shortest_path errs at places that are on an edge up to rounding.
-  static bool is_safe(const Place& q)
+  // Surface_mesh_shortest_path errs at points that are on an edge up to rounding.
+  static bool is_safe(const Surface_point& q)
   {
     const auto& b = q.location.second;
     return q.is_vertex() || (std::min)({b[0], b[1], b[2]}) > 1e-5;
@@ -131,12 +131,12 @@ private:
 
 
 // Sites at vertices, on edges and in faces, in turn by chance.
-inline Place random_place(const Mesh& tm, test_support::Random& random)
+inline Surface_point random_point(const Mesh& tm, test_support::Random& random)
 {
   const std::size_t kind = random.index(3);
   if(kind == 0)
   {
-    return Place(random_vertex(tm, random));
+    return Surface_point(random_vertex(tm, random));
   }
   Face_location l = random_location(tm, random);
   if(kind == 1)
@@ -146,7 +146,7 @@ inline Place random_place(const Mesh& tm, test_support::Random& random)
     l.second[(k + 1) % 3] = 1. - l.second[k];
     l.second[(k + 2) % 3] = 0.;
   }
-  return Place(l);
+  return Surface_point(l);
 }
 
 inline Weighted_sites random_sites(const Mesh& tm, std::size_t number, double largest_weight,
@@ -155,7 +155,7 @@ inline Weighted_sites random_sites(const Mesh& tm, std::size_t number, double la
   Weighted_sites sites;
   for(std::size_t i = 0; i < number; ++i)
   {
-    const Place p = random_place(tm, random);
+    const Surface_point p = random_point(tm, random);
     sites.emplace_back(p, largest_weight == 0. ? 0. : random.uniform(-largest_weight, largest_weight));
   }
   return sites;

@@ -26,16 +26,16 @@ public:
     : m_tm(tm), m_diagram(diagram), m_sites(sites), m_numbers(tm)
   {}
 
-  // Where more than three cells meet is one vertex: no two of them are at one place.
-  void check_places_of_vertices()
+  // Where more than three cells meet is one vertex: no two of them are at one location.
+  void check_locations_of_vertices()
   {
     number_locations();
-    std::map<std::size_t, std::size_t> first_at; // of a place
+    std::map<std::size_t, std::size_t> first_at; // of a location
     for(const Voronoi::Vertex& v : m_diagram.vertices())
     {
       const auto inserted = first_at.insert({m_numbers.of(v.location()), v.index()});
       test_support::Scope scope("vertices " + std::to_string(inserted.first->second) + " and "
-                                + std::to_string(v.index()) + " at " + description(Place(v.location())));
+                                + std::to_string(v.index()) + " at " + description(Surface_point(v.location())));
       CHECK(inserted.second);
     }
   }
@@ -58,13 +58,13 @@ public:
         CHECK(e.sites() == (a.second ? std::make_pair(sites.second, sites.first) : sites));
         if(k > 0)
         {
-          check_same_place(end_of(e.arcs()[k - 1]), start_of(a));
+          check_same_location(end_of(e.arcs()[k - 1]), start_of(a));
         }
       }
       CHECK_CLOSE(e.length(), sum, 1e-13);
       if(e.is_closed())
       {
-        check_same_place(end_of(e.arcs().back()), start_of(e.arcs().front()));
+        check_same_location(end_of(e.arcs().back()), start_of(e.arcs().front()));
       }
       check_end(e.source_vertex(), start_of(e), e.is_closed());
       check_end(e.target_vertex(), end_of(e), e.is_closed());
@@ -102,22 +102,22 @@ public:
     CHECK_CLOSE(sum, expected, 1e-12);
   }
 
-  // Around each place where arcs end, cells alternate: in the interior each one has an even number of sides there.
+  // Around each location where arcs end, cells alternate: in the interior each one has an even number of sides there.
   // Where three cells meet is a vertex of the diagram.
   void check_joints()
   {
     test_support::Scope scope("joints");
     number_locations();
-    std::map<std::size_t, std::map<std::size_t, int>> sides; // of a place, of a site
+    std::map<std::size_t, std::map<std::size_t, int>> sides; // of a location, of a site
     for(const Voronoi::Arc& a : m_diagram.arcs())
     {
       const std::size_t first = m_numbers.of(a.point(0.)), last = m_numbers.of(a.point(1.));
-      for(const std::size_t place : {first, last})
+      for(const std::size_t location : {first, last})
       {
         if(first != last)
         {
-          ++sides[place][a.sites().first];
-          ++sides[place][a.sites().second];
+          ++sides[location][a.sites().first];
+          ++sides[location][a.sites().second];
         }
       }
     }
@@ -126,19 +126,19 @@ public:
     {
       at_vertices[m_numbers.of(v.location())].insert(v.sites().begin(), v.sites().end());
     }
-    for(const auto& at_place : sides)
+    for(const auto& at_location : sides)
     {
-      for(const auto& s : at_place.second)
+      for(const auto& s : at_location.second)
       {
-        CHECK(s.second % 2 == 0 || m_numbers.is_on_border(at_place.first));
+        CHECK(s.second % 2 == 0 || m_numbers.is_on_border(at_location.first));
       }
       // (cells that touch themselves or the border there need none)
-      const bool is_simple = std::all_of(at_place.second.begin(), at_place.second.end(),
+      const bool is_simple = std::all_of(at_location.second.begin(), at_location.second.end(),
                                          [](const std::pair<const std::size_t, int>& s) { return s.second == 2; });
-      if(at_place.second.size() >= 3 && is_simple && !m_numbers.is_on_border(at_place.first))
+      if(at_location.second.size() >= 3 && is_simple && !m_numbers.is_on_border(at_location.first))
       {
-        const std::set<std::size_t>& known = at_vertices[at_place.first];
-        for(const auto& s : at_place.second)
+        const std::set<std::size_t>& known = at_vertices[at_location.first];
+        for(const auto& s : at_location.second)
         {
           CHECK(known.count(s.first) != 0);
         }
@@ -152,11 +152,11 @@ public:
     test_support::Scope scope("connected cells");
     number_locations();
     Disjoint_sets sets;
-    std::map<std::pair<std::size_t, std::size_t>, std::size_t> element; // of a site at a place
-    const auto at = [&](std::size_t site, std::size_t place)
+    std::map<std::pair<std::size_t, std::size_t>, std::size_t> element; // of a site at a location
+    const auto at = [&](std::size_t site, std::size_t location)
     {
-      const auto found = element.find({site, place});
-      return found != element.end() ? found->second : (element[{site, place}] = sets.add());
+      const auto found = element.find({site, location});
+      return found != element.end() ? found->second : (element[{site, location}] = sets.add());
     };
     for(const vertex_descriptor v : vertices(m_tm))
     {
@@ -191,7 +191,7 @@ public:
   void check_Euler()
   {
     test_support::Scope scope("Euler's formula");
-    Disjoint_sets components; // of the vertices, by the numbers of their places
+    Disjoint_sets components; // of the vertices, by the numbers of their locations
     for(std::size_t i = 0; i < num_vertices(m_tm); ++i)
     {
       components.add();
@@ -201,7 +201,7 @@ public:
       const halfedge_descriptor h = halfedge(e, m_tm);
       components.join(m_numbers.of(source(h, m_tm)), m_numbers.of(target(h, m_tm)));
     }
-    const auto component_of = [&](const Place& p)
+    const auto component_of = [&](const Surface_point& p)
     { return components.root(m_numbers.of(p.is_vertex() ? p.vertex : corners_of_face(p.location.first, m_tm)[0])); };
     std::map<std::size_t, long> sums = characteristics_of_diagram(component_of);
     for(const auto& of_component : characteristics_of_mesh(component_of))
@@ -215,7 +215,6 @@ public:
   }
 
 private:
-  Place place_of(std::size_t i) const { return m_sites[i].place; }
 
   // Checks one part of the boundary of cell i, counts how its edges are used, and returns its length.
   double check_boundary(std::size_t i, const Voronoi::Boundary& b, std::map<std::size_t, std::array<int, 2>>& uses)
@@ -230,13 +229,13 @@ private:
       CHECK_EQUAL(e.second ? sites.second : sites.first, i);
       if(k > 0)
       {
-        check_same_place(end_of(b.edges[k - 1]), start_of(e));
+        check_same_location(end_of(b.edges[k - 1]), start_of(e));
       }
     }
     const Face_location first = start_of(b.edges.front()), last = end_of(b.edges.back());
     if(b.is_closed)
     {
-      check_same_place(first, last);
+      check_same_location(first, last);
     }
     else
     {
@@ -265,8 +264,8 @@ private:
     return true;
   }
 
-  // calls join(site, place of an arc, place of a corner) for edges that are closed inside of a face: on the surface
-  // nothing but the cell itself joins them to the rest.
+  // Calls join(site, location of an arc, location of a corner) for each edge that is a closed curve inside a face. Only
+  // the cell itself connects such an edge with the rest of the surface.
   template <class Join>
   void join_islands(const Join& join)
   {
@@ -295,7 +294,7 @@ private:
     }
   }
 
-  // Calls join(site, place, place) for the two ends of each part of an edge of the mesh in one cell.
+  // Calls join(site, location, location) for the two ends of each part of an edge of the mesh in one cell.
   template <class Join>
   void join_parts_of_edges(const Join& join)
   {
@@ -362,7 +361,7 @@ private:
     }
     for(std::size_t i = 0; i < m_sites.size(); ++i)
     {
-      long& sum = result[component_of(place_of(i))];
+      long& sum = result[component_of(m_sites[i].point)];
       sum += m_diagram.Euler_characteristic(i);
       for(const Voronoi::Boundary& b : m_diagram.boundary(i))
       {
@@ -406,10 +405,10 @@ private:
     m_numbers.number();
   }
 
-  void check_same_place(const Face_location& a, const Face_location& b)
+  void check_same_location(const Face_location& a, const Face_location& b)
   {
     number_locations();
-    test_support::Scope scope(description(Place(a)) + " and " + description(Place(b)));
+    test_support::Scope scope(description(Surface_point(a)) + " and " + description(Surface_point(b)));
     CHECK_EQUAL(m_numbers.of(a), m_numbers.of(b));
   }
 
@@ -424,7 +423,7 @@ private:
     if(v != null_site)
     {
       CHECK(v < m_diagram.vertices().size() && !is_closed);
-      check_same_place(m_diagram.vertices()[v].location(), l);
+      check_same_location(m_diagram.vertices()[v].location(), l);
     }
     else
     {

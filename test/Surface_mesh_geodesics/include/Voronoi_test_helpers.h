@@ -40,7 +40,7 @@ public:
     m_distance_checks.check_arcs();
     m_distance_checks.check_vertices();
     m_distance_checks.check_areas();
-    m_structure_checks.check_places_of_vertices();
+    m_structure_checks.check_locations_of_vertices();
     m_structure_checks.check_edges();
     m_structure_checks.check_boundaries();
     m_structure_checks.check_joints();

@@ -105,7 +105,7 @@ struct Input
   template <class Call>
   auto with_sources(const Call& call) const
   {
-    return m_vertices.size() == m_places.size() ? call(m_vertices) : call(m_places);
+    return m_vertices.size() == m_locations.size() ? call(m_vertices) : call(m_locations);
   }
 
   void compute()
@@ -145,7 +145,7 @@ private:
       {
         m_vertices.push_back(vertex(s.vertex));
       }
-      m_places.push_back(s.is_vertex() ? place_of_vertex(c, s.vertex) : Face_location(face(s.face), s.coordinates));
+      m_locations.push_back(s.is_vertex() ? location_of(c, s.vertex) : Face_location(face(s.face), s.coordinates));
     }
     if(!has_offset)
     {
@@ -153,7 +153,7 @@ private:
     }
   }
 
-  static Face_location place_of_vertex(const Distance_case& c, std::size_t v)
+  static Face_location location_of(const Distance_case& c, std::size_t v)
   {
     for(std::size_t f = 0; f < c.surface.mesh.faces.size(); ++f)
     {
@@ -161,9 +161,9 @@ private:
       {
         if(c.surface.mesh.faces[f][k] == v)
         {
-          Face_location place(face(f), {0., 0., 0.});
-          place.second[k] = 1.;
-          return place;
+          Face_location location(face(f), {0., 0., 0.});
+          location.second[k] = 1.;
+          return location;
         }
       }
     }
@@ -171,7 +171,7 @@ private:
   }
 
   std::vector<vertex_descriptor> m_vertices;
-  std::vector<Face_location> m_places;
+  std::vector<Face_location> m_locations;
 };
 
 // --- the referees ---

@@ -10,10 +10,12 @@
 #include <CGAL/Surface_mesh_geodesics/Geodesic_distance_options.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_distances.h>
 
+#include <CGAL/Surface_mesh/IO/OFF.h>
 #include <CGAL/boost/graph/properties.h>
 
 #include <array>
 #include <cstddef>
+#include <fstream>
 #include <limits>
 #include <string>
 #include <utility>
@@ -34,6 +36,20 @@ inline vertex_descriptor vertex(std::size_t i)
 inline face_descriptor face(std::size_t i)
 {
   return face_descriptor(static_cast<Mesh::size_type>(i));
+}
+
+// Reads data/<name>.off. Returns false if the file is missing or does not contain a valid mesh.
+inline bool read_data(const std::string& name, Mesh& tm)
+{
+  std::ifstream in("data/" + name + ".off");
+  return static_cast<bool>(in) && CGAL::IO::read_OFF(in, tm);
+}
+
+inline Mesh load_data(const std::string& name)
+{
+  Mesh tm;
+  CHECK(read_data(name, tm));
+  return tm;
 }
 
 template <class TriangleMesh, class VertexMap>
@@ -123,6 +139,22 @@ inline Face_location location_on_halfedge(Mesh::Halfedge_index h, double t, cons
   return location;
 }
 
+// Returns the point a + t (b - a) of an edge, as a location in each of its faces.
+inline std::vector<Face_location> on_edge(std::size_t a, std::size_t b, double t, const Mesh& tm)
+{
+  std::vector<Face_location> locations;
+  const Mesh::Halfedge_index h = halfedge(vertex(a), vertex(b), tm).first;
+  if(!is_border(h, tm))
+  {
+    locations.push_back(location_on_halfedge(h, t, tm));
+  }
+  if(!is_border(opposite(h, tm), tm))
+  {
+    locations.push_back(location_on_halfedge(opposite(h, tm), 1. - t, tm));
+  }
+  return locations;
+}
+
 inline Face_location location_of_vertex(vertex_descriptor v, face_descriptor f, const Mesh& tm)
 {
   const auto corners = corners_of_face(f, tm);
@@ -137,7 +169,30 @@ inline Face_location location_of_vertex(vertex_descriptor v, face_descriptor f, 
   return location;
 }
 
-// the faces around a vertex
+// Returns the location of a vertex in one of its faces, with noise in its barycentric coordinates.
+inline std::vector<Face_location> noisy_locations_of_vertex(vertex_descriptor v, face_descriptor f, const Mesh& tm)
+{
+  const auto corners = corners_of_face(f, tm);
+  const double noises[4][3] = {
+    {1., 0., 5.6e-17}, {1. - 1e-16, 0., 1.1e-16}, {1., 0., -5.6e-17}, {1., 5.6e-17, -5.6e-17}};
+  std::vector<Face_location> locations;
+  for(std::size_t k = 0; k < 3; ++k)
+  {
+    for(std::size_t i = 0; i < 8 && corners[k] == v; ++i)
+    {
+      const auto& noise = noises[i / 2];
+      const std::size_t shift = 1 + i % 2;
+      Face_location location(f, {0., 0., 0.});
+      location.second[k] = noise[0];
+      location.second[(k + shift) % 3] = noise[1];
+      location.second[(k + 3 - shift) % 3] = noise[2];
+      locations.push_back(location);
+    }
+  }
+  return locations;
+}
+
+// Returns the faces around a vertex.
 inline std::vector<face_descriptor> faces_around(vertex_descriptor v, const Mesh& tm)
 {
   std::vector<face_descriptor> result;
@@ -170,6 +225,36 @@ inline Coordinates coordinates(const Face_location& location, const Mesh& tm)
     p = p + location.second[k] * coordinates(corners[k], tm);
   }
   return p;
+}
+
+// Returns the location of a point of the plane z = 0, in the first face that contains it up to rounding.
+inline Face_location location_in_plane(double x, double y, const Mesh& tm)
+{
+  for(const face_descriptor f : faces(tm))
+  {
+    const auto corners = corners_of_face(f, tm);
+    std::array<Coordinates, 3> p;
+    for(std::size_t k = 0; k < 3; ++k)
+    {
+      p[k] = coordinates(corners[k], tm);
+    }
+    const double area = cross(p[1] - p[0], p[2] - p[0])[2];
+    std::array<double, 3> weights{};
+    bool is_inside = area != 0.;
+    for(std::size_t k = 0; k < 3 && is_inside; ++k)
+    {
+      const Coordinates& a = p[(k + 1) % 3];
+      const Coordinates& b = p[(k + 2) % 3];
+      weights[k] = cross(b - a, Coordinates{x, y, 0.} - a)[2] / area;
+      is_inside = weights[k] >= -1e-14;
+    }
+    if(is_inside)
+    {
+      return {f, weights};
+    }
+  }
+  CHECK(false);
+  return {};
 }
 
 inline Face_location random_location(const Mesh& tm, test_support::Random& random, double least_weight = 1e-3)

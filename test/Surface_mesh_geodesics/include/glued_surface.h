@@ -218,12 +218,12 @@ private:
   std::size_t split_face(std::size_t f, const std::array<FT, 3>& c)
   {
     const std::array<Point, 3> p = layout(f, 0);
-    const Point place = {c[1] * p[1].x + c[2] * p[2].x, c[2] * p[2].y};
+    const Point new_vertex = {c[1] * p[1].x + c[2] * p[2].x, c[2] * p[2].y};
     const std::size_t v = add_vertex();
     std::array<std::size_t, 3> spoke{};
     for(std::size_t k = 0; k < 3; ++k)
     {
-      spoke[k] = add_edge(distance(place, p[k]));
+      spoke[k] = add_edge(distance(new_vertex, p[k]));
     }
     const Triangle t = m_surface.mesh.faces[f];
     const std::array<std::size_t, 3> e = m_surface.edges[f];

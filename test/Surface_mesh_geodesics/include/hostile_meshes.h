@@ -61,12 +61,12 @@ inline void collapse_almost(Indexed_mesh& mesh, test_support::Random& random)
   const Triangle t = mesh.faces[random.index(mesh.faces.size())];
   const std::size_t k = random.index(3);
   const Coordinates a = mesh.points[t[(k + 1) % 3]], b = mesh.points[t[(k + 2) % 3]];
-  double place = 0.;
+  double abscissa = 0.;
   if(random.index(3) != 0)
   {
-    place = random.index(2) == 0 ? random.uniform() : of_any_scale(-15., -1., random);
+    abscissa = random.index(2) == 0 ? random.uniform() : of_any_scale(-15., -1., random);
   }
-  mesh.points[t[k]] = a + place * (b - a) + small_shift(random);
+  mesh.points[t[k]] = a + abscissa * (b - a) + small_shift(random);
 }
 
 // Splits a face at a point very near to a corner or to an edge, or anywhere.
@@ -213,11 +213,11 @@ inline Indexed_mesh hostile_mesh(test_support::Random& random)
 }
 
 // A vertex, or a point of a face: anywhere, on an edge, or very near to a corner or an edge.
-inline Place hostile_place(const Mesh& tm, test_support::Random& random)
+inline Surface_point hostile_point(const Mesh& tm, test_support::Random& random)
 {
   if(random.index(3) == 0)
   {
-    return Place(random_vertex(tm, random));
+    return Surface_point(random_vertex(tm, random));
   }
   Geodesic_paths::Face_location location = random_location(tm, random);
   const std::size_t kind = random.index(4);
@@ -230,7 +230,7 @@ inline Place hostile_place(const Mesh& tm, test_support::Random& random)
     std::rotate(c.begin(), c.begin() + static_cast<std::ptrdiff_t>(random.index(3)), c.end());
     location.second = {c[0], c[1], c[2]};
   }
-  return Place(location);
+  return Surface_point(location);
 }
 
 // Counts of faults.
@@ -287,11 +287,11 @@ inline void check_paths_on(const Mesh& tm, std::size_t number_of_queries, test_s
   const std::size_t number_of_sources = random.index(3) == 0 ? 2 : 1;
   for(std::size_t i = 0; i < number_of_sources; ++i)
   {
-    add(paths, hostile_place(tm, random));
+    add(paths, hostile_point(tm, random));
   }
   for(std::size_t i = 0; i < number_of_queries; ++i)
   {
-    const Place q = hostile_place(tm, random);
+    const Surface_point q = hostile_point(tm, random);
     test_support::Scope scope(description(q));
     ++faults.queries;
     Path_recorder<Geodesic_paths> recorder;

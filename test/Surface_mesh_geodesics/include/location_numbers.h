@@ -42,7 +42,8 @@ private:
   std::vector<std::size_t> m_parent;
 };
 
-// Numbers for places on the surface; places that differ by rounding only have the same one. Places are added first.
+// Numbers the locations on a surface. Locations that differ only by rounding get the same number.
+// Requires: call add() for all locations, then number(), and only then the queries.
 class Location_numbers
 {
 public:
@@ -126,17 +127,17 @@ public:
     return nearest(m_in_face.at(l.first), [&](const Coordinates& b) { return gap(b, l.second); });
   }
 
-  // the one of the two halfedges of an edge whose source the parameters on the edge are counted from
+  // Returns the halfedge of an edge from whose source the parameters along the edge are measured.
   static halfedge_descriptor first_of(halfedge_descriptor h, const Mesh& tm) { return (std::min)(h, opposite(h, tm)); }
 
-  // the places on an edge between its ends, with their parameters
+  // Returns the locations between the ends of an edge, with their parameters.
   std::vector<std::pair<double, std::size_t>> on_edge(halfedge_descriptor h) const
   {
     const auto it = m_on_edge.find(first_of(h, m_tm));
     return it == m_on_edge.end() ? std::vector<std::pair<double, std::size_t>>() : it->second;
   }
 
-  bool is_on_border(std::size_t place) const { return m_border.count(place) != 0; }
+  bool is_on_border(std::size_t location) const { return m_border.count(location) != 0; }
   std::size_t size() const { return m_size; }
 
 private:

@@ -9,14 +9,12 @@
 
 #include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_paths.h>
 
-#include <CGAL/Surface_mesh/IO/OFF.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <fstream>
 #include <iterator>
 #include <limits>
 #include <sstream>
@@ -32,21 +30,21 @@ using Geodesic_paths = CGAL::Surface_mesh_geodesic_paths<Paths_traits>;
 
 // A point of a mesh as the tests give it: a vertex, or a location in a face.
 template <class Paths>
-struct Place_of
+struct Surface_point_of
 {
   typename Paths::vertex_descriptor vertex = Paths::Graph_traits::null_vertex();
   typename Paths::Face_location location{};
 
-  Place_of(typename Paths::vertex_descriptor v) : vertex(v) {}
-  Place_of(const typename Paths::Face_location& l) : location(l) {}
+  Surface_point_of(typename Paths::vertex_descriptor v) : vertex(v) {}
+  Surface_point_of(const typename Paths::Face_location& l) : location(l) {}
   bool is_vertex() const { return vertex != Paths::Graph_traits::null_vertex(); }
 };
 
-using Place = Place_of<Geodesic_paths>;
+using Surface_point = Surface_point_of<Geodesic_paths>;
 
-// Names a place in messages.
-template <class Any_place>
-std::string description(const Any_place& p)
+// Names a point in messages.
+template <class Any_point>
+std::string description(const Any_point& p)
 {
   std::ostringstream out;
   out.precision(17);
@@ -133,16 +131,16 @@ std::size_t number_of(typename Paths::Source_point_iterator it, const Paths& pat
 }
 
 // `Paths` may be const.
-template <class Paths, class Any_place>
-Answer ask(Paths& paths, const Any_place& q)
+template <class Paths, class Any_point>
+Answer ask(Paths& paths, const Any_point& q)
 {
   const auto result = q.is_vertex() ? paths.shortest_distance_to_source_points(q.vertex)
                                     : paths.shortest_distance_to_source_points(q.location.first, q.location.second);
   return {CGAL::to_double(result.first), number_of(result.second, paths)};
 }
 
-template <class Paths, class Any_place, class Visitor>
-Answer ask_sequence(Paths& paths, const Any_place& q, Visitor& visitor)
+template <class Paths, class Any_point, class Visitor>
+Answer ask_sequence(Paths& paths, const Any_point& q, Visitor& visitor)
 {
   const auto result =
     q.is_vertex() ? paths.shortest_path_sequence_to_source_points(q.vertex, visitor)
@@ -150,8 +148,8 @@ Answer ask_sequence(Paths& paths, const Any_place& q, Visitor& visitor)
   return {CGAL::to_double(result.first), number_of(result.second, paths)};
 }
 
-template <class Paths, class Any_place, class Output>
-Answer ask_points(Paths& paths, const Any_place& q, Output output)
+template <class Paths, class Any_point, class Output>
+Answer ask_points(Paths& paths, const Any_point& q, Output output)
 {
   const auto result =
     q.is_vertex() ? paths.shortest_path_points_to_source_points(q.vertex, output)
@@ -159,8 +157,8 @@ Answer ask_points(Paths& paths, const Any_place& q, Output output)
   return {CGAL::to_double(result.first), number_of(result.second, paths)};
 }
 
-template <class Paths, class Any_place, class Output>
-Answer ask_polyline(Paths& paths, const Any_place& q, Output output)
+template <class Paths, class Any_point, class Output>
+Answer ask_polyline(Paths& paths, const Any_point& q, Output output)
 {
   const auto result =
     q.is_vertex() ? paths.shortest_path_polyline_to_source_points(q.vertex, output)
@@ -255,8 +253,8 @@ inline double polyline_length(const std::vector<Coordinates>& points)
 }
 
 // Checks the polyline of a path against its points and elements: each segment lies in the face that comes with its end.
-template <class Paths, class Any_place, class TriangleMesh>
-void check_polyline(Paths& paths, const Any_place& q, const TriangleMesh& tm, const Answer& answer,
+template <class Paths, class Any_point, class TriangleMesh>
+void check_polyline(Paths& paths, const Any_point& q, const TriangleMesh& tm, const Answer& answer,
                     const std::vector<Path_item<std::remove_const_t<Paths>>>& items,
                     const std::vector<typename Paths::Point_3>& points)
 {
@@ -318,8 +316,8 @@ void check_items(const std::vector<Path_item<Paths>>& items, const TriangleMesh&
 }
 
 // Checks that a path begins at the query and ends at its source.
-template <class Paths, class Any_place>
-void check_ends(Paths& paths, const Any_place& q, const Answer& answer,
+template <class Paths, class Any_point>
+void check_ends(Paths& paths, const Any_point& q, const Answer& answer,
                 const std::vector<Path_item<std::remove_const_t<Paths>>>& items,
                 const std::vector<Coordinates>& points, double size)
 {
@@ -364,8 +362,8 @@ std::vector<Coordinates> points_of_items(const std::vector<Path_item<std::remove
 
 // Asks for the path in all ways, checks it and returns its points. `size` is the size of the coordinates, for
 // distances that are small against it.
-template <class Paths, class Any_place, class TriangleMesh>
-std::vector<Coordinates> checked_path(Paths& paths, const Any_place& q, const TriangleMesh& tm, double size,
+template <class Paths, class Any_point, class TriangleMesh>
+std::vector<Coordinates> checked_path(Paths& paths, const Any_point& q, const TriangleMesh& tm, double size,
                                       double tolerance = 1e-10)
 {
   using Plain_paths = std::remove_const_t<Paths>;
@@ -410,6 +408,12 @@ std::vector<Coordinates> checked_path(Paths& paths, const Any_place& q, const Tr
   return points;
 }
 
+// Returns a random vertex, or a random location in a face.
+inline Surface_point random_vertex_or_location(bool is_vertex, const Mesh& tm, test_support::Random& random)
+{
+  return is_vertex ? Surface_point(random_vertex(tm, random)) : Surface_point(random_location(tm, random));
+}
+
 inline double size_of(const Mesh& tm)
 {
   double size = 0.;
@@ -420,21 +424,8 @@ inline double size_of(const Mesh& tm)
   return size;
 }
 
-inline bool read_data(const std::string& name, Mesh& tm)
-{
-  std::ifstream in("data/" + name + ".off");
-  return static_cast<bool>(in) && CGAL::IO::read_OFF(in, tm);
-}
-
-inline Mesh load_data(const std::string& name)
-{
-  Mesh tm;
-  CHECK(read_data(name, tm));
-  return tm;
-}
-
-template <class Paths, class Any_place>
-typename Paths::Source_point_iterator add(Paths& paths, const Any_place& s)
+template <class Paths, class Any_point>
+typename Paths::Source_point_iterator add(Paths& paths, const Any_point& s)
 {
   return s.is_vertex() ? paths.add_source_point(s.vertex) : paths.add_source_point(s.location.first, s.location.second);
 }

@@ -47,20 +47,20 @@ inline Geodesic_paths::Face_location location_near_vertex(const Mesh& tm, test_s
   return {random_location(tm, random).first, {b[0], b[1], b[2]}};
 }
 
-inline Place place_to_ask(const Mesh& tm, test_support::Random& random)
+inline Surface_point random_query(const Mesh& tm, test_support::Random& random)
 {
   switch(random.index(6))
   {
   case 0:
-    return Place(random_vertex(tm, random));
+    return Surface_point(random_vertex(tm, random));
   case 1:
-    return Place(location_near_vertex(tm, random));
+    return Surface_point(location_near_vertex(tm, random));
   default:
-    return Place(random_location(tm, random));
+    return Surface_point(random_location(tm, random));
   }
 }
 
-inline Coordinates point_of(const Place& p, const Geodesic_paths& paths)
+inline Coordinates point_of(const Surface_point& p, const Geodesic_paths& paths)
 {
   return p.is_vertex() ? to_coordinates(paths.point(p.vertex))
                        : to_coordinates(paths.point(p.location.first, p.location.second));
@@ -86,7 +86,7 @@ inline void check_paths(Geodesic_paths& paths, const Mesh& tm, bool is_convex_an
   }
   for(int i = 0; i < 20; ++i)
   {
-    const Place q = place_to_ask(tm, random);
+    const Surface_point q = random_query(tm, random);
     std::vector<Kernel::Point_3> points;
     const Answer answer = ask_points(paths, q, std::back_inserter(points));
     std::vector<Coordinates> polyline;
