@@ -2,6 +2,7 @@
 // exceptions, other meshes, maps and kernels.
 
 #include "Voronoi_test_helpers.h"
+#include "expected_exceptions.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Polyhedron_3.h>
@@ -14,7 +15,6 @@
 #include <thread>
 
 using namespace test_meshes;
-using CGAL::Surface_mesh_geodesics::Invalid_geodesic_input;
 
 namespace {
 
@@ -188,14 +188,14 @@ void test_elements()
 }
 
 template <class Function>
-void check_throws(Invalid_geodesic_input::Reason reason, Function function)
+void check_throws(Reason reason, Function function)
 {
   bool has_thrown = false;
   try
   {
     function();
   }
-  catch(const Invalid_geodesic_input& e)
+  catch(const Invalid_input& e)
   {
     has_thrown = true;
     CHECK(e.reason() == reason);
@@ -236,7 +236,6 @@ void test_handles()
 void test_absent_locations()
 {
   test_support::Scope scope("absent locations");
-  using Reason = Invalid_geodesic_input::Reason;
   const Mesh tm = to_face_graph(cube());
   const std::vector<vertex_descriptor> no_vertices = {vertex(100), boost::graph_traits<Mesh>::null_vertex()};
   const std::vector<Face_location> no_locations
@@ -283,17 +282,10 @@ void test_parameters_of_arcs()
 #if !defined(CGAL_NO_PRECONDITIONS) && !defined(CGAL_NDEBUG)
   for(const double tolerance : {0., -1., std::numeric_limits<double>::quiet_NaN()})
   {
-    bool is_refused = false;
     std::vector<Kernel::Point_3> points;
-    try
-    {
-      diagram.edges().front().polyline(tolerance, std::back_inserter(points));
-    }
-    catch(const CGAL::Precondition_exception&)
-    {
-      is_refused = true;
-    }
-    CHECK(is_refused && points.empty());
+    CHECK(throws<CGAL::Precondition_exception>(
+      [&] { diagram.edges().front().polyline(tolerance, std::back_inserter(points)); }));
+    CHECK(points.empty());
   }
 #endif
 }
@@ -301,7 +293,6 @@ void test_parameters_of_arcs()
 void test_invalid_input()
 {
   test_support::Scope scope("invalid input");
-  using Reason = Invalid_geodesic_input::Reason;
   const Mesh tm = to_face_graph(cube());
   Voronoi diagram(tm);
   for(const double w : {std::numeric_limits<double>::quiet_NaN(), infinity, -infinity})

@@ -1,12 +1,12 @@
 // Matrices of distances: rows have the bits of single runs and come in order, whatever the number of threads.
 
 #include "distance_test_helpers.h"
+#include "expected_exceptions.h"
 #include "test_meshes.h"
 #include "test_support.h"
 #include "thread_team.h"
 
 #include <CGAL/Surface_mesh_geodesics/Geodesic_distance_solver.h>
-#include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_distance_matrix.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Ordered_rows.h>
 
@@ -29,7 +29,6 @@ namespace {
 using Rows = std::vector<std::vector<double>>;
 using Sparse_row = std::vector<std::pair<std::size_t, double>>;
 using Solver = SMG::Geodesic_distance_solver<Mesh>;
-using Reason = SMG::Invalid_geodesic_input::Reason;
 
 // Calls test(tag) with all tags, and in parallel with several numbers of threads.
 template <class Test>
@@ -253,24 +252,15 @@ void rows_may_end_early()
         CHECK_EQUAL(count, last + 1);
 
         count = 0;
-        bool is_caught = false;
-        try
+        const auto output = [&](std::size_t i, const std::vector<double>&)
         {
-          SMG::symmetric_geodesic_distance_matrix<Tag>(tm, all,
-                                                       [&](std::size_t i, const std::vector<double>&)
-                                                       {
-                                                         ++count;
-                                                         if(i == last)
-                                                         {
-                                                           throw std::out_of_range("thrown by the output");
-                                                         }
-                                                       });
-        }
-        catch(const std::out_of_range&)
-        {
-          is_caught = true;
-        }
-        CHECK(is_caught);
+          ++count;
+          if(i == last)
+          {
+            throw std::out_of_range("thrown by the output");
+          }
+        };
+        CHECK(throws<std::out_of_range>([&] { SMG::symmetric_geodesic_distance_matrix<Tag>(tm, all, output); }));
         CHECK_EQUAL(count, last + 1);
       }
     });
@@ -284,7 +274,7 @@ void expect_refusal(Reason reason, std::size_t element, const Call& call)
   {
     call([&](std::size_t, const auto&) { has_row = true; });
   }
-  catch(const SMG::Invalid_geodesic_input& e)
+  catch(const Invalid_input& e)
   {
     is_caught = true;
     CHECK(e.reason() == reason);
@@ -313,7 +303,7 @@ void invalid_input_is_refused()
       expect_refusal(none, 1, [&](auto output) { SMG::symmetric_geodesic_distance_matrix<Tag>(tm, bad, output); });
       expect_refusal(Reason::INVALID_LOCATION, 0,
                      [&](auto output) { SMG::geodesic_distance_matrix<Tag>(tm, outside, good, output); });
-      const std::size_t no_element = SMG::Invalid_geodesic_input::no_element;
+      const std::size_t no_element = Invalid_input::no_element;
       for(const double radius : {-1., std::numeric_limits<double>::quiet_NaN()})
       {
         expect_refusal(Reason::INVALID_RADIUS, no_element, [&](auto output)

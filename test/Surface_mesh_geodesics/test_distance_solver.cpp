@@ -2,12 +2,12 @@
 // before, and takes time proportional to what it reaches.
 
 #include "distance_test_helpers.h"
+#include "expected_exceptions.h"
 #include "test_meshes.h"
 #include "test_support.h"
 
 #include <CGAL/Surface_mesh_geodesics/Geodesic_default_visitor.h>
 #include <CGAL/Surface_mesh_geodesics/Geodesic_distance_solver.h>
-#include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 
 #include <CGAL/Polyhedron_3.h>
 
@@ -119,16 +119,7 @@ void visitors_throw_before_and_after_the_run()
         solver.compute_distances(vertex(3));
       }
       Visitor_that_throws_at_an_end visitor(is_first);
-      bool is_caught = false;
-      try
-      {
-        solver.compute_distances(vertex(0), Options(), visitor);
-      }
-      catch(const std::runtime_error&)
-      {
-        is_caught = true;
-      }
-      CHECK(is_caught);
+      CHECK(throws<std::runtime_error>([&] { solver.compute_distances(vertex(0), Options(), visitor); }));
       CHECK(results(solver, tm) == std::vector<double>(num_vertices(tm), infinity));
       check_vertices_reached(solver, tm);
       for(const vertex_descriptor v : vertices(tm))
@@ -151,17 +142,8 @@ void check_canceled_computations(Solver& solver, const Mesh& tm, test_support::R
   CHECK(results(solver, tm) == std::vector<double>(num_vertices(tm), infinity));
   check_vertices_reached(solver, tm);
 
-  bool is_caught = false;
   Throwing_visitor throwing;
-  try
-  {
-    solver.compute_distances(location, Options(), throwing);
-  }
-  catch(const std::runtime_error&)
-  {
-    is_caught = true;
-  }
-  CHECK(is_caught);
+  CHECK(throws<std::runtime_error>([&] { solver.compute_distances(location, Options(), throwing); }));
   CHECK(results(solver, tm) == std::vector<double>(num_vertices(tm), infinity));
 }
 
@@ -169,17 +151,7 @@ void check_canceled_computations(Solver& solver, const Mesh& tm, test_support::R
 void check_refused_computations(Solver& solver, const Mesh& tm)
 {
   const vertex_descriptor foreign(static_cast<Mesh::size_type>(num_vertices(tm) + 5));
-  bool is_caught = false;
-  try
-  {
-    solver.compute_distance(vertex(0), foreign);
-  }
-  catch(const SMG::Invalid_geodesic_input& e)
-  {
-    is_caught = true;
-    CHECK(e.reason() == SMG::Invalid_geodesic_input::Reason::INVALID_DESCRIPTOR);
-  }
-  CHECK(is_caught);
+  CHECK(throws_reason(Reason::INVALID_DESCRIPTOR, [&] { solver.compute_distance(vertex(0), foreign); }));
   check_vertices_reached(solver, tm);
 
   solver.compute_distances(vertex(0));
@@ -194,16 +166,7 @@ void check_refused_computations(Solver& solver, const Mesh& tm)
                                                       [&] { solver.compute_distances(vertex(1), negative_radius); }};
   for(const auto& compute : invalid)
   {
-    is_caught = false;
-    try
-    {
-      compute();
-    }
-    catch(const SMG::Invalid_geodesic_input&)
-    {
-      is_caught = true;
-    }
-    CHECK(is_caught);
+    CHECK(throws<Invalid_input>(compute));
     CHECK(results(solver, tm) == before);
     check_vertices_reached(solver, tm);
   }
@@ -363,22 +326,13 @@ void a_mesh_needs_no_indices(const Indexed_mesh& indexed)
 
 void the_constructor_refuses_a_mesh_of_quadrangles()
 {
-  bool is_caught = false;
   Mesh square;
   square.add_vertex(Kernel::Point_3(0, 0, 0));
   square.add_vertex(Kernel::Point_3(1, 0, 0));
   square.add_vertex(Kernel::Point_3(1, 1, 0));
   square.add_vertex(Kernel::Point_3(0, 1, 0));
   square.add_face(vertex(0), vertex(1), vertex(2), vertex(3));
-  try
-  {
-    const Solver solver(square);
-  }
-  catch(const SMG::Invalid_geodesic_input& e)
-  {
-    is_caught = e.reason() == SMG::Invalid_geodesic_input::Reason::NOT_A_TRIANGLE;
-  }
-  CHECK(is_caught);
+  CHECK(throws_reason(Reason::NOT_A_TRIANGLE, [&] { const Solver solver(square); }));
 }
 
 } // namespace

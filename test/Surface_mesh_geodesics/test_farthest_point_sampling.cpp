@@ -1,5 +1,6 @@
 // Farthest point sampling, and the propagation that continues with one more source.
 
+#include "expected_exceptions.h"
 #include "intrinsic_mesh_helpers.h"
 #include "test_meshes.h"
 #include "test_support.h"
@@ -135,15 +136,9 @@ void test_options()
   for(const double bad : {-1., std::numeric_limits<double>::quiet_NaN()})
   {
     options.covering_radius = bad;
-    try
-    {
+    CHECK(throws_reason(Reason::INVALID_RADIUS, [&] {
       Geodesics::geodesic_farthest_point_sampling(mesh, 2, std::back_inserter(samples), options);
-      CHECK(false);
-    }
-    catch(const Geodesics::Invalid_geodesic_input& e)
-    {
-      CHECK(e.reason() == Geodesics::Invalid_geodesic_input::Reason::INVALID_RADIUS);
-    }
+    }));
     CHECK(samples.empty());
   }
 }

@@ -1,5 +1,6 @@
 // Lloyd relaxation, remeshing by the dual, and the report of what is in the way of a manifold dual.
 
+#include "expected_exceptions.h"
 #include "test_meshes.h"
 #include "test_support.h"
 
@@ -178,17 +179,10 @@ void test_no_iterations()
   std::vector<vertex_descriptor> moved;
   CHECK_EQUAL(Geodesics::geodesic_Lloyd_relaxation(mesh, sites, 0, std::back_inserter(moved)), std::size_t(0));
   CHECK(moved == sites);
-  bool is_caught = false;
   moved.clear();
-  try
-  {
-    Geodesics::geodesic_Lloyd_relaxation(mesh, sites, 1, std::back_inserter(moved));
-  }
-  catch(const Geodesics::Invalid_geodesic_input&)
-  {
-    is_caught = true;
-  }
-  CHECK(is_caught && moved.empty());
+  CHECK(throws<Invalid_input>(
+    [&] { Geodesics::geodesic_Lloyd_relaxation(mesh, sites, 1, std::back_inserter(moved)); }));
+  CHECK(moved.empty());
 }
 
 // A site that is an isolated vertex stays there, and the scale of the mesh does not matter.

@@ -2,6 +2,7 @@
 // or cleared, edge lengths replace points, queries of all kinds are made. After every query a fresh object with the
 // same sources gives the same answer, and so does the same object through a const reference.
 
+#include "expected_exceptions.h"
 #include "path_test_helpers.h"
 #include "test_meshes.h"
 #include "test_support.h"
@@ -213,16 +214,7 @@ private:
   void fail()
   {
     const auto bad = m_paths.add_source_point(face(0), {.7, .7, .7});
-    bool is_refused = false;
-    try
-    {
-      m_paths.build_sequence_tree();
-    }
-    catch(const std::invalid_argument&)
-    {
-      is_refused = true;
-    }
-    CHECK(is_refused);
+    CHECK(throws<std::invalid_argument>([&] { m_paths.build_sequence_tree(); }));
     m_paths.remove_source_point(bad);
   }
 
@@ -250,16 +242,7 @@ private:
       m_lengths[e] = factor * m_lengths_of_points[e];
     }
     m_lengths[m_edges[m_random.index(m_edges.size())]] *= is_bad ? -1. : 1.;
-    bool is_refused = false;
-    try
-    {
-      paths.use_edge_lengths(m_lengths);
-    }
-    catch(const std::invalid_argument&)
-    {
-      is_refused = true;
-    }
-    CHECK_EQUAL(is_refused, is_bad);
+    CHECK_EQUAL(throws<std::invalid_argument>([&] { paths.use_edge_lengths(m_lengths); }), is_bad);
   }
 
   // Gives an object the same sources and the same lengths.

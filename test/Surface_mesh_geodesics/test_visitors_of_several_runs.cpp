@@ -1,6 +1,7 @@
 // Visitors of the functions that propagate more than once, and of the geodesic Voronoi diagram: whenever a visitor
 // cancels, the function returns exactly the results that were finished before.
 
+#include "expected_exceptions.h"
 #include "test_meshes.h"
 #include "test_support.h"
 
@@ -186,16 +187,7 @@ void diagram_survives_exceptions(const Mesh& mesh, const Vertices& sites)
   Throwing_visitor visitor;
   for(int i = 0; i < 2; ++i)
   {
-    bool is_thrown = false;
-    try
-    {
-      voronoi.build(visitor);
-    }
-    catch(const std::runtime_error&)
-    {
-      is_thrown = true;
-    }
-    CHECK(is_thrown);
+    CHECK(throws<std::runtime_error>([&] { voronoi.build(visitor); }));
     CHECK(!voronoi.is_built());
   }
   CHECK_EQUAL(voronoi.arcs().size(), right.arcs().size());
