@@ -281,8 +281,7 @@ void cones_unroll(std::size_t n, std::size_t rings, double total_angle)
     indexed.faces.push_back({0, id(1, i), id(1, i + 1)});
     for(std::size_t r = 1; r < rings; ++r)
     {
-      indexed.faces.push_back({id(r, i), id(r + 1, i), id(r + 1, i + 1)});
-      indexed.faces.push_back({id(r, i), id(r + 1, i + 1), id(r, i + 1)});
+      add_quadrilateral(indexed, id(r, i), id(r + 1, i), id(r + 1, i + 1), id(r, i + 1));
     }
   }
   auto exact = [&](std::size_t a, std::size_t b) {

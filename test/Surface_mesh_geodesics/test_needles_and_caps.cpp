@@ -74,8 +74,7 @@ void all_vertices_are_reached()
     for(std::size_t j = 0; j + 1 < n; ++j)
     {
       const std::size_t a = n * c + j;
-      mesh.faces.push_back({a, a + n, a + n + 1});
-      mesh.faces.push_back({a, a + n + 1, a + 1});
+      add_quadrilateral(mesh, a, a + n, a + n + 1, a + 1);
     }
   }
   const Mesh tm = to_face_graph(mesh);

@@ -130,11 +130,7 @@ void corners_of_a_cube_have_known_distances()
   {
     paths.remove_all_source_points();
     add(paths, source);
-    for(std::size_t v = 0; v < 8; ++v)
-    {
-      CHECK_CLOSE(ask(paths, Surface_point(vertex(v))).distance, expected[v], tolerance);
-      checked_path(paths, Surface_point(vertex(v)), tm, 1.);
-    }
+    check_paths_of_vertices(paths, tm, expected, 1., tolerance);
   }
 }
 
@@ -175,11 +171,8 @@ void tetrahedron()
   const Mesh tm = load_data("tetra");
   Geodesic_paths paths(tm);
   add(paths, Surface_point(Face_location(face(0), {1. / 3., 1. / 3., 1. / 3.})));
-  for(std::size_t v = 0; v < 4; ++v)
-  {
-    CHECK_CLOSE(ask(paths, Surface_point(vertex(v))).distance, (v == 3 ? 2. : 1.) * std::sqrt(8. / 3.), tolerance);
-    checked_path(paths, Surface_point(vertex(v)), tm, 3.);
-  }
+  const double d = std::sqrt(8. / 3.);
+  check_paths_of_vertices(paths, tm, {d, d, d, 2. * d}, 3., tolerance);
 }
 
 void octahedron_with_one_or_several_sources()
@@ -273,11 +266,7 @@ void paths_pass_a_pinched_vertex()
   Geodesic_paths paths(tm);
   paths.add_source_point(vertex(2));
   const std::vector<double> expected{r2, 1., 0., 1. + r2, 2. * r2};
-  for(std::size_t v = 0; v < 5; ++v)
-  {
-    CHECK_CLOSE(ask(paths, Surface_point(vertex(v))).distance, expected[v], tolerance);
-    checked_path(paths, Surface_point(vertex(v)), tm, 1.);
-  }
+  check_paths_of_vertices(paths, tm, expected, 1., tolerance);
   for(const face_descriptor f : faces(tm))
   {
     checked_path(paths, Surface_point(Face_location(f, {.25, .25, .5})), tm, 1.);

@@ -32,11 +32,7 @@ void edge_sources_are_not_mirrored()
     {
       Geodesic_paths paths(tm);
       add(paths, source);
-      for(std::size_t i = 0; i < 3; ++i)
-      {
-        CHECK_CLOSE(ask(paths, Surface_point(vertex(i))).distance, expected[i], tolerance);
-        checked_path(paths, Surface_point(vertex(i)), tm, 4.);
-      }
+      check_paths_of_vertices(paths, tm, expected, 4., tolerance);
     }
   }
   test_support::Scope scope("two_tri_square");
@@ -266,11 +262,7 @@ void points_of_paths_are_not_repeated()
   paths.add_source_point(vertex(4));
   const double r2 = std::sqrt(2.);
   const std::vector<double> expected{r2, r2, 1., 2., 0.};
-  for(std::size_t i = 0; i < 5; ++i)
-  {
-    CHECK_CLOSE(ask(paths, Surface_point(vertex(i))).distance, expected[i], tolerance);
-    checked_path(paths, Surface_point(vertex(i)), tm, 1.);
-  }
+  check_paths_of_vertices(paths, tm, expected, 1., tolerance);
 }
 
 void edges_may_have_no_length()
@@ -282,11 +274,7 @@ void edges_may_have_no_length()
   {
     Geodesic_paths paths(tm);
     add(paths, source);
-    for(std::size_t i = 0; i < 7; ++i)
-    {
-      CHECK_CLOSE(ask(paths, Surface_point(vertex(i))).distance, expected[i], tolerance);
-      checked_path(paths, Surface_point(vertex(i)), tm, 2.);
-    }
+    check_paths_of_vertices(paths, tm, expected, 2., tolerance);
     for(const double t : {.25, .5})
     {
       for(const Surface_point query : on_edge(1, 4, t, tm))

@@ -38,6 +38,22 @@ struct Indexed_mesh
   std::vector<Triangle> faces;
 };
 
+// Adds the quadrilateral abcd as two triangles, divided along the diagonal ac or along bd.
+inline void add_quadrilateral(Indexed_mesh& mesh, std::size_t a, std::size_t b, std::size_t c, std::size_t d,
+                              bool is_divided_along_ac = true)
+{
+  if(is_divided_along_ac)
+  {
+    mesh.faces.push_back({a, b, c});
+    mesh.faces.push_back({a, c, d});
+  }
+  else
+  {
+    mesh.faces.push_back({a, b, d});
+    mesh.faces.push_back({b, c, d});
+  }
+}
+
 inline Coordinates operator+(const Coordinates& a, const Coordinates& b)
 {
   return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};

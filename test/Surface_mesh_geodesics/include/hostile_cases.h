@@ -312,8 +312,7 @@ inline Indexed_mesh not_orientable(Random& random)
   {
     for(std::size_t j = 0; j < n; ++j)
     {
-      mesh.faces.push_back({id(i, j), id(i + 1, j), id(i, j + 1)});
-      mesh.faces.push_back({id(i + 1, j), id(i + 1, j + 1), id(i, j + 1)});
+      add_quadrilateral(mesh, id(i, j), id(i + 1, j), id(i + 1, j + 1), id(i, j + 1), false);
     }
   }
   return mesh;

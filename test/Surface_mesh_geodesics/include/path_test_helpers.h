@@ -408,6 +408,19 @@ std::vector<Coordinates> checked_path(Paths& paths, const Any_point& q, const Tr
   return points;
 }
 
+// Checks the distance and the path of each vertex. The mesh has the size `size`.
+template <class Paths>
+void check_paths_of_vertices(Paths& paths, const Mesh& tm, const std::vector<double>& expected, double size,
+                             double tolerance)
+{
+  CHECK_EQUAL(num_vertices(tm), expected.size());
+  for(std::size_t i = 0; i < expected.size(); ++i)
+  {
+    CHECK_CLOSE(ask(paths, Surface_point(vertex(i))).distance, expected[i], tolerance);
+    checked_path(paths, Surface_point(vertex(i)), tm, size);
+  }
+}
+
 // Returns a random vertex, or a random location in a face.
 inline Surface_point random_vertex_or_location(bool is_vertex, const Mesh& tm, test_support::Random& random)
 {

@@ -145,16 +145,7 @@ inline Indexed_mesh rectangle(std::size_t m, std::size_t n, double dx, double dy
     for(std::size_t i = 0; i < m; ++i)
     {
       const std::size_t a = j * (m + 1) + i, b = a + 1, d = a + m + 1, c = d + 1;
-      if(random.index(2) == 0)
-      {
-        mesh.faces.push_back({a, b, c});
-        mesh.faces.push_back({a, c, d});
-      }
-      else
-      {
-        mesh.faces.push_back({a, b, d});
-        mesh.faces.push_back({b, c, d});
-      }
+      add_quadrilateral(mesh, a, b, c, d, random.index(2) == 0);
     }
   }
   return mesh;

@@ -85,8 +85,7 @@ inline Indexed_mesh torus(double major_radius, double minor_radius, std::size_t 
   {
     for(std::size_t j = 0; j < n; ++j)
     {
-      mesh.faces.push_back({id(i, j), id(i + 1, j), id(i + 1, j + 1)});
-      mesh.faces.push_back({id(i, j), id(i + 1, j + 1), id(i, j + 1)});
+      add_quadrilateral(mesh, id(i, j), id(i + 1, j), id(i + 1, j + 1), id(i, j + 1));
     }
   }
   return mesh;
@@ -110,8 +109,7 @@ Indexed_mesh open_tube(const std::string& name, std::size_t m, std::size_t n, co
   {
     for(std::size_t i = 0; i < m; ++i)
     {
-      mesh.faces.push_back({id(i, j), id(i + 1, j), id(i + 1, j + 1)});
-      mesh.faces.push_back({id(i, j), id(i + 1, j + 1), id(i, j + 1)});
+      add_quadrilateral(mesh, id(i, j), id(i + 1, j), id(i + 1, j + 1), id(i, j + 1));
     }
   }
   return mesh;
@@ -169,16 +167,7 @@ Indexed_mesh graph_patch(const std::string& name, std::size_t m, std::size_t n, 
   {
     for(std::size_t j = 0; j < n; ++j)
     {
-      if(diagonal(i, j))
-      {
-        mesh.faces.push_back({id(i, j), id(i + 1, j), id(i + 1, j + 1)});
-        mesh.faces.push_back({id(i, j), id(i + 1, j + 1), id(i, j + 1)});
-      }
-      else
-      {
-        mesh.faces.push_back({id(i, j), id(i + 1, j), id(i, j + 1)});
-        mesh.faces.push_back({id(i + 1, j), id(i + 1, j + 1), id(i, j + 1)});
-      }
+      add_quadrilateral(mesh, id(i, j), id(i + 1, j), id(i + 1, j + 1), id(i, j + 1), diagonal(i, j));
     }
   }
   return mesh;
@@ -247,8 +236,7 @@ inline Indexed_mesh needle_sphere(std::size_t m, std::size_t n)
     mesh.faces.push_back({0, id(i, 0), id(i + 1, 0)});
     for(std::size_t j = 0; j + 1 < n; ++j)
     {
-      mesh.faces.push_back({id(i, j), id(i, j + 1), id(i + 1, j + 1)});
-      mesh.faces.push_back({id(i, j), id(i + 1, j + 1), id(i + 1, j)});
+      add_quadrilateral(mesh, id(i, j), id(i, j + 1), id(i + 1, j + 1), id(i + 1, j));
     }
     mesh.faces.push_back({south, id(i + 1, n - 1), id(i, n - 1)});
   }
