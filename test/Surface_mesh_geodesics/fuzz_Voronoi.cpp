@@ -1,4 +1,4 @@
-// Many random small cases of diagrams, as in test_Voronoi_random. Number and first seed may be given as arguments.
+// test_Voronoi_random.cpp with many more diagrams. Arguments: the number of diagrams, and the first seed.
 
 #include "random_Voronoi_diagram.h"
 

@@ -1,5 +1,5 @@
 // test_fuzz_distances.cpp with many more surfaces. Arguments: the number of surfaces, the seed, and the folder into
-// which failing cases are written; or --case and the name of such a case, without .off, to check it again.
+// the program writes failing cases. With --case and the name of such a case, without .off, checks that case again.
 
 #include "distance_fuzzing.h"
 #include "test_support.h"

@@ -1,4 +1,4 @@
-// The partition of a face in which many cells meet: fronts are not traced again and again.
+// The partition of a face in which many cells meet: the number of traced fronts stays linear.
 
 #include "test_support.h"
 
@@ -26,7 +26,7 @@ Partition::Image image(double x, double y, Site site)
   return g;
 }
 
-// Images in a row below the first side: parallel curves, each from the first side to one of the others.
+// The images lie in a row below the first side, so the curves are parallel: each leads from the first side to another.
 void test_parallel_curves(std::size_t n)
 {
   test_support::Scope scope(std::to_string(n) + " parallel curves");
@@ -85,7 +85,7 @@ Site nearest_site(const Partition& partition, const Point& p)
   return best;
 }
 
-// Adds the breakpoints on a side, which are found by walking in small steps and halving.
+// Adds the breakpoints on a side. Finds them by small steps along the side and bisection.
 void add_breakpoints(Partition& partition, unsigned int side, std::size_t steps)
 {
   const auto on_side = [&](double t)
@@ -111,7 +111,7 @@ void add_breakpoints(Partition& partition, unsigned int side, std::size_t steps)
   }
 }
 
-// An image above the face, whose cell is beyond a row of small ones: the curves between these end at its boundary.
+// The image above the face has its cell behind a row of small cells. The curves between these end at its boundary.
 void test_row_of_cells(std::size_t n)
 {
   test_support::Scope scope("a row of " + std::to_string(n) + " cells");

@@ -1,6 +1,6 @@
-// Diagrams of 1 to 30 sites on many meshes. First all checks, in which the distances from each site at a vertex are
-// compared with CGAL::Surface_mesh_shortest_path; then diagrams of sites at vertices with that class as the only
-// referee.
+// Diagrams of 1 to 30 sites on many meshes. The first part runs all checks and compares the distances from each site at
+// a vertex with CGAL::Surface_mesh_shortest_path. The second part has sites at vertices only; that class is its
+// only referee.
 
 #include "Voronoi_test_helpers.h"
 
@@ -41,7 +41,7 @@ void test_mesh(const Indexed_mesh& indexed, test_support::Random& random)
   }
 }
 
-// One object of CGAL's class for each site at a vertex.
+// Holds one object of CGAL's class for each site at a vertex.
 class Referee
 {
 public:
@@ -89,7 +89,8 @@ void check_owner(const Voronoi& diagram, Referee& referee, const Face_location& 
   CHECK_NEAR(diagram.distance_to_nearest_site(q), nearest, 1e-10 * nearest);
 }
 
-// Checks random points of faces, away from sides, where CGAL's class may err. Returns how many of them a site reaches.
+// Checks random points of faces. Keeps away from sides, where CGAL's class may be wrong. Returns the number of points
+// that a site reaches.
 std::size_t check_owners(const Mesh& tm, std::size_t number_of_sites, std::size_t points, test_support::Random& random)
 {
   test_support::Scope scope(std::to_string(number_of_sites) + " sites at vertices");

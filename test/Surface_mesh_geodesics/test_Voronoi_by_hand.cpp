@@ -1,4 +1,4 @@
-// Diagrams whose cells are known without computing: polyhedra, a flat torus given by lengths, coincident and hidden
+// Diagrams whose cells are known in advance: polyhedra, a flat torus given by lengths, coincident and hidden
 // sites, closed edges, cells that are not disks, several components, regions where sites tie.
 
 #include "Voronoi_test_helpers.h"
@@ -46,7 +46,7 @@ void test_polyhedra()
     const std::size_t n = solid.first.points.size();
     Case c(solid.first, all_vertices(n));
     c.check_all();
-    for(std::size_t i = 0; i < n; ++i) // all cells are alike
+    for(std::size_t i = 0; i < n; ++i) // all cells are congruent
     {
       CHECK_CLOSE(c.diagram.area(i), c.diagram.area(0), 1e-12);
       CHECK(c.diagram.is_disk(i));
@@ -85,7 +85,7 @@ void check_positions_of_vertices(const Voronoi& diagram, std::vector<Coordinates
                                     [&](const Coordinates& q) { return length(p - q) <= 1e-14; });
     if(CHECK(found != expected.end()))
     {
-      expected.erase(found); // no two vertices are at one position
+      expected.erase(found); // no two vertices have the same position
     }
   }
 }
@@ -140,12 +140,12 @@ void test_corners_of_tetrahedron()
   CHECK_EQUAL(c.diagram.edges().size(), 6u);
   for(const Voronoi::Edge& e : c.diagram.edges())
   {
-    CHECK_CLOSE(e.length(), std::sqrt(8. / 3.), 1e-14); // twice the radius of the circle in a side
+    CHECK_CLOSE(e.length(), std::sqrt(8. / 3.), 1e-14); // twice the inradius of a side
   }
   for(std::size_t i = 0; i < 4; ++i)
   {
     CHECK_EQUAL(c.diagram.adjacent_sites(i).size(), 3u);
-    CHECK_CLOSE(c.diagram.area(i), 2. * std::sqrt(3.), 1e-14); // that of one side
+    CHECK_CLOSE(c.diagram.area(i), 2. * std::sqrt(3.), 1e-14); // the area of one side
   }
 }
 
@@ -223,8 +223,8 @@ void test_components()
   CHECK(unreached > 1);
 }
 
-// Sites in both components: each one owns a part of its own component only, even if its weight makes it nearer than all
-// others.
+// Both components have sites. Each site owns a part of its own component only, even if its weight makes it nearer than
+// all others.
 void test_sites_in_both_components()
 {
   test_support::Scope scope("sites in both components");
@@ -234,7 +234,7 @@ void test_sites_in_both_components()
     test_support::Scope scope_of_weight("weight " + std::to_string(weight));
     Case c(two_components_and_an_isolated_vertex(),
            {vertex(0), vertex(size_of_sphere), Weighted_site(vertex(9), weight), vertex(size_of_sphere + 13),
-            vertex(30), vertex(size_of_sphere + 21)}); // in turn
+            vertex(30), vertex(size_of_sphere + 21)}); // alternating
     c.check_all();
     double sums[2] = {0., 0.};
     test_support::Random random(2);
@@ -308,8 +308,8 @@ void test_tie_behind_saddle_vertex()
         }
       }
       CHECK_EQUAL(number_of_faces, std::size_t(1) << (2 * times));
-      // The side of the triangle may move by the square root of the rounding of distances: paths of the other site bend
-      // at the saddle vertex on one side of it and are straight on the other, and their lengths have no kink there.
+      // The side of the triangle may move by the square root of the rounding of distances. On one side of it the paths
+      // of the other site bend at the saddle vertex, on the other side they are straight, but their length has no kink.
       CHECK_NEAR(c.diagram.area(owner), 1.75, 1e-7);
       CHECK_NEAR(c.diagram.area(0) + c.diagram.area(1), 3., 1e-14);
       double sum = 0.;
@@ -337,8 +337,7 @@ std::vector<Coordinates> middles_of_diagonals(const Mesh& tm, const std::vector<
   return middles;
 }
 
-// n x n squares glued into a torus. The points are those of a torus of revolution, the edge lengths those of a flat
-// one.
+// A torus of n x n squares. The points are those of a torus of revolution, the edge lengths those of a flat torus.
 void test_flat_torus()
 {
   test_support::Scope scope("flat torus");
@@ -354,7 +353,7 @@ void test_flat_torus()
       lengths[tm.edge(h)] = a / n != b / n && a % n != b % n ? std::sqrt(2.) : 1.;
     }
   }
-  // Sites at every third column and row: cells are squares of 3 x 3.
+  // The sites are at every third column and row, so the cells are squares of 3 x 3.
   const Weighted_sites sites = {vertex(0), vertex(3), vertex(3 * n), vertex(3 * n + 3)};
   Voronoi diagram(tm);
   diagram.use_edge_lengths(lengths);
@@ -371,7 +370,7 @@ void test_flat_torus()
   {
     CHECK_CLOSE(diagram.area(i), 9., 1e-12);
     CHECK(diagram.is_disk(i));
-    // Adjacent are the sites next to it in its row and column; the fourth site meets the cell only at its corners.
+    // The cell is adjacent to those of the next sites in its row and column. It meets the fourth cell only at corners.
     CHECK(diagram.adjacent_sites(i) == (std::vector<std::size_t>{(std::min)(i ^ 1, i ^ 2), (std::max)(i ^ 1, i ^ 2)}));
   }
   // All cells meet at four corners, each of which has two sides of length 3.
@@ -386,7 +385,7 @@ void test_flat_torus()
   CHECK_CLOSE(diagram.distance_to_nearest_site(vertex(n + 1)), std::sqrt(2.), 1e-14);
 }
 
-// Arcs along edges of the mesh and through its vertices.
+// Arcs run along edges of the mesh and through its vertices.
 void test_grid()
 {
   test_support::Scope scope("grid");

@@ -1,4 +1,4 @@
-// The colors of the cells of a Voronoi diagram: neighbors have different ones.
+// The colors of the cells of a Voronoi diagram: adjacent cells have different colors.
 
 #include "test_meshes.h"
 #include "test_support.h"
@@ -48,7 +48,7 @@ void test_no_cells()
   CHECK(Geodesics::internal::coloring({}, 12).empty());
 }
 
-// Three colors are enough for a hub with an even ring around it, in whichever order the cells have their numbers.
+// Three colors are enough for a hub with an even ring around it, in any order of the cells.
 void test_wheel()
 {
   const std::size_t n = 40;
@@ -65,14 +65,14 @@ void test_wheel()
       connect(neighbors, rim[i], rim[(i + 1) % n]);
     }
     CHECK_EQUAL(number_of_conflicts(neighbors, Geodesics::internal::coloring(neighbors, 4)), std::size_t(0));
-    // all colors are used about as often as others
+    // all colors are used about equally often
     const std::vector<std::size_t> number = uses(Geodesics::internal::coloring(neighbors, 12), 12);
     CHECK(*std::min_element(number.begin(), number.end()) >= 1);
     CHECK(*std::max_element(number.begin(), number.end()) <= 6);
   }
 }
 
-// Each cell touches each other one: one color too few makes one conflict.
+// Each cell touches every other cell. If one color is missing, there is one conflict.
 void test_all_pairs()
 {
   for(const std::size_t n : {std::size_t(12), std::size_t(13)})

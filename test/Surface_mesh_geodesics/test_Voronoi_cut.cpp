@@ -93,7 +93,7 @@ std::size_t number_of_degenerate_faces(const Mesh& mesh)
   return n;
 }
 
-// There are edges between faces of two cells if, and only if, the diagram has edges.
+// Faces of different cells share an edge if and only if the diagram has edges.
 void check_edges_between_cells(const Voronoi& voronoi, const Cut& cut)
 {
   std::size_t number_of_edges = 0;
@@ -107,7 +107,7 @@ void check_edges_between_cells(const Voronoi& voronoi, const Cut& cut)
   CHECK_EQUAL(number_of_edges == 0, voronoi.edges().empty());
 }
 
-// The areas of the faces of each site add up to the area of its cell, and those to the area of the mesh.
+// The areas of the faces of each site add up to the area of its cell, and the areas of all cells to that of the mesh.
 void check_sites_of_faces(const Mesh& mesh, const Voronoi& voronoi, const Cut& cut, double tolerance)
 {
   std::vector<double> area(voronoi.number_of_sites(), 0.);
@@ -126,8 +126,8 @@ void check_sites_of_faces(const Mesh& mesh, const Voronoi& voronoi, const Cut& c
   CHECK_NEAR(unreached, whole, 1e-9 * whole);
 }
 
-// The middle of each face of the input has the site of the face of the cut that holds it as a nearest one, as far as
-// the tolerance allows.
+// The middle of each face of the input lies in a face of the cut. The site of that face is a nearest site of the
+// middle, within the tolerance.
 void check_middles(const Mesh& mesh, const Voronoi& voronoi, const Cut& cut, double tolerance)
 {
   std::vector<std::unique_ptr<Voronoi>> alone;
@@ -208,7 +208,7 @@ void test_collection(std::uint64_t seed)
           voronoi.add_site(Voronoi::Face_location(f, {a * (1 - b), b, (1 - a) * (1 - b)}), weight);
         }
         CHECK_EQUAL(check_cut(mesh, voronoi, n == 5 ? .1 : 1e-3, false), std::size_t(0));
-        // Only where the tolerance is small do areas and sites say something.
+        // Areas and sites are meaningful only if the tolerance is small.
         if(n > 1 && num_faces(mesh) < 120)
         {
           CHECK_EQUAL(check_cut(mesh, voronoi, 1e-5, true), std::size_t(0));
@@ -266,7 +266,7 @@ void test_arc_along_edge()
   CHECK(sites == (std::vector<std::size_t>{0, 1}));
 }
 
-// A smaller tolerance brings more faces and areas that are nearer to the exact ones.
+// With a smaller tolerance there are more faces, and their areas are nearer to the exact ones.
 void test_tolerance()
 {
   const Mesh mesh = to_face_graph(flat_patch(3, 3, .2, false, 3));
@@ -316,7 +316,7 @@ void test_tie_at_hole()
   }
 }
 
-// Parts that no site reaches, no sites at all, a point map, a Polyhedron_3.
+// Special input: parts that no site reaches, no sites at all, a point map, a Polyhedron_3.
 void test_interface()
 {
   const Mesh mesh = to_face_graph(two_components_and_an_isolated_vertex());

@@ -1,5 +1,5 @@
-// Meshes with duplicate points, and so with faces without area and edges without length: the nearest site of a point is
-// as far as the nearest distance, and areas add up.
+// Meshes with duplicate points, hence with edges of length zero and faces of area zero. The nearest site has the
+// smallest of all distances, and areas add up.
 
 #include "random_Voronoi_diagram.h"
 
@@ -118,7 +118,7 @@ void test_random_grid(std::uint64_t seed)
   check_diagram(tm, sites, points);
 }
 
-// Meshes on which diagrams were wrong in former versions, with sites at vertices and in a face.
+// Meshes on which diagrams of former versions were wrong, with sites at vertices and in a face.
 void certify_diagrams()
 {
   {

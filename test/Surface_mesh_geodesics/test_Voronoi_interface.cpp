@@ -1,5 +1,5 @@
-// What the class of the Voronoi diagram promises besides the diagram: lazy building, changes, clear, use from threads,
-// exceptions, other meshes, maps and kernels.
+// What the class of Voronoi diagrams promises besides a right diagram: lazy construction, changes of sites, clear(),
+// use from several threads, exceptions, other types of meshes, property maps and kernels.
 
 #include "Voronoi_test_helpers.h"
 #include "expected_exceptions.h"
@@ -50,7 +50,7 @@ void test_life_of_diagram()
   CHECK(length(coordinates(diagram.site(5), tm) - coordinates(vertex(7), tm)) < 1e-14);
   Voronoi_validator(tm, diagram, sites).check_all(random, 20);
 
-  // ranges, after a new beginning
+  // ranges of sites, after clear()
   diagram.clear();
   CHECK_EQUAL(diagram.number_of_sites(), 0u);
   CHECK(!diagram.is_built());
@@ -62,7 +62,7 @@ void test_life_of_diagram()
   CHECK(diagram.arcs().empty() && diagram.edges().empty() && diagram.vertices().empty());
 }
 
-// The points of a mesh, and how often they have been asked for.
+// A property map of the points of a mesh that counts its reads.
 struct Counting_point_map
 {
   using key_type = vertex_descriptor;
@@ -80,8 +80,8 @@ struct Counting_point_map
   }
 };
 
-// Other sites on the same mesh, as in each iteration of Lloyd's method: the mesh is not read once more, and what is
-// left of the sites before changes nothing.
+// Other sites on the same mesh, as in each iteration of Lloyd's method. The mesh is not read again, and the former
+// sites have no influence.
 void test_other_sites()
 {
   test_support::Scope scope("other sites on the same mesh");
@@ -150,10 +150,10 @@ void test_elements()
       sum += length(coordinates(samples[i], tm) - coordinates(samples[i - 1], tm));
     }
     CHECK_CLOSE(a.length(), sum, 1e-2);
-    // the polyline is inscribed, but for the rounding of its points, whose coordinates are of the order of 1
+    // the polyline is inscribed, up to the rounding of its points, whose coordinates are of the order of 1
     const double rounding = 16. * std::numeric_limits<double>::epsilon() * static_cast<double>(samples.size());
     CHECK(sum <= a.length() * (1. + 1e-12) + rounding);
-    for(const double t : {.125, .625}) // points of the arc are near to the polyline
+    for(const double t : {.125, .625}) // points of the arc are near the polyline
     {
       const Coordinates p = coordinates(a.point(t), tm);
       double gap = infinity;
@@ -262,7 +262,7 @@ void test_absent_locations()
   }
 }
 
-// Parameters of arcs beyond their ends, and tolerances that are none.
+// Parameters beyond the ends of arcs, and invalid tolerances.
 void test_parameters_of_arcs()
 {
   test_support::Scope scope("parameters of arcs");
@@ -338,7 +338,7 @@ void test_invalid_input()
   }
 }
 
-// Returns the answers of all kinds of queries; the points of `queries` are asked for site and distance.
+// Returns the answers to all kinds of queries. Queries the site and the distance of each point of `queries`.
 std::vector<double> all_answers(const Voronoi& diagram, const std::vector<Face_location>& queries)
 {
   std::vector<double> result;
@@ -360,7 +360,7 @@ std::vector<double> all_answers(const Voronoi& diagram, const std::vector<Face_l
   return result;
 }
 
-// The first query builds, measures and propagates once more, whoever asks first.
+// The first query builds the diagram, measures it and propagates again. Any thread may make it.
 void test_threads()
 {
   test_support::Scope scope("threads");
@@ -382,7 +382,7 @@ void test_threads()
   {
     threads.emplace_back([&] { r = all_answers(diagram, queries); });
   }
-  // Distances at vertices are known before those in faces, and do not change when these are computed.
+  // Distances at vertices are known before distances in faces, and do not change when the latter are computed.
   double largest_difference = 0;
   threads.emplace_back([&]
   {
@@ -406,7 +406,7 @@ void test_threads()
   CHECK_EQUAL(largest_difference, 0.);
 }
 
-// It has a cell without area, and no face to be in.
+// Its cell has no area and lies in no face.
 void test_isolated_vertex()
 {
   test_support::Scope scope("isolated vertex");

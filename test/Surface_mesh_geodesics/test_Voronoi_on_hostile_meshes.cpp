@@ -1,7 +1,6 @@
 // Diagrams of weighted and of equal sites on meshes with needles, caps, nearly equal points and vertices of all scales.
-// Where sites tie, or a face has no height, up to rounding, the certificate may find a fault. The test fails if more
-// than one diagram of a thousand has a fault, and prints those that have. The number of meshes and the seed may be
-// given as arguments.
+// If sites tie or a face has no height up to rounding, the certificate may find a fault. The test prints the diagrams
+// with a fault, and fails if more than one in a thousand has one. Arguments: the number of meshes and the seed.
 
 #include "Voronoi_test_helpers.h"
 #include "hostile_meshes.h"
@@ -23,8 +22,8 @@ using namespace test_meshes;
 using Certificate = CGAL::Surface_mesh_geodesics::Geodesic_Voronoi_certificate;
 using Condition = Certificate::Condition;
 
-// Areas of faces are computed from lengths. If the height of a face is rounding, its area is known up to the square
-// root of rounding only, and so is the sum.
+// Areas of faces are computed from lengths. If the height of a face is of the order of rounding, its area is accurate
+// only up to the square root of rounding, and so is the sum of the areas.
 double tolerance_of(Condition condition)
 {
   return condition == Condition::AREAS ? 0x1p-26 : Certificate::default_tolerance;
@@ -49,8 +48,8 @@ bool is_right(const Mesh& tm, const Weighted_sites& sites, const std::string& na
   return is_right;
 }
 
-// Checks those diagrams of the sequence that follows from a seed whose numbers are asked for. For all others, only the
-// random numbers are drawn.
+// Makes the sequence of diagrams of a seed, and checks those with is_asked(number). For the others, only draws the
+// random numbers.
 struct Faults
 {
   std::size_t number_of_diagrams = 0, number_with_faults = 0;

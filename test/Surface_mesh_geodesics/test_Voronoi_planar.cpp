@@ -37,7 +37,7 @@ bool is_inside(const Point_2& p, double size, double margin)
   return p.x() > margin && p.y() > margin && p.x() < size - margin && p.y() < size - margin;
 }
 
-// Each vertex expected inside is there once, with its sites, and nothing else is.
+// The diagram has exactly the expected vertices inside, each once and with its sites.
 void check_vertices(const Voronoi& diagram, const std::vector<std::pair<Point_2, std::set<std::size_t>>>& expected,
                     double size)
 {
@@ -76,13 +76,13 @@ void check_vertices(const Voronoi& diagram, const std::vector<std::pair<Point_2,
 
 using Pair = std::pair<std::size_t, std::size_t>;
 
-// The adjacent pairs of sites in the plane, and those of them that are adjacent inside of the square, too.
+// The pairs of sites that are adjacent in the plane, and those of them that are adjacent inside the square.
 struct Adjacencies
 {
   std::set<Pair> all, needed;
 
-  // Adds a pair, given the finite ends of its edge of the diagram. An edge without length (four sites on a circle) need
-  // not be found on the surface.
+  // Adds a pair, given the finite ends of its edge of the diagram. The surface need not
+  // have an edge of length zero (four sites on a circle).
   void add(const Pair& pair, const std::vector<Point_2>& ends, double size)
   {
     all.insert(pair);
@@ -96,8 +96,8 @@ struct Adjacencies
   }
 };
 
-// Edges of the plane with a vertex inside the square are adjacencies on the surface, and all of these are edges of the
-// plane.
+// Each edge of the plane with a vertex inside the square is an adjacency on the surface, and each adjacency on the
+// surface is an edge of the plane.
 void check_adjacencies(const Voronoi& diagram, const Adjacencies& expected)
 {
   std::set<Pair> found;
@@ -133,7 +133,7 @@ Adjacencies adjacencies_of(const Delaunay& delaunay, const std::map<Point_2, std
   return result;
 }
 
-// Arcs between sites without weights are straight, also where a path of one of them bends at a flat vertex.
+// Arcs between sites without weights are straight, even where a path from one of the sites passes a flat vertex.
 void check_straight_arcs(const Voronoi& diagram, const Mesh& tm, double size)
 {
   for(const Voronoi::Arc& a : diagram.arcs())
@@ -173,7 +173,7 @@ void test_Delaunay(const Mesh& tm, double size, std::size_t number, test_support
   check_straight_arcs(diagram, tm, size);
 }
 
-// The additively weighted diagram of the plane, and which of our sites its sites are.
+// The additively weighted diagram of the plane, with the index of our site for each of its sites.
 struct Apollonius_diagram
 {
   Apollonius graph;

@@ -1,4 +1,4 @@
-// Random small cases of diagrams. The number of cases and the seed of the first one may be given as arguments.
+// Small random diagrams. Arguments: the number of diagrams, and the seed of the first one.
 
 #include "random_Voronoi_diagram.h"
 
@@ -12,8 +12,8 @@ int main(int argc, char* argv[])
   {
     test_meshes::test_random_diagram(first + i);
   }
-  // A curve along an edge at a vertex, found to end at the vertex: from there it was drawn on to its other end with the
-  // paths through the vertex, though others are shorter.
+  // A curve along an edge ends at a vertex. A former version continued it with the paths through the vertex, although
+  // other paths are shorter.
   test_meshes::test_random_diagram(20274790);
   return test_result();
 }

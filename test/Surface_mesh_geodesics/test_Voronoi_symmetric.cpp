@@ -92,7 +92,7 @@ void test_antipodal_sites()
   CHECK(diagram.is_disk(0) && diagram.is_disk(1));
 }
 
-// Sites at all vertices and at thousands of points of faces: each site is in its cell, the cells cover the sphere, and
+// Sites at all vertices and at thousands of points in faces. Each site is in its cell, the cells cover the sphere, and
 // the diagram has the Euler characteristic of a sphere.
 void test_many_sites()
 {

@@ -5,7 +5,7 @@
 // faces reach this bound, because a line crosses all of their faces. Where faces are about equal, a line crosses about
 // sqrt(F) faces, and no more windows are expected. So the number of windows per edge must not grow faster than F, or
 // than sqrt(F), from one size to the next, with a margin of a quarter for effects of small sizes. It must also stay
-// below twice the number measured when the limit was set: if a pruning rule fails, it is many times as large.
+// below twice the number measured when the limit was set. If a pruning rule fails, the number is many times as large.
 
 #include "distance_test_helpers.h"
 #include "test_meshes.h"
@@ -77,7 +77,7 @@ void check_family(const std::string& name, Faces shape, double windows_per_edge,
     }
     else
     {
-      // The more expensive one of two sources: the first vertex and the middle one.
+      // the more expensive of two sources: the first vertex and the middle vertex
       const Cost a = cost_of(tm, {vertex(0)}), b = cost_of(tm, {vertex(num_vertices(tm) / 2)});
       costs.push_back(a.windows_per_edge > b.windows_per_edge ? a : b);
     }
@@ -131,7 +131,7 @@ Indexed_mesh with_coincident_vertices(const Indexed_mesh& mesh)
   return result;
 }
 
-// Sorts points and faces: the order of a convex hull depends on addresses.
+// Sorts points and faces, since their order in a convex hull depends on addresses.
 Indexed_mesh sorted(const Indexed_mesh& mesh)
 {
   Indexed_mesh result = mesh;

@@ -1,5 +1,5 @@
-// The checks behind a certificate of distances, one by one. They do not trust what a propagation proposes: bounds that
-// are too long, missing windows, and paths that leave their faces are found.
+// The checks behind a certificate of distances, one by one. They do not trust the proposals of a propagation, but find
+// bounds that are too long, missing windows, and paths that leave their faces.
 
 #include "distance_test_helpers.h"
 #include "test_meshes.h"
@@ -151,7 +151,7 @@ void windows_missing_on_either_side_are_found()
   }
 }
 
-// A point of a path left out, moved along its edge, and moved beyond the end of its edge.
+// A point of a path is missing, or moved along its edge, or moved beyond the end of its edge.
 void changed_points_are_found(const Witness& witness, const SMGI::Distance_checks<double>& checks,
                               const SMGI::Path_steps<double>& path, std::size_t i, double length)
 {

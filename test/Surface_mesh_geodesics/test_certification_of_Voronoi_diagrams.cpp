@@ -1,4 +1,5 @@
-// Right diagrams are certified, on meshes of all kinds, with and without weights; each fault is found, and whose it is.
+// Right diagrams are certified, on meshes of all kinds, with and without weights. Each fault is found, and the
+// certificate names its site.
 
 #include "Voronoi_test_helpers.h"
 #include "test_meshes.h"
@@ -26,7 +27,7 @@ namespace SMG = CGAL::Surface_mesh_geodesics;
 using Certificate = SMG::Geodesic_Voronoi_certificate;
 using Condition = Certificate::Condition;
 
-// No certificate comes from anywhere but a check.
+// Only a check makes a certificate.
 static_assert(!std::is_default_constructible<Certificate>::value, "a certificate without a check");
 static_assert(std::is_copy_constructible<Certificate>::value && std::is_copy_assignable<Certificate>::value,
               "a certificate is a value");
@@ -111,7 +112,7 @@ void special_cases_are_certified(std::uint64_t seed)
   }
 }
 
-// An arc whose points and distances are moved.
+// An arc with changed points and distances.
 struct Moved_arc
 {
   Voronoi::Arc arc;
@@ -131,7 +132,7 @@ struct Moved_arc
   }
 };
 
-// A diagram that gives wrong answers, about the site `culprit` where a single site is concerned.
+// A diagram with wrong answers. An answer that concerns a single site is wrong for the site `culprit`.
 struct Wrong_diagram : Voronoi
 {
   using Voronoi::Voronoi;
@@ -282,7 +283,7 @@ int main()
   each_fault_is_found(icosphere(2), seed);
   each_fault_is_found(saddle_patch(10), seed + 1);
   each_fault_is_found(torus(2., 1., 12, 8), seed + 2);
-  // A fault in a component that is small beside the other one.
+  // A fault in a component that is much smaller than the other one.
   each_fault_is_found(side_by_side(icosphere(2), scaled(regular_tetrahedron(), 1e9), "small and large"), seed + 3);
   return test_result();
 }

@@ -1,5 +1,5 @@
 // Certification of distances: right distances are certified, on meshes and from sources of all kinds. Each wrong
-// distance is found, and the certificate tells where it is. (test_certificate_checks.cpp tests the checks one by one.)
+// distance is found, and the certificate tells where it is. test_certificate_checks.cpp tests the checks one by one.
 
 #include "distance_test_helpers.h"
 #include "expected_exceptions.h"
@@ -32,7 +32,7 @@ using Condition = Certificate::Condition;
 using Options = SMG::Geodesic_distance_options<Mesh>;
 using Distance_map = Mesh::Property_map<vertex_descriptor, double>;
 
-// No certificate comes from anywhere but a check.
+// Only a check makes a certificate.
 static_assert(!std::is_default_constructible<Certificate>::value, "a certificate without a check");
 static_assert(std::is_copy_constructible<Certificate>::value && std::is_copy_assignable<Certificate>::value,
               "a certificate is a value");
@@ -116,7 +116,7 @@ void edge_lengths_are_certified(std::uint64_t seed)
   {
     Mesh tm = to_face_graph(indexed);
     auto lengths = add_edge_lengths(tm);
-    for(const auto e : edges(tm)) // a surface that is not that of the points
+    for(const auto e : edges(tm)) // lengths of another surface than that of the points
     {
       lengths[e] = random.uniform(1., 1.9);
     }
@@ -140,7 +140,7 @@ void distances_up_to_a_radius_are_certified()
   check_certified(SMG::certify_geodesic_distances(tm, map, vertex(0), options));
   const Certificate without_radius = SMG::certify_geodesic_distances(tm, map, vertex(0));
   CHECK(without_radius.worst_violation(Condition::REACH) == infinity);
-  // A distance beyond the radius, and none within it, are wrong.
+  // A distance that exceeds the radius is wrong, and so is a missing distance within it.
   SMG::geodesic_distances(tm, map, vertex(0));
   CHECK(SMG::certify_geodesic_distances(tm, map, vertex(0)).is_certified());
   CHECK(!SMG::certify_geodesic_distances(tm, map, vertex(0), options).is_certified());
@@ -162,14 +162,14 @@ void special_cases_are_certified()
   check_certified(certificate_of_right_distances(tm, std::vector<vertex_descriptor>()));
   Mesh empty;
   check_certified(certificate_of_right_distances(empty, std::vector<vertex_descriptor>()));
-  // a source that another one is nearer to
+  // another source is nearer to this one
   Options options;
   options.source_offsets = {0., 100.};
   Mesh cubes = to_face_graph(cube_grid(3));
   const std::vector<vertex_descriptor> sources = {vertex(0), vertex(20)};
   check_certified(certificate_of_right_distances(cubes, sources, options));
 
-  // a mesh without indices, with distances of one digit less
+  // a mesh without indices, with distances in single precision
   using Polyhedron = CGAL::Polyhedron_3<Kernel>;
   const Polyhedron polyhedron = to_face_graph<Polyhedron>(icosahedron());
   auto map = get(CGAL::dynamic_vertex_property_t<float>(), polyhedron);
@@ -212,8 +212,8 @@ void meshes_of_all_scales_are_certified()
   check_certified(certificate_of_right_distances(far_away, vertex(3)));
 }
 
-// Needles and caps of all heights, vertices that are hardly told apart. The distances of vertices are right; the
-// function that proves it may be inaccurate between such vertices.
+// Needles and caps of all heights, and nearly equal vertices. The distances of vertices are right. The function that
+// proves this may be inaccurate between nearly equal vertices.
 void hostile_meshes_are_certified(std::size_t number, std::uint64_t seed)
 {
   test_support::Scope scope("hostile meshes");
@@ -246,7 +246,7 @@ void hostile_meshes_are_certified(std::size_t number, std::uint64_t seed)
             << std::endl;
 }
 
-// A fault: what becomes of a distance, and which conditions name the vertex.
+// A fault: how it changes a distance, and which conditions then name the vertex.
 struct Fault
 {
   std::string name;
@@ -367,7 +367,7 @@ void wrong_scale_is_found()
   }
 }
 
-// The distances from one of two sources, and a source too few in the call of the certifier.
+// The map has the distances from one of two sources, or the call of the certifier lacks a source.
 void missing_source_is_found()
 {
   test_support::Scope scope("missing source");
@@ -406,7 +406,7 @@ void distances_along_edges_are_found()
   CHECK(c.worst_violation(Condition::LOWER_BOUNDS) > 1e-3);
 }
 
-// An error that is negligible beside one component may be as large as another one.
+// An error that is negligible in one component may be as large as another component.
 void faults_in_small_components_are_found()
 {
   test_support::Scope scope("small component");

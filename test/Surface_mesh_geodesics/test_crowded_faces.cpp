@@ -1,5 +1,5 @@
-// Many sources in one of two flat faces, and as many sites: on a line, next to an edge, on a lattice, a circle or a
-// spiral, in a cluster. The faces make a convex part of the plane, so that all distances are those of the plane.
+// Many sources, or many sites, in one of two flat faces: on a line, next to an edge, on a lattice, on a circle or a
+// spiral, in a cluster. The two faces are a convex part of the plane, so all distances are those of the plane.
 
 #include "Voronoi_test_helpers.h"
 
@@ -69,7 +69,7 @@ struct Crowd
   std::vector<Point_2> points;
   std::vector<double> weights;
 
-  // how far p is from a site, or from the nearest one.
+  // Returns the distance of p from a site, or from the nearest site.
   double distance(std::size_t site, const Point_2& p) const
   {
     return std::hypot(p.x - points[site].x, p.y - points[site].y) - weights[site];
@@ -212,9 +212,9 @@ int main(int argc, char* argv[])
 {
   const std::size_t number = argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 4;
   test_equal_sites();
-  check(patterns()[6], 31, 3., 0., 0); // was put into parts of a face without width
-  check(patterns()[3], 16, .9, .01, 17); // fronts passed each other
-  check(patterns()[4], 59, 3., 0., 13); // fronts went round from one point to the same
+  check(patterns()[6], 31, 3., 0., 0); // once put into parts of a face without width
+  check(patterns()[3], 16, .9, .01, 17); // fronts once passed each other
+  check(patterns()[4], 59, 3., 0., 13); // fronts once returned to the point where they began
   for(std::size_t i = 0; i < number; ++i)
   {
     for(const Pattern& pattern : patterns())

@@ -1,4 +1,4 @@
-// The answers of Surface_mesh_shortest_path on the smallest meshes that show each of its faults, beside the right ones.
+// The answers of Surface_mesh_shortest_path on the smallest meshes that show each of its faults, and the right ones.
 // All meshes are plane and contain the straight line between the two points, so the distance is the length of the line.
 //
 // The program prints the table of the user manual. It fails if our answers are wrong, not if the other class has been
@@ -45,7 +45,7 @@ std::string text(double number)
 {
   if(std::isnan(number))
   {
-    return "nan"; // whatever its sign
+    return "nan"; // with either sign
   }
   std::ostringstream out;
   out << std::setprecision(6) << number;
@@ -63,7 +63,7 @@ public:
 
   const Mesh& mesh() const { return m_tm; }
 
-  // a source for both classes
+  // Adds a source to both classes.
   void add_source(const Surface_point& p)
   {
     add_to(m_ours, p);
@@ -73,7 +73,7 @@ public:
     });
   }
 
-  // The distance is `expected` times the unit. If `asks_original` is false, the other class is no longer queried.
+  // The distance is `expected` times the unit. If `asks_original` is false, the other class is not queried.
   void ask_distance(const Surface_point& q, double expected, bool asks_original = true)
   {
     const double d = ask(m_ours, q).distance;
@@ -114,7 +114,7 @@ public:
     return points.size();
   }
 
-  // Certifies the distances of all vertices from a vertex, whatever the query is.
+  // Certifies the distances of all vertices from a vertex, for any query.
   void certify(std::size_t source)
   {
     const auto map = m_tm.add_property_map<vertex_descriptor, double>("v:distance", 0.).first;
@@ -220,7 +220,7 @@ Indexed_mesh fan_of_four()
 
 // --- locations ---
 
-// the point of a face with these weights of its vertices
+// Returns the point of a face with these weights of its vertices.
 Surface_point in_face(std::size_t f, const std::array<std::pair<std::size_t, double>, 3>& weights, const Mesh& tm)
 {
   Face_location location(face(f), {0., 0., 0.});
@@ -314,7 +314,7 @@ void edges_without_length()
   {
     row.ask_distance(vertex(i), expected[i], false);
   }
-  row.set_answer_of_original("freed memory is read"); // so that it is not asked here
+  row.set_answer_of_original("freed memory is read"); // so the test does not query it here
   row.print();
 }
 

@@ -244,7 +244,7 @@ void the_order_of_sources_does_not_matter(const Mesh& tm, test_support::Random& 
 // types of meshes
 // ---------------------------------------------------------------------------
 
-// all vertices of a mesh in the order in which they were added
+// Computes the distances of a mesh of another type. Compares them in the order in which the vertices were added.
 template <class TriangleMesh>
 void other_type_gives_the_same(const Indexed_mesh& indexed, const std::vector<double>& expected, std::size_t source,
                                const char* type)
@@ -261,7 +261,7 @@ void other_type_gives_the_same(const Indexed_mesh& indexed, const std::vector<do
   }
   CHECK_FIELDS_CLOSE(result, expected, tolerance);
 
-  // the same with a location that names the vertex
+  // the same source, given as a location at the vertex
   for(const auto f : faces(tm))
   {
     const auto corners = corners_of_face(f, tm);
@@ -350,7 +350,7 @@ void removed_elements_are_not_there(test_support::Random& random)
         continue;
       }
       CGAL::Euler::remove_center_vertex(halfedge(v, tm), tm);
-      // The remaining hole is a polygon; removes it.
+      // The face that remains is a polygon with more sides. Removes it.
       face_descriptor hole = boost::graph_traits<Mesh>::null_face();
       for(const face_descriptor f : faces(tm))
       {

@@ -1,4 +1,4 @@
-// Matrices of distances: rows have the bits of single runs and come in order, whatever the number of threads.
+// Matrices of distances: for any number of threads, rows are bitwise equal to single runs and come in order.
 
 #include "distance_test_helpers.h"
 #include "expected_exceptions.h"
@@ -132,7 +132,7 @@ void check_dense_matrix(const Mesh& tm, const Solver& solver, const Sources& sou
   }
 }
 
-// The positions and distances within a radius, of the rows of a dense matrix.
+// Returns the rows of a sparse matrix: the entries of a dense matrix within a radius, with their positions.
 Rows entries_within(const Rows& rows, double radius)
 {
   Rows entries;
@@ -231,7 +231,7 @@ void check_mesh(const Indexed_mesh& indexed, test_support::Random& random)
   check_symmetric_matrix(tm, {});
 }
 
-// If the row output returns false or throws, the computation ends: no further row comes.
+// If the output of a row returns false or throws, the computation ends without another row.
 void rows_may_end_early()
 {
   test_support::Scope scope("early end");

@@ -1,5 +1,5 @@
-// Geodesic_distance_solver: each computation gives the bits of geodesic_distances(), whatever the solver has computed
-// before, and takes time proportional to what it reaches.
+// Geodesic_distance_solver: each computation gives the same bits as geodesic_distances(), after any earlier
+// computations, and takes time proportional to the area that it reaches.
 
 #include "distance_test_helpers.h"
 #include "expected_exceptions.h"
@@ -105,7 +105,7 @@ struct Visitor_that_throws_at_an_end : SMG::Geodesic_default_visitor
   bool m_is_first;
 };
 
-// After an exception of the visitor nothing is known, whether the solver has computed before or not.
+// After an exception of the visitor the solver has no results, even if it had some before.
 void visitors_throw_before_and_after_the_run()
 {
   const Mesh tm = to_face_graph(icosphere(1));
@@ -133,7 +133,7 @@ void visitors_throw_before_and_after_the_run()
   }
 }
 
-// A visitor ends a computation: nothing is known then.
+// If a visitor ends a computation, the solver has no results.
 void check_canceled_computations(Solver& solver, const Mesh& tm, test_support::Random& random)
 {
   const Face_location location = random_location(tm, random);
@@ -147,7 +147,7 @@ void check_canceled_computations(Solver& solver, const Mesh& tm, test_support::R
   CHECK(results(solver, tm) == std::vector<double>(num_vertices(tm), infinity));
 }
 
-// The solver refuses input that is invalid, and keeps the results of the computation before.
+// The solver rejects invalid input and keeps the results of the last computation.
 void check_refused_computations(Solver& solver, const Mesh& tm)
 {
   const vertex_descriptor foreign(static_cast<Mesh::size_type>(num_vertices(tm) + 5));

@@ -29,7 +29,7 @@ class Cube_surface
 public:
   explicit Cube_surface(double n) : m_n(n) {}
 
-  // The distance of two points of the surface: the shortest of all unfoldings.
+  // Returns the distance of two points of the surface, the smallest over all unfoldings.
   double distance(const Coordinates& p, const Coordinates& q) const
   {
     double best = infinity;
@@ -58,7 +58,7 @@ private:
     return side == 0 ? p[axis] : m_n - p[axis];
   }
 
-  // By the unfoldings that begin in the face of p that is given by its axis and its side.
+  // Returns the distance over the unfoldings that begin in one face of p, given by its axis and its side.
   double distance_from_face(const Coordinates& p, std::size_t axis, std::size_t side, const Coordinates& q) const
   {
     const std::size_t a = (axis + 1) % 3;
@@ -81,7 +81,7 @@ private:
     return best;
   }
 
-  // To a point of the face across the edge at side u_side of axis u; v is the axis along that edge.
+  // Returns the distance to a point of the face across the edge at side u_side of axis u. Axis v is along that edge.
   double distance_to_side_face(const Coordinates& p, std::size_t axis, std::size_t side, const Coordinates& q,
                                std::size_t u, std::size_t u_side, std::size_t v) const
   {
@@ -97,7 +97,7 @@ private:
     return best;
   }
 
-  // To a point of the opposite face, over the face at side u_side of axis u first.
+  // Returns the distance to a point of the opposite face over paths that first cross the face at side u_side of axis u.
   double distance_to_opposite_face(const Coordinates& p, const Coordinates& q, std::size_t u, std::size_t u_side,
                                    std::size_t v) const
   {
@@ -257,8 +257,8 @@ void octahedron_and_icosahedron_unfold()
 // developable surfaces
 // ---------------------------------------------------------------------------
 
-// n sectors of chord `chord` and slant 1 around an apex, in `rings` rings; the total
-// angle may exceed 2 pi, so the mesh exists as edge lengths in the development only.
+// n sectors of slant 1 around an apex, in `rings` rings. The total angle may exceed 2 pi, so the mesh is given by the
+// edge lengths of its development.
 void cones_unroll(std::size_t n, std::size_t rings, double total_angle)
 {
   test_support::Scope scope("cone of angle " + std::to_string(total_angle));
@@ -367,7 +367,7 @@ void cylinders_unroll(test_support::Random& random)
             }
             p = p + location.second[k] * corner;
           }
-          // back into the strip, as the mesh closes at column m
+          // back into the strip, because the mesh closes at column m
           if(p[0] < 0.)
           {
             p[0] += width;
@@ -491,8 +491,8 @@ int main()
   flat_tori_are_minima_over_a_lattice(10, 7, 2., .3, .5);
   flat_tori_are_minima_over_a_lattice(12, 12, 1., .5, std::sqrt(3.) / 2.);
   flat_tori_are_minima_over_a_lattice(9, 11, 1., .25, 8.);
-  // Edges wind around the torus, so that shortest paths cross each of them again and again, and more faces than there
-  // are: this is the square torus of the first line.
+  // This is the square torus of the first line. Here the edges wind around it, so shortest paths cross each of them
+  // many times, and cross more faces than the torus has.
   flat_tori_are_minima_over_a_lattice(5, 5, 1., 12., 1.);
   flat_tori_are_minima_over_a_lattice(3, 4, 1., 7., 1.);
   return test_result();

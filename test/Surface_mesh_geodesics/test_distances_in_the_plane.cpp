@@ -94,7 +94,7 @@ void flat_patches_with_coinciding_rows_have_Euclidean_distances()
   }
 }
 
-// Vertices lie on edges of the neighbors; in a rotated mesh only up to rounding.
+// Vertices lie on edges of the neighbors, in a rotated mesh up to rounding.
 void flat_patches_with_caps_have_Euclidean_distances()
 {
   for(const std::size_t number_of_caps : std::vector<std::size_t>{1, 2, 4, 8, 16})

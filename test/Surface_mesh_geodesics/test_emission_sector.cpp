@@ -1,5 +1,5 @@
-// A pseudo-source emits windows into the faces into which a shortest path can go on, and into no others. Faces within
-// half a turn of the direction of arrival, on one of its sides, are not reached by a shortest path through the vertex.
+// A pseudo-source emits windows exactly into the faces in which a shortest path may continue. No shortest path through
+// the vertex enters a face that lies within half a turn of the direction of arrival, on either side of it.
 
 #include "intrinsic_mesh_helpers.h"
 #include "test_meshes.h"
@@ -22,7 +22,7 @@ using internal::Vertex_id;
 using Intrinsic_mesh = internal::Intrinsic_mesh<double>;
 using Field = internal::Vertex_distance_field<double>;
 
-// The faces into which a vertex has emitted windows, and the distance that it had then.
+// The faces into which a vertex has emitted windows, and the distance of the vertex at that time.
 struct Emission
 {
   Vertex_id vertex;
@@ -30,7 +30,7 @@ struct Emission
   double distance;
 };
 
-// A keeper, which receives all windows that are propagated. Windows that have crossed no face are new.
+// Receives all windows that are propagated. A window that has not crossed a face is new.
 class Recorder
 {
 public:
@@ -99,8 +99,8 @@ struct Counts
   std::size_t emissions = 0, hidden = 0, of_first_face = 0;
 };
 
-// Considers windows of the final distance only. Windows of vertices that have been improved since are of no use; a
-// vertex that emits windows again does so into all faces, which is rare.
+// Considers only windows that a vertex emits at its final distance. In rare cases a vertex emits windows once more,
+// into all faces.
 void look_at_emissions(const Indexed_mesh& indexed, std::size_t source, Counts& counts)
 {
   const Intrinsic_mesh mesh = intrinsic_mesh(to_face_graph(indexed));

@@ -1,5 +1,4 @@
-// Windows that are kept for faces come back in the order in which they were added, until they are released; their
-// memory is used again.
+// Windows kept for faces stay in the order in which they were added until they are released. Their memory is reused.
 
 #include "test_support.h"
 
@@ -69,7 +68,7 @@ void each_edge_keeps_its_windows(test_support::Random& random)
     if(round == 1000)
       memory = windows.memory();
   }
-  CHECK(windows.memory() <= 2 * memory); // memory of released windows is used again
+  CHECK(windows.memory() <= 2 * memory); // released memory is reused
 }
 
 void a_new_or_reset_container_is_empty()

@@ -28,7 +28,7 @@ std::vector<double> distances_from(const Mesh& mesh, const std::vector<vertex_de
   return result;
 }
 
-// After each step the distances are those of a run with all samples; so the next sample is the farthest vertex.
+// After each step the distances are those of a run with all samples, so the next sample is the farthest vertex.
 void test_steps(std::uint64_t seed)
 {
   for(const Indexed_mesh& indexed : small_collection(seed))
@@ -57,7 +57,7 @@ void test_steps(std::uint64_t seed)
   }
 }
 
-// A propagation that continues, with sources anywhere and in any order, has the result of a new one.
+// A continued propagation has the result of a new one, for sources at any vertices and in any order.
 void test_continued_propagation(std::uint64_t seed)
 {
   using namespace Geodesics::internal;
@@ -122,7 +122,7 @@ void test_options()
   all.insert(all.end(), samples.begin(), samples.end());
   const std::vector<double> d = distances_from(mesh, all);
   CHECK_CLOSE(*std::max_element(d.begin(), d.end()), radius, 1e-12);
-  // One sample less does not cover the mesh.
+  // With one sample less, the mesh is not covered.
   all.pop_back();
   const std::vector<double> without = distances_from(mesh, all);
   CHECK(*std::max_element(without.begin(), without.end()) > .5);
@@ -143,7 +143,7 @@ void test_options()
   }
 }
 
-// Each component gets a sample, isolated vertices do not; numbers of samples from none to all vertices.
+// Each component gets a sample, isolated vertices get none. The numbers of samples range from none to all vertices.
 void test_extremes()
 {
   const Mesh mesh = to_face_graph(two_components_and_an_isolated_vertex());

@@ -1,6 +1,6 @@
 // Subdivided surfaces with sharp edges between flat regions: many rays graze flat vertices, and many distances tie. The
-// distances do not depend on the subdivision, on the pruning rules, or on the numbers of lanes, threads, and visits
-// under way at a time; and they are certified. Arguments are names of files whose meshes are used instead.
+// distances do not depend on the subdivision, on the pruning rules, or on the numbers of lanes, threads and concurrent
+// visits, and they are certified. Arguments: names of files with meshes to use instead.
 
 #include "distance_test_helpers.h"
 #include "intrinsic_mesh_helpers.h"

@@ -33,12 +33,11 @@ void distances_are_right(std::size_t number, std::uint64_t seed)
   CHECK(number_certified * 100 >= 99 * number_of_surfaces);
 }
 
-// Reduced cases on which the library or its referees were wrong once:
+// Reduced cases on which the library or its referees were once wrong:
 // - source_with_offset: the certificate found no path, because the search ignored the offset of the source;
 // - source_with_offset_on_gluing: the same, with faces of nearly no height;
-// - crossed_twice, crossed_twice_b: shortest paths cross a face twice, because in between the path through other faces
-//   is
-//   shorter than through that face; the referee ignored such paths;
+// - crossed_twice, crossed_twice_b: shortest paths cross a face twice, because a path through other faces is shorter in
+//   between; the referee ignored such paths;
 // - gap_between_windows: two windows that should meet do not, by 4e-8 of the edge, behind vertices that are 4e-9 apart;
 //   the proof is not more accurate than that there.
 void cases_of_the_past_are_right()

@@ -1,4 +1,4 @@
-// Lloyd relaxation, remeshing by the dual, and the report of what is in the way of a manifold dual.
+// Lloyd relaxation, remeshing by the dual, and the report of what prevents a manifold dual.
 
 #include "expected_exceptions.h"
 #include "test_meshes.h"
@@ -29,7 +29,7 @@ int Euler_characteristic(const Mesh& mesh)
   return static_cast<int>(num_vertices(mesh)) - static_cast<int>(num_edges(mesh)) + static_cast<int>(num_faces(mesh));
 }
 
-// the largest area of a cell, over the mean.
+// Returns the largest area of a cell, divided by the mean area.
 double unevenness(const Mesh& mesh, const std::vector<vertex_descriptor>& sites)
 {
   Voronoi voronoi(mesh);
@@ -59,7 +59,7 @@ void test_relaxation(std::uint64_t seed)
     CHECK_EQUAL(moved.size(), sites.size());
     CHECK(n > 1);
     CHECK(unevenness(mesh, moved) < unevenness(mesh, sites));
-    // where it has ended, it goes no farther
+    // a relaxation that has converged does not move its sites
     if(n < 50)
     {
       same.clear();
@@ -86,7 +86,7 @@ void test_remeshing(std::uint64_t seed)
     CHECK_EQUAL(Euler_characteristic(output), Euler_characteristic(mesh));
     const double before = CGAL::to_double(CGAL::Polygon_mesh_processing::volume(mesh));
     const double after = CGAL::to_double(CGAL::Polygon_mesh_processing::volume(output));
-    CHECK(after > .8 * before && after < 1.05 * before); // the orientation, too
+    CHECK(after > .8 * before && after < 1.05 * before); // the volume is negative if the orientation is wrong
   }
   const Mesh patch = to_face_graph(rough_terrain(24, .3, seed));
   CGAL::Polyhedron_3<CGAL::Simple_cartesian<double>> polyhedron;
@@ -131,8 +131,8 @@ vertex_descriptor nearest_vertex(const Mesh& mesh, const Kernel::Point_3& p)
   { return CGAL::squared_distance(mesh.point(a), p) < CGAL::squared_distance(mesh.point(b), p); });
 }
 
-// Three sites on the equator of a sphere: the same three cells meet at two vertices. With one more site at a pole, the
-// dual is a tetrahedron.
+// Three sites on the equator of a sphere: all cells meet at two vertices. With one more site at a pole, the dual is a
+// tetrahedron.
 void test_sites_on_the_equator()
 {
   const Mesh sphere = to_face_graph(noisy_sphere(3, .01, 7));
@@ -170,7 +170,7 @@ void test_sites_along_a_strip()
   CHECK(r.cells_with_several_boundaries == std::vector<std::size_t>{1});
 }
 
-// Without an iteration, sites stay as they are, and are not even looked at.
+// Without an iteration, the sites are neither moved nor checked.
 void test_no_iterations()
 {
   test_support::Scope scope("no iterations");

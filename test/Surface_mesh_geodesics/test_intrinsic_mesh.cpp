@@ -1,5 +1,5 @@
-// The invariants of intrinsic meshes: they hold when a mesh is built, after each insertion of a source, and after its
-// reversal, which restores every bit; and the checks find faults.
+// The invariants of intrinsic meshes hold after construction, after each insertion of a source, and after the insertion
+// is undone, which restores every bit. The checks of the invariants find faults.
 
 #include "distance_test_helpers.h"
 #include "intrinsic_mesh_helpers.h"

@@ -1,5 +1,5 @@
-// Invalid input throws Invalid_geodesic_input, names the element and does not change the maps of the caller, also
-// without assertions.
+// The functions reject invalid input, even without assertions: they throw Invalid_geodesic_input, which names the
+// element, and do not change the maps of the caller.
 
 #ifndef NDEBUG
 #define NDEBUG
@@ -106,7 +106,7 @@ void faces_that_are_not_triangles_are_refused()
   tm.add_face(vertex(0), vertex(4), vertex(1));
   tm.add_face(vertex(3), vertex(6), vertex(7), vertex(4));
   expect_refusal_of_sources(tm, Reason::NOT_A_TRIANGLE, 2, "quadrilateral", vertex(0));
-  // also when no path leads there
+  // even if no path leads there
   expect_refusal_of_sources(tm, Reason::NOT_A_TRIANGLE, 2, "quadrilateral, empty range",
                             std::vector<vertex_descriptor>());
 
@@ -154,7 +154,7 @@ void non_manifold_faces_are_refused()
   refuse(cone, 0, "face with a vertex twice");
 
   Mesh torn = to_face_graph(icosphere(1));
-  torn.set_target(halfedge(face(7), torn), vertex(40)); // a vertex elsewhere
+  torn.set_target(halfedge(face(7), torn), vertex(40)); // a vertex apart from the others
   refuse(torn, any_element, "two faces that disagree");
 }
 
@@ -205,7 +205,7 @@ void invalid_edge_lengths_are_refused()
   const Mesh::Edge_index e(17);
   const double good = lengths[e];
   auto refuse = [&](double value, Reason reason, const std::string& what_is_wrong, std::size_t element) {
-    auto changed = lengths; // a handle of the same values
+    auto changed = lengths; // a handle to the same values
     changed[e] = value;
     expect_refusal(tm, reason, element, what_is_wrong, [&](auto distance_map, auto nearest_map) {
       SMG::geodesic_distances_from_edge_lengths(tm, changed, distance_map, vertex(0),
@@ -307,7 +307,7 @@ void locations_outside_their_face_are_refused()
     const std::string name = "weights " + std::to_string(i++);
     const Face_location bad(face(5), weights);
     expect_refusal_of_sources(tm, Reason::INVALID_LOCATION, any_element, name, bad);
-    // The exception names the invalid one, the third of the range.
+    // The exception names the invalid location, the third in the range.
     const Face_location good(face(6), {.2, .3, .5});
     expect_refusal_of_sources(tm, Reason::INVALID_LOCATION, 2, name + ", in a range",
                               std::vector<Face_location>{good, good, bad, good});
@@ -455,7 +455,7 @@ void index_maps_must_number_from_zero()
   refuse("vertex index given twice");
   {
     Mesh torn = to_face_graph(icosphere(1));
-    torn.remove_vertex(vertex(11)); // its faces stay
+    torn.remove_vertex(vertex(11)); // its faces remain
     expect_refusal(torn, Reason::INVALID_INDEX_MAP, any_element, "face with a vertex that is not in the mesh",
                    [&](auto distance_map, auto) { SMG::geodesic_distances(torn, distance_map, vertex(0)); });
   }

@@ -1,5 +1,5 @@
 // Isolines. Each point of a line has the requested distance, according to the original class and to planar geometry.
-// Lines cross each edge whose ends are on both sides of the value. They are closed unless they end at the border.
+// Lines cross each edge whose ends are on different sides of the value. They are closed or end at the border.
 
 #include "path_test_helpers.h"
 #include "test_meshes.h"
@@ -65,7 +65,7 @@ bool is_on_border(const Mesh& tm, const Point& p, double tolerance)
   return false;
 }
 
-// Each point has the distance `value`, for both classes.
+// Checks that each point has the distance `value` for both classes.
 void check_distances(const std::vector<Point>& points, double value, const Geodesic_paths& paths, Original& original,
                      const CGAL::AABB_tree<AABB_traits>& tree, const Mesh& tm, double size)
 {
@@ -83,7 +83,7 @@ void check_distances(const std::vector<Point>& points, double value, const Geode
     {
       location.second[k] /= sum;
     }
-    if(!is_on_border(tm, points[i], 1e-9 * size)) // where the original answers at random
+    if(!is_on_border(tm, points[i], 1e-9 * size)) // there the answers of the original are random
     {
       CHECK_NEAR(original.shortest_distance_to_source_points(location.first, location.second).first, value,
                  1e-8 * size);
@@ -92,7 +92,7 @@ void check_distances(const std::vector<Point>& points, double value, const Geode
   }
 }
 
-// Each edge whose ends are on both sides of `value` has a point.
+// Checks that each edge whose ends are on different sides of `value` has a point.
 void check_edges_are_crossed(const std::vector<Point>& points, double value, const Geodesic_paths& paths,
                              const Mesh& tm, double size)
 {
@@ -151,7 +151,7 @@ void lines_have_the_distances_of_the_original(const Indexed_mesh& indexed, std::
   }
 }
 
-// In a plane without obstacles the lines are circles.
+// In a plane without obstacles the isolines are circles.
 void lines_around_a_source_in_the_plane_are_circles()
 {
   test_support::Scope scope("circles");
@@ -195,7 +195,7 @@ void lines_around_a_source_in_the_plane_are_circles()
     CHECK(length < circumference);
     CHECK(length > .9 * circumference);
   }
-  // beyond the border: arcs of circles that end there
+  // circles that cross the border: arcs that end there
   std::vector<Line> lines;
   paths.isolines(1.15 * border, std::back_inserter(lines));
   CHECK(!lines.empty());
@@ -209,7 +209,7 @@ void lines_around_a_source_in_the_plane_are_circles()
   }
 }
 
-// Near to two sources each has a line of its own; farther away one line surrounds both.
+// Near the two sources, each has a line of its own. Farther away, one line surrounds both.
 void lines_of_two_sources_join()
 {
   test_support::Scope scope("two sources");
@@ -255,7 +255,7 @@ void some_values_have_no_line()
     paths.isolines(value, std::back_inserter(lines));
     CHECK(lines.empty());
   }
-  // each distance of a vertex: the line runs through the vertex, or near to it
+  // the distance of each vertex: the line runs through the vertex, or near it
   for(const Mesh::Vertex_index v : tm.vertices())
   {
     const double d = paths.shortest_distance_to_source_points(v).first;
@@ -277,7 +277,7 @@ void some_values_have_no_line()
 }
 
 // Checks the lines of any mesh: no point comes twice in a row, lines end at the border only, and cross each edge whose
-// ends are on both sides of the value.
+// ends are on different sides of the value.
 void check_lines(const Mesh& tm, const Geodesic_paths& paths, double value, const std::vector<Line>& lines)
 {
   const double tolerance = 1e-9 * size_of(tm);
@@ -295,7 +295,7 @@ void check_lines(const Mesh& tm, const Geodesic_paths& paths, double value, cons
     const Mesh::Vertex_index a = tm.vertex(e, 0), b = tm.vertex(e, 1);
     const double da = paths.shortest_distance_to_source_points(a).first;
     const double db = paths.shortest_distance_to_source_points(b).first;
-    // a vertex at the distance that is farther than all around it has no line
+    // no line leads to a vertex that is farther than everything around it
     const double margin = 1e-9 * (1. + value);
     if(da < 0 || db < 0 || (std::min)(da, db) > value - margin || (std::max)(da, db) < value + margin)
     {
@@ -326,8 +326,8 @@ std::size_t times_on_lines(const Point& p, const std::vector<Line>& lines, doubl
   return n;
 }
 
-// Takes the distance of a vertex: lines run through it, once for each sector of nearer points around it, or it is
-// alone.
+// Takes the distance of a vertex. Lines run through the vertex, once for each sector of nearer points around it, or the
+// vertex is an isolated point of the isoline.
 void lines_at_distances_of_vertices_are_valid(const Indexed_mesh& indexed)
 {
   test_support::Scope scope(indexed.name);
@@ -347,7 +347,7 @@ void lines_at_distances_of_vertices_are_valid(const Indexed_mesh& indexed)
     std::vector<Line> lines;
     paths.isolines(value, std::back_inserter(lines));
     check_lines(tm, paths, value, lines);
-    // what is nearer around the vertex, on its edges
+    // the nearer points around the vertex, on its edges
     std::size_t nearer = 0, farther = 0;
     for(const Mesh::Halfedge_index h : halfedges_around_target(v, tm))
     {
@@ -361,7 +361,7 @@ void lines_at_distances_of_vertices_are_valid(const Indexed_mesh& indexed)
 }
 
 // A square of two triangles: from a corner the line through the two neighbors is a border-to-border line of three
-// points; the corner at the other end is alone.
+// points. The opposite corner is an isolated point.
 void a_line_crosses_a_square_of_two_triangles()
 {
   test_support::Scope scope("square");
@@ -383,7 +383,7 @@ void a_line_crosses_a_square_of_two_triangles()
   CHECK(lines.empty());
 }
 
-// Two discs that touch each other in a vertex, and the border in others.
+// Two discs that touch each other at a vertex, and touch the border at other vertices.
 void lines_on_discs_that_touch_are_separate()
 {
   test_support::Scope scope("touching discs");
@@ -418,7 +418,7 @@ void lines_far_from_the_source_end()
   paths.add_source_point(vertex(0));
   test_support::Random random(3);
   std::size_t number_of_lines = 0, number_of_ends = 0;
-  // the errors of all faces on the way add up, and here they are the same in each square
+  // the errors of all faces on the way add up, and here all squares have the same errors
   const double rounding = 2. * static_cast<double>(n) * std::numeric_limits<double>::epsilon();
   for(std::size_t i = 0; i < 200; ++i)
   {
@@ -464,7 +464,7 @@ void degenerate_faces_have_lines()
   }
 }
 
-// A const object gives the same lines, whatever has been built before.
+// A const object gives the same lines after any earlier build.
 void const_objects_give_the_same_lines()
 {
   test_support::Scope scope("const");

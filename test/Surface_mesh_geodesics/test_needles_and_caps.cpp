@@ -45,7 +45,7 @@ void distances_are_right(const std::string& name)
     for(const vertex_descriptor v : vertices(tm))
     {
       const double d = all[std::size_t(s)][std::size_t(v)];
-      // the same distance with other rounding and from the other end, and not shorter than in space
+      // the distance is the same with other rounding and from the other end, and not shorter than in space
       CHECK(std::abs(d - static_cast<double>(more_digits[std::size_t(v)])) <= 1e-12 * (1 + d));
       CHECK(std::abs(d - all[std::size_t(v)][std::size_t(s)]) <= 1e-12 * (1 + d));
       CHECK(d >= length(coordinates(s, tm) - coordinates(v, tm)) - 1e-12);

@@ -1,5 +1,5 @@
-// Loops process as many windows at a time as the processor has lanes. The results of a propagation are the same bits
-// for each number of lanes, or the same up to rounding if the compiler may fuse multiplications and additions.
+// Loops process as many windows at a time as the processor has lanes. The results of a propagation are bitwise equal
+// for all numbers of lanes, or equal up to rounding if the compiler may fuse multiplications and additions.
 
 #include "distance_test_helpers.h"
 #include "intrinsic_mesh_helpers.h"
@@ -23,7 +23,7 @@ using Intrinsic_mesh = internal::Intrinsic_mesh<double>;
 using Field = internal::Vertex_distance_field<double>;
 using Sources = std::vector<std::pair<internal::Vertex_id, double>>; // with offsets
 
-// The results of a propagation, and the counts of what was done to windows.
+// The results of a propagation, and the counts of operations on windows.
 struct Outcome
 {
   Field field;

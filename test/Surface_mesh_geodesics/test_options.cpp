@@ -46,7 +46,7 @@ void distances_up_to_the_radius_are_exact(const Mesh& tm, const Sources& sources
   const std::vector<double> full = distances(tm, sources);
   const std::vector<double> sorted = sorted_finite(full);
   const double largest = sorted.back();
-  // also radii that equal the distance of a vertex, which is within the radius then
+  // includes radii that equal the distance of a vertex, which is then within the radius
   std::vector<double> radii{0., .1 * largest, .37 * largest, .8 * largest, 2. * largest, infinity,
                             sorted[sorted.size() / 3], sorted[sorted.size() / 2], largest};
   for(const double radius : radii)
@@ -331,7 +331,7 @@ void statistics_are_consistent(const Mesh& tm, test_support::Random& random)
   CHECK_EQUAL(statistics.windows_removed_by_rule_1, again.windows_removed_by_rule_1);
   CHECK_EQUAL(statistics.windows_removed_by_rules_2_and_3, again.windows_removed_by_rules_2_and_3);
   CHECK_EQUAL(statistics.windows_removed_by_vertices, again.windows_removed_by_vertices);
-  // A second run adds its counts; maxima are unchanged.
+  // A second run adds its counts. Maxima do not change.
   distances_with_options(tm, s, options);
   CHECK_EQUAL(again.windows_created, 2 * statistics.windows_created);
   CHECK_EQUAL(again.vertices_visited, 2 * statistics.vertices_visited);
@@ -355,7 +355,7 @@ void a_beaten_source_owns_nothing(const Mesh& tm, test_support::Random& random)
   }
   auto nearest = get(CGAL::dynamic_vertex_property_t<std::size_t>(), tm);
   auto options = SMG::make_geodesic_distance_options<Mesh>(nearest);
-  // The wave of the first source, if it arrives, reaches the middle source before that one starts.
+  // If the wave of the first source reaches the middle source, it does so before the middle source starts.
   const double way = fields[0][std::size_t(sources[1])];
   const double delay = way == infinity ? 0. : 1.5 * way + 1e-3;
   options.source_offsets = {0., delay, .25};
@@ -376,7 +376,7 @@ void a_beaten_source_owns_nothing(const Mesh& tm, test_support::Random& random)
     }
     ++i;
   }
-  // The same offset for all sources adds to all distances.
+  // The same offset of all sources is added to all distances.
   Options constant;
   constant.source_offsets = {2., 2., 2.};
   const std::vector<double> shifted = distances_with_options(tm, sources, constant);
@@ -389,7 +389,7 @@ void a_beaten_source_owns_nothing(const Mesh& tm, test_support::Random& random)
   Options zero;
   zero.source_offsets = {0., 0., 0.};
   CHECK(distances_with_options(tm, sources, zero) == plain);
-  // The radius limits distances that include the offset.
+  // The radius applies to distances that include the offset.
   Options bounded;
   bounded.source_offsets = {2., 2., 2.};
   bounded.maximum_distance = 2. + .5 * sorted_finite(plain).back();

@@ -1,5 +1,5 @@
 // Distances by several threads from one set of sources. Their bits depend neither on the number of threads nor on
-// chance. With one star at a time they are the bits of the sequential propagation.
+// timing. With one star at a time they are the bits of the sequential propagation.
 
 #include "distance_test_helpers.h"
 #include "intrinsic_mesh_helpers.h"
@@ -71,7 +71,7 @@ struct Task
   Vertices targets;
 };
 
-// The distances that are final.
+// The final distances.
 template <class Propagation>
 std::vector<double> run(Propagation& propagation, const Field& field, const Task& task)
 {
@@ -138,7 +138,7 @@ void check_task(const Intrinsic_mesh& mesh, const Task& task)
         CHECK_EQUAL(statistics.windows_propagated, first_statistics.windows_propagated);
         CHECK_EQUAL(statistics.vertices_visited, first_statistics.vertices_visited);
       }
-      CHECK(run(parallel, parallel_field, task) == first); // once more
+      CHECK(run(parallel, parallel_field, task) == first); // again
     }
     check_close(first, expected, task);
     if(number_of_stars == 1 && task.targets.empty())

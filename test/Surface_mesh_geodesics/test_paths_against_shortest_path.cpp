@@ -1,7 +1,7 @@
-// Compares the class with CGAL::Surface_mesh_shortest_path where that one can be trusted: one source at a vertex or
-// strictly inside a face, queries at vertices and strictly inside faces. Several sources are the minimum over objects
-// with one source each, points of edges are vertices of the mesh that is split there. Every path is checked by itself:
-// length, points, elements, end.
+// Compares the class with CGAL::Surface_mesh_shortest_path where that class is reliable: one source at a vertex or
+// strictly inside a face, queries at vertices and strictly inside faces. The reference for several sources is the
+// minimum over objects with one source each. The reference for a point on an edge is a mesh with a vertex at that
+// point. Each path is checked by itself too: length, points, elements, end.
 
 #include "path_test_helpers.h"
 #include "test_meshes.h"
@@ -111,7 +111,7 @@ void several_sources(const Mesh& tm, double size, std::size_t number, std::size_
   }
 }
 
-// A point of an edge is a vertex of the mesh that is split there; it is source or query, from both faces.
+// Splits the mesh at a point of an edge. The point is source or query, as a location in both faces.
 void points_of_edges(const Indexed_mesh& indexed, const Mesh& tm, double size, std::size_t number,
                      test_support::Random& random)
 {
@@ -179,7 +179,7 @@ int main()
   }
   std::cout << number_of_meshes << " meshes, " << number_of_queries << " queries, " << queries_with_one_source
             << " of them with one source and no point of an edge" << std::endl;
-  // with one source the original itself says what is right, at once
+  // with one source, the original itself gives the expected answers
   CHECK(number_of_meshes >= 20 && queries_with_one_source >= 10000);
   CHECK(number_of_queries > queries_with_one_source);
   return test_result();

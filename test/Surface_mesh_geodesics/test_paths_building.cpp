@@ -1,4 +1,4 @@
-// What Surface_mesh_geodesic_paths computes when: states, iterators through builds, const queries, edge lengths,
+// When Surface_mesh_geodesic_paths computes what: states, iterators that survive builds, const queries, edge lengths,
 // visitors that cancel or throw.
 
 #include "path_interface_helpers.h"
@@ -59,7 +59,7 @@ void sources_come_and_go()
 #else
   CHECK(is_refused);
 #endif
-  CHECK_EQUAL(paths.number_of_source_points(), 1u); // whether it is refused or not
+  CHECK_EQUAL(paths.number_of_source_points(), 1u); // with or without the assertion
   CHECK(paths.source_points_begin() == b);
   CHECK(paths.shortest_distance_to_source_points(vertex(7)).second == b);
   CHECK(!paths.changed_since_last_build());
@@ -139,7 +139,7 @@ void input_iterators_add_sources()
 
 // --- const queries ---
 
-// What the queries of an object return and write, in types that compare.
+// The results and the output of queries, in types that can be compared.
 struct Answers
 {
   std::vector<double> numbers;
@@ -151,7 +151,7 @@ struct Answers
   bool empty() const { return lines.empty() && polyline.empty() && points.empty() && visitor.items.empty(); }
 };
 
-// A query member: a call of it. `Paths` may be const.
+// A call of a query member. `Paths` may be const.
 template <class Paths>
 struct Query_member
 {
@@ -191,7 +191,7 @@ std::vector<Query_member<Paths>> all_query_members(const Mesh& tm)
     {[=](Paths& p, Answers& a) { p.isolines(.5, std::back_inserter(a.lines)); }}};
 }
 
-// Asks one member of a const object, and of an object that builds everything beforehand: the answers are the same.
+// Calls one member of a const object, and of an object that has built everything. Checks that the answers are the same.
 void check_query_member(const Query_member<const Geodesic_paths>& member, const Geodesic_paths& paths, const Mesh& tm)
 {
   Geodesic_paths built(tm);
@@ -217,7 +217,7 @@ enum Build
   EVERYTHING
 };
 
-// Asks each member as the first query of an object, after a build that may be less than it needs.
+// Calls each member as the first query of an object, after a build that may be less than the query needs.
 void check_first_queries(const Mesh& tm, const std::vector<std::size_t>& sources, Build build)
 {
   const auto of_const = all_query_members<const Geodesic_paths>(tm);
@@ -248,7 +248,7 @@ void check_first_queries(const Mesh& tm, const std::vector<std::size_t>& sources
   }
 }
 
-// Each query member of a const object computes what it needs, whatever has been built before.
+// Each query member of a const object computes what it needs, after any earlier build.
 void const_queries_build_what_they_need()
 {
   test_support::Scope scope("const queries");
@@ -262,7 +262,7 @@ void const_queries_build_what_they_need()
   }
 }
 
-// One object, asked through a const reference, while its sources change.
+// Queries of one object through a const reference, while its sources change.
 void const_queries_follow_changes_of_the_sources()
 {
   test_support::Scope scope("const queries, changes");
@@ -277,7 +277,7 @@ void const_queries_follow_changes_of_the_sources()
       check_query_member(member, constant, tm);
     }
   };
-  check(); // without sources nothing has to be built
+  check(); // without sources there is nothing to build
   for(std::size_t round = 0; round < 3; ++round)
   {
     paths.add_source_point(vertex(round));
@@ -300,7 +300,7 @@ void const_queries_follow_changes_of_the_sources()
   check();
 }
 
-// A bad source is found by the first query, and no query writes anything until it has been removed.
+// The first query finds a bad source. No query writes anything until the source is removed.
 void const_queries_report_bad_sources()
 {
   test_support::Scope scope("const queries, bad source");
@@ -325,7 +325,7 @@ void const_queries_report_bad_sources()
   }
 }
 
-// A member that is no query builds nothing.
+// Members other than queries build nothing.
 void other_const_members_do_not_build()
 {
   test_support::Scope scope("const members that are no queries");
@@ -374,7 +374,7 @@ void clear_takes_the_mesh_as_it_is()
   CHECK_EQUAL(ask(paths, Surface_point(vertex(25))).source, 0u);
 }
 
-// The same paths, element by element.
+// Checks that two objects give the same path, element by element.
 void check_equal_paths(Geodesic_paths& first, Geodesic_paths& second, const Surface_point& query)
 {
   Path_recorder<Geodesic_paths> a, b;
@@ -398,7 +398,7 @@ void edge_lengths_replace_points()
   Mesh tm = to_face_graph(noisy_sphere(2, .1, 5));
   const auto lengths = add_edge_lengths(tm);
   Geodesic_paths by_points(tm);
-  Mesh flat = tm; // its points mean nothing
+  Mesh flat = tm; // its points are meaningless
   for(const vertex_descriptor v : vertices(flat))
   {
     flat.point(v) = Kernel::Point_3(0., 0., double(std::size_t(v)));
@@ -421,7 +421,7 @@ void edge_lengths_replace_points()
   }
 }
 
-// Twice the lengths give twice the distances; bad lengths are refused.
+// Twice the lengths give twice the distances. Invalid lengths are rejected.
 void other_edge_lengths_replace_the_first_ones()
 {
   test_support::Scope scope("other edge lengths");
@@ -499,7 +499,7 @@ void building_can_be_canceled()
   {
     for(const bool for_faces : {false, true})
     {
-      paths.remove_source_point(paths.add_source_point(vertex(5))); // it has to be built again
+      paths.remove_source_point(paths.add_source_point(vertex(5))); // makes the next build necessary
       Canceling_visitor visitor;
       visitor.steps_left = steps;
       const bool is_complete =
@@ -527,7 +527,7 @@ void building_can_be_canceled()
     }
   }
   CHECK(was_canceled && was_complete);
-  Canceling_visitor visitor; // nothing to do
+  Canceling_visitor visitor; // nothing left to build
   CHECK(paths.build_sequence_tree_for_faces(visitor));
   CHECK_EQUAL(visitor.begins, 0u);
   CHECK(paths.statistics().vertices_visited > 0);
@@ -558,7 +558,7 @@ void canceling_the_second_stage_keeps_the_first()
   CHECK_EQUAL(ask(paths, query).distance, ask(expected, query).distance);
 }
 
-// Leaves the object valid, too.
+// A visitor that throws leaves the object valid too.
 struct Throwing_visitor : CGAL::Surface_mesh_geodesics::Geodesic_default_visitor
 {
   void on_progress(std::size_t, double) { throw std::runtime_error("enough"); }
@@ -579,7 +579,7 @@ void visitors_may_throw()
     CHECK_EQUAL(ask(paths, Surface_point(v)).distance, ask(expected, Surface_point(v)).distance);
   }
   CHECK(throws<std::runtime_error>([&] { paths.build_sequence_tree_for_faces(visitor); }));
-  CHECK(!paths.changed_since_last_build()); // the vertices are still known
+  CHECK(!paths.changed_since_last_build()); // the distances of vertices remain valid
 }
 
 } // namespace

@@ -52,8 +52,8 @@ std::array<double, 3> weights_in_face(const Triangle& triangle, const std::array
   return result;
 }
 
-// Asks an object of any type and one of the usual type the same questions, with sources and queries at vertices and in
-// faces. `construct` makes coordinates of three numbers; lengths of the first object are `scale` times as long.
+// Compares the answers of an object of any type with those of the usual type, with sources and queries at vertices and
+// in faces. `construct` makes coordinates from three numbers. Lengths of the first object are `scale` times as long.
 template <class Paths, class Graph, class Construct>
 class Comparison
 {
@@ -182,8 +182,8 @@ const auto as_array = [](double a, double b, double c)
 
 // --- a minimal traits class ---
 
-// A point with its coordinates. Triangles and barycentric coordinates have no members; only the function objects read
-// them.
+// A point with its coordinates. Triangles and barycentric coordinates have no public members. Only the function objects
+// read them.
 class Archetype_point
 {
 public:
@@ -258,7 +258,7 @@ struct Archetype_construct_barycenter
 struct Archetype_ray
 {};
 
-// There is no default constructor: the object given is the one to use.
+// Without a default constructor, the class has to use the given object.
 class Archetype_traits
 {
 public:
@@ -324,7 +324,7 @@ void minimal_traits_class()
 
 // --- property maps ---
 
-// readable, with values made on the way, and no more than that
+// A map that is only readable, and returns its values by copy.
 template <class Key, class Value>
 struct Own_map
 {
@@ -348,14 +348,14 @@ void property_maps()
   std::map<Mesh::Halfedge_index, unsigned int> halfedge_indices;
   std::map<face_descriptor, unsigned int> face_indices;
   std::map<vertex_descriptor, Kernel::Point_3> points;
-  // any order will do
+  // the indices may have any order
   unsigned int i = static_cast<unsigned int>(num_vertices(tm));
   for(const vertex_descriptor v : vertices(tm))
   {
     const Coordinates p = 3. * coordinates(v, tm);
     vertex_indices[v] = --i;
     points.emplace(v, Kernel::Point_3(p[0], p[1], p[2]));
-    tm.point(v) = Kernel::Point_3(1., 2., double(i)); // not to be used
+    tm.point(v) = Kernel::Point_3(1., 2., double(i)); // must not be read
   }
   i = static_cast<unsigned int>(num_halfedges(tm));
   for(const auto h : halfedges(tm))
@@ -382,7 +382,7 @@ void property_maps()
     CHECK(paths.point(all_vertices[5]) == points.at(all_vertices[5]));
   }
   {
-    // only one of them
+    // only the map of points
     using Paths =
       CGAL::Surface_mesh_geodesic_paths<Paths_traits, CGAL::Default, CGAL::Default, CGAL::Default, VPM>;
     Paths paths(tm, get(boost::vertex_index, tm), get(boost::halfedge_index, tm), get(boost::face_index, tm),

@@ -1,7 +1,6 @@
-// Queries from several threads at once give the same bits as one after the other. First four threads ask an object that
-// is built; some know it as const, others do not. Then eight threads ask a const object of which nothing is built, or
-// the distances of the vertices only: the first query that misses something computes it, while the others go on or
-// wait.
+// Concurrent queries give the same bits as queries one after the other. First, four threads query an object that is
+// built, some of them through a const reference. Then eight threads query a const object of which nothing is built, or
+// only the distances of vertices: the first query that needs more computes it, while the others continue or wait.
 
 #include "path_test_helpers.h"
 #include "test_meshes.h"
@@ -95,7 +94,7 @@ std::vector<double> everything_at_once(Paths& paths, const Mesh& tm)
   return result;
 }
 
-// Asks all queries, from the given one on. What is asked once for the whole mesh comes first or last.
+// Makes all queries, beginning with the given one. The queries for the whole mesh come first or last.
 template <class Paths>
 std::vector<std::vector<double>> all_answers(Paths& paths, const Mesh& tm, const std::vector<Surface_point>& queries,
                                              std::size_t first, bool whole_mesh_first)
@@ -143,7 +142,7 @@ void threads_ask_a_built_object(Geodesic_paths& built, const Mesh& tm, const std
   std::vector<All_answers> results(number_of_threads);
   run_in_threads(number_of_threads, [&](std::size_t t)
   {
-    const std::size_t first = t * queries.size() / number_of_threads; // each thread begins somewhere else
+    const std::size_t first = t * queries.size() / number_of_threads; // each thread begins with another query
     results[t] = t < 2 ? all_answers(constant, tm, queries, first, t % 2 == 0)
                        : all_answers(built, tm, queries, first, t % 2 == 0);
   });
@@ -179,7 +178,7 @@ void threads_ask_an_object_that_is_not_built(const std::vector<Surface_point>& s
     {
       std::this_thread::yield();
     }
-    // the first query of a thread is at a vertex or at a point of a face, or for the whole mesh
+    // the first query of a thread is at a vertex, at a point of a face, or for the whole mesh
     results[t] = all_answers(constant, tm, queries, t, t % 4 == 3);
   });
   for(All_answers& result : results)
@@ -189,7 +188,8 @@ void threads_ask_an_object_that_is_not_built(const std::vector<Surface_point>& s
   CHECK(!paths.changed_since_last_build());
 }
 
-// If the first query finds a bad source, every thread gets the exception; then the object can be mended.
+// If the first query finds an invalid source, every thread gets the exception. The object is usable again without the
+// source.
 void threads_get_the_exception_of_a_build(const Mesh& tm, const std::vector<Surface_point>& queries)
 {
   test_support::Scope scope("bad source");

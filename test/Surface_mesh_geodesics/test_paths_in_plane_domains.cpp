@@ -1,5 +1,5 @@
 // Paths in plane domains, convex or with holes. The distances are known from a visibility graph, or by hand: random
-// points in all the ways to give them, sources near to vertices, paths that bend at corners.
+// points in all representations, sources near vertices, paths that bend at corners.
 
 #include "path_test_helpers.h"
 #include "surface_points.h"
@@ -18,7 +18,7 @@ namespace {
 
 const double tolerance = 1e-12;
 
-// --- distances by a visibility graph: a convex domain without some open boxes ---
+// --- distances by a visibility graph: a convex domain minus some open boxes ---
 
 struct Box
 {
@@ -215,7 +215,7 @@ std::vector<Coordinates> bends(const std::vector<Coordinates>& path)
   return result;
 }
 
-// One query, and the ways its path may bend.
+// One query, with the possible bends of its path.
 struct Path_by_hand
 {
   double x, y, distance;

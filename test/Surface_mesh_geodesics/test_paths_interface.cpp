@@ -1,4 +1,4 @@
-// Every member of Surface_mesh_shortest_path: named for both classes by the same code at compile time, and called for
+// Every member of Surface_mesh_shortest_path: the same code names it for both classes at compile time, and calls it for
 // both with the same result. Then the members that only the new class has, and locate() where the original fails.
 
 #include "interface_of_shortest_path.h"
@@ -67,7 +67,7 @@ void log_path(Log& log, const std::vector<Path_item<Paths>>& items, const Mesh& 
     }
     else if(item.kind == Path_item<Paths>::EDGE)
     {
-      log.add(double(std::size_t(item.halfedge))); // its direction counts
+      log.add(double(std::size_t(item.halfedge))); // the direction of the halfedge is part of the result
       log.add(Paths::point(item.halfedge, item.t, tm));
     }
     else
@@ -350,7 +350,7 @@ void check_members_without_sources(const Geodesic_paths& paths, const Mesh& tm, 
   CHECK_EQUAL(paths.nearest_source_point(face(0), {.2, .3, .5}), Geodesic_paths::no_source);
 }
 
-// Members for all vertices, and numbers of sources, agree with the queries one by one.
+// The members for all vertices, and the numbers of sources, agree with single queries.
 template <class Map, class Float_map>
 void check_members_with_sources(Geodesic_paths& paths, const Mesh& tm, Map map, Float_map float_map,
                                 test_support::Random& random)
@@ -405,7 +405,7 @@ void further_members_agree_with_queries()
   }
 }
 
-// The original documents this overload, and does not have it.
+// The original documents this overload but does not have it.
 void trees_are_built_without_a_point_map()
 {
   test_support::Scope scope("tree");
@@ -415,7 +415,7 @@ void trees_are_built_without_a_point_map()
   CHECK_EQUAL(tree.size(), num_faces(tm));
 }
 
-// In a face with nearly no height rounding loses the coordinates of points.
+// In a face with nearly no height, rounding destroys the coordinates of points.
 void points_of_flat_faces_are_located()
 {
   test_support::Scope scope("locate in a sliver");

@@ -1,6 +1,6 @@
-// One object through thousands of random steps: sources come and go, one by one and in ranges, the structure is built
-// or cleared, edge lengths replace points, queries of all kinds are made. After every query a fresh object with the
-// same sources gives the same answer, and so does the same object through a const reference.
+// Thousands of random steps with one object: they add and remove sources, one by one and in ranges, build or clear the
+// structure, replace points by edge lengths, and make queries of all kinds. A new object with the same sources gives
+// the same answer to every query, and so does a const reference to the object.
 
 #include "expected_exceptions.h"
 #include "path_test_helpers.h"
@@ -21,7 +21,7 @@ namespace {
 
 const std::size_t number_of_steps = 12000;
 
-// A source as the test knows it, with the iterator that the object gave for it.
+// A source, with the iterator that the object returned for it.
 struct Known_source
 {
   Surface_point point;
@@ -140,7 +140,7 @@ private:
     }
   }
 
-  // Returns a vertex, a point of an edge, a point of a face, or a point that is a source already.
+  // Returns a vertex, a point of an edge, a point of a face, or the point of an existing source.
   Surface_point random_point()
   {
     const std::size_t kind = m_random.index(8);
@@ -205,12 +205,12 @@ private:
     const bool had_changed = m_paths.changed_since_last_build();
     const bool is_complete = m_random.index(2) == 0 ? m_paths.build_sequence_tree(visitor)
                                                     : m_paths.build_sequence_tree_for_faces(visitor);
-    // A build that only adds windows leaves what is known of the vertices.
+    // A build that only adds windows keeps the distances of vertices.
     CHECK_EQUAL(m_paths.changed_since_last_build(), !is_complete && had_changed);
     CHECK(is_complete || had_changed || !m_sources.empty());
   }
 
-  // The build refuses a bad source, which is then removed.
+  // The build rejects an invalid source, which is then removed.
   void fail()
   {
     const auto bad = m_paths.add_source_point(face(0), {.7, .7, .7});
@@ -218,7 +218,8 @@ private:
     m_paths.remove_source_point(bad);
   }
 
-  // Takes lengths from a map: those of the points times a factor. Bad lengths are refused, and the points count again.
+  // Takes lengths from a map: those of the points times a factor. If the lengths are invalid, the object uses the
+  // points again.
   void change_lengths()
   {
     if(m_edges.empty())
@@ -229,7 +230,7 @@ private:
     m_factor = is_bad ? 0. : m_random.uniform(.5, 3.);
     use_lengths(m_paths, is_bad ? 1. : m_factor, is_bad);
     CHECK(m_sources.empty() || m_paths.changed_since_last_build());
-    for(const Mesh::Edge_index e : m_edges) // they have been read
+    for(const Mesh::Edge_index e : m_edges) // the object has copied them
     {
       m_lengths[e] = -1.;
     }
@@ -264,7 +265,7 @@ private:
     const Surface_point point = random_point();
     Geodesic_paths fresh(m_tm);
     make_alike(fresh);
-    // the structure is the same whether windows are kept or not
+    // the structure does not depend on whether windows are kept
     Answer answer = ask(m_paths, point);
     const Answer expected = ask(fresh, point);
     CHECK_EQUAL(answer.distance, expected.distance);
@@ -389,7 +390,7 @@ private:
   test_support::Random& m_random;
   const Lengths m_lengths_of_points;
   Lengths m_lengths;
-  double m_factor = 0.; // the points count if it is zero
+  double m_factor = 0.; // zero: lengths come from the points
   Geodesic_paths m_paths;
   std::vector<Mesh::Edge_index> m_edges;
   std::vector<Known_source> m_sources;

@@ -1,5 +1,5 @@
-// Paths between points very near to vertices, on needles: each path is as long as the distance, and in a rectangle
-// the distance is that of the straight line. The same with many more meshes: fuzz_paths_near_vertices.cpp.
+// Paths between points very near vertices, on needles. Each path is as long as the distance, and in a rectangle the
+// distance is that of the straight line. fuzz_paths_near_vertices.cpp checks many more meshes.
 
 #include "paths_near_vertices.h"
 
@@ -10,7 +10,8 @@ using namespace paths_near_vertices;
 
 namespace {
 
-// A line that passes a vertex at 1e-16 on faces of 1 x 1e-6; an earlier version followed it on the wrong side.
+// A line passes a vertex at a distance of 1e-16, on faces of 1 x 1e-6. An earlier version followed it on the wrong
+// side.
 void line_through_a_vertex_of_needles()
 {
   test_support::Scope scope("line through a vertex");
@@ -23,7 +24,7 @@ void line_through_a_vertex_of_needles()
       v.push_back(tm.add_vertex(Kernel::Point_3(i, 1e-6 * j, 0.)));
     }
   }
-  // in all ways to cut the cells
+  // all choices of the diagonals
   for(unsigned int cuts = 0; cuts < 64; ++cuts)
   {
     Mesh cut = tm;

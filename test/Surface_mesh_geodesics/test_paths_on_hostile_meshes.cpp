@@ -1,5 +1,5 @@
-// Paths on small random meshes of the worst kind: each of them is found, goes from face to face, and is as long as its
-// distance. The same with many more meshes: fuzz_paths_on_hostile_meshes.cpp.
+// Paths on small random meshes of the worst kind. Each path is found, leads from face to face, and is as long as its
+// distance. fuzz_paths_on_hostile_meshes.cpp checks many more meshes.
 
 #include "hostile_meshes.h"
 
@@ -14,7 +14,7 @@ using namespace test_meshes;
 
 namespace {
 
-// The last resort, on meshes where it is not needed.
+// Tests the search for paths, which is the last resort, on meshes that do not need it.
 void every_path_is_found_by_search()
 {
   namespace internal = CGAL::Surface_mesh_geodesics::internal;

@@ -31,7 +31,7 @@ void roll(Coordinates q, std::vector<Coordinates> centers, double x, double y, c
   {
     return;
   }
-  // `centers` are those of the faces that have lain on the plane, carried along with the cube
+  // `centers` are the centers of the faces that have lain on the plane. They move with the cube.
   for(std::size_t direction = 0; direction < 4; ++direction)
   {
     auto turn = [&](const Coordinates& c) -> Coordinates
@@ -136,8 +136,8 @@ void corners_of_a_cube_have_known_distances()
 
 // --- other surfaces ---
 
-// Congruent triangles around a vertex, with more than a full turn in all. Unfolded around it, the rim is a part of a
-// regular polygon: the path is a chord, or goes through the vertex if the angle there is at least pi on both sides.
+// Congruent triangles around a vertex, with a total angle of more than a full turn. Unfolded around the vertex, the rim
+// is a part of a regular polygon. The path is a chord, or passes the vertex if both angles there are at least pi.
 void paths_on_a_saddle_are_chords_or_pass_its_vertex()
 {
   for(const double z : {.1, .3, .7})
@@ -246,7 +246,7 @@ void paths_around_a_cone()
                 2. * r2 * std::sin(.5 * sector * static_cast<double>(steps)), tolerance);
     CHECK_EQUAL(checked_path(paths, Surface_point(vertex(1 + i)), tm, r2).size(), 1 + steps);
   }
-  // along a generator of the cone, in any face there
+  // along a line through the apex of the cone, as a location in either face
   for(const double t : {.25, .5})
   {
     for(const Surface_point query : on_edge(17, 0, t, tm))

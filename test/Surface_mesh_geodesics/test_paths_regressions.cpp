@@ -126,7 +126,7 @@ void two_sources_may_be_in_one_face()
   checked_path(paths, in_plane(.625, .5, tm), tm, 1.);
 }
 
-// Adds random points, points of one line, and points that have been taken already. Returns their positions.
+// Adds random points, points of one line, and repeated points. Returns their positions.
 std::vector<Coordinates> add_random_sources(Geodesic_paths& paths, const Mesh& grid, std::size_t number,
                                             test_support::Random& random)
 {
@@ -146,7 +146,7 @@ std::vector<Coordinates> add_random_sources(Geodesic_paths& paths, const Mesh& g
   return positions;
 }
 
-// Asks for the nearest of some sources of a plane square.
+// Queries the nearest of some sources in a plane square.
 void check_nearest_source(Geodesic_paths& paths, const Mesh& grid, const std::vector<Coordinates>& positions,
                           const Surface_point& query)
 {
@@ -322,8 +322,8 @@ void broken_files_are_refused()
   }
 }
 
-// Every file of the folder, so that none is forgotten: from each vertex and from points of faces the distances are
-// those of geodesic_distances(), and each path has the length of its distance.
+// Reads every file of the folder, so none is forgotten. From each vertex and from points of faces, the distances are
+// those of geodesic_distances(), and each path is as long as its distance.
 void every_file_has_right_distances(test_support::Random& random)
 {
   std::size_t number_of_meshes = 0;

@@ -1,5 +1,5 @@
-// What Surface_mesh_geodesic_paths says of bad input: sources, queries and meshes that it refuses, elements that have
-// been removed, vertices and edges without faces.
+// How Surface_mesh_geodesic_paths treats bad input: invalid sources, queries and meshes, removed elements, vertices and
+// edges without faces.
 
 #include "path_interface_helpers.h"
 #include "path_test_helpers.h"
@@ -27,7 +27,7 @@ void vertices_and_edges_without_faces_have_no_location()
   }
   const vertex_descriptor a = tm.add_vertex(Kernel::Point_3(0., 0., 9.));
   const vertex_descriptor b = tm.add_vertex(Kernel::Point_3(1., 0., 9.));
-  const auto h = halfedge(CGAL::add_edge(tm), tm); // an edge alone
+  const auto h = halfedge(CGAL::add_edge(tm), tm); // a single edge
   set_target(h, b, tm);
   set_target(opposite(h, tm), a, tm);
   set_next(h, opposite(h, tm), tm);
@@ -56,7 +56,7 @@ void vertices_without_faces_have_a_null_location()
   Mesh tm = to_face_graph(fan("fan", 5, .1, -.2));
   const vertex_descriptor isolated = tm.add_vertex(Kernel::Point_3(3., 0., 0.));
   CHECK(Geodesic_paths::face_location(vertex(0), tm).first != boost::graph_traits<Mesh>::null_face());
-  // the edges of the faces are left, with a border on both sides
+  // the edges of the faces remain, with the border on both sides
   for(const auto h : tm.halfedges())
   {
     tm.set_face(h, boost::graph_traits<Mesh>::null_face());
@@ -141,7 +141,7 @@ void bad_meshes_are_refused()
   Geodesic_paths p(bad);
   p.add_source_point(vertex(0));
   CHECK(throws_reason(Reason::NON_FINITE_POINT, [&] { p.build_sequence_tree_for_faces(); }));
-  // the mesh is mended
+  // repairs the mesh
   bad.point(vertex(7)) = tm.point(vertex(7));
   p.clear();
   p.add_source_point(vertex(0));
@@ -149,7 +149,7 @@ void bad_meshes_are_refused()
               right.shortest_distance_to_source_points(vertex(5)).first);
 }
 
-// Without sources nothing is built, and queries check their descriptors all the same.
+// Without sources nothing is built, but queries still check their descriptors.
 void bad_queries_without_sources_are_refused()
 {
   test_support::Scope scope("queries without sources");
@@ -196,7 +196,7 @@ void bad_queries_without_sources_are_refused()
   CHECK(recorder.items.empty());
 }
 
-// Removed elements keep their indices, and their links lead anywhere.
+// Removed elements keep their indices, and their links are meaningless.
 void removed_elements_are_refused()
 {
   test_support::Scope scope("removed elements");

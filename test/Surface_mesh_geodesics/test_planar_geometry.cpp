@@ -1,5 +1,5 @@
-// The formulas of the plane that everything rests on: sums of angles around a vertex, triangles from their sides,
-// comparison of distances; each of them where rounding matters.
+// The basic formulas of the plane, where rounding matters: sums of angles around a vertex, triangles from their sides,
+// comparison of distances.
 
 #include "test_support.h"
 
@@ -46,7 +46,7 @@ Angle_sum divided(double angle, std::size_t n, test_support::Random& random)
 // Sums of many parts that are pi or 2 pi, or differ from that by the margin.
 void angles_next_to_flat_ones_are_not_flat(test_support::Random& random)
 {
-  const double margin = 1e-9; // far above rounding, and far below the angles of meshes
+  const double margin = 1e-9; // far above rounding, far below the angles of meshes
   for(std::size_t n = 6; n < 200; n += 1 + n / 4)
   {
     CHECK(!divided(2 * pi, n, random).is_more_than_full());
@@ -95,7 +95,7 @@ void sums_of_right_angles_are_exact()
 
 // --- triangles -------------------------------------------------------------------------------------------------------
 
-// Compares a triangle with the same one in more digits. The sides are exact in both.
+// Compares a triangle with the same triangle in more digits. The sides are exact in both.
 void check_triangle(double a, double b, double c)
 {
   const internal::Planar_triangle<double> found = internal::planar_triangle_from_lengths(a, b, c);
@@ -133,7 +133,7 @@ void triangles_without_area_have_no_height()
   CHECK_EQUAL(needle.apex_x, 2.);
 }
 
-// The rule is relative to the longest side: the unit of length does not matter.
+// The rule is relative to the longest side, so it does not depend on the unit of length.
 void heights_below_rounding_count_as_zero()
 {
   for(const double longest : {1e-70, 1., 1e70})

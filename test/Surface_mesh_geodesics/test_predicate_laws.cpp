@@ -1,6 +1,5 @@
-// The laws and error bounds that stand beside the predicates of numeric/ and window/: windows at random, degenerate
-// ones among them, are compared with the definitions in a hundred digits, with their mirror images, and with themselves
-// at another scale.
+// The laws and error bounds in the comments of the predicates of numeric/ and window/. Random windows, some of them
+// degenerate, are compared with the definitions in a hundred digits, with their mirror images, and with scaled windows.
 
 #include "test_support.h"
 
@@ -35,7 +34,7 @@ const double epsilon = std::numeric_limits<double>::epsilon();
 
 // --- random windows --------------------------------------------------------------------------------------------------
 
-// A number whose mirror image 1 - x is exact, and that comes again from time to time.
+// Returns a number whose mirror image 1 - x is exact. Some numbers occur repeatedly.
 double dyadic(test_support::Random& random, double scale)
 {
   return scale * static_cast<double>(random.index(33)) / 32;
@@ -153,7 +152,7 @@ void comparison_is_a_strict_order(test_support::Random& random)
 
 // --- pairs of windows ------------------------------------------------------------------------------------------------
 
-// The rule of Trimmed_pairs with exact distances. `units` is the margin of the comparison.
+// Applies the rule of Trimmed_pairs with exact distances. `units` is the margin of the comparison.
 struct Exact_pair
 {
   double left_end, right_begin;
@@ -183,7 +182,7 @@ struct Exact_pair
   bool operator==(const Exact_pair& p) const { return left_end == p.left_end && right_begin == p.right_begin; }
 };
 
-// Where rounding cannot matter by the error bound, the outcome is that of the definition.
+// If, by the error bound, rounding cannot matter, the outcome is that of the definition.
 void check_overlapping_pair(const Window& left, const Window& right, std::size_t& number_checked)
 {
   const Exact_pair exact(left, right, 9);
@@ -215,8 +214,8 @@ void check_what_remains(const Window& l, const Window& r)
   }
 }
 
-// A left window that is farther at the left end of what is shared and nearer at the right end contradicts the order of
-// keys: the rule then takes the left end first, and its mirror image the right end.
+// A left window that is farther at the left end of the shared interval and nearer at the right end contradicts the
+// order of keys. The rule then decides at the left end first, and its mirror image at the right end.
 bool contradicts_order(const Window& left, const Window& right)
 {
   const double first = (std::max)(left.begin, right.begin), last = (std::min)(left.end, right.end);
@@ -284,7 +283,7 @@ void pairs_obey_definition_and_symmetries(test_support::Random& random)
     else if(right.end <= left.begin)
     {
       check_crossed_pair(left, right, outcome, number_crossed);
-      continue; // (moves neither window; its mirror image rounds elsewhere)
+      continue; // the rule moves neither window, and its mirror image rounds differently
     }
     else
     {
@@ -308,12 +307,12 @@ void the_rule_of_pairs_never_removes_both(test_support::Random& random)
     CHECK(!(pair.left_is_redundant && pair.right_is_redundant));
     const bool are_crossed = right.end <= left.begin && right.begin < left.end;
     CHECK_EQUAL(pair.is_undecided != 0, are_crossed || pair.left_is_redundant || pair.right_is_redundant);
-    const internal::one_lane::Trimmed_pairs<double> close(left, right, 10.); // every image counts as close
+    const internal::one_lane::Trimmed_pairs<double> close(left, right, 10.); // every image is treated as close
     CHECK(close.left_end == left.end && close.right_begin == right.begin);
   }
 }
 
-// An image on the edge, outside its interval, has no slope to divide by. Nothing is decided, and nothing divided.
+// An image on the edge, outside its interval, has no slope to divide by. The rule does not divide, and decides nothing.
 void images_on_the_edge_keep_crossed_pairs(test_support::Random& random)
 {
   std::size_t number_checked = 0;
@@ -477,9 +476,9 @@ internal::Window<FT> window_on_edge(double length, double begin, double image_x,
   return w;
 }
 
-// A ray, which is where the window begins, runs through many triangles. The image of the window errs as Tolerance.h
-// says.
-double errors_of_images(test_support::Random& random, int flatness)
+// A ray through the beginning of the window runs through many triangles. The error of the image stays below the bound
+// in Tolerance.h.
+double errors_of_images(test_support::Random& random, std::size_t flatness)
 {
   double length = 1, longest = 1, worst = 0;
   const double begin = random.uniform(.2, .8), image_x = random.uniform(-1., 2.), depth = random.uniform(.01, 1.);
@@ -504,7 +503,7 @@ double errors_of_images(test_support::Random& random, int flatness)
     const double d = static_cast<double>(sqrt((exact.begin - exact.image_x) * (exact.begin - exact.image_x)
                                               + exact.image_depth * exact.image_depth));
     worst = (std::max)(worst, std::hypot(dx, dy) / (n * epsilon * (d + longest)));
-    if(length < 1e-3 || length > 1e3) // the next triangles have sides of about the length 1 again
+    if(length < 1e-3 || length > 1e3) // scales the next triangles to sides of about length 1
       break;
   }
   return worst;
@@ -515,7 +514,7 @@ void images_satisfy_their_error_bound(test_support::Random& random)
   double worst = 0;
   for(std::size_t i = 0; i < 300; ++i)
   {
-    worst = (std::max)(worst, errors_of_images(random, i % 2 == 0 ? 1 : 20));
+    worst = (std::max)(worst, errors_of_images(random, i % 2 == 0 ? 1u : 20u));
   }
   std::cout << "error of images, in units of n epsilon (d + L): " << worst << std::endl;
   CHECK(worst <= 24);
@@ -529,7 +528,7 @@ Frame mirrored(const Frame& c)
   return m;
 }
 
-// The children of a window, and those of its mirror image, scaled and not.
+// Compares the children of a window with those of its mirror image and of the scaled window.
 void children_obey_symmetries(test_support::Random& random)
 {
   for(std::size_t i = 0; i < 5000; ++i)

@@ -1,5 +1,5 @@
-// What waits for a distance leaves when that has been reached, never before, and not much later; for distances of any
-// size.
+// An entry of the heap leaves when its distance is reached, never earlier and not much later. This holds for distances
+// of any size.
 
 #include "test_support.h"
 
@@ -15,7 +15,7 @@ namespace {
 namespace internal = CGAL::Surface_mesh_geodesics::internal;
 using internal::Face_id;
 
-// Entries are pushed at any time. Each one that leaves is pushed once more.
+// Pushes entries at any time. Pushes each entry that leaves once more.
 void entries_leave_when_their_distance_is_reached(test_support::Random& random, double scale)
 {
   const double never = std::numeric_limits<double>::infinity();
@@ -57,7 +57,7 @@ void reached_infinite_and_cleared_entries_are_handled()
   queue.push(7, 1., 1.);
   queue.clear();
   queue.advance(2., [](Face_id, double) { CHECK(false); });
-  // An entry for a distance that is reached already leaves as soon as the reached distance grows.
+  // An entry for a distance that has already been reached leaves as soon as the reached distance grows.
   queue.push(8, 1., 1.);
   std::size_t called = 0;
   queue.advance(1.5, [&](Face_id, double) { ++called; });

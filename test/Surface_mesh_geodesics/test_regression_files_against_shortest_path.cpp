@@ -1,10 +1,9 @@
 // The small meshes of data/ give the distances of Surface_mesh_shortest_path, with one source at a vertex.
 //
-// Left out, with the reason: needle_dup_position and cap_zero_area (the original reads freed memory or loses
-// paths at edges without length and faces without area), isolated_vertex and pinched_vertex (assertion in the
-// original), grid5_huge_1e9 (the original is wrong by 1e-2, the distances are those of the plane, see
-// test_regressions), edge_three_faces and index_out_of_range (refused when they are read), needle_*, cap* (see
-// test_needles_and_caps).
+// Files without a comparison, and why: needle_dup_position and cap_zero_area (the original reads freed memory or misses
+// paths at edges without length and faces without area), isolated_vertex and pinched_vertex (an assertion of the
+// original fails), grid5_huge_1e9 (the original is wrong by 1e-2; test_regressions checks the distances),
+// edge_three_faces and index_out_of_range (not valid meshes), needle_* and cap* (see test_needles_and_caps).
 
 #include "distance_test_helpers.h"
 #include "test_meshes.h"

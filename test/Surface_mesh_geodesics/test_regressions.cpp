@@ -430,7 +430,7 @@ void paths_pass_a_pinched_vertex()
 {
   const double r2 = std::sqrt(2.);
   test_support::Scope scope("pinched_vertex");
-  // Paths may pass a vertex that two parts of the surface share.
+  // Paths may pass a vertex in which two parts of the surface meet.
   const Mesh tm = load_data("pinched_vertex");
   CHECK_FIELDS_CLOSE(distances(tm, vertex(2)), (std::vector<double>{r2, 1, 0, 1. + r2, 2. * r2}), tolerance);
   CHECK_FIELDS_CLOSE(distances(tm, vertex(0)), (std::vector<double>{0, 1, r2, 1, r2}), tolerance);

@@ -57,24 +57,24 @@ Questions questions_for(const Mesh& tm, test_support::Random& random)
   return q;
 }
 
-// Numbers of one kind, each with the number of pieces of its path.
+// All answers on one mesh. Each distance has the number of pieces of its path.
 struct Answers
 {
   std::vector<double> distances; // of vertices and of the queries
   std::vector<std::size_t> pieces;
   std::vector<double> coordinates; // of all points of paths and of the diagram
-  std::vector<double> lengths;     // of the diagram's arcs, with their distances
+  std::vector<double> lengths;     // of the arcs of the diagram, and distances of their points
   std::vector<double> areas;
-  std::vector<double> parameters; // what has no unit: indices, barycentric coordinates
+  std::vector<double> parameters; // numbers without a unit: indices, barycentric coordinates
 };
 
-void add_distances(Geodesic_paths& paths, const std::vector<Surface_point>& points, Answers& answers)
+void add_distances(Geodesic_paths& paths, const std::vector<Surface_point>& queries, Answers& answers)
 {
-  for(const Surface_point& p : points)
+  for(const Surface_point& p : queries)
   {
     std::vector<Kernel::Point_3> points;
     const double d = ask_points(paths, p, std::back_inserter(points)).distance;
-    answers.distances.push_back(d < 0. ? infinity : d); // -1 where no source reaches has no unit
+    answers.distances.push_back(d < 0. ? infinity : d); // -1 means unreachable and has no unit
     answers.pieces.push_back(points.empty() ? 0 : points.size() - 1);
     for(const Kernel::Point_3& point : points)
     {
@@ -129,7 +129,7 @@ Weighted_sites with_unit(Weighted_sites sites, double unit)
   return sites;
 }
 
-// Without the diagram, adds only the distances and the pieces.
+// Adds the distances and the numbers of pieces, not the diagram.
 Answers answers_for(const Mesh& tm, const Questions& q, double unit, bool has_diagram)
 {
   Answers answers;
@@ -292,7 +292,7 @@ void only_rounding_differs(const Indexed_mesh& indexed, const Indexed_mesh& move
       continue;
     }
     const double pieces = static_cast<double>((std::max)(expected.pieces[i], found.pieces[i]));
-    // One more piece for the rounding of a path without any.
+    // One more piece allows for the rounding of a path without pieces.
     const double bound = (pieces + 1.) * (2. * shift + 16. * unit_roundoff * expected.distances[i]);
     const double error = std::abs(found.distances[i] / unit - expected.distances[i]);
     CHECK(error <= bound);
@@ -315,8 +315,8 @@ void print_table()
   std::cout << std::defaultfloat << std::setprecision(6);
 }
 
-// A flat mesh that is so far away that its distance from the origin, in the unit of the mesh, is not finite. Such a
-// mesh is parallel to a coordinate plane.
+// A flat mesh so far away that its distance from the origin is not finite in the unit of the mesh. Such a mesh is
+// parallel to a coordinate plane.
 void flat_mesh_far_away(std::uint64_t seed)
 {
   test_support::Scope scope("flat mesh far away");

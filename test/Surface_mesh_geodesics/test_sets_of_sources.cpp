@@ -153,7 +153,7 @@ void edge_sources_are_the_same_from_both_faces(const Mesh& tm)
       CHECK_FIELDS_CLOSE(fields.front(), fields.back(), tolerance);
       const double length_of_edge =
         length(coordinates(source(h, tm), tm) - coordinates(target(h, tm), tm));
-      // at most the distance along the edge; on the edge nothing is shorter in these meshes
+      // The distance is at most the distance along the edge.
       CHECK(fields.front()[std::size_t(source(h, tm))] <= t * length_of_edge * (1. + tolerance));
       CHECK(fields.front()[std::size_t(target(h, tm))] <= (1. - t) * length_of_edge * (1. + tolerance));
       if(t == 0.)

@@ -1,6 +1,6 @@
 // Follows the last straight piece of the path to each vertex across the faces, as the arrival describes it. On meshes
-// without needles it leads to its root, with the right length, at the first attempt. Then the laws of the functions
-// below paths: turning an image into the frame of a side, and the distance at a point of a face.
+// without needles, the first attempt leads to the root of the piece, with the right length. Then tests the laws of two
+// basic functions of paths: turning an image into the frame of a side, and the distance at a point of a face.
 
 #include "intrinsic_mesh_helpers.h"
 #include "test_meshes.h"
@@ -80,7 +80,7 @@ void check_pieces(const Indexed_mesh& indexed, const std::vector<std::size_t>& s
 
 // --- laws of unfolding ---
 
-// The face as its mirror image shows it: A and B are swapped.
+// The mirror image of the face: A and B are swapped.
 Face_frame mirrored(Face_frame c)
 {
   std::swap(c.apex_x, c.apex_rest);
@@ -88,7 +88,7 @@ Face_frame mirrored(Face_frame c)
   return c;
 }
 
-// An image is as far from the corner as before, and as far below the line of the side as the plane says.
+// The image keeps its distance from the corner, and has the depth below the line of the side that the plane gives.
 void check_image_below_left_side(const Face_frame& c, double x, double depth)
 {
   const internal::Side_angle<double> angle = internal::left_angle(c);
@@ -97,7 +97,7 @@ void check_image_below_left_side(const Face_frame& c, double x, double depth)
   CHECK_NEAR(std::hypot(image.x, image.depth), size, rounding);
   CHECK_NEAR(image.x, (x * c.apex_x - depth * c.apex_y) / c.left_length, rounding);
   CHECK_NEAR(image.depth, (x * c.apex_y + depth * c.apex_x) / c.left_length, rounding);
-  // scaling by a power of two changes no digit
+  // scaling by a power of two is exact
   for(const int exponent : {-40, 1, 60})
   {
     const double factor = std::ldexp(1., exponent);
@@ -171,8 +171,8 @@ double distance_in_face(const Intrinsic_mesh& mesh, internal::Face_id f, const s
   return std::hypot(q[0] - p[0], q[1] - p[1]);
 }
 
-// At a corner the distance is that of the vertex; on an edge both faces agree; in a face it changes by no more than the
-// length of the way.
+// At a corner the distance is that of the vertex; on an edge both faces agree; in a face it changes at most by the
+// distance of the points.
 void distances_in_faces_obey_their_laws(const Indexed_mesh& indexed, test_support::Random& random)
 {
   test_support::Scope scope(indexed.name);

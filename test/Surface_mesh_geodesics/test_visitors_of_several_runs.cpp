@@ -1,5 +1,5 @@
-// Visitors of the functions that propagate more than once, and of the geodesic Voronoi diagram: whenever a visitor
-// cancels, the function returns exactly the results that were finished before.
+// Visitors of the functions that propagate more than once, and of the geodesic Voronoi diagram. At any time when a
+// visitor cancels, the function returns exactly the results that were finished before.
 
 #include "expected_exceptions.h"
 #include "test_meshes.h"
@@ -85,7 +85,7 @@ Mesh bumpy_mesh()
   return to_face_graph(mesh);
 }
 
-// Numbers of calls of go_further() after which a visitor cancels a run that would have `number` of them.
+// Returns the numbers of calls of go_further() after which a visitor cancels a run that would make `number` calls.
 std::vector<std::size_t> stops(std::size_t number)
 {
   std::vector<std::size_t> result;
@@ -112,7 +112,7 @@ void sampling_is_canceled(const Mesh& mesh)
   CHECK_EQUAL(Geodesics::geodesic_farthest_point_sampling(mesh, n, std::back_inserter(without_visitor)), smallest);
   CHECK(all == without_visitor);
 
-  std::vector<double> radius{std::numeric_limits<double>::infinity()}; // of the first samples, by their number
+  std::vector<double> radius{std::numeric_limits<double>::infinity()}; // radius[i] belongs to the first i samples
   for(std::size_t i = 1; i <= n; ++i)
   {
     Vertices samples;
@@ -143,7 +143,7 @@ void diagram_is_canceled(const Mesh& mesh, const Vertices& sites)
   CHECK(right.build(whole));
   CHECK_EQUAL(whole.begins, 1u);
   const std::size_t questions = whole.questions;
-  CHECK(right.build(whole)); // it is known already
+  CHECK(right.build(whole)); // the diagram is already built
   CHECK_EQUAL(whole.questions, questions);
 
   Voronoi voronoi(mesh);
@@ -198,7 +198,7 @@ void relaxation_is_canceled(const Mesh& mesh, const Vertices& sites)
 {
   test_support::Scope scope("relaxation");
   const std::size_t n = 3;
-  std::vector<Vertices> after(n + 1); // so many iterations
+  std::vector<Vertices> after(n + 1); // after[i] belongs to i iterations
   for(std::size_t i = 0; i <= n; ++i)
   {
     CHECK_EQUAL(Geodesics::geodesic_Lloyd_relaxation(mesh, sites, i, std::back_inserter(after[i])), i);
@@ -237,7 +237,7 @@ void remeshing_is_canceled(const Mesh& mesh)
     Mesh nothing;
     const auto np_canceled = CGAL::parameters::visitor(std::ref(visitor)).number_of_iterations(2);
     CHECK(!Geodesics::geodesic_remeshing(mesh, n, nothing, np_canceled).is_manifold());
-    CHECK(visitor.has_stopped); // and is not asked again: see go_further()
+    CHECK(visitor.has_stopped); // go_further() checks that it is not called again
     CHECK_EQUAL(num_vertices(nothing), 0u);
   }
 }

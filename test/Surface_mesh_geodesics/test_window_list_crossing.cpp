@@ -1,5 +1,5 @@
-// One list of windows across one face: which windows are pruned, where the shortest path to the apex runs, and how the
-// list is split there; for each number of lanes.
+// One list of windows across one face, for each number of lanes: which windows are pruned, where the shortest path to
+// the apex runs, and how the list is split there.
 
 #include "test_support.h"
 #include "window_test_helpers.h"
@@ -25,7 +25,7 @@ using namespace window_test;
 struct One_face
 {
   internal::Intrinsic_mesh<double> mesh;
-  std::vector<double> distance; // of the vertices, from which all windows come
+  std::vector<double> distance; // distances of the vertices that are the roots of the windows
   SMG::Propagation_statistics statistics;
   internal::Window_list_crossing<double, internal::All_pruning_rules> crossing;
   internal::Face_frame<double> across;
@@ -48,8 +48,7 @@ struct One_face
   }
 };
 
-// Windows side by side, each with an image of its own, so that none affects its neighbors. The root is the first
-// vertex.
+// Windows side by side, each with its own image, so that no window affects its neighbors. The root is the first vertex.
 std::vector<Window> windows_side_by_side(std::size_t n, test_support::Random& random)
 {
   std::vector<Window> windows;
@@ -140,7 +139,7 @@ void windows_that_have_crossed_too_many_faces_are_removed(Lane_choice choice, te
   check_pruned(face, windows, remains);
 }
 
-// One window among others is redundant. The others stay.
+// One of several windows is redundant. The others stay.
 void one_window_of_a_pair_is_removed(Lane_choice choice)
 {
   for(const bool left_is_farther : {true, false})
@@ -253,14 +252,14 @@ void lists_are_split_at_their_shortest_path(Lane_choice choice)
     CHECK(children.left == keys({1, 2}));
     CHECK(children.right == keys({2, 3}));
   }
-  // a window that could see both sides keeps its own only
+  // a window that sees both sides gets a child on its own side only
   {
     const Window wide = window(0, 1, .25, .25, 1);
     const Children children = children_of(face, {numbered(wide, 1), numbered(middle, 2), numbered(wide, 3)});
     CHECK(children.left == keys({1, 2}));
     CHECK(children.right == keys({2, 3}));
   }
-  // unless its position beside the nearest one is not known
+  // unless its position relative to the nearest window is unknown
   {
     const Window wide = window(0, 1, .25, .25, 1);
     std::vector<Window> windows{numbered(middle, 2), numbered(wide, 2)};
@@ -269,7 +268,7 @@ void lists_are_split_at_their_shortest_path(Lane_choice choice)
     CHECK(children.left == keys({2, 2}));
     CHECK(children.right == keys({2, 2}));
   }
-  // or it is wholly on the other side than its key says
+  // or its interval lies on the other side than its key says
   {
     const Window wrong = window(.5625, 1, .25, .25, 1), nearest = window(.25, .5, .5, .25, 0);
     const Children children = children_of(face, {numbered(wrong, 1), numbered(nearest, 2)});

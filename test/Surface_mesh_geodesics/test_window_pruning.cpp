@@ -32,8 +32,8 @@ struct Pair_by_definition
   bool is_decided; // no two distances tie up to rounding
 };
 
-// At a point K of both intervals, the left window loses its part on the right of K if it is farther there; else the
-// right window loses its part on the left of K. K is put at both ends of what the intervals share.
+// At a point K of both intervals, the left window loses its part on the right of K if it is farther there. Otherwise
+// the right window loses its part on the left of K. K is each end of the shared interval.
 Pair_by_definition pair_by_definition(const Window& left, const Window& right)
 {
   Pair_by_definition pair{left.end, right.begin, true};
@@ -50,7 +50,7 @@ Pair_by_definition pair_by_definition(const Window& left, const Window& right)
     {
       pair.right_begin = (std::max)(pair.right_begin, k);
     }
-    if((std::min)(pair.left_end, right.end) <= (std::max)(left.begin, pair.right_begin)) // nothing is shared any more
+    if((std::min)(pair.left_end, right.end) <= (std::max)(left.begin, pair.right_begin)) // no overlap remains
     {
       break;
     }
@@ -86,7 +86,7 @@ void check_pair(const Window& left, const Window& right, std::size_t& number_tri
   }
 }
 
-// The point where the paths to the innermost points cross, if they do, tells which window is redundant.
+// If the paths to the innermost points cross, the point where they cross tells which window is redundant.
 bool find_crossing(const Window& left, const Window& right, double& x, double& y)
 {
   const double ux = left.begin - left.image_x, uy = left.image_depth;
@@ -307,7 +307,7 @@ std::vector<Window> random_sorted_windows(std::size_t n, internal::Vertex_id fir
   return windows;
 }
 
-// Windows that come later stand behind those with the same key and are marked, because their order is unknown.
+// Later windows follow those with the same key and are marked, because their order is unknown.
 void lists_are_merged_in_order(test_support::Random& random)
 {
   for(std::size_t i = 0; i < 500; ++i)
@@ -367,7 +367,7 @@ void the_smallest_distance_is_that_of_a_point(test_support::Random& random)
   }
 }
 
-// An improvement by rounding does not make windows start again.
+// An improvement of the order of rounding does not start new windows.
 void improvements_by_rounding_are_ignored_where_windows_start()
 {
   const double infinity = std::numeric_limits<double>::infinity(), rounded = std::nextafter(.75, 0.);

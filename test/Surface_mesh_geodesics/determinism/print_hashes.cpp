@@ -26,7 +26,7 @@ using Traits = CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>;
 using Paths = CGAL::Surface_mesh_geodesic_paths<Traits>;
 using Diagram = CGAL::Surface_mesh_geodesic_Voronoi_diagram<Traits>;
 
-// FNV-1a of the bits of numbers.
+// The FNV-1a hash of the bits of all numbers added.
 class Hash
 {
 public:
@@ -56,7 +56,7 @@ private:
   std::uint64_t m_value = 14695981039346656037u;
 };
 
-// some vertices all over the mesh
+// vertices spread over the mesh
 std::vector<Mesh::Vertex_index> some_vertices(const Mesh& mesh, std::size_t number)
 {
   const std::size_t n = num_vertices(mesh);

@@ -80,7 +80,7 @@ inline Coordinates cross(const Coordinates& a, const Coordinates& b)
 }
 
 // Adds the vertices and faces of `indexed` to `tm`. Returns the vertex descriptors in the order of the points; appends
-// the faces to `faces_of_triangles`, unless it is null. Throws if the result is no 2-manifold.
+// the faces to `faces_of_triangles`, unless it is null. Throws if the result is not a 2-manifold.
 template <class FaceGraph>
 std::vector<typename boost::graph_traits<FaceGraph>::vertex_descriptor>
 add_to_face_graph(const Indexed_mesh& indexed, FaceGraph& tm,

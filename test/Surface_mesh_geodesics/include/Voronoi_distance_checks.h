@@ -1,8 +1,8 @@
 #ifndef SURFACE_MESH_GEODESICS_VORONOI_DISTANCE_CHECKS_H
 #define SURFACE_MESH_GEODESICS_VORONOI_DISTANCE_CHECKS_H
 
-// Checks a geodesic Voronoi diagram against the distances from one site at a time: which sites have cells, who owns
-// random points, what is equidistant and nearest, areas.
+// Checks a geodesic Voronoi diagram against the distances from one site at a time: which sites have cells, which site
+// owns a random point, whether arcs and vertices are equidistant from the nearest sites, areas.
 
 #include "Voronoi_sites.h"
 #include "test_support.h"
@@ -21,7 +21,7 @@
 
 namespace test_meshes {
 
-// Whether a site reaches a face.
+// Returns whether a site reaches a face.
 inline bool is_reached(const Mesh& tm, const Voronoi& diagram, face_descriptor f)
 {
   return diagram.nearest_site(corners_of_face(f, tm)[0]) != null_site;
@@ -42,7 +42,7 @@ public:
     }
   }
 
-  // Who has a cell?
+  // Checks which sites have cells.
   void check_sites()
   {
     test_support::Scope scope("sites");
@@ -74,7 +74,7 @@ public:
     }
   }
 
-  // Random points and all vertices: who owns them, and how far it is.
+  // Checks the owner and the distance of random points and of all vertices.
   void check_points(test_support::Random& random, std::size_t number)
   {
     test_support::Scope scope("points");
@@ -146,7 +146,7 @@ public:
     }
   }
 
-  // The cells cover what is reached.
+  // Checks that the cells cover the part of the mesh that sites reach.
   void check_areas()
   {
     test_support::Scope scope("areas");
@@ -195,7 +195,7 @@ private:
     return std::sqrt((a + b + c) * (b + c - a) * (c + a - b) * (a + b - c)) / 4.;
   }
 
-  // what errors of the distance of site i are to be compared with
+  // Returns the magnitude to which errors of the distance from site i are relative.
   double scale(std::size_t i, const Surface_point& p)
   {
     const double d = m_distances.without_weight(i, p);
@@ -263,12 +263,12 @@ private:
     }
   }
 
-  // Near to the middle of an arc, the left site is the nearer one on the left of the arc.
+  // Checks that close to the middle of an arc, the left site is the nearer one on the left of the arc.
   void check_sides(const Voronoi::Arc& a)
   {
     const Coordinates p = a.point(.5).second, q = a.point(.5 + 1. / 64.).second, r = a.point(.5 - 1. / 64.).second;
     const double step = .05;
-    // a quarter turn in the plane of two of the coordinates, in which the face has its orientation
+    // a quarter turn in the plane of two coordinates in which the face keeps its orientation
     const double dx = step * (q[1] - r[1]), dy = step * (q[2] - r[2]);
     for(const int side : {1, -1})
     {

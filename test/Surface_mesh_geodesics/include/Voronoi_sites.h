@@ -60,8 +60,8 @@ inline double area_of_face(const Mesh& tm, face_descriptor f)
   return length(cross(coordinates(corner[1], tm) - p, coordinates(corner[2], tm) - p)) / 2.;
 }
 
-// The distances from each site alone, less its weight: by Surface_mesh_geodesic_paths, and for sites at vertices by
-// Surface_mesh_shortest_path as well, if that is wanted.
+// The distances from each single site, minus its weight, by Surface_mesh_geodesic_paths. On request, compares those of
+// sites at vertices with Surface_mesh_shortest_path.
 class Distances_of_sites
 {
 public:
@@ -87,7 +87,7 @@ public:
     }
   }
 
-  // infinity where the site does not reach
+  // Returns infinity if the site does not reach the point.
   double without_weight(std::size_t i, const Surface_point& q)
   {
     const Geodesic_paths& paths = *m_paths[i];
@@ -116,7 +116,7 @@ public:
   std::size_t number_of_comparisons() const { return m_number_of_comparisons; }
 
 private:
-  // Surface_mesh_shortest_path errs at points that are on an edge up to rounding.
+  // Surface_mesh_shortest_path may be wrong at points that are on an edge up to rounding.
   static bool is_safe(const Surface_point& q)
   {
     const auto& b = q.location.second;
@@ -130,7 +130,7 @@ private:
 };
 
 
-// Sites at vertices, on edges and in faces, in turn by chance.
+// Returns a random vertex, a random point of an edge, or a random point in a face.
 inline Surface_point random_point(const Mesh& tm, test_support::Random& random)
 {
   const std::size_t kind = random.index(3);

@@ -1,8 +1,8 @@
 #ifndef SURFACE_MESH_GEODESICS_VORONOI_STRUCTURE_CHECKS_H
 #define SURFACE_MESH_GEODESICS_VORONOI_STRUCTURE_CHECKS_H
 
-// Checks the combinatorics of a geodesic Voronoi diagram by itself: how arcs, edges, vertices and boundaries hang
-// together, connected cells, Euler's formula.
+// Checks the combinatorics of a geodesic Voronoi diagram: how arcs, edges, vertices and boundaries are connected, that
+// cells are connected, and Euler's formula.
 
 #include "Voronoi_distance_checks.h"
 #include "location_numbers.h"
@@ -26,11 +26,11 @@ public:
     : m_tm(tm), m_diagram(diagram), m_sites(sites), m_numbers(tm)
   {}
 
-  // Where more than three cells meet is one vertex: no two of them are at one location.
+  // Checks that no two vertices have the same location: where more than three cells meet, there is a single vertex.
   void check_locations_of_vertices()
   {
     number_locations();
-    std::map<std::size_t, std::size_t> first_at; // of a location
+    std::map<std::size_t, std::size_t> first_at; // the first vertex at each location
     for(const Voronoi::Vertex& v : m_diagram.vertices())
     {
       const auto inserted = first_at.insert({m_numbers.of(v.location()), v.index()});
@@ -40,7 +40,7 @@ public:
     }
   }
 
-  // Edges are arcs one behind the other, and each arc is in one of them.
+  // Checks that each edge is a chain of arcs, and that each arc is in exactly one edge.
   void check_edges()
   {
     test_support::Scope scope("edges");
@@ -72,7 +72,7 @@ public:
     CHECK_EQUAL(used.size(), m_diagram.arcs().size());
   }
 
-  // Boundaries are edges one behind the other with the cell on the left; each edge is in two of them.
+  // Checks that each boundary is a chain of edges with the cell on the left, and that each edge is in two boundaries.
   void check_boundaries()
   {
     test_support::Scope scope("boundaries");
@@ -102,13 +102,13 @@ public:
     CHECK_CLOSE(sum, expected, 1e-12);
   }
 
-  // Around each location where arcs end, cells alternate: in the interior each one has an even number of sides there.
-  // Where three cells meet is a vertex of the diagram.
+  // Checks the locations where arcs end. In the interior of the mesh, each cell has an even number of sides there. If
+  // three cells meet, the diagram has a vertex there.
   void check_joints()
   {
     test_support::Scope scope("joints");
     number_locations();
-    std::map<std::size_t, std::map<std::size_t, int>> sides; // of a location, of a site
+    std::map<std::size_t, std::map<std::size_t, int>> sides; // by location, then by site
     for(const Voronoi::Arc& a : m_diagram.arcs())
     {
       const std::size_t first = m_numbers.of(a.point(0.)), last = m_numbers.of(a.point(1.));
@@ -132,7 +132,7 @@ public:
       {
         CHECK(s.second % 2 == 0 || m_numbers.is_on_border(at_location.first));
       }
-      // (cells that touch themselves or the border there need none)
+      // cells that touch themselves or the border there need no vertex
       const bool is_simple = std::all_of(at_location.second.begin(), at_location.second.end(),
                                          [](const std::pair<const std::size_t, int>& s) { return s.second == 2; });
       if(at_location.second.size() >= 3 && is_simple && !m_numbers.is_on_border(at_location.first))
@@ -146,13 +146,13 @@ public:
     }
   }
 
-  // Each cell is in one piece: its vertices, its parts of edges and its sides of arcs hang together.
+  // Checks that each cell is connected, by its vertices, its parts of edges and its sides of arcs.
   void check_connected_cells()
   {
     test_support::Scope scope("connected cells");
     number_locations();
     Disjoint_sets sets;
-    std::map<std::pair<std::size_t, std::size_t>, std::size_t> element; // of a site at a location
+    std::map<std::pair<std::size_t, std::size_t>, std::size_t> element; // by site and location
     const auto at = [&](std::size_t site, std::size_t location)
     {
       const auto found = element.find({site, location});
@@ -187,11 +187,12 @@ public:
     }
   }
 
-  // The cells without the curves, and the curves, add up to what is reached, in each component of the mesh.
+  // Checks that in each component the Euler characteristics of cells, edges and vertices add up to that of the part
+  // that sites reach.
   void check_Euler()
   {
     test_support::Scope scope("Euler's formula");
-    Disjoint_sets components; // of the vertices, by the numbers of their locations
+    Disjoint_sets components; // of the mesh, as sets of location numbers of vertices
     for(std::size_t i = 0; i < num_vertices(m_tm); ++i)
     {
       components.add();
@@ -321,7 +322,7 @@ private:
     }
   }
 
-  // Euler's characteristic of what is reached, by component
+  // Returns the Euler characteristic of the part that sites reach, by component.
   template <class Component_of>
   std::map<std::size_t, long> characteristics_of_mesh(const Component_of& component_of) const
   {
@@ -342,7 +343,7 @@ private:
     return result;
   }
 
-  // the same from cells, edges and vertices of the diagram
+  // Returns the same from cells, edges and vertices of the diagram.
   template <class Component_of>
   std::map<std::size_t, long> characteristics_of_diagram(const Component_of& component_of) const
   {

@@ -2,8 +2,8 @@
 #define SURFACE_MESH_GEODESICS_BRUTE_FORCE_DISTANCES_H
 
 // An independent referee without any pruning rule. From every vertex at which a shortest path may bend, it unfolds
-// straight lines through every sequence of faces that is not longer than the largest distance still in question. Works
-// with any number type.
+// straight lines through every sequence of faces that is not longer than the largest distance still to be determined.
+// Works with any number type.
 
 #include "test_meshes.h"
 
@@ -70,7 +70,7 @@ public:
     m_is_pseudo_source.resize(mesh.points.size());
     for(std::size_t v = 0; v < mesh.points.size(); ++v)
     {
-      // Flat vertices are included: superfluous, never wrong.
+      // Includes flat vertices, which is superfluous but never wrong.
       m_is_pseudo_source[v] = on_border[v] || angles[v] > FT(2 * pi) - FT(1e-8);
     }
   }

@@ -19,7 +19,7 @@
 
 namespace test_meshes {
 
-// A source: a vertex if it has a vertex index, else a location in a face, with coordinates in the order of its corners.
+// A source: a vertex if it has a vertex index, otherwise a location in a face, with its barycentric coordinates.
 struct Numbered_source
 {
   std::size_t vertex = no_source;
@@ -112,7 +112,7 @@ inline Distance_case without_source(Distance_case c, std::size_t i)
 
 // --- files ---
 
-// Writes <stem>.off, and <stem>.sources.txt with a line for each source and, if has_points is false, one for each side:
+// Writes <stem>.off and <stem>.sources.txt. The latter has a line for each source and, without points, for each side:
 // `vertex <number> <offset>`, `place <face> <coordinates> <offset>`, `side <face> <side> <edge> <length>`.
 inline bool write_case(const Distance_case& c, const std::string& stem)
 {

@@ -49,17 +49,16 @@ using Lengths = Mesh::Property_map<Mesh::Edge_index, double>;
 const double tolerance = 1e-12;
 const double tolerance_of_extent = 8 * std::numeric_limits<double>::epsilon();
 
-// Above this error the referee computes again, with more digits.
+// If the error exceeds this, the referee computes again with more digits.
 const double tolerance_of_referee = 1e-13;
 
-// The function that proves lower bounds may be inaccurate between vertices that are hardly apart. See also
-// tolerance_of_proof().
+// The function that proves lower bounds may be inaccurate between nearly equal vertices. See also tolerance_of_proof().
 const double usual_tolerance_of_proof = 1e-8, largest_tolerance_of_proof = 1e-6;
 
 // The largest surfaces on which distances are compared with those of a referee.
 const std::size_t largest_number_of_faces = 60, largest_number_of_faces_subdivided = 200;
 
-// The result of a check; `fault` is empty if there is none.
+// The result of a check. `fault` is empty if there is no fault.
 struct Findings
 {
   std::string fault;
@@ -133,7 +132,7 @@ struct Input
   Options options;
 
 private:
-  // Vertices if all sources are vertices, else locations in faces.
+  // Makes vertices if all sources are vertices, otherwise locations in faces.
   void read_sources(const Distance_case& c)
   {
     bool has_offset = false;
@@ -278,7 +277,7 @@ inline bool may_the_referee_miss_paths(const Distance_case& c)
 
 // Compares the distances, and the distances from the nearest sources, with those of a referee, and returns the largest
 // error, or a negative number without a referee. Where the referee may miss paths, the distances must not be longer
-// than its own; the certificate shows that they are not too short.
+// than its own. The certificate shows that they are not too short.
 template <class FT>
 double error_against_referee(const Distance_case& c, const Input& input)
 {
@@ -329,7 +328,7 @@ inline void compare_with_referee(const Distance_case& c, const Input& input, Fin
   }
   findings.is_compared = true;
   findings.worst_error = error;
-  if(!(findings.worst_error <= tolerance_of_referee)) // which of the two is inaccurate?
+  if(!(findings.worst_error <= tolerance_of_referee)) // finds out which of the two is inaccurate
   {
     findings.needs_digits = true;
     findings.worst_error = error_against_referee<Fifty_digits>(c, input);
@@ -381,7 +380,7 @@ inline Findings examine(const Distance_case& c)
 
 // --- cases that fail ---
 
-// Removes sources and faces, first many faces and then single ones, as long as a fault remains.
+// Removes sources and faces as long as a fault remains: first many faces at once, then single faces.
 inline Distance_case shrunk(Distance_case c, std::size_t most_trials = 2000)
 {
   const auto is_faulty = [&](const Distance_case& smaller)
@@ -450,7 +449,7 @@ inline std::uint64_t& seed_at_work()
   return seed;
 }
 
-// A signal handler: prints the seed of the surface at work, so that a crash can be repeated.
+// A signal handler. Prints the seed of the current surface, so that a crash can be reproduced.
 extern "C" inline void tell_seed_and_die(int signal)
 {
   std::fprintf(stderr, "signal %d at seed %llu; again: fuzz_distances 1 %llu\n", signal,
@@ -503,7 +502,7 @@ inline void print(const std::vector<Counts>& counts, const hostile_cases::Famili
             << " distances compared with those of a referee, " << sum.faults << " faults" << std::endl;
 }
 
-// Surface number i depends on the seed plus i only.
+// Surface number i depends only on the seed plus i.
 inline std::vector<Counts>
 distances_on_hostile_surfaces(std::size_t number, std::uint64_t seed, const std::string& folder = ".",
                               const hostile_cases::Families& families = hostile_cases::families())
@@ -529,7 +528,7 @@ distances_on_hostile_surfaces(std::size_t number, std::uint64_t seed, const std:
   return counts;
 }
 
-// Surfaces without orientation are no meshes of CGAL: the functions must reject them.
+// Surfaces without orientation are not valid meshes. The functions must reject them.
 inline std::size_t number_refused(std::size_t number, std::uint64_t seed)
 {
   std::size_t result = 0;

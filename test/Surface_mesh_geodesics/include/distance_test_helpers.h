@@ -1,8 +1,8 @@
 #ifndef SURFACE_MESH_GEODESICS_DISTANCE_TEST_HELPERS_H
 #define SURFACE_MESH_GEODESICS_DISTANCE_TEST_HELPERS_H
 
-// Short forms of calls of the distance functions, which return distances in the order of vertices(tm); and locations at
-// vertices, on edges and in faces.
+// Functions that compute distances and return them in the order of vertices(tm), the meshes of the folder data/, and
+// locations at vertices, on edges and in faces.
 
 #include "test_meshes.h"
 #include "test_support.h"
@@ -97,7 +97,7 @@ std::vector<double> distances_from_edge_lengths(const TriangleMesh& tm, const Ed
   return values_at_vertices(tm, map);
 }
 
-// the property map of the Euclidean edge lengths
+// Adds a property map with the Euclidean edge lengths.
 inline Mesh::Property_map<Mesh::Edge_index, double> add_edge_lengths(Mesh& tm)
 {
   auto lengths = tm.add_property_map<Mesh::Edge_index, double>("e:test_length", 0.).first;
@@ -110,7 +110,7 @@ inline Mesh::Property_map<Mesh::Edge_index, double> add_edge_lengths(Mesh& tm)
   return lengths;
 }
 
-// The corners of a face in the order of the barycentric coordinates of a location.
+// Returns the corners of a face, in the order of the barycentric coordinates of a location.
 template <class TriangleMesh>
 std::array<typename boost::graph_traits<TriangleMesh>::vertex_descriptor, 3>
 corners_of_face(typename boost::graph_traits<TriangleMesh>::face_descriptor f, const TriangleMesh& tm)
@@ -119,7 +119,7 @@ corners_of_face(typename boost::graph_traits<TriangleMesh>::face_descriptor f, c
   return {source(h, tm), target(h, tm), target(next(h, tm), tm)};
 }
 
-// the point source(h) + t (target(h) - source(h)), seen from the face of h
+// Returns the point source(h) + t (target(h) - source(h)), as a location in the face of h.
 inline Face_location location_on_halfedge(Mesh::Halfedge_index h, double t, const Mesh& tm)
 {
   const face_descriptor f = face(h, tm);

@@ -64,7 +64,7 @@ public:
     find_convex_vertices();
   }
 
-  // The distances; infinity for vertices that no path reaches.
+  // Returns the distances, infinity for vertices that no path reaches.
   std::vector<FT> from_vertex(std::size_t source)
   {
     const std::size_t n = m_mesh.points.size();
@@ -111,8 +111,8 @@ private:
   // Positive if b is to the left of a, seen from the origin.
   static FT turn(const Point& a, const Point& b) { return a.x * b.y - a.y * b.x; }
 
-  // Is there a direction between the two, from the right to the left? At the middle corner of a face without area the
-  // directions fill a half-plane.
+  // Returns whether there is a direction between the two, from the right to the left. At the middle corner of a face of
+  // area zero the directions fill a half-plane.
   static bool is_open(const Point& first, const Point& last)
   {
     const FT t = turn(first, last);

@@ -17,7 +17,7 @@ namespace test_meshes {
 
 using Exact_distance = std::function<double(const Coordinates&, const Coordinates&)>;
 
-// The distances of all vertices from a point.
+// Returns the distances of all vertices from a point.
 inline std::vector<double> expected_field(const Mesh& tm, const Coordinates& source, const Exact_distance& exact)
 {
   std::vector<double> result;

@@ -55,8 +55,8 @@ struct Glued_surface
     return result;
   }
 
-  // Is this a triangle mesh: two vertices have at most one edge, a face has three different vertices, and the two faces
-  // of an edge have the same orientation?
+  // Returns whether this is a triangle mesh: two vertices have at most one edge, a face has three different vertices,
+  // and the two faces of an edge have the same orientation.
   bool is_triangle_mesh() const
   {
     std::map<std::pair<std::size_t, std::size_t>, std::size_t> edge_of_ends;
@@ -149,7 +149,7 @@ Glued_surface<FT> midpoint_subdivision(const Glued_surface<FT>& surface)
   return result;
 }
 
-// Inserts a point of a face as a vertex, unless it is one. Returns the vertex. `coordinates` are barycentric.
+// Inserts a point of a face as a vertex, unless it is a vertex. Returns the vertex. `coordinates` are barycentric.
 template <class FT>
 class Point_insertion
 {

@@ -1,8 +1,8 @@
 #ifndef SURFACE_MESH_GEODESICS_HOSTILE_CASES_H
 #define SURFACE_MESH_GEODESICS_HOSTILE_CASES_H
 
-// Families of hostile surfaces with sources of every kind. A case depends on the seed of the random number generator
-// only.
+// Families of hostile surfaces with sources of every kind. A case depends only on the seed of the random number
+// generator.
 
 #include "distance_case.h"
 #include "hostile_meshes.h"
@@ -182,7 +182,7 @@ inline Distance_case random_lengths(Random& random)
   return c;
 }
 
-// Many faces have no height or nearly none, because 1 + 1 = 2. No mesh of points has that many.
+// Many faces have no height or nearly none, because 1 + 1 = 2. No mesh with points has so many of them.
 inline Distance_case faces_without_height(Random& random)
 {
   Distance_case c = case_of_mesh(plain_mesh_with_faces(random));
@@ -191,7 +191,7 @@ inline Distance_case faces_without_height(Random& random)
   return c;
 }
 
-// Are two sides of one triangle glued to each other?
+// Returns whether two sides of one triangle are glued to each other.
 inline bool is_glued_to_itself(const std::vector<std::size_t>& sides, std::size_t number_of_pairs)
 {
   for(std::size_t i = 0; i < number_of_pairs; ++i)

@@ -71,7 +71,7 @@ inline void collapse_almost(Indexed_mesh& mesh, test_support::Random& random)
   mesh.points[t[k]] = a + abscissa * (b - a) + small_shift(random);
 }
 
-// Splits a face at a point very near to a corner or to an edge, or anywhere.
+// Splits a face at a point very near a corner or an edge, or anywhere.
 inline void split_somewhere(Indexed_mesh& mesh, test_support::Random& random)
 {
   const double a = random.index(2) == 0 ? random.uniform() : of_any_scale(-15., -1., random);
@@ -220,7 +220,7 @@ inline bool is_surface(const Indexed_mesh& mesh, Mesh& tm)
   return !throws<std::logic_error>([&] { tm = to_face_graph(mesh); });
 }
 
-// A vertex, or a point of a face: anywhere, on an edge, or very near to a corner or an edge.
+// A vertex, or a point of a face: anywhere, on an edge, or very near a corner or an edge.
 inline Surface_point hostile_point(const Mesh& tm, test_support::Random& random)
 {
   if(random.index(3) == 0)
@@ -248,7 +248,7 @@ struct Path_faults
   double worst_error = 0.;
 };
 
-// Do two consecutive items of a path have no face in common?
+// Returns whether two consecutive items of a path have no face in common.
 inline bool has_gap(const std::vector<Path_item<Geodesic_paths>>& items, const Mesh& tm)
 {
   bool result = false;
@@ -328,7 +328,7 @@ inline void check_paths_on(const Mesh& tm, std::size_t number_of_queries, test_s
   }
 }
 
-// Mesh number i depends on the seed plus i alone.
+// Mesh number i depends only on the seed plus i.
 inline Path_faults paths_on_hostile_meshes(std::size_t number, std::uint64_t seed, std::size_t number_of_queries)
 {
   Path_faults faults;

@@ -24,7 +24,7 @@ constexpr void same()
   static_assert(std::is_same<A, B>::value, "the types differ");
 }
 
-// Is there an overloaded function of this type?
+// Tells whether there is an overload with this type.
 template <class Function>
 constexpr void has(Function)
 {}

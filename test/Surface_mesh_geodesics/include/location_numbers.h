@@ -1,7 +1,7 @@
 #ifndef SURFACE_MESH_GEODESICS_LOCATION_NUMBERS_H
 #define SURFACE_MESH_GEODESICS_LOCATION_NUMBERS_H
 
-// Numbers for locations on a surface that tell whether two of them are the same, and sets of elements that are joined.
+// Numbers for locations on a surface, equal if and only if the locations are equal up to rounding; and disjoint sets.
 
 #include "Voronoi_sites.h"
 
@@ -17,7 +17,7 @@
 
 namespace test_meshes {
 
-// Sets of elements that are joined step by step.
+// Disjoint sets of elements. Joins sets step by step.
 class Disjoint_sets
 {
 public:
@@ -145,7 +145,7 @@ private:
   {
     int dimension;
     vertex_descriptor vertex;
-    halfedge_descriptor halfedge; // first_of() the edge
+    halfedge_descriptor halfedge; // first_of() this edge
     double t;
   };
 
@@ -198,7 +198,7 @@ private:
 
   const Mesh& m_tm;
   std::map<vertex_descriptor, std::size_t> m_vertex;
-  std::map<halfedge_descriptor, std::vector<std::pair<double, std::size_t>>> m_on_edge; // the key is `first_of` it
+  std::map<halfedge_descriptor, std::vector<std::pair<double, std::size_t>>> m_on_edge; // keys: first_of() the edge
   std::map<face_descriptor, std::vector<std::pair<Coordinates, std::size_t>>> m_in_face;
   std::set<std::size_t> m_border;
   std::size_t m_size = 0;

@@ -1,7 +1,7 @@
 #ifndef SURFACE_MESH_GEODESICS_PATH_INTERFACE_HELPERS_H
 #define SURFACE_MESH_GEODESICS_PATH_INTERFACE_HELPERS_H
 
-// Shared by the tests of the interface of Surface_mesh_geodesic_paths: trees of faces, and checks of exceptions.
+// The tree of faces for the tests of the interface of Surface_mesh_geodesic_paths.
 
 #include "expected_exceptions.h"
 #include "path_test_helpers.h"

@@ -109,7 +109,7 @@ struct Path_recorder
   }
 };
 
-// The answer to a query: the distance, and the number of the source, counted from the first.
+// The answer to a query: the distance and the number of the source, in the order of the sources.
 struct Answer
 {
   double distance;
@@ -172,7 +172,7 @@ Coordinates to_coordinates(const Point& p)
   return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
 }
 
-// The faces that hold the point of an item. A location on an edge or at a vertex is on all faces there.
+// Returns the faces that contain the point of an item: all faces around an edge or a vertex.
 template <class Paths, class TriangleMesh>
 std::vector<typename Paths::face_descriptor> faces_of_item(Path_item<Paths> item, const TriangleMesh& tm)
 {
@@ -252,7 +252,8 @@ inline double polyline_length(const std::vector<Coordinates>& points)
   return sum;
 }
 
-// Checks the polyline of a path against its points and elements: each segment lies in the face that comes with its end.
+// Checks the polyline of a path against its points and elements: each segment lies in the face that is given with its
+// end.
 template <class Paths, class Any_point, class TriangleMesh>
 void check_polyline(Paths& paths, const Any_point& q, const TriangleMesh& tm, const Answer& answer,
                     const std::vector<Path_item<std::remove_const_t<Paths>>>& items,
@@ -360,8 +361,8 @@ std::vector<Coordinates> points_of_items(const std::vector<Path_item<std::remove
   return points;
 }
 
-// Asks for the path in all ways, checks it and returns its points. `size` is the size of the coordinates, for
-// distances that are small against it.
+// Queries the path with all members, checks it and returns its points. `size` is the size of the coordinates, for
+// distances that are much smaller.
 template <class Paths, class Any_point, class TriangleMesh>
 std::vector<Coordinates> checked_path(Paths& paths, const Any_point& q, const TriangleMesh& tm, double size,
                                       double tolerance = 1e-10)

@@ -1,7 +1,7 @@
 #ifndef SURFACE_MESH_GEODESICS_PATHS_NEAR_VERTICES_H
 #define SURFACE_MESH_GEODESICS_PATHS_NEAR_VERTICES_H
 
-// Paths where rounding decides on which side of a vertex a line passes: sources and queries very near to vertices,
+// Paths where rounding decides on which side of a vertex a line passes: sources and queries very near vertices,
 // on faces that are up to a million times longer than wide.
 
 #include "path_test_helpers.h"
@@ -21,7 +21,7 @@ namespace paths_near_vertices {
 
 using namespace test_meshes;
 
-// Makes coordinates zero that the class takes for zero, because snapping would move the point.
+// Sets coordinates to zero that the class treats as zero, because snapping would move the point.
 inline void clear_small_coordinates(std::array<double, 3>& b)
 {
   const auto largest = std::max_element(b.begin(), b.end());
@@ -71,7 +71,7 @@ struct Worst
   double path = 0., distance = 0.;
 };
 
-// Asks for some paths; each has the length of its distance.
+// Queries some paths. Checks that each is as long as its distance.
 inline void check_paths(Geodesic_paths& paths, const Mesh& tm, bool is_convex_and_flat, test_support::Random& random,
                         Worst& worst)
 {
@@ -99,7 +99,7 @@ inline void check_paths(Geodesic_paths& paths, const Mesh& tm, bool is_convex_an
       CHECK(points.empty());
       continue;
     }
-    // the coordinates of points are rounded, and coordinates in faces below 1.4e-14 are taken for zero
+    // the coordinates of points are rounded, and barycentric coordinates below 1.4e-14 are treated as zero
     const double rounding = 6e-14 * size;
     const double path_error = std::abs(polyline_length(polyline) - answer.distance);
     if(!CHECK(path_error <= 1e-10 * answer.distance + rounding))
@@ -116,7 +116,7 @@ inline void check_paths(Geodesic_paths& paths, const Mesh& tm, bool is_convex_an
         straight = (std::min)(straight, length(s - point_of(q, paths)));
       }
       // Windows narrower than 1e-13 of their edge are dropped. So are windows that rounding does not show to be shorter
-      // than a path through a vertex. That costs accuracy at points very near to the gap.
+      // than a path through a vertex. That costs accuracy at points very near the gap.
       const double sliver = 1e-12 * size;
       const double error = std::abs(straight - answer.distance);
       if(!CHECK(error <= 1e-9 * straight + sliver))

@@ -1,7 +1,7 @@
 #ifndef SURFACE_MESH_GEODESICS_RANDOM_VORONOI_DIAGRAM_H
 #define SURFACE_MESH_GEODESICS_RANDOM_VORONOI_DIAGRAM_H
 
-// One random small case, mesh by sites by weights, with all that can be checked of a diagram.
+// All checks of one small random diagram, with a random mesh, random sites and random weights.
 
 #include "Voronoi_test_helpers.h"
 

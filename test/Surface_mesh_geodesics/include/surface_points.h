@@ -1,7 +1,7 @@
 #ifndef SURFACE_MESH_GEODESICS_SURFACE_POINTS_H
 #define SURFACE_MESH_GEODESICS_SURFACE_POINTS_H
 
-// Points of a mesh in all the ways in which a user may give them: vertices, locations in each face around an edge or a
+// Points of a mesh in all representations that a user may pass: vertices, locations in each face around an edge or a
 // vertex, and such locations with noise.
 
 #include "path_test_helpers.h"
@@ -59,7 +59,7 @@ inline Surface_point in_plane(double x, double y, const Mesh& tm)
   return location_in_plane(x, y, tm);
 }
 
-// Returns all ways to give one random point: a vertex, a point of an edge, or a point inside a face.
+// Returns all representations of one random point: a vertex, a point of an edge, or a point inside a face.
 inline std::vector<Surface_point> random_spot(const Mesh& tm, test_support::Random& random)
 {
   const std::size_t kind = random.index(4);

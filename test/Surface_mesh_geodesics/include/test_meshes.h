@@ -1,8 +1,8 @@
 #ifndef SURFACE_MESH_GEODESICS_TEST_MESHES_H
 #define SURFACE_MESH_GEODESICS_TEST_MESHES_H
 
-// The meshes of the tests: polyhedra, spheres, tubes, patches and fans, all made by programs, and two collections of
-// them. Types and conversions stand in Indexed_mesh.h.
+// The meshes of the tests: polyhedra, spheres, tubes, patches and fans, all computed, and two collections of them.
+// Types and conversions are in Indexed_mesh.h.
 
 #include "Indexed_mesh.h"
 #include "mesh_operations.h"
@@ -139,7 +139,7 @@ inline Indexed_mesh Schwarz_lantern(std::size_t m, std::size_t n)
 {
   return open_tube("Schwarz lantern " + std::to_string(m) + "x" + std::to_string(n), m, n,
                    [m, n](std::size_t i, std::size_t j) {
-                     // each row is turned by half a column against the row below
+                     // each row is turned by half a column relative to the row below
                      const double s =
                        2. * pi * (static_cast<double>(i) - .5 * static_cast<double>(j)) / static_cast<double>(m);
                      return Coordinates{std::cos(s), std::sin(s),

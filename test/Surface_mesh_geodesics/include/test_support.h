@@ -63,7 +63,7 @@ inline void report_failure(const char* file, int line, const std::string& text)
   std::cout << " " << text << std::endl;
   if(s.number_of_failures == maximum_printed)
   {
-    std::cout << "(further failures are only counted)" << std::endl;
+    std::cout << "(further failures are counted but not printed)" << std::endl;
   }
 }
 
@@ -92,7 +92,7 @@ bool check_equal(const A& a, const B& b, const char* text, const char* file, int
   return false;
 }
 
-// True for equal infinities; false if one of the numbers is NaN.
+// Returns true for equal infinities, and false if one of the numbers is NaN.
 inline bool is_close(double a, double b, double relative)
 {
   if(a == b)
@@ -135,7 +135,7 @@ inline bool check_near(double a, double b, double absolute, const char* text, co
   return false;
 }
 
-// Compares two fields entry by entry and reports the worst entry only.
+// Compares two fields entry by entry. Reports only the worst entry.
 inline bool check_fields_close(const std::vector<double>& a, const std::vector<double>& b, double relative,
                                const char* text, const char* file, int line)
 {
@@ -195,7 +195,7 @@ class Random
 public:
   explicit Random(std::uint64_t seed) : m_engine(seed) {}
 
-  // A number in [0, 1).
+  // Returns a number in [0, 1).
   double uniform() { return static_cast<double>(m_engine() >> 11) * 0x1p-53; }
   double uniform(double a, double b) { return a + (b - a) * uniform(); }
   std::size_t index(std::size_t n) { return static_cast<std::size_t>(m_engine() % n); }
@@ -214,7 +214,7 @@ private:
   std::mt19937_64 m_engine;
 };
 
-// The seed of all test programs, which each of them prints.
+// Prints the seed of a test program and returns it.
 inline std::uint64_t announce_seed(std::uint64_t seed)
 {
   std::cout << "seed " << seed << std::endl;

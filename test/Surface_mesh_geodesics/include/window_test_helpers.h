@@ -1,7 +1,7 @@
-// Windows on an edge of the length 1, made by hand or at random, for the tests of pruning.
+#ifndef SURFACE_MESH_GEODESICS_WINDOW_TEST_HELPERS_H
+#define SURFACE_MESH_GEODESICS_WINDOW_TEST_HELPERS_H
 
-#ifndef WINDOW_TEST_HELPERS_H
-#define WINDOW_TEST_HELPERS_H
+// Windows on an edge of the length 1, made by hand or at random, for the tests of pruning.
 
 #include "test_support.h"
 
@@ -48,19 +48,19 @@ inline Window window(double begin, double end, double image_x, double image_dept
 
 inline Window random_window(test_support::Random& random)
 {
-  // From a few abscissas only, so that some intervals share ends.
+  // Uses only a few abscissas, so that some intervals share ends.
   const double a = .125 * static_cast<double>(random.index(8)), b = .125 * static_cast<double>(random.index(8));
   return window((std::min)(a, b), (std::max)(a, b) + .125, random.uniform(-1., 2.), random.uniform(.05, 1.5),
                 random.uniform(0., .5));
 }
 
-// Are two distances so different that rounding does not decide which one is less?
+// Returns whether two distances differ so much that rounding does not decide which one is smaller.
 inline bool are_different(double a, double b)
 {
   return !test_support::is_close(a, b, 1e-9);
 }
 
-// A list of these windows, in this order.
+// Makes a list of these windows, in this order.
 inline List list_of(Pool& pool, const std::vector<Window>& windows)
 {
   List list = pool.allocate(windows.size());
@@ -75,4 +75,4 @@ inline List list_of(Pool& pool, const std::vector<Window>& windows)
 
 } // namespace window_test
 
-#endif // WINDOW_TEST_HELPERS_H
+#endif // SURFACE_MESH_GEODESICS_WINDOW_TEST_HELPERS_H
