@@ -154,6 +154,30 @@ void write_table(std::ostream& os, const Certificate& certificate)
   }
 }
 
+const char* meaning_of_violation(Condition c)
+{
+  switch(c)
+  {
+  case Condition::REACH:
+    return "the distance has to be finite exactly if faces connect the vertex with a source";
+  case Condition::SOURCES:
+    return "the distance of a source is not zero";
+  case Condition::EDGES:
+    return "the distance is too long compared with that of a neighbor";
+  case Condition::PAIRS_OF_FACES:
+    return "the distance is too long compared with that of a vertex across an edge";
+  case Condition::PATHS:
+    return "the distance is too short, since no path is that short";
+  case Condition::LOWER_BOUNDS:
+    return "the distance is too long";
+  case Condition::PROOF:
+    return "the proof of the lower bounds fails there";
+  case Condition::REVERSE:
+    return "the distance in the reverse direction differs";
+  }
+  return "";
+}
+
 std::string complaint(const Certificate& certificate)
 {
   std::ostringstream os;
@@ -166,6 +190,7 @@ std::string complaint(const Certificate& certificate)
        << certificate.worst_violation(c);
     if(certificate.worst_vertex(c) != Mesh::null_vertex())
       os << " at vertex " << certificate.worst_vertex(c).idx();
+    os << ": " << meaning_of_violation(c);
     break;
   }
   return os.str();
@@ -199,7 +224,17 @@ const Command check_command{
   "prove that distances are exact, without trusting them",
   "Certifies the distances of all vertices: a path proves that a distance is not too short, lower bounds prove that\n"
   "it is not too long. The table has a line for each condition: the number of checks, the worst violation (relative\n"
-  "to distance and longest edge), and its vertex. The exit status is 1 if a violation is larger than the tolerance.",
+  "to distance and longest edge), and its vertex. The exit status is 1 if a violation is larger than the tolerance.\n"
+  "\n"
+  "conditions:\n"
+  "  REACH           a distance is finite exactly where faces connect the vertex with a source\n"
+  "  SOURCES         the distance of a source is not greater than zero\n"
+  "  EDGES           along an edge, the distance grows by at most the length of the edge\n"
+  "  PAIRS_OF_FACES  along a segment through two faces, it grows by at most the length of the segment\n"
+  "  PATHS           a path of this length leads to a source: the distance is not too short\n"
+  "  LOWER_BOUNDS    the distance is not greater than a lower bound: it is not too long\n"
+  "  PROOF           the lower bounds are proved\n"
+  "  REVERSE         the distances from some vertices to the sources are the same in reverse",
   "  surface_mesh_geodesics check bunny.off --source 0\n"
   "  surface_mesh_geodesics check bunny.off --source 0 --distances other_program.csv --tolerance 1e-9\n",
   declare, run};

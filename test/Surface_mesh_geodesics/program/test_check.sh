@@ -4,14 +4,15 @@ source "$(dirname "${BASH_SOURCE[0]}")/support.sh" "$@"
 grid=$data/grid4.off # the unit square, 16 vertices, 18 faces; vertex 4 i + j is (i, j) / 3
 
 # is_refuted <condition> <vertex> <arguments>: the table shows a violation of the condition by more than 1e-10 at the
-# vertex, and one line names the vertex and the condition that is violated most
+# vertex, and one line names the condition that is violated most, its vertex and its meaning
 is_refuted() {
   local status=0
   "$program" check "${@:3}" > refuted.csv 2> refuted.err || status=$?
   equals "$status" 1
   equals "$(wc -l < refuted.err)" 1
   contains refuted.err "surface_mesh_geodesics: error: the distances are not certified: "
-  contains refuted.err " at vertex $2"
+  grep --quiet -E " [A-Z_]+ is violated by [^ ]+ at vertex $2: the distance " refuted.err \
+    || fail "the message does not explain the violation: $(cat refuted.err)"
   equals "$(line refuted.csv 1)" condition,checks,worst_violation,vertex
   awk -F, -v c="$1" -v v="$2" '
     $1 == c && ($3 == "inf" || $3 > 1e-10) && $4 == v { n = 1 }
