@@ -5,8 +5,7 @@ A document marks a table with a line of its own above it, and a figure in a sent
     <!-- table: NAME -->
     ... is <!-- figure: NAME -->69 times faster ...
 
-TABLES and figures() say what belongs there. check_figures.py compares the documents with them and rewrites them. This
-file knows no sentence of any document.
+TABLES and figures() compute the contents. check_figures.py compares the documents with them and rewrites the documents.
 """
 
 import csv
@@ -18,8 +17,7 @@ import statistics
 # The name in the results -> the file that run_benchmark.sh writes.
 CSV_FILES = {
     "standard_meshes": "against_shortest_path.csv", "all_meshes": "against_shortest_path_all.csv",
-    "paths": "paths_against_shortest_path.csv", "heat_method": "against_heat_method.csv",
-    "Voronoi_diagram": "voronoi.csv",
+    "paths": "paths_against_shortest_path.csv", "heat_method": "against_heat_method.csv", "Voronoi_diagram": "voronoi.csv",
 } | {name: name + ".csv" for name in (
     "face_queries", "certified_meshes", "growth", "anisotropy", "sources", "reach", "rules", "threads", "matrix")}
 
@@ -34,18 +32,18 @@ class Results:
         self.folder = pathlib.Path(folder)
         self.used = set()
 
+    def lines(self, name):
+        return (self.folder / (name + ".csv")).read_text(encoding="utf-8").splitlines()
+
     def rows(self, name, **wanted):
         """All rows whose columns have the wanted values."""
         self.used.add(name)
-        with open(self.folder / (name + ".csv"), encoding="utf-8") as file:
-            table = list(csv.DictReader(line for line in file if not line.startswith("#")))
+        table = csv.DictReader(line for line in self.lines(name) if not line.startswith("#"))
         return [row for row in table if all(row[key] == str(value) for key, value in wanted.items())]
 
     def comment(self, name, pattern):
         """The first group of a regular expression, in the comments on top of the file."""
-        with open(self.folder / (name + ".csv"), encoding="utf-8") as file:
-            comments = "".join(line for line in file if line.startswith("#"))
-        found = re.search(pattern, comments)
+        found = re.search(pattern, "\n".join(line for line in self.lines(name) if line.startswith("#")))
         if not found:
             raise ValueError(f"{name}.csv: no {pattern} in the comments")
         return found.group(1)
@@ -53,9 +51,6 @@ class Results:
     def values(self, name, column, **wanted):
         """A column of these rows, as numbers. Skips empty cells, where nothing was measured."""
         return [float(row[column]) for row in self.rows(name, **wanted) if row[column] != ""]
-
-
-# --- numbers ---------------------------------------------------------------------------------------------------------
 
 
 def plain(text, digits=0):
@@ -70,8 +65,7 @@ def rounded(text):
     number = float(text)
     if number >= 10:
         return f"{number:,.0f}" if number >= 99.95 else f"{number:.1f}"
-    digits = 1 if number == 0 else 1 - math.floor(math.log10(number) + 1e-9)
-    text = f"{number:.{digits}f}"
+    text = f"{number:.{1 if number == 0 else 1 - math.floor(math.log10(number) + 1e-9)}f}"
     return text.rstrip("0") if number < 0.01 else text
 
 
@@ -92,7 +86,6 @@ def mesh_name(row):
     return row["mesh"].rsplit(".", 1)[0] + times
 
 
-# --- tables ----------------------------------------------------------------------------------------------------------
 # A column is a pair of a title and a function that makes a cell from a row, or a text "title: key", possibly followed by
 # a blank and .1 or .2 (digits behind the point), ~ (rounded), $ (text), ± (median and range).
 
@@ -116,8 +109,7 @@ def column(text):
     return title, lambda row: FORMS[form](row, key)
 
 
-MESH, FACES = ("mesh", mesh_name), "faces: faces"
-MICROSECONDS = "\\f$ \\mu \\f$s"
+MESH, FACES, MICROSECONDS = ("mesh", mesh_name), "faces: faces", "\\f$ \\mu \\f$s"
 
 
 def markdown(titles, rows, words=1):
@@ -136,10 +128,8 @@ def table(name, *columns, words=1, skip=lambda row: False, **wanted):
 
 def paths_on_bunny(results):
     columns = results.rows("paths", mesh="bunny00.off", subdivisions=0)
-    titles = [""]
-    for row in columns:
-        titles += [f"{row['sources']} source{'' if row['sources'] == '1' else 's'}: original", "ours", "ratio"]
-    return markdown(titles, [
+    numbers = [f"{row['sources']} source{'' if row['sources'] == '1' else 's'}" for row in columns]
+    return markdown([""] + [title for n in numbers for title in (f"{n}: original", "ours", "ratio")], [
         [title] + [rounded(row[kind + quantity]) for row in columns for kind in ("original_", "ours_", "ratio_")]
         for quantity, title in PATH_QUANTITIES.items()])
 
@@ -205,9 +195,6 @@ TABLES = {
 }
 
 
-# --- figures in sentences --------------------------------------------------------------------------------------------
-
-
 def figures(results):
     """Name -> number, as a sentence shows it."""
     rows, values = results.rows, results.values
@@ -220,23 +207,19 @@ def figures(results):
         "bunny_original_gigabytes": f"{float(bunny['original_added_mb']) / 1024:.1f}",
         "bunny_time_ratio": short(bunny["time_ratio"]), "bunny_memory_ratio": short(bunny["memory_ratio"]),
         "windows_in_millions": f"{int(counts['windows']) / 1e6:.3g}",
-        "lists_in_thousands": f"{int(counts['lists']) / 1000:.0f}",
-        "visits_in_thousands": f"{int(counts['visits']) / 1000:.0f}",
+        **{f"{key}_in_thousands": f"{int(counts[key]) / 1000:.0f}" for key in ("lists", "visits")},
         "number_of_all_meshes": str(len(rows("all_meshes"))),
     }
     for name in ("standard_meshes", "paths", "face_queries", "Voronoi_diagram", "heat_method", "all_meshes", "growth"):
         found[f"{name}_runs"] = results.comment(name, r"(\d+) runs")
-
     def add_range(name, numbers, form=short):
         found.update({f"{name}_min": form(min(numbers)), f"{name}_max": form(max(numbers))})
-
     for ratio in ("time_ratio", "memory_ratio"):
         add_range(f"standard_meshes_{ratio}", values("standard_meshes", ratio), round)
         add_range(f"all_meshes_{ratio}", values("all_meshes", ratio))
         found[f"all_meshes_{ratio}_median"] = f"{statistics.median(values('all_meshes', ratio)):.1f}"
-    for quantity in PATH_QUANTITIES:
-        if quantity != "vertex_query_us":
-            add_range(f"paths_{quantity}", values("paths", f"ratio_{quantity}", mesh="bunny00.off", subdivisions=0))
+    for quantity in PATH_QUANTITIES.keys() - {"vertex_query_us"}:
+        add_range(f"paths_{quantity}", values("paths", f"ratio_{quantity}", mesh="bunny00.off", subdivisions=0))
     found["paths_worst"] = f"{min(values('paths', 'ratio_vertex_path_us')):.2f}"
     for name in ("standard_meshes", "face_queries"):
         found[f"{name}_difference"] = bound(values(name, "largest_relative_difference"))
