@@ -8,9 +8,8 @@ the rows. The column of the other class is compared only for the given versions 
 """
 
 import subprocess
-import sys
 
-from complaints import report
+from complaints import report, run_script
 
 MARK = "<!-- printed table: differences -->"
 COLUMN_OF_THE_OTHER_CLASS = 3
@@ -61,18 +60,13 @@ def self_test():
     return report(complaints, f"self-test: {len(cases)} cases")
 
 
-def main(arguments):
-    if arguments == ["--self-test"]:
-        return self_test()
-    if len(arguments) < 2:
-        print(__doc__)
-        return 2
-    with open(arguments[0], encoding="utf-8") as manual:
+def main(page, program, *versions):
+    with open(page, encoding="utf-8") as manual:
         shown = table_of_manual(manual.read())
-    lines = subprocess.run([arguments[1]], check=True, capture_output=True, text=True).stdout.splitlines()
+    lines = subprocess.run([program], check=True, capture_output=True, text=True).stdout.splitlines()
     version = next((line.split()[1] for line in lines if line.startswith("CGAL ")), "")
-    return report(faults(shown, rows(lines), version in arguments[2:]), f"CGAL {version}: {len(shown)} rows")
+    return report(faults(shown, rows(lines), version in versions), f"CGAL {version}: {len(shown)} rows")
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    run_script(__doc__, self_test, main, range(2, 100))

@@ -10,11 +10,10 @@ search, are checked too. Markdown files may link to files and folders beside the
 import html.parser
 import pathlib
 import re
-import sys
 import tempfile
 import urllib.parse
 
-from complaints import report
+from complaints import report, run_script
 
 ELSEWHERE = ("http:", "https:", "mailto:", "javascript:", "data:")
 LINK_IN_MARKDOWN = re.compile(r"""\]\(([^)\s]+)\)|(?:src|href)=["']([^"']+)["']""")
@@ -124,17 +123,12 @@ def self_test():
     return report(failures, f"self-test: {len(FAULTS)} faults")
 
 
-def main(arguments):
-    if arguments == ["--self-test"]:
-        return self_test()
-    if not arguments:
-        print(__doc__)
-        return 2
-    number_of_pages, number_of_links, complaints = check(arguments[0], arguments[1:])
+def main(folder, *files):
+    number_of_pages, number_of_links, complaints = check(folder, files)
     if number_of_pages == 0:
-        complaints.append(f"{arguments[0]}: no pages")
+        complaints.append(f"{folder}: no pages")
     return report(complaints, f"{number_of_pages} pages, {number_of_links} links")
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    run_script(__doc__, self_test, main, range(1, 100))

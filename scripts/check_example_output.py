@@ -14,10 +14,9 @@ import pathlib
 import re
 import shlex
 import subprocess
-import sys
 import tempfile
 
-from complaints import report
+from complaints import report, run_script
 
 TOLERANCE = 1e-4
 # Three dots, or a number with a point that no dots follow.
@@ -80,13 +79,8 @@ def self_test():
     return report(failures, f"self-test: {len(cases) + 2} cases")
 
 
-def main(arguments):
-    if arguments == ["--self-test"]:
-        return self_test()
-    if len(arguments) != 3:
-        print(__doc__)
-        return 2
-    manual, data, program = (pathlib.Path(argument).absolute() for argument in arguments)
+def main(*paths):
+    manual, data, program = (pathlib.Path(path).absolute() for path in paths)
     pages = "".join(page.read_text(encoding="utf-8") for page in sorted(manual.glob("*.txt")))
     run = shown_run(pages, program.stem)
     if run is None:
@@ -106,4 +100,4 @@ def main(arguments):
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    run_script(__doc__, self_test, main, [3])

@@ -19,10 +19,9 @@ The folders of CGAL/Surface_mesh_geodesics/internal/ are rooms, and their order 
 
 import pathlib
 import re
-import sys
 import tempfile
 
-from complaints import report
+from complaints import report, run_script
 
 OWN = "CGAL/Surface_mesh_geodesics/"
 INTERNAL = OWN + "internal/"
@@ -340,17 +339,12 @@ def self_test():
     return report(failures, f"self-test: {len(FAULTS)} faults")
 
 
-def main(arguments):
-    if arguments == ["--self-test"]:
-        return self_test()
-    if len(arguments) != 1:
-        print(__doc__)
-        return 2
-    number_of_files, complaints = check(arguments[0])
+def main(folder):
+    number_of_files, complaints = check(folder)
     if number_of_files == 0:
-        complaints.append(f"{arguments[0]}: there are no headers")
+        complaints.append(f"{folder}: there are no headers")
     return report(complaints, f"{number_of_files} headers")
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    run_script(__doc__, self_test, main, [1])

@@ -10,9 +10,8 @@ about anything else, which then needs a line here or a simpler formula.
 import html
 import pathlib
 import re
-import sys
 
-from complaints import report
+from complaints import report, run_script
 
 FORMULA = re.compile(r"\\\((.*?)\\\)", re.DOTALL)
 MATHJAX = re.compile(r'<script type="text/x-mathjax-config">.*?</script>\s*<script[^>]*mathjax[^>]*></script>\n?',
@@ -110,14 +109,9 @@ def self_test():
     return report(failures, f"self-test: {len(cases) + 3} formulas")
 
 
-def main(arguments):
-    if arguments == ["--self-test"]:
-        return self_test()
-    if len(arguments) != 1:
-        print(__doc__)
-        return 2
+def main(folder):
     complaints, number_of_formulas = [], 0
-    for path in sorted(pathlib.Path(arguments[0]).rglob("*.html")):
+    for path in sorted(pathlib.Path(folder).rglob("*.html")):
         page = path.read_text(encoding="utf-8")
         number_of_formulas += len(FORMULA.findall(page))
         converted, found = convert(page)
@@ -128,4 +122,4 @@ def main(arguments):
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    run_script(__doc__, self_test, main, [1])

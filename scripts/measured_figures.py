@@ -17,8 +17,8 @@ import statistics
 # The name in the results -> the file that run_benchmark.sh writes.
 CSV_FILES = {
     "standard_meshes": "against_shortest_path.csv", "all_meshes": "against_shortest_path_all.csv",
-    "paths": "paths_against_shortest_path.csv", "heat_method": "against_heat_method.csv", "Voronoi_diagram": "voronoi.csv",
-} | {name: name + ".csv" for name in (
+    "paths": "paths_against_shortest_path.csv", "heat_method": "against_heat_method.csv",
+    "Voronoi_diagram": "voronoi.csv"} | {name: name + ".csv" for name in (
     "face_queries", "certified_meshes", "growth", "anisotropy", "sources", "reach", "rules", "threads", "matrix")}
 
 # The picture in the manual -> the results that it shows; draw_plots.py draws it.
@@ -86,8 +86,8 @@ def mesh_name(row):
     return row["mesh"].rsplit(".", 1)[0] + times
 
 
-# A column is a pair of a title and a function that makes a cell from a row, or a text "title: key", possibly followed by
-# a blank and .1 or .2 (digits behind the point), ~ (rounded), $ (text), ± (median and range).
+# A column is a pair of a title and a function that makes a cell from a row, or a text "title: key", possibly followed
+# by a blank and .1 or .2 (digits behind the point), ~ (rounded), $ (text), ± (median and range).
 
 
 def spread(row, key):

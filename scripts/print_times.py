@@ -10,10 +10,9 @@ last run. NUMBER limits the lines of each list (default: 12). Times are seconds 
 
 import pathlib
 import re
-import sys
 import tempfile
 
-from complaints import report
+from complaints import report, run_script
 
 OBJECT = re.compile(r"CMakeFiles/(?P<target>[^/]+)\.dir/(?:.*/)?(?P<file>[^/]+)\.o(bj)?$")
 TEST = re.compile(r'^\d+/\d+ Test(?:ing)?: (?P<name>.+)$|^Test time = +(?P<seconds>[0-9.]+) sec', re.MULTILINE)
@@ -94,15 +93,10 @@ def self_test():
     return report(failures, f"self-test: {len(expected)} cases")
 
 
-def main(arguments):
-    if arguments == ["--self-test"]:
-        return self_test()
-    if len(arguments) not in (1, 2):
-        print(__doc__)
-        return 2
-    print_times(pathlib.Path(arguments[0]), int(arguments[1]) if len(arguments) == 2 else 12)
+def main(folder, number=12):
+    print_times(pathlib.Path(folder), int(number))
     return 0
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    run_script(__doc__, self_test, main, [1, 2])
