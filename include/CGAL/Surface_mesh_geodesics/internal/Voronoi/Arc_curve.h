@@ -53,7 +53,7 @@ inline Border_integrals segment_integrals(const Planar_point<double>& p, const P
 }
 
 // A part of a bisector from its first to its last point, or a segment. Face_partition decides which one an arc is
-// meant to be; the constructor may still choose the segment, where rounding does not tell the bisector.
+// meant to be; the constructor may still choose the segment, where rounding hides the bisector.
 //
 // Requires: the ends of the arc are on the bisector of its images up to rounding, if the arc says that it is a
 // bisector.

@@ -237,7 +237,7 @@ private:
     return a.left.distance_to(y) < a.right.distance_to(y) ? a.left_site : a.right_site;
   }
 
-  // Returns the distance below which points are not told apart, in the unit of the layout.
+  // Returns the distance below which two points count as one, in the unit of the layout.
   FT resolution() const
   {
     const std::array<Point, 3> corner = m_complex.layout(m_face);
@@ -245,7 +245,7 @@ private:
          * (std::max)({distance(corner[0], corner[1]), distance(corner[1], corner[2]), distance(corner[2], corner[0])});
   }
 
-  // Returns whether an arc is told apart from the segment between its ends. The parameters of a hyperbola that is
+  // Returns whether an arc differs from the segment between its ends. The parameters of a hyperbola that is
   // nearly a ray are too small to tell its ends, and if its images are nearly one point, rounding moves it away from
   // its ends.
   bool is_curved(const Arc& a, const Weighted_bisector<FT>& curve) const

@@ -116,7 +116,7 @@ public:
     m_x = 0;
     m_current = 0;
     m_left_here.clear();
-    std::size_t steps = 8 * m_images.size() + 64; // a bound, should rounding lead round in a circle
+    std::size_t steps = 8 * m_images.size() + 64; // a bound, in case rounding leads around in a circle
     while(steps-- > 0 && take_over())
     {
     }

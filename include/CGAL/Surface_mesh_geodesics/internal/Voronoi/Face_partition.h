@@ -20,8 +20,8 @@
 // both sides of it are closed on their own.
 //
 // Only the sites decide which fronts may meet; distances decide which of them do. So whatever rounding does, the result
-// is a forest with these leaves and matches those of the adjacent faces. Fronts for which rounding does not tell how
-// they meet (two sites tie in a region) are joined by segments.
+// is a forest with these leaves and matches those of the adjacent faces. Where rounding hides how
+// fronts meet (two sites tie in a region), segments join them.
 //
 // Formula: the points of an arc are equally far from its two images, and no other image is nearer.
 // Frame: the layout of the face (corners 0, 1 and 2 at (0,0), (length[0],0) and (apex_x,apex_y)).

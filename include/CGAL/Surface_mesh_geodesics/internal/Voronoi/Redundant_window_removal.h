@@ -103,8 +103,8 @@ public:
   }
 
   // Gives the cell of `source` to `first`, as the two tie everywhere up to rounding. (Otherwise rounding would decide
-  // for each edge anew which of them is nearer.) If `first` itself is nowhere the nearest source, `source` keeps its
-  // cell. Call it after reset() and before the first keep().
+  // for each edge anew which of them is nearer.) If another source is nearer to `first`, so that it has no cell itself,
+  // `source` keeps its cell. Call it after reset() and before the first keep().
   void unite(Vertex_id source, Vertex_id first) { m_first_of_equal[source] = first; }
 
   // Keeps the windows of a list that the propagation carries across h into the face of h, unless that face is inactive.
@@ -302,7 +302,7 @@ private:
   void bound_by_windows(Halfedge_id h, const Window_list<FT>& list)
   {
     const auto& columns = list.columns;
-    FT bound = 0, x = 0, at_x = m_field->distance[m_mesh->source(h)]; // x is as far as windows have come
+    FT bound = 0, x = 0, at_x = m_field->distance[m_mesh->source(h)]; // the edge is done up to x
     for(std::size_t i = 0; i < list.size; ++i)
     {
       const FT &begin = columns.begin()[i], &end = columns.end()[i];

@@ -51,8 +51,8 @@ namespace internal {
 //   (link_chain()).
 // - The three sites of a vertex differ, so a cell has at most one chain that begins at a node. boundary() relies on it.
 //
-// Frame: a point of an arc or node is in the layout of its face. Nodes on an edge belong to the face that comes first;
-// the other face finds the same point by the abscissa.
+// Frame: a point of an arc or node is in the layout of its face. A node on an edge belongs to the face of the halfedge
+// with the smaller index; the other face finds the same point by the abscissa.
 template <typename FT_>
 class Voronoi_complex
 {

@@ -12,9 +12,9 @@
 
 // Cuts a face along its arcs into triangles that belong to one cell each, in the layout of the face.
 //
-// The complex is generic, the cut is not: an arc without length there becomes one vertex here. Nodes on an edge that
-// rounding does not tell from a vertex of the mesh, or from each other, are contracted; this is decided for the edge,
-// so that both of its faces agree (Edge_contraction). Inside a face, nodes are contracted along arcs without length.
+// The complex is generic, the cut is not: an arc without length there becomes one vertex here. Nodes on an edge
+// that are at a vertex of the mesh up to rounding, or at each other, are contracted; this is decided for the edge, so
+// that both of its faces agree (Edge_contraction). Inside a face, nodes are contracted along arcs without length.
 //
 // The rest is combinatorics. A part of a cell is a closed walk along the border and along curves. Each walk is divided
 // into cycles without repeated vertices; cycles of two vertices (an arc along an edge) are dropped; the others are

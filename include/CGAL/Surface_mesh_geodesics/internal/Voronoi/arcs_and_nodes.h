@@ -33,8 +33,8 @@ using Oriented_index = std::pair<std::uint32_t, bool>;
 // A piece of the curve between two cells in one face; its points are in the layout of the face.
 //
 // All points are as far from `left` as from `right`, the images of the two sites that the paths come from. From `first`
-// to `last`, the cell of left_site is on the left. Unless is_bisector, the arc is the segment between its ends, where
-// rounding does not tell the curve.
+// to `last`, the cell of left_site is on the left. Unless is_bisector is set, the arc is the segment between its
+// ends, where rounding hides the true curve.
 template <typename FT>
 struct Voronoi_arc
 {

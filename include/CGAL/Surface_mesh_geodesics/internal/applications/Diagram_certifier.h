@@ -88,7 +88,7 @@ private:
   static constexpr std::size_t no_site() { return Diagram_violation::no_site(); }
   static double infinity() { return std::numeric_limits<double>::infinity(); }
 
-  // Counts a check of a condition for a site; a violation that is not positive is none.
+  // Counts a check of a condition for a site; a violation that is not positive does not count.
   void record(Diagram_condition condition, double violation, std::size_t site)
   {
     m_violations[condition].record(violation, site);

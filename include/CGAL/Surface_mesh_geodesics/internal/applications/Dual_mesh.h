@@ -48,7 +48,7 @@ public:
 
   const std::vector<Triple>& triangles() const { return m_triangles; }
 
-  // Is to be called once. Takes O(k log k) time for k arcs and edges of the diagram.
+  // Call it once. Takes O(k log k) time for k arcs and edges of the diagram.
   Report report()
   {
     Report r;

@@ -47,7 +47,7 @@ Voronoi_drawing drawing_with_cells(const Diagram& diagram, double tolerance)
   return drawing;
 }
 
-// Writes each point on a line of its own, behind a prefix.
+// Writes each point on its own line, after a prefix.
 inline void write_points(std::ostream& os, const Voronoi_drawing& drawing, const char* prefix = "")
 {
   for(const Voronoi_drawing::Point& p : drawing.points)

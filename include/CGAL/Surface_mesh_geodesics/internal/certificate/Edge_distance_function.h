@@ -132,7 +132,7 @@ private:
       pieces.push_back(part);
   }
 
-  // Takes the minimum with a part of the function, unless the part is nowhere clearly better.
+  // Takes the minimum with a part of the function. Does nothing if the part is not clearly better anywhere.
   void add_part(const Piece& part)
   {
     if(!(part.begin < part.end))

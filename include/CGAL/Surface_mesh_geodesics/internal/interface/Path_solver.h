@@ -188,7 +188,7 @@ public:
     return m_surface.query(f, b);
   }
 
-  // The same checks before the mesh has been read, as far as indices allow.
+  // Make the same checks before the mesh has been read, by indices alone.
   void check_query(vertex_descriptor v) const { user_surface().check_vertex(v, "query", 0); }
 
   template <typename BarycentricCoordinates>

@@ -103,7 +103,7 @@ struct Removed_elements<CGAL::Surface_mesh<Point>>
   }
 };
 
-// Returns whether v is a vertex of the mesh, as far as its index tells. Takes constant time.
+// Returns whether v is a vertex of the mesh, judged by its index. Takes constant time.
 template <typename TriangleMesh, typename VertexIndexMap>
 bool is_vertex_of(typename boost::graph_traits<TriangleMesh>::vertex_descriptor v, const TriangleMesh& tm,
                   const VertexIndexMap& vim)
@@ -113,7 +113,7 @@ bool is_vertex_of(typename boost::graph_traits<TriangleMesh>::vertex_descriptor 
       && !Removed_elements<TriangleMesh>::contain(v, tm);
 }
 
-// Returns whether f, which is not the null face, is a face of the mesh, as far as its index tells.
+// Returns whether f is a face of the mesh, judged by its index. Requires: f is not the null face.
 template <typename TriangleMesh, typename FaceIndexMap>
 bool is_face_of(typename boost::graph_traits<TriangleMesh>::face_descriptor f, const TriangleMesh& tm,
                 const FaceIndexMap& fim)

@@ -76,7 +76,7 @@ struct Tolerance
   // length(), so that no face is hidden behind a vertex.
   static FT angle() { return 1024 * unit_roundoff(); }
 
-  // Of 1 (an angle at a vertex): two directions that differ by less are not told apart where windows leave a
+  // Of 1 (an angle at a vertex): two directions that differ by less count as one where windows leave a
   // pseudo-source. Larger than the excess of a vertex angle that angle() ignores.
   static FT direction() { return 8 * angle(); }
 
@@ -100,7 +100,7 @@ struct Tolerance
 
   // --- Windows: window/ and propagation/ -----------------------------------------------------------------------------
 
-  // Of a distance: windows whose distances differ by less are not told apart when the longer one would be pruned. This
+  // Of a distance: windows whose distances differ by less count as equal when the longer one would be pruned. This
   // covers the rounding of one comparison: two distances that err by two units each (Window_numbers::distance_at()).
   // With u = unit_roundoff() / 2, is_clearly_less(a, b) implies A < B (1 + u) for the exact distances A and B that the
   // stored images have.

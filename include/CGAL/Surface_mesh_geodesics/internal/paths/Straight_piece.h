@@ -117,7 +117,7 @@ public:
   {}
 
   // Follows a piece. Returns the vertex at which it ends, which is the root or another vertex of the path; null_id if
-  // the line goes astray, and then the steps that were appended are of no use. Call it once.
+  // the line goes astray, and then the steps that were appended are meaningless. Call it once.
   // Complexity: linear in the number of faces crossed, of which there are at most mesh.most_faces_crossed() + 1.
   Vertex_id trace(const Piece_start<FT>& start)
   {

@@ -46,7 +46,7 @@ public:
   Path_tracer(const Mesh& mesh, const Field& field) : m_mesh(mesh), m_field(field) {}
 
   // Appends the path from v to its source, both included. Returns false if no path of the right length has been found;
-  // `path` is of no use then.
+  // `path` is meaningless then.
   // Requires: v is reached, `path` is empty, the field has images. If it returns true: points that follow each other
   // share a face, the last one is a source, and the sum of the gaps plus the offset of the source is the distance of v,
   // up to Tolerance::path() of the distance for each piece.

@@ -90,7 +90,7 @@ private:
   Row& row(std::size_t i) { return m_rows[i % m_rows.size()]; }
 
   // Waits until there is room for another row. Returns the row to be computed next, or n if there is none. No thread
-  // waits for ever: row m_first_inside has been claimed by a thread that is computing it or handing it out, or the
+  // waits forever: row m_first_inside has been claimed by a thread that is computing it or handing it out, or the
   // condition holds.
   std::size_t claim()
   {

@@ -120,7 +120,7 @@ public:
 private:
   // Improves the vertices of the link by the paths from the vertex along its edges. A window improves only the apex of
   // the face that it enters, not the ends of its own edge. Each edge is tried from both of its faces, the second time
-  // in vain.
+  // without effect.
   void walk_along_edges(Star& star) const
   {
     for(const Face& f : star.faces)

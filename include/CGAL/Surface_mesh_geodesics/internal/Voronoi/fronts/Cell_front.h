@@ -47,10 +47,10 @@ struct Front_piece
 };
 
 // Why a trace ends: SITE, it meets the cell of a third site; OUTSIDE, it leaves the face or the half-plane that it is
-// traced in; LOST, rounding does not tell how it goes on.
+// traced in; LOST, rounding hides how it goes on.
 enum class Front_stop { NOT_TRACED, SITE, OUTSIDE, LOST };
 
-// The curve between two cells from a node of the partition on, as far as it has been traced.
+// The curve between two cells from a node of the partition to where it has been traced.
 template <typename FT>
 struct Cell_front
 {

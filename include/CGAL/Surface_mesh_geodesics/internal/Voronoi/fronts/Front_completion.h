@@ -94,7 +94,7 @@ public:
   // quadratic time in the number of images.
   void add_straight_pieces(Front& f, const Point& p, const Point& q) const
   {
-    std::size_t halvings = 8 * m_images.number() + 64; // a bound, should rounding never let the ends agree
+    std::size_t halvings = 8 * m_images.number() + 64; // a bound, in case rounding never lets the ends agree
     std::vector<Point> ends{q}; // of the parts that are still to be added, the next one last
     const std::size_t number_traced = f.pieces.size();
     for(Point from = p; !ends.empty();)

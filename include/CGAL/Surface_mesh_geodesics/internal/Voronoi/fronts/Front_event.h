@@ -185,7 +185,7 @@ private:
     m_event.line = line;
   }
 
-  // Returns false if g takes over nowhere before the event; sets c otherwise. The cheap tests come first: distances
+  // Returns false if g does not take over before the event; sets c otherwise. The cheap tests come first: distances
   // change by at most the length of the way, for g as for the images of the curve. The others look at the coefficients
   // in Bernstein form (Quadratic): they may fail to reject an image, but reject none that takes over.
   bool may_take_over(const FT& at_start, const Image& g, Challenge& c) const
@@ -208,7 +208,8 @@ private:
     return !(is_bounded && c.nearer.is_negative_until(m_event.t));
   }
 
-  // Collects the parameters where g may become or cease to be nearer or visible. Returns false if it is nowhere nearer.
+  // Collects the parameters where g may become or cease to be nearer or visible. Returns false if g is not nearer
+  // anywhere.
   bool find_roots(const Image& g, const Challenge& c)
   {
     m_roots.clear();

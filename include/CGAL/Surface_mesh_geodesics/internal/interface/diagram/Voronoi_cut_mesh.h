@@ -62,7 +62,7 @@ public:
 
   // Adds the cut surface to the output. `point_of_vertex(v)` gives the point of a vertex of the refined mesh,
   // `point_in_face(f, p)` the point at p in the plane of a face; `set_site(f, s)` is called for each new face and the
-  // vertex of its site, or null_id. Tolerances are in the unit of the intrinsic mesh. Is to be called once.
+  // vertex of its site, or null_id. Tolerances are in the unit of the intrinsic mesh. Call it once.
   template <typename PointOfVertex, typename PointInFace, typename SetSite>
   void build(double tolerance, PointOfVertex point_of_vertex, PointInFace point_in_face, SetSite set_site)
   {
