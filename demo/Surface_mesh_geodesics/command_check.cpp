@@ -167,7 +167,7 @@ const char* meaning_of_violation(Condition c)
   case Condition::PAIRS_OF_FACES:
     return "the distance is too long compared with that of a vertex across an edge";
   case Condition::PATHS:
-    return "the distance is too short, since no path is that short";
+    return "the distance is not the length of a path to a source";
   case Condition::LOWER_BOUNDS:
     return "the distance is too long";
   case Condition::PROOF:
