@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Lays the package out in an empty tree of CGAL and checks the result: it holds every header; an example compiles with
-# nothing but folders of the tree and the installed CGAL; CMake finds a program for each example, test and benchmark,
+# only folders of the tree and the installed CGAL; CMake finds a program for each example, test and benchmark,
 # and the program for the command line; no file mentions what CGAL does not have; each citation has an entry.
 # usage: check_cgal_tree.sh WORK_FOLDER [options of cmake]     The variable CXX is the compiler.
 set -euo pipefail
@@ -19,7 +19,7 @@ fail()
   exit 1
 }
 
-# Twice: the second call replaces the first one.
+# Lays it out twice, because a second call must replace the first one.
 options=(--owner "A & B | C (Utopia)" --since 9.9)
 bash "$root/scripts/lay_out_in_cgal.sh" "$tree" > "$work/first.txt"
 bash "$root/scripts/lay_out_in_cgal.sh" "${options[@]}" "$tree" > "$work/second.txt"

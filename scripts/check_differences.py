@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Checks that the table of differences from Surface_mesh_shortest_path in the manual is what its program prints.
+"""Checks that the manual has the table of differences from Surface_mesh_shortest_path that a program prints.
 
 Usage: check_differences.py PAGE PROGRAM [VERSION...] | --self-test
 
@@ -56,7 +56,7 @@ def self_test():
     }
     complaints = [name for name, (found, is_fault) in cases.items() if bool(found) != is_fault]
     if len(shown) != 2:
-        complaints.append("rows below the table are taken for its own")
+        complaints.append("rows below the table are treated as its own")
     return report(complaints, f"self-test: {len(cases)} cases")
 
 

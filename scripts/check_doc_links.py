@@ -4,7 +4,7 @@
 Usage: check_doc_links.py FOLDER [FILE.md...] | --self-test
 
 Links to other sites are not followed. The names of pages in .js files, which are doxygen's trees of contents and its
-search, are checked too. Markdown files may link to files and folders beside them.
+search, are checked too. Markdown files may link to files and folders next to them.
 """
 
 import html.parser

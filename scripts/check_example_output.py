@@ -6,7 +6,7 @@ Usage: check_example_output.py MANUAL_FOLDER DATA_FOLDER PROGRAM | --self-test
 In a page of the manual, `\\cgalExample{.../NAME.cpp}` is followed by `\\verbatim`, the command
 `$ ../NAME [arguments]`, the output, and `\\endverbatim`. The program runs with these arguments in an empty folder with
 data/ in it. Three dots stand for anything in a line, a line of three dots for any number of lines. Numbers with a
-point may differ by a part in ten thousand; all else must be equal.
+point may differ by a part in ten thousand; everything else must be equal.
 """
 
 import os

@@ -6,12 +6,12 @@ Usage: check_rooms.py INCLUDE_FOLDER | --self-test
 The folders of CGAL/Surface_mesh_geodesics/internal/ are rooms, and their order is the architecture (ROOMS below):
 
 - A file includes files of its own room or of a lower one. Rooms that share a rank do not include each other. Public
-  headers are above all rooms, except two plain value types that the inside throws and fills.
+  headers are above all rooms, except two plain value types that rooms throw or fill in.
 - Rooms below `interface` know neither meshes nor kernels.
 - A room has at most 15 files, and a README.md that names each of them and each subfolder. A subfolder of a room counts
   as a room of its own.
 - Only public headers include the license header, and each of them does.
-- The convenience header includes every public header, and nobody includes it.
+- The convenience header includes every public header, and no header includes it.
 - Includes have no cycle. Own headers are included with <>.
 - Only cgal_compatibility.h asks for the version of CGAL.
 - Each member of Tolerance has a caller: a tolerance that nobody uses is a dead copy of one that stands elsewhere.
@@ -84,7 +84,7 @@ def brings_mesh_or_kernel(include):
 
 
 def includes_of(text):
-    """The pairs (opening quote, path) of a file; what stands in block comments is no include."""
+    """The pairs (opening quote, path) of a file; ignores block comments."""
     return INCLUDE.findall(BLOCK_COMMENT.sub("", text))
 
 

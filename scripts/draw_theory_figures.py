@@ -16,8 +16,8 @@ from complaints import report
 
 FOLDER = pathlib.Path(__file__).resolve().parent.parent / "doc" / "Surface_mesh_geodesics" / "fig"
 
-BLUE, ORANGE, GREEN, PURPLE, GREY = "#0072B2", "#D55E00", "#009E73", "#CC79A7", "#888888"
-LIGHT_BLUE, LIGHT_ORANGE, LIGHT_GREEN, LIGHT_GREY = "#BBDDF2", "#F6D0B5", "#BFE8DA", "#EEEEEE"
+BLUE, ORANGE, GREEN, PURPLE, GRAY = "#0072B2", "#D55E00", "#009E73", "#CC79A7", "#888888"
+LIGHT_BLUE, LIGHT_ORANGE, LIGHT_GREEN, LIGHT_GRAY = "#BBDDF2", "#F6D0B5", "#BFE8DA", "#EEEEEE"
 
 
 # --- points ----------------------------------------------------------------------------------------------------------
@@ -138,7 +138,7 @@ def pairs_of_windows():
     y = intersection(left, k, right, x)
     picture.polygon([left, begin0, k], LIGHT_BLUE)
     picture.polygon([right, begin1, end1], LIGHT_ORANGE)
-    picture.polygon([intersection(left, k, right, begin1), begin1, k], LIGHT_GREY)
+    picture.polygon([intersection(left, k, right, begin1), begin1, k], LIGHT_GRAY)
     for image, ends, color in ((left, (begin0, k), BLUE), (right, (begin1, end1), ORANGE)):
         for point in ends:
             picture.line(image, point, color, 1.5)
@@ -146,7 +146,7 @@ def pairs_of_windows():
     picture.line(a, b, "black", 2)
     picture.line(begin0, k, BLUE, 5)
     picture.line(k, end1, ORANGE, 5)
-    picture.line((1.3, 0.07), (2.6, 0.07), GREY, 4, dashes="5,5")
+    picture.line((1.3, 0.07), (2.6, 0.07), GRAY, 4, dashes="5,5")
     for point, color in ((left, BLUE), (right, ORANGE), (y, "black"), (k, "black")):
         picture.dot(point, color)
     picture.text(a, "A", shift=(-0.2, -0.05))
@@ -155,7 +155,7 @@ def pairs_of_windows():
     picture.text(y, "Y", shift=(0.28, -0.03))
     picture.text(left, "w₀", BLUE, shift=(-0.3, -0.1))
     picture.text(right, "w₁", ORANGE, shift=(0.3, -0.1))
-    picture.label((1.9, 0), "redundant part of w₁", GREY, shift=(-0.45, 0.25))
+    picture.label((1.9, 0), "redundant part of w₁", GRAY, shift=(-0.45, 0.25))
     return picture
 
 
@@ -204,7 +204,7 @@ def wavefront():
     ring = [(2.0 * math.cos(angle), 2.0 * math.sin(angle)) for angle in (math.pi * (2 * i + 1) / 6 for i in range(6))]
     for i in range(6):
         reached = i in (3, 4)  # the two faces below
-        picture.polygon([center, ring[i], ring[(i + 1) % 6]], LIGHT_GREY if reached else "white", "black", 1.5)
+        picture.polygon([center, ring[i], ring[(i + 1) % 6]], LIGHT_GRAY if reached else "white", "black", 1.5)
     for i in (3, 4, 5):
         picture.line(toward(center, ring[i], 0.35), toward(center, ring[i], 1.75), PURPLE, 5)
     for i in (5, 0, 1, 2):
@@ -218,7 +218,7 @@ def wavefront():
     picture.text(center, "v", shift=(0.14, 0.2))
     words = (("lists that wait on the edges of v", PURPLE), ("carried counterclockwise", BLUE),
              ("carried clockwise", ORANGE), ("lists that wait afterwards", GREEN),
-             ("faces that were reached before", GREY))
+             ("faces that were reached before", GRAY))
     for k, (text, color) in enumerate(words):
         picture.label((2.1, 1.2 - 0.55 * k), text, color, anchor="start")
     return picture
@@ -244,8 +244,8 @@ def redundant_windows():
                 far = max(min(distances(p)) for p in face)
                 nearest = {min((0, 1), key=lambda i, p=p: distances(p)[i]) for p in face}
                 fill = "white" if far > radius + 0.35 else LIGHT_ORANGE if far > radius - 0.35 else \
-                    LIGHT_BLUE if len(nearest) == 2 else LIGHT_GREY
-                picture.polygon(face, fill, GREY, 0.7)
+                    LIGHT_BLUE if len(nearest) == 2 else LIGHT_GRAY
+                picture.polygon(face, fill, GRAY, 0.7)
     middle = between(*sites, 0.5)
     across = (-(sites[1][1] - sites[0][1]), sites[1][0] - sites[0][0])
     length = math.hypot(*across)
@@ -255,9 +255,9 @@ def redundant_windows():
     for site in sites:
         picture.dot(site, "black", 5)
     for k, (fill, words) in enumerate(((LIGHT_ORANGE, "wavefront: kept"), (LIGHT_BLUE, "crossed: cut, then removed"),
-                                       (LIGHT_GREY, "one site: removed"))):
+                                       (LIGHT_GRAY, "one site: removed"))):
         x = (0.0, 2.7, 6.4)[k]
-        picture.polygon([(x, -0.65), (x + 0.25, -0.65), (x + 0.25, -0.4), (x, -0.4)], fill, GREY)
+        picture.polygon([(x, -0.65), (x + 0.25, -0.65), (x + 0.25, -0.4), (x, -0.4)], fill, GRAY)
         picture.label((x + 0.35, -0.6), words, anchor="start", size=13)
     return picture
 
@@ -332,7 +332,7 @@ def rooms():
     picture = Picture(-1.9, -0.45, 5.9, 7.45, 80)
     half_width, half_height = 1.15, 0.31
     for name, ((x, y), below) in ROOMS.items():
-        fill = LIGHT_ORANGE if y == 7 else LIGHT_BLUE if y > 4 else LIGHT_GREEN if y > 1 else LIGHT_GREY
+        fill = LIGHT_ORANGE if y == 7 else LIGHT_BLUE if y > 4 else LIGHT_GREEN if y > 1 else LIGHT_GRAY
         corners = [(x + i * half_width, y + j * half_height) for i, j in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
         picture.polygon(corners, fill, "black", 1.5)
         picture.label((x, y), name, shift=(0, 0.03))

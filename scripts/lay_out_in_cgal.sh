@@ -88,7 +88,7 @@ if ! grep -qs "^$package " "$list"; then
   echo "$package $title" >> "$list"
 fi
 
-# These tests are about this repository only: the installed package, the program for the command line, the same bits
+# These tests concern only this repository: the installed package, the program for the command line, the same bits
 # from several compilers, CGAL's own examples, runs of minutes.
 for part in consumer program determinism run_cgal_examples.sh; do
   rm -r "$target/test/${package:?}/$part"
@@ -118,7 +118,7 @@ for figure in "$target/doc/$package/fig"/*; do
   grep -qF "$(basename "$figure")" "$target/doc/$package"/*.txt || rm "$figure"
 done
 
-# CGAL prints the literature by itself, from its own file: see doc/submission/references.bib.
+# CGAL prints the literature from its own file: see doc/submission/references.bib.
 sed -i "/^\\\\section ${package}_literature /,/^\*\/\$/{/^\*\/\$/!d}" "$manual/Literature.txt"
 mkdir -p "$tree/Documentation/doc/biblio"
 cp "doc/submission/references.bib" "$tree/Documentation/doc/biblio/$package.bib"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Makes all pictures of the README and of the manual. For the renderings it builds the examples that write the data, and
-# runs them on the mesh of the examples and on a scan of CGAL's data. Scripts of their own make the drawings of the theory,
+# runs them on the mesh of the examples and on a scan of CGAL's data. Other scripts make the drawings of the theory,
 # the plots of the committed results and the pictures of the program's page.
 # Writes everything but the pictures below build/. Look at each picture before you commit it.
 set -euo pipefail

@@ -8,7 +8,7 @@ Usage: measure_code.py [--revision REV] [--against REV] [--functions N]
   --revision REV   measures that revision of the repository instead of the working tree
   --against REV    prints a second column with the figures of that revision, as the state before
   --functions N    names the N longest functions of each part (default: 3)
-  --check          prints what breaks a limit (LIMITS below), and fails if something does
+  --check          prints what exceeds a limit (LIMITS below), and fails if anything does
 
 Shares of comments are those of the lines with text, without the copyright block. The length of a function is the number
 of lines between its braces.
@@ -35,7 +35,7 @@ PROGRAM_FOLDERS = ("demo", "app", "benchmark", "examples", "test")
 
 # Their bulk is documentation.
 LONG_FILES = {OWN + "Surface_mesh_geodesic_paths.h", OWN + "Surface_mesh_geodesic_Voronoi_diagram.h"}
-# They hold no more than includes.
+# They contain only includes.
 HEADERS_WITHOUT_DOCUMENTATION = {
     "include/CGAL/Surface_mesh_geodesics.h",
     "include/CGAL/license/Surface_mesh_geodesics.h",

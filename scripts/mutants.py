@@ -1,8 +1,8 @@
 """The faults that check_mutations.py puts into the headers, one at a time.
 
-A row has the name of the mutant, the header, a text that stands there once, what is written instead, why that is a
-fault, and the tests that should find it, the cheapest first. A row of a mutant that changes no answer ends with the
-reason: no test can find it.
+A row has the name of the mutant, the header, a text that occurs there once, its replacement, why that is a
+fault, and the tests that should find it, the cheapest first. The row of a mutant that changes no answer ends with the
+reason why no test can find it.
 """
 
 INTERNAL = "CGAL/Surface_mesh_geodesics/internal/"

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Prints where the time of a build and of its tests went: the largest first, and the sums.
+"""Prints the times of the steps of a build and of its tests, the largest first, and the sums.
 
 Usage: print_times.py BUILD_FOLDER [NUMBER]
        print_times.py --self-test
 
-Reads what Ninja noted about the last build of each file (.ninja_log; make notes nothing) and what CTest noted about its
-last run. NUMBER limits the lines of each list (default: 12). Times are seconds on the clock, of one job among several.
+Reads Ninja's log of the last build of each file (.ninja_log; make has no log) and CTest's log of its last run. NUMBER
+limits the lines of each list (default: 12). Times are seconds on the clock, of one job among several.
 """
 
 import pathlib

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Computes the exact distances from one vertex to all others on a scan with 75,000 faces, as numbers and as a colored
 # mesh: installs what is needed, builds the example in Release mode and runs it. Everything is written below build/.
-# Arguments replace those of the example: a mesh, and the number of the source vertex.
+# Arguments replace those of the example: a mesh, and the index of the source vertex.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=$root/build
@@ -19,7 +19,7 @@ cmake --build "$build" --target distances_as_colored_mesh --parallel "${JOBS:-$(
 if [ $# -eq 0 ] && [ ! -f "$data/data/meshes/bunny00.off" ]; then
   archive=/usr/share/doc/libcgal-dev/data.tar.gz
   if [ ! -f "$archive" ]; then
-    # Slim images of Debian do not install /usr/share/doc: take the file out of the package itself.
+    # Slim images of Debian do not install /usr/share/doc: takes the file out of the package.
     mkdir -p "$build/libcgal-demo"
     (cd "$build/libcgal-demo" && apt-get download libcgal-demo && dpkg-deb --extract libcgal-demo_*.deb .)
     archive=$build/libcgal-demo$archive

@@ -12,7 +12,7 @@ work=$root/build/cgal_of_$release
 source "$root/scripts/build_and_test.sh"
 install_needs_of_tests
 
-# apt-get gets lists of its own; those of the system stay as they are.
+# apt-get uses its own lists, and those of the system do not change.
 apt=$work/apt
 mkdir -p "$apt/lists/partial" "$apt/cache/archives/partial"
 site=$(apt-get indextargets --format '$(SITE)' 'Created-By: Packages' | head -n 1)

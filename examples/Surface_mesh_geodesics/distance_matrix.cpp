@@ -35,7 +35,7 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
 
-  // Twenty vertices, each as far as possible from all vertices before it.
+  // Twenty vertices. Each is as far as possible from all vertices before it.
   std::vector<vertex_descriptor> samples;
   Geodesics::geodesic_farthest_point_sampling(mesh, 20, std::back_inserter(samples));
 

@@ -26,6 +26,6 @@ int main(int argc, char* argv[])
   CGAL::Surface_mesh_geodesics::geodesic_distances(mesh, distance, source);
 
   for(vertex_descriptor v : vertices(mesh))
-    std::cout << v << ": " << distance[v] << "\n"; // inf where no path leads
+    std::cout << v << ": " << distance[v] << "\n"; // inf if no path leads to v
   return EXIT_SUCCESS;
 }

@@ -64,7 +64,7 @@ int main(int argc, char* argv[])
   std::cout << "distance " << distance << " to the source at " << shortest_paths.point(source->first, source->second)
             << std::endl;
 
-  // The same after a source has been removed; and the path, as a sequence and as points.
+  // The same after the removal of a source, with the path as a sequence and as points.
   shortest_paths.remove_source_point(second_source);
   Sequence_counter sequence;
   distance = shortest_paths.shortest_path_sequence_to_source_points(middle, center, sequence).first;

@@ -1,4 +1,4 @@
-// Several threads ask one object for many paths.
+// Several threads query many paths of one object.
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
@@ -21,7 +21,7 @@ using Paths = CGAL::Surface_mesh_geodesic_paths<Traits>;
 using vertex_descriptor = boost::graph_traits<Mesh>::vertex_descriptor;
 
 // Counts the points of the paths from the vertices first, first + step, first + 2 step, ... Queries are const: any
-// number of threads may ask the same object.
+// number of threads may query the same object.
 void count_points(const Paths& paths, std::size_t first, std::size_t step, std::vector<std::size_t>& numbers)
 {
   std::vector<Kernel::Point_3> points;

@@ -30,8 +30,8 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
 
-  // Fire stations at four vertices. The first one is quick: its weight is subtracted from its distances. The second one
-  // is slow: its weight is negative. The last one is beside the first one, and so slow that its cell is empty.
+  // Fire stations at four vertices. The first one is fast: its weight is subtracted from its distances. The second one
+  // is slow: its weight is negative. The last one is next to the first one, and so slow that its cell is empty.
   const Mesh::size_type n = mesh.number_of_faces();
   const auto corner = [&](Mesh::size_type f) { return target(halfedge(Mesh::Face_index(f), mesh), mesh); };
   const double size = std::sqrt(PMP::area(mesh));

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# The examples of CGAL's package Surface_mesh_shortest_path with Surface_mesh_geodesic_paths: include and class name are
-# replaced by sed, both versions are built and run, and all numbers they print and write have to agree. The examples are
-# those that Debian's CGAL brings along.
+# Runs the examples of CGAL's package Surface_mesh_shortest_path with Surface_mesh_geodesic_paths: replaces the include
+# and the name of the class, builds and runs both versions, and compares all numbers that they print and write. The
+# examples are part of Debian's CGAL.
 #
 # Usage: run_cgal_examples.sh <include folder> <work folder> [<arguments for cmake> ...]
-# The exit status is 77 if the examples cannot be had.
+# The exit status is 77 if the examples are not available.
 set -euo pipefail
 include=$(cd "$1" && pwd)
 mkdir -p "$2"
@@ -19,7 +19,7 @@ skip() {
   exit 77
 }
 
-# The archive is in a folder that slim images of Debian leave out: then it is taken out of the package itself.
+# Slim images of Debian do not install the folder of the archive. In that case, takes the archive out of the package.
 find_archive() {
   local name=$1 folder
   for folder in /usr/share/doc/libcgal-dev /usr/share/doc/libcgal-demo; do
@@ -49,7 +49,7 @@ find_archive data.tar.gz
 tar --extract --gzip --file "$archive" data/meshes/elephant.off
 mesh=$PWD/data/meshes/elephant.off
 
-# Both versions write all digits. The one with OpenMesh is left out.
+# Both versions write all digits. The example with OpenMesh is omitted.
 mkdir before after
 examples=()
 for source in examples/Surface_mesh_shortest_path/*.cpp; do
@@ -82,13 +82,13 @@ foreach(name ${examples[*]})
   target_include_directories(after_\${name} PRIVATE "$include")
 endforeach()
 END
-# Optimisation would take longer than it saves.
+# More optimization would take longer than it saves.
 cmake -S . -B build -DCMAKE_BUILD_TYPE= -DCMAKE_CXX_FLAGS=-O1 "$@" > configure.log 2>&1 \
   || { cat configure.log; exit 1; }
 cmake --build build --parallel "${JOBS:-2}" > build.log 2>&1 || { grep -B 2 -A 20 'error' build.log; exit 1; }
 
-# Compares two files line by line. A line "n x y z ..." is a path: points that are repeated do not count, and where two
-# paths differ they have to be equally long, for there may be several shortest ones.
+# Compares two files line by line. A line "n x y z ..." is a path. Ignores repeated points. Paths that differ must have
+# the same length, because there may be several shortest paths.
 cat > compare.awk << 'END'
 function is_number(s) { return s ~ /^[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?$/ }
 function magnitude(x) { return x < 0 ? -x : x }

@@ -299,8 +299,8 @@ void test_tolerance()
   CHECK(error < 1e-4);
 }
 
-// Three sites tie at the middle of an edge of a hole: a triangle there has no area, whatever the tolerance is, and the
-// number of vertices does not grow beyond what the tolerance asks for by much.
+// Three sites tie at the middle of an edge of a hole: a triangle there has no area for any tolerance, and the
+// number of vertices is not much larger than the tolerance requires.
 void test_tie_at_hole()
 {
   const Mesh mesh = to_face_graph(square_with_holes(1));

@@ -14,7 +14,7 @@ namespace {
 
 std::size_t number_of_points = 0;
 
-// Barycentric coordinates of middles, quarters and corners, and of points beside them.
+// Barycentric coordinates of middles, quarters and corners, and of points next to them.
 std::vector<std::array<double, 3>> special_coordinates()
 {
   std::vector<std::array<double, 3>> result;

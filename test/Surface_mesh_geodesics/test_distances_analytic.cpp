@@ -105,7 +105,7 @@ private:
     const double qu = height(q, u, u_side);
     // straight over that face
     double best = std::hypot(du + m_n + qu, p[v] - q[v]);
-    // over that face and one beside it: leaves through side u at height 0, arrives through side v at height n
+    // over that face and an adjacent one: leaves through side u at height 0, arrives through side v at height n
     for(std::size_t v_side = 0; v_side < 2; ++v_side)
     {
       best = (std::min)(best, std::hypot(du + m_n + height(q, v, v_side), height(p, v, v_side) + qu));

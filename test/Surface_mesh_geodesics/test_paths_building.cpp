@@ -240,7 +240,7 @@ void check_first_queries(const Mesh& tm, const std::vector<std::size_t>& sources
     }
     check_query_member(of_const[i], paths, tm);
     Answers answers, of_other_answers;
-    of_const[i].call(paths, answers); // once more
+    of_const[i].call(paths, answers); // again
     of_other[i].call(asked_without_const, of_other_answers);
     CHECK(answers.numbers == of_other_answers.numbers && answers.points == of_other_answers.points);
     CHECK(answers.polyline == of_other_answers.polyline && answers.lines == of_other_answers.lines);

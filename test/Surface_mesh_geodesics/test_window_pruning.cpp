@@ -232,7 +232,7 @@ void close_images_are_not_trimmed(Lane_choice choice)
   const Window left = window(0, .75, .25, depth, 0), right = window(.25, 1, .75, .25, 0);
   CHECK(internal::is_too_close_to_trim(left, edge_length));
   CHECK(!internal::is_too_close_to_trim(right, edge_length));
-  CHECK(!internal::is_too_close_to_trim(window(.5, 1, .25, depth, 0), edge_length)); // beside its interval
+  CHECK(!internal::is_too_close_to_trim(window(.5, 1, .25, depth, 0), edge_length)); // outside its interval
   const List list = list_of(pool, {left, right});
   internal::Suspects suspects = 0;
   CHECK(loops.trim(list.columns, list.size, edge_length, no_rival, no_rival, &suspects));

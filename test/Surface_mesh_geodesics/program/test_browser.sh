@@ -77,7 +77,7 @@ opened distances.html \
   "click(0.01, 0.01); click(0.5, 0.5); drag(100, 0); click(0.5, 0.5); click(0.6, 0.5);" > distances.dom
 contains distances.dom 'data-state="ready"'
 contains distances.dom '"|There is no surface here.|distance 0.70711, at (0.5, 0.5, 0)|'
-# turned around its middle by 0.8, the square is narrower: a click beside the middle is farther to the right on it
+# turned around its middle by 0.8, the square is narrower: a click next to the middle is farther to the right on it
 answers=$(sed -n 's/.*data-answers="\([^"]*\)".*/\1/p' distances.dom)
 equals "$(echo "$answers" | cut -d '|' -f 4)" "distance 0.70711, at (0.5, 0.5, 0)"
 echo "$answers" | cut -d '|' -f 5 | awk -F '[(,]' '{ exit !($3 > 0.65 && $3 < 0.8 && $4 == 0.5) }'

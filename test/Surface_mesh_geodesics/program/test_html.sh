@@ -7,11 +7,11 @@ needs_pages
 
 is_silent distances "$grid" --source 0 --html distances.html -o distances.csv
 is_silent path "$grid" --source 0 --target 15 --html path.html
-is_silent voronoi "$grid" --site 0,15 -o voronoi.html # the other way to ask for it
+is_silent voronoi "$grid" --site 0,15 -o voronoi.html # the format follows from the ending too
 for page in distances path voronoi; do
   equals "$(line $page.html 1)" "<!DOCTYPE html>"
   equals "$(tail -n 1 $page.html)" "</html>"
-  # complete in itself, with the license of what is in it
+  # self-contained, with the license of three.js
   equals "$(grep -c -i -E '<(script|img|iframe)[^>]+src=|<link|@import' $page.html)" 0
   contains $page.html "three.js authors"
   contains $page.html "Permission is hereby granted, free of charge"
@@ -31,7 +31,7 @@ is_silent distances '<i>&"x".off' --source 0 --html name.html
 equals "$(grep -c '<i>&"x"' name.html)" 0
 contains name.html '\u003ci\u003e\u0026\u0022x\u0022.off: 16 vertices, 18 faces'
 
-# A scan of 75,000 faces is less than ten million bytes.
+# The page of a scan with 75,000 faces has less than ten million bytes.
 awk 'BEGIN { n = 194; print "OFF\n" (n + 1)^2, 2 * n^2, 0
   for(i = 0; i <= n; ++i) for(j = 0; j <= n; ++j) print i, j, sin(i / 9) * cos(j / 9)
   for(i = 0; i < n; ++i) for(j = 0; j < n; ++j) { v = (n + 1) * i + j

@@ -86,7 +86,7 @@ for mesh in point tiny; do
   is_silent voronoi $mesh.off --site 0,1 -o $mesh.ply
 done
 is_silent distances point.off --source-point 0,0,0 > point.csv
-# but the nearest location to a point is not found if CGAL's trees cannot distinguish the mesh from a point
+# but the program finds no nearest location to a point if CGAL's trees cannot distinguish the mesh from a point
 refuses 3 "tiny.off: the mesh is too large or too small to locate points, or the point is too far" \
   distances tiny.off --source-point 0,0,0
 refuses 3 "text.off: the file is damaged" info text.off
@@ -119,7 +119,7 @@ if [ -e /dev/full ]; then
   equals "$status" 4
   contains full.err "standard output: cannot be written"
 fi
-if [ "$(id -u)" -ne 0 ]; then # whoever may write everything cannot see this one
+if [ "$(id -u)" -ne 0 ]; then # root may write every file
   echo old > protected.csv
   chmod a-w protected.csv
   refuses 4 "protected.csv: cannot be written: Permission denied" "${distances[@]}" -o protected.csv
@@ -186,7 +186,7 @@ equals "$status" 143
 no_remains
 
 # a file that is named twice is written once
-for i in 1 2; do # new, and there already
+for i in 1 2; do # a new file, then an existing one
   "$program" distances "$data/grid9.off" --source 0 -o twice.csv -o ./twice.csv -o twice.csv
 done
 equals "$(wc -l < twice.csv)" "$(wc -l < <("$program" distances "$data/grid9.off" --source 0))"

@@ -42,7 +42,7 @@ is_silent voronoi "$grid" --site 0,6,15 --weight 0,0.1,0 --tolerance 1e-2 -o coa
 is_silent voronoi "$grid" --site 0,6,15 --weight 0,0.1,0 --tolerance 1e-7 -o fine.obj
 [ "$(grep -c '^v ' fine.obj)" -gt "$(grep -c '^v ' coarse.obj)" ]
 
-# Colors: one for each cell, as in the header of the file, and different for neighbors.
+# Colors: one for each cell, as in the header of the file. Adjacent cells have different colors.
 sphere=$data/../../../examples/Surface_mesh_geodesics/data/bumpy_sphere.off
 is_silent voronoi "$sphere" --site-random 40 --quiet -o colors.ply -o neighbors.csv
 tr -d '\r' < colors.ply | awk '
@@ -62,7 +62,7 @@ refuses 2 "--weight: '' is not a number" voronoi none.off --site 0 --weight 1,
 refuses 2 "'0' is not a positive number" voronoi none.off --site 0 --tolerance 0
 refuses 2 "--tolerance: 1e-30 is too small for a mesh of this size; give 1.41421e-09 or more" \
   voronoi "$grid" --site 0,15 --tolerance 1e-30 -o x.ply
-is_silent voronoi "$grid" --site 0,6,15 --weight 0,0.1,0 --tolerance 1.5e-9 -o finest.obj # a limit that can be borne
+is_silent voronoi "$grid" --site 0,6,15 --weight 0,0.1,0 --tolerance 1.5e-9 -o finest.obj # almost too small
 [ "$(wc -c < finest.obj)" -lt 10000000 ]
 remarks "--tolerance has no effect without an output .ply, .vtk, .obj, .html" voronoi "$grid" --site 0 --tolerance 1
 remarks "--vertices has no effect without an output .csv" voronoi "$grid" --site 0,15 --vertices -o x.obj
