@@ -254,7 +254,8 @@ private:
   // --- areas ---
 
   // Checks that the areas of the cells of a component add up to that of its faces, if a site reaches it, and that none
-  // is negative. A cell is in the component of its site. So gaps and overlaps of cells show even where no sample lies.
+  // is negative. A cell is in the component of its site. So a gap or an overlap of cells shows even where no sample
+  // lies, unless another one makes up for it.
   void check_areas()
   {
     std::vector<double> expected(num_vertices(m_tm), 0.), sum(expected);

@@ -110,6 +110,8 @@ private:
 
   static bool is_finite(const FT& d) { return d < std::numeric_limits<FT>::infinity(); }
 
+  // Makes u on all edges: on each one the minimum over the paths that reach it through its two faces, along the
+  // halfedge for which is_first_of_edge() holds.
   void make_functions()
   {
     m_begin.assign(3 * m_mesh.number_of_faces(), 0);
@@ -225,7 +227,7 @@ private:
     const std::size_t e = dense_index(is_first ? h : m_mesh.opposite(h));
     const auto first = m_pieces.begin() + static_cast<std::ptrdiff_t>(m_begin[e]);
     pieces.assign(first, first + static_cast<std::ptrdiff_t>(m_size[e]));
-    if(is_first != is_backwards)
+    if(is_first != is_backwards) // the direction in which the function is stored
       return;
     std::reverse(pieces.begin(), pieces.end());
     for(Piece& p : pieces)
@@ -257,7 +259,9 @@ private:
     }
   }
 
-  // Checks that the function has no jumps, and is not less than the values at the ends of the edge.
+  // Checks that the function has no jumps, and is not less than the values at the ends of the edge. A piece is a
+  // distance from an image, which grows by at most the length of the way. So a function without jumps satisfies the
+  // condition for two points of the edge itself, and no other check is needed for them.
   void check_continuity(const Face_frame<FT>& c)
   {
     for(std::size_t i = 0; i + 1 < m_from.size(); ++i)

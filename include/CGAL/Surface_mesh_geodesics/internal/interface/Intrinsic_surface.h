@@ -124,6 +124,8 @@ public:
     return m_table.vertex_of_index[static_cast<std::size_t>(get(m_vim, v))];
   }
 
+  // Returns the same, but throws unless v is a vertex of the mesh that was read: its index leads to a descriptor in the
+  // table, which has to equal v. (Descriptors that are mere indices are the same in all meshes.)
   Vertex_id checked_id(vertex_descriptor v, const char* what, std::size_t position) const
   {
     if(v != Graph_traits::null_vertex())
@@ -154,7 +156,8 @@ public:
 
   face_descriptor descriptor_of_face(Face_id f) const { return m_table.faces[f]; }
 
-  // Returns the halfedge of the intrinsic mesh that is halfedge(f, tm).
+  // Returns the halfedge of the intrinsic mesh that is halfedge(f, tm). Throws unless f is a face of the mesh that was
+  // read, in the same way as checked_id().
   Halfedge_id checked_halfedge(face_descriptor f, const char* what, std::size_t position) const
   {
     if(f == Graph_traits::null_face())
@@ -169,6 +172,7 @@ public:
     refuse_face(what, position);
   }
 
+  // Returns the user's halfedge that is h. Walks around the face from halfedge(f, tm), as only that one is in a table.
   halfedge_descriptor descriptor_of_halfedge(Halfedge_id h) const
   {
     const face_descriptor f = m_table.faces[face_of(h)];

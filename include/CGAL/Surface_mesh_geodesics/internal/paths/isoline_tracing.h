@@ -51,6 +51,9 @@ struct Isoline_point
   FT t;
 };
 
+// Invariants, when all faces have been looked at: each point has two neighbors, one in each face at its edge, or one at
+// the border of the mesh; so points and neighbors form lines and closed lines. The number of crossings around a face is
+// even, because each edge has an odd number of them if and only if its ends are on different sides of the value.
 template <typename FT_>
 class Isoline_tracer
 {
@@ -128,6 +131,7 @@ private:
     return o == null_id ? h : (std::min)(h, o);
   }
 
+  // Return the distance of a point of a face, and of the point at t of a halfedge, from the nearest source.
   FT distance_at(Face_id f, const std::array<FT, 3>& b) const
   {
     return arrival_at_location(m_mesh, m_field, m_windows, f, b).distance;
@@ -277,7 +281,7 @@ private:
     return points;
   }
 
-  // Returns the vertex at which a point lies, or null_id.
+  // Returns the vertex at which a point lies, or null_id. (find_crossings() gives such a point exactly 0 or 1.)
   Vertex_id vertex_at(const Point& p) const
   {
     return p.t == 0 ? m_mesh.source(p.halfedge) : p.t == 1 ? m_mesh.target(p.halfedge) : null_id;
