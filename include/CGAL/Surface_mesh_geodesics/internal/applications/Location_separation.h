@@ -99,8 +99,9 @@ private:
 };
 
 // Compares barycentric coordinates, as there are no points. A location is the sum of its corners, weighted with its
-// coordinates; the difference of two such sums moves each corner's share over at most the longest edge of the two
-// faces. So the sum of the differences, times that edge, is an upper bound of the distance.
+// coordinates. If the two faces have a corner in common, each corner's share moves over at most the longest edge of the
+// two faces. So the sum of the differences, times that edge, is an upper bound of the distance. If they have none, the
+// result is two such edges, which tells only that the locations differ.
 template <typename Diagram, typename Length>
 class Separation_by_coordinates
 {
@@ -141,14 +142,14 @@ public:
   }
 
 private:
-  // The vertices of a face in the order of its coordinates.
+  // Returns the vertices of a face in the order of its coordinates.
   Corners corners(typename Graph_traits::face_descriptor f) const
   {
     const auto h = halfedge(f, m_tm);
     return {source(h, m_tm), target(h, m_tm), target(next(h, m_tm), m_tm)};
   }
 
-  // The weight of a vertex in a location: 0 if it is no corner of the face, a sum if it is several corners.
+  // Returns the weight of a vertex in a location: 0 if it is no corner of the face, a sum if it is several corners.
   static double coordinate(const Face_location& l, const Corners& of_l, typename Graph_traits::vertex_descriptor v)
   {
     double sum = 0;

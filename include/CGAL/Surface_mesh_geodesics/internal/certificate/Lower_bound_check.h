@@ -29,6 +29,7 @@
 // function on the edges. So the distance is at least u(v) - (m + 2) e.
 
 #include <CGAL/Surface_mesh_geodesics/internal/certificate/Edge_distance_function.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Edge_window_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/unfolding.h>
@@ -81,10 +82,7 @@ public:
   }
 
 private:
-  struct Point
-  {
-    FT x, y;
-  };
+  using Point = Planar_point<FT>;
 
   // The values of a linear function at the ends of a piece.
   struct Ends
