@@ -120,10 +120,10 @@ void check_sites_of_faces(const Mesh& mesh, const Voronoi& voronoi, const Cut& c
   const double whole = area_of(mesh);
   for(std::size_t i = 0; i < area.size(); ++i)
   {
-    CHECK_NEAR(area[i], CGAL::to_double(voronoi.area(i)), 2 * tolerance * boundary + 1e-9 * whole);
+    CHECK_NEAR(area[i], CGAL::to_double(voronoi.area(i)), 2 * tolerance * boundary + 1e-12 * whole);
     unreached += CGAL::to_double(voronoi.area(i));
   }
-  CHECK_NEAR(unreached, whole, 1e-9 * whole);
+  CHECK_NEAR(unreached, whole, 1e-12 * whole);
 }
 
 // The middle of each face of the input lies in a face of the cut. The site of that face is a nearest site of the
@@ -172,8 +172,8 @@ std::size_t check_cut(const Mesh& mesh, const Voronoi& voronoi, double relative_
   CHECK_EQUAL(CGAL::is_valid_polygon_mesh(cut.mesh), CGAL::is_valid_polygon_mesh(mesh)); // isolated vertices
   CHECK_EQUAL(CGAL::is_closed(cut.mesh), CGAL::is_closed(mesh));
   CHECK_EQUAL(Euler_characteristic(cut.mesh), Euler_characteristic(mesh));
-  CHECK_CLOSE(area_of(cut.mesh), area_of(mesh), 1e-9);
-  CHECK_CLOSE(length_of_border(cut.mesh), length_of_border(mesh), 1e-9);
+  CHECK_CLOSE(area_of(cut.mesh), area_of(mesh), 1e-12);
+  CHECK_CLOSE(length_of_border(cut.mesh), length_of_border(mesh), 1e-12);
   check_edges_between_cells(voronoi, cut);
   if(!is_small)
     return number_of_degenerate_faces(cut.mesh) - number_of_degenerate_faces(mesh);
@@ -311,7 +311,7 @@ void test_tie_at_hole()
       voronoi.add_site(vertex_descriptor(v));
     const Cut cut = cut_of(voronoi, tolerance);
     CHECK(CGAL::is_valid_polygon_mesh(cut.mesh));
-    CHECK_CLOSE(area_of(cut.mesh), area_of(mesh), 1e-9);
+    CHECK_CLOSE(area_of(cut.mesh), area_of(mesh), 1e-12);
     CHECK(num_faces(cut.mesh) < 5000);
   }
 }

@@ -186,7 +186,7 @@ void test_vtk(const Mesh& mesh, const Voronoi& voronoi)
     const std::size_t a = number(s), b = number(s), c = number(s);
     area += length(cross(v.at(b) - v.at(a), v.at(c) - v.at(a))) / 2;
   }
-  CHECK_CLOSE(area, CGAL::to_double(CGAL::Polygon_mesh_processing::area(mesh)), 1e-9);
+  CHECK_CLOSE(area, CGAL::to_double(CGAL::Polygon_mesh_processing::area(mesh)), 1e-12);
   CHECK_EQUAL(word(s), std::string("CELL_DATA"));
   CHECK_EQUAL(number(s), nl + nf);
   for(const std::string name : {"site", "left_site", "right_site"})

@@ -86,9 +86,9 @@ void check_distances(const std::vector<Point>& points, double value, const Geode
     if(!is_on_border(tm, points[i], 1e-9 * size)) // there the answers of the original are random
     {
       CHECK_NEAR(original.shortest_distance_to_source_points(location.first, location.second).first, value,
-                 1e-8 * size);
+                 1e-10 * size);
     }
-    CHECK_NEAR(paths.shortest_distance_to_source_points(location.first, location.second).first, value, 1e-8 * size);
+    CHECK_NEAR(paths.shortest_distance_to_source_points(location.first, location.second).first, value, 1e-10 * size);
   }
 }
 
@@ -110,7 +110,7 @@ void check_edges_are_crossed(const std::vector<Point>& points, double value, con
     {
       nearest = (std::min)(nearest, distance_to_segment(p, tm.point(a), tm.point(b)));
     }
-    CHECK_NEAR(nearest, 0., 1e-9 * size);
+    CHECK_NEAR(nearest, 0., 1e-12 * size);
   }
 }
 
@@ -141,8 +141,8 @@ void lines_have_the_distances_of_the_original(const Indexed_mesh& indexed, std::
       CHECK(line.size() >= 2);
       if(!is_closed(line))
       {
-        CHECK(is_on_border(tm, line.front(), 1e-9 * size));
-        CHECK(is_on_border(tm, line.back(), 1e-9 * size));
+        CHECK(is_on_border(tm, line.front(), 1e-12 * size));
+        CHECK(is_on_border(tm, line.back(), 1e-12 * size));
       }
       points.insert(points.end(), line.begin(), line.end());
     }

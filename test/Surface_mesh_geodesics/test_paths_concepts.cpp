@@ -149,7 +149,7 @@ private:
     }
     for(std::size_t k = 0; k < m_points.size(); ++k)
     {
-      CHECK_NEAR(length(to_coordinates(m_points[k]) - m_scale * to_coordinates(m_expected_points[k])), 0., 1e-9);
+      CHECK_NEAR(length(to_coordinates(m_points[k]) - m_scale * to_coordinates(m_expected_points[k])), 0., 1e-12);
     }
   }
 
