@@ -135,7 +135,7 @@ inline Indexed_mesh voxel_surface(const std::string& name, const std::vector<std
   mesh.name = name;
   std::map<Lattice_point, std::size_t> index_of;
   auto id = [&](const Lattice_point& p) {
-    const auto inserted = index_of.insert({p, mesh.points.size()});
+    const auto inserted = index_of.try_emplace(p, mesh.points.size());
     if(inserted.second)
     {
       mesh.points.push_back({static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])});
