@@ -159,7 +159,10 @@ void a_near_target_saves_work()
 {
   test_support::Scope scope("target saves work");
   const Mesh tm = to_face_graph(icosphere(4));
-  const std::vector<double> full = distances(tm, vertex(0));
+  SMG::Propagation_statistics all;
+  Options options;
+  options.statistics = &all;
+  const std::vector<double> full = distances_with_options(tm, vertex(0), options);
   std::size_t near = 0;
   for(std::size_t i = 0; i < full.size(); ++i)
   {
@@ -168,11 +171,7 @@ void a_near_target_saves_work()
       near = i;
     }
   }
-  SMG::Propagation_statistics all;
   SMG::Propagation_statistics few;
-  Options options;
-  options.statistics = &all;
-  distances_with_options(tm, vertex(0), options);
   options.statistics = &few;
   options.targets = {vertex(near)};
   const std::vector<double> result = distances_with_options(tm, vertex(0), options);
