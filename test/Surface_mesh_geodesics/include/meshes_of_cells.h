@@ -42,16 +42,7 @@ inline Indexed_mesh plane_cells(const std::string& name, const std::vector<std::
       const std::size_t b = id(x + 1, y);
       const std::size_t c = id(x + 1, y + 1);
       const std::size_t d = id(x, y + 1);
-      if((x + y) % 2 == 0)
-      {
-        mesh.faces.push_back({a, b, c});
-        mesh.faces.push_back({a, c, d});
-      }
-      else
-      {
-        mesh.faces.push_back({a, b, d});
-        mesh.faces.push_back({b, c, d});
-      }
+      add_quadrilateral(mesh, a, b, c, d, (x + y) % 2 == 0);
     }
   }
   return mesh;
@@ -184,7 +175,7 @@ inline Indexed_mesh genus_3_polycube()
   return voxel_surface("genus 3 polycube", {{"#######", "#.#.#.#", "#######"}});
 }
 
-// A cube with three crossing tunnels: genus 5, all angles and most distances tie.
+// A cube with three crossing tunnels, of genus 5. All angles are equal, and most distances tie.
 inline Indexed_mesh Menger_sponge()
 {
   return voxel_surface("Menger sponge", {{"###", "#.#", "###"}, {"#.#", "...", "#.#"}, {"###", "#.#", "###"}});
