@@ -232,7 +232,7 @@ def figures(results):
     for quantity in ("ratio_first", "mean_error_percent", "largest_error_percent"):
         add_range(f"heat_{quantity}", values("heat_method", quantity))
     add_range("heat_slower_next", [1 / ratio for ratio in values("heat_method", "ratio_next")])
-    radii = values("heat_method", "place_of_largest_error_percent")
+    radii = values("heat_method", "position_of_largest_error_percent")
     found["heat_radius_percent"] = f"{math.ceil(10 * max(radii)) / 10:.1f}"
     return {name: str(number) for name, number in (found | certificates(rows("certified_meshes"))).items()}
 

@@ -208,11 +208,11 @@ struct Series
 // The errors of estimates at the vertices that the source reaches, except the source.
 struct Errors
 {
-  double mean = 0;              // relative to the distance of the vertex
-  double largest = 0;           // relative to the distance of the vertex
-  double place_of_largest = 0;  // the distance of the vertex with the largest error, relative to the largest distance
-  double largest_of_extent = 0; // relative to the largest distance
-  std::size_t not_finite = 0;   // estimates that are not finite; excluded from the errors above
+  double mean = 0;                // relative to the distance of the vertex
+  double largest = 0;             // relative to the distance of the vertex
+  double position_of_largest = 0; // the distance of the vertex with the largest error, relative to the largest distance
+  double largest_of_extent = 0;   // relative to the largest distance
+  std::size_t not_finite = 0;     // estimates that are not finite; excluded from the errors above
 };
 
 Errors errors_of(const std::vector<double>& estimates, const std::vector<double>& distances)
@@ -238,13 +238,13 @@ Errors errors_of(const std::vector<double>& estimates, const std::vector<double>
     if(difference / distances[i] > errors.largest)
     {
       errors.largest = difference / distances[i];
-      errors.place_of_largest = distances[i];
+      errors.position_of_largest = distances[i];
     }
     largest_difference = (std::max)(largest_difference, difference);
   }
   errors.mean = sum / static_cast<double>(number);
   errors.largest_of_extent = largest_difference / extent;
-  errors.place_of_largest /= extent;
+  errors.position_of_largest /= extent;
   return errors;
 }
 
@@ -259,7 +259,7 @@ void print_row(const Settings& settings, const std::string& mesh, const Series& 
             << cell(median_ratio(heat.next_ms, exact.next_ms), 3) << ',' << cell(heat_mb, 2) << ','
             << cell(exact_mb, 2) << ',' << cell(heat_mb / exact_mb, 2) << ','
             << cell(100 * errors.mean, 3) << ',' << cell(100 * errors.largest, 3) << ','
-            << cell(100 * errors.place_of_largest, 3) << ',' << cell(100 * errors.largest_of_extent, 3) << ','
+            << cell(100 * errors.position_of_largest, 3) << ',' << cell(100 * errors.largest_of_extent, 3) << ','
             << errors.not_finite << std::endl;
 }
 
@@ -314,7 +314,7 @@ void print_header(const Settings& settings, const Own_settings& own)
                "distance\n"
             << "mesh,subdivisions,faces,vertices,variant,heat_first_ms,exact_first_ms,ratio_first,heat_next_ms,"
                "exact_next_ms,ratio_next,heat_added_mb,exact_added_mb,ratio_memory,mean_error_percent,"
-               "largest_error_percent,place_of_largest_error_percent,largest_error_of_extent_percent,"
+               "largest_error_percent,position_of_largest_error_percent,largest_error_of_extent_percent,"
                "estimates_not_finite"
             << std::endl;
 }

@@ -159,7 +159,7 @@ const char* meaning_of_violation(Condition c)
   switch(c)
   {
   case Condition::REACH:
-    return "the distance has to be finite exactly if faces connect the vertex with a source";
+    return "the distance must be finite if and only if faces connect the vertex with a source";
   case Condition::SOURCES:
     return "the distance of a source is not zero";
   case Condition::EDGES:
@@ -171,7 +171,7 @@ const char* meaning_of_violation(Condition c)
   case Condition::LOWER_BOUNDS:
     return "the distance is too long";
   case Condition::PROOF:
-    return "the proof of the lower bounds fails there";
+    return "the proof of the lower bounds fails at this vertex";
   case Condition::REVERSE:
     return "the distance in the reverse direction differs";
   }

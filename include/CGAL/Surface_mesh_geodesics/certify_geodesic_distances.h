@@ -53,7 +53,7 @@ quadratic in the number of intervals into which the function divides the edges o
 the number of faces that a path crosses, for each vertex.
 
 <b>Thread safety.</b> Several threads may call the function at once, on the same mesh and the same map as well, if
-nobody changes them; see `geodesic_distances()`.
+no thread modifies them; see `geodesic_distances()`.
 
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam VertexDistanceMap a model of `ReadablePropertyMap` with the vertex descriptor of `TriangleMesh` as key type and

@@ -170,7 +170,7 @@ inline Indexed_mesh plain_mesh(test_support::Random& random)
   }
 }
 
-// Squeezes a mesh along an axis, or moves each vertex towards the origin by another factor.
+// Squeezes a mesh along an axis, or moves each vertex toward the origin by another factor.
 inline void change_scales(Indexed_mesh& mesh, test_support::Random& random)
 {
   const std::size_t axis = random.index(4);

@@ -156,7 +156,7 @@ private:
     const Point q = is_curved(a, curve) ? curve.point_at_angle(t * curve.angle(a.last))
                                         : Point{FT(a.first.x + t * (a.last.x - a.first.x)),
                                                 FT(a.first.y + t * (a.last.y - a.first.y))};
-    add_anchor(q, site_towards_p(a, curve, q), &a, best);
+    add_anchor(q, site_toward_p(a, curve, q), &a, best);
   }
 
   // Keeps the anchor q if its clearance is larger than that of the best one.
@@ -207,7 +207,7 @@ private:
       if(!(along >= 0 && along < first))
         return;
       first = along;
-      site = site_towards_p(a, curve, x);
+      site = site_toward_p(a, curve, x);
     };
     if(!is_curved(a, curve))
     {
@@ -228,7 +228,7 @@ private:
 
   // Returns the cell of an arc on the side of p, as seen from a point x of the arc: the nearer one of its images a bit
   // closer to p, or for a segment the side on which p is. Ties go to the right site.
-  Vertex_id site_towards_p(const Arc& a, const Weighted_bisector<FT>& curve, const Point& x) const
+  Vertex_id site_toward_p(const Arc& a, const Weighted_bisector<FT>& curve, const Point& x) const
   {
     if(!is_curved(a, curve))
       return Half_plane<FT>::left_of(a.first, a.last)(m_p) > 0 ? a.left_site : a.right_site;

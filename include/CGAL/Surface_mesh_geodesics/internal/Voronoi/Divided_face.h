@@ -11,7 +11,7 @@
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_DIVIDED_FACE_H
 
 // A face that lies in several cells, with all that is needed to divide it. The removal of redundant windows
-// (Redundant_window_removal.h) fills it and hands it over, after which the windows of the face are given back; the
+// (Redundant_window_removal.h) fills it and hands it over, after which the windows of the face are released; the
 // complex (Voronoi_complex.h) reads it. Neither of them knows the other one.
 
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Edge_partition.h>

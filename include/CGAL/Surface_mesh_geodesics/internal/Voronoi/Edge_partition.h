@@ -82,7 +82,7 @@ struct Edge_interval
 // Frame: that of a halfedge of the edge; images of the other face are given in it, too. Depths are not negative, up to
 // rounding: on which side of the edge an image lies makes no difference to distances on it.
 //
-// Invariants after build(), whatever rounding does (is_partition() checks them): the intervals cover the edge without
+// Invariants after build(), regardless of rounding (is_partition() checks them): the intervals cover the edge without
 // overlap; the breakpoints ascend, lead from the site of the first end to that of the last one, and each one changes
 // the site. Redundant_window_removal relies on the order of the images: 0 and 1 are the ends, 2 is the first that is
 // added.

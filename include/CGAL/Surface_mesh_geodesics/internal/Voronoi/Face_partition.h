@@ -19,7 +19,7 @@
 // fronts between the same two cells are the two ends of one curve; they are connected, and the parts of the face on
 // both sides of it are closed on their own.
 //
-// Only the sites decide which fronts may meet; distances decide which of them do. So whatever rounding does, the result
+// Only the sites decide which fronts may meet; distances decide which of them do. So regardless of rounding, the result
 // is a forest with these leaves and matches those of the adjacent faces. Where rounding hides how
 // fronts meet (two sites tie in a region), segments join them.
 //
@@ -377,7 +377,7 @@ private:
 
   // --- one curve from end to end ---
 
-  // Connects two fronts that are the ends of one curve. Traces towards a point of the border if there is one, since the
+  // Connects two fronts that are the ends of one curve. Traces toward a point of the border if there is one, since the
   // border is a sure end; traces back if the trace misses it. The way back counts only if it arrives.
   void connect(Front& f, Front& g)
   {
@@ -403,7 +403,7 @@ private:
     finish(f, g.p, g.node);
   }
 
-  // Traces f towards the start of g, which is the other end of its curve, up to the line across the curve there.
+  // Traces f toward the start of g, which is the other end of its curve, up to the line across the curve there.
   // Returns the distance that remains.
   FT trace_to(Front& f, const Front& g)
   {

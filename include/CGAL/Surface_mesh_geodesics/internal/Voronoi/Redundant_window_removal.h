@@ -10,13 +10,13 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_REDUNDANT_WINDOW_REMOVAL_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_REDUNDANT_WINDOW_REMOVAL_H
 
-// Keeps the windows that a diagram needs while distances are propagated, and gives back the others as early as
+// Keeps the windows that a diagram needs while distances are propagated, and releases the others as early as
 // possible: window-VTP with redundant window removal (thesis, 5.1 and 5.2). Decides when edges and faces are divided;
 // Edge_partition decides which site owns each part of an edge.
 //
 // *Redundant faces.* The shortest path to a point of a face comes from a corner of the face or through a window that
 // has entered the face. So windows are kept for the face that they enter. If all of these windows and the three
-// corners have the same site, the face is redundant and gives its windows back. (Definition 5.1 of the thesis looks at
+// corners have the same site, the face is redundant and releases its windows. (Definition 5.1 of the thesis looks at
 // a face and its neighbors, as it keeps windows on edges.)
 //
 // *Inactive faces.* A face becomes inactive (proposition 5.1) when the wavefront has passed the distances of all points
@@ -32,7 +32,7 @@
 // those that windows of another site have entered, but nowhere as the nearest ones.
 //
 // *Divided faces.* A face that lies in several cells is handed over as a Divided_face as soon as all of its edges are
-// divided. After that its windows are given back.
+// divided. After that its windows are released.
 
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Divided_face.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Edge_partition.h>
@@ -69,7 +69,7 @@ namespace internal {
 //
 // Invariants:
 // - The state of a face only grows (State). m_windows has windows of ACTIVE and INACTIVE faces only; keep() refuses
-//   those that come later, and remove_windows() gives back those of a face that is DONE.
+//   those that come later, and remove_windows() releases those of a face that is DONE.
 // - Each edge is closed once, when the last of its faces becomes inactive (deactivate()); open_edges counts the sides
 //   that are still to come. So a face is handed over after all of its edges, and both faces at an edge get the same
 //   breakpoints.
@@ -240,7 +240,7 @@ private:
   static constexpr Vertex_id several_sources = null_id - 1;
 
   // UNTOUCHED: no window has entered. ACTIVE: windows may still enter. INACTIVE: waits for its neighbors. DONE: has
-  // given its windows back. A face in the queue is ACTIVE. Faces around a source may stay UNTOUCHED until finish().
+  // released its windows. A face in the queue is ACTIVE. Faces around a source may stay UNTOUCHED until finish().
   enum State : unsigned char { UNTOUCHED, ACTIVE, INACTIVE, DONE };
 
   struct Face_record
@@ -329,7 +329,7 @@ private:
   bool is_inactive(Face_id f) const { return m_faces[f].state == INACTIVE || m_faces[f].state == DONE; }
 
   // Makes a face inactive (procedure 3 of the thesis), and closes its edges to inactive neighbors. A redundant face
-  // gives its windows back at once. Its edges are closed all the same, since the neighbors count them.
+  // releases its windows at once. Its edges are closed all the same, since the neighbors count them.
   void deactivate(Face_id f)
   {
     m_faces[f].state = INACTIVE;
@@ -355,7 +355,7 @@ private:
         && (m_faces[f].source == null_id || m_faces[f].source == first_of_equal(source));
   }
 
-  // Gives the windows of a face back.
+  // Releases the windows of a face.
   void remove_windows(Face_id f)
   {
     m_faces[f].state = DONE;
@@ -377,7 +377,7 @@ private:
   }
 
   // Notes that one more side of a face is closed. When all of them are, the face is handed over if it lies in several
-  // cells, and gives its windows back.
+  // cells, and releases its windows.
   void close_side(Face_id f)
   {
     if(--m_faces[f].open_edges != 0 || m_faces[f].state != INACTIVE)
@@ -397,7 +397,7 @@ private:
   }
 
   // Gives a face in several cells to the consumer, with the breakpoints on its sides and its site images.
-  // Requires: all three edges are closed, and the windows have not been given back.
+  // Requires: all three edges are closed, and the windows have not been released.
   void hand_over(Face_id f)
   {
     m_divided_face.face = f;

@@ -18,7 +18,7 @@
 //
 // The rest is combinatorics. A part of a cell is a closed walk along the border and along curves. Each walk is divided
 // into cycles without repeated vertices; cycles of two vertices (an arc along an edge) are dropped; the others are
-// triangulated. So the cut of all faces fits together whatever rounding does.
+// triangulated. So the cut of all faces fits together regardless of rounding.
 //
 // Curves are sampled. If segments cross where curves are close to each other, the face is sampled more finely.
 
@@ -112,7 +112,7 @@ private:
 //
 // Invariants of a cut: the triangles of a cell form a disk for each part of the cell (divide_into_cycles()); each side
 // of the face is covered by sides of triangles between consecutive border vertices (walk_along_border()); no two
-// vertices have more than one edge (triangulate() avoids such diagonals). The first two hold whatever rounding does.
+// vertices have more than one edge (triangulate() avoids such diagonals). The first two hold regardless of rounding.
 // What rounding may break is the geometry; badness() counts it, and diagonals that could not be avoided.
 //
 // Frame: the layout of the face. Lengths are in the unit of the intrinsic mesh.

@@ -163,7 +163,7 @@ private:
   // it is that of the sample if the diagram names i among the nearest sites, and not smaller otherwise.
   //
   // The difference of a distance and a weight is rounded to the size of the larger one; where the weight is the larger
-  // one, that is more than the rounding of lengths, and is granted.
+  // one, that is more than the rounding of lengths, and is allowed.
   void check_sample(const Sample& s, const Samples& samples, std::size_t i, double distance, double weight)
   {
     const double rounding = Tolerance<double>::gap() * (distance + m_largest_weight);

@@ -10,7 +10,7 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_DIAGRAM_CONDITIONS_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_DIAGRAM_CONDITIONS_H
 
-// The conditions that a geodesic Voronoi diagram has to fulfil, and what a check of one of them finds. The certifier
+// The conditions that a geodesic Voronoi diagram has to satisfy, and what a check of one of them finds. The certifier
 // of diagrams fills these records; the public certificate reads them.
 
 #include <array>

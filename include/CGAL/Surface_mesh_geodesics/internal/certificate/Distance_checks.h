@@ -10,7 +10,7 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_CERTIFICATE_DISTANCE_CHECKS_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_CERTIFICATE_DISTANCE_CHECKS_H
 
-// Checks conditions that only exact distances of the vertices fulfill. Together with the lower bound
+// Checks conditions that only exact distances of the vertices satisfy. Together with the lower bound
 // (Lower_bound_check.h) they prove the distances. Nothing here depends on how the distances were found. A path counts
 // only after its length has been measured.
 //

@@ -68,7 +68,7 @@ struct Face_graph_correspondence
 // Reads a mesh once: read() moves its buffers away. Positions in messages are those in the ranges vertices(tm) and
 // faces(tm).
 //
-// Faults are looked for in this order, and the first one that is found is thrown: face by face, whether it is a
+// Faults are searched for in this order, and the first one that is found is thrown: face by face, whether it is a
 // triangle and has a valid index, and whether its vertices differ and have valid indices; then whether vertices have
 // different indices; then the points or lengths (Face_shapes.h), the triangle inequality, whether neighbors agree about
 // their edge, and the sizes of components.

@@ -275,7 +275,7 @@ private:
   using Query = typename Solver::Query;
   using Arrival = typename Solver::Arrival;
 
-  // For build(): a propagation that nobody watches.
+  // For build(): a propagation without a visitor.
   struct Run_to_the_end
   {
     template <typename Propagate>

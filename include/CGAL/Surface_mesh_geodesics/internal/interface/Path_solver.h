@@ -229,8 +229,7 @@ public:
     const bool is_found = q.vertex != null_id ? tracer.trace_from_vertex(q.vertex, steps)
                                               : tracer.trace_from_location(q.face, q.coordinates, a, steps);
     if(!is_found)
-      throw std::runtime_error("Surface_mesh_geodesic_paths: rounding hides the shortest path; the mesh is too "
-                               "degenerate");
+      throw std::runtime_error("Surface_mesh_geodesic_paths: the path cannot be traced: rounding error");
     return steps;
   }
 

@@ -76,7 +76,7 @@ void for_each_source(const Sources& sources, Visit visit)
     }
 }
 
-// The default of Geodesic_distance_options::nearest_source_map: the nearest sources are not asked for.
+// The default of Geodesic_distance_options::nearest_source_map: the nearest sources are not requested.
 struct No_nearest_source_map
 {};
 

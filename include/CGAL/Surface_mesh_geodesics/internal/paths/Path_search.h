@@ -192,7 +192,7 @@ private:
     add(Cone{m_mesh.opposite(h), FT(0), length, FT(length - x), y, null_id, m_stop, null_id});
   }
 
-  // Adds a cone unless it is empty, too far from the source, or redundant beside what is known.
+  // Adds a cone unless it is empty, too far from the source, or dominated by a known cone or a vertex.
   void add(Cone cone)
   {
     if(cone.halfedge == null_id || !(cone.begin < cone.end) || cone.image_depth < 0
@@ -319,7 +319,7 @@ private:
   }
 
   // Returns the part of a cone on the side CB, through the points of AB from t to end. Computes as left_part() does in
-  // the mirror image, from B, and turns the result round.
+  // the mirror image, from B, and mirrors the result back.
   static Cone right_part(const Cone& cone, const Face_frame<FT>& c, Index i, const FT& t)
   {
     const Side_angle<FT> angle = right_angle(c);

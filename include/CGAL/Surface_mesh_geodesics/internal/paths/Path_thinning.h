@@ -85,7 +85,7 @@ public:
     m_gap = 0;
   }
 
-  // Reports the last item, unless it counts as one with the first point.
+  // Reports the last item, unless it coincides with the first point.
   void finish()
   {
     if(m_has_pending && !(m_last_is_first && m_to_pending <= m_merge_distance))

@@ -27,10 +27,10 @@
 // needs no decision about sides, and is right on whichever side the line lies. (In exact numbers, a path through a
 // vertex at the distance s from the line is longer than the line by the order of s squared.)
 //
-// The distance of each vertex that the line passes is compared with the rest of the way, so a line that has gone astray
-// is found out at once. Straight_piece promises this: if trace() returns a vertex, the points that it has
-// appended lie on the surface, points that follow each other share a face, and the length is right up to
-// Tolerance::path() and Tolerance::lengthwise().
+// The distance of each vertex that the line passes is compared with the rest of the way, so a wrong line is detected at
+// once. Straight_piece promises this: if trace() returns a vertex, the points that it has appended lie on the surface,
+// points that follow each other share a face, and the length is right up to Tolerance::path() and
+// Tolerance::lengthwise().
 
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>

@@ -15,14 +15,14 @@
 // Crossings of edges. Along an edge the distance is known at every point, and it is 1-Lipschitz: it changes by no more
 // than the length walked. So a part of an edge between two points with known distances is either discarded, because it
 // cannot hold a point of the line, or halved. A crossing that separates nearer points from farther ones is found down
-// to the resolution, whatever the number of windows is. Pairs of crossings are looked for down to a coarser width only,
-// because an edge that the line touches would be halved without end.
+// to the resolution, whatever the number of windows is. Pairs of crossings are searched for only down to a coarser
+// width, because an edge that the line touches would be halved without end.
 //
 // Lines. Segments join the crossings in a face. Where a face has more than two, the distance at their centroid decides
 // which belong together. A closed line inside one face, around a point farther than all its edges, is not found.
 //
 // Rounding. Whether an edge is crossed is decided by comparing the distances of its ends with the value, never by a
-// bound. So each face has an even number of crossings, and lines end at the border only, whatever rounding does. A
+// bound. So each face has an even number of crossings, and lines end at the border only, regardless of rounding. A
 // vertex exactly at the value counts as farther: the crossings of its edges to nearer neighbors are the vertex itself.
 
 #include <CGAL/Surface_mesh_geodesics/internal/paths/distance_at_location.h>

@@ -15,9 +15,9 @@
 // the shortest path arrives at each vertex (Vertex_distance_field.h, with images); so the memory is that of the
 // distances (thesis 3.3.3.1).
 //
-// The length of the path is checked against the distance, piece by piece. If rounding has led a line astray, the line
-// is followed a second time with wider tolerances, so that it may run through vertices from which it was just told
-// apart. If that fails as well, the path is searched for by its length alone (Path_search.h).
+// The length of the path is checked against the distance, piece by piece. If rounding has made a line wrong, the line
+// is followed a second time with wider tolerances: now it may run through vertices that the first pass has left on one
+// side of it. If that fails as well, the path is searched for by its length alone (Path_search.h).
 
 #include <CGAL/Surface_mesh_geodesics/internal/paths/Path_search.h>
 #include <CGAL/Surface_mesh_geodesics/internal/paths/Straight_piece.h>

@@ -101,9 +101,10 @@ std::vector<FT> extents_of_components(const Intrinsic_mesh<FT>& mesh)
   return extents;
 }
 
-// Calls visit(v) for each vertex that is connected with one of `stack` through faces, these included, in no particular
-// order. Marks it in `is_known`. Takes time linear in the number of faces of these components; that is why the marks
-// are the caller's, who may visit one component after another.
+// Calls visit(v) for each vertex that is connected with one of `stack` through faces, including these. The order is
+// unspecified. Marks each vertex in `is_known`. Takes time linear in the number of faces of these components. The
+// caller owns the marks because it may visit one component after another, and clearing them each time would take time
+// linear in the size of the mesh.
 // Requires: is_known[v] is 0 for all vertices of these components; `stack` has no vertex twice.
 template <typename FT, typename Visit>
 void for_each_connected_vertex(const Intrinsic_mesh<FT>& mesh, std::vector<Vertex_id> stack,

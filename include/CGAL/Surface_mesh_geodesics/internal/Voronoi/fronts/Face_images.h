@@ -143,7 +143,7 @@ public:
 
   // Returns the point that the shortest paths by an image to p come from straight: the image, or the end of its
   // interval.
-  Additively_weighted_point<FT> point_towards(const Image& image, const Point& p) const
+  Additively_weighted_point<FT> point_toward(const Image& image, const Point& p) const
   {
     return image.sees(p, width()) ? image.point : bend(image, p).point;
   }

@@ -145,8 +145,8 @@ private:
     Piece piece;
     piece.end = q;
     if(l != none)
-      piece.left = m_images.point_towards(m_images[l], middle);
-    piece.right = r != none ? m_images.point_towards(m_images[r], middle) : piece.left;
+      piece.left = m_images.point_toward(m_images[l], middle);
+    piece.right = r != none ? m_images.point_toward(m_images[r], middle) : piece.left;
     if(l == none)
       piece.left = piece.right;
     const FT at_left = piece.left.distance_to(middle), at_right = piece.right.distance_to(middle);

@@ -98,8 +98,8 @@ public:
     const std::size_t l = m_images.nearest_of(f.left, f.p), r = m_images.nearest_of(f.right, f.p);
     if(l == none || r == none)
       return false;
-    const Weighted_bisector<FT> curve(m_images.point_towards(m_images[l], f.p),
-                                      m_images.point_towards(m_images[r], f.p), f.p);
+    const Weighted_bisector<FT> curve(m_images.point_toward(m_images[l], f.p),
+                                      m_images.point_toward(m_images[r], f.p), f.p);
     if(!curve.is_valid() && !curve.is_ray())
       return false;
     const Point t = curve.tangent();
@@ -215,7 +215,7 @@ private:
   }
 
   // Returns whether a curve exists that has the two cells on the sides where they should be. A ray leads on if the
-  // image whose paths do not bend sees it on its side; otherwise the front would come towards the vertex where the ray
+  // image whose paths do not bend sees it on its side; otherwise the front would come toward the vertex where the ray
   // begins.
   bool leads_on(const Bisector& curve, const Image& left, const Image& right) const
   {

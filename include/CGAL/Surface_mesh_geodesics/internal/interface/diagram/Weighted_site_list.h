@@ -83,7 +83,7 @@ public:
     {
       const double offset = largest - CGAL::to_double(m_sites[i].weight);
       if(!std::isfinite(offset / unit))
-        refuse_weight("is too far from the largest one", i);
+        refuse_weight("differs too much from the largest weight", i);
       add(m_sites[i], offset);
     }
   }
