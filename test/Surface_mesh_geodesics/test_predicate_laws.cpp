@@ -98,10 +98,10 @@ Exact exact_distance(const Window& w, const Exact& x, const Exact& height = 0)
   return w.root_distance + sqrt(dx * dx + dy * dy);
 }
 
-// Is a less than b by more than `units` rounding units of b?
-bool is_less_by(const Exact& a, const Exact& b, double units)
+// Is a less than b by more than `factor` epsilon of b?
+bool is_less_by(const Exact& a, const Exact& b, double factor)
 {
-  return a < b * (1 - units * epsilon);
+  return a < b * (1 - factor * epsilon);
 }
 
 // --- one distance, two distances -------------------------------------------------------------------------------------
@@ -152,28 +152,28 @@ void comparison_is_a_strict_order(test_support::Random& random)
 
 // --- pairs of windows ------------------------------------------------------------------------------------------------
 
-// Applies the rule of Trimmed_pairs with exact distances. `units` is the margin of the comparison.
+// Applies the rule of Trimmed_pairs with exact distances. `factor` times epsilon is the margin of the comparison.
 struct Exact_pair
 {
   double left_end, right_begin;
 
-  Exact_pair(const Window& left, const Window& right, double units) : left_end(left.end), right_begin(right.begin)
+  Exact_pair(const Window& left, const Window& right, double factor) : left_end(left.end), right_begin(right.begin)
   {
     const double first = (std::max)(left.begin, right.begin), last = (std::min)(left.end, right.end);
-    if(is_less_by(exact_distance(right, first), exact_distance(left, first), units))
+    if(is_less_by(exact_distance(right, first), exact_distance(left, first), factor))
     {
       left_end = first;
       return;
     }
-    if(left.begin == first && is_less_by(exact_distance(left, first), exact_distance(right, first), units))
+    if(left.begin == first && is_less_by(exact_distance(left, first), exact_distance(right, first), factor))
     {
       right_begin = first;
     }
-    if(is_less_by(exact_distance(left, last), exact_distance(right, last), units))
+    if(is_less_by(exact_distance(left, last), exact_distance(right, last), factor))
     {
       right_begin = last;
     }
-    else if(right.end == last && is_less_by(exact_distance(right, last), exact_distance(left, last), units))
+    else if(right.end == last && is_less_by(exact_distance(right, last), exact_distance(left, last), factor))
     {
       left_end = last;
     }
@@ -516,7 +516,7 @@ void images_satisfy_their_error_bound(test_support::Random& random)
   {
     worst = (std::max)(worst, errors_of_images(random, i % 2 == 0 ? 1u : 20u));
   }
-  std::cout << "error of images, in units of n epsilon (d + L): " << worst << std::endl;
+  std::cout << "error of images, over n epsilon (d + L): " << worst << std::endl;
   CHECK(worst <= 24);
 }
 

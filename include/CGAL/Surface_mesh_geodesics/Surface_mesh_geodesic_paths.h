@@ -489,7 +489,7 @@ public:
   /// takes time linear in the number of edges that it crosses, beyond the time of a distance query.
   ///
   /// The length of the path is the distance that is returned, up to \f$ 10^{-10} \f$ of it, or up to the
-  /// rounding of the largest extent of the mesh (64 units) if that is more. This is checked while the path is traced.
+  /// rounding of the largest extent of the mesh (64 epsilon) if that is more. This is checked while the path is traced.
   /// Two points that follow each other lie in a common face. On faces whose height or whose sides are lost in the
   /// rounding of coordinates, rounding can lead the straight line astray. Then the path is searched for among all paths
   /// through the faces nearby, which takes longer. If that search finds no path of the right length, or has to give

@@ -19,7 +19,7 @@
 //
 // A violation is relative to the right value plus the longest edge of the faces around the vertex. Conditions that
 // stem from an inequality d(v) <= d(w) + |vw| are computed with one addition and one subtraction, so rounding causes
-// violations of a few units. The length of a path errs by about one unit for each face that it crosses.
+// violations of a few epsilon. The length of a path errs by about one epsilon for each face that it crosses.
 
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/paths/Straight_piece.h>

@@ -248,7 +248,7 @@ private:
   }
 
   // Returns the location on the longest side, the first of several, that is nearest to p. Its error is the height of
-  // the face, and a few units of the side.
+  // the face, and a few epsilon of the side.
   static Face_location location_on_longest_side(face_descriptor f, const Point_3& p, const Triangle_mesh& tm,
                                                 VertexPointMap vertex_point_map, const Traits& traits)
   {

@@ -37,7 +37,7 @@ template <typename FT, typename Residuals>
 Planar_point<FT> polished_point(Planar_point<FT> p, const FT& size_of_distances, const FT& size, Residuals residuals)
 {
   using std::abs;
-  const FT precision = Tolerance<FT>::unit_roundoff() * (size_of_distances + size);
+  const FT precision = Tolerance<FT>::epsilon() * (size_of_distances + size);
   std::array<FT, 6> r = residuals(p); // the values, and their gradients
   for(int i = 0; i < 4 && abs(r[0]) + abs(r[1]) > precision; ++i)
   {

@@ -13,7 +13,7 @@
 // Every tolerance of the package, room by room, so that they can be compared with each other.
 //
 // No tolerance is absolute. The comment of each one names the quantity that it multiplies ("of a distance") and the
-// reason for its size. Most are a power of two times the rounding unit, so that multiplying by them is exact.
+// reason for its size. Most are a power of two times epsilon(), so that multiplying by them is exact.
 // "The error of images" is the error that the images of pseudo-sources accumulate from face to face; see distance().
 
 #include <cmath>
@@ -26,55 +26,55 @@ namespace internal {
 template <typename FT>
 struct Tolerance
 {
-  // --- Rounding units ------------------------------------------------------------------------------------------------
+  // --- Rounding ------------------------------------------------------------------------------------------------------
 
-  // The distance from 1 to the next number, epsilon: 2 u, where u, the unit roundoff of the literature, is the largest
-  // relative error of one operation.
-  static FT unit_roundoff() { return std::numeric_limits<FT>::epsilon(); }
+  // Machine epsilon: the distance from 1 to the next number. It is 2 u, where u, the unit roundoff of the literature,
+  // is the largest relative error of one operation. Error bounds are derived in u and stated in epsilon().
+  static FT epsilon() { return std::numeric_limits<FT>::epsilon(); }
 
   // The user's numbers are doubles, whatever the precision of the computation.
-  static FT input_roundoff() { return FT(std::numeric_limits<double>::epsilon()); }
+  static FT input_epsilon() { return FT(std::numeric_limits<double>::epsilon()); }
 
   // --- Input: interface/ and surface/ --------------------------------------------------------------------------------
 
   // Of 1: a smaller barycentric coordinate is taken for zero, so that a location with rounded coordinates is the vertex
   // or the point of an edge that the user means. This moves a source by at most this part of the longest side of its
   // face.
-  static FT barycentric() { return 64 * input_roundoff(); }
+  static FT barycentric() { return 64 * input_epsilon(); }
 
   // Of 1: coordinates whose sum differs from 1 by more, or one of which is less than zero by more, are no barycentric
   // coordinates. Large enough for coordinates that have been computed carelessly, small enough to detect a mistake.
   static FT location()
   {
     using std::sqrt;
-    return sqrt(input_roundoff()) / 16;
+    return sqrt(input_epsilon()) / 16;
   }
 
   // Of barycentric coordinates: the error of a position that is computed from coordinates in a part of a face. Each
   // coordinate is the difference of two rounded numbers, divided by a third one.
-  static FT placement() { return 4 * input_roundoff(); }
+  static FT placement() { return 4 * input_epsilon(); }
 
   // Of the longest side: the amount by which it may exceed the sum of the two others. Lengths that are computed from
-  // coordinates err by a few units.
-  static FT triangle_inequality() { return 64 * input_roundoff(); }
+  // coordinates err by a few epsilon.
+  static FT triangle_inequality() { return 64 * input_epsilon(); }
 
   // --- Faces and vertices: surface/ ----------------------------------------------------------------------------------
 
   // Of the extent of the mesh: the ends of shorter edges are pseudo-sources, whatever their angles. The direction of a
-  // path from a point so near to a vertex is known with an error of unit_roundoff / length only, and the path is longer
+  // path from a point so near to a vertex is known with an error of epsilon / length only, and the path is longer
   // by the square of this error; a path through the vertex itself is longer by the length. At this length both errors
   // are about the same. If the edge vanished in the rounding of distances altogether, paths could run around it without
   // growing.
   static FT length()
   {
     using std::sqrt;
-    return sqrt(unit_roundoff()) / 1024;
+    return sqrt(epsilon()) / 1024;
   }
 
   // Of pi: the excess of a vertex angle above which shortest paths bend at the vertex. Larger than the rounding of a
   // sum of angles, so that flat vertices stay flat; smaller than the angles of all faces that have a height by
   // length(), so that no face is hidden behind a vertex.
-  static FT angle() { return 1024 * unit_roundoff(); }
+  static FT angle() { return 1024 * epsilon(); }
 
   // Of 1 (an angle at a vertex): two directions that differ by less count as one where windows leave a
   // pseudo-source. Larger than the excess of a vertex angle that angle() ignores.
@@ -85,7 +85,7 @@ struct Tolerance
   static FT depth()
   {
     using std::sqrt;
-    const FT e = unit_roundoff();
+    const FT e = epsilon();
     return e * e;
   }
 
@@ -101,20 +101,20 @@ struct Tolerance
   // --- Windows: window/ and propagation/ -----------------------------------------------------------------------------
 
   // Of a distance: windows whose distances differ by less count as equal when the longer one would be pruned. This
-  // covers the rounding of one comparison: two distances that err by two units each (Window_numbers::distance_at()).
-  // With u = unit_roundoff() / 2, is_clearly_less(a, b) implies A < B (1 + u) for the exact distances A and B that the
+  // covers the rounding of one comparison: two distances that err by two epsilon each (Window_numbers::distance_at()).
+  // With u = epsilon() / 2, is_clearly_less(a, b) implies A < B (1 + u) for the exact distances A and B that the
   // stored images have.
   //
   // The error of images. The stored image is not the exact one: it is unfolded face by face. To first order, crossing a
   // face adds, with r the distance from the image to the farthest corner of the face:
   // - 9 u r for the arithmetic of the child (lanes/window_splitting.h);
   // - 16 u r for the direction of the new edge: in the frame of its shortest side, the apex of a face errs by less than
-  //   7 unit_roundoff() of either side that ends there (planar_geometry.h), and by less than 8 in the other frames;
+  //   7 epsilon() of either side that ends there (planar_geometry.h), and by less than 8 in the other frames;
   // - 16 u L for the position of the apex, where L is the longest side met so far.
   // Rotations do not amplify earlier errors, and needles do not either, because apexes err relative to the nearest
   // side. As r <= d + L, where d is the distance from the image along the window, an image that has crossed n faces
   // errs by
-  //   24 n unit_roundoff() (d + L)
+  //   24 n epsilon() (d + L)
   // at most, and so does each of its distances. test_predicate_laws measures less than 2 in place of 24. The lengths of
   // the pieces of a path that bends at pseudo-sources add up, and so do their errors.
   // The ends of an interval err by the same amount across the rays, so that a path may pass a vertex on the wrong side
@@ -125,37 +125,37 @@ struct Tolerance
   // the two errors. No bound is proved for many such losses along one path; their number is at most n, which gives n
   // times the bound above. The certificate does not rest on any of this: it checks the final distances against a lower
   // bound (certificate/Lower_bound_check.h), with the largest violation that it finds.
-  static FT distance() { return 4 * unit_roundoff(); }
+  static FT distance() { return 4 * epsilon(); }
 
   // Of the length of an edge: narrower intervals come from rounding (a ray that meets a vertex) and are dropped. No
   // path is lost: distances are also measured along paths that bend at the end of an interval, and a lateral shift of
   // this size makes them longer only by its square.
-  static FT interval() { return 512 * unit_roundoff(); }
+  static FT interval() { return 512 * epsilon(); }
 
   // Of the length of an edge: if an image is nearer to its interval, the rounding of the ends of the interval turns its
   // rays by more than their length can tell. Such a window must not be trimmed.
   static FT closeness()
   {
     using std::sqrt;
-    return sqrt(unit_roundoff()) / 16;
+    return sqrt(epsilon()) / 16;
   }
 
   // --- Paths: paths/ and certificate/ --------------------------------------------------------------------------------
 
   // Of the extent of a component: nearer points of a path are one point.
-  static FT gap() { return 8 * unit_roundoff(); }
+  static FT gap() { return 8 * epsilon(); }
 
   // Of the distance of an image, or the longest side of the face if that is longer: a path that passes a vertex at a
   // smaller distance may pass it on either side, or run through it. Bounds the error of images across about a hundred
   // faces.
-  static FT sideways() { return 512 * unit_roundoff(); }
+  static FT sideways() { return 512 * epsilon(); }
 
   // Of the same lengths: the effect of the rounding of one image and one frame on a distance.
-  static FT lengthwise() { return 8 * unit_roundoff(); }
+  static FT lengthwise() { return 8 * epsilon(); }
 
   // Of a distance: a path whose length differs by more is not the path that is looked for. Bounds the error of images
   // across about a thousand faces.
-  static FT path() { return 4096 * unit_roundoff(); }
+  static FT path() { return 4096 * epsilon(); }
 
   // Of a distance: the error of a path through few faces. The search for a path begins with it, so that it does not
   // stop at a path that is longer than necessary.
@@ -168,7 +168,7 @@ struct Tolerance
   static FT lengthwise_of_many_pieces() { return 8 * lengthwise(); }
 
   // Of the length of an edge: how exactly the crossings of isolines are found.
-  static FT isoline() { return 4096 * unit_roundoff(); }
+  static FT isoline() { return 4096 * epsilon(); }
 
   // Of the length of an edge: two crossings of one isoline that are nearer to each other may be missed. Halving down to
   // here takes 14 steps where the isoline comes near an edge without crossing it; the manual promises 1e-4.
@@ -200,7 +200,7 @@ struct Tolerance
   static FT look_ahead() { return FT(1) / 1024; }
 
   // Of the size of a face: a trace that has not moved by more stands still.
-  static FT standstill() { return 16 * unit_roundoff(); }
+  static FT standstill() { return 16 * epsilon(); }
 
   // Of the distances of two sites: the rounding of their bisector.
   static FT bisector() { return 16 * distance(); }
@@ -210,21 +210,21 @@ struct Tolerance
   static FT curvature() { return 4 * distance(); }
 
   // Of the sum of the absolute terms of a quadratic polynomial: the rounding of its value.
-  static FT polynomial() { return 16 * unit_roundoff(); }
+  static FT polynomial() { return 16 * epsilon(); }
 
   // Of the sum of the squares of the sides: a triangle with a smaller area has none.
-  static FT area() { return 4 * unit_roundoff(); }
+  static FT area() { return 4 * epsilon(); }
 
   // Of what is integrated along a curve, if its chord were all of it: if halving an interval changes less, it is not
   // halved any more.
-  static FT quadrature() { return 512 * unit_roundoff(); }
+  static FT quadrature() { return 512 * epsilon(); }
 
   // Of the size of a face: Newton's method refines points that are known up to rounding, or up to the square root of
   // rounding where curves touch. A longer step leads to another point.
   static FT newton_step() { return FT(1) / (1 << 20); }
 
   // Of 1, the sine of an angle: two curves that meet at a smaller one do not determine their common point.
-  static FT slope() { return 1024 * unit_roundoff(); }
+  static FT slope() { return 1024 * epsilon(); }
 };
 
 // Is a < b beyond the rounding of two distances? The result is false if a and b tie.

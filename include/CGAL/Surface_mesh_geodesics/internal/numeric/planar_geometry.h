@@ -53,10 +53,10 @@ struct Planar_triangle
 // y = min(b,c), in the order of operations of W. Kahan ("Miscalculating area and angles of a needle-like triangle",
 // 2014).
 //
-// Error bound, to first order in u = unit_roundoff() / 2, for exact sides. x - y and c - b are exact (Sterbenz's lemma:
+// Error bound, to first order in u = epsilon() / 2, for exact sides. x - y and c - b are exact (Sterbenz's lemma:
 // no side is longer than the sum of the others, and a is the shortest). The four factors err by 3, 2, 2 and 3 u, their
-// product by 13 u, its root by 7.5 u, and apex_y by 10.5 u of itself: less than 6 unit_roundoff(). The summand of a in
-// apex_x errs by 3 u of b + c at most, and apex_x by 5.5 u of c or 6.5 u of b: less than 3 and 4 unit_roundoff(). So
+// product by 13 u, its root by 7.5 u, and apex_y by 10.5 u of itself: less than 6 epsilon(). The summand of a in
+// apex_x errs by 3 u of b + c at most, and apex_x by 5.5 u of c or 6.5 u of b: less than 3 and 4 epsilon(). So
 // the directions of all sides are accurate in needles, too.
 // Laws: a power of two scales the result exactly.
 template <typename FT>
@@ -84,7 +84,7 @@ Planar_triangle<FT> planar_triangle_from_lengths(const FT& a, const FT& b, const
 }
 
 // The length of a vector. The lengths of an intrinsic mesh are about 1, so that squares neither overflow nor vanish.
-// Errs by at most 2 u = unit_roundoff() of itself if x and y are exact.
+// Errs by at most 2 u = epsilon() of itself if x and y are exact.
 template <typename FT>
 FT norm(const FT& x, const FT& y)
 {

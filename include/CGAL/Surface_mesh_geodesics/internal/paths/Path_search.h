@@ -89,7 +89,7 @@ private:
   // The lines from the image (image_x, -image_depth) of a stop to the points from `begin` to `end` of an edge, in the
   // frame of `halfedge`, which belongs to the face behind the edge.
   // Invariants of cones that add() takes: begin < end, image_depth >= 0. Rounding may move begin and end out of [0,
-  // length] by some units of the length.
+  // length] by some epsilon of the length.
   struct Cone
   {
     Halfedge_id halfedge;
@@ -212,7 +212,7 @@ private:
   // image to the nearest point of the cone, and the smallest distance that a point of the cone can have. The latter
   // follows from the distances a and b of the ends, as the distance is 1-Lipschitz along the edge: at abscissa x it is
   // at least a - x and b - (length - x).
-  // Error: four units of the sum; the caller adds its tolerance.
+  // Error: four epsilon of the sum; the caller adds its tolerance.
   FT least_rest(const Cone& cone) const
   {
     const FT length = m_mesh.length(cone.halfedge);

@@ -46,7 +46,7 @@ struct Location_arrival
 // Returns the point with the barycentric coordinates b in the frame of halfedge k of its face.
 // Formula: b_k A + b_next B + b_apex C with A = (0,0), B = (length,0).
 // Requires: b >= 0; then y >= 0.
-// Error: three units of the longest side, beyond that of the apex.
+// Error: three epsilon of the longest side, beyond that of the apex.
 template <typename FT>
 std::array<FT, 2> point_in_frame(const Face_frame<FT>& c, const std::array<FT, 3>& b, unsigned int k)
 {
@@ -60,7 +60,7 @@ std::array<FT, 2> point_in_frame(const Face_frame<FT>& c, const std::array<FT, 3
 //
 // The straight line crosses the edge at (image_x y + x depth) / (y + depth); on the line of the edge itself, where that
 // is 0/0, at x.
-// Error of the distance: the root distance and the norm round once each, and a sum once or twice, so three units beyond
+// Error of the distance: the root distance and the norm round once each, and a sum once or twice, so three epsilon beyond
 // the errors of the image and of the point. No bound is known for the image after many faces.
 // Requires: y >= 0.
 template <typename FT>

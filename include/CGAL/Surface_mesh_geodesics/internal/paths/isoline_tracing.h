@@ -102,7 +102,7 @@ private:
 
   // Returns whether a part of an edge may hold a point of the line. The part has this length, its ends the distances d
   // and e. By the Lipschitz bound the distances on the part are between (d + e - length) / 2 and (d + e + length) / 2.
-  // Error: three units of the sum. So of two crossings within that error of each other both may be missed, but none
+  // Error: three epsilon of the sum. So of two crossings within that error of each other both may be missed, but none
   // that separates the ends.
   static bool may_hold(const FT& length, const FT& d, const FT& e, const FT& value)
   {

@@ -47,9 +47,9 @@ enum class Pair_outcome { KEEP_BOTH, LEFT_IS_REDUNDANT, RIGHT_IS_REDUNDANT };
 // pairs of this kind are rare, and lists leave them undecided.
 //
 // Ties, and paths that do not cross below the edge (which contradicts the order, by rounding), keep both windows. So
-// does an image on the edge: its paths run along the edge and have no slope. Error bound, with u = unit_roundoff() / 2:
+// does an image on the edge: its paths run along the edge and have no slope. Error bound, with u = epsilon() / 2:
 // rounding of the slopes makes the two points differ by 5 u of the straight parts, and each distance there errs by 8 u,
-// so that the decision is right if the distances differ by 26 u = 13 unit_roundoff() of the longer one.
+// so that the decision is right if the distances differ by 26 u = 13 epsilon() of the longer one.
 template <typename FT>
 Pair_outcome prune_crossed_windows(const Window<FT>& left, const Window<FT>& right)
 {

@@ -32,8 +32,8 @@ struct Window_numbers
   // The distance at the point (x,0) along the line from the image, whether the interval contains x or not:
   //   root_distance + sqrt((x - image_x)^2 + image_depth^2).
   //
-  // Error bound, to first order in u = unit_roundoff() / 2, if x and the members are exact: the difference errs by u,
-  // its square by 3 u, the sum of squares by 4 u, the root by 3 u, the result by 4 u = 2 unit_roundoff(), all relative.
+  // Error bound, to first order in u = epsilon() / 2, if x and the members are exact: the difference errs by u,
+  // its square by 3 u, the sum of squares by 4 u, the root by 3 u, the result by 4 u = 2 epsilon(), all relative.
   // Laws: multiplying all lengths by a power of two multiplies the result, bit by bit; mirroring x and image_x at one
   // point keeps it if the mirror images are exact.
   Number distance_at(const Number& x) const

@@ -34,7 +34,7 @@ namespace CGAL_SURFACE_MESH_GEODESICS_LANES_NAMESPACE {
 // it is shorter at each crossing. The formula for B is the mirror image of this one.
 //
 // Ties: those of Vertex_rival. Error bound: a rival that does not win ties never removes a window that is not farther,
-// and removes each one that is farther by 6 unit_roundoff() of its distance. Law: the mirror image gives the same
+// and removes each one that is farther by 6 epsilon() of its distance. Law: the mirror image gives the same
 // answer if the mirror images of the ends of the interval are exact.
 template <typename FT>
 CGAL_SURFACE_MESH_GEODESICS_INLINE
@@ -85,7 +85,7 @@ struct Compared_distances
 // trimmed. Two windows that still overlap afterwards have a point of equal distance inside, up to rounding.
 //
 // Ties remove nothing. Error bound: a part is removed only if it is farther than its rival or ties up to
-// unit_roundoff(), and is removed wherever it is farther by 9 unit_roundoff(), for exact images (see
+// epsilon(), and is removed wherever it is farther by 9 epsilon(), for exact images (see
 // Tolerance::distance() for their errors). Laws: never are both windows redundant; trimming leaves valid intervals; the
 // mirror image of a pair gives the mirror image of the result, if the order of the keys is true. (Were `right` nearer
 // at `first` and `left` nearer at `last`, which contradicts the order, then `first` would decide.)

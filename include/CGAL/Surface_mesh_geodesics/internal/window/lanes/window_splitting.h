@@ -19,7 +19,7 @@
 // near AB, the rounding of the end would become a gap next to C. (The added paths miss the end of the interval on AB by
 // the rounding of the length of AB, and their lengths are too short by the square of that.)
 //
-// Error bound of an image, to first order in u = unit_roundoff() / 2, for an exact frame: on the left, image_x errs by
+// Error bound of an image, to first order in u = epsilon() / 2, for an exact frame: on the left, image_x errs by
 // 3 u and the depth by 8 u of the distance from the image to A; on the right, they err by 4 u and 5 u of its distance
 // to C and B. Together this is less than 9 u of the distance r to the farthest corner. Tolerance::distance() adds the
 // frames up.
