@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Distance_solver.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Face_shapes.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/Intrinsic_surface.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Private_access.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Pruning_rules.h>
 
@@ -217,6 +218,7 @@ public:
   template <typename Sources, typename Visitor>
   bool compute_distances(const Sources& sources, const Options& options, Visitor& visitor)
   {
+    internal::check_numbers(options);
     return m_solver->run(sources, options, visitor);
   }
 

@@ -90,8 +90,8 @@ private:
   template <typename Visitor>
   bool add_first_samples(Propagation& propagation, const std::vector<vertex_descriptor>& samples, Visitor& visitor)
   {
-    for(std::size_t i = 0; i < samples.size(); ++i)
-      propagation.add_source(m_surface.checked_id(samples[i], "sample", i), 0);
+    for(const Vertex_id v : m_surface.source_set_of_vertices(samples, "sample").vertices)
+      propagation.add_source(v, 0);
     return samples.empty() || propagate(propagation, visitor);
   }
 

@@ -66,7 +66,7 @@ public:
   const Surface& surface() const { return m_surface; }
 
   // Numbers the sources and makes vertices of them. `offsets` has one for each source, or none, in the user's unit.
-  // Throws Invalid_geodesic_input.
+  // Throws Invalid_geodesic_input. Requires: check_offsets(offsets) does not throw.
   template <typename Sources>
   void set_sources(const Sources& sources, const std::vector<double>& offsets)
   {
@@ -172,8 +172,7 @@ Certificate certify_distances(const TriangleMesh& tm, VertexDistanceMap vertex_d
 
   auto vim = CGAL::get_initialized_vertex_index_map(tm, np);
   auto fim = CGAL::get_initialized_face_index_map(tm, np);
-  check_maximum_distance(options.maximum_distance);
-  check_offsets(options.source_offsets);
+  check_numbers(options);
   Distance_certifier<double, TriangleMesh, decltype(vim), decltype(fim)> certifier(tm, vim, fim, make_shape());
   certifier.set_sources(sources, options.source_offsets);
   const auto conditions = certifier.run(

@@ -82,12 +82,12 @@ public:
   const Surface& surface() const { return m_surface; }
 
   // Propagates from the sources. Returns false if the visitor canceled: no vertex has been reached then. Throws
-  // Invalid_geodesic_input, before anything changes, if a source, a target or a number is invalid. `options` are those
-  // of the public functions, in the user's unit. Takes time for the area that the run reaches, if there are limits.
+  // Invalid_geodesic_input, before anything changes, if a source, a target or the number of offsets is invalid.
+  // `options` are those of the public functions, in the user's unit. Requires: check_numbers(options) does not throw.
+  // Takes time for the area that the run reaches, if there are limits.
   template <typename Sources, typename Options, typename Visitor>
   bool run(const Sources& sources, const Options& options, Visitor& visitor)
   {
-    check_maximum_distance(options.maximum_distance);
     Source_set<FT> set = m_surface.source_set(sources, options.source_offsets);
     const std::vector<Vertex_id> targets = m_surface.checked_ids(options.targets, "target");
     Run_limits<FT> limits;

@@ -15,7 +15,8 @@
 // second run on the same mesh shares it.
 //
 // Here sources become a Source_set: they are numbered, their descriptors, coordinates and offsets are checked, and
-// offsets are divided by the unit. No other file does that.
+// offsets are divided by the unit. No other file does that. The weights of sites are checked by Weighted_site_list.h,
+// which makes valid offsets of them.
 
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Face_graph_reader.h>
@@ -49,8 +50,7 @@ inline void check_maximum_distance(double maximum_distance)
                                  "the maximum distance is negative or not a number");
 }
 
-// Throws unless all offsets are finite and not negative. Needs no mesh, so that a wrong offset is found before the mesh
-// is read.
+// Throws unless all offsets are finite and not negative.
 inline void check_offsets(const std::vector<double>& offsets)
 {
   for(std::size_t i = 0; i < offsets.size(); ++i)
@@ -58,6 +58,15 @@ inline void check_offsets(const std::vector<double>& offsets)
       throw Invalid_geodesic_input(Invalid_geodesic_input::Reason::INVALID_OFFSET,
                                    "the offset of source " + std::to_string(i)
                                      + " is negative or not finite", i);
+}
+
+// Throws unless the numbers in the options of a public function are valid. Needs no mesh: each public function calls
+// this once, before it reads a mesh.
+template <typename Options>
+void check_numbers(const Options& options)
+{
+  check_maximum_distance(options.maximum_distance);
+  check_offsets(options.source_offsets);
 }
 
 // Refers to the user's mesh and copies the index maps. Functions that take a descriptor to be checked throw
@@ -196,11 +205,11 @@ public:
   // --- sources ---
 
   // Returns the sources of a range, or the single source, with their offsets in the user's unit: none, or one for each
-  // source. Throws if a source or an offset is invalid. Takes linear time.
+  // source. Throws if a source is invalid, if the number of offsets is wrong, or if an offset is too large for the mesh.
+  // Requires: check_offsets(offsets) does not throw. Takes linear time.
   template <typename Sources>
   Source_set<FT> source_set(const Sources& sources, const std::vector<double>& offsets = {}) const
   {
-    check_offsets(offsets);
     Source_set<FT> set;
     for_each_source<TriangleMesh>(sources, [&](const auto& source) { add_source(source, set); });
     if(!offsets.empty() && offsets.size() != set.size())
@@ -209,6 +218,16 @@ public:
                                      + " sources");
     for(const double offset : offsets)
       add_offset(offset, set);
+    return set;
+  }
+
+  // Returns the vertices of a range as sources without offsets. Throws if one of them is not a vertex of the mesh that
+  // was read; `what` names it in the message. Takes linear time.
+  template <typename Vertices>
+  Source_set<FT> source_set_of_vertices(const Vertices& range, const char* what) const
+  {
+    Source_set<FT> set;
+    set.vertices = checked_ids(range, what);
     return set;
   }
 

@@ -19,7 +19,6 @@
 #include <CGAL/Surface_mesh_geodesics/internal/interface/source_range.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Available_tag.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_matrix.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/Source_set.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -70,8 +69,7 @@ bool compute_geodesic_distances(const TriangleMesh& tm, VertexDistanceMap vertex
 {
   auto vim = CGAL::get_initialized_vertex_index_map(tm, np);
   auto fim = CGAL::get_initialized_face_index_map(tm, np);
-  check_maximum_distance(options.maximum_distance);
-  check_offsets(options.source_offsets);
+  check_numbers(options);
   Distance_solver<ConcurrencyTag, Rules, FT, TriangleMesh, decltype(vim), decltype(fim)> solver(tm, vim, fim,
                                                                                                  std::move(shape));
   if(!solver.run(sources, options, visitor))
@@ -118,9 +116,7 @@ bool put_distance_matrix(const Surface& surface, const Sources& sources, const T
 template <typename ConcurrencyTag, typename Surface, typename Vertices, typename RowOutput>
 bool put_symmetric_distance_matrix(const Surface& surface, const Vertices& range, RowOutput& output)
 {
-  Source_set<double> set;
-  set.vertices = surface.checked_ids(range, "source");
-  const Distance_matrix<double> matrix(surface.mesh(), set);
+  const Distance_matrix<double> matrix(surface.mesh(), surface.source_set_of_vertices(range, "source"));
   return matrix.put_triangular_rows(typename Available_tag<ConcurrencyTag>::type(), output);
 }
 

@@ -13,6 +13,9 @@
 // The sites of a geodesic Voronoi diagram as the user gave them: vertices or locations, with weights in the user's
 // unit. A propagation knows offsets instead of weights: it starts from each site with the difference from the largest
 // weight, so the heaviest site starts at 0 and no offset is negative.
+//
+// Weights are checked here, not where offsets are: add() reports an invalid weight at once, and the messages speak of
+// the weight that the user gave. All offsets that leave are valid.
 
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 
