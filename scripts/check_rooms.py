@@ -10,6 +10,8 @@ The folders of CGAL/Surface_mesh_geodesics/internal/ are rooms, and their order 
 - Rooms below `interface` know neither meshes nor kernels.
 - A room has at most 15 files, and a README.md that names each of them and each subfolder. A subfolder of a room counts
   as a room of its own.
+- The includes from folder to folder have no cycle: a room includes a subfolder of its own, or the subfolder includes
+  its room, but not both.
 - Only public headers include the license header, and each of them does.
 - The convenience header includes every public header, and no header includes it.
 - Includes have no cycle. Own headers are included with <>.
@@ -69,6 +71,10 @@ def room_of(name):
     """The room of an internal header; None for a public one, and for one that is in no room."""
     parts = name[len(INTERNAL):].split("/") if name.startswith(INTERNAL) else []
     return parts[0] if len(parts) > 1 and parts[0] in RANK else None
+
+
+def folder_of(name):
+    return pathlib.PurePosixPath(name).parent.as_posix()
 
 
 def rank_of(name):
@@ -181,6 +187,18 @@ def find_cycle(graph):
     return None
 
 
+def check_folders(graph, complaints):
+    """`graph` has the includes of each file; a folder includes what its own files include."""
+    folders = {}
+    for name, included in graph.items():
+        if name.startswith(INTERNAL):
+            others = {folder_of(other) for other in included if other.startswith(INTERNAL)}
+            folders.setdefault(folder_of(name), set()).update(others - {folder_of(name)})
+    cycle = find_cycle(folders)
+    if cycle:
+        complaints.append("cycle of folders: " + " -> ".join(cycle))
+
+
 def check(folder):
     """Returns the number of files and the list of complaints."""
     complaints = []
@@ -211,6 +229,7 @@ def check(folder):
     cycle = find_cycle(graph)
     if cycle:
         complaints.append("cycle of includes: " + " -> ".join(cycle))
+    check_folders(graph, complaints)
     return len(texts), complaints
 
 
@@ -230,11 +249,17 @@ SOUND_TREE = {
     LOW: "#include <CGAL/assertions.h>\n#include <vector>\n/* #include <CGAL/x.h> */\nTolerance<FT>::length();\n",
     TOLERANCE: "static FT unit() { return 1; }\nstatic FT length() { return 2 * unit(); }\n",
     COMPATIBILITY: "#include <CGAL/version.h>\n#if CGAL_VERSION_NR\n#endif\n",
-    INTERNAL + "interface/mesh.h": "#include <CGAL/boost/graph/helpers.h>\n",
-    INTERNAL + "window/shelf/tool.h": "#include <vector>\n",
+    INTERNAL + "interface/mesh.h": (
+        f"#include <CGAL/boost/graph/helpers.h>\n#include <{INTERNAL}propagation/shelf/tool.h>\n"),
+    INTERNAL + "window/shelf/tool.h": f"#include <{LOW}>\n",
+    INTERNAL + "window/user.h": f"#include <{INTERNAL}window/shelf/tool.h>\n",
+    INTERNAL + "propagation/shelf/tool.h": f"#include <{INTERNAL}propagation/run.h>\n",
+    INTERNAL + "propagation/run.h": f"#include <{HIGH}>\n",
     INTERNAL + "numeric/README.md": "# A room: `low.h`, `other.h`, `Tolerance.h`, `cgal_compatibility.h`\n",
-    INTERNAL + "window/README.md": "# A room: `high.h`, `shelf/`\n",
+    INTERNAL + "window/README.md": "# A room: `high.h`, `user.h`, `shelf/`\n",
     INTERNAL + "window/shelf/README.md": "# A subfolder: `tool.h`\n",
+    INTERNAL + "propagation/README.md": "# A room: `run.h`, `shelf/`\n",
+    INTERNAL + "propagation/shelf/README.md": "# A subfolder: `tool.h`\n",
     INTERNAL + "interface/README.md": "# A room: `mesh.h`\n",
 }
 
@@ -272,7 +297,7 @@ FAULTS = {
         {INTERNAL + "window/shelf/stray.h": "#include <vector>\n"},
         "window/shelf/README.md: does not name stray.h"),
     "first page without a subfolder": (
-        {INTERNAL + "window/README.md": "# A room: `high.h`\n"},
+        {INTERNAL + "window/README.md": "# A room: `high.h`, `user.h`\n"},
         "window/README.md: does not name shelf/"),
     "room without first page": (
         {INTERNAL + "surface/mesh.h": "#include <vector>\n"},
@@ -319,6 +344,15 @@ FAULTS = {
     "cycle": (
         {INTERNAL + "numeric/other.h": f"#include <{LOW}>\n", LOW: f"#include <{INTERNAL}numeric/other.h>\n"},
         "cycle of includes"),
+    "cycle of a room and its subfolder": (
+        {INTERNAL + "window/shelf/tool.h": f"#include <{HIGH}>\n"},
+        "cycle of folders"),
+    "cycle of two subfolders": (
+        {INTERNAL + "window/attic/README.md": "# A subfolder: `tool.h`, `other.h`\n",
+         INTERNAL + "window/attic/tool.h": f"#include <{INTERNAL}window/shelf/tool.h>\n",
+         INTERNAL + "window/attic/other.h": "#include <vector>\n",
+         INTERNAL + "window/shelf/other.h": f"#include <{INTERNAL}window/attic/other.h>\n"},
+        "cycle of folders"),
 }
 
 

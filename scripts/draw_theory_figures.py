@@ -129,7 +129,7 @@ def window():
 
 
 def pairs_of_windows():
-    """Why the part of the right window on the left of K is redundant."""
+    """Why the part of the right window on the left of K is dominated."""
     picture = Picture(-0.5, -3.7, 4.9, 0.8)
     a, b = (0, 0), (4.4, 0)
     left, right = (0.8, -2.2), (3.7, -3.2)
@@ -155,7 +155,7 @@ def pairs_of_windows():
     picture.text(y, "Y", shift=(0.28, -0.03))
     picture.text(left, "w₀", BLUE, shift=(-0.3, -0.1))
     picture.text(right, "w₁", ORANGE, shift=(0.3, -0.1))
-    picture.label((1.9, 0), "redundant part of w₁", GRAY, shift=(-0.45, 0.25))
+    picture.label((1.9, 0), "dominated part of w₁", GRAY, shift=(-0.45, 0.25))
     return picture
 
 

@@ -192,8 +192,8 @@ void check_overlapping_pair(const Window& left, const Window& right, std::size_t
   }
   Window l = left, r = right;
   const Pair_outcome outcome = internal::prune_pair(l, r);
-  CHECK_EQUAL(outcome == Pair_outcome::LEFT_IS_REDUNDANT, exact.left_end <= left.begin);
-  CHECK_EQUAL(outcome == Pair_outcome::RIGHT_IS_REDUNDANT, exact.right_begin >= right.end);
+  CHECK_EQUAL(outcome == Pair_outcome::LEFT_IS_DOMINATED, exact.left_end <= left.begin);
+  CHECK_EQUAL(outcome == Pair_outcome::RIGHT_IS_DOMINATED, exact.right_begin >= right.end);
   if(outcome == Pair_outcome::KEEP_BOTH)
   {
     CHECK_EQUAL(l.end, exact.left_end);
@@ -237,8 +237,8 @@ void check_symmetries_of_pair(const Window& left, const Window& right, Pair_outc
     return;
   }
   Window ml = mirrored(right), mr = mirrored(left);
-  const Pair_outcome expected = outcome == Pair_outcome::LEFT_IS_REDUNDANT    ? Pair_outcome::RIGHT_IS_REDUNDANT
-                                : outcome == Pair_outcome::RIGHT_IS_REDUNDANT ? Pair_outcome::LEFT_IS_REDUNDANT
+  const Pair_outcome expected = outcome == Pair_outcome::LEFT_IS_DOMINATED    ? Pair_outcome::RIGHT_IS_DOMINATED
+                                : outcome == Pair_outcome::RIGHT_IS_DOMINATED ? Pair_outcome::LEFT_IS_DOMINATED
                                                                               : Pair_outcome::KEEP_BOTH;
   CHECK(internal::prune_pair(ml, mr) == expected);
   CHECK(are_same(ml, mirrored(r)) && are_same(mr, mirrored(l)));
@@ -257,14 +257,14 @@ void check_crossed_pair(const Window& left, const Window& right, Pair_outcome ou
   }
   const Exact at_left = exact_distance(left, left.begin + h * left_slope, -h),
               at_right = exact_distance(right, right.end + h * right_slope, -h);
-  if(outcome == Pair_outcome::LEFT_IS_REDUNDANT)
+  if(outcome == Pair_outcome::LEFT_IS_DOMINATED)
     CHECK(!is_less_by(at_left, at_right, 13));
-  if(outcome == Pair_outcome::RIGHT_IS_REDUNDANT)
+  if(outcome == Pair_outcome::RIGHT_IS_DOMINATED)
     CHECK(!is_less_by(at_right, at_left, 13));
   if(is_less_by(at_left, at_right, 13))
-    CHECK(outcome == Pair_outcome::RIGHT_IS_REDUNDANT);
+    CHECK(outcome == Pair_outcome::RIGHT_IS_DOMINATED);
   if(is_less_by(at_right, at_left, 13))
-    CHECK(outcome == Pair_outcome::LEFT_IS_REDUNDANT);
+    CHECK(outcome == Pair_outcome::LEFT_IS_DOMINATED);
   ++number_checked;
 }
 
@@ -304,9 +304,9 @@ void the_rule_of_pairs_never_removes_both(test_support::Random& random)
   {
     const Window left = random_window(random), right = random_window(random);
     const internal::one_lane::Trimmed_pairs<double> pair(left, right, -1.);
-    CHECK(!(pair.left_is_redundant && pair.right_is_redundant));
+    CHECK(!(pair.left_is_dominated && pair.right_is_dominated));
     const bool are_crossed = right.end <= left.begin && right.begin < left.end;
-    CHECK_EQUAL(pair.is_undecided != 0, are_crossed || pair.left_is_redundant || pair.right_is_redundant);
+    CHECK_EQUAL(pair.is_undecided != 0, are_crossed || pair.left_is_dominated || pair.right_is_dominated);
     const internal::one_lane::Trimmed_pairs<double> close(left, right, 10.); // every image is treated as close
     CHECK(close.left_end == left.end && close.right_begin == right.begin);
   }

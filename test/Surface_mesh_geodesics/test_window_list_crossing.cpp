@@ -139,7 +139,7 @@ void windows_that_have_crossed_too_many_faces_are_removed(Lane_choice choice, te
   check_pruned(face, windows, remains);
 }
 
-// One of several windows is redundant. The others stay.
+// One of several windows is dominated. The others stay.
 void one_window_of_a_pair_is_removed(Lane_choice choice)
 {
   for(const bool left_is_farther : {true, false})

@@ -76,8 +76,8 @@ void check_pair(const Window& left, const Window& right, std::size_t& number_tri
   Window l = left, r = right;
   const Pair_outcome outcome = internal::prune_pair(l, r);
   const bool is_left_gone = expected.left_end <= left.begin, is_right_gone = expected.right_begin >= right.end;
-  CHECK_EQUAL(outcome == Pair_outcome::LEFT_IS_REDUNDANT, is_left_gone);
-  CHECK_EQUAL(outcome == Pair_outcome::RIGHT_IS_REDUNDANT, is_right_gone);
+  CHECK_EQUAL(outcome == Pair_outcome::LEFT_IS_DOMINATED, is_left_gone);
+  CHECK_EQUAL(outcome == Pair_outcome::RIGHT_IS_DOMINATED, is_right_gone);
   if(outcome == Pair_outcome::KEEP_BOTH)
   {
     check_trimmed(l, left.begin, expected.left_end);
@@ -86,8 +86,8 @@ void check_pair(const Window& left, const Window& right, std::size_t& number_tri
   }
 }
 
-// If the paths to the innermost points cross, the point where they cross tells which window is redundant.
-bool find_crossing(const Window& left, const Window& right, double& x, double& y)
+// If the paths to the innermost points cross, the point where they cross tells which window is dominated.
+bool find_intersection(const Window& left, const Window& right, double& x, double& y)
 {
   const double ux = left.begin - left.image_x, uy = left.image_depth;
   const double vx = right.end - right.image_x, vy = right.image_depth;
@@ -106,7 +106,7 @@ bool find_crossing(const Window& left, const Window& right, double& x, double& y
 bool check_crossed_pair(const Window& left, const Window& right)
 {
   double x = 0, y = 0;
-  if(!find_crossing(left, right, x, y))
+  if(!find_intersection(left, right, x, y))
   {
     return false;
   }
@@ -118,7 +118,7 @@ bool check_crossed_pair(const Window& left, const Window& right)
   }
   Window l = left, r = right;
   const Pair_outcome outcome = internal::prune_pair(l, r);
-  CHECK(outcome == (of_left < of_right ? Pair_outcome::RIGHT_IS_REDUNDANT : Pair_outcome::LEFT_IS_REDUNDANT));
+  CHECK(outcome == (of_left < of_right ? Pair_outcome::RIGHT_IS_DOMINATED : Pair_outcome::LEFT_IS_DOMINATED));
   return true;
 }
 
@@ -248,7 +248,7 @@ struct Vertex_rule_only : internal::No_pruning_rules
   static constexpr bool vertex_rule = true;
 };
 
-// A window is redundant if the path through an end of the edge, and along it to the far end of the interval, is
+// A window is dominated if the path through an end of the edge, and along it to the far end of the interval, is
 // shorter.
 void vertices_remove_windows_by_definition(Lane_choice choice, test_support::Random& random)
 {

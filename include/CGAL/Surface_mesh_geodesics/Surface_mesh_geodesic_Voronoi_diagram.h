@@ -407,7 +407,7 @@ public:
     std::size_t m_index = 0;
   };
 
-  /// A component of the boundary of a cell: consecutive edges with the cell on their left. It is valid as long as its
+  /// One curve of the boundary of a cell: consecutive edges with the cell on their left. It is valid as long as its
   /// edges.
   struct Boundary
   {
@@ -700,10 +700,10 @@ public:
   std::vector<Site_index> adjacent_sites(Site_index i) const { return Elements::sites_beyond(boundary(i)); }
 
   /// returns the edges around the cell, with the cell on their left. The pieces of the boundary along the border of the
-  /// mesh are omitted: a component that they interrupt is not closed.
+  /// mesh are omitted: a curve that they interrupt is not closed.
   ///
   /// \param i the number of the site
-  /// \return the components of the boundary, in no particular order; none if the cell is empty or a whole component of
+  /// \return the curves of the boundary, in no particular order; none if the cell is empty or a whole component of
   ///         the mesh
   /// \pre `i < number_of_sites()`
   std::vector<Boundary> boundary(Site_index i) const

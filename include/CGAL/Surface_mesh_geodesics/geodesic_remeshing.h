@@ -43,7 +43,7 @@ struct Geodesic_dual_report
   /// the nonempty cells that are not topological disks.
   std::vector<std::size_t> cells_that_are_not_disks;
 
-  /// the cells that are disks, but whose boundary has several components, without the border of the mesh. The
+  /// the cells that are disks, but whose boundary has several curves, without the border of the mesh. The
   /// triangles around such a site would form several fans.
   std::vector<std::size_t> cells_with_several_boundaries;
 

@@ -113,7 +113,7 @@ inline Distance_case without_source(Distance_case c, std::size_t i)
 // --- files ---
 
 // Writes <stem>.off and <stem>.sources.txt. The latter has a line for each source and, without points, for each side:
-// `vertex <number> <offset>`, `place <face> <coordinates> <offset>`, `side <face> <side> <edge> <length>`.
+// `vertex <number> <offset>`, `location <face> <coordinates> <offset>`, `side <face> <side> <edge> <length>`.
 inline bool write_case(const Distance_case& c, const std::string& stem)
 {
   std::ofstream off(stem + ".off"), text(stem + ".sources.txt");
@@ -137,7 +137,7 @@ inline bool write_case(const Distance_case& c, const std::string& stem)
     }
     else
     {
-      text << "place " << s.face << ' ' << s.coordinates[0] << ' ' << s.coordinates[1] << ' ' << s.coordinates[2]
+      text << "location " << s.face << ' ' << s.coordinates[0] << ' ' << s.coordinates[1] << ' ' << s.coordinates[2]
            << ' ' << s.offset << '\n';
     }
   }
@@ -177,7 +177,7 @@ inline Distance_case read_case(const std::string& stem)
       text >> s.vertex >> s.offset;
       c.sources.push_back(s);
     }
-    else if(word == "place")
+    else if(word == "location")
     {
       text >> s.face >> s.coordinates[0] >> s.coordinates[1] >> s.coordinates[2] >> s.offset;
       c.sources.push_back(s);

@@ -175,7 +175,7 @@ private:
   // Follows all straight pieces from v, which lies at the origin.
   void look_around(std::size_t v)
   {
-    m_crossings.assign(m_mesh.faces.size(), 0);
+    m_visits.assign(m_mesh.faces.size(), 0);
     m_offset = m_distances[v];
     for(const auto& edge : m_lengths[v])
     {
@@ -192,9 +192,9 @@ private:
         }
         const Point r = {m_lengths[v][right], FT(0)};
         const Point l = third_point({FT(0), FT(0)}, r, m_lengths[v][right], m_lengths[v][left], m_lengths[right][left]);
-        ++m_crossings[f];
+        ++m_visits[f];
         look_across(right, left, r, l, r, l);
-        --m_crossings[f];
+        --m_visits[f];
       }
     }
   }
@@ -216,7 +216,7 @@ private:
                    const Point& last)
   {
     const auto found = m_face_on_left.find({left, right});
-    if(found == m_face_on_left.end() || m_crossings[found->second] == m_most_faces_crossed || !is_open(first, last)
+    if(found == m_face_on_left.end() || m_visits[found->second] == m_most_faces_crossed || !is_open(first, last)
        || !(m_offset + nearest_in_cone(r, l, first, last) < m_bound))
     {
       return;
@@ -232,7 +232,7 @@ private:
     {
       m_distances[apex] = (std::min)(m_distances[apex], FT(m_offset + norm(a)));
     }
-    ++m_crossings[f];
+    ++m_visits[f];
     if(is_left_of_first)
     {
       look_across(right, apex, r, a, first, is_right_of_last ? a : last);
@@ -241,7 +241,7 @@ private:
     {
       look_across(apex, left, a, l, is_left_of_first ? a : first, last);
     }
-    --m_crossings[f];
+    --m_visits[f];
   }
 
   // A lower bound of the distance of the visible points: the distance of the segment that the cone cuts out of the
@@ -270,7 +270,7 @@ private:
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> m_face_on_left; // of a directed edge
   std::vector<bool> m_is_convex;
   std::vector<FT> m_distances;
-  std::vector<unsigned int> m_crossings; // of each face, by the sequence
+  std::vector<unsigned int> m_visits; // of each face, by the sequence
   FT m_offset = FT(0);            // the distance of the vertex at the origin
   FT m_bound = FT(0);
   std::size_t m_number_of_sequences = 0;

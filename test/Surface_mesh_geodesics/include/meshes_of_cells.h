@@ -175,7 +175,7 @@ inline Indexed_mesh genus_3_polycube()
   return voxel_surface("genus 3 polycube", {{"#######", "#.#.#.#", "#######"}});
 }
 
-// A cube with three crossing tunnels, of genus 5. All angles are equal, and most distances tie.
+// A cube with three tunnels that intersect, of genus 5. All angles are equal, and most distances tie.
 inline Indexed_mesh Menger_sponge()
 {
   return voxel_surface("Menger sponge", {{"###", "#.#", "###"}, {"#.#", "...", "#.#"}, {"###", "#.#", "###"}});

@@ -15,7 +15,7 @@
 // complex (Voronoi_complex.h) reads it. Neither of them knows the other one.
 
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Edge_partition.h>
-#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Site_image.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/fronts/Site_image.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 
 #include <array>

@@ -14,7 +14,7 @@
 // All coordinates are those of the layout of the face: corners 0, 1 and 2 at (0,0), (length[0],0) and (apex_x,apex_y).
 
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Edge_partition.h>
-#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Site_image.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/fronts/Site_image.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Face_windows.h>

@@ -99,7 +99,7 @@ public:
     mesh.set_unit(FT(std::ldexp(1., exponent)));
     builder.set_faces([&](std::uint32_t f, const std::array<Vertex_id, 3>& v, Intrinsic_face<FT>& face)
                       { return shape.shape(m_halfedges[f], f, v, face); }, mesh);
-    builder.set_components([&](std::uint32_t f)
+    builder.set_edge_components([&](std::uint32_t f)
     {
       const std::array<halfedge_descriptor, 3>& h = m_halfedges[f];
       return shape.has_length(h[0]) || shape.has_length(h[1]) || shape.has_length(h[2]);

@@ -28,8 +28,8 @@ namespace internal {
 // to 1 / (|cos t| + |sin t|), at least 1 / sqrt(2), of its length: it takes two thousand angles of 45 degrees, 250 full
 // turns, to underflow, while small angles hardly shorten it.
 //
-// Error bound, to first order in u = epsilon() / 2: the products with the scale round each component by u, which
-// turns the angle by u at most; the rotation rounds each component by 2 u of the length of the direction, which turns
+// Error bound, to first order in u = epsilon() / 2: the products with the scale round each coordinate by u, which
+// turns the angle by u at most; the rotation rounds each coordinate by 2 u of the length of the direction, which turns
 // it by 3 u at most. If dot and cross turn the angle by another 4 u, n angles err by 8 n u = 4 n epsilon().
 // is_near_axis() absorbs the error of a thousand faces around a vertex.
 template <typename FT>

@@ -82,10 +82,10 @@ Planar_point<FT> polished_vertex(const Additively_weighted_point<FT>& a, const A
   });
 }
 
-// Returns the point close to p on the line of h that is as far from a as from b.
+// Returns the point close to p at which the bisector of a and b intersects the line of h.
 template <typename FT>
-Planar_point<FT> polished_crossing(const Additively_weighted_point<FT>& a, const Additively_weighted_point<FT>& b,
-                                   const Half_plane<FT>& h, const Planar_point<FT>& p, const FT& size)
+Planar_point<FT> polished_intersection(const Additively_weighted_point<FT>& a, const Additively_weighted_point<FT>& b,
+                                       const Half_plane<FT>& h, const Planar_point<FT>& p, const FT& size)
 {
   return polished_point<FT>(p, a.distance_to(p), size, [&](const Planar_point<FT>& q)
   {

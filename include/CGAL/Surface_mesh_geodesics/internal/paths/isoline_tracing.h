@@ -169,17 +169,17 @@ private:
   // Returns the points on the edge of h. The first of its two faces that asks finds them.
   Edge_points points_on_edge(Halfedge_id h, const FT& value)
   {
-    const Halfedge_id key = edge_of(h);
-    const auto known = m_first_point.find(key);
+    const Halfedge_id edge = edge_of(h);
+    const auto known = m_first_point.find(edge);
     if(known != m_first_point.end())
       return known->second;
     Edge_points e;
     e.first = static_cast<Point_index>(m_points.size());
-    find_crossings(key, value, FT(0), m_field.distance[m_mesh.source(key)], FT(1),
-                   m_field.distance[m_mesh.target(key)]);
+    find_crossings(edge, value, FT(0), m_field.distance[m_mesh.source(edge)], FT(1),
+                   m_field.distance[m_mesh.target(edge)]);
     e.size = static_cast<std::uint32_t>(m_points.size() - e.first);
     m_neighbors.resize(m_points.size(), {null_id, null_id});
-    m_first_point[key] = e;
+    m_first_point[edge] = e;
     return e;
   }
 

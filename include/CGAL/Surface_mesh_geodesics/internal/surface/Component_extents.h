@@ -13,8 +13,8 @@
 // The extent of each component of a mesh: the length of its longest edge. Where components differ in size, rounding is
 // relative to the extent of the component, as the others may be far larger.
 //
-// Components here are connected across vertices: faces that share a pinched vertex are in one. (Those of
-// Intrinsic_mesh::extent_around() are connected across edges.)
+// Components are connected across vertices: faces that share a pinched vertex are in one. (The
+// *edge components* of Intrinsic_mesh::extent_around() are connected across edges.)
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>

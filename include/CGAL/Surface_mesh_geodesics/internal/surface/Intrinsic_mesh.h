@@ -59,8 +59,8 @@ public:
     REFINED = 8        // its faces have changed since the mesh was built
   };
 
-  // The faces from `first` on, up to the first one of the next component, are connected across edges.
-  struct Component
+  // The faces from `first` on, up to the first one of the next edge component, are connected across edges.
+  struct Edge_component
   {
     Face_id first;
     FT longest_edge;
@@ -191,31 +191,31 @@ public:
   // The bound ends computations that would never end: where faces have no area, paths may run around without growing.
   std::size_t most_faces_crossed() const { return m_most_faces_crossed; }
 
-  // Returns the extent that tolerances around a face are relative to: 1 if the mesh has one component, else the
-  // longest edge of the component, as the others may be far larger. Takes time logarithmic in their number.
+  // Returns the extent that tolerances around a face are relative to: 1 if the mesh has one edge component, else the
+  // longest edge of that component, as the others may be far larger. Takes time logarithmic in their number.
   // Requires: f is a face of the mesh as it was built.
   FT extent_around(Face_id f) const
   {
-    if(m_components.empty())
+    if(m_edge_components.empty())
       return 1;
-    const auto next = std::upper_bound(m_components.begin(), m_components.end(), f,
-                                       [](Face_id g, const Component& c) { return g < c.first; });
+    const auto next = std::upper_bound(m_edge_components.begin(), m_edge_components.end(), f,
+                                       [](Face_id g, const Edge_component& c) { return g < c.first; });
     return (next - 1)->longest_edge;
   }
 
-  // --- building: reset(), set_unit(), all members of all faces, set_components(), finish(); and, for lengths without
-  // points, bound_faces_crossed_by_lengths() ---
+  // --- building: reset(), set_unit(), all members of all faces, set_edge_components(), finish(); and, for lengths
+  // without points, bound_faces_crossed_by_lengths() ---
 
-  // Reserves room for the faces that a few sources inside faces need: else the first source would double the memory.
+  // Reserves memory for the faces that a few sources inside faces need: else the first source would double the memory.
   void reset(std::size_t number_of_faces)
   {
     m_faces.reserve(number_of_faces + room_for_sources);
     m_faces.resize(number_of_faces);
-    m_components.clear();
+    m_edge_components.clear();
   }
   void set_unit(const FT& unit) { m_unit = unit; }
   // Requires: there are several components, sorted by face.
-  void set_components(const std::vector<Component>& components) { m_components = components; }
+  void set_edge_components(const std::vector<Edge_component>& components) { m_edge_components = components; }
 
   Face& face(Face_id f) { return m_faces[f]; }
 
@@ -302,7 +302,7 @@ public:
   }
 
 private:
-  // Finds the first umbrella of each vertex and all those with a border, and makes room for the stars.
+  // Finds the first umbrella of each vertex and all those with a border, and reserves memory for the stars.
   void find_umbrellas()
   {
     m_star_begin.assign(number_of_vertices() + 1, 0);
@@ -434,7 +434,7 @@ private:
   std::vector<std::pair<Vertex_id, Halfedge_id>> m_other_umbrellas; // sorted
   std::vector<std::uint32_t> m_star_begin; // of the vertices of the mesh as it was built
   std::vector<Halfedge_id> m_star;
-  std::vector<Component> m_components; // empty if there is one
+  std::vector<Edge_component> m_edge_components; // empty if there is one
   FT m_unit = 1;
   std::size_t m_most_faces_crossed = 0, m_number_of_faces_before = 0; // before sources divided them
   double m_faces_crossed_by_lengths = 0;                              // 0 for a surface with points

@@ -99,16 +99,16 @@ public:
       link_face(i, mesh);
   }
 
-  // Stores the sizes of components, if there are several. Throws if a component would vanish beside the others, as all
-  // lengths have one unit; has_length(position) tells whether a face has an edge with a length before scaling. (A
+  // Stores the sizes of edge components, if there are several. Throws if a component would vanish beside the others, as
+  // all lengths have one unit; has_length(position) tells whether a face has an edge with a length before scaling. (A
   // component may have no lengths at all.)
   template <typename Has_length>
-  void set_components(Has_length has_length, Intrinsic_mesh<FT>& mesh) const
+  void set_edge_components(Has_length has_length, Intrinsic_mesh<FT>& mesh) const
   {
     const std::size_t n = m_first_of_component.size();
     if(n < 2)
       return;
-    std::vector<typename Intrinsic_mesh<FT>::Component> components;
+    std::vector<typename Intrinsic_mesh<FT>::Edge_component> components;
     components.reserve(n);
     for(std::size_t i = 0; i < n; ++i)
     {
@@ -121,7 +121,7 @@ public:
         refuse_lengths(has_length, first, last);
       components.push_back({first, longest});
     }
-    mesh.set_components(components);
+    mesh.set_edge_components(components);
   }
 
   // Returns the position of a face of the mesh.

@@ -12,7 +12,7 @@
 
 // The windows that a propagation has carried across each halfedge, kept for queries at any point of the surface.
 //
-// No rule had found these windows redundant when they were propagated. Windows that have become redundant since cost
+// No rule had found these windows dominated when they were propagated. Windows that have become dominated since cost
 // memory only. A kept window does not store the distance of its pseudo-source, which may have shrunk since: the final
 // distance belongs to a path that exists as well and is not longer.
 

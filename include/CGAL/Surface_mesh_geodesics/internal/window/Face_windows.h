@@ -18,7 +18,7 @@
 //
 // Adding a window takes constant time, amortized; releasing all windows of a halfedge does, too, as the ring of its
 // chunks becomes part of the free list by one exchange. Memory is that of the largest number of windows at a time, and
-// of unused room in the last chunk of each halfedge.
+// of unused space in the last chunk of each halfedge.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Kept_window.h>
@@ -134,7 +134,7 @@ private:
     }
   };
 
-  // The chunks of a halfedge form a ring: the last one, which may have room left, is followed by the first one.
+  // The chunks of a halfedge form a ring: the last one, which may have spare capacity, is followed by the first one.
   struct Link
   {
     std::uint32_t number; // of windows in this chunk and in those before it

@@ -10,7 +10,7 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_WINDOW_LIST_CROSSING_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_WINDOW_LIST_CROSSING_H
 
-// One window list across one face (thesis, 4.2.3). prune() removes redundant windows, find_apex_path() finds the
+// One window list across one face (thesis, 4.2.3). prune() removes dominated windows, find_apex_path() finds the
 // nearest window for the apex C (Rule 1), and split() propagates the list to the two other edges.
 //
 // Frame: that of the halfedge AB across which the list enters the face ABC (Window.h, Face_frame); lists on the two
@@ -74,11 +74,11 @@ public:
   // Tells this object whether distances of pseudo-sources may have shrunk after their windows were made.
   void expect_stale_windows(bool are_expected) { m_has_stale_windows = are_expected; }
 
-  // Removes windows that are redundant on the edge itself: windows of a pseudo-source that has been improved since,
+  // Removes windows that are dominated on the edge itself: windows of a pseudo-source that has been improved since,
   // windows beaten by a vertex or by a neighbor, and windows that have crossed more faces than any shortest path does
   // (Intrinsic_mesh.h).
   //
-  // First, all windows are trimmed against their original neighbors. Those that may be redundant become suspects, which
+  // First, all windows are trimmed against their original neighbors. Those that may be dominated become suspects, which
   // are then examined one by one. The order of pruning does not matter: each removed path is longer than some path on
   // the surface. Lists are pruned on every fourth edge only. To remove a window later costs less than to look for it on
   // each edge.
@@ -93,7 +93,7 @@ public:
                                 ? suspect_all(list)
                                 : trim(list, c, corners);
     if(has_suspects)
-      remove_redundant_suspects(list, c, corners);
+      remove_dominated_suspects(list, c, corners);
     CGAL_expensive_assertion(internal::is_valid(list, c.length));
   }
 
@@ -118,7 +118,7 @@ public:
   }
 
   // Splits a list at its separating point (Rule 1; thesis, 4.2.3.1) and propagates it to the two other edges, into the
-  // room behind the given lists; a list without a block gets nothing.
+  // spare capacity behind the given lists; a list without a block gets nothing.
   //
   // Windows before the nearest one send their paths to the left edge only, those after it to the right edge: by the
   // order of the keys, their other paths cross the shortest path to C, and are longer beyond. The nearest window itself
@@ -126,13 +126,13 @@ public:
   // image may be too close to its edge, or an interval contradicts the order.
   //
   // The new windows have crossed one more face, which is two steps more; the lists get them by Window_pool::add().
-  // Requires: `path` is the result of the last call of find_apex_path(), for the same list; both rooms have place for
-  // list.size more windows.
+  // Requires: `path` is the result of the last call of find_apex_path(), for the same list; a list with a block has
+  // spare capacity for list.size more windows.
   void split(const Window_list<FT>& list, const Face_frame<FT>& c, const Corner_rivals<FT>& corners,
-             const Apex_path& path, const Window_list<FT>& left_room, const Window_list<FT>& right_room)
+             const Apex_path& path, const Window_list<FT>& left_space, const Window_list<FT>& right_space)
   {
-    m_left.start(left_room, list.steps + 2);
-    m_right.start(right_room, list.steps + 2);
+    m_left.start(left_space, list.steps + 2);
+    m_right.start(right_space, list.steps + 2);
     CGAL_assertion(path.index < list.size);
     const FT& s = path.separating_point;
     Edge_cut<FT> to_left{corners.origin, corners.apex, s, path.index};
@@ -220,7 +220,7 @@ private:
   // Examines the suspects, and the windows whose left neighbor has been removed or trimmed. The windows [0, last) are
   // done and stay; those from i on are still to come; the rows in between are free. Runs of windows that need no look
   // are moved as a whole.
-  void remove_redundant_suspects(Window_list<FT>& list, const Face_frame<FT>& c,
+  void remove_dominated_suspects(Window_list<FT>& list, const Face_frame<FT>& c,
                                  const Corner_rivals<FT>& corners)
   {
     const Vertex_rival<FT> left = corners.origin, right = corners.target;
@@ -239,7 +239,7 @@ private:
       Window<FT> w = list.columns.get(i++);
       const FT begin = w.begin;
       is_changed = true;
-      if(!is_redundant(w, c.length, left, right) && survives_neighbors(list, last, w, c.length))
+      if(!is_dominated(w, c.length, left, right) && survives_neighbors(list, last, w, c.length))
       {
         is_changed = w.begin != begin;
         list.columns.set(last++, w);
@@ -248,8 +248,8 @@ private:
     list.size = static_cast<std::uint32_t>(last);
   }
 
-  // Is w redundant by itself, whatever its neighbors are?
-  bool is_redundant(const Window<FT>& w, const FT& length, const Vertex_rival<FT>& left,
+  // Is w dominated by itself, whatever its neighbors are?
+  bool is_dominated(const Window<FT>& w, const FT& length, const Vertex_rival<FT>& left,
                     const Vertex_rival<FT>& right)
   {
     if(!(w.begin < w.end)) // trimmed from both sides
@@ -267,7 +267,7 @@ private:
   }
 
   // Prunes w against the first `last` windows, from the nearest one on, until one of them stays (thesis, 4.2.3.2:
-  // linear time in all). Returns false if w itself is redundant.
+  // linear time in all). Returns false if w itself is dominated.
   bool survives_neighbors(Window_list<FT>& list, std::size_t& last, Window<FT>& w,
                            const FT& length)
   {
@@ -288,10 +288,10 @@ private:
       case Pair_outcome::KEEP_BOTH:
         list.columns.set(last - 1, neighbor);
         return true;
-      case Pair_outcome::RIGHT_IS_REDUNDANT:
+      case Pair_outcome::RIGHT_IS_DOMINATED:
         ++m_statistics.windows_removed_by_rules_2_and_3;
         return false;
-      case Pair_outcome::LEFT_IS_REDUNDANT:
+      case Pair_outcome::LEFT_IS_DOMINATED:
         ++m_statistics.windows_removed_by_rules_2_and_3;
         --last;
       }
@@ -331,7 +331,7 @@ private:
     return true;
   }
 
-  // Appends the children of the windows [first, last) to the batch of one edge, if it has room. The loop is chosen by
+  // Appends the children of the windows [first, last) to the batch of one edge, if it has a block. The loop is chosen by
   // the number of these windows, not by that of the list.
   void cross(typename Window_list_loops<FT>::Cross Window_list_loops<FT>::*loop, const Window_list<FT>& list,
              std::size_t first, std::size_t last, const Face_frame<FT>& c, const Edge_cut<FT>& edge,

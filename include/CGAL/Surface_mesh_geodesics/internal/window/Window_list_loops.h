@@ -38,9 +38,9 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// The new windows that a list sends across one edge, in the room behind the list of that edge, and their smallest
-// distance. `list` refers to the block; its size does not count the new windows. Window_pool::add() makes them part of
-// the list.
+// The new windows that a list sends across one edge, in the spare capacity behind the list of that edge, and their
+// smallest distance. `list` refers to the block; its size does not count the new windows. Window_pool::add() makes them
+// part of the list.
 template <typename FT>
 struct Window_batch
 {
@@ -49,9 +49,9 @@ struct Window_batch
   FT minimum_distance;
   std::uint32_t steps; // joined_steps() of the windows
 
-  void start(const Window_list<FT>& room, std::uint32_t steps_of_windows)
+  void start(const Window_list<FT>& space, std::uint32_t steps_of_windows)
   {
-    list = room;
+    list = space;
     size = 0;
     minimum_distance = std::numeric_limits<FT>::infinity();
     steps = steps_of_windows;

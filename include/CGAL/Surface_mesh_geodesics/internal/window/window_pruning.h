@@ -10,7 +10,7 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_WINDOW_PRUNING_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_WINDOW_PRUNING_H
 
-// The rules that prune single windows. A window, or a part of its interval, is redundant if no shortest path runs
+// The rules that prune single windows. A window, or a part of its interval, is dominated if no shortest path runs
 // through it, or if a path of the same length runs elsewhere. The manual (page Theory) has the proofs.
 //
 // The rules that also run over whole lists are written in lanes/lane_pruning.h, for any number of lanes; the functions
@@ -35,7 +35,7 @@ bool is_beaten_by_vertices(const Window<FT>& w, const FT& length, const Vertex_r
   return one_lane::are_beaten_by_vertices<FT>(w, length, left, right) != 0;
 }
 
-enum class Pair_outcome { KEEP_BOTH, LEFT_IS_REDUNDANT, RIGHT_IS_REDUNDANT };
+enum class Pair_outcome { KEEP_BOTH, LEFT_IS_DOMINATED, RIGHT_IS_DOMINATED };
 
 // The rule for crossed windows (thesis, cases 3 and 6): the interval of `left`, whose key is smaller, lies wholly on
 // the right of that of `right`. Then each path of one meets each path of the other, and the window that is nearer at
@@ -66,13 +66,13 @@ Pair_outcome prune_crossed_windows(const Window<FT>& left, const Window<FT>& rig
   const FT at_right = right.end_distance
                     - (right.end_distance - right.root_distance) * h / right.image_depth;
   if(is_clearly_less(at_left, at_right))
-    return Pair_outcome::RIGHT_IS_REDUNDANT;
+    return Pair_outcome::RIGHT_IS_DOMINATED;
   if(is_clearly_less(at_right, at_left))
-    return Pair_outcome::LEFT_IS_REDUNDANT;
+    return Pair_outcome::LEFT_IS_DOMINATED;
   return Pair_outcome::KEEP_BOTH;
 }
 
-// Applies the pair rules (thesis, 4.2.1, cases 1-6) to two windows of one edge: trims them, or finds one redundant,
+// Applies the pair rules (thesis, 4.2.1, cases 1-6) to two windows of one edge: trims them, or finds one dominated,
 // which stays as it is. See one_lane::Trimmed_pairs for the rule and one_lane for its only text.
 // Requires: left.key <= right.key, and not is_order_unknown(left, right): of two windows with equal keys, `left` comes
 // first in the list. Neither window is_too_close_to_trim().
@@ -85,10 +85,10 @@ Pair_outcome prune_pair(Window<FT>& left, Window<FT>& right)
   if(right.end <= left.begin)
     return prune_crossed_windows(left, right);
   const one_lane::Trimmed_pairs<FT> pair(left, right, FT(-1)); // no image is that close
-  if(pair.left_is_redundant)
-    return Pair_outcome::LEFT_IS_REDUNDANT;
-  if(pair.right_is_redundant)
-    return Pair_outcome::RIGHT_IS_REDUNDANT;
+  if(pair.left_is_dominated)
+    return Pair_outcome::LEFT_IS_DOMINATED;
+  if(pair.right_is_dominated)
+    return Pair_outcome::RIGHT_IS_DOMINATED;
   left.end = pair.left_end;
   left.end_distance = pair.left_end_distance;
   right.begin = pair.right_begin;

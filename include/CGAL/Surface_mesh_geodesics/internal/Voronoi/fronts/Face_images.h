@@ -13,7 +13,7 @@
 // The site images of a face together with the shape of the face: which image of a site is nearest to a point, and how
 // far lengths in this face are uncertain.
 
-#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Site_image.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/fronts/Site_image.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Weighted_bisector.h>

@@ -295,8 +295,8 @@ private:
     // Two images of one site may be so close to each other that the position along the curve is not well known: then
     // the point moves only across the curve.
     if(event.kind == Event::NEARER || event.kind == Event::IMPRECISE)
-      return polished_crossing(left, right, line_across(left, right, p), p, m_images.size());
-    return polished_crossing(left, right, event.line, p, m_images.size());
+      return polished_intersection(left, right, line_across(left, right, p), p, m_images.size());
+    return polished_intersection(left, right, event.line, p, m_images.size());
   }
 
   // Changes f to what follows the event at its end: another image of one of its sites, or the end of the trace.

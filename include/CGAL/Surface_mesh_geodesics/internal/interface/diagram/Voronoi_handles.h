@@ -112,17 +112,17 @@ public:
     return output;
   }
 
-  // Translates the components of the boundary of a cell, which are chains of the complex. Users see neither the chains
-  // without length nor the components that consist of these alone.
-  template <typename Components>
-  std::vector<Boundary> boundary(const Components& components) const
+  // Translates the curves of the boundary of a cell, which are chains of the complex. Users see neither the chains
+  // without length nor the curves that consist of these alone.
+  template <typename Curves>
+  std::vector<Boundary> boundary(const Curves& curves) const
   {
     std::vector<Boundary> result;
-    for(const auto& component : components)
+    for(const auto& curve : curves)
     {
       Boundary b;
-      b.is_closed = component.is_closed;
-      for(const auto& c : component.chains)
+      b.is_closed = curve.is_closed;
+      for(const auto& c : curve.chains)
         if(edge_of_chain(c.first) != none)
           b.edges.emplace_back(m_edges[edge_of_chain(c.first)], c.second);
       if(!b.edges.empty())

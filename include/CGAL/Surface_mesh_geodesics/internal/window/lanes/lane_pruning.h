@@ -31,7 +31,7 @@ namespace CGAL_SURFACE_MESH_GEODESICS_LANES_NAMESPACE {
 // path from the end A along the edge to the far end of the interval crosses every path of the window. If it is shorter
 // there,
 //   left.distance + end < left.factor * end_distance,
-// it is shorter at each crossing. The formula for B is the mirror image of this one.
+// it is shorter where the two intersect. The formula for B is the mirror image of this one.
 //
 // Ties: those of Vertex_rival. Error bound: a rival that does not win ties never removes a window that is not farther,
 // and removes each one that is farther by 6 epsilon() of its distance. Law: the mirror image gives the same
@@ -79,14 +79,14 @@ struct Compared_distances
 // with equal keys, and lists that may hold marked windows are not trimmed by lanes.
 //
 // Formula. At a point K of both intervals, let `right` be nearer. A path of `left` that ends on the right of K crosses
-// the path of `right` to K and is not the shorter one there: that part of `left` is redundant. The mirror image holds
+// the path of `right` to K and is not the shorter one there: that part of `left` is dominated. The mirror image holds
 // if `left` is nearer. K is put at both ends, `first` and `last`, of what the intervals share. There, one of the
-// windows begins or ends, and its distance is known. A window that loses its whole interval is redundant, else it is
+// windows begins or ends, and its distance is known. A window that loses its whole interval is dominated, else it is
 // trimmed. Two windows that still overlap afterwards have a point of equal distance inside, up to rounding.
 //
 // Ties remove nothing. Error bound: a part is removed only if it is farther than its rival or ties up to
 // epsilon(), and is removed wherever it is farther by 9 epsilon(), for exact images (see
-// Tolerance::distance() for their errors). Laws: never are both windows redundant; trimming leaves valid intervals; the
+// Tolerance::distance() for their errors). Laws: never are both windows dominated; trimming leaves valid intervals; the
 // mirror image of a pair gives the mirror image of the result, if the order of the keys is true. (Were `right` nearer
 // at `first` and `left` nearer at `last`, which contradicts the order, then `first` would decide.)
 template <typename FT>
@@ -94,8 +94,8 @@ struct Trimmed_pairs
 {
   using L = Lanes<FT>;
   typename L::Number left_end, left_end_distance, right_begin, right_begin_distance;
-  typename L::Mask left_is_redundant, right_is_redundant; // never both
-  typename L::Mask is_undecided; // one is redundant, or the pair is not decided here; both windows stay as they are
+  typename L::Mask left_is_dominated, right_is_dominated; // never both
+  typename L::Mask is_undecided; // one is dominated, or the pair is not decided here; both windows stay as they are
 
   // Does not decide pairs of intervals in the wrong order (see prune_crossed_windows()), nor those with an image that
   // is not deeper than close_depth: such a window may be too close to trim. A negative depth excludes none.
@@ -122,10 +122,10 @@ Trimmed_pairs<FT>::Trimmed_pairs(const Window_numbers<FT>& left, const Window_nu
   const Mask overlap = L::less(right.begin, left.end);
   const Mask goes_on = L::except(overlap, at_first.right_is_nearer);
   const Number depth = L::minimum(left.image_depth, right.image_depth);
-  left_is_redundant = overlap & at_first.right_is_nearer & starts_with_left;
-  right_is_redundant = goes_on & at_last.left_is_nearer & ends_with_right;
+  left_is_dominated = overlap & at_first.right_is_nearer & starts_with_left;
+  right_is_dominated = goes_on & at_last.left_is_nearer & ends_with_right;
   is_undecided = (overlap & L::less_equal(depth, L::all(close_depth)))
-               | (overlap & L::less_equal(right.end, left.begin)) | left_is_redundant | right_is_redundant;
+               | (overlap & L::less_equal(right.end, left.begin)) | left_is_dominated | right_is_dominated;
 
   const Mask ends_at_first = L::except(overlap & at_first.right_is_nearer, is_undecided);
   const Mask ends_at_last = L::except(goes_on & ends_with_right & at_last.right_is_nearer, is_undecided);

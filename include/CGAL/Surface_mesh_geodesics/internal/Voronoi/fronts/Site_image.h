@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Surface_mesh_geodesics authors
 
-#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_SITE_IMAGE_H
-#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_SITE_IMAGE_H
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_FRONTS_SITE_IMAGE_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_FRONTS_SITE_IMAGE_H
 
 // The images of sites as one face sees them. Every shortest path that ends in a face has a last straight piece. It
 // starts at a corner of the face, or at a pseudo-source outside; then it enters through the interval of a window.
@@ -104,4 +104,4 @@ private:
 } // namespace Surface_mesh_geodesics
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_SITE_IMAGE_H
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_FRONTS_SITE_IMAGE_H
