@@ -1,12 +1,9 @@
-// When Surface_mesh_geodesic_paths computes what: states, iterators that survive builds, const queries, edge lengths,
-// visitors that cancel or throw.
+// When Surface_mesh_geodesic_paths computes what: states, iterators that survive builds, const queries, edge lengths.
 
 #include "path_interface_helpers.h"
 #include "path_test_helpers.h"
 #include "test_meshes.h"
 #include "test_support.h"
-
-#include <CGAL/Surface_mesh_geodesics/Geodesic_default_visitor.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
 
@@ -16,7 +13,6 @@
 #include <functional>
 #include <iterator>
 #include <sstream>
-#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -352,7 +348,7 @@ void other_const_members_do_not_build()
 
 // --- the mesh or its lengths change ---
 
-void clear_takes_the_mesh_as_it_is()
+void clear_reads_the_changed_mesh()
 {
   test_support::Scope scope("clear");
   Mesh tm = load_data("grid5");
@@ -462,126 +458,6 @@ void other_edge_lengths_replace_the_first_ones()
   CHECK_CLOSE(ask(by_lengths, query).distance, 2. * ask(by_points, query).distance, 1e-13);
 }
 
-// --- progress and canceling ---
-
-struct Canceling_visitor : CGAL::Surface_mesh_geodesics::Geodesic_default_visitor
-{
-  std::size_t steps_left = 0;
-  std::size_t begins = 0, ends = 0, vertices_announced = 0;
-  double distance_reached = 0.;
-
-  void on_propagation_begin(std::size_t number_of_vertices)
-  {
-    ++begins;
-    vertices_announced = number_of_vertices;
-  }
-  void on_progress(std::size_t, double distance)
-  {
-    CHECK(distance >= distance_reached);
-    distance_reached = distance;
-  }
-  bool go_further() { return steps_left == 0 ? false : (--steps_left, true); }
-  void on_propagation_end() { ++ends; }
-};
-
-void building_can_be_canceled()
-{
-  test_support::Scope scope("canceling");
-  const Mesh tm = to_face_graph(noisy_sphere(3, .05, 5));
-  Geodesic_paths expected(tm);
-  expected.add_source_point(vertex(0));
-  expected.add_source_point(face(77), {.2, .3, .5});
-  Geodesic_paths paths(tm);
-  const auto first = paths.add_source_point(vertex(0));
-  paths.add_source_point(face(77), {.2, .3, .5});
-  bool was_canceled = false, was_complete = false;
-  for(std::size_t steps = 0; steps < 100000; steps = 3 * steps + 1)
-  {
-    for(const bool for_faces : {false, true})
-    {
-      paths.remove_source_point(paths.add_source_point(vertex(5))); // makes the next build necessary
-      Canceling_visitor visitor;
-      visitor.steps_left = steps;
-      const bool is_complete =
-        for_faces ? paths.build_sequence_tree_for_faces(visitor) : paths.build_sequence_tree(visitor);
-      was_canceled = was_canceled || !is_complete;
-      was_complete = was_complete || is_complete;
-      CHECK_EQUAL(visitor.begins, 1u);
-      CHECK_EQUAL(visitor.ends, 1u);
-      CHECK_EQUAL(visitor.vertices_announced, num_vertices(tm));
-      CHECK_EQUAL(paths.changed_since_last_build(), !is_complete);
-      CHECK_EQUAL(paths.number_of_source_points(), 2u);
-      CHECK(first == paths.source_points_begin());
-      if(!is_complete)
-      {
-        const Geodesic_paths& constant = paths; // its first query builds
-        CHECK_EQUAL(constant.shortest_distance_to_source_points(vertex(3)).first,
-                    expected.shortest_distance_to_source_points(vertex(3)).first);
-        CHECK(!paths.changed_since_last_build());
-      }
-      for(const Surface_point& q : {Surface_point(vertex(3)), Surface_point(Face_location(face(12), {.2, .3, .5}))})
-      {
-        CHECK_EQUAL(ask(paths, q).distance, ask(expected, q).distance);
-        CHECK_EQUAL(ask(paths, q).source, ask(expected, q).source);
-      }
-    }
-  }
-  CHECK(was_canceled && was_complete);
-  Canceling_visitor visitor; // nothing left to build
-  CHECK(paths.build_sequence_tree_for_faces(visitor));
-  CHECK_EQUAL(visitor.begins, 0u);
-  CHECK(paths.statistics().vertices_visited > 0);
-  paths.clear();
-  CHECK_EQUAL(paths.statistics().vertices_visited, 0u);
-}
-
-// The distances of vertices stay if a visitor ends the build that adds the windows.
-void canceling_the_second_stage_keeps_the_first()
-{
-  test_support::Scope scope("canceling the second stage");
-  const Mesh tm = to_face_graph(noisy_sphere(3, .05, 5));
-  Geodesic_paths paths(tm);
-  paths.add_source_point(vertex(0));
-  const double distance = paths.shortest_distance_to_source_points(vertex(3)).first;
-  Canceling_visitor canceling;
-  CHECK(!paths.build_sequence_tree_for_faces(canceling));
-  CHECK(!paths.changed_since_last_build());
-  const std::size_t visits = paths.statistics().vertices_visited;
-  CHECK_EQUAL(paths.shortest_distance_to_source_points(vertex(3)).first, distance);
-  CHECK_EQUAL(paths.statistics().vertices_visited, visits); // the query has not propagated
-  Canceling_visitor visitor; // the first stage is ready
-  CHECK(paths.build_sequence_tree(visitor));
-  CHECK_EQUAL(visitor.begins, 0u);
-  Geodesic_paths expected(tm);
-  expected.add_source_point(vertex(0));
-  const Surface_point query(Face_location(face(12), {.2, .3, .5}));
-  CHECK_EQUAL(ask(paths, query).distance, ask(expected, query).distance);
-}
-
-// A visitor that throws leaves the object valid too.
-struct Throwing_visitor : CGAL::Surface_mesh_geodesics::Geodesic_default_visitor
-{
-  void on_progress(std::size_t, double) { throw std::runtime_error("enough"); }
-};
-
-void visitors_may_throw()
-{
-  test_support::Scope scope("throwing visitor");
-  const Mesh tm = to_face_graph(noisy_sphere(3, .05, 5));
-  Geodesic_paths expected(tm), paths(tm);
-  expected.add_source_point(face(77), {.2, .3, .5});
-  paths.add_source_point(face(77), {.2, .3, .5});
-  Throwing_visitor visitor;
-  CHECK(throws<std::runtime_error>([&] { paths.build_sequence_tree_for_faces(visitor); }));
-  CHECK(paths.changed_since_last_build());
-  for(const vertex_descriptor v : vertices(tm))
-  {
-    CHECK_EQUAL(ask(paths, Surface_point(v)).distance, ask(expected, Surface_point(v)).distance);
-  }
-  CHECK(throws<std::runtime_error>([&] { paths.build_sequence_tree_for_faces(visitor); }));
-  CHECK(!paths.changed_since_last_build()); // the distances of vertices remain valid
-}
-
 } // namespace
 
 int main()
@@ -595,11 +471,8 @@ int main()
   const_queries_follow_changes_of_the_sources();
   const_queries_report_bad_sources();
   other_const_members_do_not_build();
-  clear_takes_the_mesh_as_it_is();
+  clear_reads_the_changed_mesh();
   edge_lengths_replace_points();
   other_edge_lengths_replace_the_first_ones();
-  building_can_be_canceled();
-  canceling_the_second_stage_keeps_the_first();
-  visitors_may_throw();
   return test_result();
 }

@@ -204,8 +204,8 @@ public:
 
   // --- sources ---
 
-  // Returns the sources of a range, or the single source, with their offsets in the user's unit: none, or one for each
-  // source. Throws if a source is invalid, if the number of offsets is wrong, or if an offset is too large for the mesh.
+  // Returns the sources of a range, or the single source. `offsets` are in the user's unit: none, or one for each
+  // source. Throws if a source or the number of offsets is invalid, or if an offset is too large for the mesh.
   // Requires: check_offsets(offsets) does not throw. Takes linear time.
   template <typename Sources>
   Source_set<FT> source_set(const Sources& sources, const std::vector<double>& offsets = {}) const

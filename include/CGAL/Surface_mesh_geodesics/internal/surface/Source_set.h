@@ -30,7 +30,8 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// A source in a face of the intrinsic mesh, and its number.
+// A source in a face of the intrinsic mesh, and its number `position`. The coordinates are in the order of the corners
+// of that face; they are valid (are_valid_coordinates()) and may be exactly those of a corner or of a point of an edge.
 template <typename FT>
 struct Located_source
 {
@@ -39,7 +40,11 @@ struct Located_source
   std::size_t position;
 };
 
-// All sources of a propagation.
+// All sources of a propagation. Intrinsic_surface makes a set from the user's sources, once all of them are checked.
+//
+// Invariants: `offsets` is empty or has size() entries, all finite and not negative. Each number i has a vertex of the
+// mesh in vertices[i], or null_id there and one entry in `located` with the position i. After insert_located_sources()
+// no vertex is null_id; it stays valid until the insertion is undone. Several sources may be at one vertex.
 template <typename FT>
 struct Source_set
 {
@@ -48,11 +53,16 @@ struct Source_set
   std::vector<FT> offsets;                 // by number; or empty: all are 0. In the unit of the intrinsic mesh.
 
   std::size_t size() const { return vertices.size(); }
+
+  // Requires: i < size().
   FT offset(std::size_t i) const { return offsets.empty() ? FT(0) : offsets[i]; }
 };
 
-// Makes vertices of all located sources and sets vertices[position]. Inserts in the order of faces and coordinates, so
-// that the result does not depend on the order of the sources.
+// Makes vertices of all located sources and sets vertices[position]. Sorts `sources` and inserts in the order of faces
+// and coordinates, so that the refined mesh does not depend on the order in which the user gave the sources. A source at
+// a vertex gets that vertex; equal locations get the same vertex.
+// Requires: `insertion` refines the mesh of the faces, and the faces are those of the mesh without sources; `vertices`
+// has an entry for each position. Takes the time of sorting and of the insertions.
 template <typename FT>
 void insert_located_sources(std::vector<Located_source<FT>>& sources, Source_insertion<FT>& insertion,
                             std::vector<Vertex_id>& vertices)
@@ -64,13 +74,15 @@ void insert_located_sources(std::vector<Located_source<FT>>& sources, Source_ins
     vertices[s.position] = insertion.insert(s.face, s.coordinates);
 }
 
-// Which source counts at a vertex: of several, the first one of those with the smallest offset.
+// Which source counts at a vertex: of several, the one with the smallest offset; in a tie, the one with the smallest
+// number. A default object knows no source.
 class Source_numbers
 {
 public:
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
-  // Numbers the sources of a set. Requires: all are vertices. Takes time linear in their number, but for sorting.
+  // Numbers the sources of a set and forgets those of the set before. Requires: all of them are vertices, the located
+  // ones inserted. Takes the time of sorting them.
   template <typename FT>
   void assign(const Source_set<FT>& set)
   {

@@ -32,8 +32,14 @@ namespace Surface_mesh_geodesics {
 namespace internal {
 
 // Batches of windows, and for each halfedge the chain of its batches, the latest first. Windows are never removed, and
-// never move: chunks have a fixed size, and a list that does not fit into the rest of a chunk becomes two batches.
+// never move: chunks have a fixed size, and a list that does not fit into the rest of a chunk becomes several batches.
 // Keeping a window takes constant time, amortized, and the memory of one Kept_window.
+//
+// Invariants: all chunks but the last one are full, and m_chunk_size windows of the last one are in use; a batch lies in
+// one chunk and is not empty; `previous` of a batch is smaller than its own index, or null_id, so chains end; there
+// are fewer than 2^32 - 1 batches.
+//
+// Threads: several may call for_each_window() at once if no thread calls reset() or keep().
 template <typename FT_>
 class Edge_window_field
 {
@@ -50,7 +56,9 @@ public:
     m_chunk_size = 0;
   }
 
-  // Keeps the windows of a list that a propagation carries across h, in the frame of h.
+  // Keeps the windows of a list that a propagation carries across h, in the frame of h: copies what Kept_window has.
+  // Requires: reset() has been called for the mesh, refined by its sources; the list satisfies the invariants of a
+  // stored list (Window_lists.h), it may be empty.
   void keep(Halfedge_id h, const Window_list<FT>& list)
   {
     std::size_t done = 0;
@@ -76,8 +84,9 @@ public:
     }
   }
 
-  // Calls visit(window) for all windows of h, the batches in the reverse order of their coming. Takes time linear in
-  // the number of windows.
+  // Calls visit(window) for all windows of h, the latest batch first, and by key within a batch. The winner of a tie
+  // in a query depends on this order. Takes time linear in the number of windows.
+  // Requires: reset() has been called for a mesh with h. `visit` does not call keep().
   template <typename Visit>
   void for_each_window(Halfedge_id h, Visit visit) const
   {

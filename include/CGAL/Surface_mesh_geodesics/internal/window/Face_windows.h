@@ -34,8 +34,12 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// Invariants: all chunks of a halfedge but the last one are full; each chunk is in the ring of one halfedge or in the
-// free list; size() is the number of windows in all rings.
+// Invariants: all chunks of a halfedge but the last one are full, and the last one is not empty; each chunk is in the
+// ring of one halfedge or in the free list; size() is the number of windows in all rings. `number` of a link is that of
+// the windows in the ring up to this chunk, so the last link has the number of windows of the halfedge.
+//
+// All functions with a halfedge require that reset() has been called for a mesh with that halfedge. Windows move when
+// others are added: visitors get copies.
 template <typename FT>
 class Face_windows
 {
@@ -50,12 +54,14 @@ public:
     m_size = m_maximum_size = 0;
   }
 
+  // Adds a window, behind those that h has.
   void add(Halfedge_id h, const Kept_window<FT>& w)
   {
     add(h, 1, [&](std::size_t) { return w; });
   }
 
-  // Adds window(i) for i = 0 .. n-1, called once each and in this order.
+  // Adds window(i) for i = 0 .. n-1, called once each and in this order, behind the windows that h has. `window` does not
+  // access this object. n may be 0. Fewer than 2^32 windows of one halfedge can be kept.
   template <typename Window_at>
   void add(Halfedge_id h, std::size_t n, Window_at window)
   {
@@ -74,7 +80,7 @@ public:
     m_maximum_size = (std::max)(m_maximum_size, m_size);
   }
 
-  // Releases the windows of h, in constant time.
+  // Releases the windows of h, in constant time. Afterwards h has none, and add() may begin anew.
   void release(Halfedge_id h)
   {
     std::uint32_t& last = m_last_chunk[dense_index(h)];
@@ -86,7 +92,7 @@ public:
     last = null_id;
   }
 
-  // Calls visit(window) for the windows of h, in the order in which they were added.
+  // Calls visit(window) for the windows of h, in the order in which they were added. `visit` adds and releases none.
   template <typename Visit>
   void for_each(Halfedge_id h, Visit visit) const
   {

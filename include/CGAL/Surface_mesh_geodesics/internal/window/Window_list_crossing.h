@@ -331,8 +331,8 @@ private:
     return true;
   }
 
-  // Appends the children of the windows [first, last) to the batch of one edge, if it has a block. The loop is chosen by
-  // the number of these windows, not by that of the list.
+  // Appends the children of the windows [first, last) to the batch of one edge, if it has a block. The loop is chosen
+  // by the number of these windows, not by that of the list.
   void cross(typename Window_list_loops<FT>::Cross Window_list_loops<FT>::*loop, const Window_list<FT>& list,
              std::size_t first, std::size_t last, const Face_frame<FT>& c, const Edge_cut<FT>& edge,
              Window_batch<FT>& batch)

@@ -22,6 +22,11 @@ namespace CGAL_SURFACE_MESH_GEODESICS_LANES_NAMESPACE {
 
 // Each loop processes L::size rows at a time. The last step may run past the end of the list into the padding of the
 // block. Masks of the first n lanes keep these rows out of the results; values stored there are never read.
+//
+// Requires, of all loops: the first n rows of `columns` are the windows of a list that satisfies the invariants of a
+// stored list (Window_lists.h), and Window_columns::padding more rows can be read and written. L::size divides
+// suspects_in_word, so that a step never spans two words. The loops allocate nothing and throw nothing; each takes time
+// linear in the number of windows.
 template <typename FT, typename Rules>
 class List_loops
 {
@@ -50,6 +55,9 @@ private:
   // - `bits`: the suspects of the current word. An undecided pair makes its right window a suspect, which may be the
   //   first window of the next word: the bit above the word, kept when the word is full.
   // The pair of the last window and the row behind it does not exist; `is_pair` masks it out.
+  //
+  // Afterwards a suspect may have end <= begin: the caller removes it or restores the invariants of the list.
+  // Requires: no window of the list is marked; `suspects` has n / suspects_in_word words, rounded up.
   static bool trim(const Columns& columns, std::size_t n, const FT& length, const Rival& left, const Rival& right,
                    Suspects* suspects)
   {
@@ -92,6 +100,7 @@ private:
   // Finds the nearest window. Each lane remembers its nearest one, the first one of several that tie. At the end, the
   // lanes are compared: of those that tie, the one with the smallest index wins. So the result does not depend on the
   // number of lanes.
+  // Requires: n > 0; `abscissa` has n + L::size entries.
   static Nearest_window<FT> find_nearest(const Columns& columns, std::size_t n, const Face_frame<FT>& c, FT* abscissa)
   {
     using Word = typename L::Word;
@@ -121,6 +130,7 @@ private:
 
   // Looks for windows on the wrong side of s. `best` itself counts for neither side. For the lanes before it, best - i
   // is positive; read as signed numbers, the differences become negative behind it, and L::first() of them is empty.
+  // A window that touches s is on neither side. Requires: best < n.
   static bool is_split_by(const Columns& columns, std::size_t n, std::size_t best, const FT& s)
   {
     const Number point = L::all(s);
@@ -137,6 +147,8 @@ private:
   // Makes the children of one step, stores all of them, and compacts them if some are not useful: they have no paths,
   // are slivers (narrower than Tolerance::interval()), or are beaten by a vertex. In most steps all children are
   // useful, and storing them costs no branch.
+  // Requires: first <= last <= n; `abscissa` is the result of find_nearest() for the same list; the block of `batch` is
+  // another one than that of `from`, and has capacity for last - first more windows.
   template <typename Child>
   static void cross(const Columns& from, std::size_t first, std::size_t last, const Face_frame<FT>& c,
                     const Edge_cut<FT>& edge, const FT* abscissa, Window_batch<FT>& batch,
@@ -190,8 +202,8 @@ private:
     }
   }
 
-  // Closes the gaps in one step: moves the windows whose bits are set to consecutive rows from `first` on. Returns the
-  // end of these rows.
+  // Closes the gaps in one step: moves the windows whose bits are set to consecutive rows from `first` on, in their
+  // order. Returns the end of these rows.
   static std::size_t keep(const Columns& columns, std::size_t first, unsigned int useful)
   {
     std::size_t end = first;
