@@ -59,8 +59,8 @@ struct Source_set
 };
 
 // Makes vertices of all located sources and sets vertices[position]. Sorts `sources` and inserts in the order of faces
-// and coordinates, so that the refined mesh does not depend on the order in which the user gave the sources. A source at
-// a vertex gets that vertex; equal locations get the same vertex.
+// and coordinates, so that the refined mesh does not depend on the order in which the user gave the sources. A source
+// at a vertex gets that vertex; equal locations get the same vertex.
 // Requires: `insertion` refines the mesh of the faces, and the faces are those of the mesh without sources; `vertices`
 // has an entry for each position. Takes the time of sorting and of the insertions.
 template <typename FT>

@@ -35,8 +35,8 @@ namespace internal {
 // never move: chunks have a fixed size, and a list that does not fit into the rest of a chunk becomes several batches.
 // Keeping a window takes constant time, amortized, and the memory of one Kept_window.
 //
-// Invariants: all chunks but the last one are full, and m_chunk_size windows of the last one are in use; a batch lies in
-// one chunk and is not empty; `previous` of a batch is smaller than its own index, or null_id, so chains end; there
+// Invariants: all chunks but the last one are full, and m_chunk_size windows of the last one are in use; a batch lies
+// in one chunk and is not empty; `previous` of a batch is smaller than its own index, or null_id, so chains end; there
 // are fewer than 2^32 - 1 batches.
 //
 // Threads: several may call for_each_window() at once if no thread calls reset() or keep().

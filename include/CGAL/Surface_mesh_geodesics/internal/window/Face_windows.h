@@ -60,8 +60,8 @@ public:
     add(h, 1, [&](std::size_t) { return w; });
   }
 
-  // Adds window(i) for i = 0 .. n-1, called once each and in this order, behind the windows that h has. `window` does not
-  // access this object. n may be 0. Fewer than 2^32 windows of one halfedge can be kept.
+  // Adds window(i) for i = 0 .. n-1, called once each and in this order, behind the windows that h has. `window` does
+  // not access this object. n may be 0. Fewer than 2^32 windows of one halfedge can be kept.
   template <typename Window_at>
   void add(Halfedge_id h, std::size_t n, Window_at window)
   {
