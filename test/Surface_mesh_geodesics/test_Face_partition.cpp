@@ -27,7 +27,7 @@ Partition::Image image(double x, double y, Site site)
 }
 
 // The images lie in a row below the first side, so the curves are parallel: each leads from the first side to another.
-void test_parallel_curves(std::size_t n)
+void parallel_curves_lead_to_another_side(std::size_t n)
 {
   test_support::Scope scope(std::to_string(n) + " parallel curves");
   Partition partition;
@@ -112,7 +112,7 @@ void add_breakpoints(Partition& partition, unsigned int side, std::size_t steps)
 }
 
 // The image above the face has its cell behind a row of small cells. The curves between these end at its boundary.
-void test_row_of_cells(std::size_t n)
+void curves_end_at_the_cell_behind_them(std::size_t n)
 {
   test_support::Scope scope("a row of " + std::to_string(n) + " cells");
   Partition partition;
@@ -138,8 +138,8 @@ int main()
 {
   for(std::size_t n : {4u, 32u, 256u})
   {
-    test_parallel_curves(n);
-    test_row_of_cells(n);
+    parallel_curves_lead_to_another_side(n);
+    curves_end_at_the_cell_behind_them(n);
   }
   return test_result();
 }

@@ -16,7 +16,7 @@ namespace {
 
 std::size_t number_of_points = 0, number_of_comparisons = 0;
 
-void test_sites(const Mesh& tm, std::size_t number, std::size_t points, bool compares, test_support::Random& random)
+void check_sites(const Mesh& tm, std::size_t number, std::size_t points, bool compares, test_support::Random& random)
 {
   test_support::Scope scope(std::to_string(number) + " sites");
   const Weighted_sites sites = random_sites(tm, number, 0., random);
@@ -28,16 +28,16 @@ void test_sites(const Mesh& tm, std::size_t number, std::size_t points, bool com
   number_of_comparisons += validator.distances().number_of_comparisons();
 }
 
-void test_mesh(const Indexed_mesh& indexed, test_support::Random& random)
+void diagrams_agree_with_distances(const Indexed_mesh& indexed, test_support::Random& random)
 {
   test_support::Scope scope(indexed.name);
   const Mesh tm = to_face_graph(indexed);
-  test_sites(tm, 1, 50, true, random);
-  test_sites(tm, 2 + random.index(4), 150, true, random);
-  test_sites(tm, 6 + random.index(8), 150, false, random);
+  check_sites(tm, 1, 50, true, random);
+  check_sites(tm, 2 + random.index(4), 150, true, random);
+  check_sites(tm, 6 + random.index(8), 150, false, random);
   if(indexed.faces.size() <= 300)
   {
-    test_sites(tm, 30, 100, false, random);
+    check_sites(tm, 30, 100, false, random);
   }
 }
 
@@ -112,7 +112,7 @@ std::size_t check_owners(const Mesh& tm, std::size_t number_of_sites, std::size_
   return number_of_owned;
 }
 
-void test_against_shortest_path_alone(std::uint64_t seed)
+void owners_agree_with_shortest_paths(std::uint64_t seed)
 {
   test_support::Scope scope("Surface_mesh_shortest_path alone");
   test_support::Random random(seed + 1);
@@ -138,14 +138,14 @@ void test_against_shortest_path_alone(std::uint64_t seed)
 int main()
 {
   const std::uint64_t seed = test_support::announce_seed(20260602);
-  test_against_shortest_path_alone(seed);
+  owners_agree_with_shortest_paths(seed);
   test_support::Random random(seed);
   std::size_t number_of_meshes = 0;
   for(const Indexed_mesh& indexed : collection(seed))
   {
     if(indexed.faces.size() <= 800)
     {
-      test_mesh(indexed, random);
+      diagrams_agree_with_distances(indexed, random);
       ++number_of_meshes;
     }
   }

@@ -35,7 +35,7 @@ Weighted_sites all_vertices(std::size_t n)
   return sites;
 }
 
-void test_polyhedra()
+void all_corners_of_polyhedra_have_cells()
 {
   test_support::Scope scope("polyhedra");
   const std::vector<std::pair<Indexed_mesh, double>> solids
@@ -111,7 +111,7 @@ void check_degrees(const Voronoi& diagram, std::size_t degree, double distance)
 }
 
 // Each edge of the diagram joins the middles of two sides and halves the edge of the cube between them.
-void test_corners_of_cube()
+void corners_of_a_cube_have_congruent_cells()
 {
   test_support::Scope scope("corners of a cube");
   Case c(cube(), all_vertices(8));
@@ -131,7 +131,7 @@ void test_corners_of_cube()
 }
 
 // The edges of the tetrahedron have length sqrt(8), the middle of a side is sqrt(8 / 3) away from its corners.
-void test_corners_of_tetrahedron()
+void corners_of_a_tetrahedron_have_congruent_cells()
 {
   test_support::Scope scope("corners of a regular tetrahedron");
   Case c(regular_tetrahedron(), all_vertices(4));
@@ -149,7 +149,7 @@ void test_corners_of_tetrahedron()
   }
 }
 
-void test_one_site_and_none()
+void one_site_owns_the_surface()
 {
   test_support::Scope scope("one site");
   Case sphere(noisy_sphere(2, .1, 1), {vertex(3)}), ring(torus(1., .4, 10, 6), {vertex(3)}),
@@ -165,7 +165,7 @@ void test_one_site_and_none()
   CHECK(!ring.diagram.is_disk(0));
 }
 
-void test_coincident_and_hidden_sites()
+void coincident_and_hidden_sites_own_nothing()
 {
   test_support::Scope scope("coincident and hidden sites");
   const Indexed_mesh mesh = noisy_sphere(2, .1, 2);
@@ -185,7 +185,7 @@ void test_coincident_and_hidden_sites()
 }
 
 // Two sites of a tube have a closed edge without vertices; their cells are rings.
-void test_tube()
+void two_cells_of_a_tube_are_rings()
 {
   test_support::Scope scope("tube");
   const std::size_t m = 12, n = 8;
@@ -204,7 +204,7 @@ void test_tube()
   CHECK_EQUAL(c.diagram.Euler_characteristic(1), 0);
 }
 
-void test_components()
+void components_without_sites_have_no_owner()
 {
   test_support::Scope scope("components");
   const Indexed_mesh two = two_components_and_an_isolated_vertex();
@@ -225,7 +225,7 @@ void test_components()
 
 // Both components have sites. Each site owns a part of its own component only, even if its weight makes it nearer than
 // all others.
-void test_sites_in_both_components()
+void sites_own_parts_of_their_components()
 {
   test_support::Scope scope("sites in both components");
   const std::size_t size_of_sphere = icosphere(1).points.size();
@@ -280,7 +280,7 @@ bool is_behind_saddle(const Coordinates& p)
 
 // Two sites tie at a saddle vertex, and so in the whole triangle behind it, which belongs to the owner of the saddle
 // vertex. The rest of the surface is divided into two congruent halves.
-void test_tie_behind_saddle_vertex()
+void a_tie_behind_a_saddle_vertex_has_one_owner()
 {
   test_support::Scope scope("tie behind a saddle vertex");
   for(std::size_t times = 0; times < 4; ++times)
@@ -338,7 +338,7 @@ std::vector<Coordinates> middles_of_diagonals(const Mesh& tm, const std::vector<
 }
 
 // A torus of n x n squares. The points are those of a torus of revolution, the edge lengths those of a flat torus.
-void test_flat_torus()
+void cells_of_a_flat_torus_are_exact()
 {
   test_support::Scope scope("flat torus");
   const std::size_t n = 6;
@@ -386,7 +386,7 @@ void test_flat_torus()
 }
 
 // Arcs run along edges of the mesh and through its vertices.
-void test_grid()
+void arcs_run_along_edges_and_through_vertices()
 {
   test_support::Scope scope("grid");
   const std::size_t n = 4;
@@ -416,16 +416,16 @@ void test_grid()
 
 int main()
 {
-  test_polyhedra();
-  test_corners_of_cube();
-  test_corners_of_tetrahedron();
-  test_one_site_and_none();
-  test_coincident_and_hidden_sites();
-  test_tube();
-  test_components();
-  test_sites_in_both_components();
-  test_tie_behind_saddle_vertex();
-  test_flat_torus();
-  test_grid();
+  all_corners_of_polyhedra_have_cells();
+  corners_of_a_cube_have_congruent_cells();
+  corners_of_a_tetrahedron_have_congruent_cells();
+  one_site_owns_the_surface();
+  coincident_and_hidden_sites_own_nothing();
+  two_cells_of_a_tube_are_rings();
+  components_without_sites_have_no_owner();
+  sites_own_parts_of_their_components();
+  a_tie_behind_a_saddle_vertex_has_one_owner();
+  cells_of_a_flat_torus_are_exact();
+  arcs_run_along_edges_and_through_vertices();
   return test_result();
 }

@@ -43,13 +43,13 @@ std::vector<std::size_t> uses(const std::vector<std::size_t>& color, std::size_t
   return result;
 }
 
-void test_no_cells()
+void no_cells_need_no_color()
 {
   CHECK(Geodesics::internal::coloring({}, 12).empty());
 }
 
 // Three colors are enough for a hub with an even ring around it, in any order of the cells.
-void test_wheel()
+void three_colors_are_enough_for_a_wheel()
 {
   const std::size_t n = 40;
   for(const std::size_t hub : {std::size_t(0), n / 2, n})
@@ -73,7 +73,7 @@ void test_wheel()
 }
 
 // Each cell touches every other cell. If one color is missing, there is one conflict.
-void test_all_pairs()
+void one_missing_color_makes_one_conflict()
 {
   for(const std::size_t n : {std::size_t(12), std::size_t(13)})
   {
@@ -85,7 +85,7 @@ void test_all_pairs()
   }
 }
 
-void test_diagram(std::size_t number_of_sites)
+void adjacent_cells_have_different_colors(std::size_t number_of_sites)
 {
   const Mesh mesh = to_face_graph(noisy_sphere(3, .02, 8));
   Voronoi voronoi(mesh);
@@ -112,10 +112,10 @@ void test_diagram(std::size_t number_of_sites)
 
 int main()
 {
-  test_no_cells();
-  test_wheel();
-  test_all_pairs();
-  test_diagram(12);
-  test_diagram(80);
+  no_cells_need_no_color();
+  three_colors_are_enough_for_a_wheel();
+  one_missing_color_makes_one_conflict();
+  adjacent_cells_have_different_colors(12);
+  adjacent_cells_have_different_colors(80);
   return test_result();
 }

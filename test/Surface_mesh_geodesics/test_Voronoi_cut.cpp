@@ -182,7 +182,7 @@ std::size_t check_cut(const Mesh& mesh, const Voronoi& voronoi, double relative_
   return number_of_degenerate_faces(cut.mesh) - number_of_degenerate_faces(mesh);
 }
 
-void test_collection(std::uint64_t seed)
+void cuts_of_random_diagrams_are_right(std::uint64_t seed)
 {
   test_support::Random random(seed);
   std::size_t number_of_fine_cuts = 0;
@@ -220,7 +220,7 @@ void test_collection(std::uint64_t seed)
 }
 
 // Sites at symmetric positions: arcs run along edges and through vertices.
-void test_symmetric()
+void cuts_at_symmetric_sites_are_right()
 {
   std::vector<Indexed_mesh> meshes{flat_patch(4, 4, 0., false, 1), flat_patch(5, 5, 0., false, 1), cube(), cube_grid(2),
                                    cube_grid(3), octahedron(), icosahedron(), regular_tetrahedron(), icosphere(1),
@@ -246,7 +246,7 @@ void test_symmetric()
 }
 
 // Two sites at opposite corners of a square: the boundary is the diagonal, an edge of the mesh, and nothing is cut.
-void test_arc_along_edge()
+void an_arc_along_an_edge_cuts_nothing()
 {
   Mesh mesh;
   const auto a = mesh.add_vertex({0, 0, 0}), b = mesh.add_vertex({1, 0, 0}), c = mesh.add_vertex({1, 1, 0}),
@@ -267,7 +267,7 @@ void test_arc_along_edge()
 }
 
 // With a smaller tolerance there are more faces, and their areas are nearer to the exact ones.
-void test_tolerance()
+void smaller_tolerances_give_better_areas()
 {
   const Mesh mesh = to_face_graph(flat_patch(3, 3, .2, false, 3));
   Voronoi voronoi(mesh);
@@ -301,7 +301,7 @@ void test_tolerance()
 
 // Three sites tie at the middle of an edge of a hole: a triangle there has no area for any tolerance, and the
 // number of vertices is not much larger than the tolerance requires.
-void test_tie_at_hole()
+void a_tie_at_a_hole_needs_few_vertices()
 {
   const Mesh mesh = to_face_graph(square_with_holes(1));
   for(const double tolerance : {1e-2, 1e-3, 1e-4, 1e-5})
@@ -317,7 +317,7 @@ void test_tie_at_hole()
 }
 
 // Special input: parts that no site reaches, no sites at all, a point map, a Polyhedron_3.
-void test_interface()
+void special_input_is_cut()
 {
   const Mesh mesh = to_face_graph(two_components_and_an_isolated_vertex());
   Voronoi voronoi(mesh);
@@ -350,11 +350,11 @@ void test_interface()
 int main()
 {
   const std::uint64_t seed = test_support::announce_seed(20260331);
-  test_arc_along_edge();
-  test_tolerance();
-  test_tie_at_hole();
-  test_interface();
-  test_symmetric();
-  test_collection(seed);
+  an_arc_along_an_edge_cuts_nothing();
+  smaller_tolerances_give_better_areas();
+  a_tie_at_a_hole_needs_few_vertices();
+  special_input_is_cut();
+  cuts_at_symmetric_sites_are_right();
+  cuts_of_random_diagrams_are_right(seed);
   return test_result();
 }

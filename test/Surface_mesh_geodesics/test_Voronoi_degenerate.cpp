@@ -61,7 +61,7 @@ void check_diagram(const Mesh& tm, const Weighted_sites& sites, const std::vecto
   CHECK_NEAR(sum, area, 1e-12 * (1. + area));
 }
 
-void test_face_without_area_beside_a_site()
+void a_face_without_area_beside_a_site_is_divided()
 {
   test_support::Scope scope("three faces");
   const Mesh tm = to_face_graph({"three faces",
@@ -75,7 +75,7 @@ void test_face_without_area_beside_a_site()
   check_diagram(tm, sites, {Face_location(face_descriptor(0), {.2, .3, .5})});
 }
 
-void test_points_near_an_edge()
+void points_near_an_edge_have_the_nearest_site()
 {
   test_support::Scope scope("square with duplicate points");
   const Mesh tm = to_face_graph({"square with duplicate points",
@@ -95,7 +95,7 @@ void test_points_near_an_edge()
 }
 
 // A grid whose points are rounded so coarsely that many of them are equal.
-void test_random_grid(std::uint64_t seed)
+void grids_with_equal_points_are_divided(std::uint64_t seed)
 {
   test_support::Scope scope("grid " + std::to_string(seed));
   test_support::Random random(seed);
@@ -150,12 +150,12 @@ int main()
 {
   certify_diagrams();
 
-  test_face_without_area_beside_a_site();
-  test_points_near_an_edge();
+  a_face_without_area_beside_a_site_is_divided();
+  points_near_an_edge_have_the_nearest_site();
   const std::uint64_t seed = test_support::announce_seed(20261121);
   for(std::uint64_t i = 0; i < 400; ++i)
   {
-    test_random_grid(seed + i);
+    grids_with_equal_points_are_divided(seed + i);
   }
   std::cout << number_of_points << " points" << std::endl;
   return test_result();

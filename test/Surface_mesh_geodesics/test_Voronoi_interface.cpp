@@ -18,7 +18,7 @@ using namespace test_meshes;
 
 namespace {
 
-void test_life_of_diagram()
+void a_diagram_follows_its_sites()
 {
   test_support::Scope scope("life of a diagram");
   const Mesh tm = to_face_graph(noisy_sphere(2, .1, 3));
@@ -82,7 +82,7 @@ struct Counting_point_map
 
 // Other sites on the same mesh, as in each iteration of Lloyd's method. The mesh is not read again, and the former
 // sites have no influence.
-void test_other_sites()
+void former_sites_have_no_influence()
 {
   test_support::Scope scope("other sites on the same mesh");
   const Mesh tm = to_face_graph(noisy_sphere(2, .1, 3));
@@ -126,7 +126,7 @@ void test_other_sites()
   }
 }
 
-void test_elements()
+void elements_fit_together()
 {
   test_support::Scope scope("elements");
   const Mesh tm = to_face_graph(noisy_sphere(2, .1, 5));
@@ -218,7 +218,7 @@ void check_handles(const Voronoi& diagram, const Voronoi& other, Elements_of ele
   CHECK(element != elements(other)[0]);
 }
 
-void test_handles()
+void handles_of_one_element_are_equal()
 {
   test_support::Scope scope("handles");
   const Mesh tm = to_face_graph(noisy_sphere(2, .1, 5));
@@ -233,7 +233,7 @@ void test_handles()
 }
 
 // Queries reject locations that are not in the mesh, with and without sites.
-void test_absent_locations()
+void absent_locations_are_rejected()
 {
   test_support::Scope scope("absent locations");
   const Mesh tm = to_face_graph(cube());
@@ -263,7 +263,7 @@ void test_absent_locations()
 }
 
 // Parameters beyond the ends of arcs, and invalid tolerances.
-void test_parameters_of_arcs()
+void parameters_of_arcs_are_clamped()
 {
   test_support::Scope scope("parameters of arcs");
   const Mesh tm = to_face_graph(cube());
@@ -290,7 +290,7 @@ void test_parameters_of_arcs()
 #endif
 }
 
-void test_invalid_input()
+void invalid_input_is_rejected()
 {
   test_support::Scope scope("invalid input");
   const Mesh tm = to_face_graph(cube());
@@ -361,7 +361,7 @@ std::vector<double> all_answers(const Voronoi& diagram, const std::vector<Face_l
 }
 
 // The first query builds the diagram, measures it and propagates again. Any thread may make it.
-void test_threads()
+void any_thread_may_build()
 {
   test_support::Scope scope("threads");
   const Mesh tm = to_face_graph(noisy_sphere(2, .1, 8));
@@ -407,7 +407,7 @@ void test_threads()
 }
 
 // Its cell has no area and lies in no face.
-void test_isolated_vertex()
+void the_cell_of_an_isolated_vertex_has_no_area()
 {
   test_support::Scope scope("isolated vertex");
   const Mesh tm = to_face_graph(two_components_and_an_isolated_vertex());
@@ -425,7 +425,7 @@ void test_isolated_vertex()
 
 // The same diagram with another class of meshes, another kernel, and maps of the user.
 template <class Other_kernel, class Other_mesh>
-void test_other_mesh(const std::string& name)
+void other_meshes_agree(const std::string& name)
 {
   test_support::Scope scope(name);
   using Traits = CGAL::Surface_mesh_shortest_path_traits<Other_kernel, Other_mesh>;
@@ -469,7 +469,7 @@ void test_other_mesh(const std::string& name)
   }
 }
 
-void test_maps()
+void maps_of_the_user_are_used()
 {
   test_support::Scope scope("maps");
   using Vertex_map = Mesh::Property_map<vertex_descriptor, unsigned int>;
@@ -514,18 +514,18 @@ void test_maps()
 
 int main()
 {
-  test_life_of_diagram();
-  test_other_sites();
-  test_elements();
-  test_handles();
-  test_absent_locations();
-  test_parameters_of_arcs();
-  test_invalid_input();
-  test_threads();
-  test_isolated_vertex();
-  test_maps();
-  test_other_mesh<Kernel, CGAL::Polyhedron_3<Kernel, CGAL::Polyhedron_items_with_id_3>>("Polyhedron_3");
+  a_diagram_follows_its_sites();
+  former_sites_have_no_influence();
+  elements_fit_together();
+  handles_of_one_element_are_equal();
+  absent_locations_are_rejected();
+  parameters_of_arcs_are_clamped();
+  invalid_input_is_rejected();
+  any_thread_may_build();
+  the_cell_of_an_isolated_vertex_has_no_area();
+  maps_of_the_user_are_used();
+  other_meshes_agree<Kernel, CGAL::Polyhedron_3<Kernel, CGAL::Polyhedron_items_with_id_3>>("Polyhedron_3");
   using Exact_kernel = CGAL::Exact_predicates_exact_constructions_kernel;
-  test_other_mesh<Exact_kernel, CGAL::Polyhedron_3<Exact_kernel, CGAL::Polyhedron_items_with_id_3>>("exact kernel");
+  other_meshes_agree<Exact_kernel, CGAL::Polyhedron_3<Exact_kernel, CGAL::Polyhedron_items_with_id_3>>("exact kernel");
   return test_result();
 }

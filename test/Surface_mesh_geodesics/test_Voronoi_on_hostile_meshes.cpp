@@ -85,7 +85,7 @@ Faults check_diagrams(std::size_t number, std::uint64_t seed, IsAsked is_asked)
 // Diagrams that had faults in former versions, by seed: windows that tie with others across their edge, images on edges
 // and very close to the ends of intervals, cones narrower than rounding, fronts along the border, fronts that meet
 // behind a vertex, sites that are nearly equal.
-void test_former_faults()
+void past_failures_are_fixed()
 {
   const std::vector<std::pair<std::uint64_t, std::vector<std::size_t>>> numbers{
     {8, {995, 1177}},
@@ -115,7 +115,7 @@ int main(int argc, char* argv[])
   const std::uint64_t seed = argc > 2 ? std::strtoul(argv[2], nullptr, 10) : 8;
   if(argc == 1)
   {
-    test_former_faults();
+    past_failures_are_fixed();
   }
   const Faults faults = check_diagrams(number, seed, [](std::size_t) { return true; });
   CHECK(faults.number_of_diagrams > number / 2);

@@ -65,7 +65,7 @@ std::vector<Coordinates> points(std::istream& is, std::size_t n)
   return result;
 }
 
-void test_obj(const Voronoi& voronoi)
+void obj_output_has_all_edges(const Voronoi& voronoi)
 {
   std::stringstream s;
   s.precision(17);
@@ -98,7 +98,7 @@ void test_obj(const Voronoi& voronoi)
   CHECK_CLOSE(sum, length_of_edges(voronoi), 1e-2);
 }
 
-void test_ply(const Mesh& mesh, const Voronoi& voronoi)
+void ply_output_has_mesh_and_edges(const Mesh& mesh, const Voronoi& voronoi)
 {
   std::stringstream s;
   s.precision(17);
@@ -148,7 +148,7 @@ void test_ply(const Mesh& mesh, const Voronoi& voronoi)
   CHECK(word(s).empty());
 }
 
-void test_vtk(const Mesh& mesh, const Voronoi& voronoi)
+void vtk_output_has_all_edges(const Mesh& mesh, const Voronoi& voronoi)
 {
   std::stringstream s;
   s.precision(17);
@@ -206,7 +206,7 @@ void test_vtk(const Mesh& mesh, const Voronoi& voronoi)
   CHECK(word(s).empty());
 }
 
-void test_files(const Voronoi& voronoi)
+void file_names_choose_the_format(const Voronoi& voronoi)
 {
   for(const std::string name : {"Voronoi_output.obj", "Voronoi_output.ply", "Voronoi_output.vtk"})
   {
@@ -229,9 +229,9 @@ int main()
   for(std::size_t i = 0; i < 12; ++i)
     voronoi.add_site(Voronoi::Face_location(face_descriptor(static_cast<Mesh::size_type>(100 * i)), {.2, .3, .5}),
                      i % 3 == 0 ? .05 : 0.);
-  test_obj(voronoi);
-  test_ply(mesh, voronoi);
-  test_vtk(mesh, voronoi);
-  test_files(voronoi);
+  obj_output_has_all_edges(voronoi);
+  ply_output_has_mesh_and_edges(mesh, voronoi);
+  vtk_output_has_all_edges(mesh, voronoi);
+  file_names_choose_the_format(voronoi);
   return test_result();
 }

@@ -143,7 +143,7 @@ void check_straight_arcs(const Voronoi& diagram, const Mesh& tm, double size)
   }
 }
 
-void test_Delaunay(const Mesh& tm, double size, std::size_t number, test_support::Random& random)
+void diagrams_are_dual_to_Delaunay(const Mesh& tm, double size, std::size_t number, test_support::Random& random)
 {
   test_support::Scope scope(std::to_string(number) + " sites");
   const Weighted_sites sites = random_sites(tm, number, 0., random);
@@ -234,7 +234,7 @@ struct Apollonius_diagram
   }
 };
 
-void test_Apollonius(const Mesh& tm, double size, std::size_t number, test_support::Random& random)
+void weights_give_Apollonius_diagrams(const Mesh& tm, double size, std::size_t number, test_support::Random& random)
 {
   test_support::Scope scope(std::to_string(number) + " sites with weights");
   Weighted_sites sites = random_sites(tm, number, 0., random);
@@ -258,16 +258,16 @@ void test_Apollonius(const Mesh& tm, double size, std::size_t number, test_suppo
   check_adjacencies(diagram, plane.adjacencies(size));
 }
 
-void test_mesh(const Mesh& tm, double size, const std::string& name, test_support::Random& random)
+void planar_diagrams_agree(const Mesh& tm, double size, const std::string& name, test_support::Random& random)
 {
   test_support::Scope scope(name);
   for(const std::size_t number : {3u, 10u, 30u, 100u})
   {
-    test_Delaunay(tm, size, number, random);
+    diagrams_are_dual_to_Delaunay(tm, size, number, random);
   }
   for(const std::size_t number : {3u, 10u, 30u})
   {
-    test_Apollonius(tm, size, number, random);
+    weights_give_Apollonius_diagrams(tm, size, number, random);
   }
 }
 
@@ -277,10 +277,10 @@ int main()
 {
   const std::uint64_t seed = test_support::announce_seed(20260603);
   test_support::Random random(seed);
-  test_mesh(to_face_graph(flat_patch(12, 12, 0., false, seed)), 12., "grid", random);
+  planar_diagrams_agree(to_face_graph(flat_patch(12, 12, 0., false, seed)), 12., "grid", random);
   for(std::size_t i = 0; i < 4; ++i)
   {
-    test_mesh(to_face_graph(flat_patch(12, 12, .15, true, seed + i)), 12., "patch", random);
+    planar_diagrams_agree(to_face_graph(flat_patch(12, 12, .15, true, seed + i)), 12., "patch", random);
   }
   std::cout << number_of_vertices << " vertices" << std::endl;
   CHECK(number_of_vertices > 1000);

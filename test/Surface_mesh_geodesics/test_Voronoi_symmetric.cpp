@@ -34,7 +34,7 @@ std::vector<std::array<double, 3>> special_coordinates()
   return result;
 }
 
-void test_sites(const Mesh& tm, const Weighted_sites& sites)
+void check_sites(const Mesh& tm, const Weighted_sites& sites)
 {
   Voronoi diagram(tm);
   add_sites(diagram, sites);
@@ -55,7 +55,7 @@ void test_sites(const Mesh& tm, const Weighted_sites& sites)
   }
 }
 
-void test_mesh(const Indexed_mesh& indexed, double weight)
+void special_points_have_the_nearest_site(const Indexed_mesh& indexed, double weight)
 {
   const Mesh tm = to_face_graph(indexed);
   for(const std::size_t step : {1u, 2u, 3u, 5u})
@@ -69,13 +69,13 @@ void test_mesh(const Indexed_mesh& indexed, double weight)
       {
         sites.emplace_back(vertex_descriptor(static_cast<Mesh::size_type>(v)), sites.size() % 2 == 0 ? 0. : weight);
       }
-      test_sites(tm, sites);
+      check_sites(tm, sites);
     }
   }
 }
 
 // Two sites at opposite points of a sphere have one closed edge and congruent cells.
-void test_antipodal_sites()
+void antipodal_sites_have_congruent_cells()
 {
   test_support::Scope scope("antipodal sites");
   const Mesh tm = to_face_graph(icosphere(3));
@@ -94,7 +94,7 @@ void test_antipodal_sites()
 
 // Sites at all vertices and at thousands of points in faces. Each site is in its cell, the cells cover the sphere, and
 // the diagram has the Euler characteristic of a sphere.
-void test_many_sites()
+void many_cells_cover_the_sphere()
 {
   test_support::Scope scope("many sites");
   const Mesh tm = to_face_graph(noisy_sphere(4, .02, 1));
@@ -134,15 +134,15 @@ void test_many_sites()
 
 int main()
 {
-  test_antipodal_sites();
-  test_many_sites();
+  antipodal_sites_have_congruent_cells();
+  many_cells_cover_the_sphere();
   for(const Indexed_mesh& indexed :
       {cube_grid(1), cube_grid(2), cube_grid(3), regular_tetrahedron(), octahedron(), icosahedron(), icosphere(1),
        flat_patch(4, 4, 0., false, 1), genus_2_polycube(), torus(2., 1., 6, 8), square_with_holes(1)})
   {
     for(const double weight : {0., .25})
     {
-      test_mesh(indexed, weight);
+      special_points_have_the_nearest_site(indexed, weight);
     }
   }
   std::cout << number_of_points << " points" << std::endl;

@@ -160,7 +160,8 @@ void check_curves(const Crowd& crowd, const Voronoi& diagram)
   }
 }
 
-void check(const Pattern& pattern, std::size_t n, double height, double largest_weight, std::uint64_t seed)
+void crowded_faces_are_divided(const Pattern& pattern, std::size_t n, double height, double largest_weight,
+                               std::uint64_t seed)
 {
   test_support::Scope scope(pattern.name + ", " + std::to_string(n) + " sites, height " + std::to_string(height)
                             + ", weights to " + std::to_string(largest_weight));
@@ -185,7 +186,7 @@ void check(const Pattern& pattern, std::size_t n, double height, double largest_
 }
 
 // If two sites coincide up to rounding, the first one owns the cell.
-void test_equal_sites()
+void the_first_of_equal_sites_owns_the_cell()
 {
   Kite kite(.9);
   Voronoi diagram(kite.mesh);
@@ -211,10 +212,10 @@ void test_equal_sites()
 int main(int argc, char* argv[])
 {
   const std::size_t number = argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 4;
-  test_equal_sites();
-  check(patterns()[6], 31, 3., 0., 0); // once put into parts of a face without width
-  check(patterns()[3], 16, .9, .01, 17); // fronts once passed each other
-  check(patterns()[4], 59, 3., 0., 13); // fronts once returned to the point where they began
+  the_first_of_equal_sites_owns_the_cell();
+  crowded_faces_are_divided(patterns()[6], 31, 3., 0., 0); // once put into parts of a face without width
+  crowded_faces_are_divided(patterns()[3], 16, .9, .01, 17); // fronts once passed each other
+  crowded_faces_are_divided(patterns()[4], 59, 3., 0., 13); // fronts once returned to the point where they began
   for(std::size_t i = 0; i < number; ++i)
   {
     for(const Pattern& pattern : patterns())
@@ -224,7 +225,7 @@ int main(int argc, char* argv[])
         for(const double weight : {0., .01, .15})
         {
           test_support::Random random(1000 * i + std::uint64_t(height * 20 + weight * 1000));
-          check(pattern, 5 + random.index(i % 4 == 0 ? 40 : 100), height, weight, i);
+          crowded_faces_are_divided(pattern, 5 + random.index(i % 4 == 0 ? 40 : 100), height, weight, i);
         }
       }
     }

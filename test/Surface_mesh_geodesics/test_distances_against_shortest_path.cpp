@@ -155,7 +155,7 @@ void several_sources_give_the_minimum(const Mesh& tm, const std::vector<Source>&
   }
 }
 
-void test_mesh(const Indexed_mesh& indexed, std::size_t effort, test_support::Random& random)
+void all_kinds_of_sources_agree(const Indexed_mesh& indexed, std::size_t effort, test_support::Random& random)
 {
   test_support::Scope scope(indexed.name);
   const Mesh tm = to_face_graph(indexed);
@@ -198,11 +198,11 @@ int main()
   std::size_t number_of_meshes = 0;
   for(const Indexed_mesh& indexed : collection(seed))
   {
-    test_mesh(indexed, indexed.faces.size() < 700 ? 12 : 3, random);
+    all_kinds_of_sources_agree(indexed, indexed.faces.size() < 700 ? 12 : 3, random);
     ++number_of_meshes;
   }
-  test_mesh(Schwarz_lantern(24, 160), 1, random);
-  test_mesh(wavy_tube(60, 56), 1, random);
+  all_kinds_of_sources_agree(Schwarz_lantern(24, 160), 1, random);
+  all_kinds_of_sources_agree(wavy_tube(60, 56), 1, random);
   number_of_meshes += 2;
   std::cout << number_of_meshes << " meshes" << std::endl;
   return test_result();

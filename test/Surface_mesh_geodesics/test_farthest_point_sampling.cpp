@@ -29,7 +29,7 @@ std::vector<double> distances_from(const Mesh& mesh, const std::vector<vertex_de
 }
 
 // After each step the distances are those of a run with all samples, so the next sample is the farthest vertex.
-void test_steps(std::uint64_t seed)
+void each_sample_is_the_farthest_vertex(std::uint64_t seed)
 {
   for(const Indexed_mesh& indexed : small_collection(seed))
   {
@@ -58,7 +58,7 @@ void test_steps(std::uint64_t seed)
 }
 
 // A continued propagation has the result of a new one, for sources at any vertices and in any order.
-void test_continued_propagation(std::uint64_t seed)
+void continued_propagations_equal_new_ones(std::uint64_t seed)
 {
   using namespace Geodesics::internal;
   test_support::Random random(seed);
@@ -88,7 +88,7 @@ void test_continued_propagation(std::uint64_t seed)
 }
 
 // Fifty samples take about as many windows as one run from the first sample, and some more around each cell.
-void test_cost()
+void many_samples_cost_few_windows()
 {
   const Mesh mesh = to_face_graph(noisy_sphere(4, .02, 5));
   Geodesics::Propagation_statistics one, many;
@@ -108,7 +108,7 @@ void test_cost()
   CHECK(many.windows_propagated < 5 * one.windows_propagated);
 }
 
-void test_options()
+void options_are_obeyed()
 {
   const Mesh mesh = to_face_graph(icosphere(3));
   std::vector<vertex_descriptor> samples;
@@ -144,7 +144,7 @@ void test_options()
 }
 
 // Each component gets a sample, isolated vertices get none. The numbers of samples range from none to all vertices.
-void test_extremes()
+void each_component_gets_a_sample()
 {
   const Mesh mesh = to_face_graph(two_components_and_an_isolated_vertex());
   std::vector<vertex_descriptor> samples;
@@ -166,10 +166,10 @@ void test_extremes()
 int main()
 {
   const std::uint64_t seed = test_support::announce_seed(20260401);
-  test_extremes();
-  test_options();
-  test_cost();
-  test_continued_propagation(seed);
-  test_steps(seed);
+  each_component_gets_a_sample();
+  options_are_obeyed();
+  many_samples_cost_few_windows();
+  continued_propagations_equal_new_ones(seed);
+  each_sample_is_the_farthest_vertex(seed);
   return test_result();
 }

@@ -84,7 +84,7 @@ void check_ways(const Mesh& tm, std::size_t source, bool takes_rules_out)
   }
 }
 
-void check(const Indexed_mesh& coarse, std::size_t times, bool takes_rules_out)
+void subdivisions_keep_distances(const Indexed_mesh& coarse, std::size_t times, bool takes_rules_out)
 {
   test_support::Scope scope(coarse.name);
   const Mesh tm = to_face_graph(coarse);
@@ -121,13 +121,13 @@ int main(int argc, char* argv[])
     Mesh tm;
     if(CHECK(CGAL::IO::read_polygon_mesh(argv[i], tm)))
     {
-      check(to_indexed_mesh(tm, argv[i]), 2, false);
+      subdivisions_keep_distances(to_indexed_mesh(tm, argv[i]), 2, false);
     }
   }
   if(argc == 1)
   {
-    check(midpoint_subdivision(genus_2_polycube(), 2), 3, true);
-    check(prism_tube(12, 6, 1., 3.), 4, true);
+    subdivisions_keep_distances(midpoint_subdivision(genus_2_polycube(), 2), 3, true);
+    subdivisions_keep_distances(prism_tube(12, 6, 1., 3.), 4, true);
   }
   return test_result();
 }

@@ -40,7 +40,7 @@ void distances_are_right(std::size_t number, std::uint64_t seed)
 //   between; the referee ignored such paths;
 // - gap_between_windows: two windows that should meet do not, by 4e-8 of the edge, behind vertices that are 4e-9 apart;
 //   the proof is not more accurate than that there.
-void cases_of_the_past_are_right()
+void past_failures_are_fixed()
 {
   for(const char* name : {"source_with_offset", "source_with_offset_on_gluing", "crossed_twice", "crossed_twice_b",
                           "gap_between_windows"})
@@ -64,7 +64,7 @@ void surfaces_without_orientation_are_refused(std::size_t number, std::uint64_t 
 int main()
 {
   const std::uint64_t seed = test_support::announce_seed(20261101);
-  cases_of_the_past_are_right();
+  past_failures_are_fixed();
   surfaces_without_orientation_are_refused(50, seed);
   distances_are_right(520, seed);
   return test_result();

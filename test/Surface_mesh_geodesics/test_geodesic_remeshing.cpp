@@ -43,7 +43,7 @@ double unevenness(const Mesh& mesh, const std::vector<vertex_descriptor>& sites)
   return largest * static_cast<double>(sites.size()) / sum;
 }
 
-void test_relaxation(std::uint64_t seed)
+void relaxation_makes_cells_even(std::uint64_t seed)
 {
   test_support::Random random(seed);
   for(const Indexed_mesh& indexed : {noisy_sphere(3, .02, seed), torus(1., .4, 40, 20), rough_terrain(20, .5, seed)})
@@ -69,7 +69,7 @@ void test_relaxation(std::uint64_t seed)
   }
 }
 
-void test_remeshing(std::uint64_t seed)
+void remeshing_keeps_topology_and_volume(std::uint64_t seed)
 {
   for(const Indexed_mesh& indexed : {noisy_sphere(4, .01, seed), torus(1., .4, 48, 24),
                                      midpoint_subdivision(jittered(genus_2_polycube(), .1, seed), 3)})
@@ -98,7 +98,7 @@ void test_remeshing(std::uint64_t seed)
 }
 
 // One cell that is the whole sphere; two cells with a closed edge.
-void test_too_few_cells_on_a_sphere()
+void one_or_two_cells_have_no_dual()
 {
   const Mesh sphere = to_face_graph(icosphere(2));
   Mesh output;
@@ -114,7 +114,7 @@ void test_too_few_cells_on_a_sphere()
 }
 
 // Three cells on a thin torus are rings.
-void test_ring_cells()
+void ring_cells_are_reported()
 {
   const Mesh ring = to_face_graph(torus(1., .2, 36, 9));
   Voronoi voronoi(ring);
@@ -133,7 +133,7 @@ vertex_descriptor nearest_vertex(const Mesh& mesh, const Kernel::Point_3& p)
 
 // Three sites on the equator of a sphere: all cells meet at two vertices. With one more site at a pole, the dual is a
 // tetrahedron.
-void test_sites_on_the_equator()
+void cells_with_two_common_vertices_are_reported()
 {
   const Mesh sphere = to_face_graph(noisy_sphere(3, .01, 7));
   Voronoi voronoi(sphere);
@@ -153,7 +153,7 @@ void test_sites_on_the_equator()
 }
 
 // Sites along a strip: edges run from border to border, and the cell in the middle has two parts of boundary.
-void test_sites_along_a_strip()
+void edges_from_border_to_border_are_reported()
 {
   const Mesh mesh = to_face_graph(flat_patch(30, 2, 0., false, 1));
   Voronoi voronoi(mesh);
@@ -171,7 +171,7 @@ void test_sites_along_a_strip()
 }
 
 // Without an iteration, the sites are neither moved nor checked.
-void test_no_iterations()
+void no_iteration_moves_no_site()
 {
   test_support::Scope scope("no iterations");
   const Mesh mesh = to_face_graph(icosphere(1));
@@ -186,7 +186,7 @@ void test_no_iterations()
 }
 
 // A site that is an isolated vertex stays there, and the scale of the mesh does not matter.
-void test_isolated_site()
+void an_isolated_site_stays()
 {
   const Indexed_mesh indexed = two_components_and_an_isolated_vertex();
   const vertex_descriptor isolated(static_cast<unsigned int>(indexed.points.size() - 1));
@@ -210,13 +210,13 @@ void test_isolated_site()
 int main()
 {
   const std::uint64_t seed = test_support::announce_seed(20260402);
-  test_too_few_cells_on_a_sphere();
-  test_ring_cells();
-  test_sites_on_the_equator();
-  test_sites_along_a_strip();
-  test_no_iterations();
-  test_isolated_site();
-  test_relaxation(seed);
-  test_remeshing(seed);
+  one_or_two_cells_have_no_dual();
+  ring_cells_are_reported();
+  cells_with_two_common_vertices_are_reported();
+  edges_from_border_to_border_are_reported();
+  no_iteration_moves_no_site();
+  an_isolated_site_stays();
+  relaxation_makes_cells_even(seed);
+  remeshing_keeps_topology_and_volume(seed);
   return test_result();
 }

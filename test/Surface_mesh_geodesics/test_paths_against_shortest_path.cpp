@@ -150,7 +150,7 @@ void points_of_edges(const Indexed_mesh& indexed, const Mesh& tm, double size, s
   }
 }
 
-void test_mesh(const Indexed_mesh& indexed, std::size_t effort, test_support::Random& random)
+void all_kinds_of_queries_agree(const Indexed_mesh& indexed, std::size_t effort, test_support::Random& random)
 {
   test_support::Scope scope(indexed.name);
   const Mesh tm = to_face_graph(indexed);
@@ -174,7 +174,7 @@ int main()
   std::size_t number_of_meshes = 0;
   for(const Indexed_mesh& indexed : collection(seed))
   {
-    test_mesh(indexed, indexed.faces.size() < 700 ? 10 : 6, random);
+    all_kinds_of_queries_agree(indexed, indexed.faces.size() < 700 ? 10 : 6, random);
     ++number_of_meshes;
   }
   std::cout << number_of_meshes << " meshes, " << number_of_queries << " queries, " << queries_with_one_source

@@ -170,9 +170,10 @@ private:
 };
 
 template <class Paths, class Graph, class Construct>
-void agrees(Paths& paths, const Graph& tm, const Indexed_mesh& indexed,
-            const std::vector<typename Paths::vertex_descriptor>& all_vertices,
-            const std::vector<typename Paths::face_descriptor>& all_faces, Construct construct, double scale = 1.)
+void all_queries_agree(Paths& paths, const Graph& tm, const Indexed_mesh& indexed,
+                       const std::vector<typename Paths::vertex_descriptor>& all_vertices,
+                       const std::vector<typename Paths::face_descriptor>& all_faces, Construct construct,
+                       double scale = 1.)
 {
   Comparison<Paths, Graph, Construct>(paths, tm, indexed, all_vertices, all_faces, construct, scale).run();
 }
@@ -310,7 +311,7 @@ void minimal_traits_class()
                                                   Archetype_point_map>;
   Paths paths(tm, get(boost::vertex_index, tm), get(boost::halfedge_index, tm), get(boost::face_index, tm),
               Archetype_point_map{&tm}, Archetype_traits(0));
-  agrees(paths, tm, indexed, all_vertices, all_faces, Archetype_construct_coordinates());
+  all_queries_agree(paths, tm, indexed, all_vertices, all_faces, Archetype_construct_coordinates());
   const auto location = paths.face_location(halfedge(all_faces[5], tm), .25);
   CHECK(location.first == all_faces[5]);
   CHECK_EQUAL(Archetype_weight()(location.second, 0), .75);
@@ -378,7 +379,7 @@ void property_maps()
     static_assert(std::is_same<Paths::Face_index_map, FIM>::value, "");
     static_assert(std::is_same<Paths::Vertex_point_map, VPM>::value, "");
     Paths paths(tm, VIM{&vertex_indices}, HIM{&halfedge_indices}, FIM{&face_indices}, VPM{&points});
-    agrees(paths, tm, indexed, all_vertices, all_faces, as_array, 3.);
+    all_queries_agree(paths, tm, indexed, all_vertices, all_faces, as_array, 3.);
     CHECK(paths.point(all_vertices[5]) == points.at(all_vertices[5]));
   }
   {
@@ -387,7 +388,7 @@ void property_maps()
       CGAL::Surface_mesh_geodesic_paths<Paths_traits, CGAL::Default, CGAL::Default, CGAL::Default, VPM>;
     Paths paths(tm, get(boost::vertex_index, tm), get(boost::halfedge_index, tm), get(boost::face_index, tm),
                 VPM{&points});
-    agrees(paths, tm, indexed, all_vertices, all_faces, as_array, 3.);
+    all_queries_agree(paths, tm, indexed, all_vertices, all_faces, as_array, 3.);
   }
 }
 
@@ -438,7 +439,7 @@ void with_external_maps(const std::string& name)
     const Maps maps(tm);
     Paths paths(tm, typename Maps::VIM(maps.vertex_indices), typename Maps::HIM(maps.halfedge_indices),
                 typename Maps::FIM(maps.face_indices), get(CGAL::vertex_point, tm));
-    agrees(paths, tm, indexed, all_vertices, all_faces, as_array);
+    all_queries_agree(paths, tm, indexed, all_vertices, all_faces, as_array);
   }
 }
 
@@ -466,7 +467,7 @@ void face_filtered_graph()
   const Graph graph(tm, kept_faces);
   using Paths = CGAL::Surface_mesh_geodesic_paths<CGAL::Surface_mesh_shortest_path_traits<Kernel, Graph>>;
   Paths paths(graph);
-  agrees(paths, graph, part, all_vertices, kept_faces, as_array);
+  all_queries_agree(paths, graph, part, all_vertices, kept_faces, as_array);
 }
 
 // --- kernels ---
@@ -484,8 +485,8 @@ void exact_kernel(const std::string& name)
   std::vector<typename Paths::face_descriptor> all_faces;
   const auto all_vertices = add_to_face_graph(indexed, tm, &all_faces);
   Paths paths(tm);
-  agrees(paths, tm, indexed, all_vertices, all_faces,
-         [](double a, double b, double c) { return std::array<FT, 3>{FT(a), FT(b), FT(c)}; });
+  all_queries_agree(paths, tm, indexed, all_vertices, all_faces,
+                    [](double a, double b, double c) { return std::array<FT, 3>{FT(a), FT(b), FT(c)}; });
   // exact thirds
   const FT third = FT(1) / FT(3);
   paths.clear();

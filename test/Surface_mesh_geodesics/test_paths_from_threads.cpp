@@ -215,7 +215,7 @@ void threads_get_the_exception_of_a_build(const Mesh& tm, const std::vector<Surf
   CHECK_EQUAL(ask(constant, Surface_point(vertex(0))).distance, 0.);
 }
 
-void test_mesh(const Indexed_mesh& indexed, test_support::Random& random)
+void queries_of_several_threads_agree(const Indexed_mesh& indexed, test_support::Random& random)
 {
   test_support::Scope scope(indexed.name);
   const Mesh tm = to_face_graph(indexed);
@@ -249,7 +249,7 @@ int main()
   for(const Indexed_mesh& indexed : {noisy_sphere(3, .05, seed), rough_terrain(12, 1.5, seed), genus_3_polycube(),
                                      two_components_and_an_isolated_vertex()})
   {
-    test_mesh(indexed, random);
+    queries_of_several_threads_agree(indexed, random);
   }
   return test_result();
 }

@@ -21,7 +21,8 @@ const double tolerance = 1e-12;
 
 // Rolls the cube in all ways with at most three turns. Where the face of q comes to lie on the plane, which holds p,
 // the distance of p and q is a candidate for the shortest one.
-void roll(Coordinates q, std::vector<Coordinates> centers, double x, double y, const Coordinates& p, double& best)
+void find_shortest_by_rolling(Coordinates q, std::vector<Coordinates> centers, double x, double y,
+                              const Coordinates& p, double& best)
 {
   if(std::abs(q[2]) < 1e-14)
   {
@@ -62,7 +63,7 @@ void roll(Coordinates q, std::vector<Coordinates> centers, double x, double y, c
       continue;
     }
     carried.push_back({x + dx + .5, y + dy + .5, 0.});
-    roll(turn(q), carried, x + dx, y + dy, p, best);
+    find_shortest_by_rolling(turn(q), carried, x + dx, y + dy, p, best);
   }
 }
 
@@ -84,7 +85,7 @@ double cube_distance(const Coordinates& p, const Coordinates& q)
         c[2] = std::abs(c[2] - side);
         return c;
       };
-      roll(turned(q), {{.5, .5, 0.}}, 0., 0., turned(p), best);
+      find_shortest_by_rolling(turned(q), {{.5, .5, 0.}}, 0., 0., turned(p), best);
     }
   }
   return best;

@@ -76,7 +76,7 @@ void square_of_two_triangles()
   }
 }
 
-void other_square_of_two_triangles()
+void sources_inside_a_face_have_exact_distances()
 {
   test_support::Scope scope("two_tri_square_b");
   const Mesh tm = load_data("two_tri_square_b");
@@ -472,7 +472,7 @@ void broken_files_are_refused()
 int main()
 {
   square_of_two_triangles();
-  other_square_of_two_triangles();
+  sources_inside_a_face_have_exact_distances();
   single_triangle();
   grids_are_Euclidean();
   noise_at_a_corner_of_grid5();

@@ -37,7 +37,7 @@ void an_empty_range_leaves_all_at_infinity(const Mesh& tm)
   }
 }
 
-void the_empty_mesh_is_no_error()
+void an_empty_mesh_has_no_distances()
 {
   test_support::Scope scope("empty mesh");
   const Mesh tm;
@@ -184,6 +184,6 @@ int main()
     several_sources_in_one_face_and_on_one_edge(tm, random);
     edge_sources_are_the_same_from_both_faces(tm);
   }
-  the_empty_mesh_is_no_error();
+  an_empty_mesh_has_no_distances();
   return test_result();
 }

@@ -45,7 +45,7 @@ inline double longest_edge(const Mesh& tm)
   return size;
 }
 
-inline void test_random_diagram(std::uint64_t seed)
+inline void check_random_diagram(std::uint64_t seed)
 {
   test_support::Random random(seed);
   const Indexed_mesh indexed = random_mesh(random);

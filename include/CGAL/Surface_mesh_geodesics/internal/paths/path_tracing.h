@@ -106,8 +106,8 @@ private:
   }
 
   // Searches for a path whose length is `distance`, with wider and wider tolerances: the first search should not stop
-  // at a path that is longer than necessary. Distances err by some epsilon for each face, relative to themselves and, on
-  // small distances, to the lengths of the mesh, of which the longest is about 1.
+  // at a path that is longer than necessary. Distances err by some epsilon for each face, relative to themselves and,
+  // on small distances, to the lengths of the mesh, of which the longest is about 1.
   // - The first one suits a path through few faces.
   // - Tolerance::path(), with and without the error along one piece, is what Straight_piece accepts for one piece.
   // - The last one suits a path of many pieces.
