@@ -117,7 +117,7 @@ public:
   {}
 
   // Follows a piece. Returns the vertex at which it ends, which is the root or another vertex of the path; null_id if
-  // the line goes astray, and then the steps that were appended are meaningless. Call it once.
+  // the line is wrong, and then the steps that were appended are meaningless. Call it once.
   // Complexity: linear in the number of faces crossed, of which there are at most mesh.most_faces_crossed() + 1.
   Vertex_id trace(const Piece_start<FT>& start)
   {
@@ -194,8 +194,8 @@ private:
   }
 
   // Looks at the apex C of the face that the line enters. The piece ends there if C is the root, or if the line passes
-  // within sideways() of C and may run through it. Returns false if the distance of C shows that the line has gone
-  // astray: it differs from the rest of the way by more than the gap between the line and C.
+  // within sideways() of C and may run through it. Returns false if the distance of C shows that the line is
+  // wrong: it differs from the rest of the way by more than the gap between the line and C.
   //
   // The distance of C from the line from P to the image I is |(C-P) x (I-P)| / |I-P|; both sides are multiplied by
   // |I-P| and squared, which needs no root. No bound is known for the error of the image after many faces; sideways()

@@ -125,7 +125,7 @@ private:
     return false;
   }
 
-  // Appends the path from v; the caller has appended v itself. Returns false if a piece goes astray. The distances do
+  // Appends the path from v; the caller has appended v itself. Returns false if a piece is wrong. The distances do
   // not increase along the chain of vertices, so a chain longer than the number of vertices is wrong.
   bool trace_onwards(Vertex_id v, Steps& path) const
   {
