@@ -106,7 +106,11 @@ public:
     m_images.push_back(Image{FT(0), length, length, FT(0), last_distance, last_site});
   }
 
-  void add(const Image& g) { m_images.push_back(g); }
+  void add(const Image& g)
+  {
+    CGAL_assertion(g.weight >= 0 && g.site != null_id);
+    m_images.push_back(g);
+  }
 
   // Finds the intervals and breakpoints. Takes time proportional to the number of images times that of intervals.
   void build()
@@ -207,6 +211,19 @@ private:
 
   // Returns whether g is nearer than c somewhere from `x` on, before c ends and not only behind `until`; `start` is
   // then the abscissa where that begins. (The test with `until` is a cheap one: both slopes are at most 1.)
+  //
+  // Formula: the points of equal distance divide what both intervals share behind x. On each part, is_nearer() compares
+  // both distances at the middle, and at last at the foot of g. Ties: an image that ties does not take over.
+  //
+  // Error: if the result is true, g is nearer than c at some abscissa by 23 u of the distance of c, as is_nearer()
+  // says; u = epsilon() / 2. `start` is a root after two steps of Newton's method, or the result of a bisection; no
+  // bound is known for it where both distances touch. An interval in which g is nearer may be missed if the roots at
+  // both ends of it are close: they are known up to the square root of rounding, and so the distances differ by little
+  // there.
+  //
+  // Laws: no image takes over from itself. Scaling all lengths by a power of two scales `start` exactly. The mirror
+  // image divides the edge at the mirror images, up to rounding. (g and c may each take over from the other,
+  // elsewhere.)
   bool takes_over(const Image& g, const Image& c, const FT& x, const FT& until, FT& start) const
   {
     const FT first = (std::max)(x, g.begin), last = (std::min)(c.end, g.end);
@@ -270,6 +287,8 @@ private:
   // Requires: from <= to; g is nearer at `to`.
   static FT equidistant_abscissa(const Image& g, const Image& c, FT from, FT to)
   {
+    CGAL_assertion(from <= to);
+    CGAL_expensive_assertion(g.distance_at(to) < c.distance_at(to));
     if(!(c.distance_at(from) < g.distance_at(from)))
       return from;
     for(int i = 0; i < 64; ++i)

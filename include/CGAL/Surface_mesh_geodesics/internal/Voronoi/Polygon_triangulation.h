@@ -24,6 +24,8 @@
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
 
+#include <CGAL/assertions.h>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -99,6 +101,7 @@ private:
   Cost cheapest(const std::vector<Point>& polygon, std::size_t i, std::size_t j)
   {
     const std::size_t n = polygon.size();
+    CGAL_assertion(i + 1 < j && j < n);
     Cost best;
     best.badness = (std::numeric_limits<std::uint64_t>::max)();
     for(std::size_t k = i + 1; k < j; ++k)

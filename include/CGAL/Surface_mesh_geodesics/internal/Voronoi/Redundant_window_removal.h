@@ -425,6 +425,7 @@ private:
   // Requires: h < o, or o is null_id; both faces at the edge are INACTIVE.
   void divide_edge(Halfedge_id h, Halfedge_id o)
   {
+    CGAL_assertion(h < o); // (null_id is the largest index)
     const Vertex_id a = m_mesh->source(h), b = m_mesh->target(h);
     const FT length = m_mesh->length(h);
     const Vertex_id first = owner(a), last = owner(b);

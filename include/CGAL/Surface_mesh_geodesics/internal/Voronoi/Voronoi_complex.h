@@ -157,7 +157,11 @@ public:
 
   // Returns the nearest site of a face that no arc runs through: that of any corner, as all of them agree.
   // Requires: has_one_cell(f).
-  Vertex_id owner_of_undivided(Face_id f) const { return m_owner[m_mesh->face(f).vertex[0]]; }
+  Vertex_id owner_of_undivided(Face_id f) const
+  {
+    CGAL_assertion(has_one_cell(f));
+    return m_owner[m_mesh->face(f).vertex[0]];
+  }
 
   // Returns whether no arc runs through a face.
   bool has_one_cell(Face_id f) const { return m_arcs_of_face.find(f) == nullptr; }
@@ -285,6 +289,7 @@ private:
   // Requires: h is the halfedge of the edge with the smaller index.
   std::uint32_t first_node(Halfedge_id h, const std::vector<Edge_breakpoint<FT>>& breakpoints)
   {
+    CGAL_assertion(h < m_mesh->opposite(h)); // (null_id is the largest index)
     const std::uint32_t first = static_cast<std::uint32_t>(m_nodes.size());
     if(!m_edge_nodes.insert(h, Index_range{first, static_cast<std::uint32_t>(breakpoints.size())}))
       return m_edge_nodes.find(h)->first;

@@ -97,6 +97,7 @@ public:
   // nodes along the halfedge with the smaller index. Requires: 0 < position < last().
   double fraction(std::uint32_t position) const
   {
+    CGAL_assertion(0 < position && position < m_last);
     return m_nodes.is_reversed ? 1 - m_fraction[m_last - position - 1] : m_fraction[position - 1];
   }
 
@@ -136,6 +137,7 @@ public:
   // Requires: the complex is finished; a site reaches f.
   void cut(Face_id f, double tolerance)
   {
+    CGAL_assertion(m_complex.owner(m_mesh.face(f).vertex[0]) != null_id);
     m_face = f;
     collect_border();
     if(m_border_nodes.empty() || m_complex.has_one_cell(f))

@@ -19,6 +19,8 @@
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Face_windows.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <array>
 
@@ -37,7 +39,9 @@ struct Side_frame
   // Requires: length > 0, which is the distance from a to b.
   Side_frame(const Planar_point<FT>& a, const Planar_point<FT>& b, const FT& length)
     : origin(a), tx((b.x - a.x) / length), ty((b.y - a.y) / length)
-  {}
+  {
+    CGAL_assertion(length > 0);
+  }
 
   Planar_point<FT> point(const FT& x, const FT& y) const
   {
@@ -104,6 +108,7 @@ template <typename FT>
 bool clip_to_cone(const Site_image<FT>& image, const Planar_point<FT>& a, const Planar_point<FT>& b, const FT& length,
                   FT& first, FT& last)
 {
+  CGAL_assertion(image.has_cone && length > 0);
   for(const Half_plane<FT>* side : {&image.left, &image.right})
   {
     const FT at_a = (*side)(a), at_b = (*side)(b);

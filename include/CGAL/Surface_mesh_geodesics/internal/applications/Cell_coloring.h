@@ -14,6 +14,7 @@
 // itself knows cells by their numbers and neighbors only.
 
 #include <CGAL/IO/Color.h>
+#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <array>
@@ -72,6 +73,7 @@ inline std::vector<std::size_t> coloring_order(const Neighbors_of_cells& neighbo
 // Requires: number_of_colors > 0.
 inline std::vector<std::size_t> coloring(const Neighbors_of_cells& neighbors, std::size_t number_of_colors)
 {
+  CGAL_assertion(number_of_colors > 0);
   const std::size_t no_color = number_of_colors;
   std::vector<std::size_t> color(neighbors.size(), no_color), number_of_uses(number_of_colors, 0);
   for(const std::size_t i : coloring_order(neighbors))

@@ -16,6 +16,7 @@
 
 #include <CGAL/Surface_mesh_geodesics/internal/applications/Diagram_conditions.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/number_utils.h>
@@ -58,6 +59,7 @@ public:
   // Requires: the diagram has a site. Builds the diagram if that is not done; then takes the time of the queries.
   explicit Diagram_samples(const Diagram& diagram) : m_diagram(diagram), m_tm(diagram.triangle_mesh())
   {
+    CGAL_assertion(diagram.number_of_sites() > 0);
     add_arcs();
     for(const auto& v : m_diagram.vertices())
       add(v.location(), v.sites(), CGAL::to_double(v.distance()), DIAGRAM_VERTICES);

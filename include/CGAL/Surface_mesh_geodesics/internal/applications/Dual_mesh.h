@@ -15,6 +15,7 @@
 // finds what is in the way.
 
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/assertions.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
 
@@ -83,6 +84,7 @@ private:
   // Requires: check_triangles() has been called.
   void check_cells(Report& r) const
   {
+    CGAL_assertion(m_is_in_triangle.empty() == m_triangles.empty());
     for(std::size_t i = 0; i < m_diagram.number_of_sites(); ++i)
     {
       if(m_diagram.is_empty(i))
@@ -100,6 +102,7 @@ private:
   // Requires: check_triangles() has been called.
   void check_edges(Report& r)
   {
+    CGAL_assertion(m_halfedges.empty() == m_triangles.empty());
     std::map<Pair, int> number_of_edges;
     for(const auto& e : m_diagram.edges())
     {
@@ -128,6 +131,7 @@ void add_dual_triangles(const Diagram& diagram, const std::vector<std::array<std
 {
   using Point = typename boost::property_traits<
     typename boost::property_map<OutputMesh, CGAL::vertex_point_t>::type>::value_type;
+  CGAL_expensive_assertion(Polygon_mesh_processing::is_polygon_soup_a_polygon_mesh(triangles));
   std::vector<Point> points;
   std::vector<std::size_t> index_of_point(diagram.number_of_sites(), Diagram::null_site());
   std::vector<std::array<std::size_t, 3>> faces = triangles;

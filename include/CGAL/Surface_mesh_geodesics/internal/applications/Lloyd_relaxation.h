@@ -18,6 +18,7 @@
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Surface_mesh_shortest_path/Surface_mesh_shortest_path_traits.h>
+#include <CGAL/assertions.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -66,6 +67,7 @@ public:
   // Requires: `sites` are the sites of the diagram.
   bool move_to_centers(std::vector<vertex_descriptor>& sites) const
   {
+    CGAL_assertion(sites.size() == m_diagram.number_of_sites());
     std::vector<Point> center;
     for(std::size_t i = 0; i < sites.size(); ++i)
       center.push_back(m_diagram.centroid(i));

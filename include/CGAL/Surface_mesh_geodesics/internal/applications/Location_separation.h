@@ -19,6 +19,8 @@
 //   separation.from_border(a)  the distance of a location from the border; infinity if there is no border nearby
 // Distances are in the unit of the mesh.
 
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
+
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/number_utils.h>
@@ -83,11 +85,9 @@ private:
   }
 
   // Two locations of one point get coordinates that differ in their last digits, which matters far from the origin.
-  // Each coordinate is a sum of three products with weights that sum up to 1: it errs by less than 4 epsilon of its
-  // size, and the difference of two of them by less than 8 epsilon.
   static double rounding_of(const Vector& a, const Vector& b)
   {
-    return 8 * std::numeric_limits<double>::epsilon() * (std::max)(norm(a), norm(b));
+    return Tolerance<double>::points_in_space() * (std::max)(norm(a), norm(b));
   }
 
   static Vector difference(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }

@@ -16,6 +16,8 @@
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/bit_counting.h>
 
+#include <CGAL/assertions.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -81,7 +83,11 @@ public:
 private:
   static constexpr std::size_t bits = 64;
 
-  std::uint64_t& word(std::size_t i) { return i < bits ? m_first : m_others[i / bits - 1]; }
+  std::uint64_t& word(std::size_t i)
+  {
+    CGAL_expensive_assertion(i / bits <= m_others.size());
+    return i < bits ? m_first : m_others[i / bits - 1];
+  }
 
   std::uint64_t m_first = 0;
   std::vector<std::uint64_t> m_others; // empty if n <= 64

@@ -16,6 +16,8 @@
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -65,9 +67,11 @@ public:
   }
 
 private:
-  // The position of the key, or the free position where it belongs. Requires: a position is free.
+  // The position of the key, or the free position where it belongs. Requires: a position is free;
+  // key != null_id.
   std::size_t position(std::uint32_t key) const
   {
+    CGAL_assertion(key != null_id && m_size < m_keys.size());
     // (Fibonacci hashing: the constant is 2^64 over the golden ratio. Keys that follow each other are spread evenly.)
     const std::size_t mask = m_keys.size() - 1;
     std::size_t i = static_cast<std::size_t>((key * std::uint64_t(0x9E3779B97F4A7C15)) >> 32) & mask;

@@ -17,6 +17,8 @@
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Weighted_bisector.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
 
+#include <CGAL/assertions.h>
+
 #include <array>
 #include <cmath>
 
@@ -27,6 +29,7 @@ namespace internal {
 // Improves a solution p of f(p) = g(p) = 0 by at most four steps of Newton's method, and returns the last point at
 // which |f| + |g| became smaller. residuals(p) returns f, g, and their gradients as (f, g, fx, fy, gx, gy). `size` is
 // the size of the face; a step longer than Tolerance::newton_step() of it is not made.
+// Requires: both sizes are not negative.
 //
 // f is the difference of the distances from two points. If these are close to each other, the gradient of f vanishes:
 // then f tells nothing about the position, and g decides it alone.
@@ -37,6 +40,7 @@ template <typename FT, typename Residuals>
 Planar_point<FT> polished_point(Planar_point<FT> p, const FT& size_of_distances, const FT& size, Residuals residuals)
 {
   using std::abs;
+  CGAL_assertion(size_of_distances >= 0 && size >= 0);
   const FT precision = Tolerance<FT>::epsilon() * (size_of_distances + size);
   std::array<FT, 6> r = residuals(p); // the values, and their gradients
   for(int i = 0; i < 4 && abs(r[0]) + abs(r[1]) > precision; ++i)

@@ -10,10 +10,12 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_TOLERANCE_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_TOLERANCE_H
 
-// Every tolerance of the package, room by room, so that they can be compared with each other.
+// Every tolerance of the computation, room by room, so that they can be compared with each other. Two kinds of numbers
+// stand elsewhere: the default tolerances of the certificates, which are part of their public classes, and bounds of
+// the size of a computation (Path_search::maximum_effort, Intrinsic_mesh::largest_faces_crossed, largest_extent()).
 //
-// No tolerance is absolute. The comment of each one names the quantity that it multiplies ("of a distance") and the
-// reason for its size. Most are a power of two times epsilon(), so that multiplying by them is exact.
+// No tolerance is absolute. The comment of each one names the quantity that it multiplies ("relative to a distance")
+// and the reason for its size. Most are a power of two times epsilon(), so that multiplying by them is exact.
 // "The error of images" is the error that the images of pseudo-sources accumulate from face to face; see distance().
 
 #include <cmath>
@@ -35,53 +37,62 @@ struct Tolerance
   // The user's numbers are doubles, whatever the precision of the computation.
   static FT input_epsilon() { return FT(std::numeric_limits<double>::epsilon()); }
 
+  // Relative to a distance: four times the largest relative error of a conversion to float (2^-24), so that bounds in
+  // single precision hold in every rounding mode (Single_precision).
+  static constexpr double conversion_to_float() { return 0x1p-22; }
+
   // --- Input: interface/ and surface/ --------------------------------------------------------------------------------
 
-  // Of 1: a smaller barycentric coordinate is taken for zero, so that a location with rounded coordinates is the vertex
-  // or the point of an edge that the user means. This moves a source by at most this part of the longest side of its
-  // face.
+  // Relative to 1: a smaller barycentric coordinate is taken for zero, so that a location with rounded coordinates is
+  // the vertex or the point of an edge that the user means. This moves a source by at most this part of the longest
+  // side of its face.
   static FT barycentric() { return 64 * input_epsilon(); }
 
-  // Of 1: coordinates whose sum differs from 1 by more, or one of which is less than zero by more, are no barycentric
-  // coordinates. Large enough for coordinates that have been computed carelessly, small enough to detect a mistake.
+  // Relative to 1: coordinates whose sum differs from 1 by more, or one of which is less than zero by more, are no
+  // barycentric coordinates. Large enough for coordinates that have been computed carelessly, small enough to detect a
+  // mistake.
   static FT location()
   {
     using std::sqrt;
     return sqrt(input_epsilon()) / 16;
   }
 
-  // Of barycentric coordinates: the error of a position that is computed from coordinates in a part of a face. Each
-  // coordinate is the difference of two rounded numbers, divided by a third one.
+  // Relative to barycentric coordinates: the error of a position that is computed from coordinates in a part of a face.
+  // Each coordinate is the difference of two rounded numbers, divided by a third one.
   static FT placement() { return 4 * input_epsilon(); }
 
-  // Of the longest side: the amount by which it may exceed the sum of the two others. Lengths that are computed from
-  // coordinates err by a few epsilon.
+  // Relative to 1: if each barycentric coordinate errs by at most a quarter, the largest of the three, at least 1/3, is
+  // not zero. Coordinates that err by more mean nothing.
+  static FT known_coordinate() { return FT(1) / 4; }
+
+  // Relative to the longest side: the amount by which it may exceed the sum of the two others. Lengths that are
+  // computed from coordinates err by a few epsilon.
   static FT triangle_inequality() { return 64 * input_epsilon(); }
 
   // --- Faces and vertices: surface/ ----------------------------------------------------------------------------------
 
-  // Of the extent of the mesh: the ends of shorter edges are pseudo-sources, whatever their angles. The direction of a
-  // path from a point so near to a vertex is known with an error of epsilon / length only, and the path is longer
-  // by the square of this error; a path through the vertex itself is longer by the length. At this length both errors
-  // are about the same. If the edge vanished in the rounding of distances altogether, paths could run around it without
-  // growing.
+  // Relative to the extent of the mesh: the ends of shorter edges are pseudo-sources, whatever their angles. The
+  // direction of a path from a point so near to a vertex is known with an error of epsilon / length only, and the path
+  // is longer by the square of this error; a path through the vertex itself is longer by the length. At this length
+  // both errors are about the same. If the edge vanished in the rounding of distances altogether, paths could run
+  // around it without growing.
   static FT length()
   {
     using std::sqrt;
     return sqrt(epsilon()) / 1024;
   }
 
-  // Of pi: the excess of a vertex angle above which shortest paths bend at the vertex. Larger than the rounding of a
-  // sum of angles, so that flat vertices stay flat; smaller than the angles of all faces that have a height by
-  // length(), so that no face is hidden behind a vertex.
+  // Relative to pi: the excess of a vertex angle above which shortest paths bend at the vertex. Larger than the
+  // rounding of a sum of angles, so that flat vertices stay flat; smaller than the angles of all faces that have a
+  // height by length(), so that no face is hidden behind a vertex.
   static FT angle() { return 1024 * epsilon(); }
 
-  // Of 1 (an angle at a vertex): two directions that differ by less count as one where windows leave a
+  // Relative to 1 (an angle at a vertex): two directions that differ by less count as one where windows leave a
   // pseudo-source. Larger than the excess of a vertex angle that angle() ignores.
   static FT direction() { return 8 * angle(); }
 
-  // Of the length of an edge: the depth of an image that lies on the edge itself (the apex of a triangle without area).
-  // Its square vanishes beside the square of the length.
+  // Relative to the length of an edge: the depth of an image that lies on the edge itself (the apex of a triangle
+  // without area). Its square vanishes beside the square of the length.
   static FT depth()
   {
     using std::sqrt;
@@ -89,36 +100,39 @@ struct Tolerance
     return e * e;
   }
 
-  // Of the longest side, where the user gives lengths: in a face with a smaller height h, |e| / h bounds paths by
-  // millions of crossed faces for each edge e, which no computation reaches in practice, and the square of this ratio,
-  // below 2^-48, is near the rounding of double.
+  // Relative to the longest side, where the user gives lengths: in a face with a smaller height h, |e| / h bounds paths
+  // by millions of crossed faces for each edge e, which no computation reaches in practice, and the square of this
+  // ratio, below 2^-48, is near the rounding of double.
   static constexpr double lost_face() { return 0x1p-24; }
 
-  // Of the longest side: if a mesh has lost faces, only faces with a larger height count for the bound, which is then a
-  // few thousand faces for each edge. The geometric mean of lost_face() and 1.
+  // Relative to the longest side: if a mesh has lost faces, only faces with a larger height count for the bound, which
+  // is then a few thousand faces for each edge. The geometric mean of lost_face() and 1.
   static constexpr double thick_face() { return 0x1p-12; }
 
   // --- Windows: window/ and propagation/ -----------------------------------------------------------------------------
 
-  // Of a distance: windows whose distances differ by less count as equal when the longer one would be pruned. This
-  // covers the rounding of one comparison: two distances that err by two epsilon each (Window_numbers::distance_at()).
-  // With u = epsilon() / 2, is_clearly_less(a, b) implies A < B (1 + u) for the exact distances A and B that the
-  // stored images have.
+  // Relative to a distance: windows whose distances differ by less count as equal when the longer one would be pruned.
+  // This covers the rounding of one comparison: two distances that err by two epsilon each
+  // (Window_numbers::distance_at()). With u = epsilon() / 2, is_clearly_less(a, b) implies A < B (1 + u) for the exact
+  // distances A and B that the stored images have.
   //
   // The error of images. The stored image is not the exact one: it is unfolded face by face. To first order, crossing a
   // face adds, with r the distance from the image to the farthest corner of the face:
   // - 9 u r for the arithmetic of the child (lanes/window_splitting.h);
-  // - 16 u r for the direction of the new edge: in the frame of its shortest side, the apex of a face errs by less than
-  //   7 epsilon() of either side that ends there (planar_geometry.h), and by less than 8 in the other frames;
+  // - 16 u r for the direction of the new edge: the apex of a face that is given by its lengths errs by less than
+  //   8 epsilon() = 16 u of either side that ends there (set_apex());
   // - 16 u L for the position of the apex, where L is the longest side met so far.
-  // Rotations do not amplify earlier errors, and needles do not either, because apexes err relative to the nearest
-  // side. As r <= d + L, where d is the distance from the image along the window, an image that has crossed n faces
-  // errs by
-  //   24 n epsilon() (d + L)
-  // at most, and so does each of its distances. test_predicate_laws measures less than 2 in place of 24. The lengths of
-  // the pieces of a path that bends at pseudo-sources add up, and so do their errors.
-  // The ends of an interval err by the same amount across the rays, so that a path may pass a vertex on the wrong side
-  // by this much; the path around the vertex is longer by no more than that.
+  // If the face is given by points, 19.5 u take the place of 16 u (set_shape_from_sides()), and the lengths by which
+  // the image is turned err by 2.5 u. Rotations do not amplify earlier errors, and needles do not either, because
+  // apexes err relative to the nearest side. As r <= d + L, where d is the distance from the image along the window, a
+  // face adds 41 u or 50.5 u of d + L. So an image that has crossed n faces errs by 26 n epsilon() (d + L) at most, and
+  // so does each of its distances; 24 in place of 26 suffices if lengths are given. test_predicate_laws measures less
+  // than 2. The sizes of tolerances below follow from this measured factor: the proved one lets all rounding errors
+  // have the worst size and sign.
+  //
+  // The lengths of the pieces of a path that bends at pseudo-sources add up, and so do their errors. The ends of an
+  // interval err by the same amount across the rays, so that a path may pass a vertex on the wrong side by this much;
+  // the path around the vertex is longer by no more than that.
   //
   // What is known, and what is not. Where two windows differ by less than their errors of images, pruning may remove
   // the shorter one. It never removes both, and the other one is a path on the surface, longer by at most the sum of
@@ -127,13 +141,13 @@ struct Tolerance
   // bound (certificate/Lower_bound_check.h), with the largest violation that it finds.
   static FT distance() { return 4 * epsilon(); }
 
-  // Of the length of an edge: narrower intervals come from rounding (a ray that meets a vertex) and are dropped. No
-  // path is lost: distances are also measured along paths that bend at the end of an interval, and a lateral shift of
-  // this size makes them longer only by its square.
+  // Relative to the length of an edge: narrower intervals come from rounding (a ray that meets a vertex) and are
+  // dropped. No path is lost: distances are also measured along paths that bend at the end of an interval, and a
+  // lateral shift of this size makes them longer only by its square.
   static FT interval() { return 512 * epsilon(); }
 
-  // Of the length of an edge: if an image is nearer to its interval, the rounding of the ends of the interval turns its
-  // rays by more than their length can tell. Such a window must not be trimmed.
+  // Relative to the length of an edge: if an image is nearer to its interval, the rounding of the ends of the interval
+  // turns its rays by more than their length can tell. Such a window must not be trimmed.
   static FT closeness()
   {
     using std::sqrt;
@@ -142,88 +156,106 @@ struct Tolerance
 
   // --- Paths: paths/ and certificate/ --------------------------------------------------------------------------------
 
-  // Of the extent of a component: nearer points of a path are one point.
+  // Relative to the extent of a component: nearer points of a path are one point.
   static FT gap() { return 8 * epsilon(); }
 
-  // Of the distance of an image, or the longest side of the face if that is longer: a path that passes a vertex at a
-  // smaller distance may pass it on either side, or run through it. Bounds the error of images across about a hundred
-  // faces.
+  // Relative to the distance of an image, or the longest side of the face if that is longer: a path that passes a
+  // vertex at a smaller distance may pass it on either side, or run through it. Bounds the error of images across a
+  // hundred faces by the measured factor 2 (with d + L at most twice this length), and across 9 faces by the proved
+  // one.
   static FT sideways() { return 512 * epsilon(); }
 
-  // Of the same lengths: the effect of the rounding of one image and one frame on a distance.
+  // Relative to the same lengths: the effect of the rounding of one image and one frame on a distance.
   static FT lengthwise() { return 8 * epsilon(); }
 
-  // Of a distance: a path whose length differs by more is not the path that is looked for. Bounds the error of images
-  // across about a thousand faces.
+  // Relative to a distance: a path whose length differs by more is not the path that is looked for. Bounds the error of
+  // images across a thousand faces by the measured factor 2, and across 78 by the proved one, if no side is longer than
+  // the distance.
   static FT path() { return 4096 * epsilon(); }
 
-  // Of a distance: the error of a path through few faces. The search for a path begins with it, so that it does not
-  // stop at a path that is longer than necessary.
+  // Relative to a distance: the error of a path through few faces. The search for a path begins with it, so that it
+  // does not stop at a path that is longer than necessary.
   static FT path_through_few_faces() { return path() / 64; }
 
-  // Of a distance, and of the lengths of the mesh: the search for a path ends with their sum. Wider than the error of
-  // any path that the tests know, which is the sum of the errors of its pieces. No bound is known; a path that is
-  // longer still is reported as hidden by rounding.
+  // Relative to a distance, and to the lengths of the mesh: the search for a path ends with their sum. Wider than the
+  // error of any path that the tests know, which is the sum of the errors of its pieces. No bound is known; a path that
+  // is longer still is reported as hidden by rounding.
   static FT path_of_many_pieces() { return 64 * path(); }
   static FT lengthwise_of_many_pieces() { return 8 * lengthwise(); }
 
-  // Of the length of an edge: how exactly the crossings of isolines are found.
+  // Relative to the length of an edge: how exactly the crossings of isolines are found.
   static FT isoline() { return 4096 * epsilon(); }
 
-  // Of the length of an edge: two crossings of one isoline that are nearer to each other may be missed. Halving down to
-  // here takes 14 steps where the isoline comes near an edge without crossing it; the manual promises 1e-4.
+  // Relative to the length of an edge: two crossings of one isoline that are nearer to each other may be missed.
+  // Halving down to here takes 14 steps where the isoline comes near an edge without crossing it; the manual promises
+  // 1e-4.
   static FT isoline_touching() { return FT(1) / 16384; }
 
   // --- Diagrams: Voronoi/ and the bisectors in numeric/ --------------------------------------------------------------
 
-  // Of a distance: an image is nearer than another one if it is so by more. Each distance errs by distance(), and each
-  // image by its rounding in the frame of the face.
+  // Relative to a distance: an image is nearer than another one if it is so by more. Each distance errs by distance(),
+  // and each image by its rounding in the frame of the face.
   static FT nearer() { return 4 * distance(); }
 
-  // Of a distance: an image may follow another one of the same site, where the interval of that one ends, if it is not
-  // farther by more. Also the margin by which the wavefront has to pass a bound before a region is left behind.
+  // Relative to a distance: an image may follow another one of the same site, where the interval of that one ends, if
+  // it is not farther by more. Also the margin by which the wavefront has to pass a bound before a region is left
+  // behind.
   static FT succession() { return 16 * distance(); }
 
-  // Of a distance: two images of one site tie, each of which has the error of images. Of the extent of the mesh: two
-  // sources that are so near to each other tie everywhere.
+  // Relative to a distance: two images of one site tie, each of which has the error of images. Relative to the extent
+  // of the mesh: two sources that are so near to each other tie everywhere.
   static FT tie() { return 64 * distance(); }
 
-  // Of the size of a face: the position at which a curve touches a line is known up to the square root of rounding.
+  // Relative to the size of a face: the position at which a curve touches a line is known up to the square root of
+  // rounding.
   static FT touching() { return 64 * closeness(); }
 
-  // Of the size of a face: ends of curves that are nearer to each other may be meant to be one point. A question for a
-  // more careful look only: no result depends on its size.
+  // Relative to the size of a face: ends of curves that are nearer to each other may be meant to be one point. A
+  // question for a more careful look only: no result depends on its size.
   static FT near_end() { return FT(1) / 1024; }
 
-  // Of a parameter or a distance within a face: how far to look ahead in order to see which side or which cell comes
-  // next. Far above rounding, and far below the size of what is looked at.
+  // Relative to a parameter or a distance within a face: how far to look ahead in order to see which side or which cell
+  // comes next. Far above rounding, and far below the size of what is looked at.
   static FT look_ahead() { return FT(1) / 1024; }
 
-  // Of the size of a face: a trace that has not moved by more stands still.
+  // Relative to the size of a face: a trace that has not moved by more stands still.
   static FT standstill() { return 16 * epsilon(); }
 
-  // Of the distances of two sites: the rounding of their bisector.
+  // Relative to the distances of two sites: the rounding of their bisector.
   static FT bisector() { return 16 * distance(); }
 
-  // Of the squared distance of two sites: a bisector that is described by a smaller number is a ray. Also the
-  // difference of weights, of a distance, below which a bisector is a straight line.
+  // Relative to the distance of a point of a bisector from its focus: farther away, the parameter has lost 20 of the 52
+  // bits of a double.
+  static FT precise_reach() { return FT(1 << 20); }
+
+  // Relative to 1, the tangent of half an angle: about 150 degrees around the focus of a bisector. Beyond half a turn,
+  // the parameter would change its sign.
+  static FT half_turn() { return FT(4); }
+
+  // Relative to the squared distance of two sites: a bisector that is described by a smaller number is a ray. Also the
+  // difference of weights, relative to a distance, below which a bisector is a straight line.
   static FT curvature() { return 4 * distance(); }
 
-  // Of the sum of the absolute terms of a quadratic polynomial: the rounding of its value.
+  // Relative to the sum of the absolute terms of a quadratic polynomial: the rounding of its value.
   static FT polynomial() { return 16 * epsilon(); }
 
-  // Of the sum of the squares of the sides: a triangle with a smaller area has none.
+  // Relative to the sum of the squares of the sides: a triangle with a smaller area has none.
   static FT area() { return 4 * epsilon(); }
 
-  // Of what is integrated along a curve, if its chord were all of it: if halving an interval changes less, it is not
-  // halved any more.
+  // Relative to what is integrated along a curve, if its chord were all of it: if halving an interval changes less, it
+  // is not halved any more.
   static FT quadrature() { return 512 * epsilon(); }
 
-  // Of the size of a face: Newton's method refines points that are known up to rounding, or up to the square root of
-  // rounding where curves touch. A longer step leads to another point.
+  // Relative to the distance of two points from the origin: the error of their distance. Each coordinate is a sum of
+  // three products with weights that sum up to 1: it errs by less than 4 epsilon of its size, and the difference of two
+  // of them by less than 8 epsilon. (Certificates compute in double.)
+  static FT points_in_space() { return 8 * input_epsilon(); }
+
+  // Relative to the size of a face: Newton's method refines points that are known up to rounding, or up to the square
+  // root of rounding where curves touch. A longer step leads to another point.
   static FT newton_step() { return FT(1) / (1 << 20); }
 
-  // Of 1, the sine of an angle: two curves that meet at a smaller one do not determine their common point.
+  // Relative to 1, the sine of an angle: two curves that meet at a smaller one do not determine their common point.
   static FT slope() { return 1024 * epsilon(); }
 };
 

@@ -30,6 +30,8 @@
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -79,14 +81,24 @@ struct Additively_weighted_point
 };
 
 // Returns whether the distance a is smaller than b beyond the rounding of images: stricter than is_clearly_less().
-// Ties are not nearer, so that of two images that tie the current one stays.
+//
+// Formula: a < b (1 - nearer()). Requires: a, b >= 0. Ties: neither of two distances that tie is nearer, so that the
+// current image stays.
+// Laws: antisymmetric and transitive; no distance is nearer than itself; scaling both by a power of two keeps the
+// answer.
 template <typename FT>
 bool is_nearer(const FT& a, const FT& b)
 {
   return a < b * (1 - Tolerance<FT>::nearer());
 }
 
-// The same for the distances of p from a and from b.
+// The same for the distances of p from a and from b. Frame: any in which the three points are given.
+//
+// Error bound, to first order in u = epsilon() / 2, for exact points: each distance errs by 4 u of itself, as in
+// Window_numbers::distance_at(), and the right side rounds once. So a is nearer only if its exact distance is less than
+// that of b by 23 u of it or more, and is nearer wherever it is less by 41 u, that is, by 20.5 epsilon(). Images have
+// errors of their own (Tolerance::distance()).
+// Laws: those above; mirroring all points at an axis keeps the answer.
 template <typename FT>
 bool is_nearer(const Additively_weighted_point<FT>& a, const Additively_weighted_point<FT>& b,
                const Planar_point<FT>& p)
@@ -262,6 +274,7 @@ public:
   FT angle(const Point& p) const
   {
     using std::atan2;
+    CGAL_assertion(is_curved());
     const FT x = p.x - m_focus.x, y = p.y - m_focus.y;
     const FT along = x * m_ux + y * m_uy, across = x * m_vx + y * m_vy;
     return atan2(across, FT(norm(along, across) + along));
@@ -277,6 +290,7 @@ public:
   // Returns dp/dt. Requires: is_curved().
   Point derivative(const FT& t) const
   {
+    CGAL_assertion(is_curved());
     // p - p0 = n / w
     const Quadratic<FT>& w = m_denominator;
     const FT g = m_bend, wt = w(t), dw = 2 * (w.c1 + t * w.c2), square = wt * wt;
@@ -298,11 +312,10 @@ public:
   {
     if(m_is_straight)
       return std::numeric_limits<FT>::infinity();
-    const FT reach = FT(1 << 20); // in distances of p from the focus: 20 of the 52 bits of a double are lost
-    const FT half_turn = FT(4); // the tangent of half the angle at about 150 degrees
+    const FT reach = Tolerance<FT>::precise_reach();
     const FT t = Quadratic<FT>{FT(1 - reach), FT(-reach * m_radius * m_b), FT(1 - reach + 2 * reach * m_a * m_radius)}
                    .positive_roots()[0];
-    return (std::min)(t, half_turn);
+    return (std::min)(t, Tolerance<FT>::half_turn());
   }
 
   // Returns a polynomial in the parameter that is positive where the curve is in the half-plane.
@@ -377,7 +390,7 @@ private:
     m_is_straight = m_radius <= rounding || along >= m_radius / 2;
   }
 
-  // Makes the curve the line through both points, which are one point as seen from p.
+  // Makes the curve the line through p and the focus. Seen from p, the two points count as one.
   void find_line(const Focus& left, const Focus& right)
   {
     m_is_straight = true;

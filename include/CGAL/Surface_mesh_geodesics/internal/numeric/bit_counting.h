@@ -13,6 +13,8 @@
 // Finds the lowest and the highest bit of a word. GCC and Clang use a single instruction for each. A loop would be
 // slower, because the processor cannot predict its length.
 
+#include <CGAL/assertions.h>
+
 #include <cstddef>
 #include <cstdint>
 
@@ -23,6 +25,7 @@ namespace internal {
 // The number of zeros below the lowest bit that is set. Requires: word != 0.
 inline std::size_t trailing_zeros(std::uint64_t word)
 {
+  CGAL_assertion(word != 0);
 #ifdef __GNUC__
   return static_cast<std::size_t>(__builtin_ctzll(word));
 #else
@@ -36,6 +39,7 @@ inline std::size_t trailing_zeros(std::uint64_t word)
 // The number of bits up to the highest one that is set. Requires: word != 0.
 inline std::size_t number_of_bits(std::uint64_t word)
 {
+  CGAL_assertion(word != 0);
 #ifdef __GNUC__
   return 64 - static_cast<std::size_t>(__builtin_clzll(word));
 #else

@@ -11,7 +11,7 @@
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_PLANAR_GEOMETRY_H
 
 // Plane geometry on bare numbers: points, norms, and triangles that are laid out from their lengths. Each formula
-// states its error bound; test_predicate_laws compares it with a hundred digits.
+// states its error bound; test_laws_in_faces compares it with a hundred digits.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
 

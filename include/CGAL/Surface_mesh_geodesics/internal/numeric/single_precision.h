@@ -13,6 +13,10 @@
 // Upper and lower bounds, in single precision, of distances that are not negative. They take half the memory of a
 // double and differ from the distance by at most a millionth of it.
 
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
+
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <limits>
 
@@ -22,15 +26,14 @@ namespace internal {
 
 struct Single_precision
 {
-  // Of a distance: four times the largest relative error of a conversion to float (2^-24), so that the bounds hold in
-  // every rounding mode.
-  static constexpr double rounding = 0x1p-22;
+  static constexpr double rounding = Tolerance<double>::conversion_to_float();
   static constexpr float largest = (std::numeric_limits<float>::max)();
 
-  // A bound from above; infinity for large x. The smallest normal number makes up for what underflow loses.
+  // A bound from above; infinity for large x. Adding the smallest normal number compensates for underflow.
   template <typename FT>
   static float not_less(const FT& x)
   {
+    CGAL_assertion(x >= 0);
     const double y = static_cast<double>(x) * (1 + rounding);
     return y < static_cast<double>(largest) ? static_cast<float>(y) + (std::numeric_limits<float>::min)()
                                             : std::numeric_limits<float>::infinity();
@@ -40,6 +43,7 @@ struct Single_precision
   template <typename FT>
   static float not_more(const FT& x)
   {
+    CGAL_assertion(x >= 0);
     return static_cast<float>((std::min)(static_cast<double>(x) * (1 - rounding), static_cast<double>(largest)));
   }
 };

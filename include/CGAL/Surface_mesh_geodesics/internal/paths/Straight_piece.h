@@ -198,8 +198,8 @@ private:
   // wrong: it differs from the rest of the way by more than the gap between the line and C.
   //
   // The distance of C from the line from P to the image I is |(C-P) x (I-P)| / |I-P|; both sides are multiplied by
-  // |I-P| and squared, which needs no root. No bound is known for the error of the image after many faces; sideways()
-  // stands for it.
+  // |I-P| and squared, which needs no root. sideways() stands for the error of the image: Tolerance::distance() derives
+  // its bound, and Tolerance::sideways() says how many faces it covers.
   bool pass_apex(Halfedge_id o, const Face_frame<FT>& c, const State& s)
   {
     using std::abs;
@@ -290,6 +290,14 @@ private:
   // Returns whether the path may run through v, which the line passes very near and which is at the distance `gap`: its
   // distance makes the path no longer, up to slack(). Where several sources are equally far, v must have the source
   // that is reported.
+  //
+  // Formula: gap + distance(v) <= rest() + slack(), and distance(v) < the distance of the start, so that the path comes
+  // nearer to the source with each piece. Frame: none; it compares distances. Ties: a path that is equally long runs
+  // through v; a vertex as far as the start is refused. Error: rest() is a difference of sums, which round once for
+  // each step; slack() covers the rounding of one image and one frame, not that of all steps. No bound is known for
+  // many steps. A wrong answer cannot give a wrong path: has_right_length() compares the sum of the pieces with the
+  // distance.
+  // Laws: monotone in gap; scaling all lengths by a power of two keeps the answer.
   bool may_run_through(Vertex_id v, const FT& gap) const
   {
     return m_field.distance[v] < m_start.distance && gap + m_field.distance[v] <= rest() + slack()

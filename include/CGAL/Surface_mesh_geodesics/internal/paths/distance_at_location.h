@@ -61,7 +61,7 @@ std::array<FT, 2> point_in_frame(const Face_frame<FT>& c, const std::array<FT, 3
 // The straight line crosses the edge at (image_x y + x depth) / (y + depth); on the line of the edge itself, where that
 // is 0/0, at x.
 // Error of the distance: the root distance and the norm round once each, and a sum once or twice, so three epsilon
-// beyond the errors of the image and of the point. No bound is known for the image after many faces.
+// beyond the errors of the point and of the image, for which Tolerance::distance() derives a bound.
 // Requires: y >= 0.
 template <typename FT>
 void improve_arrival(Location_arrival<FT>& arrival, const Kept_window<FT>& w, const FT& root_distance,

@@ -70,10 +70,14 @@ public:
 
   // Returns the representative of the component of a vertex: the same vertex for all vertices of the component.
   // Requires: finish() has been called.
-  std::size_t component(std::size_t v) const { return m_component[v]; }
+  std::size_t component(std::size_t v) const
+  {
+    CGAL_assertion(m_component[m_component[v]] == m_component[v]);
+    return m_component[v];
+  }
 
   // Returns the longest edge of the component of a vertex, 0 for an isolated one. Requires: finish() has been called.
-  const FT& extent(std::size_t v) const { return m_longest_edge[m_component[v]]; }
+  const FT& extent(std::size_t v) const { return m_longest_edge[component(v)]; }
 
 private:
   using Sets = boost::disjoint_sets<std::size_t*, std::size_t*>;

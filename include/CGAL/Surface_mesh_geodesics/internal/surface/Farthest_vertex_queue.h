@@ -16,6 +16,8 @@
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <utility>
@@ -29,11 +31,13 @@ template <typename FT>
 class Farthest_vertex_queue
 {
 public:
-  // Contains the vertices 0 .. n-1. Of vertices with the same distance, the one with the smallest rank[v] is the
-  // farthest. Both vectors are referred to, not copied; distances may shrink, but not grow.
+  // Contains the vertices 0 .. n-1. Requires: both vectors have entries for them. Of vertices with the same distance,
+  // the one with the smallest rank[v] is the farthest. Both vectors are referred to, not copied; distances may shrink,
+  // but not grow.
   Farthest_vertex_queue(const std::vector<FT>& distance, const std::vector<Vertex_id>& rank, std::size_t n)
     : m_distance(distance), m_rank(rank)
   {
+    CGAL_assertion(n <= distance.size() && n <= rank.size());
     for(Vertex_id v = 0; v < n; ++v)
       m_heap.push_back(Entry(distance[v], v));
     std::make_heap(m_heap.begin(), m_heap.end(), less());

@@ -116,8 +116,16 @@ public:
 
   // The halfedges with a face that leave v, counterclockwise. Requires: has_star(v), that is, v is neither pinched nor
   // refined. (They are stored in a row, as a walk from face to face would wait for the memory at each step.)
-  const Halfedge_id* star_begin(Vertex_id v) const { return m_star.data() + m_star_begin[v]; }
-  const Halfedge_id* star_end(Vertex_id v) const { return m_star.data() + m_star_begin[v + 1]; }
+  const Halfedge_id* star_begin(Vertex_id v) const
+  {
+    CGAL_expensive_assertion(has_star(v));
+    return m_star.data() + m_star_begin[v];
+  }
+  const Halfedge_id* star_end(Vertex_id v) const
+  {
+    CGAL_expensive_assertion(has_star(v));
+    return m_star.data() + m_star_begin[v + 1];
+  }
   bool has_star(Vertex_id v) const { return (m_vertex_kind[v] & (PINCHED | REFINED)) == 0; }
 
   // Ask the processor for the memory of these halfedges and, once it has arrived, for that of their faces.
@@ -196,6 +204,7 @@ public:
   // Requires: f is a face of the mesh as it was built.
   FT extent_around(Face_id f) const
   {
+    CGAL_assertion(f < number_of_faces());
     if(m_edge_components.empty())
       return 1;
     const auto next = std::upper_bound(m_edge_components.begin(), m_edge_components.end(), f,
@@ -215,7 +224,13 @@ public:
   }
   void set_unit(const FT& unit) { m_unit = unit; }
   // Requires: there are several components, sorted by face.
-  void set_edge_components(const std::vector<Edge_component>& components) { m_edge_components = components; }
+  void set_edge_components(const std::vector<Edge_component>& components)
+  {
+    CGAL_assertion(components.size() > 1 && components.front().first == 0);
+    CGAL_expensive_assertion(std::is_sorted(components.begin(), components.end(),
+                                            [](const Edge_component& a, const Edge_component& b) { return a.first < b.first; }));
+    m_edge_components = components;
+  }
 
   Face& face(Face_id f) { return m_faces[f]; }
 

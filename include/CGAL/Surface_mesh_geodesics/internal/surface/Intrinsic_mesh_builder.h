@@ -21,6 +21,8 @@
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/face_shape.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -71,6 +73,7 @@ public:
   // Returns the number of the vertex with an index, which is n if it has none yet; n grows then.
   static Vertex_id number_of(std::uint32_t index, std::vector<Vertex_id>& vertex_of_index, std::size_t& n)
   {
+    CGAL_assertion(index < vertex_of_index.size());
     Vertex_id& id = vertex_of_index[index];
     const bool is_new = id == null_id;
     id = is_new ? static_cast<Vertex_id>(n) : id;
@@ -133,6 +136,7 @@ public:
   {
     if(h == null_id)
       return null_id;
+    CGAL_assertion(face_of(h) < m_name.size());
     const Halfedge_id first = m_name[face_of(h)];
     return halfedge_of(face_of(first), corner_after(index_in_face(h), index_in_face(first)));
   }

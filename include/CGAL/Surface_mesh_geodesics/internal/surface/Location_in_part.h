@@ -19,7 +19,10 @@
 // coordinates of the residual; and a point that may be on an edge moves to the nearest point of that edge. Dropping a
 // coordinate instead would move it along the part.
 
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
+
+#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <array>
@@ -68,8 +71,8 @@ public:
   }
 
   // Returns whether the coordinates mean anything: the part has an area, and no coordinate is uncertain by
-  // largest_rounding or more, as it is if rounding makes up the width of the part.
-  bool is_known() const { return m_has_area && rounding() < largest_rounding(); }
+  // Tolerance::known_coordinate() or more, as it is if rounding makes up the width of the part.
+  bool is_known() const { return m_has_area && rounding() < Tolerance<FT>::known_coordinate(); }
 
   const Barycentric& coordinates() const { return m_coordinates; }
 
@@ -83,6 +86,7 @@ public:
   void snap()
   {
     using std::abs;
+    CGAL_assertion(is_known());
     std::array<unsigned int, 3> kept{0, 0, 0};
     unsigned int number = 0;
     for(unsigned int k = 0; k < 3; ++k)
@@ -98,9 +102,6 @@ public:
   }
 
 private:
-  // A quarter: with an error of at most that, the largest of the three coordinates, at least 1/3, is not zero.
-  static FT largest_rounding() { return FT(1) / 4; }
-
   // Two coordinates relative to the first corner, and bounds on their rounding errors.
   struct Difference
   {

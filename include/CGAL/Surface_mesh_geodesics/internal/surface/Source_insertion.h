@@ -95,6 +95,7 @@ public:
   // Takes the mesh as it is for the first one. Requires: nothing is inserted.
   void restart()
   {
+    CGAL_assertion(m_saved.empty() && m_renamed.empty());
     m_number_of_vertices = m_mesh.number_of_vertices();
     m_number_of_faces = m_mesh.number_of_faces();
   }

@@ -18,6 +18,8 @@
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 
+#include <CGAL/assertions.h>
+
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -83,6 +85,7 @@ struct Vertex_distance_field
   // Requires: d is finite.
   void set_distance(Vertex_id v, const FT& d)
   {
+    CGAL_assertion(d < infinity());
     if(!(distance[v] < infinity()))
       reached.push_back(v);
     distance[v] = d;

@@ -14,6 +14,8 @@
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -45,6 +47,7 @@ bool are_valid_coordinates(const std::array<FT, 3>& b)
 template <typename FT>
 void snap_coordinates(std::array<FT, 3>& b)
 {
+  CGAL_assertion(are_valid_coordinates(b));
   FT sum = 0;
   for(FT& x : b)
   {

@@ -31,8 +31,8 @@ namespace internal {
 // 2^63 to the largest double.
 inline double largest_extent() { return std::ldexp(1., 960); }
 
-// The least longest edge of a component, relative to the unit of its mesh. Products of four such lengths are 2^-800,
-// above the least normal double 2^-1022.
+// The minimum extent of a component (its longest edge), relative to the unit of its mesh. Products of four such lengths
+// are 2^-800, above the least normal double 2^-1022.
 inline double smallest_component() { return std::ldexp(1., -200); }
 
 // Returns the exponent of a power of two that is about as large as the extent of a mesh, and whose inverse is finite.
@@ -104,6 +104,13 @@ struct Space_vector
 //
 // In the layout, apex_x is the projection of the third side on the base, and apex_y twice the area over the base: the
 // cross product is accurate also for needles, as the base is their short side.
+//
+// Error bound, to first order in u = epsilon() / 2, for exact sides whose sum is 0. A length errs by 2.5 u of itself.
+// With a = length[0] and c = length[2], the dot product errs by 3 u a c and the cross product by 2 sqrt(4/3) u a c (the
+// norm of the sums |a_y c_z| + |a_z c_y|, ...), its length by another 2.5 u. Dividing by lengths gives a foot and a
+// height in the frame of side k (set_apex()). Take the worst sign of each rounding error: for triangles of all shapes,
+// the apex errs by less than 19.5 u of either side that ends there, that is, by 10 epsilon(). test_laws_in_faces
+// measures less than 5.
 //
 // Inlined by force: it runs once per face, and reading a mesh is a fifth of the time of a call. GCC 12 would not inline
 // it by itself.

@@ -23,8 +23,8 @@ namespace Surface_mesh_geodesics {
 namespace internal {
 
 // The angle between AB and a side: of AC with AB at A, or of BC with BA at B. Both are in [0, pi], so sine >= 0.
-// Error: the quotients of a length and its parts, half a unit each beyond the error of the frame; the sum of squares is
-// 1 up to the error of the frame, for which no bound is known on needles.
+// Error: half an epsilon for each quotient, beyond the error of the frame (set_apex()). That is relative to the sides,
+// also for needles; the sum of squares is 1 up to the same error. Tolerance::distance() adds it up for many faces.
 template <typename FT>
 struct Side_angle
 {
@@ -58,7 +58,7 @@ struct Image_below_edge
 // given image and for the result: along AB from A and along AC for the left side, along BA from B and along BC for the
 // right one. The depth is negative if the image lies above the line of the side, from where the side is not seen.
 // Formula: a rotation by the angle, (x cos - depth sin, x sin + depth cos).
-// Error: at most two units of |x| + depth per step beyond that of the angle.
+// Error: at most two epsilon of |x| + depth per step beyond that of the angle.
 // Law: a rotation keeps the distance from the corner, up to that error.
 template <typename FT>
 Image_below_edge<FT> image_below_side(const Side_angle<FT>& angle, const FT& x, const FT& depth)

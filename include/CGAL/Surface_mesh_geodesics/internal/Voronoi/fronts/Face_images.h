@@ -19,6 +19,8 @@
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Weighted_bisector.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -151,6 +153,7 @@ public:
   // Returns the image of paths that bend at the end of the interval nearer to p. Requires: image.has_cone.
   static Image bend(const Image& image, const Point& p)
   {
+    CGAL_assertion(image.has_cone);
     Image result;
     const Point& q = image.left(p) < image.right(p) ? image.left_end : image.right_end;
     result.point = Additively_weighted_point<FT>{q.x, q.y, image.point.distance_to(q)};
