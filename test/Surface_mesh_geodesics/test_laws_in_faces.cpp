@@ -1,6 +1,6 @@
 // The laws and error bounds of the frames of faces, and of the predicates of diagrams: is_nearer(), and which image
-// takes over along an edge (Edge_partition). Random cases, some of them degenerate, are compared with the definitions in a
-// hundred digits, with their mirror images, and with scaled cases.
+// takes over along an edge (Edge_partition). Random cases, some of them degenerate, are compared with the definitions
+// in a hundred digits, with their mirror images, and with scaled cases.
 
 #include "test_support.h"
 
@@ -109,13 +109,15 @@ std::array<internal::Space_vector<double>, 3> random_sides_in_space(test_support
   std::array<std::array<double, 3>, 3> p;
   const double near = std::ldexp(1., -static_cast<int>(random.index(25)));
   const std::size_t kind = random.index(4); // any triangle, a needle, a cap, a small cap
-  const double t = random.uniform(0., 1.), height = kind == 3 ? near * std::ldexp(1., -static_cast<int>(random.index(12)))
-                                                             : near;
+  const double t = random.uniform(0., 1.);
+  const double height = kind == 3 ? std::ldexp(near, -static_cast<int>(random.index(12))) : near;
   for(std::size_t c = 0; c < 3; ++c)
   {
     p[0][c] = random.uniform(-.5, .5);
     p[1][c] = kind % 2 == 1 ? p[0][c] + near * random.uniform(-.5, .5) : random.uniform(-.5, .5);
-    p[2][c] = kind >= 2 ? p[0][c] + t * (p[1][c] - p[0][c]) + height * random.uniform(-.5, .5) : random.uniform(-.5, .5);
+    p[2][c] = random.uniform(-.5, .5);
+    if(kind >= 2)
+      p[2][c] = p[0][c] + t * (p[1][c] - p[0][c]) + height * p[2][c];
     for(std::size_t k = 0; k < 3; ++k)
       p[k][c] = std::ldexp(std::nearbyint(std::ldexp(p[k][c], 50)), -50);
   }
