@@ -134,10 +134,11 @@ public:
 
   // Cuts face f. The segments are at most `tolerance` away from the arcs, in the unit of the intrinsic mesh: half of it
   // for the samples of the arcs, half for those that are left out.
-  // Requires: the complex is finished; a site reaches f.
+  // Triangles of a face that no site reaches have the site null_id.
+  // Requires: the complex is finished.
   void cut(Face_id f, double tolerance)
   {
-    CGAL_assertion(m_complex.owner(m_mesh.face(f).vertex[0]) != null_id);
+    CGAL_assertion(f < m_mesh.number_of_faces());
     m_face = f;
     collect_border();
     if(m_border_nodes.empty() || m_complex.has_one_cell(f))
