@@ -38,6 +38,9 @@ COMPLEX = INTERNAL + "Voronoi/Voronoi_complex.h"
 PATH_THINNING = INTERNAL + "paths/Path_thinning.h"
 LAZY_PATHS = INTERNAL + "interface/Lazy_path_structure.h"
 UNFOLDING = INTERNAL + "surface/unfolding.h"
+INTRINSIC_FACE = INTERNAL + "surface/Intrinsic_face.h"
+FACE_SHAPE = INTERNAL + "surface/face_shape.h"
+EDGE_PARTITION = INTERNAL + "Voronoi/Edge_partition.h"
 DIAGRAM_CERTIFICATE = INTERNAL + "applications/Diagram_certifier.h"
 LOCATOR = INTERNAL + "Voronoi/Cell_locator.h"
 MEASURES = INTERNAL + "Voronoi/Voronoi_cell_measures.h"
@@ -51,6 +54,7 @@ EDGE_FUNCTION = INTERNAL + "certificate/Edge_distance_function.h"
 
 WINDOWS = "test_window_pruning"
 LAWS = "test_predicate_laws"
+FACE_LAWS = "test_laws_in_faces"
 LIST_CROSSINGS = "test_window_list_crossing"
 EMISSION = "test_emission_sector"
 PIECES = "test_straight_pieces"
@@ -124,6 +128,13 @@ MUTANTS = [
     ("crossed_windows_height", WINDOW_PRUNING,
      "const FT h = (left.begin - right.end) / approach;", "const FT h = (right.end - left.begin) / approach;",
      "crossed windows are compared at a point where they do not cross", (WINDOWS,)),
+    ("crossed_windows_slope_of_other_end", WINDOW_PRUNING,
+     "(right.image_x - right.end) / right.image_depth;", "(right.image_x - right.begin) / right.image_depth;",
+     "crossed windows are compared where the outermost path of one meets the other", (LAWS,)),
+    ("crossed_windows_without_roots", WINDOW_PRUNING,
+     "- (left.begin_distance - left.root_distance) * h / left.image_depth;",
+     "- left.begin_distance * h / left.image_depth;",
+     "the way to the root of a window is shortened like its straight part", (LAWS,)),
     ("pair_trimmed_at_start", WINDOW_PRUNING,
      "  left.end = pair.left_end;\n  left.end_distance = pair.left_end_distance;\n", "",
      "a window goes on where its right neighbor is nearer", (WINDOWS,)),
@@ -434,6 +445,23 @@ MUTANTS = [
     ("bisector_turned", BISECTOR,
      "    if(m_tx * ny - m_ty * nx < 0)\n", "    if(m_tx * ny - m_ty * nx > 0)\n",
      "curves run backwards", (CUT,)),
+    ("nearer_without_margin", TOLERANCE,
+     "static FT nearer() { return 4 * distance(); }", "static FT nearer() { return 0 * distance(); }",
+     "of two images that tie, one is nearer by rounding", (FACE_LAWS,)),
+    ("nearer_with_wide_margin", TOLERANCE,
+     "static FT nearer() { return 4 * distance(); }", "static FT nearer() { return 4e6 * distance(); }",
+     "an image that is nearer does not take over", (FACE_LAWS,)),
+    ("edge_divided_at_first_root_only", EDGE_PARTITION,
+     "result{root[0], root[1], last, last, last};", "result{root[0], last, last, last, last};",
+     "an image that is nearer between two roots is missed", (FACE_LAWS,)),
+    ("apex_height_not_scaled", INTRINSIC_FACE,
+     "c.apex_y = f.apex_y * ratio;", "c.apex_y = f.apex_y;",
+     "the apex is too high above the longer sides of a face", (FACE_LAWS,)),
+    ("layout_from_squares_of_sides", FACE_SHAPE,
+     "f.apex_x = -dot(base, from_apex) / f.length[0];",
+     "f.apex_x = (f.length[0] * f.length[0] + f.length[2] * f.length[2] - f.length[1] * f.length[1]) / "
+     "(2 * f.length[0]);",
+     "needles that are given by points lose digits", (FACE_LAWS,)),
     ("edge_takes_over_by_rounding", BISECTOR,
      "return a < b * (1 - Tolerance<FT>::nearer());", "return a <= b;",
      "on an edge two sources that tie take turns", (SYMMETRIC, BY_HAND, RANDOM_DIAGRAMS)),

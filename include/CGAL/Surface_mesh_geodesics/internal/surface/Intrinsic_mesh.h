@@ -227,8 +227,9 @@ public:
   void set_edge_components(const std::vector<Edge_component>& components)
   {
     CGAL_assertion(components.size() > 1 && components.front().first == 0);
-    CGAL_expensive_assertion(std::is_sorted(components.begin(), components.end(),
-                                            [](const Edge_component& a, const Edge_component& b) { return a.first < b.first; }));
+    CGAL_expensive_assertion(std::is_sorted(
+      components.begin(), components.end(),
+      [](const Edge_component& a, const Edge_component& b) { return a.first < b.first; }));
     m_edge_components = components;
   }
 
