@@ -24,7 +24,8 @@ STARS = INTERNAL + "propagation/Star_propagation.h"
 SECTOR = INTERNAL + "propagation/Emission_sector.h"
 WAVEFRONT = INTERNAL + "propagation/Wavefront.h"
 SOURCES = INTERNAL + "surface/Source_insertion.h"
-PARALLEL = INTERNAL + "propagation/Parallel_distance_propagation.h"
+PARALLEL = INTERNAL + "propagation/parallel/Parallel_distance_propagation.h"
+PART = INTERNAL + "propagation/parallel/Wavefront_part.h"
 FARTHEST = INTERNAL + "surface/Farthest_vertex_queue.h"
 STRAIGHT = INTERNAL + "paths/Straight_piece.h"
 ISOLINES = INTERNAL + "paths/isoline_tracing.h"
@@ -238,11 +239,11 @@ MUTANTS = [
      "m_is_in_sector[f] = 0;\n      f = star.faces[f].next;", "f = star.faces[f].next;",
      "windows start in faces that no path bends into", (EMISSION,)),
     ("list_waits_too_long", WAVEFRONT,
-     "m_queue.push_or_decrease(m_field.distance[b] < m_field.distance[a] ? b : a, f.outward_distance);",
-     "m_queue.push_or_decrease(m_field.distance[b] < m_field.distance[a] ? b : a, 2 * f.outward_distance);",
+     "push(b.distance < a.distance ? b.vertex : a.vertex, f.outward_distance);",
+     "push(b.distance < a.distance ? b.vertex : a.vertex, 2 * f.outward_distance);",
      "lists are visited too late: distances are said to be final that are not", (OPTIONS,)),
     ("bends_nowhere", WAVEFRONT,
-     "      m_emission[v] |= MUST_EMIT;\n      m_queue.push_or_decrease(v, link.distance);\n", "",
+     "      m_emission[v] |= MUST_EMIT;\n      push(v, distance);\n", "static_cast<void>(push);",
      "no path bends at a saddle", (ANALYTIC, FLAT)),
     ("unreached_vertices_left", WAVEFRONT,
      "if(reached == m_mesh.number_of_vertices() || reached == m_reached_at_last_start)", "if(reached > 0)",
@@ -367,17 +368,22 @@ MUTANTS = [
 
     # --- parallel propagation, sampling ---
     ("neighbors_at_the_same_time", PARALLEL,
-     "for(const Link_vertex<FT>& link : f.star.links)\n"
-     "        m_last_visit_near[link.vertex] = i + 1;",
-     "",
-     "stars that share faces are worked on at the same time", (PARALLEL_TEST,),
-     "what comes to a star that is out waits for its next visit: there are more visits, and the same distances"),
+     "    if(!is_nearest_of_neighbors(q.vertex))\n", "    if(!is_nearest_of_neighbors(q.vertex) && worker.messages.empty())\n",
+     "stars that share faces are worked on at the same time", (PARALLEL_TEST,)),
     ("deferred_vertices_lost", PARALLEL,
-     "m_wavefront.queue().push_or_decrease(neighbor.second, neighbor.first);", "static_cast<void>(neighbor);",
-     "vertices next to a star that was out are never visited", (PARALLEL_TEST,)),
-    ("parallel_end_too_early", PARALLEL,
-     "      key = (std::min)(key, flight(i).key);\n", "",
-     "a run to targets ends while nearer stars are under way", (PARALLEL_TEST,)),
+     "      push(q.vertex, q.key, worker);\n      return;", "      return;",
+     "vertices next to one that is visited are never visited", (PARALLEL_TEST,)),
+    ("parallel_end_too_early", PART,
+     "return !m_batch.empty() ? m_batch.front().key\n         : m_queue.empty() ",
+     "return m_queue.empty() ",
+     "a run to targets ends before the nearest vertices are visited", (PARALLEL_TEST,)),
+    ("messages_in_any_order", PART,
+     "if(best == nullptr || i.wins(*best))", "if(best == nullptr)",
+     "of several improvements of a vertex the first message counts", (PARALLEL_TEST,)),
+    ("batch_lost_at_the_end", PART,
+     "      push(q.vertex, q.key);\n    m_batch.clear();", "      static_cast<void>(q);\n    m_batch.clear();",
+     "a run that ends early loses the vertices of its last batch", (PARALLEL_TEST,),
+     "nothing goes on from there: restart() drops them as well"),
     ("farthest_not_up_to_date", FARTHEST,
      "if(!(m_distance[top.second] < top.first))",
      "if(m_distance[top.second] > 0 || !(m_distance[top.second] < top.first))",

@@ -10,7 +10,7 @@
 
 #include <CGAL/Surface_mesh_geodesics/certify_geodesic_distances.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_propagation.h>
-#include <CGAL/Surface_mesh_geodesics/internal/propagation/Parallel_distance_propagation.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Parallel_distance_propagation.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 #ifndef SURFACE_MESH_GEODESICS_THREAD_TEAM_H
 #define SURFACE_MESH_GEODESICS_THREAD_TEAM_H
 
-// A team of threads (internal/propagation/Worker_team.h) made of std::thread. It needs no library and works with the
-// thread sanitizer.
+// A team of threads (internal/propagation/Worker_team.h) made of std::thread. It needs no library and works
+// with the thread sanitizer.
 
 #include <cstddef>
 #include <thread>

@@ -19,7 +19,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/interface/run_with_visitor.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Available_tag.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_propagation.h>
-#include <CGAL/Surface_mesh_geodesics/internal/propagation/Parallel_distance_propagation.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Parallel_distance_propagation.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Repeated_propagation.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Worker_team.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Source_insertion.h>

@@ -26,6 +26,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Stopping_criterion.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Vertex_star.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Wavefront.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/Wavefront_queue.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Edge_window_field.h>
@@ -33,6 +34,8 @@
 
 #include <CGAL/assertions.h>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <limits>
 
@@ -61,14 +64,18 @@ public:
   // Resets the field, which receives the result. Mesh and field must outlive this object. The keeper is given each list
   // that is propagated, and the distance reached before each visit of a vertex.
   Distance_propagation(const Mesh& mesh, Field& field, Keeper keeper = Keeper(), Lane_choice lanes = Lane_choice::BEST)
-    : m_mesh(mesh), m_wavefront(mesh, field), m_stars(mesh, field.distance, keeper, lanes)
+    : m_mesh(mesh), m_wavefront(mesh, field), m_queue(mesh.number_of_vertices()),
+      m_stars(mesh, field.distance, keeper, lanes)
   {}
 
   // Removes the sources, distances, limits and statistics of the last run. The mesh may have changed since.
   // Linear in the area that the last run reached.
   void restart()
   {
-    m_wavefront.restart(m_stars.pool());
+    const std::array<Window_list_slots*, 1> slots{&m_slots};
+    m_wavefront.restart(m_stars.pool(), slots);
+    m_queue.restart(m_mesh.number_of_vertices());
+    m_maximum_windows_alive = 0;
     m_stars.restart();
     m_stars.set_maximum_distance(Field::infinity());
     m_end = Stopping_criterion<FT>();
@@ -87,7 +94,7 @@ public:
   //   distance are recognized as stale.
   void add_source(Vertex_id v, const FT& offset)
   {
-    m_wavefront.add_source(v, offset);
+    m_wavefront.add_source(v, offset, pusher());
     m_end.go_back_to(offset);
   }
 
@@ -108,26 +115,27 @@ public:
   template <typename GoOn>
   bool run(GoOn go_on)
   {
-    while(!m_wavefront.queue().empty() || goes_on_beside_unreached_vertices())
+    while(!m_queue.empty() || goes_on_beside_unreached_vertices())
     {
-      if(m_end.is_reached_at(m_wavefront.queue().top_key(), m_wavefront.distances()))
+      if(m_end.is_reached_at(m_queue.top_key(), m_wavefront.distances()))
         return true;
       if(!go_on(m_stars.statistics().vertices_visited, m_end.reached_distance()))
         return false;
-      CGAL_expensive_assertion(ascends(m_wavefront.queue().top_key()));
+      CGAL_expensive_assertion(ascends(m_queue.top_key()));
       m_stars.keeper().advance(m_end.reached_distance());
-      m_star.surround(m_mesh, m_wavefront.queue().top());
-      m_wavefront.queue().pop();
-      m_wavefront.take(m_star);
+      m_star.surround(m_mesh, m_queue.top());
+      const FT key = m_queue.top_key();
+      m_queue.pop();
+      m_wavefront.take(m_star, key, m_slots);
       // With many sources the vertex that will probably be next is far away: fetch its star meanwhile.
-      const Vertex_id next = m_wavefront.queue().empty() ? m_star.vertex : m_wavefront.queue().top();
+      const Vertex_id next = m_queue.empty() ? m_star.vertex : m_queue.top();
       m_mesh.prefetch_star(next);
       m_stars.propagate(m_star);
       m_mesh.prefetch_faces_of_star(next);
-      m_wavefront.put_back(m_star, m_stars.pool());
-      CGAL_expensive_assertion(m_wavefront.is_queued_around(m_star));
+      put_back();
+      CGAL_expensive_assertion(m_wavefront.is_queued_around(m_star, m_queue));
     }
-    CGAL_assertion(m_wavefront.empty());
+    CGAL_assertion(m_slots.number_of_windows == 0);
     m_end.set_complete();
     return true;
   }
@@ -138,20 +146,42 @@ public:
   Propagation_statistics statistics() const
   {
     Propagation_statistics s = m_stars.statistics();
-    s.maximum_windows_alive = m_wavefront.maximum_windows_alive();
+    s.maximum_windows_alive = m_maximum_windows_alive;
     s.maximum_window_bytes = m_stars.memory() + m_wavefront.memory();
-    s.intrinsic_mesh_bytes = m_wavefront.table_memory(); // the caller adds the mesh and the results
+    // The caller adds the mesh and the results.
+    s.intrinsic_mesh_bytes = m_wavefront.table_memory() + m_queue.table_memory();
     return s;
   }
 
 private:
+  auto pusher()
+  {
+    return [this](Vertex_id v, const FT& key) { m_queue.push_or_decrease(v, key); };
+  }
+
+  // Takes over the distances and the lists of the star.
+  void put_back()
+  {
+    bool are_windows_stale = false;
+    m_wavefront.for_each_improved_link(m_star, [&](const Link_vertex<FT>& link)
+    {
+      are_windows_stale |= m_wavefront.improve(link.vertex, link.distance, link.arrival, link.image,
+                                               m_wavefront.reached(), pusher());
+    });
+    m_wavefront.put_lists(m_star, m_stars.pool(), m_slots, pusher());
+    if(are_windows_stale)
+      m_wavefront.expect_stale_windows(m_queue.largest_key());
+    m_maximum_windows_alive =
+      (std::max)(m_maximum_windows_alive, static_cast<std::size_t>(m_slots.number_of_windows));
+  }
+
   // Starts once more beside vertices that rounding has left without a distance (see Wavefront); not under a maximum
   // distance, which leaves vertices unreached on purpose. Requires: nothing waits.
   bool goes_on_beside_unreached_vertices()
   {
-    if(m_end.maximum_distance() < Field::infinity() || !m_wavefront.start_beside_unreached_vertices())
+    if(m_end.maximum_distance() < Field::infinity() || !m_wavefront.start_beside_unreached_vertices(pusher()))
       return false;
-    m_end.go_back_to(m_wavefront.queue().top_key());
+    m_end.go_back_to(m_queue.top_key());
     return true;
   }
 
@@ -165,8 +195,11 @@ private:
 
   const Mesh& m_mesh;
   Wavefront<FT> m_wavefront;
+  Wavefront_queue<FT> m_queue;
+  Window_list_slots m_slots;
   Star_propagation<FT, Rules, Keeper> m_stars;
   Stopping_criterion<FT> m_end;
+  std::size_t m_maximum_windows_alive = 0;
   Vertex_star<FT> m_star; // of the vertex that is visited; a buffer between visits
 };
 

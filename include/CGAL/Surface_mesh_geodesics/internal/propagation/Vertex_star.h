@@ -15,7 +15,7 @@
 //
 // A visit touches nothing else. It is therefore a function of the star, and the sequential and the parallel propagation
 // share it: the wavefront fills the star (Wavefront::take), Star_propagation carries the windows through it, and the
-// wavefront takes the result over (Wavefront::put_back).
+// wavefront takes the result over (Wavefront::put_lists).
 //
 // Each face (v, a, b), counterclockwise, has three lists. Windows that turn around v counterclockwise enter the face
 // across va. Windows that turn clockwise enter it across bv. Both leave it across ab, the edge of the link of v, or go
@@ -79,7 +79,7 @@ struct Star_face
 //   `waiting` exactly if its counterclockwise list has windows, and face n - 1 - i is counted in `waiting_from_last` as
 //   i exactly if its clockwise list has.
 // - After Star_propagation::propagate(): nothing waits to enter a face; windows are in `outward` lists only.
-// - After Wavefront::put_back(): all lists are empty.
+// - After Wavefront::put_lists(): all lists are empty.
 template <typename FT>
 struct Vertex_star
 {
@@ -95,6 +95,7 @@ struct Vertex_star
   // The faces that counterclockwise lists wait to enter, and those that clockwise lists wait to enter. The latter are
   // counted from the last face, so that both sweeps visit ascending numbers.
   Bitset waiting, waiting_from_last;
+  Bitset marks; // a buffer of Wavefront
 
   // Finds the faces and links of v. The caller fills in the rest. Linear in the degree of v.
   void surround(const Intrinsic_mesh<FT>& mesh, Vertex_id v)

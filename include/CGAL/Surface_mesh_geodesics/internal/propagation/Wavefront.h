@@ -10,12 +10,18 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_WAVEFRONT_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_WAVEFRONT_H
 
-// The wavefront (thesis, 3.3.2 and 4.3): the window lists that wait on edges, and the vertices that must be visited,
-// nearest first. It owns all state between visits of vertices.
+// The wavefront (thesis, 3.3.2 and 4.3): the window lists that wait on edges, the distances found so far, and the
+// vertices that must still emit windows. It owns all state between visits of vertices but the queue of vertices, which
+// belongs to the propagation: wherever a vertex must be queued, the wavefront calls push(vertex, key).
 //
 // A visit has three steps. The wavefront moves the lists around a vertex into a star (take), the windows are propagated
-// through the star (Star_propagation.h), and the wavefront takes over what leaves the star (put_back). The sequential
-// and the parallel propagation differ only in when they call these steps.
+// through the star (Star_propagation.h), and the wavefront takes over what leaves the star (put_lists and improve). The
+// sequential and the parallel propagation differ only in when, and in which thread, they call these steps.
+//
+// What two visits may do at the same time. Let no two of the vertices be neighbors. Then their stars share no face, and
+// take() and put_lists() of one visit use lists that no other visit uses: a list is taken by a visit of an end of its
+// edge, and put by a visit of the vertex opposite to its edge. improve() changes distances that other visits read, so
+// it must wait until all visits are over.
 //
 // Deviation from the thesis: lists that turn back into the area already traversed wait like all others. The thesis
 // propagates them at once (4.3.1, Geodesic Update). Waiting merges them with other windows that reach the same edge,
@@ -25,7 +31,6 @@
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/prefetch.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Star_propagation.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Vertex_star.h>
-#include <CGAL/Surface_mesh_geodesics/internal/propagation/Wavefront_queue.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Window_lists.h>
@@ -40,7 +45,7 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// Invariants, while no star is taken out:
+// Invariants, while no star is taken out and each vertex is queued that was pushed:
 // - Each list that waits on a halfedge has an end of that edge in the queue, with a key that is not greater than the
 //   distance of any of its windows.
 // - Each pseudo-source that must emit windows is in the queue, with a key that is not greater than its distance.
@@ -49,9 +54,6 @@ namespace internal {
 //
 // Distances of vertices never grow. A window is never nearer than its parent, so the keys of successive visits ascend,
 // up to rounding, unless a source is added; and a distance that is not greater than the top key is final.
-//
-// The parallel propagation removes a vertex from the queue while the star of a neighbor is taken out, and reinserts it
-// afterwards with its key. The first two invariants then hold for the queue and these vertices together.
 template <typename FT_>
 class Wavefront
 {
@@ -63,7 +65,7 @@ public:
 
   // Resets the field, which receives the result. Mesh and field must outlive this object.
   Wavefront(const Mesh& mesh, Field& field)
-    : m_mesh(mesh), m_field(field), m_lists(mesh.number_of_faces()), m_queue(mesh.number_of_vertices()),
+    : m_mesh(mesh), m_field(field), m_lists(mesh.number_of_faces()),
       m_emission(mesh.number_of_vertices(), 0)
   {
     m_field.reset(mesh.number_of_vertices());
@@ -73,119 +75,159 @@ public:
   Wavefront& operator=(const Wavefront&) = delete;
 
   // Removes all sources, distances and windows, in time proportional to what has been reached. The mesh may have
-  // changed since. Requires: no star is taken out; `pool` may be any pool of the propagation.
-  void restart(Window_pool<FT>& pool)
+  // changed since. `slots` are those of all threads; `pool` may be the pool of any. Requires: no star is taken out.
+  template <typename RangeOfSlots>
+  void restart(Window_pool<FT>& pool, const RangeOfSlots& slots)
   {
     for(const Vertex_id v : m_field.reached)
       m_emission[v] = 0;
     m_emission.resize(m_mesh.number_of_vertices(), 0);
     m_field.restart(m_mesh.number_of_vertices());
-    m_queue.restart(m_mesh.number_of_vertices());
-    m_lists.restart(m_mesh.number_of_faces(), pool);
-    m_has_stale_windows = false;
-    m_maximum_windows_alive = 0;
+    m_lists.restart(m_mesh.number_of_faces(), pool, slots);
+    m_stale_up_to = -1;
     m_reached_at_last_start = 0;
   }
 
   // Adds a source. Ignores a source that is not nearer to its vertex than earlier ones: of equal sources the first one
   // stays. Requires: v is a vertex of the mesh; offset >= 0 and finite.
-  void add_source(Vertex_id v, const FT& offset)
+  template <typename Push>
+  void add_source(Vertex_id v, const FT& offset, Push push)
   {
     CGAL_assertion(v < m_field.distance.size() && offset >= 0 && offset < Field::infinity());
     if(!(offset < m_field.distance[v]))
       return;
     if((m_emission[v] & HAS_EMITTED) != 0)
-      m_has_stale_windows = true;
+      m_stale_up_to = Field::infinity();
     m_field.set_distance(v, offset);
     m_field.arrival[v].abscissa = 0;
     m_field.arrival[v].halfedge = null_id;
     m_field.arrival[v].root = v;
     m_emission[v] |= MUST_EMIT;
-    m_queue.push_or_decrease(v, offset);
+    push(v, offset);
   }
 
-  Wavefront_queue<FT>& queue() { return m_queue; }
   const FT& distance(Vertex_id v) const { return m_field.distance[v]; }
   const std::vector<FT>& distances() const { return m_field.distance; }
 
-  // Does nothing wait?
-  bool empty() const { return m_queue.empty() && m_lists.number_of_windows() == 0; }
-
-  // Moves what waits around a vertex into its star, and copies distances there. Linear in the degree of the vertex.
-  // Requires: star.surround() was called; the vertex is not in the queue; no star of a neighbor is taken out.
-  void take(Star& star)
+  // Moves what waits around a vertex into its star, and copies distances there. `key` is the queue key of the vertex.
+  // Linear in the degree of the vertex. Requires: star.surround() was called; the vertex has left the queue; no star
+  // of a neighbor is taken out.
+  void take(Star& star, const FT& key, Window_list_slots& slots)
   {
-    CGAL_expensive_assertion(!m_queue.contains(star.vertex));
     copy_distances(star);
-    take_lists(star);
+    star.has_stale_windows = key <= m_stale_up_to;
+    take_lists(star, slots);
   }
 
-  // Does the star improve the distance of a vertex that has emitted windows?
-  bool makes_windows_stale(const Star& star) const
-  {
-    return std::any_of(star.links.begin(), star.links.end(), [this](const Link_vertex<FT>& link)
-                       { return link.is_improved && (m_emission[link.vertex] & HAS_EMITTED) != 0; });
-  }
-
-  // Takes over the lists that leave a star and the distances of its links. Linear in the degree of the vertex, plus the
-  // windows of lists that have to be merged. Requires: the star was taken and propagated.
+  // Takes over the lists that leave a star. Linear in the degree of the vertex, plus the windows of lists that have to
+  // be merged. Requires: the star was taken and propagated.
   //
-  // A list is queued at the nearer end of its edge; of ends at the same distance, at the target of its halfedge.
-  void put_back(Star& star, Window_pool<FT>& pool)
+  // A list is queued at the nearer end of its edge, as the star knows the ends; of ends at the same distance, at the
+  // target of its halfedge.
+  template <typename Push>
+  void put_lists(Star& star, Window_pool<FT>& pool, Window_list_slots& slots, Push push)
   {
     CGAL_expensive_assertion(star.nothing_waits());
-    put_distances(star);
-    put_lists(star, pool);
-    m_maximum_windows_alive = (std::max)(m_maximum_windows_alive, m_lists.number_of_windows());
+    for_each_marked(star.marks, star.faces, [](const Star_face<FT>& f) { return f.outward.size > 0; },
+                    [&](Star_face<FT>& f)
+    {
+      const Link_vertex<FT>&a = star.links[f.first], &b = star.links[f.second];
+      const Halfedge_id h = m_mesh.opposite(next_halfedge(f.halfedge));
+      CGAL_expensive_assertion(h != null_id && f.outward_distance < Field::infinity());
+      prefetch(&m_mesh.face(face_of(h))); // not visited before, so in no cache
+      m_lists.put(h, f.outward, pool, slots);
+      push(b.distance < a.distance ? b.vertex : a.vertex, f.outward_distance);
+    });
   }
+
+  // Calls visit(link) for each link that the star has improved.
+  template <typename Visit>
+  static void for_each_improved_link(Star& star, Visit visit)
+  {
+    for_each_marked(star.marks, star.links, [](const Link_vertex<FT>& link) { return link.is_improved; }, visit);
+  }
+
+  // Takes over the distance of a link that a star has improved, and pushes the vertex if it must emit windows. Appends
+  // the vertex to `reached` if it had no distance. Returns whether the vertex had emitted windows, which are stale now.
+  // Requires: of several improvements of a vertex in stars that are out together, only the best one is taken over.
+  template <typename Push>
+  bool improve(Vertex_id v, const FT& distance, const Vertex_arrival<FT>& arrival, const Arrival_image<FT>& image,
+               std::vector<Vertex_id>& reached, Push push)
+  {
+    CGAL_expensive_assertion(distance < m_field.distance[v]);
+    if(!(m_field.distance[v] < Field::infinity()))
+      reached.push_back(v);
+    m_field.distance[v] = distance;
+    m_field.arrival[v] = arrival;
+    if(m_field.keeps_images)
+      m_field.image[v] = image;
+    m_emission[v] &= HAS_EMITTED;
+    if(m_mesh.has(v, Mesh::PSEUDO_SOURCE))
+    {
+      m_emission[v] |= MUST_EMIT;
+      push(v, distance);
+    }
+    return (m_emission[v] & HAS_EMITTED) != 0;
+  }
+
+  // Lets stars expect stale windows, if improve() has returned true: those of vertices with keys up to `largest_key`.
+  // Requires: this is not smaller than any key in the queue.
+  //
+  // All lists that wait now are taken by visits with such keys, and these visits remove stale windows. (One that is
+  // missed costs time, no digit: it is part of a path on the surface.)
+  void expect_stale_windows(const FT& largest_key) { m_stale_up_to = (std::max)(m_stale_up_to, largest_key); }
 
   // Is everything that waits next to the vertex of a star queued? That is the part of the invariants that a visit of
   // the vertex could break. Requires: no star is taken out.
-  bool is_queued_around(const Star& star) const
+  template <typename Queue>
+  bool is_queued_around(const Star& star, const Queue& queue) const
   {
     for(const Link_vertex<FT>& link : star.links)
-      if((m_emission[link.vertex] & MUST_EMIT) != 0 && !m_queue.contains(link.vertex))
+      if((m_emission[link.vertex] & MUST_EMIT) != 0 && !queue.contains(link.vertex))
         return false;
     for(const Star_face<FT>& f : star.faces)
     {
       const Halfedge_id h = m_mesh.opposite(next_halfedge(f.halfedge));
-      if(h != null_id && m_lists.has(h) && !m_queue.contains(star.links[f.first].vertex)
-         && !m_queue.contains(star.links[f.second].vertex))
+      if(h != null_id && m_lists.has(h) && !queue.contains(star.links[f.first].vertex)
+         && !queue.contains(star.links[f.second].vertex))
         return false;
     }
     return true;
   }
 
   // Lets windows start at vertices with a distance that share a face with a vertex without one, as if paths could bend
-  // there. Returns whether there are any. Requires: nothing waits. Linear in the area reached, and constant if no
+  // there, and returns whether there are any. Requires: nothing waits. Linear in the area reached, and constant if no
   // vertex was reached since the last call.
   //
   // In exact arithmetic no such vertex exists. In faces thinner than rounding each of two paths may have been pruned
   // because of the other. Only the area reached is searched: with many components all other faces would cost more than
   // the propagation.
-  bool start_beside_unreached_vertices()
+  template <typename Push>
+  bool start_beside_unreached_vertices(Push push)
   {
-    CGAL_assertion(empty());
     const std::size_t reached = m_field.reached.size();
     if(reached == m_mesh.number_of_vertices() || reached == m_reached_at_last_start)
       return false;
     m_reached_at_last_start = reached;
+    bool is_any = false;
     for(const Vertex_id v : m_field.reached)
       if(is_beside_unreached_vertex(v))
       {
         m_emission[v] |= MUST_EMIT;
-        m_queue.push_or_decrease(v, m_field.distance[v]);
+        push(v, m_field.distance[v]);
+        is_any = true;
       }
-    return !m_queue.empty();
+    return is_any;
   }
 
-  std::size_t maximum_windows_alive() const { return m_maximum_windows_alive; }
+  Window_lists<FT>& lists() { return m_lists; }
+  std::vector<Vertex_id>& reached() { return m_field.reached; }
   std::size_t memory() const { return m_lists.memory(); }
 
   // Bytes of the tables that have an entry for each vertex or halfedge of the mesh.
   std::size_t table_memory() const
   {
-    return m_lists.table_memory() + m_queue.table_memory() + m_emission.capacity();
+    return m_lists.table_memory() + m_emission.capacity();
   }
 
 private:
@@ -199,7 +241,6 @@ private:
     star.distance = m_field.distance[v];
     star.arrival = m_field.arrival[v];
     star.is_degenerate = m_mesh.has(v, Mesh::DEGENERATE);
-    star.has_stale_windows = m_has_stale_windows;
     star.emits = (m_emission[v] & MUST_EMIT) != 0;
     star.has_emitted = (m_emission[v] & HAS_EMITTED) != 0;
     if(star.emits)
@@ -214,7 +255,7 @@ private:
 
   // Moves the lists of all halfedges that lead into the star, and marks the faces that they wait to enter. The flags of
   // all faces are read first, without a branch; then only the lists that exist are visited.
-  void take_lists(Star& star)
+  void take_lists(Star& star, Window_list_slots& slots)
   {
     const std::size_t n = star.faces.size();
     star.waiting.reset(n);
@@ -226,37 +267,23 @@ private:
       star.waiting_from_last.insert(n - 1 - i, m_lists.has(previous_halfedge(h)));
     }
     star.waiting.for_each(
-      [&](std::size_t i) { m_lists.take(star.faces[i].halfedge, star.faces[i].counterclockwise); });
+      [&](std::size_t i) { m_lists.take(star.faces[i].halfedge, star.faces[i].counterclockwise, slots); });
     star.waiting_from_last.for_each([&](std::size_t i)
     {
       Star_face<FT>& f = star.faces[n - 1 - i];
-      m_lists.take(previous_halfedge(f.halfedge), f.clockwise);
+      m_lists.take(previous_halfedge(f.halfedge), f.clockwise, slots);
     });
   }
 
-  void put_distances(Star& star)
+  // Calls visit() for the elements that satisfy a condition. All are tested first, without a branch; then only those
+  // that satisfy it are visited. `marks` is a buffer.
+  template <typename T, typename Condition, typename Visit>
+  static void for_each_marked(Bitset& marks, std::vector<T>& elements, Condition condition, Visit visit)
   {
-    m_set.reset(star.links.size());
-    for(std::size_t i = 0; i < star.links.size(); ++i)
-      m_set.insert(i, star.links[i].is_improved);
-    m_set.for_each([&](std::size_t i) { improve(star.links[i]); });
-  }
-
-  void put_lists(Star& star, Window_pool<FT>& pool)
-  {
-    m_set.reset(star.faces.size());
-    for(std::size_t i = 0; i < star.faces.size(); ++i)
-      m_set.insert(i, star.faces[i].outward.size > 0);
-    m_set.for_each([&](std::size_t i)
-    {
-      Star_face<FT>& f = star.faces[i];
-      const Vertex_id a = star.links[f.first].vertex, b = star.links[f.second].vertex;
-      const Halfedge_id h = m_mesh.opposite(next_halfedge(f.halfedge));
-      CGAL_expensive_assertion(h != null_id && f.outward_distance < Field::infinity());
-      prefetch(&m_mesh.face(face_of(h))); // not visited before, so in no cache
-      m_lists.put(h, f.outward, pool);
-      m_queue.push_or_decrease(m_field.distance[b] < m_field.distance[a] ? b : a, f.outward_distance);
-    });
+    marks.reset(elements.size());
+    for(std::size_t i = 0; i < elements.size(); ++i)
+      marks.insert(i, condition(elements[i]));
+    marks.for_each([&](std::size_t i) { visit(elements[i]); });
   }
 
   bool is_beside_unreached_vertex(Vertex_id v) const
@@ -270,36 +297,11 @@ private:
     return is_beside;
   }
 
-  // Takes over the distance of a link, unless it is no improvement any more: in the parallel propagation another star
-  // may have improved the vertex in the meantime.
-  void improve(const Link_vertex<FT>& link)
-  {
-    const Vertex_id v = link.vertex;
-    if(!is_improvement(link.distance, m_field.distance[v], link.may_emit))
-      return;
-    CGAL_expensive_assertion(link.distance < m_field.distance[v]);
-    m_field.set_distance(v, link.distance);
-    m_field.arrival[v] = link.arrival;
-    if(m_field.keeps_images)
-      m_field.image[v] = link.image;
-    if((m_emission[v] & HAS_EMITTED) != 0)
-      m_has_stale_windows = true;
-    m_emission[v] &= HAS_EMITTED;
-    if(m_mesh.has(v, Mesh::PSEUDO_SOURCE))
-    {
-      m_emission[v] |= MUST_EMIT;
-      m_queue.push_or_decrease(v, link.distance);
-    }
-  }
-
   const Mesh& m_mesh;
   Field& m_field;
   Window_lists<FT> m_lists;
-  Wavefront_queue<FT> m_queue;
   std::vector<unsigned char> m_emission; // flags of Emission, by vertex
-  Bitset m_set;                          // buffer of put_back(): the links, then the faces that have changed
-  bool m_has_stale_windows = false;      // a vertex that has emitted windows has been improved
-  std::size_t m_maximum_windows_alive = 0;
+  FT m_stale_up_to = -1; // visits with larger keys meet no window of a vertex that was improved after it emitted
   std::size_t m_reached_at_last_start = 0; // vertices reached at the last start_beside_unreached_vertices()
 };
 

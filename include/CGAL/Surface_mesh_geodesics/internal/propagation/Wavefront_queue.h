@@ -55,10 +55,12 @@ public:
     for(const Entry& entry : m_heap)
       m_position[entry.vertex] = null_id;
     m_heap.clear();
+    m_largest_key = 0;
     m_position.resize(number_of_vertices, null_id);
   }
 
   bool empty() const { return m_heap.empty(); }
+  std::size_t size() const { return m_heap.size(); }
   bool contains(Vertex_id v) const { return m_position[v] != null_id; }
 
   // The vertex with the smallest key, and its key. Requires: !empty().
@@ -74,6 +76,9 @@ public:
     return m_heap.front().key;
   }
 
+  // An upper bound of all keys in the queue: the largest one since restart().
+  const FT& largest_key() const { return m_largest_key; }
+
   // Inserts v, or decreases its key. Ignores a key that is not smaller than that of v. O(log n).
   // Requires: v is a vertex of the mesh; the key is a number.
   void push_or_decrease(Vertex_id v, const FT& key)
@@ -82,6 +87,7 @@ public:
     const Entry entry{key, v};
     if(!contains(v))
     {
+      m_largest_key = (std::max)(m_largest_key, key);
       m_heap.push_back(entry);
       sift_up(m_heap.size() - 1, entry);
     }
@@ -185,6 +191,7 @@ private:
   }
 
   std::vector<Entry> m_heap;
+  FT m_largest_key = 0;
   std::vector<std::uint32_t> m_position; // in m_heap, by vertex
 };
 

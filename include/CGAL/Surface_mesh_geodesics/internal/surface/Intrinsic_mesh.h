@@ -172,6 +172,22 @@ public:
     });
   }
 
+  // Calls visit(u) for the vertices that share an edge of a face with v, each at least once. Linear in the degree of v.
+  template <typename Visit>
+  void for_each_neighbor(Vertex_id v, Visit visit) const
+  {
+    const auto visit_both = [&](Halfedge_id h)
+    {
+      const Face& f = face(face_of(h));
+      visit(f.vertex[next_corner(index_in_face(h))]);
+      visit(f.vertex[previous_corner(index_in_face(h))]);
+    };
+    if(has_star(v))
+      std::for_each(star_begin(v), star_end(v), visit_both);
+    else
+      for_each_halfedge_around(v, visit_both);
+  }
+
   // --- sizes and bounds ---
 
   // Returns the factor from the lengths of this mesh to those of the user: a power of two, so that multiplying by it is

@@ -87,11 +87,10 @@ public:
   {
     CGAL_expensive_assertion(internal::is_valid(list, c.length));
     const bool is_unusual = list.may_be_marked() || list.number_of_faces_crossed() > m_mesh.most_faces_crossed();
-    if(list.number_of_faces_crossed() % edges_for_pruning != 0 && !is_unusual && !m_has_stale_windows)
+    const bool is_suspicious = is_unusual || (m_has_stale_windows && has_stale_windows(list));
+    if(list.number_of_faces_crossed() % edges_for_pruning != 0 && !is_suspicious)
       return;
-    const bool has_suspects = is_unusual || (m_has_stale_windows && has_stale_windows(list))
-                                ? suspect_all(list)
-                                : trim(list, c, corners);
+    const bool has_suspects = is_suspicious ? suspect_all(list) : trim(list, c, corners);
     if(has_suspects)
       remove_dominated_suspects(list, c, corners);
     CGAL_expensive_assertion(internal::is_valid(list, c.length));

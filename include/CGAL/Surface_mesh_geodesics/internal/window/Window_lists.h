@@ -36,6 +36,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <vector>
 
 namespace CGAL {
@@ -396,91 +397,150 @@ private:
   std::size_t m_number_of_rows = 0;
 };
 
+// What one thread needs to put lists aside and take them again: slots that are free, and how many windows it has put
+// aside more than taken. Another thread may take what one has put aside, so only sums over all threads mean something.
+struct Window_list_slots
+{
+  std::vector<std::uint32_t> free;
+  std::ptrdiff_t number_of_windows = 0;
+};
+
 // The waiting lists, by halfedge. A table maps each halfedge to a slot; slots of taken lists are used again. So the
 // table has four bytes for each halfedge of the mesh, and the lists take memory for the widest wavefront only.
 //
-// Invariants: a halfedge has a slot if and only if the slot has that halfedge; lists in slots are not empty, those in
-// free slots have no block; number_of_windows() is the sum of the sizes of all lists.
+// Threads that have slots of their own may take and put lists at the same time, as long as no two of them are concerned
+// with the same halfedge: slots never move, and a lock guards the making of new ones.
+//
+// Invariant: each slot has a halfedge, of which it is the slot, and a list with windows; or it has neither, and is free
+// in one Window_list_slots or in m_free_slots.
 template <typename FT>
 class Window_lists
 {
 public:
   using List = Window_list<FT>;
 
-  explicit Window_lists(std::size_t number_of_faces)
-    : m_slot_of_halfedge(3 * number_of_faces, null_id)
-  {}
+  explicit Window_lists(std::size_t number_of_faces) { resize(number_of_faces, 1); }
 
   // Removes all lists, gives their blocks to the pool, and prepares for a mesh with this number of faces. Linear in the
-  // largest number of lists that have waited at the same time.
-  void restart(std::size_t number_of_faces, Window_pool<FT>& pool)
+  // largest number of lists that have waited at the same time. Requires: `slots_of_threads` is a range of pointers to
+  // the slots of all threads.
+  template <typename RangeOfSlots>
+  void restart(std::size_t number_of_faces, Window_pool<FT>& pool, const RangeOfSlots& slots_of_threads)
   {
-    for(std::size_t slot = 0; slot < m_lists.size(); ++slot)
-    {
-      if(m_halfedge_of_slot[slot] != null_id)
-        m_slot_of_halfedge[dense_index(m_halfedge_of_slot[slot])] = null_id;
-      pool.release(m_lists[slot]);
-    }
-    m_lists.clear();
-    m_halfedge_of_slot.clear();
     m_free_slots.clear();
-    m_number_of_windows = 0;
-    m_slot_of_halfedge.resize(3 * number_of_faces, null_id);
+    for(std::size_t slot = 0; slot < m_number_of_slots; ++slot)
+    {
+      Slot& s = at(static_cast<std::uint32_t>(slot));
+      if(s.halfedge != null_id)
+        m_slot_of_halfedge[dense_index(s.halfedge)] = null_id;
+      s.halfedge = null_id;
+      pool.release(s.list);
+      m_free_slots.push_back(static_cast<std::uint32_t>(slot));
+    }
+    std::size_t number_of_threads = 0;
+    for(Window_list_slots* slots : slots_of_threads)
+    {
+      *slots = Window_list_slots();
+      ++number_of_threads;
+    }
+    resize(number_of_faces, number_of_threads);
   }
 
   bool has(Halfedge_id h) const { return m_slot_of_halfedge[dense_index(h)] != null_id; }
 
   // Moves the list of h to `list`. Requires: has(h), and `list` has no block.
-  void take(Halfedge_id h, List& list)
+  void take(Halfedge_id h, List& list, Window_list_slots& slots)
   {
     CGAL_assertion(has(h) && list.columns.height == 0);
     std::uint32_t& slot = m_slot_of_halfedge[dense_index(h)];
-    list = m_lists[slot];
-    m_lists[slot] = List();
-    m_number_of_windows -= list.size;
-    m_halfedge_of_slot[slot] = null_id;
-    m_free_slots.push_back(slot);
+    Slot& s = at(slot);
+    list = s.list;
+    s.list = List();
+    s.halfedge = null_id;
+    slots.number_of_windows -= static_cast<std::ptrdiff_t>(list.size);
+    slots.free.push_back(slot);
     slot = null_id;
   }
 
   // Moves a list to h, where it is merged with the list that waits already. Requires: the list is not empty.
-  void put(Halfedge_id h, List& list, Window_pool<FT>& pool)
+  void put(Halfedge_id h, List& list, Window_pool<FT>& pool, Window_list_slots& slots)
   {
     CGAL_assertion(list.size > 0);
-    m_number_of_windows += list.size;
+    slots.number_of_windows += static_cast<std::ptrdiff_t>(list.size);
     const std::uint32_t occupied = m_slot_of_halfedge[dense_index(h)];
     if(occupied != null_id)
     {
-      pool.join(m_lists[occupied], list);
+      pool.join(at(occupied).list, list);
       return;
     }
-    if(m_free_slots.empty())
-    {
-      m_free_slots.push_back(static_cast<std::uint32_t>(m_lists.size()));
-      m_lists.emplace_back();
-      m_halfedge_of_slot.push_back(null_id);
-    }
-    const std::uint32_t slot = m_free_slots.back();
-    m_free_slots.pop_back();
+    if(slots.free.empty())
+      make_slots(slots);
+    const std::uint32_t slot = slots.free.back();
+    slots.free.pop_back();
     m_slot_of_halfedge[dense_index(h)] = slot;
-    m_halfedge_of_slot[slot] = h;
-    m_lists[slot] = list;
+    at(slot).halfedge = h;
+    at(slot).list = list;
     list = List();
   }
 
-  std::size_t number_of_windows() const { return m_number_of_windows; }
+  // Lets other threads use slots that a thread has too many of.
+  void share_surplus(Window_list_slots& slots)
+  {
+    if(slots.free.size() <= 2 * slots_in_chunk)
+      return;
+    m_free_slots.insert(m_free_slots.end(), slots.free.begin() + slots_in_chunk, slots.free.end());
+    slots.free.resize(slots_in_chunk);
+  }
 
-  std::size_t memory() const { return m_lists.capacity() * (sizeof(List) + sizeof(Halfedge_id)); }
+  std::size_t memory() const { return m_number_of_slots * sizeof(Slot); }
 
   // The memory of the table, which has an entry for each halfedge of the mesh.
   std::size_t table_memory() const { return m_slot_of_halfedge.capacity() * sizeof(std::uint32_t); }
 
 private:
+  struct Slot
+  {
+    List list;
+    Halfedge_id halfedge = null_id; // null_id if the slot is free
+  };
+
+  static constexpr std::size_t slots_in_chunk = 128;
+
+  Slot& at(std::uint32_t slot) { return m_chunks[slot / slots_in_chunk][slot % slots_in_chunk]; }
+
+  // Makes the table, and makes room for as many chunks as can ever be needed: threads read the places of chunks while
+  // another one makes a chunk. Beside the slots in use, each thread has at most three chunks (share_surplus()).
+  void resize(std::size_t number_of_faces, std::size_t number_of_threads)
+  {
+    m_slot_of_halfedge.resize(3 * number_of_faces, null_id);
+    const std::size_t n = 3 * number_of_faces / slots_in_chunk + 1 + 3 * number_of_threads;
+    if(m_chunks.size() < n)
+      m_chunks.resize(n);
+  }
+
+  // Gives a thread slots that are free.
+  void make_slots(Window_list_slots& slots)
+  {
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    if(m_free_slots.empty())
+    {
+      CGAL_assertion(m_number_of_slots / slots_in_chunk < m_chunks.size());
+      m_chunks[m_number_of_slots / slots_in_chunk].reset(new Slot[slots_in_chunk]);
+      for(std::size_t i = 0; i < slots_in_chunk; ++i)
+        m_free_slots.push_back(static_cast<std::uint32_t>(m_number_of_slots++));
+    }
+    for(std::size_t i = 0; i < slots_in_chunk && !m_free_slots.empty(); ++i)
+    {
+      slots.free.push_back(m_free_slots.back());
+      m_free_slots.pop_back();
+    }
+  }
+
   std::vector<std::uint32_t> m_slot_of_halfedge;
-  std::vector<List> m_lists;
-  std::vector<Halfedge_id> m_halfedge_of_slot; // null_id if the slot is free
-  std::vector<std::uint32_t> m_free_slots;
-  std::size_t m_number_of_windows = 0;
+  std::vector<std::unique_ptr<Slot[]>> m_chunks;
+  std::size_t m_number_of_slots = 0;
+  std::mutex m_mutex;                      // guards the members above, except the table, and m_free_slots
+  std::vector<std::uint32_t> m_free_slots; // of no thread
 };
 
 } // namespace internal

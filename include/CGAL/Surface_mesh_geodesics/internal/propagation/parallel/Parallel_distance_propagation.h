@@ -1,0 +1,519 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_PARALLEL_PARALLEL_DISTANCE_PROPAGATION_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_PARALLEL_PARALLEL_DISTANCE_PROPAGATION_H
+
+// VTP by several threads from one set of sources. The thesis visits one vertex at a time; here all vertices of a batch
+// are visited at the same time. Wavefront, star and visit are those of Distance_propagation.
+//
+// A round has two phases, whose units any thread may do (Work_sharing.h):
+// 1. Parts. Each part of the wavefront takes over what the last visits have left for its vertices, and moves its
+//    vertices with keys up to a threshold into the batch (Wavefront_part.h, Batch_threshold.h).
+// 2. Visits. Of neighbors in the batch only the nearest one is visited; the others are queued again. A visit takes its
+//    lists, propagates them and puts them back, all by itself: no two visits of a batch use the same list
+//    (Wavefront.h). What concerns vertices is left as messages for the parts.
+//
+// So the batches, and with them every bit of the result, depend neither on the number of threads nor on their speed.
+// What no other thread can help with is a few operations per round: choosing the threshold and asking the visitor.
+// Rounds that are too small to share are done by the calling thread alone.
+//
+// What is shared. The mesh does not change. Distances change in the phase of the parts only, each by the part of its
+// vertex. Each thread allocates windows from its own pool and returns blocks to its own pool, whoever allocated them.
+//
+// Exactness. Visiting a vertex that is not the nearest creates windows that would have been pruned otherwise. It
+// changes no distance beyond rounding: a window is pruned only if some path is shorter, and all other windows are
+// propagated in the end.
+
+#include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/Star_propagation.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/Stopping_criterion.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/Vertex_star.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/Wavefront.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Batch_threshold.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Wavefront_part.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Work_sharing.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/Pruning_rules.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+// `Team` is a team of threads: see Worker_team.h.
+//
+// Invariants, outside run() and at the beginning of each round:
+// - No star is taken out, and each list waits on a halfedge or not at all.
+// - A vertex that the wavefront needs is in the queue of its part, or in a message to it.
+// - m_marks[v].round == m_round exactly if v is in the batch of the last round.
+template <typename FT_, typename Rules_, typename Team>
+class Parallel_distance_propagation
+{
+public:
+  using FT = FT_;
+  using Rules = Rules_;
+  using Mesh = Intrinsic_mesh<FT>;
+  using Field = Vertex_distance_field<FT>;
+
+  // Vertices per batch while the wavefront is small.
+  static constexpr std::size_t default_batch_size = 16;
+
+  // Resets the field, which receives the result. Mesh and field must outlive this object. The result depends on the
+  // smallest aim for the size of a batch within rounding. Requires: it is at least 1.
+  Parallel_distance_propagation(const Mesh& mesh, Field& field, std::size_t smallest_batch_size = default_batch_size,
+                                const Team& team = Team())
+    : m_mesh(mesh), m_field(field), m_team(team), m_wavefront(mesh, field), m_threshold(smallest_batch_size),
+      m_maximum_distance(Field::infinity())
+  {
+    restart();
+  }
+
+  Parallel_distance_propagation(const Parallel_distance_propagation&) = delete;
+  Parallel_distance_propagation& operator=(const Parallel_distance_propagation&) = delete;
+
+  // Removes the sources, distances, limits and statistics of the last run. The mesh may have changed since. Linear in
+  // the area that the last run reached; linear in the mesh if an exception ended that run, or the number of threads has
+  // changed.
+  void restart()
+  {
+    make_workers();
+    drop_stars_and_messages();
+    m_wavefront.restart(m_workers.front()->stars.pool(), slots_of_workers());
+    for(const std::unique_ptr<Worker>& worker : m_workers)
+      worker->stars.restart();
+    release_surplus();
+    make_parts();
+    m_marks.resize(m_mesh.number_of_vertices());
+    m_maximum_distance = Field::infinity();
+    m_maximum_windows_alive = 0;
+    m_end = Stopping_criterion<FT>();
+  }
+
+  // Adds a source. Ignores a source that is not nearer to its vertex than earlier ones.
+  // Requires: v is a vertex of the mesh; offset >= 0 and finite; no run since restart().
+  void add_source(Vertex_id v, const FT& offset) { m_wavefront.add_source(v, offset, pusher()); }
+
+  // Does not propagate windows beyond d. Requires: d >= 0.
+  void set_maximum_distance(const FT& d)
+  {
+    m_maximum_distance = d;
+    m_end.set_maximum_distance(d);
+  }
+
+  // Ends the run when the distances of the vertices in [first, last) are final. The range is not copied.
+  void set_targets(const Vertex_id* first, const Vertex_id* last) { m_end.set_targets(first, last); }
+
+  // Propagates until nothing waits or a limit is reached, and returns true. Calls go_on(number of visits, distance
+  // reached) before each batch of visits, in the calling thread; if that returns false, stops at once and returns
+  // false. Rethrows the first exception of any thread. Requires: restart() was called after a run that did not return
+  // true.
+  template <typename GoOn>
+  bool run(GoOn go_on)
+  {
+    for(const std::unique_ptr<Worker>& worker : m_workers)
+      worker->stars.set_maximum_distance(m_maximum_distance);
+    bool is_complete = false;
+    std::exception_ptr failure;
+    m_sharing.begin();
+    m_team.run((std::min)(m_team.size(), m_workers.size()), [&](std::size_t i)
+    {
+      if(i > 0)
+      {
+        m_sharing.help([&](bool is_part, std::uint32_t unit)
+        { is_part ? update_part(unit) : visit_unit(*m_workers[i], unit); });
+        return;
+      }
+      try
+      {
+        is_complete = conduct([&]() { return go_on(number_of_visits(), reached_distance()); });
+      }
+      catch(...)
+      {
+        failure = std::current_exception();
+      }
+      m_sharing.end();
+    });
+    if(failure != nullptr)
+      std::rethrow_exception(failure);
+    return is_complete;
+  }
+
+  // Distances up to this one are final; infinity when the propagation is complete.
+  const FT& reached_distance() const { return m_end.reached_distance(); }
+
+  Propagation_statistics statistics() const
+  {
+    Propagation_statistics sum;
+    for(const std::unique_ptr<Worker>& worker : m_workers)
+    {
+      sum.add(worker->stars.statistics());
+      sum.maximum_window_bytes += worker->stars.memory();
+    }
+    sum.maximum_windows_alive = m_maximum_windows_alive;
+    sum.maximum_window_bytes += m_wavefront.memory();
+    sum.intrinsic_mesh_bytes = m_wavefront.table_memory() + m_marks.capacity() * sizeof(Mark);
+    for(const Wavefront_part<FT>& part : m_parts)
+      sum.intrinsic_mesh_bytes += part.table_memory(); // the caller adds the mesh and the results
+    return sum;
+  }
+
+private:
+  using Messages = Wavefront_messages<FT>;
+
+  // What one thread needs for visits.
+  struct alignas(64) Worker
+  {
+    Star_propagation<FT, Rules> stars;
+    Vertex_star<FT> star; // of the vertex that is visited; a buffer between visits
+    Window_list_slots slots;
+    std::vector<Messages> messages; // by part
+
+    Worker(const Mesh& mesh, const std::vector<FT>& distance) : stars(mesh, distance) {}
+  };
+
+  // The batch to which a vertex belonged last, and its key there, rounded.
+  struct Mark
+  {
+    std::uint32_t round = 0;
+    float key = 0;
+  };
+
+  // --- the conductor: the calling thread ---
+
+  // Visits batches until nothing waits or a limit is reached. Returns false as soon as go_on() does.
+  template <typename GoOn>
+  bool conduct(GoOn go_on)
+  {
+    m_threshold.start();
+    for(;;)
+    {
+      update_parts();
+      const std::size_t front = size_of_wavefront();
+      if(front == 0)
+      {
+        if(m_maximum_distance < Field::infinity() || !m_wavefront.start_beside_unreached_vertices(pusher()))
+          break;
+        m_end.go_back_to(nearest_key());
+        m_threshold.start();
+        continue;
+      }
+      const FT nearest = nearest_key();
+      if(m_end.is_reached_at(nearest, m_field.distance) || !m_team.isolate(go_on))
+      {
+        for(Wavefront_part<FT>& part : m_parts)
+          part.give_back_batch();
+        return m_end.is_reached_at(nearest, m_field.distance);
+      }
+      if(m_batch.empty())
+        m_threshold.go_on_from(nearest);
+      else
+      {
+        visit_batch();
+        m_threshold.go_on(m_batch.size(), farthest_key_in_batch(), front);
+      }
+    }
+    CGAL_assertion(number_of_windows() == 0);
+    m_end.set_complete();
+    return true;
+  }
+
+  // Phase 1.
+  void update_parts()
+  {
+    begin_round();
+    std::size_t n = 0; // of messages
+    for(const std::unique_ptr<Worker>& worker : m_workers)
+      for(const Messages& m : worker->messages)
+        n += m.improvements.size() + m.queued.size();
+    share(true, m_parts.size(), n >= smallest_shared_update, [this](std::uint32_t i) { update_part(i); });
+    m_batch.clear();
+    bool are_windows_stale = false;
+    FT largest_key = 0;
+    for(Wavefront_part<FT>& part : m_parts)
+    {
+      m_batch.insert(m_batch.end(), part.batch().begin(), part.batch().end());
+      std::vector<Vertex_id>& reached = m_wavefront.reached();
+      reached.insert(reached.end(), part.reached.begin(), part.reached.end());
+      part.reached.clear();
+      are_windows_stale |= part.has_stale_windows;
+      part.has_stale_windows = false;
+      largest_key = (std::max)(largest_key, part.largest_key());
+    }
+    if(are_windows_stale)
+      m_wavefront.expect_stale_windows(largest_key);
+  }
+
+  // Marks of earlier rounds become void.
+  void begin_round()
+  {
+    if(m_round == (std::numeric_limits<std::uint32_t>::max)())
+    {
+      std::fill(m_marks.begin(), m_marks.end(), Mark());
+      m_round = 0;
+    }
+    ++m_round;
+  }
+
+  // Phase 2.
+  void visit_batch()
+  {
+    for(Wavefront_part<FT>& part : m_parts)
+      part.clear_batch();
+    const std::size_t n = m_batch.size();
+    const std::size_t wanted_units = 8 * m_workers.size();
+    m_visits_per_unit = (std::max)(n / wanted_units, std::size_t(1));
+    while(number_of_units(n) > Work_sharing::maximum_number_of_units)
+      m_visits_per_unit *= 2;
+    share(false, number_of_units(n), n >= smallest_shared_batch,
+          [this](std::uint32_t i) { visit_unit(*m_workers.front(), i); });
+    m_maximum_windows_alive = (std::max)(m_maximum_windows_alive, number_of_windows());
+    for(const std::unique_ptr<Worker>& worker : m_workers)
+      m_wavefront.lists().share_surplus(worker->slots);
+  }
+
+  std::size_t number_of_units(std::size_t n) const { return (n + m_visits_per_unit - 1) / m_visits_per_unit; }
+
+  // Does the units of a phase, with the other threads if that is worth it.
+  template <typename Work>
+  void share(bool is_part, std::size_t n, bool is_worth_it, Work work)
+  {
+    m_is_shared = is_worth_it && n > 1 && m_workers.size() > 1;
+    if(m_is_shared)
+      m_sharing.share(is_part, static_cast<std::uint32_t>(n), work);
+    else
+      for(std::uint32_t i = 0; i < n; ++i)
+        work(i);
+  }
+
+  std::size_t size_of_wavefront() const
+  {
+    std::size_t n = 0;
+    for(const Wavefront_part<FT>& part : m_parts)
+      n += part.size();
+    return n;
+  }
+
+  // The smallest key of a vertex that must be visited. Requires: there are no messages.
+  FT nearest_key() const
+  {
+    FT key = Field::infinity();
+    for(const Wavefront_part<FT>& part : m_parts)
+      key = (std::min)(key, part.nearest_key());
+    return key;
+  }
+
+  // Requires: the batch is not empty.
+  FT farthest_key_in_batch() const
+  {
+    FT key = m_batch.front().key;
+    for(const Queued_vertex<FT>& q : m_batch)
+      key = (std::max)(key, q.key);
+    return key;
+  }
+
+  std::size_t number_of_windows() const
+  {
+    std::ptrdiff_t n = 0;
+    for(const std::unique_ptr<Worker>& worker : m_workers)
+      n += worker->slots.number_of_windows;
+    return static_cast<std::size_t>(n);
+  }
+
+  std::size_t number_of_visits() const
+  {
+    std::size_t n = 0;
+    for(const std::unique_ptr<Worker>& worker : m_workers)
+      n += worker->stars.statistics().vertices_visited;
+    return n;
+  }
+
+  // --- any thread ---
+
+  // Brings a part up to date, and marks the vertices of its batch.
+  void update_part(std::size_t i)
+  {
+    Wavefront_part<FT>& part = m_parts[i];
+    part.take_over(m_messages_of_part[i], m_wavefront);
+    part.fill_batch((std::min)(m_threshold.limit(), m_maximum_distance));
+    for(const Queued_vertex<FT>& q : part.batch())
+      m_marks[q.vertex] = Mark{m_round, static_cast<float>(q.key)};
+  }
+
+  // Visits some vertices of the batch, one after the other.
+  void visit_unit(Worker& worker, std::size_t unit)
+  {
+    const std::size_t last = (std::min)((unit + 1) * m_visits_per_unit, m_batch.size());
+    for(std::size_t i = unit * m_visits_per_unit; i < last; ++i)
+    {
+      const Vertex_id next = m_batch[i + 1 < last ? i + 1 : i].vertex;
+      m_mesh.prefetch_star(next);
+      visit(worker, m_batch[i], next);
+    }
+  }
+
+  void visit(Worker& worker, const Queued_vertex<FT>& q, Vertex_id next)
+  {
+    if(!is_nearest_of_neighbors(q.vertex))
+    {
+      push(q.vertex, q.key, worker);
+      return;
+    }
+    worker.star.surround(m_mesh, q.vertex);
+    m_wavefront.take(worker.star, q.key, worker.slots);
+    worker.stars.propagate(worker.star);
+    m_mesh.prefetch_faces_of_star(next);
+    m_wavefront.for_each_improved_link(worker.star, [&](const Link_vertex<FT>& link)
+    {
+      messages_to_part_of(link.vertex, worker).improvements.push_back(
+        {link.vertex, q.vertex, link.distance, link.arrival, link.image});
+    });
+    m_wavefront.put_lists(worker.star, worker.stars.pool(), worker.slots,
+                          [&](Vertex_id v, const FT& key) { push(v, key, worker); });
+  }
+
+  // Is no neighbor in the batch that is nearer, or as near and has a smaller number? Then no neighbor is visited.
+  bool is_nearest_of_neighbors(Vertex_id v) const
+  {
+    const float key = m_marks[v].key;
+    bool is_nearest = true;
+    m_mesh.for_each_neighbor(v, [&](Vertex_id u)
+    {
+      const Mark& other = m_marks[u];
+      const bool is_nearer = other.key < key || (!(key < other.key) && u < v);
+      is_nearest = is_nearest && !(other.round == m_round && is_nearer);
+    });
+    return is_nearest;
+  }
+
+  // Queues a vertex: at once if no other thread is at work, else by a message. The next batch is the same.
+  void push(Vertex_id v, const FT& key, Worker& worker)
+  {
+    if(m_is_shared)
+      messages_to_part_of(v, worker).queued.push_back({key, v});
+    else
+      m_parts[m_numbering.part_of(v)].push(v, key);
+  }
+
+  Messages& messages_to_part_of(Vertex_id v, Worker& worker) const
+  {
+    return worker.messages[m_numbering.part_of(v)];
+  }
+
+  // --- preparation ---
+
+  // Makes a worker for each thread of the team.
+  void make_workers()
+  {
+    while(m_workers.size() < (std::max)(m_team.size(), std::size_t(1)))
+      m_workers.push_back(std::make_unique<Worker>(m_mesh, m_field.distance));
+  }
+
+  std::vector<Window_list_slots*> slots_of_workers() const
+  {
+    std::vector<Window_list_slots*> slots;
+    for(const std::unique_ptr<Worker>& worker : m_workers)
+      slots.push_back(&worker->slots);
+    return slots;
+  }
+
+  // Empties the parts, one for each worker.
+  void make_parts()
+  {
+    m_numbering.set_number((std::min)(m_workers.size(), maximum_number_of_parts));
+    if(m_parts.size() != m_numbering.number())
+      m_parts = std::vector<Wavefront_part<FT>>(m_numbering.number());
+    m_messages_of_part.assign(m_parts.size(), {});
+    for(std::size_t i = 0; i < m_parts.size(); ++i)
+      m_parts[i].restart(m_numbering, i, m_mesh.number_of_vertices());
+    for(const std::unique_ptr<Worker>& worker : m_workers)
+    {
+      worker->messages.resize(m_parts.size());
+      for(std::size_t i = 0; i < m_parts.size(); ++i)
+        m_messages_of_part[i].push_back(&worker->messages[i]);
+    }
+  }
+
+  // Drops what a run that did not end has left: messages, and windows of stars that an exception has left.
+  void drop_stars_and_messages()
+  {
+    for(const std::unique_ptr<Worker>& worker : m_workers)
+    {
+      for(Star_face<FT>& face : worker->star.faces)
+        for(Window_list<FT>* list : {&face.counterclockwise, &face.clockwise, &face.outward})
+          worker->stars.pool().release(*list);
+      for(Messages& messages : worker->messages)
+        messages.clear();
+    }
+  }
+
+  // Frees the memory of all pools when it exceeds twice that of the first run, plus a constant. Blocks of windows
+  // migrate between pools: some pools gain blocks in each run, and the others would allocate new ones without end.
+  // Requires: no block is in use.
+  void release_surplus()
+  {
+    std::size_t memory = 0;
+    for(const std::unique_ptr<Worker>& worker : m_workers)
+      memory += worker->stars.memory();
+    if(m_memory_of_run == 0)
+      m_memory_of_run = memory;
+    if(memory <= 2 * m_memory_of_run + least_surplus)
+      return;
+    for(const std::unique_ptr<Worker>& worker : m_workers)
+      worker->stars.pool().clear();
+    m_memory_of_run = 0;
+  }
+
+  auto pusher()
+  {
+    return [this](Vertex_id v, const FT& key) { m_parts[m_numbering.part_of(v)].push(v, key); };
+  }
+
+  static constexpr std::size_t maximum_number_of_parts = 64;
+  static constexpr std::size_t smallest_shared_update = 64; // messages
+  static constexpr std::size_t smallest_shared_batch = 6;   // visits
+  static constexpr std::size_t least_surplus = std::size_t(1) << 18; // bytes
+
+  const Mesh& m_mesh;
+  Field& m_field;
+  Team m_team;
+  Wavefront<FT> m_wavefront;
+  std::vector<std::unique_ptr<Worker>> m_workers; // the first one is the conductor's
+  Part_numbering m_numbering;
+  std::vector<Wavefront_part<FT>> m_parts;
+  std::vector<std::vector<Messages*>> m_messages_of_part; // those of all workers, by part
+  std::vector<Queued_vertex<FT>> m_batch;                 // of all parts
+  std::vector<Mark> m_marks;                              // by vertex
+  std::uint32_t m_round = 0;
+  std::size_t m_visits_per_unit = 1;
+  bool m_is_shared = false; // do other threads take part in the phase?
+  Batch_threshold<FT> m_threshold;
+  Work_sharing m_sharing;
+  Stopping_criterion<FT> m_end;
+  FT m_maximum_distance;
+  std::size_t m_maximum_windows_alive = 0;
+  std::size_t m_memory_of_run = 0; // bytes of the pools after the first run since they were last cleared; 0: unknown
+};
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_PARALLEL_PARALLEL_DISTANCE_PROPAGATION_H
