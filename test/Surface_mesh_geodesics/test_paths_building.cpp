@@ -453,9 +453,68 @@ void other_edge_lengths_replace_the_first_ones()
     doubled[e] = bad.first;
     CHECK(throws_reason(bad.second, [&] { by_lengths.use_edge_lengths(doubled); }));
     doubled[e] = right;
+    // The object keeps the lengths before, and the results.
+    CHECK(!by_lengths.changed_since_last_build());
+    CHECK_CLOSE(ask(by_lengths, query).distance, 2. * ask(by_points, query).distance, 1e-13);
+    by_lengths.remove_source_point(by_lengths.add_source_point(vertex(3)));
+    CHECK(by_lengths.changed_since_last_build());
+    for(const Surface_point& point : {query, Surface_point(Face_location(face(5), {.5, .3, .2}))})
+    {
+      CHECK_CLOSE(ask(by_lengths, point).distance, 2. * ask(by_points, point).distance, 1e-13);
+    }
   }
   by_lengths.use_edge_lengths(doubled);
   CHECK_CLOSE(ask(by_lengths, query).distance, 2. * ask(by_points, query).distance, 1e-13);
+}
+
+// New lengths make the results of a build without sources stale, though they leave nothing to compute.
+void edge_lengths_change_without_sources()
+{
+  test_support::Scope scope("edge lengths without sources");
+  Mesh tm = to_face_graph(noisy_sphere(2, .1, 5));
+  const auto lengths = add_edge_lengths(tm);
+  const Surface_point source(vertex(11)), in_face(Face_location(face(20), {.2, .3, .5}));
+  Geodesic_paths by_lengths(tm), expected(tm);
+  for(const bool for_faces : {false, true})
+  {
+    add(by_lengths, Surface_point(vertex(2)));
+    by_lengths.remove_all_source_points();
+    for_faces ? by_lengths.build_sequence_tree_for_faces() : by_lengths.build_sequence_tree();
+    for(const auto e : edges(tm))
+    {
+      lengths[e] *= 3.;
+    }
+    by_lengths.use_edge_lengths(lengths);
+    CHECK(!by_lengths.changed_since_last_build());
+    CHECK_EQUAL(ask(by_lengths, in_face).distance, -1.);
+    add(by_lengths, source);
+    expected.clear();
+    expected.use_edge_lengths(lengths);
+    add(expected, source);
+    for(const Surface_point& point : {Surface_point(vertex(3)), in_face})
+    {
+      CHECK_EQUAL(ask(by_lengths, point).distance, ask(expected, point).distance);
+    }
+  }
+}
+
+// A range may consist of the source points of the object. A loop that removes them advances first.
+void source_points_of_the_object_are_a_range()
+{
+  test_support::Scope scope("own source points");
+  const Mesh tm = to_face_graph(noisy_sphere(2, .1, 5));
+  Geodesic_paths paths(tm);
+  add(paths, Surface_point(vertex(11)));
+  add(paths, Surface_point(Face_location(face(20), {.2, .3, .5})));
+  const auto added = paths.add_source_points(paths.source_points_begin(), paths.source_points_end());
+  CHECK_EQUAL(paths.number_of_source_points(), 4u);
+  CHECK(added == std::next(paths.source_points_begin(), 2));
+  CHECK(*added == *paths.source_points_begin());
+  for(auto it = paths.source_points_begin(); it != paths.source_points_end();)
+  {
+    paths.remove_source_point(it++);
+  }
+  CHECK_EQUAL(paths.number_of_source_points(), 0u);
 }
 
 } // namespace
@@ -474,5 +533,7 @@ int main()
   clear_reads_the_changed_mesh();
   edge_lengths_replace_points();
   other_edge_lengths_replace_the_first_ones();
+  edge_lengths_change_without_sources();
+  source_points_of_the_object_are_a_range();
   return test_result();
 }

@@ -7,6 +7,10 @@
 #include "test_support.h"
 
 #include <CGAL/Surface_mesh_geodesics/Geodesic_default_visitor.h>
+#include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_Voronoi_diagram.h>
+
+#include <CGAL/assertions.h>
+#include <CGAL/exceptions.h>
 
 #include <cstddef>
 #include <stdexcept>
@@ -128,8 +132,67 @@ void exceptions_of_visitors_keep_the_object_valid()
   {
     CHECK_EQUAL(ask(paths, Surface_point(v)).distance, ask(expected, Surface_point(v)).distance);
   }
+  const std::size_t visits = paths.statistics().vertices_visited;
   CHECK(throws<std::runtime_error>([&] { paths.build_sequence_tree_for_faces(visitor); }));
   CHECK(!paths.changed_since_last_build()); // the distances of vertices remain valid
+  CHECK_EQUAL(paths.statistics().vertices_visited, visits);
+}
+
+// A canceled propagation counts if it computes distances, not if it only adds windows. None counts that throws.
+void statistics_count_what_the_documentation_says()
+{
+  test_support::Scope scope("statistics");
+  const Mesh tm = to_face_graph(noisy_sphere(3, .05, 5));
+  Geodesic_paths paths(tm);
+  paths.add_source_point(vertex(0));
+  Throwing_visitor throwing;
+  CHECK(throws<std::runtime_error>([&] { paths.build_sequence_tree(throwing); }));
+  CHECK_EQUAL(paths.statistics().vertices_visited, 0u);
+  Canceling_visitor first;
+  first.steps_left = 5;
+  CHECK(!paths.build_sequence_tree(first));
+  const std::size_t of_first = paths.statistics().vertices_visited;
+  paths.build_sequence_tree();
+  const std::size_t of_complete = paths.statistics().vertices_visited;
+  CHECK(0 < of_first && of_first < of_complete);
+  Canceling_visitor second;
+  CHECK(!paths.build_sequence_tree_for_faces(second));
+  CHECK_EQUAL(paths.statistics().vertices_visited, of_complete);
+}
+
+// A visitor that asks the object that is being built would compute inside the computation.
+template <class Ask>
+struct Asking_visitor : CGAL::Surface_mesh_geodesics::Geodesic_default_visitor
+{
+  explicit Asking_visitor(Ask ask_object) : m_ask(ask_object) {}
+
+  void on_progress(std::size_t, double) { m_ask(); }
+
+private:
+  Ask m_ask;
+};
+
+void visitors_must_not_ask_the_object()
+{
+#if !defined(CGAL_NO_PRECONDITIONS) && !defined(CGAL_NDEBUG)
+  test_support::Scope scope("visitors that ask the object");
+  const Mesh tm = to_face_graph(noisy_sphere(2, .05, 5));
+  Geodesic_paths paths(tm), expected(tm);
+  paths.add_source_point(vertex(0));
+  expected.add_source_point(vertex(0));
+  auto ask_paths = [&] { paths.shortest_distance_to_source_points(vertex(3)); };
+  Asking_visitor<decltype(ask_paths)> visitor(ask_paths);
+  CHECK(throws<CGAL::Precondition_exception>([&] { paths.build_sequence_tree(visitor); }));
+  CHECK(paths.changed_since_last_build());
+  CHECK_EQUAL(ask(paths, Surface_point(vertex(3))).distance, ask(expected, Surface_point(vertex(3))).distance);
+  CGAL::Surface_mesh_geodesic_Voronoi_diagram<Paths_traits> diagram(tm);
+  diagram.add_site(vertex(0));
+  auto ask_diagram = [&] { diagram.nearest_site(vertex(3)); };
+  Asking_visitor<decltype(ask_diagram)> visitor_of_diagram(ask_diagram);
+  CHECK(throws<CGAL::Precondition_exception>([&] { diagram.build(visitor_of_diagram); }));
+  CHECK(!diagram.is_built());
+  CHECK_EQUAL(diagram.nearest_site(vertex(3)), 0u);
+#endif
 }
 
 } // namespace
@@ -139,5 +202,7 @@ int main()
   building_can_be_canceled();
   canceling_the_second_stage_keeps_the_first();
   exceptions_of_visitors_keep_the_object_valid();
+  statistics_count_what_the_documentation_says();
+  visitors_must_not_ask_the_object();
   return test_result();
 }

@@ -218,8 +218,7 @@ private:
     m_paths.remove_source_point(bad);
   }
 
-  // Takes lengths from a map: those of the points times a factor. If the lengths are invalid, the object uses the
-  // points again.
+  // Takes lengths from a map: those of the points times a factor. If the lengths are invalid, nothing changes.
   void change_lengths()
   {
     if(m_edges.empty())
@@ -227,9 +226,13 @@ private:
       return;
     }
     const bool is_bad = m_random.index(4) == 0;
-    m_factor = is_bad ? 0. : m_random.uniform(.5, 3.);
-    use_lengths(m_paths, is_bad ? 1. : m_factor, is_bad);
-    CHECK(m_sources.empty() || m_paths.changed_since_last_build());
+    const double factor = m_random.uniform(.5, 3.);
+    const bool had_changed = m_paths.changed_since_last_build();
+    const std::size_t visits = m_paths.statistics().vertices_visited;
+    use_lengths(m_paths, factor, is_bad);
+    CHECK_EQUAL(m_paths.changed_since_last_build(), had_changed || (!is_bad && !m_sources.empty()));
+    CHECK_EQUAL(m_paths.statistics().vertices_visited, visits);
+    m_factor = is_bad ? m_factor : factor;
     for(const Mesh::Edge_index e : m_edges) // the object has copied them
     {
       m_lengths[e] = -1.;

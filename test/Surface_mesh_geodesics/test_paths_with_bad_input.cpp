@@ -6,9 +6,13 @@
 #include "test_meshes.h"
 #include "test_support.h"
 
+#include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
+#include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_Voronoi_diagram.h>
+
 #include <CGAL/boost/graph/Euler_operations.h>
 
 #include <limits>
+#include <string>
 #include <vector>
 
 using namespace test_meshes;
@@ -196,6 +200,53 @@ void bad_queries_without_sources_are_refused()
   CHECK(recorder.items.empty());
 }
 
+// Returns the message of the exception that f() throws.
+template <class Function>
+std::string message_of(Function f)
+{
+  try
+  {
+    f();
+  }
+  catch(const CGAL::Surface_mesh_geodesics::Invalid_geodesic_input& e)
+  {
+    return e.what();
+  }
+  return std::string();
+}
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+// A source has its number in the message. A query has none.
+void messages_name_the_culprit()
+{
+  test_support::Scope scope("messages");
+  const Mesh tm = to_face_graph(noisy_sphere(1, .1, 3));
+  const vertex_descriptor no_vertex = boost::graph_traits<Mesh>::null_vertex();
+  for(const vertex_descriptor bad : {no_vertex, vertex(num_vertices(tm))})
+  {
+    Geodesic_paths paths(tm);
+    paths.add_source_point(vertex(0));
+    paths.add_source_point(bad);
+    CHECK(has(message_of([&] { paths.build_sequence_tree(); }), "source 1 is not a vertex of the mesh"));
+    CGAL::Surface_mesh_geodesic_Voronoi_diagram<Paths_traits> diagram(tm);
+    diagram.add_site(vertex(0));
+    diagram.add_site(bad);
+    CHECK(has(message_of([&] { diagram.build(); }), "site 1 is not a vertex of the mesh"));
+  }
+  for(const bool has_source : {false, true})
+  {
+    Geodesic_paths paths(tm);
+    if(has_source)
+    {
+      paths.add_source_point(vertex(0));
+    }
+    CHECK(has(message_of([&] { paths.shortest_distance_to_source_points(no_vertex); }), "the query is not a vertex"));
+    CHECK(has(message_of([&] { paths.shortest_distance_to_source_points(face(0), {.2, .3, .6}); }),
+              "the query is not in its face"));
+  }
+}
+
 // Removed elements keep their indices, and their links are meaningless.
 void removed_elements_are_refused()
 {
@@ -233,6 +284,7 @@ void removed_elements_are_refused()
 
 int main()
 {
+  messages_name_the_culprit();
   test_support::announce_seed(20260403);
   vertices_and_edges_without_faces_have_no_location();
   vertices_without_faces_have_a_null_location();

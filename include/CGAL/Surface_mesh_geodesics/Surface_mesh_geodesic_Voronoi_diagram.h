@@ -424,7 +424,8 @@ public:
 
   /// constructs a diagram without sites, with the index maps and the point map of the mesh.
   ///
-  /// \param tm the mesh. It is referred to, not copied, and must not change before `clear()`.
+  /// \param tm the mesh. It is referred to, not copied, and must not change before `clear()`. Nothing may be assigned
+  ///        to a `Surface_mesh`, as that invalidates the maps that the object keeps.
   /// \param traits an instance of the traits class, which is copied
   /// \pre The faces of `tm` are triangles. (Otherwise `build()` throws.)
   explicit Surface_mesh_geodesic_Voronoi_diagram(const Triangle_mesh& tm, const Traits& traits = Traits())
@@ -434,7 +435,8 @@ public:
 
   /// constructs a diagram without sites, with given maps.
   ///
-  /// \param tm the mesh. It is referred to, not copied, and must not change before `clear()`.
+  /// \param tm the mesh. It is referred to, not copied, and must not change before `clear()`. Nothing may be assigned
+  ///        to a `Surface_mesh`, as that invalidates the maps that the object keeps.
   /// \param vertex_index_map maps each vertex to an index from 0 to `num_vertices(tm) - 1`
   /// \param halfedge_index_map is not read
   /// \param face_index_map maps each face to an index from 0 to `num_faces(tm) - 1`
@@ -495,6 +497,9 @@ public:
   }
 
   /// removes all sites and discards everything that was computed. Call this function after the mesh has changed.
+  ///
+  /// The maps of the constructor must still be valid. An assignment to a `Surface_mesh` invalidates its point map; then
+  /// construct a new object instead.
   void clear() { m_lazy.clear(); }
 
   /// removes all sites and keeps what was read of the mesh, which saves time if other sites on the same mesh follow.
@@ -503,7 +508,8 @@ public:
   void remove_all_sites() { m_lazy.remove_all_sites(); }
 
   /// takes the lengths of the edges from a map instead of the points, until the next call of `use_points()`. The next
-  /// `build()` reads and checks them. Sites are kept. Takes constant time if nothing is computed.
+  /// `build()` reads and checks them, and throws if they are invalid, as each build does until there are other lengths.
+  /// Sites are kept. Takes constant time if nothing is computed.
   ///
   /// \tparam EdgeLengthMap a model of `ReadablePropertyMap` with the edge descriptor as key type and a number
   ///         type as value type

@@ -65,7 +65,8 @@ other points will follow: it saves a propagation.
 <b>Thread safety.</b> Queries are `const`. Member functions that are `const`, and static ones, may be called from
 several threads at once. If a result is missing, one thread computes it and the others that need it wait. A query whose
 results are there takes no lock. Member functions that are not `const` must not run at the same time as any other one,
-and a visitor must not call functions of the object that is being built.
+and a visitor must not call functions of the object that is being built. (This is a precondition, which is checked where
+the visitor would compute anew.)
 
 <b>Exception safety.</b> A build, and so a query that builds, throws what `build_sequence_tree()` throws. Source points
 and the iterators to them stay as they were, and so do the results that are there. If an exception or a visitor ends the
@@ -78,8 +79,9 @@ next query or build begins anew. If the second stage ends early, the results of 
 what is missing under a mutex, and every other function needs the object for itself. This class keeps to the interface
 of `Surface_mesh_shortest_path` where that differs from the diagram: its functions that build are not `const`, and a new
 object, which has nothing to compute, does not read the mesh. `use_edge_lengths()` reads the lengths and throws at once,
-whereas a diagram reads them in its next build. `statistics()` builds nothing. The number that stands for "no source
-point" is the constant `no_source`; for "no site" it is the function `null_site()`.
+whereas a diagram reads them in its next build. Lengths that are refused leave this object as it was; a diagram
+refuses each build until it gets other lengths, or the points by `use_points()`. `statistics()` builds nothing. The
+number that stands for "no source point" is the constant `no_source`; for "no site" it is the function `null_site()`.
 
 <b>Differences from `Surface_mesh_shortest_path`.</b> All of them are intended.
 
@@ -236,7 +238,8 @@ public:
 
   /// creates an object for a mesh, with the index maps and the point map of the mesh.
   ///
-  /// \param tm the mesh, which is referred to, not copied, and must not change before `clear()`
+  /// \param tm the mesh, which is referred to, not copied, and must not change before `clear()`. Nothing may be
+  ///        assigned to a `Surface_mesh`, as that invalidates the maps that the object keeps.
   /// \param traits an instance of the traits class, which is copied
   /// \pre The faces of `tm` are triangles. (The first build throws otherwise.)
   Surface_mesh_geodesic_paths(const Triangle_mesh& tm, const Traits& traits = Traits())
@@ -246,7 +249,8 @@ public:
 
   /// creates an object for a mesh with maps.
   ///
-  /// \param tm the mesh, which is referred to, not copied, and must not change before `clear()`
+  /// \param tm the mesh, which is referred to, not copied, and must not change before `clear()`. Nothing may be
+  ///        assigned to a `Surface_mesh`, as that invalidates the maps that the object keeps.
   /// \param vertex_index_map gives each vertex an index from 0 to `num_vertices(tm) - 1`
   /// \param halfedge_index_map is not used
   /// \param face_index_map gives each face an index from 0 to `num_faces(tm) - 1`
@@ -296,7 +300,7 @@ public:
   /// adds all points of a range.
   ///
   /// \tparam InputIterator a model of `InputIterator` with value type `vertex_descriptor` or `Face_location`
-  /// \param begin the first point
+  /// \param begin the first point; the range may consist of source points of this object
   /// \param end past the last point
   /// \return the iterator to the first source point that was added, `source_points_end()` if the range is empty
   template <typename InputIterator>
@@ -305,7 +309,8 @@ public:
     return m_structure.add_sources(begin, end);
   }
 
-  /// removes a source point. Its iterator may be dereferenced until the next build.
+  /// removes a source point. Its iterator may be dereferenced until the next build, but it no longer leads to the next
+  /// source point: a loop that removes source points advances its iterator first.
   ///
   /// \param it the iterator to the source point
   /// \pre `it` is an iterator to a source point of this object that has not been removed. (Without the checks of
@@ -365,13 +370,14 @@ public:
   /// takes the lengths of the edges from a map instead of from points. Distances and sequences then need no points;
   /// the points of paths are those of the point map at the same locations. (The object reads the point map of the
   /// constructor only when it needs a point, so any map will do.) All results are dropped, source points are kept. The
-  /// lengths are read at once, and used until `clear()`. Takes time linear in the size of the mesh.
+  /// lengths are read at once, and used until `clear()`. Takes time linear in the size of the mesh. If the lengths are
+  /// refused, nothing changes: lengths and results stay as they were.
   ///
   /// \tparam EdgeLengthMap a model of `ReadablePropertyMap` with the edge descriptor as key type and a number
   ///         type as value type
   /// \param edge_length_map gives the length of each edge
   /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if a length is negative or not finite, or an edge is longer
-  ///         than the two others of a face, or a face is not a triangle; lengths are then taken from the points again
+  ///         than the two others of a face, or a face is not a triangle
   template <typename EdgeLengthMap>
   void use_edge_lengths(EdgeLengthMap edge_length_map)
   {
@@ -380,6 +386,9 @@ public:
 
   /// removes all source points and drops all results; the object is as it was after construction. Call it if the mesh
   /// has changed. All iterators to source points become invalid. Edge lengths are taken from the points again.
+  ///
+  /// The maps of the constructor must still be valid. An assignment to a `Surface_mesh` invalidates its point map; then
+  /// construct a new object instead.
   void clear() { m_structure.clear(); }
 
   /// @}
@@ -408,9 +417,10 @@ public:
   /// \name Statistics
   /// @{
 
-  /// returns what the last propagation did, including that of a build which a visitor canceled; zeros if there was
-  /// none since construction or `clear()`. Takes constant time. Waits while a query in another thread computes. Must
-  /// not run during a build function.
+  /// returns what the last propagation that counts did; zeros if there was none since construction or `clear()`. A
+  /// propagation that computes distances counts if it is complete and if a visitor cancels it. One that only adds the
+  /// second stage counts if it is complete. One that an exception ends does not count. Takes constant time. Waits while
+  /// a query in another thread computes. Must not run during a build function.
   Surface_mesh_geodesics::Propagation_statistics statistics() const { return m_structure.statistics(); }
 
   /// @}

@@ -96,17 +96,27 @@ public:
     read(std::move(shape));
   }
 
-  // Reads the mesh, or reads it again. If that throws, the surface has not been read.
+  // Reads the mesh, or reads it again. If that throws, nothing changes: until the new mesh is complete, both are in
+  // memory.
   template <typename Shape>
   void read(Shape shape)
   {
-    m_is_read = false;
-    Face_graph_reader<FT, TriangleMesh, VertexIndexMap, FaceIndexMap>(m_tm, m_vim, m_fim).read(shape, m_mesh, m_table);
+    Intrinsic_mesh<FT> mesh;
+    Face_graph_correspondence<TriangleMesh> table;
+    Face_graph_reader<FT, TriangleMesh, VertexIndexMap, FaceIndexMap>(m_tm, m_vim, m_fim).read(shape, mesh, table);
+    m_mesh = std::move(mesh);
+    m_table = std::move(table);
     m_is_read = true;
   }
 
   bool is_read() const { return m_is_read; }
-  void forget() { m_is_read = false; }
+
+  void forget()
+  {
+    m_mesh = Intrinsic_mesh<FT>();
+    m_table = Face_graph_correspondence<TriangleMesh>();
+    m_is_read = false;
+  }
 
   const Intrinsic_mesh<FT>& mesh() const { return m_mesh; }
   Intrinsic_mesh<FT>& mesh() { return m_mesh; }
@@ -231,18 +241,18 @@ public:
     return set;
   }
 
-  // Appends a source, whose number is the number of those before it.
+  // Appends a source, whose number is the number of those before it. `what` names it in the message of a refusal.
   template <typename Source>
-  void add_source(const Source& source, Source_set<FT>& set) const
+  void add_source(const Source& source, Source_set<FT>& set, const char* what = "source") const
   {
     const std::size_t position = set.size();
     if constexpr(Is_vertex<TriangleMesh, Source>::value)
-      set.vertices.push_back(checked_id(source, "source", position));
+      set.vertices.push_back(checked_id(source, what, position));
     else
     {
-      const Halfedge_id h = checked_halfedge(source.first, "source", position);
+      const Halfedge_id h = checked_halfedge(source.first, what, position);
       set.located.push_back(Located_source<FT>{
-        face_of(h), intrinsic_coordinates<FT>(h, source.second, "source", position), position});
+        face_of(h), intrinsic_coordinates<FT>(h, source.second, what, position), position});
       set.vertices.push_back(null_id);
     }
   }

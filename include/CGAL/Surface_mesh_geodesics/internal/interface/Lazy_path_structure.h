@@ -32,6 +32,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/barycentric_coordinates.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -42,17 +43,20 @@
 #include <functional>
 #include <limits>
 #include <mutex>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
 // Invariants, between the calls of functions that are not const:
-// - m_ready is NOWHERE if the sources or the lengths differ from those of the last build, or if no build has succeeded
-//   since they changed.
-// - From AT_VERTICES on, the solver has the results of the vertices for the present sources, and m_sources their
-//   numbers. An object that never had sources is an exception: it is ready and has no results.
+// - m_ready is NOWHERE if the sources have changed since the last build that succeeded, or if there are sources and the
+//   lengths have.
+// - From AT_VERTICES on, the solver has the results of the vertices for the present sources and lengths, and m_sources
+//   the numbers of the sources. An object without sources whose solver has no run is an exception: it is ready and has
+//   no results.
 // - At EVERYWHERE the solver has the windows as well.
 // A const function only raises m_ready, and only under the mutex. A reader loads m_ready with `acquire` before it reads
 // anything that a build writes; the build stores it with `release` after the last write.
@@ -107,24 +111,30 @@ public:
   {
     const bool is_vertex = is_vertex_of(v, m_tm, m_vertex_index_map);
     return add_source_point(
-      {is_vertex ? Locations::location(v, m_tm, m_traits) : Locations::null_location(m_traits), v});
+      {is_vertex ? Locations::location(v, m_tm, m_traits) : Locations::null_location(m_traits), true, v});
   }
 
   // Adds a point of a face. The build refuses an invalid one.
   Source_point_iterator add_source(const Face_location& location)
   {
-    return add_source_point({location, Graph_traits::null_vertex()});
+    return add_source_point({location, false, Graph_traits::null_vertex()});
   }
 
-  // Adds vertices or locations. Returns the iterator to the first of them, end() if the range is empty.
+  // Adds vertices or locations. Returns the iterator to the first of them, end() if the range is empty. Copies the
+  // range first, as it may consist of sources of this object.
   template <typename InputIterator>
   Source_point_iterator add_sources(InputIterator begin, InputIterator end)
   {
-    if(begin == end)
-      return m_sources.end();
-    const Source_point_iterator first = add_source(*begin);
-    while(++begin != end)
-      add_source(*begin);
+    std::vector<std::decay_t<decltype(*begin)>> range;
+    for(; begin != end; ++begin)
+      range.push_back(*begin);
+    Source_point_iterator first = m_sources.end();
+    for(const auto& source : range)
+    {
+      const Source_point_iterator added = add_source(source);
+      if(first == m_sources.end())
+        first = added;
+    }
     return first;
   }
 
@@ -162,16 +172,16 @@ public:
                  [&](auto propagate) { return run_with_visitor(visitor, num_vertices(m_tm), propagate); });
   }
 
-  // Reads the lengths of the edges at once, and forgets all results. Throws Invalid_geodesic_input; then the next build
-  // takes the lengths from the points.
+  // Reads the lengths of the edges at once, and forgets all results. Throws Invalid_geodesic_input; then nothing
+  // changes.
   template <typename EdgeLengthMap>
   void use_edge_lengths(EdgeLengthMap edge_length_map)
   {
+    m_solver.build_mesh(Shape_from_edge_lengths<double, Triangle_mesh, EdgeLengthMap>(m_tm, edge_length_map));
     if(m_sources.size() > 0)
       set_changed();
     else if(!has_changed())
       set_ready(Stage::EVERYWHERE);
-    m_solver.build_mesh(Shape_from_edge_lengths<double, Triangle_mesh, EdgeLengthMap>(m_tm, edge_length_map));
   }
 
   // Forgets sources, results, mesh and edge lengths.
@@ -182,7 +192,8 @@ public:
     set_ready(Stage::EVERYWHERE);
   }
 
-  // Returns what the last propagation did. Waits while a query in another thread computes.
+  // Returns what the last propagation did; one that only adds windows counts if it is complete, and none counts that an
+  // exception has ended. Waits while a query in another thread computes.
   Propagation_statistics statistics() const
   {
     const std::lock_guard<std::mutex> lock(m_mutex);
@@ -308,10 +319,13 @@ private:
       compute(wanted, Run_to_the_end());
   }
 
-  // Requires: !is_ready(wanted), and no other thread computes. If it ends early, what was ready stays ready.
+  // Requires: !is_ready(wanted), and nobody computes, neither another thread nor this one: a visitor must not call the
+  // object. If it ends early, what was ready stays ready.
   template <typename Run>
   bool compute(Stage wanted, Run run) const
   {
+    CGAL_precondition_msg(!m_computing_thread.is_this(), "a visitor has called the object that is being built");
+    const Computing_thread::Scope scope(m_computing_thread);
     const bool adds_windows = is_ready(Stage::AT_VERTICES);
     if(!adds_windows)
       give_sources_to_solver();
@@ -332,13 +346,13 @@ private:
       m_solver.build_mesh(Shape_from_points<double, Triangle_mesh, VertexPointMap>(m_tm, m_vertex_point_map));
     m_solver.begin_sources();
     for(const auto& s : m_sources.sources())
-      if(s.vertex != Graph_traits::null_vertex())
+      if(s.is_vertex)
         m_solver.add_source(s.vertex);
       else
         m_solver.add_source_location(std::make_pair(s.location.first, weights(s.location.second)));
   }
 
-  // An object that never had sources is ready without results.
+  // An object without sources may be ready without results: when it is new, cleared, or has got new lengths.
   // Requires: is_ready(Stage::AT_VERTICES).
   bool has_results() const { return m_solver.has_run(); }
 
@@ -371,9 +385,11 @@ private:
     return q;
   }
 
-  // Returns whether the location is a vertex of its face, after snapping.
+  // Returns whether the location is a vertex of its face, after snapping. An invalid one is none; the query refuses it.
   static bool is_at_corner(Coordinates b)
   {
+    if(!are_valid_coordinates(b))
+      return false;
     snap_coordinates(b);
     return b[0] == 1 || b[1] == 1 || b[2] == 1;
   }
@@ -426,6 +442,7 @@ private:
   VertexPointMap m_vertex_point_map;
   // What const queries may compute, under the mutex. m_ready says what readers may read without it.
   mutable std::mutex m_mutex;
+  mutable Computing_thread m_computing_thread;
   mutable std::atomic<Stage> m_ready{Stage::EVERYWHERE}; // nothing is missing as long as there are no sources
   mutable Sources m_sources;                               // a build numbers them, and frees those that were removed
   mutable Solver m_solver;

@@ -18,6 +18,7 @@
 // The order of use is: build_mesh(), begin_sources(), add_source() for each source, run(), queries. Queries only read;
 // several threads may call them at once.
 
+#include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Surface_with_sources.h>
 #include <CGAL/Surface_mesh_geodesics/internal/paths/Path_thinning.h>
@@ -72,12 +73,13 @@ public:
 
   // --- building ---
 
-  // Reads the user's mesh; throws Invalid_geodesic_input, and there is no mesh then.
+  // Reads the user's mesh, and forgets the sources and the results. Throws Invalid_geodesic_input; then nothing
+  // changes.
   template <typename Shape>
   void build_mesh(Shape shape)
   {
-    m_has_run = false;
     m_surface.read(std::move(shape));
+    m_has_run = false;
   }
 
   // Forgets the mesh, the sources and all results.
@@ -95,14 +97,17 @@ public:
     m_surface.clear_sources();
   }
 
-  // Adds a source; throws Invalid_geodesic_input. The distances from it begin with its offset, which is finite and not
-  // negative, in the user's unit.
-  void add_source(vertex_descriptor v, double offset = 0) { m_surface.add_source(v, offset); }
+  // Adds a source; throws Invalid_geodesic_input, with `what` in the message. The distances from it begin with its
+  // offset, which is finite and not negative, in the user's unit.
+  void add_source(vertex_descriptor v, double offset = 0, const char* what = "source")
+  {
+    m_surface.add_source(v, offset, what);
+  }
 
   template <typename FaceLocation>
-  void add_source_location(const FaceLocation& location, double offset = 0)
+  void add_source_location(const FaceLocation& location, double offset = 0, const char* what = "source")
   {
-    m_surface.add_source(location, offset);
+    m_surface.add_source(location, offset, what);
   }
 
   // Propagates from the sources, and keeps the windows if they are wanted. Returns false, and forgets all results, if
@@ -126,8 +131,8 @@ public:
     return m_has_run;
   }
 
-  // Repeats the last run and keeps its windows. Returns false if go_on() does; the windows are unknown then, and the
-  // statistics are those of the run before.
+  // Repeats the last run and keeps its windows. Returns false if go_on() does. If it does or an exception ends the run,
+  // the windows are unknown, and the statistics are those of the run before.
   //
   // Results of vertices are not written, only windows and statistics. So other threads may ask for distances and paths
   // at vertices meanwhile. The second run computes the same distances once more, in a field of its own.
@@ -189,12 +194,15 @@ public:
   }
 
   // Make the same checks before the mesh has been read, by indices alone.
-  void check_query(vertex_descriptor v) const { user_surface().check_vertex(v, "query", 0); }
+  void check_query(vertex_descriptor v) const
+  {
+    user_surface().check_vertex(v, "the query", Invalid_geodesic_input::no_element);
+  }
 
   template <typename BarycentricCoordinates>
   void check_query(face_descriptor f, const BarycentricCoordinates& b) const
   {
-    user_surface().check_location(f, b, "query", 0);
+    user_surface().check_location(f, b, "the query", Invalid_geodesic_input::no_element);
   }
 
   bool needs_windows(const Query& q) const { return q.vertex == null_id; }

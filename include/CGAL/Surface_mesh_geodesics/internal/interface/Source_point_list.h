@@ -26,12 +26,13 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// A source point as the user gave it; `vertex` is the null vertex unless it was given as a vertex.
+// A source point as the user gave it. A vertex may be invalid, even null; so a flag says that it was given as one.
 template <typename FaceLocation, typename VertexDescriptor>
 struct Source_point
 {
-  FaceLocation location;
-  VertexDescriptor vertex;
+  FaceLocation location;   // of a vertex: a corner of a face around it
+  bool is_vertex;
+  VertexDescriptor vertex; // if is_vertex
   bool is_removed = false; // the list keeps it until the next build
 };
 

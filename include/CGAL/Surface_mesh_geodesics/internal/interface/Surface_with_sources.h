@@ -70,13 +70,13 @@ public:
 
   // --- building ---
 
-  // Reads the user's mesh; throws Invalid_geodesic_input. There are no sources then.
+  // Reads the user's mesh, and removes all sources. Throws Invalid_geodesic_input; then nothing changes.
   template <typename Shape>
   void read(Shape shape)
   {
-    clear_sources();
     m_surface.read(std::move(shape));
     m_insertion.restart();
+    clear_sources();
   }
 
   void forget()
@@ -93,13 +93,14 @@ public:
     m_sources = Source_set<double>();
   }
 
-  // Appends a source; throws Invalid_geodesic_input. The offset is in the user's unit, finite and not negative.
+  // Appends a source; throws Invalid_geodesic_input, with `what` in the message. The offset is in the user's unit,
+  // finite and not negative.
   // Requires: the sources are not inserted.
   template <typename Source>
-  void add_source(const Source& source, double offset)
+  void add_source(const Source& source, double offset, const char* what)
   {
     CGAL_assertion(!m_are_inserted);
-    m_surface.add_source(source, m_sources);
+    m_surface.add_source(source, m_sources, what);
     m_surface.add_offset(offset, m_sources);
   }
 
@@ -139,7 +140,7 @@ public:
   Query query(vertex_descriptor v) const
   {
     Query q;
-    q.vertex = m_surface.checked_id(v, "query", 0);
+    q.vertex = m_surface.checked_id(v, "the query", Invalid_geodesic_input::no_element);
     return q;
   }
 
@@ -148,8 +149,9 @@ public:
   template <typename BarycentricCoordinates>
   Query query(face_descriptor f, const BarycentricCoordinates& b) const
   {
-    const Halfedge_id h = m_surface.checked_halfedge(f, "query", 0);
-    Coordinates c = intrinsic_coordinates<double>(h, b, "query", 0);
+    const std::size_t no_element = Invalid_geodesic_input::no_element;
+    const Halfedge_id h = m_surface.checked_halfedge(f, "the query", no_element);
+    Coordinates c = intrinsic_coordinates<double>(h, b, "the query", no_element);
     snap_coordinates(c);
     Query q;
     q.is_location = true;

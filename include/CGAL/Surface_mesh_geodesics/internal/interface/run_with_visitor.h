@@ -10,9 +10,12 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_RUN_WITH_VISITOR_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_RUN_WITH_VISITOR_H
 
-// The order in which the functions of a visitor are called (concept GeodesicPropagationVisitor).
+// The order in which the functions of a visitor are called (concept GeodesicPropagationVisitor), and how an object
+// notices that a visitor calls it back.
 
+#include <atomic>
 #include <cstddef>
+#include <thread>
 
 namespace CGAL {
 namespace Surface_mesh_geodesics {
@@ -57,6 +60,31 @@ public:
 private:
   Visitor& m_visitor;
   bool m_is_canceled = false;
+};
+
+// The thread that computes the results of an object. Its visitor must not call the object: a second computation would
+// run inside the first one, or wait for it forever. Other threads may call it, and wait.
+class Computing_thread
+{
+public:
+  // While it lives, the thread that made it is the one that computes.
+  class Scope
+  {
+  public:
+    explicit Scope(Computing_thread& thread) : m_thread(thread) { m_thread.m_id = std::this_thread::get_id(); }
+    ~Scope() { m_thread.m_id = std::thread::id(); }
+
+    Scope(const Scope&) = delete;
+    Scope& operator=(const Scope&) = delete;
+
+  private:
+    Computing_thread& m_thread;
+  };
+
+  bool is_this() const { return m_id.load() == std::this_thread::get_id(); }
+
+private:
+  std::atomic<std::thread::id> m_id{std::thread::id()};
 };
 
 } // namespace internal

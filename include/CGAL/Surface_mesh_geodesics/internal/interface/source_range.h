@@ -121,12 +121,15 @@ bool is_face_of(typename boost::graph_traits<TriangleMesh>::face_descriptor f, c
   return static_cast<std::size_t>(get(fim, f)) < num_faces(tm) && !Removed_elements<TriangleMesh>::contain(f, tm);
 }
 
-// --- refusals: `what` and `position` name the culprit in the message, as in "source 3" ---
+// --- refusals: `what` and `position` name the culprit in the message, as in "source 3"; without a number for
+// no_element ---
 
 [[noreturn]] inline void refuse_descriptor(Invalid_geodesic_input::Reason reason, const char* what,
                                            std::size_t position, const char* fault)
 {
-  throw Invalid_geodesic_input(reason, std::string(what) + " " + std::to_string(position) + fault, position);
+  const std::string number
+    = position == Invalid_geodesic_input::no_element ? std::string() : ' ' + std::to_string(position);
+  throw Invalid_geodesic_input(reason, what + number + fault, position);
 }
 
 [[noreturn]] inline void refuse_vertex(const char* what, std::size_t position)

@@ -92,9 +92,13 @@ public:
     return split_edge(halfedge_of(s, k), local[k], local[next_corner(k)]);
   }
 
-  // Takes the mesh as it is for the first one. Requires: nothing is inserted.
+  // Takes the mesh as it is for the first one, and forgets what has been inserted into another one.
   void restart()
   {
+    m_saved.clear();
+    m_renamed.clear();
+    m_saved_kinds.clear();
+    m_parts.clear();
     CGAL_assertion(m_saved.empty() && m_renamed.empty());
     m_number_of_vertices = m_mesh.number_of_vertices();
     m_number_of_faces = m_mesh.number_of_faces();

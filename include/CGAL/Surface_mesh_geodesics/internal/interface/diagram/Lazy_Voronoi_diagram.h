@@ -131,7 +131,7 @@ public:
                                                             : Locations::null_location(m_traits);
   }
 
-  // --- lengths: they are read by the next build ---
+  // --- lengths: they are read by the next build, which refuses invalid ones. (The shortest paths read them at once.)
 
   template <typename EdgeLengthMap>
   void use_edge_lengths(EdgeLengthMap edge_length_map)
@@ -392,7 +392,9 @@ private:
   {
     if(is_done.load(std::memory_order_acquire))
       return true;
+    CGAL_precondition_msg(!m_computing_thread.is_this(), "a visitor has called the object that is being built");
     const std::lock_guard<std::mutex> lock(m_mutex);
+    const Computing_thread::Scope scope(m_computing_thread);
     if(is_done.load(std::memory_order_relaxed)) // another thread has computed meanwhile
       return true;
     if(!compute())
@@ -429,9 +431,9 @@ private:
     m_sites.for_each_offset(m_solver.unit(), [this](const typename Sites::Site& s, double offset)
     {
       if(s.is_vertex)
-        m_solver.add_source(s.vertex, offset);
+        m_solver.add_source(s.vertex, offset, "site");
       else
-        m_solver.add_source_location(std::make_pair(s.location.first, weights(s.location.second)), offset);
+        m_solver.add_source_location(std::make_pair(s.location.first, weights(s.location.second)), offset, "site");
     });
   }
 
@@ -527,9 +529,12 @@ private:
   FaceIndexMap m_face_index_map;
   VertexPointMap m_vertex_point_map;
   Sites m_sites;
-  std::function<void()> m_read_mesh; // builds the intrinsic mesh from points or from lengths
+  // Builds the intrinsic mesh from points or from lengths, at the next build. A function object hides the type of the
+  // map of lengths. It refers to this object, which can therefore be neither copied nor moved.
+  std::function<void()> m_read_mesh;
 
   mutable std::mutex m_mutex; // held by the thread that computes
+  mutable Computing_thread m_computing_thread;
   mutable std::atomic<bool> m_is_built{false}, m_has_measures{false}, m_has_windows{false};
   mutable Solver m_solver;
 
