@@ -19,7 +19,6 @@
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Face_shapes.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Intrinsic_surface.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Private_access.h>
-#include <CGAL/Surface_mesh_geodesics/internal/window/Pruning_rules.h>
 
 #include <CGAL/Default.h>
 #include <CGAL/Named_function_parameters.h>
@@ -113,8 +112,7 @@ public:
   /// @}
 
 private:
-  using Solver = internal::Distance_solver<ConcurrencyTag, internal::All_pruning_rules, double, TriangleMesh,
-                                           Vertex_index_map, Face_index_map>;
+  using Solver = internal::Distance_solver<ConcurrencyTag, double, TriangleMesh, Vertex_index_map, Face_index_map>;
 
 public:
   /// \name Creation

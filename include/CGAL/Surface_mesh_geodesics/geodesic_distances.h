@@ -17,7 +17,6 @@
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Face_shapes.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/distance_functions.h>
-#include <CGAL/Surface_mesh_geodesics/internal/window/Pruning_rules.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -166,7 +165,7 @@ bool geodesic_distances(const TriangleMesh& tm, VertexDistanceMap vertex_distanc
   using parameters::get_parameter_reference;
   Geodesic_default_visitor default_visitor;
   auto& visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
-  return internal::compute_geodesic_distances<ConcurrencyTag, internal::All_pruning_rules, double>(
+  return internal::compute_geodesic_distances<ConcurrencyTag>(
     tm, vertex_distance_map, sources, options, internal::shape_from_points<double>(tm, np), visitor, np);
 }
 
@@ -212,7 +211,7 @@ bool geodesic_distances_from_edge_lengths(
   using parameters::get_parameter_reference;
   Geodesic_default_visitor default_visitor;
   auto& visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
-  return internal::compute_geodesic_distances<ConcurrencyTag, internal::All_pruning_rules, double>(
+  return internal::compute_geodesic_distances<ConcurrencyTag>(
     tm, vertex_distance_map, sources, options,
     internal::Shape_from_edge_lengths<double, TriangleMesh, EdgeLengthMap>(tm, edge_length_map), visitor, np);
 }

@@ -25,6 +25,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Source_insertion.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Source_set.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/Pruning_rules.h>
 
 #include <CGAL/tags.h>
 
@@ -56,8 +57,8 @@ struct Propagation_for_tag<Parallel_tag, FT, Rules>
 // Invariant between runs: the intrinsic mesh has no inserted sources (Repeated_propagation removes them), so that each
 // run starts from the mesh as it was read. The answers are those of the last run until the next one begins; after a run
 // that was canceled or failed, no vertex is reached.
-template <typename ConcurrencyTag, typename Rules, typename FT, typename TriangleMesh, typename VertexIndexMap,
-          typename FaceIndexMap>
+template <typename ConcurrencyTag, typename FT, typename TriangleMesh, typename VertexIndexMap, typename FaceIndexMap,
+          typename Rules = All_pruning_rules>
 class Distance_solver
 {
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;

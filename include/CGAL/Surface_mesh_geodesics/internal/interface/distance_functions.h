@@ -19,6 +19,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/interface/source_range.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Available_tag.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_matrix.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/Pruning_rules.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -62,15 +63,16 @@ void write_nearest_sources(const TriangleMesh&, const Solver&, No_nearest_source
 // from (Face_shapes.h), `visitor` is told of the progress. Rules and FT, the pruning rules and the number type of the
 // computation, are the defaults except in tests. Checks the numbers in the options before it reads the mesh; writes
 // nothing if an exception or the visitor ends the computation.
-template <typename ConcurrencyTag, typename Rules, typename FT, typename TriangleMesh, typename VertexDistanceMap,
-          typename Sources, typename Options, typename Shape, typename Visitor, typename NamedParameters>
+template <typename ConcurrencyTag, typename Rules = All_pruning_rules, typename FT = double, typename TriangleMesh,
+          typename VertexDistanceMap, typename Sources, typename Options, typename Shape, typename Visitor,
+          typename NamedParameters>
 bool compute_geodesic_distances(const TriangleMesh& tm, VertexDistanceMap vertex_distance_map, const Sources& sources,
                                 const Options& options, Shape shape, Visitor& visitor, const NamedParameters& np)
 {
   auto vim = CGAL::get_initialized_vertex_index_map(tm, np);
   auto fim = CGAL::get_initialized_face_index_map(tm, np);
   check_numbers(options);
-  Distance_solver<ConcurrencyTag, Rules, FT, TriangleMesh, decltype(vim), decltype(fim)> solver(tm, vim, fim,
+  Distance_solver<ConcurrencyTag, FT, TriangleMesh, decltype(vim), decltype(fim), Rules> solver(tm, vim, fim,
                                                                                                  std::move(shape));
   if(!solver.run(sources, options, visitor))
     return false;

@@ -49,7 +49,7 @@ struct Tolerance
   static FT barycentric() { return 64 * input_epsilon(); }
 
   // Relative to 1: coordinates whose sum differs from 1 by more, or one of which is less than zero by more, are no
-  // barycentric coordinates. Large enough for coordinates that have been computed carelessly, small enough to detect a
+  // barycentric coordinates. Large enough for coordinates with ordinary rounding errors, small enough to detect a
   // mistake.
   static FT location()
   {
@@ -255,14 +255,14 @@ struct Tolerance
   // root of rounding where curves touch. A longer step leads to another point.
   static FT newton_step() { return FT(1) / (1 << 20); }
 
-  // Relative to 1, the sine of an angle: two curves that meet at a smaller one do not determine their common point.
+  // Relative to 1, the sine of an angle: where two curves meet at a smaller angle, rounding hides their common point.
   static FT slope() { return 1024 * epsilon(); }
 };
 
 // Is a < b beyond the rounding of two distances? The result is false if a and b tie.
 //
 // Laws, for distances that are not negative: a and b are never clearly less than each other, nor is a than itself;
-// multiplying both by a power of two does not change the answer.
+// multiplying both by a power of two does not change the answer if nothing underflows or overflows.
 template <typename FT>
 bool is_clearly_less(const FT& a, const FT& b)
 {

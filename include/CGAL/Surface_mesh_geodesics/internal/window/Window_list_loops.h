@@ -17,11 +17,11 @@
 // once, not in each call. The choice does not change any bit of the results.
 
 #include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Pruning_rules.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Window.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Window_lists.h>
-#include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/simd.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/window_pruning.h>
 
@@ -61,7 +61,7 @@ struct Window_batch
 
   void add(const Window<FT>& w)
   {
-    CGAL_assertion(has_room() && list.size + size < list.capacity());
+    CGAL_expensive_assertion(has_room() && list.size + size < list.capacity());
     list.columns.set(list.size + size, w);
     minimum_distance = (std::min)(minimum_distance, w.minimum_distance());
     ++size;
