@@ -43,6 +43,8 @@ INTRINSIC_FACE = INTERNAL + "surface/Intrinsic_face.h"
 FACE_SHAPE = INTERNAL + "surface/face_shape.h"
 EDGE_PARTITION = INTERNAL + "Voronoi/Edge_partition.h"
 DIAGRAM_CERTIFICATE = INTERNAL + "applications/Diagram_certifier.h"
+INTRINSIC_MESH = INTERNAL + "surface/Intrinsic_mesh.h"
+EQUAL_SOURCES = INTERNAL + "surface/equal_sources.h"
 LOCATOR = INTERNAL + "Voronoi/Cell_locator.h"
 MEASURES = INTERNAL + "Voronoi/Voronoi_cell_measures.h"
 FACE_CUT = INTERNAL + "Voronoi/Voronoi_face_cut.h"
@@ -445,6 +447,13 @@ MUTANTS = [
     ("edge_bounded_by_its_ends", REMOVAL,
      "return FT((at_first + at_last + length) / 2);", "return (std::max)(at_first, at_last);",
      "a face is said to be done when its corners are", (RANDOM_DIAGRAMS, CUT, HOSTILE_DIAGRAMS)),
+    ("equal_sources_of_the_whole_mesh", EQUAL_SOURCES,
+     "             <= Tolerance<FT>::equal_sources() * mesh.extent_around(face_of(e));\n",
+     "             <= Tolerance<FT>::equal_sources();\n",
+     "sites of a small component are one site if the rounding of the largest component is larger", (SMALL,)),
+    ("extent_of_divided_face_unknown", INTRINSIC_MESH,
+     "if(f >= number_built)", "if(f >= m_faces.size())",
+     "a part of a divided face is taken for a face of the last component", (SMALL,)),
     ("curve_drawn_on_to_its_end", FACE_PARTITION,
      "    if(completion().is_taken_over_before(f, p))\n      completion().lead_back(f, p);\n", "",
      "a curve that ends near its end goes on with paths that are not the shortest ones", (RANDOM_DIAGRAMS,)),

@@ -1,10 +1,12 @@
 // Components of one mesh may differ in size by a factor of up to 10^60: each has the answers that it has alone. Smaller
 // components are refused; see test_invalid_input.cpp.
 
+#include "Voronoi_test_helpers.h"
 #include "path_test_helpers.h"
 #include "test_meshes.h"
 #include "test_support.h"
 
+#include <CGAL/Surface_mesh_geodesics/certify_geodesic_Voronoi_diagram.h>
 #include <CGAL/Surface_mesh_geodesics/certify_geodesic_distances.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_distances.h>
 
@@ -61,6 +63,39 @@ void a_small_component_has_the_answers_it_has_alone(const Indexed_mesh& small, d
   CHECK(SMG::certify_geodesic_distances(tm, distances, vertex(source + shift)).is_certified());
 }
 
+// Checks the areas of the cells of two sites that are the ends of an edge of the small component, or in one of its faces.
+void a_small_component_has_the_cells_it_has_alone(double unit, bool is_first, bool are_vertices)
+{
+  test_support::Scope scope("cells in the unit " + std::to_string(std::log10(unit)));
+  const Indexed_mesh small = saddle_patch(4), part = scaled(small, unit), large = large_component();
+  const Mesh alone = to_face_graph(small);
+  const Mesh tm = to_face_graph(is_first ? side_by_side(part, large, "both") : side_by_side(large, part, "both"));
+  Voronoi expected(alone), found(tm);
+  for(Voronoi* diagram : {&expected, &found})
+  {
+    const bool is_shifted = diagram == &found && !is_first;
+    const std::size_t v = is_shifted ? large.points.size() : 0, f = is_shifted ? large.faces.size() : 0;
+    for(const std::size_t k : {0, 1})
+    {
+      if(are_vertices)
+      {
+        diagram->add_site(vertex(v + k));
+      }
+      else
+      {
+        const Voronoi::Barycentric_coordinates b = {{.5, k == 0 ? .2 : .3, k == 0 ? .3 : .2}};
+        diagram->add_site(std::make_pair(face_descriptor(static_cast<Mesh::size_type>(f)), b));
+      }
+    }
+  }
+  for(const std::size_t k : {0, 1})
+  {
+    CHECK(expected.area(k) > 0);
+    CHECK_CLOSE(found.area(k) / unit / unit, expected.area(k), 1e-12);
+  }
+  CHECK(SMG::certify_geodesic_Voronoi_diagram(found).is_certified());
+}
+
 // A component without lengths is equivalent to a point.
 void components_without_lengths_are_accepted()
 {
@@ -87,6 +122,8 @@ int main()
       a_small_component_has_the_answers_it_has_alone(icosphere(1), unit, is_first, random);
       a_small_component_has_the_answers_it_has_alone(saddle_patch(4), unit, is_first, random);
       a_small_component_has_the_answers_it_has_alone(flat_patch(1, 1, 0., false, 1), unit, is_first, random);
+      a_small_component_has_the_cells_it_has_alone(unit, is_first, true);
+      a_small_component_has_the_cells_it_has_alone(unit, is_first, false);
     }
   }
   components_without_lengths_are_accepted();

@@ -202,9 +202,11 @@ struct Tolerance
   // behind.
   static FT succession() { return 16 * distance(); }
 
-  // Relative to a distance: two images of one site tie, each of which has the error of images. Relative to the extent
-  // of the mesh: two sources that are so near to each other tie everywhere.
+  // Relative to a distance: two images of one site tie, each of which has the error of images.
   static FT tie() { return 64 * distance(); }
+
+  // Relative to the extent of a component: two sources that are so near to each other tie everywhere in it.
+  static FT equal_sources() { return tie(); }
 
   // Relative to the size of a face: the position at which a curve touches a line is known up to the square root of
   // rounding.

@@ -198,7 +198,8 @@ public:
   {
     return m_faces.capacity() * sizeof(Face) + m_vertex_halfedge.capacity() * sizeof(Halfedge_id)
          + m_vertex_kind.capacity() + m_other_umbrellas.capacity() * sizeof(m_other_umbrellas[0])
-         + m_star_begin.capacity() * sizeof(std::uint32_t) + m_star.capacity() * sizeof(Halfedge_id);
+         + m_star_begin.capacity() * sizeof(std::uint32_t) + m_star.capacity() * sizeof(Halfedge_id)
+         + m_extents_of_added_faces.capacity() * sizeof(FT);
   }
 
   // Returns a number of faces that no shortest path exceeds.
@@ -216,13 +217,16 @@ public:
   std::size_t most_faces_crossed() const { return m_most_faces_crossed; }
 
   // Returns the extent that tolerances around a face are relative to: 1 if the mesh has one edge component, else the
-  // longest edge of that component, as the others may be far larger. Takes time logarithmic in their number.
-  // Requires: f is a face of the mesh as it was built.
+  // longest edge of that component as it was built, as the others may be far larger. Takes time logarithmic in their
+  // number.
   FT extent_around(Face_id f) const
   {
     CGAL_assertion(f < number_of_faces());
     if(m_edge_components.empty())
       return 1;
+    const std::size_t number_built = m_faces.size() - m_extents_of_added_faces.size();
+    if(f >= number_built)
+      return m_extents_of_added_faces[f - number_built];
     const auto next = std::upper_bound(m_edge_components.begin(), m_edge_components.end(), f,
                                        [](Face_id g, const Edge_component& c) { return g < c.first; });
     return (next - 1)->longest_edge;
@@ -237,6 +241,7 @@ public:
     m_faces.reserve(number_of_faces + room_for_sources);
     m_faces.resize(number_of_faces);
     m_edge_components.clear();
+    m_extents_of_added_faces.clear();
   }
   void set_unit(const FT& unit) { m_unit = unit; }
   // Requires: there are several components, sorted by face.
@@ -298,10 +303,13 @@ public:
     return static_cast<Vertex_id>(m_vertex_halfedge.size() - 1);
   }
 
-  // Adds a face and returns its index. The opposites of its neighbors are the caller's task.
-  Face_id add_face(const Face& f)
+  // Adds a face, a part of the face `whole`, and returns its index. The opposites of its neighbors are the caller's
+  // task.
+  Face_id add_face(const Face& f, Face_id whole)
   {
+    const FT extent = extent_around(whole);
     m_faces.push_back(f);
+    m_extents_of_added_faces.push_back(extent);
     count_most_faces_crossed();
     return static_cast<Face_id>(m_faces.size() - 1);
   }
@@ -312,6 +320,7 @@ public:
     CGAL_assertion(number_of_vertices <= this->number_of_vertices() && number_of_faces <= this->number_of_faces());
     m_vertex_halfedge.resize(number_of_vertices);
     m_vertex_kind.resize(number_of_vertices);
+    m_extents_of_added_faces.resize(m_extents_of_added_faces.size() - (m_faces.size() - number_of_faces));
     m_faces.resize(number_of_faces);
     count_most_faces_crossed();
   }
@@ -467,6 +476,7 @@ private:
   std::vector<std::uint32_t> m_star_begin; // of the vertices of the mesh as it was built
   std::vector<Halfedge_id> m_star;
   std::vector<Edge_component> m_edge_components; // empty if there is one
+  std::vector<FT> m_extents_of_added_faces;      // see extent_around()
   FT m_unit = 1;
   std::size_t m_most_faces_crossed = 0, m_number_of_faces_before = 0; // before sources divided them
   double m_faces_crossed_by_lengths = 0;                              // 0 for a surface with points

@@ -174,7 +174,7 @@ private:
     set_apex_of(draft, shift, face);
     if(f == null_id)
     {
-      f = m_mesh.add_face(face);
+      f = m_mesh.add_face(face, whole);
       m_parts.add(f, p);
     }
     else

@@ -14,6 +14,7 @@
 // bisector of two such sources cannot be computed, so one of them gets the whole cell.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 
@@ -27,9 +28,10 @@ namespace Surface_mesh_geodesics {
 namespace internal {
 
 // Calls visit(v, u) for each source at a vertex v with an edge to the vertex u of an earlier source such that the two
-// tie: the length of the edge plus the difference of the offsets is at most Tolerance::tie(), relative to the extent of
-// the mesh, which is about 1. No vertex occurs both as a v and as a u, so ties do not form chains. Takes time linear in
-// the number of faces around the sources.
+// tie: the length of the edge plus the difference of the offsets is at most Tolerance::equal_sources(), relative to the
+// extent of their component (Intrinsic_mesh::extent_around()): the sources of a small component may be nearer to each
+// other than the rounding of the distances in a large one. No vertex occurs both as a v and as a u, so ties do not form
+// chains. Takes time linear in the number of faces around the sources, times the logarithm of the number of components.
 template <typename FT, typename Visit>
 void for_each_equal_source(const Intrinsic_mesh<FT>& mesh, const std::vector<Vertex_id>& vertex,
                            const std::vector<FT>& offset, Visit visit)
@@ -39,6 +41,11 @@ void for_each_equal_source(const Intrinsic_mesh<FT>& mesh, const std::vector<Ver
   for(std::size_t i = 0; i < vertex.size(); ++i)
   {
     const Vertex_id v = vertex[i];
+    const auto tie = [&](Halfedge_id e, const FT& other_offset)
+    {
+      return mesh.length(e) + abs(FT(other_offset - offset[i]))
+             <= Tolerance<FT>::equal_sources() * mesh.extent_around(face_of(e));
+    };
     if(offset_of.find(v) != offset_of.end())
       continue;
     Vertex_id equal = null_id;
@@ -48,7 +55,7 @@ void for_each_equal_source(const Intrinsic_mesh<FT>& mesh, const std::vector<Ver
       {
         const Vertex_id u = e == h ? mesh.target(e) : mesh.source(e);
         const auto it = offset_of.find(u);
-        if(it != offset_of.end() && mesh.length(e) + abs(FT(it->second - offset[i])) <= Tolerance<FT>::tie())
+        if(it != offset_of.end() && tie(e, it->second))
           equal = u;
       }
     });
