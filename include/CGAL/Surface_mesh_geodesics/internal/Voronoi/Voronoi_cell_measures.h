@@ -28,7 +28,9 @@ namespace Surface_mesh_geodesics {
 namespace internal {
 
 // Use: clear(), then add_face() for each face that is reached. Takes time proportional to the number of faces and arcs.
-// Areas are in the squared unit of the intrinsic mesh, centroids in the unit of the given positions.
+// Areas are in the squared unit of the intrinsic mesh, centroids in the unit of the given positions. Moments are summed
+// up for positions in a frame of their own, near 1, because products of very small or large numbers leave the range of
+// double.
 // Error: rounding, and that of Arc_curve::integrals(). An arc adds to the cell on its left what it takes from the cell
 // on its right, so its error cancels in the sum of all areas.
 class Voronoi_cell_measures
@@ -36,10 +38,13 @@ class Voronoi_cell_measures
 public:
   using Space_point = std::array<double, 3>;
 
-  void clear()
+  // `origin` is a point near the corners, `unit` a power of two about as large as their largest difference from it.
+  void clear(const Space_point& origin, double unit)
   {
     m_sums.clear();
     m_last_sum = nullptr;
+    m_origin = origin;
+    m_unit = unit;
   }
 
   // Adds a face, given the positions of its corners in space. By Green's theorem, each part of the face gets the
@@ -78,9 +83,10 @@ public:
     const auto it = m_sums.find(site);
     if(it != m_sums.end())
       s = it->second;
-    for(double& x : s.moment)
-      x /= s.area;
-    return s.moment;
+    Space_point p;
+    for(unsigned int k = 0; k < 3; ++k)
+      p[k] = m_origin[k] + s.moment[k] / s.area * m_unit;
+    return p;
   }
 
 private:
@@ -120,21 +126,25 @@ private:
 
   // Adds a part of a face to the sums of its cell. Barycentric coordinates carry the integrals from the layout to
   // space, since both maps are affine. A face without height has no area, and no moment either.
-  static void add_part(Sum& s, const Border_integrals& i, const std::array<Planar_point<double>, 3>& layout,
-                       const std::array<Space_point, 3>& corner)
+  void add_part(Sum& s, const Border_integrals& integrals, const std::array<Planar_point<double>, 3>& layout,
+                const std::array<Space_point, 3>& corner) const
   {
-    s.area += i.area;
+    s.area += integrals.area;
     if(!(layout[1].x > 0) || !(layout[2].y > 0))
       return;
     // The integrals of the three barycentric coordinates over the part.
-    const double b2 = i.y / layout[2].y, b1 = (i.x - b2 * layout[2].x) / layout[1].x, b0 = i.area - b1 - b2;
+    const double b2 = integrals.y / layout[2].y, b1 = (integrals.x - b2 * layout[2].x) / layout[1].x,
+                 b0 = integrals.area - b1 - b2;
+    const auto scaled = [&](unsigned int i, unsigned int k) { return (corner[i][k] - m_origin[k]) / m_unit; };
     for(unsigned int k = 0; k < 3; ++k)
-      s.moment[k] += b0 * corner[0][k] + b1 * corner[1][k] + b2 * corner[2][k];
+      s.moment[k] += b0 * scaled(0, k) + b1 * scaled(1, k) + b2 * scaled(2, k);
   }
 
   std::unordered_map<Vertex_id, Sum> m_sums;
   Vertex_id m_last_site = null_id;
   Sum* m_last_sum = nullptr;
+  Space_point m_origin{};
+  double m_unit = 1;
   std::vector<Part> m_parts; // of a face
 };
 

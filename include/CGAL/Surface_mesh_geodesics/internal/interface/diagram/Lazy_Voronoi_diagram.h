@@ -39,6 +39,7 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cmath>
@@ -485,7 +486,7 @@ private:
   // refined mesh may be a part of one of the user's.
   void measure() const
   {
-    m_measures.clear();
+    clear_measures();
     const std::size_t n = m_sites.empty() ? 0 : m_solver.mesh().number_of_faces();
     for(Face_id f = 0; f < n; ++f)
     {
@@ -495,11 +496,32 @@ private:
         Coordinates b{};
         b[k] = 1;
         const auto l = m_solver.user_location(f, b);
-        const Point_3 p = point(Face_location(l.first, Locations::coordinates(l.second, m_traits)));
-        corner[k] = {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
+        corner[k] = in_space(point(Face_location(l.first, Locations::coordinates(l.second, m_traits))));
       }
       m_measures.add_face(m_complex, f, corner);
     }
+  }
+
+  // Gives the measures the first point of the mesh as origin and, as unit, the power of two above the largest
+  // difference of a coordinate from it. The unit of lengths need not fit: lengths may be given apart from the points.
+  void clear_measures() const
+  {
+    std::array<double, 3> origin{};
+    double largest = 0;
+    bool is_first = true;
+    for(const vertex_descriptor v : vertices(m_tm))
+    {
+      const std::array<double, 3> p = in_space(get(m_vertex_point_map, v));
+      if(is_first)
+        origin = p;
+      is_first = false;
+      for(std::size_t k = 0; k < 3; ++k)
+        largest = (std::max)(largest, std::abs(p[k] - origin[k]));
+    }
+    int exponent = 0;
+    if(largest > 0 && std::isfinite(largest))
+      std::frexp(largest, &exponent);
+    m_measures.clear(origin, std::ldexp(1., (std::min)(exponent, std::numeric_limits<double>::max_exponent - 1)));
   }
 
   // --- helpers ---
@@ -510,6 +532,11 @@ private:
   FT user_distance(const typename Solver::Arrival& a) const
   {
     return a.root == null_id ? FT(-1) : user_distance(a.distance);
+  }
+
+  static std::array<double, 3> in_space(const Point_3& p)
+  {
+    return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
   }
 
   // Returns the point of site i, also for a vertex in no face, which has no location.
