@@ -184,6 +184,31 @@ void powers_of_two_change_no_bit(const Indexed_mesh& indexed, const Questions& q
   }
 }
 
+// Areas in the unit of the mesh are 0 or infinite here, and products of three lengths are farther out of range.
+void cells_of_extreme_units_are_right()
+{
+  const Indexed_mesh indexed = saddle_patch(5);
+  const Mesh tm = to_face_graph(indexed);
+  Voronoi expected(tm);
+  expected.add_site(vertex(0));
+  expected.add_site(vertex(20));
+  for(const int k : {-1010, -990, -700, -520, 505, 515, 700})
+  {
+    test_support::Scope scope("unit 2^" + std::to_string(k));
+    const double unit = std::ldexp(1., k);
+    const Mesh other = to_face_graph(scaled(indexed, unit));
+    Voronoi found(other);
+    found.add_site(vertex(0));
+    found.add_site(vertex(20));
+    for(const std::size_t i : {std::size_t(0), std::size_t(1)})
+    {
+      const auto c = expected.centroid(i), d = found.centroid(i);
+      check_bits({d.x(), d.y(), d.z()}, {c.x(), c.y(), c.z()}, unit, "centroid");
+    }
+    CHECK(SMG::certify_geodesic_Voronoi_diagram(found).is_certified());
+  }
+}
+
 void powers_of_two_for_edge_lengths(const Indexed_mesh& indexed, const Questions& q)
 {
   Mesh tm = to_face_graph(indexed);
@@ -334,6 +359,7 @@ void distance_from_the_origin_does_not_matter(std::uint64_t seed)
 
 int main()
 {
+  cells_of_extreme_units_are_right();
   const std::uint64_t seed = test_support::announce_seed(20260207);
   test_support::Random random(seed);
   for(const Indexed_mesh& indexed : small_collection(seed))

@@ -37,7 +37,9 @@ them with what the diagram states:
   face, and eight in a face that arcs cross.
 - The edges around a cell meet end to end, have the cell on their left, and are closed or end at the border of the mesh;
   each edge has one cell on each side.
-- Areas are not negative, and add up to the area of the components that have a site.
+- Areas are not negative, and add up to the area of the components that have a site. Where the area of a component is
+  no normal number of type `double` (edges shorter than about 1e-154 or longer than 1e154), its last digits or all of
+  them are unknown, and count for nothing.
 
 Distances are checked at these points, not between them; see \ref Surface_mesh_geodesics_certification for what this
 proves.

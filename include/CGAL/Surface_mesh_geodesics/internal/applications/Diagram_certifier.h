@@ -16,7 +16,8 @@
 //
 // Violations are relative. Distances are compared with the distance plus the longest edge of the component, positions
 // with that edge, areas with the expected area plus its square: the components of a mesh may differ in size by many
-// orders of magnitude.
+// orders of magnitude. Areas are compared as multiples of that square, as squares of very small or large lengths are no
+// numbers of the unit of the mesh.
 
 #include <CGAL/Surface_mesh_geodesics/internal/applications/Diagram_conditions.h>
 #include <CGAL/Surface_mesh_geodesics/internal/applications/Diagram_samples.h>
@@ -256,31 +257,43 @@ private:
   // Checks that the areas of the cells of a component add up to that of its faces, if a site reaches it, and that none
   // is negative. A cell is in the component of its site. So a gap or an overlap of cells shows even where no sample
   // lies, unless another one makes up for it.
+  //
+  // Areas are divided by the square of the extent of their component. What the diagram says is a number of the squared
+  // unit of the mesh: it is rounded to a multiple of the least number, which is allowed, and tells nothing if the area
+  // is above the largest number or far below the least one.
   void check_areas()
   {
-    std::vector<double> expected(num_vertices(m_tm), 0.), sum(expected);
+    std::vector<double> expected(num_vertices(m_tm), 0.), sum(expected), rounding(expected);
     for(const face_descriptor f : faces(m_tm))
-      if(m_diagram.nearest_site(source(halfedge(f, m_tm), m_tm)) != no_site())
-        expected[component_of(f)] += area(f);
-    const auto scale = [&](std::size_t c) { return expected[c] + m_components.extent(c) * m_components.extent(c); };
+      if(m_diagram.nearest_site(source(halfedge(f, m_tm), m_tm)) != no_site() && extent_around(f) > 0)
+        expected[component_of(f)] += area(f, extent_around(f));
     for(std::size_t i = 0; i < m_diagram.number_of_sites(); ++i)
     {
       const face_descriptor f = m_diagram.site(i).first;
-      if(f == Graph_traits::null_face())
+      if(f == Graph_traits::null_face() || !(extent_around(f) > 0))
         continue;
-      const double a = CGAL::to_double(m_diagram.area(i));
-      sum[component_of(f)] += a;
-      record(DIAGRAM_AREAS, relative(-a, scale(component_of(f))), i);
+      const double extent = extent_around(f), a = CGAL::to_double(m_diagram.area(i)) / extent / extent;
+      const std::size_t c = component_of(f);
+      sum[c] += a;
+      rounding[c] += std::numeric_limits<double>::denorm_min() / extent / extent;
+      record(DIAGRAM_AREAS, -a / (expected[c] + 1), i);
     }
     for(std::size_t c = 0; c < sum.size(); ++c)
-      if(m_components.component(c) == c && m_components.extent(c) > 0)
-        record(DIAGRAM_AREAS, relative(std::abs(sum[c] - expected[c]), scale(c)), no_site());
+      if(m_components.component(c) == c && m_components.extent(c) > 0 && rounding[c] < infinity()
+         && is_number(expected[c], m_components.extent(c)))
+        record(DIAGRAM_AREAS, (std::abs(sum[c] - expected[c]) - rounding[c]) / (expected[c] + 1), no_site());
   }
 
-  // Returns the area of a face from its lengths, which is accurate for needles as the shortest one is the base.
-  double area(face_descriptor f) const
+  // Returns whether an area, given in squared extents, is at most the largest number in the squared unit of the mesh.
+  static bool is_number(double area, double extent) { return area * extent * extent < infinity(); }
+
+  // Returns the area of a face in squared extents, from its lengths, which is accurate for needles as the shortest one
+  // is the base.
+  double area(face_descriptor f, double extent) const
   {
     std::array<double, 3> l = lengths(f);
+    for(double& x : l)
+      x /= extent;
     std::sort(l.begin(), l.end());
     return l[0] * planar_triangle_from_lengths(l[0], l[1], l[2]).apex_y / 2;
   }

@@ -69,8 +69,7 @@ public:
     for(const std::array<Vector, 2>& edge : m_border)
     {
       const Vector along = difference(edge[1], edge[0]), to_p = difference(p, edge[0]);
-      const double square = product(along, along);
-      const double t = square > 0 ? (std::min)((std::max)(product(along, to_p) / square, 0.), 1.) : 0.;
+      const double t = fraction_along(along, to_p);
       const double d = norm(difference(to_p, {t * along[0], t * along[1], t * along[2]}));
       smallest = (std::min)(smallest, (std::max)(d - rounding_of(p, edge[0]), 0.));
     }
@@ -88,6 +87,21 @@ private:
   static double rounding_of(const Vector& a, const Vector& b)
   {
     return Tolerance<double>::points_in_space() * (std::max)(norm(a), norm(b));
+  }
+
+  // Returns the fraction of an edge at which it is nearest to a point; both are given from the source of the edge, and
+  // divided by a power of two as large as the edge, as the squares of very small or large lengths are no numbers.
+  static double fraction_along(const Vector& along, const Vector& to_p)
+  {
+    const double length = norm(along);
+    if(!(length > 0))
+      return 0;
+    int exponent = 0;
+    std::frexp(length, &exponent);
+    const auto scaled = [exponent](const Vector& v)
+    { return Vector{std::ldexp(v[0], -exponent), std::ldexp(v[1], -exponent), std::ldexp(v[2], -exponent)}; };
+    const Vector edge = scaled(along);
+    return (std::min)((std::max)(product(edge, scaled(to_p)) / product(edge, edge), 0.), 1.);
   }
 
   static Vector difference(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
