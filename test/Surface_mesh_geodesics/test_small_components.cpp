@@ -63,7 +63,7 @@ void a_small_component_has_the_answers_it_has_alone(const Indexed_mesh& small, d
   CHECK(SMG::certify_geodesic_distances(tm, distances, vertex(source + shift)).is_certified());
 }
 
-// Checks the areas of the cells of two sites that are the ends of an edge of the small component, or in one of its faces.
+// Checks the areas of the cells of two sites: the ends of an edge of the small component, or points in one face of it.
 void a_small_component_has_the_cells_it_has_alone(double unit, bool is_first, bool are_vertices)
 {
   test_support::Scope scope("cells in the unit " + std::to_string(std::log10(unit)));
@@ -75,7 +75,7 @@ void a_small_component_has_the_cells_it_has_alone(double unit, bool is_first, bo
   {
     const bool is_shifted = diagram == &found && !is_first;
     const std::size_t v = is_shifted ? large.points.size() : 0, f = is_shifted ? large.faces.size() : 0;
-    for(const std::size_t k : {0, 1})
+    for(const std::size_t k : {std::size_t(0), std::size_t(1)})
     {
       if(are_vertices)
       {
@@ -88,7 +88,7 @@ void a_small_component_has_the_cells_it_has_alone(double unit, bool is_first, bo
       }
     }
   }
-  for(const std::size_t k : {0, 1})
+  for(const std::size_t k : {std::size_t(0), std::size_t(1)})
   {
     CHECK(expected.area(k) > 0);
     CHECK_CLOSE(found.area(k) / unit / unit, expected.area(k), 1e-12);

@@ -216,8 +216,8 @@ struct Tolerance
   // question for a more careful look only: no result depends on its size.
   static FT near_end() { return FT(1) / 1024; }
 
-  // Relative to a parameter or a distance within a face: how far to look ahead in order to see which side or which cell
-  // comes next. Far above rounding, and far below the size of what is looked at.
+  // Relative to the parameter of a curve (Front_tracer.h), or to the way from one point of a face to another
+  // (Cell_locator.h): how far to look ahead in order to see which side or which cell comes next. Far above rounding, and far below the size of what is looked at.
   static FT look_ahead() { return FT(1) / 1024; }
 
   // Relative to the size of a face: a trace that has not moved by more stands still.
@@ -234,8 +234,9 @@ struct Tolerance
   // the parameter would change its sign.
   static FT half_turn() { return FT(4); }
 
-  // Relative to the squared distance of two sites: a bisector that is described by a smaller number is a ray. Also the
-  // difference of weights, relative to a distance, below which a bisector is a straight line.
+  // Relative to the squared distance of two sites: a bisector that is described by a smaller number is a ray
+  // (Weighted_bisector.h). Relative to the distance of a point of a bisector: if the weights differ by less, the
+  // bisector is a straight line (Arc_curve.h).
   static FT curvature() { return 4 * distance(); }
 
   // Relative to the sum of the absolute terms of a quadratic polynomial: the rounding of its value.
