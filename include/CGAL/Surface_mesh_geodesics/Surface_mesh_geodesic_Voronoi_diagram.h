@@ -72,10 +72,10 @@ also as multiples of the extent of the mesh.
 <b>Ties.</b> Of several sites at one point with the same weight, the first one owns the cell, and the cells of the
 others are empty. The same may happen if the distance of two sites plus the difference of their weights is less than
 about \f$ 6 \cdot 10^{-14} \f$ times the extent of their component, as no distance tells which of them is nearer. If two
-sites are equally far from a vertex at which shortest paths bend, whole regions may be equally far from both. Such a region
-belongs to one of the two, which is decided at that vertex; its boundary consists of the points beyond which the paths
-from the other site are longer. Where the diagram is symmetric, arcs may run along edges and through vertices of the
-mesh, and more than three cells may meet.
+sites are equally far from a vertex at which shortest paths bend, whole regions may be equally far from both. Such a
+region belongs to one of the two, which is decided at that vertex; its boundary consists of the points beyond which the
+paths from the other site are longer. Where the diagram is symmetric, arcs may run along edges and through vertices of
+the mesh, and more than three cells may meet.
 
 <b>When things are computed.</b> The diagram is computed by `build()` or by the first query that needs it. Every
 function that computes it throws what `build()` throws. If computing ends early, the next query or `build()` begins
@@ -811,7 +811,8 @@ public:
   \param output the mesh to which the faces are added
   \param face_site_map receives the site of each new face, `null_site()` for faces that no site reaches
   \param tolerance the largest distance of the polylines from the arcs, in the unit of the mesh. A smaller tolerance
-         makes more faces.
+         makes more faces, but at most 1024 segments for each arc: the distance from the arc may be larger then, by
+         about \f$ 10^{-6} \f$ of what one segment would have.
   \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 
   \cgalNamedParamsBegin

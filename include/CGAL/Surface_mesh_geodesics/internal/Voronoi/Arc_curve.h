@@ -121,12 +121,12 @@ public:
   }
 
   // Calls visit(point) for points of the curve in their order, without the first point and including the last one. The
-  // segments between them are at most `tolerance` away from the curve, unless 24 halvings do not suffice.
+  // segments between them are at most `tolerance` away from the curve, unless `number_of_halvings` do not suffice.
   template <typename Visit>
-  void sample(double tolerance, Visit visit) const
+  void sample(double tolerance, Visit visit, int number_of_halvings = 24) const
   {
     if(!m_is_segment)
-      refine(0, 1, m_first, m_last, tolerance, 24, visit);
+      refine(0, 1, m_first, m_last, tolerance, number_of_halvings, visit);
     visit(m_last);
   }
 

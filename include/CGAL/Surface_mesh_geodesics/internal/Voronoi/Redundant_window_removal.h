@@ -172,7 +172,10 @@ public:
   {
     std::vector<Vertex_id> result(m_mesh->number_of_vertices());
     for(Vertex_id v = 0; v < result.size(); ++v)
+    {
+      CGAL_expensive_assertion(source_of(v) == m_field->source_of(v));
       result[v] = owner(v);
+    }
     return result;
   }
 
@@ -251,8 +254,9 @@ private:
     std::array<float, 3> bound; // of the distances on each side, by the windows that have crossed it; rounded up
   };
 
-  // Notes that windows of a pseudo-source have entered a face. (If another source reaches the pseudo-source later by a
-  // clearly smaller distance, its windows are made once more, and those that still matter come again.)
+  // Notes that windows of a pseudo-source have entered a face. The source known now is the final one: the pseudo-source
+  // has emitted, so its distance is final up to rounding, and the propagation refuses improvements within rounding at
+  // vertices that may emit. owner() is asked for vertices with final distances only.
   void add_source_of(Vertex_id root, Face_record& record)
   {
     if(record.source == several_sources)

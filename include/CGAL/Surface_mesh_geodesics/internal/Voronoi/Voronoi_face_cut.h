@@ -112,9 +112,9 @@ private:
 // to.
 //
 // Invariants of a cut: the triangles of a cell form a disk for each part of the cell (divide_into_cycles()); each side
-// of the face is covered by sides of triangles between consecutive border vertices (walk_along_border()); no two
-// vertices have more than one edge (triangulate() avoids such diagonals). The first two hold regardless of rounding.
-// What rounding may break is the geometry; badness() counts it, and diagonals that could not be avoided.
+// of the face is covered by sides of triangles between consecutive border vertices (walk_along_border()). Both hold
+// regardless of rounding. No two vertices have more than one edge, as long as triangulate() can avoid such diagonals;
+// badness() counts those that it cannot avoid, and triangles that rounding has made degenerate or clockwise.
 //
 // Frame: the layout of the face. Lengths are in the unit of the intrinsic mesh.
 class Voronoi_face_cut
@@ -133,7 +133,8 @@ public:
   Voronoi_face_cut(const Mesh& mesh, const Complex& complex) : m_mesh(mesh), m_complex(complex) {}
 
   // Cuts face f. The segments are at most `tolerance` away from the arcs, in the unit of the intrinsic mesh: half of it
-  // for the samples of the arcs, half for those that are left out.
+  // for the samples of the arcs, half for those that are left out. They may be farther away where `number_of_halvings`
+  // ends the sampling of an arc; such a segment spans 1/1024 of the parameters of the arc.
   // Triangles of a face that no site reaches have the site null_id.
   // Requires: the complex is finished.
   void cut(Face_id f, double tolerance)
@@ -249,7 +250,7 @@ private:
     m_points = m_border_points;
     m_sides.resize(m_points.size());
     m_triangles.clear();
-    m_diagonals.clear();
+    m_edges.clear();
     m_badness = 0;
   }
 
@@ -346,8 +347,8 @@ private:
                        [node](const Border_node& b) { return b.node == node; });
   }
 
-  // Makes all curves of the face. Each of them starts at a node where curves end, as no curve in a face is closed (the
-  // curves are a forest, see Face_partition.h).
+  // Makes all curves of the face, whose segments are edges before any cell is triangulated. Each of them starts at a
+  // node where curves end, as no curve in a face is closed (the curves are a forest, see Face_partition.h).
   void collect_curves(double tolerance)
   {
     m_curves.clear();
@@ -357,6 +358,9 @@ private:
       for(std::uint32_t node : {m_complex.arcs()[a].first_node, m_complex.arcs()[a].last_node})
         if(is_used[a - range.first] == 0 && ends_curve(node))
           add_curve(a, node, tolerance, is_used);
+    for(const Cut_curve& c : m_curves)
+      for(std::size_t i = 1; i < c.vertices.size(); ++i)
+        m_edges.insert(std::minmax(c.vertices[i - 1], c.vertices[i]));
   }
 
   // Adds the curve that leaves a node by an arc: follows arcs to the next node where a curve ends, samples them, and
@@ -397,12 +401,15 @@ private:
     m_curves.push_back(std::move(curve));
   }
 
+  // At most 1024 segments for an arc, whatever the tolerance: the time for a face is cubic in the number of vertices.
+  static constexpr int number_of_halvings = 10;
+
   // Appends samples of an arc, from behind its start to its end; the start has been sampled before.
   void sample(const Complex::Arc& a, bool is_backwards, double tolerance)
   {
     const std::size_t first = m_samples.size();
     const Arc_curve curve(a);
-    curve.sample(tolerance, [&](const Point& p) { m_samples.push_back(p); });
+    curve.sample(tolerance, [&](const Point& p) { m_samples.push_back(p); }, number_of_halvings);
     if(m_samples.size() == first + 1) // a curve along a side may need a vertex inside (has_to_leave_side())
       m_samples.insert(m_samples.end() - 1, curve.point(0.5));
     if(!is_backwards)
@@ -547,11 +554,11 @@ private:
     m_polygon.clear();
     for(std::uint32_t v : cycle)
       m_polygon.push_back(m_points[v]);
-    // A diagonal along a side of the face, or one that exists already, would be a second edge between its vertices.
+    // A diagonal along a side of the face, or one between the ends of an edge, would be a second edge between them.
     m_triangulation.build(m_polygon, [&](std::size_t i, std::size_t j)
     {
       const std::uint32_t a = cycle[i], b = cycle[j];
-      return (m_sides[a] & m_sides[b]) == 0 && m_diagonals.count(std::minmax(a, b)) == 0;
+      return (m_sides[a] & m_sides[b]) == 0 && m_edges.count(std::minmax(a, b)) == 0;
     });
     m_badness += m_triangulation.badness();
     for(const Polygon_triangulation::Triangle& t : m_triangulation.triangles())
@@ -560,7 +567,7 @@ private:
       for(unsigned int k = 0; k < 3; ++k)
       {
         const std::uint32_t a = cycle[t[k]], b = cycle[t[next_corner(k)]];
-        m_diagonals.insert(std::minmax(a, b));
+        m_edges.insert(std::minmax(a, b));
       }
     }
   }
@@ -576,7 +583,7 @@ private:
   std::unordered_map<std::uint32_t, std::uint32_t> m_vertex_of_node;
   std::vector<Cut_curve> m_curves;
   std::vector<Point> m_samples, m_polygon;
-  std::set<std::pair<std::uint32_t, std::uint32_t>> m_diagonals;
+  std::set<std::pair<std::uint32_t, std::uint32_t>> m_edges; // segments of curves, sides of triangles
   Polygon_triangulation m_triangulation;
 };
 

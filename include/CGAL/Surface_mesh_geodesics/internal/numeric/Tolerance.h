@@ -217,7 +217,8 @@ struct Tolerance
   static FT near_end() { return FT(1) / 1024; }
 
   // Relative to the parameter of a curve (Front_tracer.h), or to the way from one point of a face to another
-  // (Cell_locator.h): how far to look ahead in order to see which side or which cell comes next. Far above rounding, and far below the size of what is looked at.
+  // (Cell_locator.h): how far to look ahead in order to see which side or which cell comes next. Far above rounding,
+  // and far below the size of what is looked at.
   static FT look_ahead() { return FT(1) / 1024; }
 
   // Relative to the size of a face: a trace that has not moved by more stands still.

@@ -21,6 +21,8 @@
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Weighted_bisector.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -137,11 +139,13 @@ private:
 
   // Returns the segment pq as a piece of f, with the images that are nearest at its middle. Where two cells meet along
   // an edge, the paths of one of them may come from the other face only; then the nearer image stands for both.
+  // Requires: the face has an image of one of the two cells at least.
   Piece straight_piece(const Front& f, const Point& p, const Point& q) const
   {
     const Point middle = midpoint(p, q);
     const std::size_t none = Front::none;
     const std::size_t l = m_images.nearest_of(f.left, middle), r = m_images.nearest_of(f.right, middle);
+    CGAL_expensive_assertion(l != none || r != none);
     Piece piece;
     piece.end = q;
     if(l != none)

@@ -187,7 +187,9 @@ private:
       return h;
     }
     const halfedge_descriptor h = new_edge(m_local[from], m_local[to]);
-    m_open[std::make_pair(to, from)] = opposite(h, m_output);
+    const bool is_new = m_open.emplace(std::make_pair(to, from), opposite(h, m_output)).second;
+    CGAL_assertion_msg(is_new, "two edges of a face have the same vertices");
+    static_cast<void>(is_new);
     return h;
   }
 
