@@ -111,7 +111,7 @@ public:
   void keep(Halfedge_id h, const Window_list<FT>& list)
   {
     const Face_id f = face_of(h);
-    if(is_inactive(f)) // these windows come too late
+    if(is_inactive(f)) // the face has been divided: its windows are not needed any more
       return;
     Face_record& record = m_faces[f];
     const auto& columns = list.columns;

@@ -475,8 +475,8 @@ private:
     }
   }
 
-  // Returns the cell on the border behind a border node, as this face sees it: that on the right of a curve that starts
-  // here. The node itself may list its two cells in the order of the other face.
+  // Returns the cell on the border behind a border node, according to this face: that on the right of a curve that
+  // starts here. The node itself may list its two cells in the order of the other face.
   Vertex_id site_behind(std::size_t border_node) const
   {
     const std::uint32_t node = m_border_nodes[border_node].node;

@@ -155,7 +155,7 @@ private:
     m_position[entry.vertex] = static_cast<std::uint32_t>(i);
   }
 
-  // Moves the vacancy at i towards the root until the entry fits there.
+  // Moves the vacancy at i toward the root until the entry fits there.
   void sift_up(std::size_t i, const Entry& entry)
   {
     while(i > 0)
@@ -169,7 +169,7 @@ private:
     put(i, entry);
   }
 
-  // Moves the vacancy at the root towards the leaves until the entry fits there.
+  // Moves the vacancy at the root toward the leaves until the entry fits there.
   void sift_down(const Entry& entry)
   {
     std::size_t i = 0;
