@@ -51,7 +51,8 @@ struct Vertex_improvement
   Vertex_arrival<FT> arrival;
   Arrival_image<FT> image;
 
-  // Does it win against another improvement of the same vertex? A strict order: no star improves a vertex twice.
+  // Does it win against another improvement of the same vertex? Of equal ones of one star neither wins: they come from
+  // one thread, in the order of the links.
   bool wins(const Vertex_improvement& other) const
   {
     return distance < other.distance || (!(other.distance < distance) && star < other.star);
