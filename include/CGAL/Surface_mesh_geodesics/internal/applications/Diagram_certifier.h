@@ -258,42 +258,52 @@ private:
   // is negative. A cell is in the component of its site. So a gap or an overlap of cells shows even where no sample
   // lies, unless another one makes up for it.
   //
-  // Areas are divided by the square of the extent of their component. What the diagram says is a number of the squared
-  // unit of the mesh: it is rounded to a multiple of the least number, which is allowed, and tells nothing if the area
-  // is above the largest number or far below the least one.
+  // Areas are divided by the square of a power of two near the extent of their component, which changes no digit. What
+  // the diagram says is a number of the squared unit of the mesh: it is rounded to a multiple of the least number, which
+  // is allowed, and tells nothing if the area is above the largest number or far below the least one.
   void check_areas()
   {
     std::vector<double> expected(num_vertices(m_tm), 0.), sum(expected), rounding(expected);
     for(const face_descriptor f : faces(m_tm))
       if(m_diagram.nearest_site(source(halfedge(f, m_tm), m_tm)) != no_site() && extent_around(f) > 0)
-        expected[component_of(f)] += area(f, extent_around(f));
+        expected[component_of(f)] += area(f, power_of_two(extent_around(f)));
     for(std::size_t i = 0; i < m_diagram.number_of_sites(); ++i)
     {
       const face_descriptor f = m_diagram.site(i).first;
       if(f == Graph_traits::null_face() || !(extent_around(f) > 0))
         continue;
-      const double extent = extent_around(f), a = CGAL::to_double(m_diagram.area(i)) / extent / extent;
+      const double unit = power_of_two(extent_around(f)), a = CGAL::to_double(m_diagram.area(i)) / unit / unit;
       const std::size_t c = component_of(f);
       sum[c] += a;
-      rounding[c] += std::numeric_limits<double>::denorm_min() / extent / extent;
-      record(DIAGRAM_AREAS, -a / (expected[c] + 1), i);
+      rounding[c] += std::numeric_limits<double>::denorm_min() / unit / unit;
+      record(DIAGRAM_AREAS, relative_area(-a, expected[c], c), i);
     }
     for(std::size_t c = 0; c < sum.size(); ++c)
       if(m_components.component(c) == c && m_components.extent(c) > 0 && rounding[c] < infinity()
-         && is_number(expected[c], m_components.extent(c)))
-        record(DIAGRAM_AREAS, (std::abs(sum[c] - expected[c]) - rounding[c]) / (expected[c] + 1), no_site());
+         && is_number(expected[c], power_of_two(m_components.extent(c))))
+        record(DIAGRAM_AREAS, relative_area(std::abs(sum[c] - expected[c]) - rounding[c], expected[c], c), no_site());
   }
 
-  // Returns whether an area, given in squared extents, is at most the largest number in the squared unit of the mesh.
-  static bool is_number(double area, double extent) { return area * extent * extent < infinity(); }
+  // Returns the largest power of two that is not greater than a positive number.
+  static double power_of_two(double x) { return std::ldexp(1., std::ilogb(x)); }
 
-  // Returns the area of a face in squared extents, from its lengths, which is accurate for needles as the shortest one
+  // Returns a difference of areas relative to the expected area plus the square of the extent of component c.
+  double relative_area(double difference, double expected, std::size_t c) const
+  {
+    const double extent = m_components.extent(c) / power_of_two(m_components.extent(c));
+    return difference / (expected + extent * extent);
+  }
+
+  // Returns whether an area, given in squares of `unit`, is at most the largest number in the squared unit of the mesh.
+  static bool is_number(double area, double unit) { return area * unit * unit < infinity(); }
+
+  // Returns the area of a face in squares of `unit`, from its lengths, which is accurate for needles as the shortest one
   // is the base.
-  double area(face_descriptor f, double extent) const
+  double area(face_descriptor f, double unit) const
   {
     std::array<double, 3> l = lengths(f);
     for(double& x : l)
-      x /= extent;
+      x /= unit;
     std::sort(l.begin(), l.end());
     return l[0] * planar_triangle_from_lengths(l[0], l[1], l[2]).apex_y / 2;
   }
