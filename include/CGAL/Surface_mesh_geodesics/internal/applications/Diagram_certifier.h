@@ -259,8 +259,8 @@ private:
   // lies, unless another one makes up for it.
   //
   // Areas are divided by the square of a power of two near the extent of their component, which changes no digit. What
-  // the diagram says is a number of the squared unit of the mesh: it is rounded to a multiple of the least number, which
-  // is allowed, and tells nothing if the area is above the largest number or far below the least one.
+  // the diagram says is a number of the squared unit of the mesh. It is rounded to a multiple of the least number,
+  // which is allowed. It tells nothing if the area is above the largest number or far below the least one.
   void check_areas()
   {
     std::vector<double> expected(num_vertices(m_tm), 0.), sum(expected), rounding(expected);
@@ -297,7 +297,7 @@ private:
   // Returns whether an area, given in squares of `unit`, is at most the largest number in the squared unit of the mesh.
   static bool is_number(double area, double unit) { return area * unit * unit < infinity(); }
 
-  // Returns the area of a face in squares of `unit`, from its lengths, which is accurate for needles as the shortest one
+  // Returns the area of a face in squares of `unit`, from its lengths. It is accurate for needles, as the shortest one
   // is the base.
   double area(face_descriptor f, double unit) const
   {

@@ -149,7 +149,8 @@ public:
 
   // Takes over the distance of a link that a star has improved, and pushes the vertex if it must emit windows. Appends
   // the vertex to `reached` if it had no distance. Returns whether the vertex had emitted windows, which are stale now.
-  // Changes nothing if the vertex is as near already: where faces are glued to each other, it may be two links of a star.
+  // Changes nothing if the vertex is as near already: where faces are glued to each other, it may be two links of one
+  // star.
   // Requires: of several improvements of a vertex in stars that are out together, only the best one is taken over.
   template <typename Push>
   bool improve(Vertex_id v, const FT& distance, const Vertex_arrival<FT>& arrival, const Arrival_image<FT>& image,
