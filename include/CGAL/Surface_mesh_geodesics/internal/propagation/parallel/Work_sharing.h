@@ -65,7 +65,7 @@ public:
     CGAL_assertion(n <= maximum_number_of_units && m_done.load() == number_of_units(m_ticket.load()));
     m_done.store(0, std::memory_order_relaxed);
     m_ticket.store(ticket_after(m_ticket.load(std::memory_order_relaxed), kind, n), std::memory_order_release);
-    while(do_one(kind, work))
+    while(do_one([&](bool, std::uint32_t i) { work(i); }))
     {}
     Spin_wait spin;
     while(m_done.load(std::memory_order_acquire) != n)
@@ -123,12 +123,6 @@ private:
     }
     m_done.fetch_add(1, std::memory_order_release);
     return true;
-  }
-
-  template <typename Work>
-  bool do_one(bool, Work work)
-  {
-    return do_one([&](bool, std::uint32_t i) { work(i); });
   }
 
   void rethrow()
