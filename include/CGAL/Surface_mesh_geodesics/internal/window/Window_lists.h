@@ -452,14 +452,14 @@ public:
   void take(Halfedge_id h, List& list, Window_list_slots& slots)
   {
     CGAL_assertion(has(h) && list.columns.height == 0);
-    std::uint32_t& slot = m_slot_of_halfedge[dense_index(h)];
+    const std::uint32_t slot = m_slot_of_halfedge[dense_index(h)];
+    slots.free.push_back(slot); // first: if it throws, nothing has changed
+    m_slot_of_halfedge[dense_index(h)] = null_id;
     Slot& s = at(slot);
     list = s.list;
     s.list = List();
     s.halfedge = null_id;
     slots.number_of_windows -= static_cast<std::ptrdiff_t>(list.size);
-    slots.free.push_back(slot);
-    slot = null_id;
   }
 
   // Moves a list to h, where it is merged with the list that waits already. Requires: the list is not empty.
@@ -522,8 +522,10 @@ private:
   void make_slots(Window_list_slots& slots)
   {
     const std::lock_guard<std::mutex> lock(m_mutex);
+    slots.free.reserve(slots_in_chunk); // what follows changes nothing if it throws
     if(m_free_slots.empty())
     {
+      m_free_slots.reserve(slots_in_chunk);
       CGAL_assertion(m_number_of_slots / slots_in_chunk < m_chunks.size());
       m_chunks[m_number_of_slots / slots_in_chunk].reset(new Slot[slots_in_chunk]);
       for(std::size_t i = 0; i < slots_in_chunk; ++i)

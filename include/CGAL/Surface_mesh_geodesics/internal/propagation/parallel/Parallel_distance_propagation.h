@@ -90,12 +90,14 @@ public:
   Parallel_distance_propagation& operator=(const Parallel_distance_propagation&) = delete;
 
   // Removes the sources, distances, limits and statistics of the last run. The mesh may have changed since. Linear in
-  // the area that the last run reached; linear in the mesh if an exception ended that run, or the number of threads has
-  // changed.
+  // the area that the last run reached; linear in the mesh if an exception of a thread ended that run, or the number of
+  // threads has changed.
   void restart()
   {
     make_workers();
     drop_stars_and_messages();
+    for(Wavefront_part<FT>& part : m_parts)
+      part.move_reached(m_wavefront.reached()); // if an exception has kept them
     m_wavefront.restart(m_workers.front()->stars.pool(), slots_of_workers());
     for(const std::unique_ptr<Worker>& worker : m_workers)
       worker->stars.restart();
@@ -216,11 +218,12 @@ private:
         continue;
       }
       const FT nearest = nearest_key();
-      if(m_end.is_reached_at(nearest, m_field.distance) || !m_team.isolate(go_on))
+      const bool is_reached = m_end.is_reached_at(nearest, m_field.distance);
+      if(is_reached || !m_team.isolate(go_on))
       {
         for(Wavefront_part<FT>& part : m_parts)
           part.give_back_batch();
-        return m_end.is_reached_at(nearest, m_field.distance);
+        return is_reached;
       }
       if(m_batch.empty())
         m_threshold.go_on_from(nearest);
@@ -250,9 +253,7 @@ private:
     for(Wavefront_part<FT>& part : m_parts)
     {
       m_batch.insert(m_batch.end(), part.batch().begin(), part.batch().end());
-      std::vector<Vertex_id>& reached = m_wavefront.reached();
-      reached.insert(reached.end(), part.reached.begin(), part.reached.end());
-      part.reached.clear();
+      part.move_reached(m_wavefront.reached());
       are_windows_stale |= part.has_stale_windows;
       part.has_stale_windows = false;
       largest_key = (std::max)(largest_key, part.largest_key());

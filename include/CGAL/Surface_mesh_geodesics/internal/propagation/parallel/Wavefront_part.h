@@ -120,16 +120,18 @@ public:
   using Improvement = Vertex_improvement<FT>;
 
   // Empties the part, for a mesh with this number of vertices. Linear in the number of queued vertices and of vertices
-  // that are new.
+  // that are new; linear in the size of the part if an exception has ended take_over().
   void restart(const Part_numbering& numbering, std::size_t part, std::size_t number_of_vertices)
   {
     m_numbering = numbering;
     m_part = part;
     const std::size_t n = numbering.largest_part(number_of_vertices);
     m_queue.restart(n);
+    if(m_is_taking_over)
+      m_best.clear();
+    m_is_taking_over = false;
     m_best.resize(n, nullptr);
     m_batch.clear();
-    reached.clear();
     has_stale_windows = false;
   }
 
@@ -138,6 +140,7 @@ public:
   template <typename RangeOfMessages>
   void take_over(const RangeOfMessages& messages, Wavefront<FT>& wavefront)
   {
+    m_is_taking_over = true;
     for(const Messages* m : messages)
       for(const Improvement& i : m->improvements)
         consider(i);
@@ -155,6 +158,14 @@ public:
         m_best[m_numbering.number_in_part(i.vertex)] = nullptr;
       m->clear();
     }
+    m_is_taking_over = false;
+  }
+
+  // Moves the vertices that had no distance before to the end of `reached`.
+  void move_reached(std::vector<Vertex_id>& reached)
+  {
+    reached.insert(reached.end(), m_reached.begin(), m_reached.end());
+    m_reached.clear();
   }
 
   // Moves all vertices with keys up to a limit from the queue into the batch. Requires: the batch is empty.
@@ -197,7 +208,6 @@ public:
 
   std::size_t table_memory() const { return m_queue.table_memory() + m_best.capacity() * sizeof(m_best[0]); }
 
-  std::vector<Vertex_id> reached; // vertices that had no distance before; the owner moves them away
   bool has_stale_windows = false; // a vertex that had emitted windows was improved; the owner resets it
 
 private:
@@ -211,7 +221,7 @@ private:
 
   void improve(const Improvement& i, Wavefront<FT>& wavefront)
   {
-    if(wavefront.improve(i.vertex, i.distance, i.arrival, i.image, reached,
+    if(wavefront.improve(i.vertex, i.distance, i.arrival, i.image, m_reached,
                          [this](Vertex_id v, const FT& key) { push(v, key); }))
       has_stale_windows = true;
   }
@@ -221,6 +231,8 @@ private:
   Wavefront_queue<FT> m_queue{0};          // of numbers in the part
   std::vector<const Improvement*> m_best;  // by number in the part; null between calls
   std::vector<Queued_vertex<FT>> m_batch;
+  std::vector<Vertex_id> m_reached; // since the last move_reached()
+  bool m_is_taking_over = false;    // outside take_over() only if an exception has ended it
 };
 
 } // namespace internal

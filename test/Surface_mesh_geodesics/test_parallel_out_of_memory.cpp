@@ -1,0 +1,121 @@
+// The parallel propagation runs out of memory, at one allocation after the other, in any of its threads: it throws
+// std::bad_alloc, and the next run of the same object has the same bits as a run of a new one.
+
+// A program that defines a macro is compiled alone; this one replaces operator new.
+#define SURFACE_MESH_GEODESICS_TEST_IS_COMPILED_ALONE
+
+#include "intrinsic_mesh_helpers.h"
+#include "test_meshes.h"
+#include "test_support.h"
+#include "thread_team.h"
+
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Parallel_distance_propagation.h>
+
+#include <atomic>
+#include <cstddef>
+#include <cstdlib>
+#include <iostream>
+#include <new>
+#include <vector>
+
+namespace {
+
+std::atomic<bool> is_memory_limited{false};
+std::atomic<long> allocations_left{0};
+
+// Allocates, unless no allocation is left; then memory is unlimited again.
+void* allocate(std::size_t n)
+{
+  if(is_memory_limited && allocations_left.fetch_sub(1) == 0)
+  {
+    is_memory_limited = false;
+    throw std::bad_alloc();
+  }
+  void* const p = std::malloc(n);
+  if(p == nullptr)
+  {
+    throw std::bad_alloc();
+  }
+  return p;
+}
+
+} // namespace
+
+void* operator new(std::size_t n)
+{
+  return allocate(n);
+}
+
+void operator delete(void* p) noexcept
+{
+  std::free(p);
+}
+
+void operator delete(void* p, std::size_t) noexcept
+{
+  std::free(p);
+}
+
+namespace {
+
+namespace internal = CGAL::Surface_mesh_geodesics::internal;
+using Propagation =
+  internal::Parallel_distance_propagation<double, internal::All_pruning_rules, Thread_team>;
+
+// Runs from a source. The allocations are counted from the first batch on, when all threads have started.
+void run(Propagation& propagation, internal::Vertex_id source, double maximum_distance, long limit)
+{
+  propagation.restart();
+  propagation.add_source(source, 0.);
+  propagation.set_maximum_distance(maximum_distance);
+  allocations_left = limit;
+  CHECK(propagation.run([&](std::size_t visits, double)
+  {
+    is_memory_limited = is_memory_limited || (visits == 0 && limit >= 0);
+    return true;
+  }));
+}
+
+void check_limits(std::size_t number_of_threads, const internal::Intrinsic_mesh<double>& mesh)
+{
+  test_support::Scope scope(std::to_string(number_of_threads) + " threads");
+  const double unlimited = internal::Vertex_distance_field<double>::infinity();
+  std::vector<double> expected;
+  std::size_t number_of_failures = 0;
+  for(long limit = -1; limit < 160; ++limit)
+  {
+    internal::Vertex_distance_field<double> field;
+    Propagation propagation(mesh, field, 16, Thread_team(number_of_threads));
+    try
+    {
+      run(propagation, 5, unlimited, limit);
+      is_memory_limited = false;
+    }
+    catch(const std::bad_alloc&)
+    {
+      ++number_of_failures;
+      run(propagation, 17, .3, -1);
+      run(propagation, 5, unlimited, -1);
+    }
+    if(expected.empty())
+    {
+      expected = field.distance;
+    }
+    CHECK(field.distance == expected);
+  }
+  std::cout << number_of_failures << " runs out of memory with " << number_of_threads << " threads" << std::endl;
+  CHECK(number_of_failures > 50);
+}
+
+} // namespace
+
+int main()
+{
+  const auto mesh = test_meshes::intrinsic_mesh(
+    test_meshes::to_face_graph(test_meshes::noisy_sphere(3, .1, test_support::announce_seed(7))));
+  for(const std::size_t number_of_threads : std::vector<std::size_t>{1, 2, 5})
+  {
+    check_limits(number_of_threads, mesh);
+  }
+  return test_result();
+}
