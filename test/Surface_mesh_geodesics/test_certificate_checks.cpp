@@ -169,9 +169,8 @@ void paths_are_measured()
 {
   test_support::Scope scope("paths");
   const Witness witness(torus(2., 1., 12, 8));
-  SMGI::Distance_checks<double> checks(witness.mesh, witness.mesh.number_of_vertices());
-  checks.values = witness.field.distance;
-  checks.offsets[0] = 0.;
+  SMGI::Distance_checks<double> checks(witness.mesh, witness.field.distance);
+  checks.add_source(0, 0.);
   const SMGI::Path_tracer<double> tracer(witness.mesh, witness.field);
   std::size_t number_with_edges = 0;
   for(SMGI::Vertex_id v = 0; v < witness.mesh.number_of_vertices(); ++v)

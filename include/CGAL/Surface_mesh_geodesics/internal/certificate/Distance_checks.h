@@ -14,8 +14,8 @@
 // (Lower_bound_check.h) they prove the distances. Nothing here depends on how the distances were found. A path counts
 // only after its length has been measured.
 //
-// Vertices from `number_of_values` on are sources inside faces and on edges that have been made vertices. No distance
-// is given for them, but the conditions hold for paths through them.
+// The last vertices of the mesh may be sources inside faces and on edges. No distance is given for them, but the
+// conditions hold for paths through them.
 //
 // A violation is relative to the right value plus the longest edge of the faces around the vertex. Conditions that
 // stem from an inequality d(v) <= d(w) + |vw| are computed with one addition and one subtraction, so rounding causes
@@ -54,21 +54,20 @@ public:
   using Mesh = Intrinsic_mesh<FT>;
   using Violation = Worst_violation<FT>;
 
-  // The caller sets both vectors below before any check. Takes linear time.
-  Distance_checks(const Mesh& mesh, std::size_t number_of_values)
-    : values(mesh.number_of_vertices(), infinity()), offsets(mesh.number_of_vertices(), infinity()), m_mesh(mesh),
-      m_number_of_values(number_of_values), m_scale(mesh.number_of_vertices(), FT(0)),
-      m_extents(extents_of_components(mesh))
+  // `values` has the distances to be checked, by vertex, in the unit of the mesh. Vertices without a
+  // value come last. Takes linear time.
+  Distance_checks(const Mesh& mesh, std::vector<FT> values)
+    : m_mesh(mesh), m_values(std::move(values)), m_offsets(mesh.number_of_vertices(), infinity()),
+      m_scale(mesh.number_of_vertices(), FT(0)), m_extents(extents_of_components(mesh))
   {
-    CGAL_assertion(number_of_values <= mesh.number_of_vertices());
+    CGAL_assertion(m_values.size() <= mesh.number_of_vertices());
     for(Face_id f = 0; f < mesh.number_of_faces(); ++f)
       for(const Vertex_id v : mesh.face(f).vertex)
         m_scale[v] = (std::max)(m_scale[v], longest_side(m_mesh.face(f)));
   }
 
-  // By vertex, in the unit of the mesh: the distances to be checked, and the smallest offset of the sources at the
-  // vertex, infinity if there is none.
-  std::vector<FT> values, offsets;
+  // Adds a source at a vertex. The smallest offset of the sources at a vertex counts. Call it before any check.
+  void add_source(Vertex_id v, const FT& offset) { m_offsets[v] = (std::min)(m_offsets[v], offset); }
 
   // --- conditions; `limit` is the radius up to which distances were computed, infinity if all were ---
 
@@ -76,9 +75,9 @@ public:
   Violation check_sources() const
   {
     Violation worst;
-    for(Vertex_id v = 0; v < m_number_of_values; ++v)
-      if(offsets[v] < infinity())
-        record(values[v] - offsets[v], values[v], v, worst);
+    for(Vertex_id v = 0; v < m_values.size(); ++v)
+      if(m_offsets[v] < infinity())
+        record(m_values[v] - m_offsets[v], m_values[v], v, worst);
     return worst;
   }
 
@@ -88,10 +87,10 @@ public:
   {
     const std::vector<char> is_connected = vertices_connected_to_sources();
     Violation worst;
-    for(Vertex_id v = 0; v < m_number_of_values; ++v)
+    for(Vertex_id v = 0; v < m_values.size(); ++v)
     {
-      const bool is_infinite = values[v] == infinity();
-      const bool is_finite = values[v] >= 0 && values[v] <= limit * (1 + Tolerance<FT>::path()) && !is_infinite;
+      const bool is_infinite = m_values[v] == infinity();
+      const bool is_finite = m_values[v] >= 0 && m_values[v] <= limit * (1 + Tolerance<FT>::path()) && !is_infinite;
       const bool is_right
         = is_connected[v] != 0 ? (is_finite || (is_infinite && limit < infinity())) : is_infinite;
       worst.record(is_right ? FT(0) : infinity(), FT(1), FT(1), v);
@@ -139,11 +138,11 @@ public:
   // No value is greater than the lower bound that Lower_bound_check proves.
   Violation check_lower_bounds(const std::vector<FT>& bounds, const FT& limit) const
   {
-    CGAL_assertion(bounds.size() >= m_number_of_values);
+    CGAL_assertion(bounds.size() >= m_values.size());
     Violation worst;
-    for(Vertex_id v = 0; v < m_number_of_values; ++v)
+    for(Vertex_id v = 0; v < m_values.size(); ++v)
       if(!is_beyond(v, bounds[v], limit) && bounds[v] < infinity())
-        record(values[v] - bounds[v], bounds[v], v, worst);
+        record(m_values[v] - bounds[v], bounds[v], v, worst);
     return worst;
   }
 
@@ -154,7 +153,7 @@ public:
     const Path_tracer<FT> tracer(m_mesh, field);
     Path_steps<FT> path;
     Violation worst;
-    for(Vertex_id v = 0; v < m_number_of_values; ++v)
+    for(Vertex_id v = 0; v < m_values.size(); ++v)
     {
       if(!(field.distance[v] < infinity()))
         continue;
@@ -162,7 +161,7 @@ public:
       const FT length = tracer.trace_from_vertex(v, path) ? length_to_source(path) : infinity();
       if(is_beyond(v, length, limit))
         continue;
-      record(length < values[v] ? FT(values[v] - length) : FT(length - values[v]), length, v, worst);
+      record(length < m_values[v] ? FT(m_values[v] - length) : FT(length - m_values[v]), length, v, worst);
     }
     return worst;
   }
@@ -175,12 +174,12 @@ public:
   void check_reverse(Vertex_id v, const Vertex_distance_field<FT>& field_of_v, const FT& limit, Violation& worst) const
   {
     FT reverse = infinity();
-    for(Vertex_id s = 0; s < offsets.size(); ++s)
-      if(offsets[s] < infinity())
-        reverse = (std::min)(reverse, FT(offsets[s] + field_of_v.distance[s]));
-    if(is_beyond(v, reverse, limit) || (!(values[v] < infinity()) && !(reverse < infinity())))
+    for(Vertex_id s = 0; s < m_offsets.size(); ++s)
+      if(m_offsets[s] < infinity())
+        reverse = (std::min)(reverse, FT(m_offsets[s] + field_of_v.distance[s]));
+    if(is_beyond(v, reverse, limit) || (!(m_values[v] < infinity()) && !(reverse < infinity())))
       return;
-    record(reverse < values[v] ? FT(values[v] - reverse) : FT(reverse - values[v]), reverse, v, worst);
+    record(reverse < m_values[v] ? FT(m_values[v] - reverse) : FT(reverse - m_values[v]), reverse, v, worst);
   }
 
   // Returns the length of a path from its first vertex to a source, plus the offset of the source. Returns infinity if
@@ -199,7 +198,7 @@ public:
         return infinity();
       length += norm<FT>(to[0] - from[0], to[1] - from[1]);
     }
-    return length + offsets[path.back().vertex];
+    return length + m_offsets[path.back().vertex];
   }
 
 private:
@@ -208,13 +207,13 @@ private:
   // Returns whether v rightly has no value because its distance is beyond the limit.
   bool is_beyond(Vertex_id v, const FT& distance, const FT& limit) const
   {
-    return limit < infinity() && distance > limit * (1 - Tolerance<FT>::path()) && values[v] == infinity();
+    return limit < infinity() && distance > limit * (1 - Tolerance<FT>::path()) && m_values[v] == infinity();
   }
 
   // Returns the distance with which a path continues at v; infinity if it is unknown.
   FT value_on_the_way(Vertex_id v) const
   {
-    return v < m_number_of_values ? values[v] : offsets[v];
+    return v < m_values.size() ? m_values[v] : m_offsets[v];
   }
 
   // Checks a condition on the value of v that is violated by `excess`; `number` is the right value.
@@ -227,9 +226,9 @@ private:
   void check_way(Vertex_id from, Vertex_id to, const FT& length, const FT& limit, Violation& worst) const
   {
     const FT value = value_on_the_way(from), d = value + length;
-    if(to >= m_number_of_values || !(value >= 0 && value < infinity()) || is_beyond(to, d, limit))
+    if(to >= m_values.size() || !(value >= 0 && value < infinity()) || is_beyond(to, d, limit))
       return;
-    record(values[to] - d, d, to, worst);
+    record(m_values[to] - d, d, to, worst);
   }
 
   // Returns, for each vertex, whether faces lead from it to a source.
@@ -237,8 +236,8 @@ private:
   {
     std::vector<char> is_connected(m_mesh.number_of_vertices(), 0);
     std::vector<Vertex_id> sources;
-    for(Vertex_id v = 0; v < offsets.size(); ++v)
-      if(offsets[v] < infinity())
+    for(Vertex_id v = 0; v < m_offsets.size(); ++v)
+      if(m_offsets[v] < infinity())
         sources.push_back(v);
     for_each_connected_vertex(m_mesh, std::move(sources), is_connected, [](Vertex_id) {});
     return is_connected;
@@ -276,7 +275,8 @@ private:
   }
 
   const Mesh& m_mesh;
-  std::size_t m_number_of_values;
+  std::vector<FT> m_values;  // by vertex with a value
+  std::vector<FT> m_offsets; // by vertex; infinity where no source is
   std::vector<FT> m_scale;   // the longest edge of the faces around a vertex
   std::vector<FT> m_extents; // the longest edge of the component of a vertex
 };

@@ -84,11 +84,13 @@ public:
   Checked_conditions<FT> run(Value value, const FT& user_limit, std::size_t number_of_reverse_runs)
   {
     const FT limit = user_limit / m_surface.unit();
-    Distance_checks<FT> checks(m_surface.mesh(), m_surface.number_of_vertices());
+    std::vector<FT> values;
+    values.reserve(m_surface.number_of_vertices());
     for(Vertex_id v = 0; v < m_surface.number_of_vertices(); ++v)
-      checks.values[v] = FT(value(m_surface.descriptor(v))) / m_surface.unit();
+      values.push_back(FT(value(m_surface.descriptor(v))) / m_surface.unit());
+    Distance_checks<FT> checks(m_surface.mesh(), std::move(values));
     for(const std::pair<Vertex_id, FT>& s : m_sources)
-      checks.offsets[s.first] = (std::min)(checks.offsets[s.first], s.second);
+      checks.add_source(s.first, s.second);
 
     Checked_conditions<FT> result;
     result[CHECKED_REACH] = checks.check_reach(limit);

@@ -89,13 +89,13 @@ public:
 private:
   Row& row(std::size_t i) { return m_rows[i % m_rows.size()]; }
 
-  // Waits until there is room for another row. Returns the row to be computed next, or n if there is none. No thread
+  // Waits until a buffer is free for another row. Returns the row to be computed next, or n if there is none. No thread
   // waits forever: row m_first_inside has been claimed by a thread that is computing it or handing it out, or the
   // condition holds.
   std::size_t claim()
   {
     std::unique_lock<std::mutex> lock(m_mutex);
-    m_has_room.wait(lock, [this]()
+    m_buffer_is_free.wait(lock, [this]()
                     { return m_stop || m_next == m_number || m_next < m_first_inside + m_rows.size(); });
     CGAL_assertion(m_first_inside <= m_next && m_next <= m_first_inside + m_rows.size());
     return m_stop || m_next == m_number ? m_number : m_next++;
@@ -120,7 +120,7 @@ private:
       ++m_first_inside;
       if(!goes_on)
         m_stop = true;
-      m_has_room.notify_all();
+      m_buffer_is_free.notify_all();
     }
     m_is_handing_out = false;
   }
@@ -132,7 +132,7 @@ private:
     if(m_failure == nullptr)
       m_failure = std::current_exception();
     m_stop = true;
-    m_has_room.notify_all();
+    m_buffer_is_free.notify_all();
   }
 
   const Compute& m_compute;
@@ -141,7 +141,7 @@ private:
   std::vector<Row> m_rows;
   Stop_flag m_stop{false};
   std::mutex m_mutex; // guards all members below
-  std::condition_variable m_has_room;
+  std::condition_variable m_buffer_is_free;
   std::vector<bool> m_is_filled;
   bool m_is_handing_out = false; // stays true if the output throws
   std::size_t m_next = 0;         // row to be computed next

@@ -152,7 +152,7 @@ private:
         ++m_statistics.windows_removed_by_vertices;
         continue;
       }
-      m_pool.make_room(f.outward, 1);
+      m_pool.reserve(f.outward, 1);
       Window_batch<FT> batch;
       batch.start(f.outward, 0);
       batch.add(w);
@@ -205,8 +205,8 @@ private:
     {
       List* const around = f.next == null_id ? nullptr : &star.faces[f.next].counterclockwise;
       List* const outward = c.right == null_id ? nullptr : &f.outward;
-      m_crossing.split(list, c, corners, path, room(around, list.size, c.left_length),
-                       room(outward, list.size, c.right_length));
+      m_crossing.split(list, c, corners, path, reserve(around, list.size, c.left_length),
+                       reserve(outward, list.size, c.right_length));
       put_around(around, m_crossing.left());
       put_outward(f, m_crossing.right());
     }
@@ -226,8 +226,8 @@ private:
     {
       List* const around = f.previous == null_id ? nullptr : &star.faces[f.previous].clockwise;
       List* const outward = c.left == null_id ? nullptr : &f.outward;
-      m_crossing.split(list, c, corners, path, room(outward, list.size, c.left_length),
-                       room(around, list.size, c.right_length));
+      m_crossing.split(list, c, corners, path, reserve(outward, list.size, c.left_length),
+                       reserve(around, list.size, c.right_length));
       put_outward(f, m_crossing.left());
       put_around(around, m_crossing.right());
     }
@@ -285,33 +285,33 @@ private:
 
   static Vertex_rival<FT> rival(const Star& star) { return Vertex_rival<FT>(star.distance, star.is_degenerate); }
 
-  // Makes room for n more windows in a list. Returns a list without room if there is no list (at the border), or if its
-  // edge has no length.
-  List room(List* list, std::size_t n, const FT& length)
+  // Reserves capacity for n more windows in a list. Returns a list without a block if there is no list (at the border),
+  // or if its edge has no length.
+  List reserve(List* list, std::size_t n, const FT& length)
   {
     if(list == nullptr || !(length > 0))
       return List();
-    m_pool.make_room(*list, n);
+    m_pool.reserve(*list, n);
     return *list;
   }
 
   // Appends windows that go on around the vertex, if there is a face there.
   void put_around(List* list, const Window_batch<FT>& batch)
   {
-    if(batch.has_room())
+    if(batch.has_block())
       put(*list, batch);
   }
 
   // Appends windows that leave the star, if there is a face beyond.
   void put_outward(Face& f, const Window_batch<FT>& batch)
   {
-    if(!batch.has_room())
+    if(!batch.has_block())
       return;
     put(f.outward, batch);
     f.outward_distance = (std::min)(f.outward_distance, batch.minimum_distance);
   }
 
-  // Appends to a list a batch that was written into the room of the list; drops a batch that is too far away.
+  // Appends to a list a batch that was written into the spare capacity of the list; drops a batch that is too far away.
   void put(List& list, const Window_batch<FT>& batch)
   {
     const bool is_too_far = batch.size > 0 && batch.minimum_distance > m_maximum_distance;

@@ -336,7 +336,7 @@ private:
              std::size_t first, std::size_t last, const Face_frame<FT>& c, const Edge_cut<FT>& edge,
              Window_batch<FT>& batch)
   {
-    if(batch.has_room())
+    if(batch.has_block())
       (m_loops(last - first).*loop)(list.columns, first, last, c, edge, m_abscissa.data(), batch, m_statistics);
   }
 

@@ -57,11 +57,11 @@ struct Window_batch
     steps = steps_of_windows;
   }
 
-  bool has_room() const { return list.columns.height != 0; }
+  bool has_block() const { return list.columns.height != 0; }
 
   void add(const Window<FT>& w)
   {
-    CGAL_expensive_assertion(has_room() && list.size + size < list.capacity());
+    CGAL_expensive_assertion(has_block() && list.size + size < list.capacity());
     list.columns.set(list.size + size, w);
     minimum_distance = (std::min)(minimum_distance, w.minimum_distance());
     ++size;

@@ -14,8 +14,8 @@
 // its face, sorted by key.
 //
 // A list is a block of a pool, with a column for each field of its windows, because loops process several windows at a
-// time (simd.h). Blocks have room for 8, 16, 32, ... windows, and released blocks are used again. So the pool never
-// allocates single windows, a list is read in one sweep, and the memory is that of the widest wavefront.
+// time (simd.h). Blocks hold 8, 16, 32, ... windows, and released blocks are used again. So the pool never allocates
+// single windows, a list is read in one sweep, and the memory is that of the widest wavefront.
 //
 // Invariants of a stored list, from Window_pool::add() to Window_lists::take(): it is not empty, is_sorted_by_key(),
 // and its windows are valid (Window.h). While it is pruned, windows may be empty; while it is split, it does not
@@ -43,8 +43,8 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// The columns of a block. Each has `padding` more rows than the block has room for windows, because loops over lanes
-// and copies read and write all lanes of their last step.
+// The columns of a block. Each has `padding` more rows than its capacity, because loops over lanes and copies read and
+// write all lanes of their last step.
 //
 // A value of this type refers to a block and does not own it. Its functions are const in the sense of a pointer: they
 // change windows, not the block. Row i of all columns together is window i.
@@ -100,7 +100,7 @@ struct Window_columns
   }
 
   // Copies the windows [first, last) of another block to the rows from i on, and the rows behind them up to a full
-  // step: the padding of both blocks has room for these.
+  // step: the padding of both blocks holds these.
   void copy(const Window_columns& from, std::size_t first, std::size_t last, std::size_t i) const
   {
     for(; first < last; first += step, i += step)
@@ -198,7 +198,7 @@ public:
   using List = Window_list<FT>;
   using Columns = Window_columns<FT>;
 
-  // Makes an empty list with room for n windows. Requires: n > 0.
+  // Makes an empty list with a capacity of n windows at least. Requires: n > 0.
   List allocate(std::size_t n)
   {
     List list;
@@ -222,9 +222,9 @@ public:
     list = List();
   }
 
-  // Makes room for n more windows behind those of a list. add() makes them part of the list. The list moves to a larger
-  // block if it has to; then its columns change.
-  void make_room(List& list, std::size_t n)
+  // Reserves capacity for n more windows behind those of a list. add() makes them part of the list. The list moves to a
+  // larger block if it has to; then its columns change.
+  void reserve(List& list, std::size_t n)
   {
     if(list.size + n <= list.capacity())
       return;
@@ -233,8 +233,8 @@ public:
     replace(list, larger);
   }
 
-  // Merges the first n windows in the room behind a list with the list. Marks those whose key the list has already. A
-  // list that stays empty releases its block.
+  // Merges the first n windows in the spare capacity behind a list with the list. Marks those whose key the list has
+  // already. A list that stays empty releases its block.
   // Requires: the n windows are sorted by key, and `steps` are their joined_steps(). n may be 0.
   void add(List& list, std::size_t n, std::uint32_t steps)
   {
@@ -257,7 +257,7 @@ public:
   // Moves the windows of another list, which came later, into a list. Linear in the sizes of both.
   void join(List& list, List& other)
   {
-    make_room(list, other.size);
+    reserve(list, other.size);
     list.columns.copy(other.columns, 0, other.size, list.size);
     add(list, other.size, other.steps);
     release(other);
@@ -327,7 +327,7 @@ private:
     replace(list, merged);
   }
 
-  // The smallest class of blocks with room for n windows: n - 1 has at most class + 3 bits. Requires: n > 0.
+  // The smallest class of blocks with a capacity of n windows: n - 1 has at most class + 3 bits. Requires: n > 0.
   static std::uint32_t size_class_for(std::size_t n)
   {
     return static_cast<std::uint32_t>(number_of_bits((n - 1) | 7) - 3);
@@ -508,7 +508,7 @@ private:
 
   Slot& at(std::uint32_t slot) { return m_chunks[slot / slots_in_chunk][slot % slots_in_chunk]; }
 
-  // Makes the table, and makes room for as many chunks as can ever be needed: threads read the places of chunks while
+  // Makes the table, and reserves as many chunks as can ever be needed: threads read the places of chunks while
   // another one makes a chunk. Beside the slots in use, each thread has at most three chunks (share_surplus()).
   void resize(std::size_t number_of_faces, std::size_t number_of_threads)
   {

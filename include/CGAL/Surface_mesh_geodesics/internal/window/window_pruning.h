@@ -63,22 +63,8 @@ enum class Pair_outcome { KEEP_BOTH, LEFT_IS_DOMINATED, RIGHT_IS_DOMINATED };
 // two distances errs by 16 u M = 8 epsilon() M. So a window is removed only if it is nearer by 8 epsilon() M at most,
 // and, with the margin of is_clearly_less(), is removed wherever it is farther by 25 u M, less than 13 epsilon() M.
 //
-// U beyond an image. Exact paths cross between their images and the edge: they are straight only there. By the errors
-// of images E (Tolerance::distance()), the stored lines may cross beyond a stored image. The rule extrapolates then: k
-// is greater than 1, and the distance of the window at U less than root_distance, perhaps negative. Why this is
-// harmless: the line of `right` passes the stored image of `left` on one side and the exact image on the other side, so
-// the exact path of `right` runs past the root of `left` at a distance of 2 E at most.
-// - If `left` is removed: let F be the point of the line of `right` next to the image of `left`, at most as far from it
-//   as U is. As at_right is less than the extrapolated at_left, `right` is nearer at F than the root of `left` is. The
-//   detour through F costs 2 E at most, beyond the errors of the stored distances.
-// - If `right` is removed: the root of `left` is not farther than the path of `right` to F plus 2 E. The path of
-//   `right` with a detour through this root is longer by 4 E at most, and paths through the root remain.
-// The same holds with the two exchanged.
-//
-// That is so if the rule is evaluated exactly. The errors of rounding and the margin grow to 18 epsilon() k M beyond an
-// image, and a tie of negative distances removes `right`. No bound for k is known, but no crossing beyond an image has
-// been observed on the meshes of the tests. k is large only if the gap between right.end and left.begin is of the size
-// of E, seen along the edge.
+// U beyond an image keeps both windows. Exact paths cross between their images and the edge: they are straight only
+// there. By the errors of images, the stored lines may cross beyond a stored image. The rule has no proof there.
 template <typename FT>
 Pair_outcome prune_crossed_windows(const Window<FT>& left, const Window<FT>& right)
 {
@@ -91,6 +77,8 @@ Pair_outcome prune_crossed_windows(const Window<FT>& left, const Window<FT>& rig
   if(!(approach > 0))
     return Pair_outcome::KEEP_BOTH;
   const FT h = (left.begin - right.end) / approach;
+  if(h > left.image_depth || h > right.image_depth)
+    return Pair_outcome::KEEP_BOTH;
   const FT at_left = left.begin_distance
                    - (left.begin_distance - left.root_distance) * h / left.image_depth;
   const FT at_right = right.end_distance
