@@ -341,7 +341,7 @@ EXPECTED = [
     (small("second test", "i < 2", "i < 3", ("test_zero", "test_twice")), "caught by test_twice", True),
     (small("crash", "return sum;", "return *static_cast<volatile int*>(nullptr);"), "which crashes", True),
     (small("hang", "return sum;", "for(volatile int i = 0;;) ++i;"), "which does not end", True),
-    (small("nothing changed", "n again", "n again"), "survived", False),
+    (small("nothing changed", "n again", "n once more"), "survived", False),
     (small("equivalent", "i < 2", "i <= 1", equivalent="the same numbers"), "survived (equivalent: the same", True),
     (small("not equivalent", "i < 2", "i < 3", equivalent="wrong"), "caught by test_twice", False),
     (small("not there", "i < 4", "i < 3"), "ERROR, the text to be replaced occurs 0 times", False),

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The long check, for before a release: all that scripts/run_tests.sh leaves out. It has two parts; the name of one as
+# The long check, forty minutes on two cores: all that scripts/run_tests.sh leaves out. It has two parts; the name of one as
 # an argument runs only that one.
 #   full   builds with the flags of a release and runs all tests with them: also each header alone with both compilers,
 #          the programs with clang, projects that use the package, CGAL's own examples
