@@ -373,7 +373,7 @@ MUTANTS = [
 
     # --- parallel propagation, sampling ---
     ("neighbors_at_the_same_time", PARALLEL,
-     "    if(!is_nearest_of_neighbors(q.vertex))\n", "    if(!is_nearest_of_neighbors(q.vertex) && worker.messages.empty())\n",
+     "    if(!is_nearest_of_links(worker.star))\n", "    if(!is_nearest_of_links(worker.star) && worker.messages.empty())\n",
      "stars that share faces are worked on at the same time", (PARALLEL_TEST,)),
     ("deferred_vertices_lost", PARALLEL,
      "      push(q.vertex, q.key, worker);\n      return;", "      return;",

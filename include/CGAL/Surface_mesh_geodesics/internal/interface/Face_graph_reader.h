@@ -30,6 +30,7 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -92,18 +93,14 @@ public:
   void read(Shape& shape, Intrinsic_mesh<FT>& mesh, Correspondence& table)
   {
     read_faces();
-    find_neighbors();
-    Builder builder(std::move(m_connectivity));
+    Builder builder(m_connected_faces);
+    m_connected_faces = std::vector<Connected_face>();
     const std::size_t number_in_faces = number_vertices(builder, table);
     const int exponent = shape.prepare(table.vertices, number_in_faces);
     mesh.set_unit(FT(std::ldexp(1., exponent)));
     builder.set_faces([&](std::uint32_t f, const std::array<Vertex_id, 3>& v, Intrinsic_face<FT>& face)
-                      { return shape.shape(m_halfedges[f], f, v, face); }, mesh);
-    builder.set_edge_components([&](std::uint32_t f)
-    {
-      const std::array<halfedge_descriptor, 3>& h = m_halfedges[f];
-      return shape.has_length(h[0]) || shape.has_length(h[1]) || shape.has_length(h[2]);
-    }, mesh);
+                      { return shape.shape(m_faces[f], f, v, face); }, mesh);
+    builder.set_edge_components([&](std::uint32_t f) { return shape.has_length(m_faces[f]); }, mesh);
     mesh.finish(table.vertices.size());
     if(!Shape::has_points)
       mesh.bound_faces_crossed_by_lengths();
@@ -112,14 +109,13 @@ public:
   }
 
 private:
-  // Reads the faces with their halfedges and corners, and checks them and the index maps.
+  // Reads the faces with their corners and neighbors, and checks them and the index maps.
   void read_faces()
   {
     // (Some models count their elements in each call.)
     const std::size_t range_of_indices = num_faces(m_tm), number_of_vertices = num_vertices(m_tm);
     m_faces.reserve(range_of_indices);
-    m_halfedges.reserve(range_of_indices);
-    m_connectivity.corners.reserve(range_of_indices);
+    m_connected_faces.reserve(range_of_indices);
     for(face_descriptor f : faces(m_tm))
     {
       const halfedge_descriptor h0 = halfedge(f, m_tm), h1 = next(h0, m_tm), h2 = next(h1, m_tm);
@@ -127,11 +123,15 @@ private:
         throw_for_face(Reason::NOT_A_TRIANGLE, " is not a triangle");
       register_index(f, range_of_indices);
       m_faces.push_back(f);
-      m_halfedges.push_back({h0, h1, h2});
-      read_corners(m_halfedges.back(), number_of_vertices);
+      m_connected_faces.push_back(
+        {corners(h0, h1, h2, number_of_vertices), {neighbor(h0), neighbor(h1), neighbor(h2)}});
       if(m_faces.size() >= maximum_number_of_faces)
         throw Invalid_geodesic_input(Reason::TOO_LARGE, "the mesh has too many faces");
     }
+    if(!m_indices_are_positions)
+      for(Connected_face& face : m_connected_faces)
+        for(std::uint32_t& neighbor : face.neighbor)
+          neighbor = neighbor < m_position_of_index.size() ? m_position_of_index[neighbor] : null_id;
   }
 
   // Throw for the face at position m_faces.size(), which is being read.
@@ -157,46 +157,31 @@ private:
     if(m_position_of_index[index] != null_id)
       throw_for_index(" is that of another face");
     m_position_of_index[index] = static_cast<std::uint32_t>(m_faces.size());
+    m_indices_are_positions = m_indices_are_positions && index == m_faces.size();
   }
 
-  // Appends the indices of the corners of the last face: corner k is the source of h[k]. Throws if two are the same
+  // Returns the indices of the corners of the last face: the sources of its halfedges. Throws if two are the same
   // vertex.
-  void read_corners(const std::array<halfedge_descriptor, 3>& h, std::size_t number_of_vertices)
+  std::array<std::uint32_t, 3> corners(halfedge_descriptor h0, halfedge_descriptor h1, halfedge_descriptor h2,
+                                       std::size_t number_of_vertices) const
   {
     // (A halfedge data structure stores targets; a source is one step away.)
-    const vertex_descriptor v0 = target(h[2], m_tm), v1 = target(h[0], m_tm), v2 = target(h[1], m_tm);
+    const vertex_descriptor v0 = target(h2, m_tm), v1 = target(h0, m_tm), v2 = target(h1, m_tm);
     if(v0 == v1 || v1 == v2 || v2 == v0)
       throw Invalid_geodesic_input(Reason::NON_MANIFOLD,
                                    "face " + std::to_string(m_faces.size() - 1) + " has a vertex twice",
                                    m_faces.size() - 1);
-    m_connectivity.corners.push_back({vertex_index(v0, number_of_vertices), vertex_index(v1, number_of_vertices),
-                                      vertex_index(v2, number_of_vertices)});
+    return {vertex_index(v0, number_of_vertices), vertex_index(v1, number_of_vertices),
+            vertex_index(v2, number_of_vertices)};
   }
 
-  // Finds what is across each edge of each face. Requires: all faces have been read.
-  void find_neighbors()
-  {
-    m_connectivity.neighbors.resize(m_faces.size());
-    for(std::size_t f = 0; f < m_faces.size(); ++f)
-      for(unsigned int j = 0; j < 3; ++j)
-        m_connectivity.neighbors[f][j] = neighbor(m_halfedges[f][j]);
-  }
-
-  // Returns 4 * (position of the face across h) + (the edge there), or null_id if there is no face, or none that has
-  // been read: then the mesh is treated as if it had a border here.
-  Halfedge_id neighbor(halfedge_descriptor h) const
+  // Returns the index of the face across h, or null_id if there is none. (A face that is not among faces(tm) counts as
+  // none, but that is not known before all faces have been read.)
+  std::uint32_t neighbor(halfedge_descriptor h) const
   {
     const halfedge_descriptor o = opposite(h, m_tm);
-    if(is_border(o, m_tm))
-      return null_id;
-    const std::size_t index = index_of(face(o, m_tm));
-    const std::uint32_t g = index < m_position_of_index.size() ? m_position_of_index[index] : null_id;
-    if(g == null_id)
-      return null_id;
-    // (Without branches, as none could be predicted.)
-    const std::array<halfedge_descriptor, 3>& around = m_halfedges[g];
-    const unsigned int j = 1u * (around[1] == o) + 2u * (around[2] == o);
-    return around[j] == o ? halfedge_of(g, j) : null_id;
+    return is_border(o, m_tm) ? null_id
+                              : static_cast<std::uint32_t>((std::min)(index_of(face(o, m_tm)), std::size_t(null_id)));
   }
 
   // Numbers the vertices in the order of the faces, so that neighbors are close in memory, and the isolated ones last.
@@ -248,7 +233,7 @@ private:
     table.halfedge_of_face_index.assign(m_position_of_index.size(), null_id);
     for(std::size_t index = 0; index < m_position_of_index.size(); ++index)
       if(m_position_of_index[index] != null_id)
-        table.halfedge_of_face_index[index] = builder.halfedge_at(halfedge_of(m_position_of_index[index], 0));
+        table.halfedge_of_face_index[index] = builder.first_halfedge_at(m_position_of_index[index]);
   }
 
   std::size_t index_of(face_descriptor f) const { return static_cast<std::size_t>(get(m_fim, f)); }
@@ -256,10 +241,10 @@ private:
   const TriangleMesh& m_tm;
   VertexIndexMap m_vim;
   FaceIndexMap m_fim;
-  std::vector<face_descriptor> m_faces; // by position, like the two below
-  std::vector<std::array<halfedge_descriptor, 3>> m_halfedges;
-  Face_connectivity m_connectivity; // corners are indices of the user's map; moved to the builder
+  std::vector<face_descriptor> m_faces;          // by position
+  std::vector<Connected_face> m_connected_faces; // by position; corners are indices of the user's map
   std::vector<std::uint32_t> m_position_of_index;
+  bool m_indices_are_positions = true; // of all faces
 };
 
 } // namespace internal

@@ -17,7 +17,7 @@
 // - has_points: whether the surface is embedded in space;
 // - prepare(): reads and checks what is scaled; returns the exponent of the power of two by which lengths are divided;
 // - shape(): sets one face of the intrinsic mesh;
-// - has_length(): whether an edge of the user has a length before scaling and rounding.
+// - has_length(): whether an edge of a face has a length before scaling and rounding.
 // They are called in this order. prepare() throws for a number that is not finite or out of range, so that shape() sees
 // lengths of at most about 1 (Intrinsic_mesh.h); both faces at an edge get its length in the same bits.
 
@@ -42,6 +42,15 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
+// Returns the halfedges of a face, from halfedge(f, tm) on. Requires: the face is a triangle.
+template <typename TriangleMesh>
+std::array<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor, 3>
+halfedges_of_triangle(typename boost::graph_traits<TriangleMesh>::face_descriptor f, const TriangleMesh& tm)
+{
+  const auto h = halfedge(f, tm), after = next(h, tm);
+  return {h, after, next(after, tm)};
+}
+
 // Shapes from the points of the vertices. prepare() reads each point once, in the order in which the faces will ask for
 // them, and scales it by a power of two.
 template <typename FT, typename TriangleMesh, typename VertexPointMap>
@@ -50,6 +59,7 @@ class Shape_from_points
   using Graph_traits = boost::graph_traits<TriangleMesh>;
   using vertex_descriptor = typename Graph_traits::vertex_descriptor;
   using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
+  using face_descriptor = typename Graph_traits::face_descriptor;
 
 public:
   static constexpr bool has_points = true;
@@ -81,17 +91,18 @@ public:
   }
 
   // Sets the shape of the face of three vertices, and returns which of its edges becomes halfedge 0.
-  unsigned int shape(const std::array<halfedge_descriptor, 3>&, std::size_t, const std::array<Vertex_id, 3>& v,
-                     Intrinsic_face<FT>& f) const
+  unsigned int shape(face_descriptor, std::size_t, const std::array<Vertex_id, 3>& v, Intrinsic_face<FT>& f) const
   {
     return set_shape_from_sides<FT>({difference(v[1], v[0]), difference(v[2], v[1]), difference(v[0], v[2])}, f);
   }
 
-  bool has_length(halfedge_descriptor h) const
+  bool has_length(face_descriptor f) const
   {
-    const auto& p = get(m_vpm, source(h, m_tm));
-    const auto& q = get(m_vpm, target(h, m_tm));
-    return p.x() != q.x() || p.y() != q.y() || p.z() != q.z();
+    const auto h = halfedges_of_triangle(f, m_tm);
+    const auto differs = [](const auto& p, const auto& q)
+    { return p.x() != q.x() || p.y() != q.y() || p.z() != q.z(); };
+    const auto point = [this](halfedge_descriptor g) -> decltype(auto) { return get(m_vpm, target(g, m_tm)); };
+    return differs(point(h[0]), point(h[1])) || differs(point(h[1]), point(h[2]));
   }
 
 private:
@@ -143,6 +154,7 @@ template <typename FT, typename TriangleMesh, typename EdgeLengthMap>
 class Shape_from_edge_lengths
 {
   using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
+  using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor;
   using edge_descriptor = typename boost::graph_traits<TriangleMesh>::edge_descriptor;
   using Reason = Invalid_geodesic_input::Reason;
 
@@ -178,9 +190,10 @@ public:
 
   // Sets the shape of the face of three halfedges, and returns which of them becomes halfedge 0. Throws if one edge is
   // longer than the two others, beyond rounding.
-  unsigned int shape(const std::array<halfedge_descriptor, 3>& h, std::size_t face_position,
-                     const std::array<Vertex_id, 3>&, Intrinsic_face<FT>& f) const
+  unsigned int shape(face_descriptor face, std::size_t face_position, const std::array<Vertex_id, 3>&,
+                     Intrinsic_face<FT>& f) const
   {
+    const auto h = halfedges_of_triangle(face, m_tm);
     std::array<FT, 3> length;
     for(std::size_t i = 0; i < 3; ++i)
       length[i] = FT(m_factor * CGAL::to_double(get(m_elm, edge(h[i], m_tm))));
@@ -192,7 +205,12 @@ public:
     return shift;
   }
 
-  bool has_length(halfedge_descriptor h) const { return CGAL::to_double(get(m_elm, edge(h, m_tm))) > 0; }
+  bool has_length(face_descriptor f) const
+  {
+    const auto h = halfedges_of_triangle(f, m_tm);
+    return std::any_of(h.begin(), h.end(),
+                       [this](halfedge_descriptor g) { return CGAL::to_double(get(m_elm, edge(g, m_tm))) > 0; });
+  }
 
 private:
   const TriangleMesh& m_tm;

@@ -172,22 +172,6 @@ public:
     });
   }
 
-  // Calls visit(u) for the vertices that share an edge of a face with v, each at least once. Linear in the degree of v.
-  template <typename Visit>
-  void for_each_neighbor(Vertex_id v, Visit visit) const
-  {
-    const auto visit_both = [&](Halfedge_id h)
-    {
-      const Face& f = face(face_of(h));
-      visit(f.vertex[next_corner(index_in_face(h))]);
-      visit(f.vertex[previous_corner(index_in_face(h))]);
-    };
-    if(has_star(v))
-      std::for_each(star_begin(v), star_end(v), visit_both);
-    else
-      for_each_halfedge_around(v, visit_both);
-  }
-
   // --- sizes and bounds ---
 
   // Returns the factor from the lengths of this mesh to those of the user: a power of two, so that multiplying by it is
@@ -263,7 +247,8 @@ public:
     m_vertex_kind.assign(number_of_vertices, 0);
     m_other_umbrellas.clear();
     find_umbrellas();
-    find_kinds();
+    fill_stars();
+    find_bends();
     for(const Face& f : m_faces)
       mark_degenerate(f);
     m_faces_crossed_by_lengths = 0;
@@ -347,37 +332,31 @@ private:
   void find_umbrellas()
   {
     m_star_begin.assign(number_of_vertices() + 1, 0);
-    std::vector<Halfedge_id> first(number_of_vertices(), null_id);
+    std::vector<Halfedge_id> at_border; // an umbrella with a border begins where there is no face on the right
     const Face_id n = static_cast<Face_id>(number_of_faces());
-    for(Face_id f = n; f-- > 0;)
-      for(unsigned int k = 3; k-- > 0;)
-      {
-        const Vertex_id v = m_faces[f].vertex[k];
-        ++m_star_begin[v + 1];
-        first[v] = halfedge_of(f, k);
-      }
-    // An umbrella with a border begins where there is no face on the right.
     for(Face_id f = 0; f < n; ++f)
       for(unsigned int k = 0; k < 3; ++k)
+      {
+        const Vertex_id v = m_faces[f].vertex[k];
+        const Halfedge_id h = halfedge_of(f, k);
+        ++m_star_begin[v + 1];
+        m_vertex_halfedge[v] = (std::min)(m_vertex_halfedge[v], h); // (null_id is the largest number)
         if(m_faces[f].opposite[k] == null_id)
-          add_umbrella(m_faces[f].vertex[k], halfedge_of(f, k));
+          at_border.push_back(h);
+      }
+    for(const Halfedge_id h : at_border)
+      if(opposite(m_vertex_halfedge[source(h)]) != null_id)
+        m_vertex_halfedge[source(h)] = h;
+      else if(m_vertex_halfedge[source(h)] != h)
+        add_umbrella(source(h), h);
     for(Vertex_id v = 0; v < number_of_vertices(); ++v)
-    {
-      if(m_vertex_halfedge[v] == null_id)
-        m_vertex_halfedge[v] = first[v];
       m_star_begin[v + 1] += m_star_begin[v];
-    }
     m_star.resize(m_star_begin.back());
   }
 
   // Umbrellas beyond the first are rare; they are stored sorted by vertex.
   void add_umbrella(Vertex_id v, Halfedge_id h)
   {
-    if(m_vertex_halfedge[v] == null_id)
-    {
-      m_vertex_halfedge[v] = h;
-      return;
-    }
     m_vertex_kind[v] |= PINCHED | PSEUDO_SOURCE;
     const std::pair<Vertex_id, Halfedge_id> entry(v, h);
     m_other_umbrellas.insert(
@@ -411,31 +390,39 @@ private:
         }
   }
 
-  // Fills the stars, and marks the vertices where shortest paths may bend: the total angle exceeds 2 pi, or pi on the
-  // border, by more than Tolerance::angle().
-  void find_kinds()
+  // Fills the stars, and finds umbrellas that are not known yet. (A walk around a vertex waits for the memory at each
+  // step, so it does nothing else.)
+  void fill_stars()
   {
     std::vector<Vertex_id> incomplete;
     for(Vertex_id v = 0; v < number_of_vertices(); ++v)
     {
-      if(m_vertex_halfedge[v] == null_id)
-        continue;
       std::uint32_t end = m_star_begin[v];
-      Angle_sum<FT> angle;
-      for_each_halfedge_around(v, [&](Halfedge_id h)
-      {
-        m_star[end++] = h;
-        const std::pair<FT, FT> direction = angle_direction(m_faces[face_of(h)], index_in_face(h));
-        angle.add(direction.first, direction.second);
-      });
+      for_each_halfedge_around(v, [&](Halfedge_id h) { m_star[end++] = h; });
       if(end != m_star_begin[v + 1])
         incomplete.push_back(v);
-      const bool is_on_border = opposite(m_vertex_halfedge[v]) == null_id;
-      if(is_on_border ? angle.is_more_than_half() : angle.is_more_than_full())
-        m_vertex_kind[v] |= PSEUDO_SOURCE;
     }
     if(!incomplete.empty())
       complete_closed_umbrellas(incomplete);
+  }
+
+  // Marks the vertices where shortest paths may bend: the total angle exceeds 2 pi, or pi on the border, by more than
+  // Tolerance::angle(). The angles are added face by face, as faces lie in a row and vertices close to each other.
+  void find_bends()
+  {
+    std::vector<Angle_sum<FT>> angle(number_of_vertices());
+    for(const Face& f : m_faces)
+      for(unsigned int k = 0; k < 3; ++k)
+      {
+        const std::pair<FT, FT> direction = angle_direction(f, k);
+        angle[f.vertex[k]].add(direction.first, direction.second);
+      }
+    for(Vertex_id v = 0; v < number_of_vertices(); ++v)
+    {
+      const bool is_on_border = m_vertex_halfedge[v] != null_id && opposite(m_vertex_halfedge[v]) == null_id;
+      if(is_on_border ? angle[v].is_more_than_half() : angle[v].is_more_than_full())
+        m_vertex_kind[v] |= PSEUDO_SOURCE;
+    }
   }
 
   // Marks the ends of an edge that rounding nearly erases, and the corners of a face whose height it nearly erases, as

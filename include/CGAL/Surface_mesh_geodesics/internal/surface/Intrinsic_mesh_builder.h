@@ -18,6 +18,7 @@
 
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/prefetch.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/face_shape.h>
 
@@ -35,28 +36,26 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// The faces of a triangle mesh by position: face f has the corners corners[f], which are indices of vertices, and
-// neighbors[f][j] is 4 * (position of the face across edge j) + (the edge there), or null_id at the border. Edge j
-// leads from corner j to corner j+1.
-struct Face_connectivity
+// A face of a triangle mesh: the indices of its corners and of the faces across its edges. A neighbor that is no index
+// of a face stands for the border. Edge j leads from corner j to corner j+1.
+struct Connected_face
 {
-  std::vector<std::array<std::uint32_t, 3>> corners;
-  std::vector<std::array<Halfedge_id, 3>> neighbors;
+  std::array<std::uint32_t, 3> corner, neighbor;
 };
 
 // Call the member functions in the order in which they stand. Throws Invalid_geodesic_input; its element() is the
 // position of a face.
+//
+// The faces come in any order, and a neighbor may be anywhere in memory. They are put into their new order once, at the
+// beginning. Everything after that reads memory from front to back.
 template <typename FT>
 class Intrinsic_mesh_builder
 {
   using Reason = Invalid_geodesic_input::Reason;
 
 public:
-  // Numbers the faces. Takes linear time.
-  explicit Intrinsic_mesh_builder(Face_connectivity connectivity) : m_connectivity(std::move(connectivity))
-  {
-    number_faces();
-  }
+  // Numbers the faces. They are given by position, and their neighbors are positions as well. Takes linear time.
+  explicit Intrinsic_mesh_builder(const std::vector<Connected_face>& faces) { number_faces(faces); }
 
   // Numbers the vertices of the faces, in the order of the faces: sets vertex_of_index[index] to their numbers, and
   // returns how many there are.
@@ -64,8 +63,8 @@ public:
   std::size_t number_vertices(std::vector<Vertex_id>& vertex_of_index)
   {
     std::size_t n = 0;
-    for(const std::uint32_t position : m_order)
-      for(std::uint32_t& corner : m_connectivity.corners[position])
+    for(Connected_face& face : m_faces)
+      for(std::uint32_t& corner : face.corner)
         corner = number_of(corner, vertex_of_index, n);
     return n;
   }
@@ -82,24 +81,25 @@ public:
   }
 
   // Makes the faces. shape(position, vertices, face) sets the lengths and the layout of a face, and returns which of
-  // its edges becomes halfedge 0. Throws if two faces disagree about the ends of their edge.
+  // its edges becomes halfedge 0. Throws if two faces disagree about their edge.
   template <typename Shape>
   void set_faces(Shape shape, Intrinsic_mesh<FT>& mesh)
   {
-    const Face_id n = static_cast<Face_id>(m_order.size());
+    const Face_id n = static_cast<Face_id>(m_faces.size());
     mesh.reset(n);
+    m_first_edge.resize(n);
     for(Face_id i = 0; i < n; ++i)
     {
-      const std::uint32_t f = m_order[i];
       Intrinsic_face<FT>& face = mesh.face(i);
-      const std::array<Vertex_id, 3>& v = m_connectivity.corners[f];
-      const unsigned int shift = shape(f, v, face);
+      const std::array<Vertex_id, 3>& v = m_faces[i].corner;
+      const unsigned int shift = shape(m_order[i], v, face);
       for(unsigned int k = 0; k < 3; ++k)
         face.vertex[k] = v[corner_after(k, shift)];
-      m_name[f] = halfedge_of(i, corners_to_first(shift));
+      m_first_edge[i] = static_cast<unsigned char>(shift);
     }
     for(Face_id i = 0; i < n; ++i)
-      link_face(i, mesh);
+      for(unsigned int j = 0; j < 3; ++j)
+        mesh.face(i).opposite[index_in_face(halfedge(i, j))] = opposite(i, j);
   }
 
   // Stores the sizes of edge components, if there are several. Throws if a component would vanish beside the others, as
@@ -116,7 +116,7 @@ public:
     for(std::size_t i = 0; i < n; ++i)
     {
       const Face_id first = m_first_of_component[i],
-                    last = i + 1 < n ? m_first_of_component[i + 1] : static_cast<Face_id>(m_order.size());
+                    last = i + 1 < n ? m_first_of_component[i + 1] : static_cast<Face_id>(m_faces.size());
       FT longest = 0;
       for(Face_id f = first; f < last; ++f)
         longest = (std::max)(longest, longest_side(mesh.face(f)));
@@ -130,60 +130,75 @@ public:
   // Returns the position of a face of the mesh.
   std::uint32_t position_of(Face_id f) const { return m_order[f]; }
 
-  // Returns the halfedge of the mesh that is 4 * position + edge in the connectivity; null_id for null_id.
-  // Requires: the faces are set.
-  Halfedge_id halfedge_at(Halfedge_id h) const
+  // Returns the halfedge of the mesh that is edge 0 of the face at a position. Requires: the faces are set.
+  Halfedge_id first_halfedge_at(std::uint32_t position) const
   {
-    if(h == null_id)
-      return null_id;
-    CGAL_assertion(face_of(h) < m_name.size());
-    const Halfedge_id first = m_name[face_of(h)];
-    return halfedge_of(face_of(first), corner_after(index_in_face(h), index_in_face(first)));
+    CGAL_assertion(position < m_name.size());
+    return halfedge(m_name[position], 0);
   }
 
 private:
   // Numbers breadth first; each component starts from its first face.
-  void number_faces()
+  void number_faces(const std::vector<Connected_face>& faces)
   {
-    const std::size_t n = m_connectivity.corners.size();
+    const std::size_t n = faces.size();
     m_order.resize(n + 1); // one more: append() may write an entry that does not count
     m_name.assign(n, null_id);
-    std::size_t end = 0, next = 0; // of m_order; of what has been visited
+    m_faces.reserve(n);
+    std::size_t end = 0; // of m_order
     for(std::uint32_t first = 0; first < n; ++first)
     {
       append(first, end);
-      if(next < end)
-        m_first_of_component.push_back(static_cast<Face_id>(next));
-      for(; next < end; ++next)
-        for(const Halfedge_id o : m_connectivity.neighbors[m_order[next]])
-          if(o != null_id)
-            append(face_of(o), end);
+      if(m_faces.size() < end)
+        m_first_of_component.push_back(static_cast<Face_id>(m_faces.size()));
+      while(m_faces.size() < end)
+      {
+        prefetch(&faces[m_order[(std::min)(m_faces.size() + faces_ahead, end - 1)]]);
+        m_faces.push_back(faces[m_order[m_faces.size()]]);
+        for(std::uint32_t& neighbor : m_faces.back().neighbor)
+          if(neighbor < n)
+            neighbor = append(neighbor, end);
+          else
+            neighbor = null_id;
+      }
     }
     m_order.resize(n);
   }
 
-  // Appends the face at a position to the order, unless it is there. (Without a branch, as none could be predicted.)
-  void append(std::uint32_t position, std::size_t& end)
+  // Appends the face at a position to the order, unless it is there, and returns its number. (Without a branch, as none
+  // could be predicted.)
+  Face_id append(std::uint32_t position, std::size_t& end)
   {
-    const bool is_new = m_name[position] == null_id;
+    Face_id& name = m_name[position];
+    const bool is_new = name == null_id;
     m_order[end] = position;
-    m_name[position] = is_new ? static_cast<Face_id>(end) : m_name[position];
+    name = is_new ? static_cast<Face_id>(end) : name;
     end += is_new;
+    return name;
   }
 
-  void link_face(Face_id i, Intrinsic_mesh<FT>& mesh) const
+  // The halfedge of the mesh that is edge j of face i. Requires: the shape of the face is set.
+  Halfedge_id halfedge(Face_id i, unsigned int j) const
   {
-    const std::uint32_t f = m_order[i];
-    const unsigned int first = index_in_face(m_name[f]);
-    for(unsigned int j = 0; j < 3; ++j)
-    {
-      const Halfedge_id h = halfedge_of(i, corner_after(j, first)), o = halfedge_at(m_connectivity.neighbors[f][j]);
-      if(o != null_id && (mesh.source(o) != mesh.target(h) || mesh.target(o) != mesh.source(h)))
-        throw Invalid_geodesic_input(Reason::NON_MANIFOLD,
-                                     "face " + std::to_string(f) + " and its neighbor disagree about the ends of "
-                                       + "their edge", f);
-      mesh.face(i).opposite[index_in_face(h)] = o;
-    }
+    return halfedge_of(i, corner_after(j, corners_to_first(m_first_edge[i])));
+  }
+
+  // The halfedge opposite to edge j of face i: the one between the same vertices in the face across. Throws unless that
+  // face has it, and face i across it.
+  Halfedge_id opposite(Face_id i, unsigned int j) const
+  {
+    const Face_id g = m_faces[i].neighbor[j];
+    if(g == null_id)
+      return null_id;
+    const Connected_face &face = m_faces[i], &across = m_faces[g];
+    // (Without branches, as none could be predicted.)
+    const Vertex_id to = face.corner[next_corner(j)];
+    const unsigned int k = 1u * (across.corner[1] == to) + 2u * (across.corner[2] == to);
+    if(across.corner[k] != to || across.corner[next_corner(k)] != face.corner[j] || across.neighbor[k] != i)
+      throw Invalid_geodesic_input(Reason::NON_MANIFOLD,
+                                   "face " + std::to_string(m_order[i]) + " and its neighbor disagree about the ends "
+                                     + "of their edge", m_order[i]);
+    return halfedge(g, k);
   }
 
   template <typename Has_length>
@@ -196,10 +211,12 @@ private:
                                        + "beside the mesh", m_order[i]);
   }
 
-  Face_connectivity m_connectivity; // the corners become vertices in number_vertices()
-  std::vector<std::uint32_t> m_order; // the position of a face of the mesh
-  // By position: the number of the face; after set_faces(), the halfedge of the mesh that is edge 0.
-  std::vector<std::uint32_t> m_name;
+  static constexpr std::size_t faces_ahead = 4; // that are asked for before they are read
+
+  std::vector<Connected_face> m_faces; // by number; the corners become vertices in number_vertices()
+  std::vector<std::uint32_t> m_order;  // by number: the position of the face
+  std::vector<Face_id> m_name;         // by position: the number of the face
+  std::vector<unsigned char> m_first_edge; // by number: the edge that is halfedge 0
   std::vector<Face_id> m_first_of_component;
 };
 

@@ -372,12 +372,12 @@ private:
 
   void visit(Worker& worker, const Queued_vertex<FT>& q, Vertex_id next)
   {
-    if(!is_nearest_of_neighbors(q.vertex))
+    worker.star.surround(m_mesh, q.vertex);
+    if(!is_nearest_of_links(worker.star))
     {
       push(q.vertex, q.key, worker);
       return;
     }
-    worker.star.surround(m_mesh, q.vertex);
     m_wavefront.take(worker.star, q.key, worker.slots);
     worker.stars.propagate(worker.star);
     m_mesh.prefetch_faces_of_star(next);
@@ -390,17 +390,18 @@ private:
                           [&](Vertex_id v, const FT& key) { push(v, key, worker); });
   }
 
-  // Is no neighbor in the batch that is nearer, or as near and has a smaller number? Then no neighbor is visited.
-  bool is_nearest_of_neighbors(Vertex_id v) const
+  // Is the vertex of a star nearer than all its neighbors in the batch, or as near and of a smaller number? Then no
+  // neighbor is visited. Requires: star.surround() was called.
+  bool is_nearest_of_links(const Vertex_star<FT>& star) const
   {
-    const float key = m_marks[v].key;
+    const float key = m_marks[star.vertex].key;
     bool is_nearest = true;
-    m_mesh.for_each_neighbor(v, [&](Vertex_id u)
+    for(const Link_vertex<FT>& link : star.links)
     {
-      const Mark& other = m_marks[u];
-      const bool is_nearer = other.key < key || (!(key < other.key) && u < v);
+      const Mark& other = m_marks[link.vertex];
+      const bool is_nearer = other.key < key || (!(key < other.key) && link.vertex < star.vertex);
       is_nearest = is_nearest && !(other.round == m_round && is_nearer);
-    });
+    }
     return is_nearest;
   }
 
