@@ -19,7 +19,8 @@ CSV_FILES = {
     "standard_meshes": "against_shortest_path.csv", "all_meshes": "against_shortest_path_all.csv",
     "paths": "paths_against_shortest_path.csv", "heat_method": "against_heat_method.csv",
     "Voronoi_diagram": "voronoi.csv"} | {name: name + ".csv" for name in (
-    "face_queries", "certified_meshes", "growth", "anisotropy", "sources", "reach", "rules", "threads", "matrix")}
+    "face_queries", "certified_meshes", "growth", "anisotropy", "sources", "reach", "rules", "schedulers", "threads",
+        "matrix")}
 
 # The picture in the manual -> the results that it shows; draw_plots.py draws it.
 PLOTS = {"plot_ratios.svg": "all_meshes", "plot_growth.svg": "growth"}
@@ -134,6 +135,21 @@ def paths_on_bunny(results):
         for quantity, title in PATH_QUANTITIES.items()])
 
 
+def thesis_tables(results):
+    """Tables 4.1 to 4.5 of the thesis: its models and our meshes, and for each variant three ratios to VTP."""
+    meshes = {}
+    for row in results.rows("schedulers"):
+        if row["trimming"] != "no":
+            meshes.setdefault((mesh_name(row), plain(row["faces"])), {})[row["variant"]] = row
+    variants = THESIS_VARIANTS.items()
+    return markdown(["mesh", "faces"] + [f"{table}: {variant}" for variant, table in variants], [
+        [*mesh] + [" / ".join(f"{float(rows[v][key]):.2f}" for key in THESIS_RATIOS) if v in rows else ""
+                   for v, _ in variants] for mesh, rows in meshes.items()])
+
+
+THESIS_VARIANTS = {"VTP-Exhaustive": "4.1", "VTP-Trimming": "4.2", "VTP-CH": "4.3", "VTP-MMP": "4.3", "FTP": "4.4",
+                   "OPVTP": "4.5"}
+THESIS_RATIOS = ("time_over_VTP", "windows_over_VTP", "peak_over_VTP")
 PATH_QUANTITIES = {
     "build_vertices_ms": "build for vertices, ms", "build_faces_ms": "build for all points, ms",
     "memory_vertices_mb": "memory for vertices, MB", "memory_faces_mb": "memory for all points, MB",
@@ -189,6 +205,11 @@ TABLES = {
         words=2),
     "rules": table("rules", MESH, "rules: rules $", "run, ms: run_ms ±", "windows propagated: windows_propagated",
         "windows per face: windows_per_face .1", "windows at once: windows_alive", words=2),
+    "schedulers": table("schedulers", MESH, FACES, "system: variant $", "trimming: trimming $", "run, ms: run_ms ±",
+        "windows created: windows_created", "propagated: windows_propagated", "peak: peak_windows",
+        "time / VTP: time_over_VTP .2", "propagated / VTP: windows_over_VTP .2", "peak / VTP: peak_over_VTP .2",
+        skip=lambda row: row["trimming"] not in ("yes", "no")),
+    "thesis_tables": thesis_tables,
     "threads": table("threads", MESH, FACES, "threads: threads $", "run, ms: run_ms ±", "speedup: speedup ~"),
     "matrix": table("matrix", "matrix: matrix $", "rows: rows $", "threads: threads $", "ms per row: ms_per_row ~",
         "speedup: speedup ~"),

@@ -13,8 +13,8 @@ usage: run_benchmark.sh [options]
   --paths            also measure Surface_mesh_geodesic_paths: builds, queries and paths
   --voronoi          also measure Surface_mesh_geodesic_Voronoi_diagram with 1 to 1000 sites
   --heat             also measure Heat_method_3: times and errors (needs Eigen)
-  --questions        also run the programs for one question each: growth, anisotropy, sources, reach, rules, face
-                     queries, threads, matrix; draw plots if python3 has matplotlib
+  --questions        also run the programs for one question each: growth, anisotropy, sources, reach, rules,
+                     schedulers, face queries, threads, matrix; draw plots if python3 has matplotlib
   --certify          also certify distances on all meshes of the data, and compare them with the original
   --repetitions N    runs of each method on the standard meshes (5)
   --all-repetitions N  the same for --all (3)
@@ -95,7 +95,8 @@ if [ -z "$programs" ]; then
   [ "$voronoi" = no ] || targets+=(benchmark_Voronoi_diagram)
   [ "$heat" = no ] || targets+=(benchmark_against_heat_method)
   [ "$questions" = no ] || targets+=(benchmark_growth benchmark_anisotropy benchmark_sources benchmark_reach
-                                     benchmark_rules benchmark_face_queries benchmark_threads benchmark_matrix)
+                                     benchmark_rules benchmark_schedulers benchmark_face_queries benchmark_threads
+                                     benchmark_matrix)
   [ "$certify" = no ] || targets+=(benchmark_certification)
   [ "${#targets[@]}" -gt 0 ] || { usage >&2; exit 1; }
   cmake --build "$build/programs" --target "${targets[@]}" > "$build/build.log"
@@ -335,6 +336,7 @@ if [ "$questions" = yes ]; then
   ask sources "$meshes/bunny00.off"
   ask reach --subdivide 1 "$meshes/bunny00.off"
   ask rules "$meshes/elephant.off" "$meshes/armadillo.off" "$meshes/bunny00.off"
+  ask schedulers "$meshes/bunny00.off" "$meshes/armadillo.off"
   ask face_queries "$meshes/bunny00.off"
   # These two measure wall-clock time: the machine must be idle.
   ask threads --subdivide 2 "$meshes/bunny00.off"
