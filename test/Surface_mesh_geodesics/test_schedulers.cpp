@@ -3,6 +3,7 @@
 // several.
 
 #include "../../benchmark/Surface_mesh_geodesics/include/Scheduled_propagation.h"
+#include "hostile_meshes.h"
 #include "intrinsic_mesh_helpers.h"
 #include "test_meshes.h"
 #include "test_support.h"
@@ -11,6 +12,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_propagation.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <string>
 #include <utility>
@@ -61,7 +63,7 @@ void distances_are(const std::vector<double>& expected, const std::string& name,
   counts[name].add(statistics);
 }
 
-// The four systems with one policy for pairs of windows.
+// All systems with one policy for pairs of windows.
 template <class Pruning>
 void distances_of_systems_are(const std::vector<double>& expected, const std::string& pruning,
                               const Intrinsic_mesh& mesh, const Sources& sources)
@@ -71,6 +73,7 @@ void distances_of_systems_are(const std::vector<double>& expected, const std::st
   distances_are<Order_preserving_vtp<double, Pruning>>(expected, "OPVTP, " + pruning, mesh, sources);
   distances_are<Ftp<double, Pruning>>(expected, "FTP, " + pruning, mesh, sources);
   distances_are<Order_preserving_ftp<double, Pruning>>(expected, "OPFTP, " + pruning, mesh, sources);
+  distances_are<Ftp_by_lists<double, Pruning>>(expected, "FTP-List, " + pruning, mesh, sources);
 }
 
 void all_schedulers_agree(const Intrinsic_mesh& mesh, const Sources& sources)
@@ -135,6 +138,25 @@ void distances_are_those_of_the_package(std::uint64_t seed)
   CHECK(kinds.is_closed);
 }
 
+// Needles and caps down to the rounding of coordinates, in which distances must not depend on the order either.
+void distances_are_those_of_the_package_on_hostile_meshes(std::uint64_t seed)
+{
+  for(std::size_t i = 0; i < 150; ++i)
+  {
+    test_support::Random random(seed + i);
+    const Indexed_mesh indexed = hostile_meshes::hostile_mesh(random);
+    Mesh tm;
+    if(indexed.faces.empty() || !hostile_meshes::is_surface(indexed, tm))
+    {
+      continue;
+    }
+    test_support::Scope scope("hostile mesh " + std::to_string(i));
+    const Intrinsic_mesh mesh = intrinsic_mesh(tm);
+    all_schedulers_agree(mesh, random_sources(1, mesh, random));
+    all_schedulers_agree(mesh, random_sources(3, mesh, random));
+  }
+}
+
 // Each choice makes a difference: otherwise two systems would be one. Requires: the same runs with each of them.
 void choices_make_a_difference()
 {
@@ -143,7 +165,8 @@ void choices_make_a_difference()
   CHECK(windows("VTP, neighbors") != windows("OPVTP, neighbors"));
   CHECK(windows("FTP, neighbors") != windows("OPFTP, neighbors"));
   CHECK(windows("VTP, neighbors") != windows("FTP, neighbors"));
-  for(const char* system : {"VTP", "OPVTP", "FTP", "OPFTP"})
+  CHECK(windows("FTP, neighbors") != windows("FTP-List, neighbors"));
+  for(const char* system : {"VTP", "OPVTP", "FTP", "OPFTP", "FTP-List"})
   {
     CHECK(windows(std::string(system) + ", neighbors") < windows(std::string(system) + ", no pairs"));
   }
@@ -211,6 +234,7 @@ int main()
   const std::uint64_t seed = test_support::announce_seed(20260111);
   mergers_keep_or_free_the_order();
   distances_are_those_of_the_package(seed);
+  distances_are_those_of_the_package_on_hostile_meshes(seed);
   choices_make_a_difference();
   return test_result();
 }

@@ -14,6 +14,8 @@
 //   VTP    | Vertex_order (4.3.2)    | order-free
 //   OPVTP  | Vertex_order            | order-preserving
 //
+// FTP-List is FTP with faces sorted by the least distance of a window (List_order), which the thesis does not have.
+//
 // In each iteration, faces join the traversed area R: the nearest face, or the faces around the nearest vertex. The
 // lists that wait to enter these faces are propagated at once, in the order of a FIFO queue W, through all faces of R
 // until they come to the wavefront (procedure GeodesicUpdate). A list that comes to an edge of a face that has just
@@ -194,7 +196,7 @@ private:
     {
       if(f.outward.size > 0)
       {
-        deliver(m_mesh.opposite(geodesics::next_halfedge(f.halfedge)), f.outward, true);
+        deliver(m_mesh.opposite(geodesics::next_halfedge(f.halfedge)), f.outward, f.outward_distance, true);
       }
     }
   }
@@ -233,8 +235,9 @@ private:
       fill(left, m_crossing.left());
       fill(right, m_crossing.right());
       const bool is_prime = m_area.is_new(geodesics::face_of(h));
-      deliver(c.left, left, is_prime);
-      deliver(c.right, right, is_prime);
+      const FT left_distance = m_crossing.left().minimum_distance, right_distance = m_crossing.right().minimum_distance;
+      deliver(c.left, left, left_distance, is_prime);
+      deliver(c.right, right, right_distance, is_prime);
     }
     m_stars.pool().release(list);
   }
@@ -255,8 +258,9 @@ private:
     }
   }
 
-  // Moves a list, which may be empty, to a halfedge: to W if its face is in R, else to the wavefront.
-  void deliver(Halfedge_id h, List& list, bool is_prime)
+  // Moves a list, which may be empty, to a halfedge: to W if its face is in R, else to the wavefront. The distance is
+  // the least one of its windows.
+  void deliver(Halfedge_id h, List& list, const FT& distance, bool is_prime)
   {
     if(list.size == 0)
     {
@@ -271,7 +275,9 @@ private:
     }
     if constexpr(Order<FT>::sorts_faces)
     {
-      m_order.let_enter(f, m_crossing.find_apex_path(list, m_mesh.face_frame(h)).distance);
+      m_order.let_enter(f, Order<FT>::key == Face_key::DISTANCE_OF_LIST
+                             ? distance
+                             : m_crossing.find_apex_path(list, m_mesh.face_frame(h)).distance);
     }
     if(is_prime || merger == Secondary_merger::ORDER_PRESERVING)
     {
@@ -340,9 +346,12 @@ private:
   geodesics::Vertex_star<FT> m_star; // of the vertex that is visited; a buffer between visits
 };
 
-// The four systems.
+// The four systems, and FTP-List.
 template <class FT, class Pruning = Neighbor_pruning>
 using Ftp = Scheduled_propagation<FT, Face_order, Secondary_merger::ORDER_FREE, Pruning>;
+
+template <class FT, class Pruning = Neighbor_pruning>
+using Ftp_by_lists = Scheduled_propagation<FT, List_order, Secondary_merger::ORDER_FREE, Pruning>;
 
 template <class FT, class Pruning = Neighbor_pruning>
 using Order_preserving_ftp = Scheduled_propagation<FT, Face_order, Secondary_merger::ORDER_PRESERVING, Pruning>;
