@@ -7,7 +7,7 @@
 // adjacent runs. Times are those of the propagation alone, without reading the mesh. Standard error gets tables 4.1 to
 // 4.5 with our ratios below those of the thesis; the meshes are different ones (thesis_tables.h).
 //
-// "Package" is Distance_propagation, whose distances are those expected, and FTP-List is FTP with another queue key. The
+// "Package" is Distance_propagation, whose distances are those expected. FTP-List is FTP with another queue key. The
 // program fails if a distance of any variant differs from the expected one by more than 1e-12, relative.
 //
 // VTP-MMP, in the rest of table 4.3, has no counterpart: it keeps the windows of all edges and trims against them.

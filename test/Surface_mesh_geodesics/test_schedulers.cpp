@@ -2,9 +2,9 @@
 // the distances of the package: on closed meshes, with borders, pinched vertices and needles, from one source and from
 // several.
 
-#include "../../benchmark/Surface_mesh_geodesics/include/Scheduled_propagation.h"
 #include "hostile_meshes.h"
 #include "intrinsic_mesh_helpers.h"
+#include "schedulers_of_thesis.h"
 #include "test_meshes.h"
 #include "test_support.h"
 #include "window_test_helpers.h"
