@@ -14,11 +14,10 @@
 
 #include "Scheduled_propagation.h"
 #include "decimated_mesh.h"
+#include "read_intrinsic_mesh.h"
 #include "runs_in_process.h"
 #include "thesis_tables.h"
 
-#include <CGAL/Surface_mesh_geodesics/internal/interface/Face_shapes.h>
-#include <CGAL/Surface_mesh_geodesics/internal/interface/Intrinsic_surface.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_propagation.h>
 
 #include <functional>
@@ -94,18 +93,6 @@ std::vector<Variant> all_variants()
           {"VTP-Exhaustive", "all pairs", run<Vtp<double, Exhaustive_pruning>>},
           {"VTP-Trimming", "bisectors", run<Vtp<double, Bisector_trimming>>},
           {"VTP-CH", "one split", run<Vtp<double, One_split_for_each_angle>>}};
-}
-
-// The intrinsic mesh of a mesh in space, and its vertex 0.
-std::pair<Intrinsic_mesh, geodesics::Vertex_id> read_intrinsic_mesh(const Benchmark_mesh& mesh)
-{
-  const auto vim = get(boost::vertex_index, mesh);
-  const auto fim = get(boost::face_index, mesh);
-  const auto vpm = get(CGAL::vertex_point, mesh);
-  using Shape = geodesics::Shape_from_points<double, Benchmark_mesh, std::decay_t<decltype(vpm)>>;
-  const geodesics::Intrinsic_surface<double, Benchmark_mesh, std::decay_t<decltype(vim)>, std::decay_t<decltype(fim)>>
-    surface(mesh, vim, fim, Shape(mesh, vpm));
-  return {surface.mesh(), surface.id(*mesh.vertices().begin())};
 }
 
 // Measures all variants in turn, so that what slows the machine down for a while slows all of them down.

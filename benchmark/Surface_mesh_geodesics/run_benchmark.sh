@@ -14,7 +14,7 @@ usage: run_benchmark.sh [options]
   --voronoi          also measure Surface_mesh_geodesic_Voronoi_diagram with 1 to 1000 sites
   --heat             also measure Heat_method_3: times and errors (needs Eigen)
   --questions        also run the programs for one question each: growth, anisotropy, sources, reach, rules,
-                     schedulers, face queries, threads, matrix; draw plots if python3 has matplotlib
+                     schedulers, face queries, threads, phases, matrix; draw plots if python3 has matplotlib
   --certify          also certify distances on all meshes of the data, and compare them with the original
   --repetitions N    runs of each method on the standard meshes (5)
   --all-repetitions N  the same for --all (3)
@@ -96,7 +96,7 @@ if [ -z "$programs" ]; then
   [ "$heat" = no ] || targets+=(benchmark_against_heat_method)
   [ "$questions" = no ] || targets+=(benchmark_growth benchmark_anisotropy benchmark_sources benchmark_reach
                                      benchmark_rules benchmark_schedulers benchmark_face_queries benchmark_threads
-                                     benchmark_matrix)
+                                     benchmark_phases benchmark_matrix)
   [ "$certify" = no ] || targets+=(benchmark_certification)
   [ "${#targets[@]}" -gt 0 ] || { usage >&2; exit 1; }
   cmake --build "$build/programs" --target "${targets[@]}" > "$build/build.log"
@@ -338,8 +338,9 @@ if [ "$questions" = yes ]; then
   ask rules "$meshes/elephant.off" "$meshes/armadillo.off" "$meshes/bunny00.off"
   ask schedulers "$meshes/bunny00.off" "$meshes/armadillo.off"
   ask face_queries "$meshes/bunny00.off"
-  # These two measure wall-clock time: the machine must be idle.
+  # These measure wall-clock time: the machine must be idle.
   ask threads --subdivide 2 "$meshes/bunny00.off"
+  ask phases --subdivide 2 "$meshes/bunny00.off"
   ask matrix --rows 64 "$meshes/bunny00.off"
 fi
 

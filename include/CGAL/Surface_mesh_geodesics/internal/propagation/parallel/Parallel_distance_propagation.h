@@ -58,13 +58,22 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// `Team` is a team of threads: see Worker_team.h.
+// Measures nothing: see Parallel_distance_propagation.
+struct No_phase_clock
+{
+  void begin_phase(bool /*of_visits*/, bool /*is_worth_sharing*/) {}
+  void end_unit() {}
+  void end_phase() {}
+};
+
+// `Team` is a team of threads: see Worker_team.h. `Clock` is for benchmarks that run one thread: it is told when a phase
+// of parts or of visits begins and ends, whether more threads would share it, and when one part or visit is done.
 //
 // Invariants, outside run() and at the beginning of each round:
 // - No star is taken out, and each list waits on a halfedge or not at all.
 // - A vertex that the wavefront needs is in the queue of its part, or in a message to it.
 // - m_marks[v].round == m_round exactly if v is in the batch of the last round.
-template <typename FT_, typename Rules_, typename Team>
+template <typename FT_, typename Rules_, typename Team, typename Clock = No_phase_clock>
 class Parallel_distance_propagation
 {
 public:
@@ -157,6 +166,9 @@ public:
       std::rethrow_exception(failure);
     return is_complete;
   }
+
+  // Of the last run. Requires: the team has one thread, unless the clock measures nothing.
+  Clock& clock() { return m_clock; }
 
   // Distances up to this one are final; infinity when the propagation is complete.
   const FT& reached_distance() const { return m_end.reached_distance(); }
@@ -296,12 +308,14 @@ private:
   template <typename Work>
   void share(bool is_part, std::size_t n, bool is_worth_it, Work work)
   {
+    m_clock.begin_phase(!is_part, is_worth_it);
     m_is_shared = is_worth_it && n > 1 && m_workers.size() > 1;
     if(m_is_shared)
       m_sharing.share(is_part, static_cast<std::uint32_t>(n), work);
     else
       for(std::uint32_t i = 0; i < n; ++i)
         work(i);
+    m_clock.end_phase();
   }
 
   std::size_t size_of_wavefront() const
@@ -356,6 +370,7 @@ private:
     part.fill_batch((std::min)(m_threshold.limit(), m_maximum_distance));
     for(const Queued_vertex<FT>& q : part.batch())
       m_marks[q.vertex] = Mark{m_round, static_cast<float>(q.key)};
+    m_clock.end_unit();
   }
 
   // Visits some vertices of the batch, one after the other.
@@ -367,6 +382,7 @@ private:
       const Vertex_id next = m_batch[i + 1 < last ? i + 1 : i].vertex;
       m_mesh.prefetch_star(next);
       visit(worker, m_batch[i], next);
+      m_clock.end_unit();
     }
   }
 
@@ -508,6 +524,7 @@ private:
   bool m_is_shared = false; // do other threads take part in the phase?
   Batch_threshold<FT> m_threshold;
   Work_sharing m_sharing;
+  Clock m_clock;
   Stopping_criterion<FT> m_end;
   FT m_maximum_distance;
   std::size_t m_maximum_windows_alive = 0;
