@@ -31,6 +31,9 @@ STRAIGHT = INTERNAL + "paths/Straight_piece.h"
 ISOLINES = INTERNAL + "paths/isoline_tracing.h"
 FACE_WINDOWS = INTERNAL + "window/Face_windows.h"
 REMOVAL = INTERNAL + "Voronoi/Redundant_window_removal.h"
+ENTERING = INTERNAL + "Voronoi/entering_windows.h"
+RELAY = INTERNAL + "propagation/parallel/Window_relay.h"
+WINDOW_FIELD = INTERNAL + "window/Edge_window_field.h"
 RADIX_HEAP = INTERNAL + "numeric/Radix_heap.h"
 SINGLE_PRECISION = INTERNAL + "numeric/single_precision.h"
 BISECTOR = INTERNAL + "numeric/Weighted_bisector.h"
@@ -71,6 +74,7 @@ OPTIONS = "test_options"
 INVALID = "test_invalid_input"
 SOLVER = "test_distance_solver"
 PARALLEL_TEST = "test_parallel_propagation"
+PARALLEL_KEEPERS = "test_parallel_keepers"
 SAMPLING = "test_farthest_point_sampling"
 PATHS = "test_paths_interface"
 PATHS_BUILDING = "test_paths_building"
@@ -389,6 +393,20 @@ MUTANTS = [
      "      push(q.vertex, q.key);\n    m_batch.clear();", "      static_cast<void>(q);\n    m_batch.clear();",
      "a run that ends early loses the vertices of its last batch", (PARALLEL_TEST,),
      "nothing goes on from there: restart() drops them as well"),
+    ("last_windows_not_relayed", RELAY,
+     "    begin_batch(0, keepers);\n    take_over(reached);\n", "    static_cast<void>(reached), static_cast<void>(keepers);\n",
+     "the windows of the last batch of a run are not kept", (PARALLEL_KEEPERS,)),
+    ("relay_in_the_order_of_threads", RELAY,
+     "    for(const Span& span : m_last_spans)\n      m_keeper.take_over(m_last_logs[span.thread], span.first, span.last, reached);\n",
+     "    for(const Log& log : m_last_logs)\n      m_keeper.take_over(log, {}, log.position(), reached);\n",
+     "windows are kept in an order that depends on the threads", (PARALLEL_KEEPERS,)),
+    ("threads_divide_lists", WINDOW_FIELD,
+     "return Window_keeper(*m_field, false);", "return Window_keeper(*m_field);",
+     "where a list is divided depends on the windows that a thread has kept before", (PARALLEL_KEEPERS,)),
+    ("copies_of_keepers_share_memory", WINDOW_FIELD,
+     "  Window_keeper(const Window_keeper& other) : Window_keeper(*other.m_field, other.m_divides_lists) {}\n",
+     "  Window_keeper(const Window_keeper&) = default;\n",
+     "a thread overwrites the windows that another one has kept", (PARALLEL_KEEPERS,)),
     ("farthest_not_up_to_date", FARTHEST,
      "if(!(m_distance[top.second] < top.first))",
      "if(m_distance[top.second] > 0 || !(m_distance[top.second] < top.first))",
@@ -439,15 +457,15 @@ MUTANTS = [
      "return m_source[v].distance == m_field->distance[v];", "return m_source[v].vertex != null_id;",
      "a pseudo-source that is reached from another source later still belongs to the first one",
      (RANDOM_DIAGRAMS, HOSTILE_DIAGRAMS)),
-    ("gaps_between_windows_not_bounded", REMOVAL,
-     "        bound = (std::max)(bound, bound_between(at_x, at_begin, FT(begin - x)));\n", "        bound = bound;\n",
+    ("gaps_between_windows_not_bounded", ENTERING,
+     "      bound = (std::max)(bound, bound_between(at_x, at_begin, FT(begin - x)));\n", "      bound = bound;\n",
      "a face is said to be done though there are larger distances between its windows",
      (RANDOM_DIAGRAMS, CUT, HOSTILE_DIAGRAMS)),
-    ("end_of_edge_not_bounded", REMOVAL,
-     "    if(x < length)\n      bound =", "    if(x > length)\n      bound =",
+    ("end_of_edge_not_bounded", ENTERING,
+     "  if(x < length)\n    bound =", "  if(x > length)\n    bound =",
      "a face is said to be done though there are larger distances behind its last window",
      (RANDOM_DIAGRAMS, CUT, HOSTILE_DIAGRAMS)),
-    ("edge_bounded_by_its_ends", REMOVAL,
+    ("edge_bounded_by_its_ends", ENTERING,
      "return FT((at_first + at_last + length) / 2);", "return (std::max)(at_first, at_last);",
      "a face is said to be done when its corners are", (RANDOM_DIAGRAMS, CUT, HOSTILE_DIAGRAMS)),
     ("equal_sources_of_the_whole_mesh", EQUAL_SOURCES,

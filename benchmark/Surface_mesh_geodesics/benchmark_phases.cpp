@@ -35,7 +35,8 @@ struct One_thread
 };
 
 using Propagation
-  = geodesics::Parallel_distance_propagation<double, geodesics::All_pruning_rules, One_thread, Phase_clock>;
+  = geodesics::Parallel_distance_propagation<double, geodesics::All_pruning_rules, One_thread,
+                                             geodesics::No_window_keeper, Phase_clock>;
 
 // The run of median time.
 Phase_clock measure(const Settings& settings, const Benchmark_mesh& mesh, double sharing_cost)

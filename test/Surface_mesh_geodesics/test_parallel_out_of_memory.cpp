@@ -1,5 +1,6 @@
 // The parallel propagation runs out of memory, at one allocation after the other, in any of its threads: it throws
-// std::bad_alloc, and the next run of the same object has the same bits as a run of a new one.
+// std::bad_alloc, and the next run of the same object has the same bits as a run of a new one. So do runs that keep
+// windows.
 
 // A program that defines a macro is compiled alone; this one replaces operator new.
 #define SURFACE_MESH_GEODESICS_TEST_IS_COMPILED_ALONE
@@ -9,7 +10,10 @@
 #include "test_support.h"
 #include "thread_team.h"
 
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Redundant_window_removal.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Redundant_window_remover.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Parallel_distance_propagation.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/Edge_window_field.h>
 
 #include <atomic>
 #include <cstddef>
@@ -63,7 +67,8 @@ using Propagation =
   internal::Parallel_distance_propagation<double, internal::All_pruning_rules, Thread_team>;
 
 // Runs from a source. The allocations are counted from the first batch on, when all threads have started.
-void run(Propagation& propagation, internal::Vertex_id source, double maximum_distance, long limit)
+template <class Any_propagation>
+void run(Any_propagation& propagation, internal::Vertex_id source, double maximum_distance, long limit)
 {
   propagation.restart();
   propagation.add_source(source, 0.);
@@ -107,6 +112,105 @@ void check_limits(std::size_t number_of_threads, const internal::Intrinsic_mesh<
   CHECK(number_of_failures > 50);
 }
 
+// A run that keeps its windows by edge, and returns the number of windows and the sum of their numbers.
+double run_with_windows_of_edges(std::size_t number_of_threads, const internal::Intrinsic_mesh<double>& mesh,
+                                 internal::Edge_window_field<double>& windows, long limit)
+{
+  using Keeper = internal::Window_keeper<double>;
+  internal::Vertex_distance_field<double> field;
+  windows.reset(mesh.number_of_faces());
+  internal::Parallel_distance_propagation<double, internal::All_pruning_rules, Thread_team, Keeper> propagation(
+    mesh, field, 16, Thread_team(number_of_threads), Keeper(windows));
+  run(propagation, 5, internal::Vertex_distance_field<double>::infinity(), limit);
+  double sum = 0;
+  for(internal::Face_id f = 0; f < mesh.number_of_faces(); ++f)
+  {
+    for(unsigned int k = 0; k < 3; ++k)
+    {
+      windows.for_each_window(internal::halfedge_of(f, k), [&](const internal::Kept_window<double>& w)
+      { sum = sum / 2 + w.begin + w.end + w.image_x + w.image_depth + 1; });
+    }
+  }
+  return sum;
+}
+
+// Adds up the numbers of the faces that it is given.
+struct Summing_consumer
+{
+  double sum = 0;
+
+  void add(const internal::Divided_face<double>& face)
+  {
+    sum = sum / 2 + face.face;
+    for(const auto& image : face.images)
+    {
+      sum += image.point.x + image.point.y + image.point.weight;
+    }
+  }
+};
+
+// A run whose redundant windows are removed, and the sum of its faces.
+double run_with_windows_of_faces(std::size_t number_of_threads, const internal::Intrinsic_mesh<double>& mesh,
+                                 long limit)
+{
+  using Removal = internal::Redundant_window_removal<double, Summing_consumer>;
+  using Keeper = internal::Redundant_window_remover<Removal>;
+  internal::Vertex_distance_field<double> field;
+  Summing_consumer consumer;
+  Removal removal;
+  removal.reset(mesh, field, consumer);
+  internal::Parallel_distance_propagation<double, internal::All_pruning_rules, Thread_team, Keeper> propagation(
+    mesh, field, 16, Thread_team(number_of_threads), Keeper(removal));
+  propagation.add_source(17, 0.);
+  propagation.add_source(5, 0.);
+  allocations_left = limit;
+  CHECK(propagation.run([&](std::size_t visits, double)
+  {
+    is_memory_limited = is_memory_limited || (visits == 0 && limit >= 0);
+    return true;
+  }));
+  removal.finish();
+  is_memory_limited = false;
+  return consumer.sum;
+}
+
+void check_limits_with_keepers(std::size_t number_of_threads, const internal::Intrinsic_mesh<double>& mesh)
+{
+  test_support::Scope scope("keepers, " + std::to_string(number_of_threads) + " threads");
+  internal::Edge_window_field<double> windows;
+  const double expected_by_edge = run_with_windows_of_edges(number_of_threads, mesh, windows, -1);
+  const double expected_by_face = run_with_windows_of_faces(number_of_threads, mesh, -1);
+  CHECK(expected_by_edge > 0 && expected_by_face > 0);
+  std::size_t number_of_failures = 0;
+  for(long limit = 0; limit < 160; ++limit)
+  {
+    double by_edge = expected_by_edge, by_face = expected_by_face;
+    try
+    {
+      by_edge = run_with_windows_of_edges(number_of_threads, mesh, windows, limit);
+      is_memory_limited = false;
+    }
+    catch(const std::bad_alloc&)
+    {
+      ++number_of_failures;
+      by_edge = run_with_windows_of_edges(number_of_threads, mesh, windows, -1);
+    }
+    CHECK_EQUAL(by_edge, expected_by_edge);
+    try
+    {
+      by_face = run_with_windows_of_faces(number_of_threads, mesh, limit);
+    }
+    catch(const std::bad_alloc&)
+    {
+      ++number_of_failures;
+    }
+    CHECK_EQUAL(by_face, expected_by_face);
+  }
+  std::cout << number_of_failures << " runs with keepers out of memory with " << number_of_threads << " threads"
+            << std::endl;
+  CHECK(number_of_failures > 100);
+}
+
 } // namespace
 
 int main()
@@ -116,6 +220,7 @@ int main()
   for(const std::size_t number_of_threads : std::vector<std::size_t>{1, 2, 5})
   {
     check_limits(number_of_threads, mesh);
+    check_limits_with_keepers(number_of_threads, mesh);
   }
   return test_result();
 }

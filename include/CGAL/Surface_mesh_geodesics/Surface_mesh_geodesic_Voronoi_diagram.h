@@ -26,6 +26,7 @@
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
+#include <CGAL/tags.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -89,6 +90,14 @@ threads may call them at once on one object. If something that a query needs is 
 mutex, and the others wait; once it is there, queries take no lock. Functions that are not `const` must not run at the
 same time as any other function of the object.
 
+<b>Parallel propagation.</b> With `Parallel_tag` as `ConcurrencyTag`, the propagation runs in the threads of the task
+arena of the calling thread, as in `Surface_mesh_geodesics::geodesic_distances()`. Meanwhile one of these threads at a
+time removes redundant windows and cuts faces, so that a diagram gains less from many threads than distances do. The
+mesh is read, and queries are answered, in the calling thread. Vertices, arcs and edges and their order do not depend on
+the number of threads, down to the last bit. From those with `Sequential_tag` they may differ by rounding and in their
+order. The calling thread calls the functions of a visitor, less often than with `Sequential_tag`. `Parallel_tag` needs
+TBB.
+
 <b>Differences from `Surface_mesh_geodesic_paths`.</b> Both classes follow the rule above. The other class keeps to the
 interface of `Surface_mesh_shortest_path`; its reference page lists where it therefore differs from a diagram.
 
@@ -109,10 +118,13 @@ square.
 \tparam VPM a model of `ReadablePropertyMap` with `vertex_descriptor` as key and `Traits::Point_3` as value
         type. The default is `boost::property_map<Triangle_mesh, CGAL::vertex_point_t>::%const_type`.
 
+\tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`: whether the propagation uses
+        several threads, see above
+
 \sa `Surface_mesh_geodesic_paths`
 */
 template <typename Traits, typename VIM = Default, typename HIM = Default, typename FIM = Default,
-          typename VPM = Default>
+          typename VPM = Default, typename ConcurrencyTag = Sequential_tag>
 class Surface_mesh_geodesic_Voronoi_diagram
 {
 public:
@@ -885,7 +897,7 @@ private:
   }
 
   Surface_mesh_geodesics::internal::Lazy_Voronoi_diagram<Traits, Vertex_index_map, Face_index_map, Vertex_point_map,
-                                                         Elements>
+                                                         Elements, ConcurrencyTag>
     m_lazy;
 };
 

@@ -23,6 +23,7 @@
 #include <CGAL/Default.h>
 #include <CGAL/Surface_mesh_shortest_path/Surface_mesh_shortest_path_traits.h>
 #include <CGAL/boost/graph/properties.h>
+#include <CGAL/tags.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -67,6 +68,18 @@ several threads at once. If a result is missing, one thread computes it and the 
 results are there takes no lock. Member functions that are not `const` must not run at the same time as any other one,
 and a visitor must not call functions of the object that is being built. (This is a precondition, which is checked where
 the visitor would compute anew.)
+
+<b>Parallel propagation.</b> With `Parallel_tag` as `ConcurrencyTag`, each propagation runs in the threads of the task
+arena of the calling thread, as in `Surface_mesh_geodesics::geodesic_distances()`; the mesh is read, and queries are
+answered, in the calling thread. Distances and points of paths do not depend on the number of threads, down to the last
+bit. From those with `Sequential_tag` they may differ by rounding; of several equally short paths, the other tag may
+report another one. Some more windows are kept than with `Sequential_tag`. The calling thread calls the functions of a
+visitor, less often than with `Sequential_tag`. `Parallel_tag` needs TBB.
+
+\code
+CGAL::Surface_mesh_geodesic_paths<Traits, CGAL::Default, CGAL::Default, CGAL::Default, CGAL::Default,
+                                  CGAL::Parallel_tag> paths(tm);
+\endcode
 
 <b>Exception safety.</b> A build, and so a query that builds, throws what `build_sequence_tree()` throws. Source points
 and the iterators to them stay as they were, and so do the results that are there. If an exception or a visitor ends the
@@ -119,6 +132,7 @@ number that stands for "no source point" is the constant `no_source`; for "no si
   `difference_type`. `add_source_points()` takes input iterators, and returns `source_points_end()` for an empty
   range.
 - <em>Queries are `const`</em>, see above.
+- <em>One more template parameter</em>, the last one: the concurrency tag.
 - <em>More members:</em> `build_sequence_tree_for_faces()`, visitors of the progress that may cancel,
   `use_edge_lengths()`, `statistics()`, `nearest_source_point()`, `shortest_distances_to_source_points()`,
   `farthest_vertex()`, `shortest_path_polyline_to_source_points()`, `isolines()`, and the static overload of
@@ -139,10 +153,13 @@ number that stands for "no source point" is the constant `no_source`; for "no si
 \tparam VPM a model of `ReadablePropertyMap` with `vertex_descriptor` as key and `Traits::Point_3` as value
         type. The default is `boost::property_map<Triangle_mesh, CGAL::vertex_point_t>::%const_type`.
 
+\tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`: whether each propagation uses
+        several threads, see above
+
 \sa `Surface_mesh_geodesics::geodesic_distances()`
 */
 template <typename Traits, typename VIM = Default, typename HIM = Default, typename FIM = Default,
-          typename VPM = Default>
+          typename VPM = Default, typename ConcurrencyTag = Sequential_tag>
 class Surface_mesh_geodesic_paths
 {
 public:
@@ -207,7 +224,8 @@ public:
 
 private:
   using Structure
-    = Surface_mesh_geodesics::internal::Lazy_path_structure<Traits, Vertex_index_map, Face_index_map, Vertex_point_map>;
+    = Surface_mesh_geodesics::internal::Lazy_path_structure<Traits, Vertex_index_map, Face_index_map, Vertex_point_map,
+                                                            ConcurrencyTag>;
   using Locations = Surface_mesh_geodesics::internal::Surface_locations<Traits, Vertex_point_map>;
   using Stage = typename Structure::Stage;
   using Ray_3 = typename Traits::Ray_3;

@@ -90,11 +90,11 @@ if that is not done yet.
 
 \throws Invalid_geodesic_input if the mesh or a site is invalid
 */
-template <typename Traits, typename VIM, typename HIM, typename FIM, typename VPM,
+template <typename Traits, typename VIM, typename HIM, typename FIM, typename VPM, typename ConcurrencyTag,
           typename CGAL_NP_TEMPLATE_PARAMETERS>
-Geodesic_Voronoi_certificate
-certify_geodesic_Voronoi_diagram(const Surface_mesh_geodesic_Voronoi_diagram<Traits, VIM, HIM, FIM, VPM>& diagram,
-                                 const CGAL_NP_CLASS& np = parameters::default_values())
+Geodesic_Voronoi_certificate certify_geodesic_Voronoi_diagram(
+  const Surface_mesh_geodesic_Voronoi_diagram<Traits, VIM, HIM, FIM, VPM, ConcurrencyTag>& diagram,
+  const CGAL_NP_CLASS& np = parameters::default_values())
 {
   return internal::Private_access::make<Geodesic_Voronoi_certificate>(
     internal::certify_diagram_with_points<Surface_mesh_geodesic_paths, Traits>(diagram, np));
@@ -118,11 +118,11 @@ their barycentric coordinates, as there are no points. Otherwise the function is
 
 \throws Invalid_geodesic_input if the mesh, a length or a site is invalid
 */
-template <typename Traits, typename VIM, typename HIM, typename FIM, typename VPM, typename EdgeLengthMap,
-          typename CGAL_NP_TEMPLATE_PARAMETERS>
+template <typename Traits, typename VIM, typename HIM, typename FIM, typename VPM, typename ConcurrencyTag,
+          typename EdgeLengthMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
 Geodesic_Voronoi_certificate certify_geodesic_Voronoi_diagram_from_edge_lengths(
-  const Surface_mesh_geodesic_Voronoi_diagram<Traits, VIM, HIM, FIM, VPM>& diagram, EdgeLengthMap edge_length_map,
-  const CGAL_NP_CLASS& np = parameters::default_values())
+  const Surface_mesh_geodesic_Voronoi_diagram<Traits, VIM, HIM, FIM, VPM, ConcurrencyTag>& diagram,
+  EdgeLengthMap edge_length_map, const CGAL_NP_CLASS& np = parameters::default_values())
 {
   return internal::Private_access::make<Geodesic_Voronoi_certificate>(
     internal::certify_diagram_with_edge_lengths<Surface_mesh_geodesic_paths, Traits>(diagram, edge_length_map, np));

@@ -36,6 +36,7 @@
 
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Divided_face.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Edge_partition.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/entering_windows.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/site_images_of_face.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_table.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Radix_heap.h>
@@ -100,6 +101,7 @@ public:
     m_range_of_edge.clear();
     m_queue.clear();
     m_number_of_kept = 0;
+    m_final_distance = Field::infinity();
   }
 
   // Gives the cell of `source` to `first`, as the two tie everywhere up to rounding. (Otherwise rounding would decide
@@ -110,30 +112,41 @@ public:
   // Keeps the windows of a list that the propagation carries across h into the face of h, unless that face is inactive.
   void keep(Halfedge_id h, const Window_list<FT>& list)
   {
+    CGAL_expensive_assertion(are_on_edge(list, m_mesh->length(h)));
+    keep(h, list.size, [&](std::size_t i) { return kept_window(list, i); },
+         [&] { return bound_by_windows(*m_mesh, *m_field, h, list); }, [&] { return smallest_distance(list); });
+  }
+
+  // The same for a list of n windows that is known by window(i), by bound(), which is bound_by_windows(), and by
+  // smallest(), which is smallest_distance(). Each is called only if it is needed.
+  template <typename Window_at, typename Bound, typename Smallest>
+  void keep(Halfedge_id h, std::size_t n, Window_at window, Bound bound, Smallest smallest)
+  {
     const Face_id f = face_of(h);
     if(is_inactive(f)) // the face has been divided: its windows are not needed any more
       return;
     Face_record& record = m_faces[f];
-    const auto& columns = list.columns;
-    CGAL_expensive_assertion(are_on_edge(list, m_mesh->length(h)));
     Vertex_id last = null_id; // (adjacent windows often have the same root)
-    m_windows.add(h, list.size, [&](std::size_t i)
+    m_windows.add(h, n, [&](std::size_t i)
     {
-      const Vertex_id root = static_cast<Vertex_id>(columns.history()[i]);
-      if(root != last)
-        add_source_of(root, record);
-      last = root;
-      return Kept_window<FT>{columns.begin()[i], columns.end()[i], columns.image_x()[i], columns.image_depth()[i],
-                             root};
+      const Kept_window<FT> w = window(i);
+      if(w.root != last)
+        add_source_of(w.root, record);
+      last = w.root;
+      return w;
     });
-    m_number_of_kept += list.size;
-    bound_by_windows(h, list);
+    m_number_of_kept += n;
+    set_bound(h, bound());
     if(record.state == ACTIVE)
       return;
     record.state = ACTIVE;
     if(m_is_early)
-      wait(f, list);
+      wait(f, smallest());
   }
+
+  // Tells which distances are final: those up to `reached`. keep() may then come before the distances of the roots are
+  // final, and remembers no source of a vertex whose path may still change. At first, all distances count as final.
+  void set_final_distance(const FT& reached) { m_final_distance = reached; }
 
   // Lets the inactive region grow, as the wavefront has reached a distance (thesis, algorithm 4, step 4). A face with a
   // large bound is looked at again half-way, as bounds shrink. The margin below `reached` covers the error of images.
@@ -154,6 +167,7 @@ public:
   // Makes all faces inactive, as the propagation has ended.
   void finish()
   {
+    m_final_distance = Field::infinity();
     m_queue.clear();
     for(Face_id f = 0; f < m_faces.size(); ++f)
       if(!is_inactive(f))
@@ -179,6 +193,8 @@ public:
     return result;
   }
 
+  const Mesh& mesh() const { return *m_mesh; }
+  const Field& field() const { return *m_field; }
   const Face_windows<FT>& windows() const { return m_windows; }
   std::size_t number_of_kept_windows() const { return m_number_of_kept; }
 
@@ -190,16 +206,6 @@ public:
   }
 
 private:
-  // The contract of keep(): returns whether the intervals of the windows of a list are parts of their edge.
-  static bool are_on_edge(const Window_list<FT>& list, const FT& length)
-  {
-    for(std::size_t i = 0; i < list.size; ++i)
-      if(!(0 <= list.columns.begin()[i] && list.columns.begin()[i] <= list.columns.end()[i]
-           && list.columns.end()[i] <= length))
-        return false;
-    return true;
-  }
-
   // Returns the source whose cell `source` shares: another one after unite(), otherwise itself. (null_id stays.)
   Vertex_id first_of_equal(Vertex_id source) const
   {
@@ -220,8 +226,9 @@ private:
   bool is_source_known(Vertex_id v) const { return m_source[v].distance == m_field->distance[v]; }
 
   // Returns the source from which the shortest path to v known so far starts, null_id if there is none. Follows the
-  // roots back and remembers the answer for each of them, as that chain may be long. Amortized: each vertex is asked
-  // for its root once for each distance that it takes.
+  // roots back and remembers the answer for each of them whose distance is final, as that chain may be long. Amortized:
+  // each vertex is asked for its root once for each distance that it takes, if distances are final (see
+  // set_final_distance()).
   Vertex_id source_of(Vertex_id v)
   {
     Vertex_id last = v;
@@ -236,7 +243,8 @@ private:
     }
     const Vertex_id source = m_source[last].vertex;
     for(; !is_source_known(v); v = m_field->arrival[v].root)
-      m_source[v] = Known_source{m_field->distance[v], source};
+      if(!(m_final_distance < m_field->distance[v]))
+        m_source[v] = Known_source{m_field->distance[v], source};
     return source;
   }
 
@@ -257,6 +265,9 @@ private:
   // Notes that windows of a pseudo-source have entered a face. The source known now is the final one: the pseudo-source
   // has emitted, so its distance is final up to rounding, and the propagation refuses improvements within rounding at
   // vertices that may emit. owner() is asked for vertices with final distances only.
+  //
+  // The parallel propagation emits windows from pseudo-sources whose distance is not final. If it shrinks, they emit
+  // again, and their new windows bring the final source to all faces where they are nearest.
   void add_source_of(Vertex_id root, Face_record& record)
   {
     if(record.source == several_sources)
@@ -266,14 +277,10 @@ private:
   }
 
   // Puts a face into the queue when the first list enters it: until the bound of proposition 5.1, with a first look
-  // half a side earlier, since bound() is often smaller. A path through the nearest window and straight on to any point
-  // of the face is at most that long.
-  void wait(Face_id f, const Window_list<FT>& list)
+  // half a side earlier, since bound() is often smaller. A path through the nearest window, at the distance `nearest`,
+  // and straight on to any point of the face is at most that long.
+  void wait(Face_id f, const FT& nearest)
   {
-    const FT *const at_begin = list.columns.begin_distance(), *const at_end = list.columns.end_distance();
-    FT nearest = (std::min)(at_begin[0], at_end[0]);
-    for(std::size_t i = 1; i < list.size; ++i)
-      nearest = (std::min)({nearest, at_begin[i], at_end[i]});
     const FT longest = longest_side(m_mesh->face(f));
     m_queue.push(f, FT(nearest + longest / 2), FT(nearest + longest));
   }
@@ -293,36 +300,9 @@ private:
     return largest;
   }
 
-  // Returns a distance that no point between two points on an edge exceeds: the paths by the two points have this
-  // length on average, so one of them is not longer.
-  static FT bound_between(const FT& at_first, const FT& at_last, const FT& length)
+  // Notes that no distance on the edge of h exceeds `bound`.
+  void set_bound(Halfedge_id h, const FT& bound)
   {
-    return FT((at_first + at_last + length) / 2);
-  }
-
-  // Bounds the distances on the edge of h by the windows of a list. The distance by a window is convex along the edge,
-  // so that it is largest at an end of the interval; gaps between windows are bounded by bound_between(). (Windows that
-  // overlap may be out of order; then the bound is larger than need be.)
-  void bound_by_windows(Halfedge_id h, const Window_list<FT>& list)
-  {
-    const auto& columns = list.columns;
-    FT bound = 0, x = 0, at_x = m_field->distance[m_mesh->source(h)]; // the edge is done up to x
-    for(std::size_t i = 0; i < list.size; ++i)
-    {
-      const FT &begin = columns.begin()[i], &end = columns.end()[i];
-      const FT &at_begin = columns.begin_distance()[i], &at_end = columns.end_distance()[i];
-      if(x < begin)
-        bound = (std::max)(bound, bound_between(at_x, at_begin, FT(begin - x)));
-      bound = (std::max)({bound, at_begin, at_end});
-      if(x < end)
-      {
-        x = end;
-        at_x = at_end;
-      }
-    }
-    const FT& length = m_mesh->length(h);
-    if(x < length)
-      bound = (std::max)(bound, bound_between(at_x, m_field->distance[m_mesh->target(h)], FT(length - x)));
     float& known = m_faces[face_of(h)].bound[index_in_face(h)];
     known = (std::min)(known, Single_precision::not_less(bound));
     const Halfedge_id o = m_mesh->opposite(h);
@@ -558,25 +538,10 @@ private:
   Index_table<Index_range> m_range_of_edge; // in m_breakpoints, by the halfedge with the smaller index
   Radix_heap m_queue;
   std::size_t m_number_of_kept = 0;
+  FT m_final_distance = Field::infinity();
   Edge_partition<FT> m_edge;
   std::vector<std::pair<Halfedge_id, Kept_window<FT>>> m_candidates; // image i + 2 of m_edge is candidate i
   Divided_face<FT> m_divided_face;
-};
-
-// What Distance_propagation calls a keeper: it passes the lists of windows and the distance reached on to the removal.
-template <typename Removal>
-class Redundant_window_remover
-{
-public:
-  using FT = typename Removal::FT;
-
-  explicit Redundant_window_remover(Removal& removal) : m_removal(&removal) {}
-
-  void keep(Halfedge_id h, const Window_list<FT>& list) { m_removal->keep(h, list); }
-  void advance(const FT& reached) { m_removal->advance(reached); }
-
-private:
-  Removal* m_removal;
 };
 
 } // namespace internal

@@ -18,16 +18,12 @@
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Intrinsic_surface.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/run_with_visitor.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Available_tag.h>
-#include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_propagation.h>
-#include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Parallel_distance_propagation.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Repeated_propagation.h>
-#include <CGAL/Surface_mesh_geodesics/internal/propagation/Worker_team.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Propagation_for_tag.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Source_insertion.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Source_set.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Pruning_rules.h>
-
-#include <CGAL/tags.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -38,21 +34,6 @@
 namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
-
-// The sequential or the parallel propagation.
-template <typename Tag, typename FT, typename Rules>
-struct Propagation_for_tag
-{
-  using type = Distance_propagation<FT, Rules>;
-};
-
-#ifdef CGAL_LINKED_WITH_TBB
-template <typename FT, typename Rules>
-struct Propagation_for_tag<Parallel_tag, FT, Rules>
-{
-  using type = Parallel_distance_propagation<FT, Rules, Tbb_team>;
-};
-#endif
 
 // Invariant between runs: the intrinsic mesh has no inserted sources (Repeated_propagation removes them), so that each
 // run starts from the mesh as it was read. The answers are those of the last run until the next one begins; after a run

@@ -20,6 +20,9 @@
 // Results appear in two steps. The first one gives the distances of all vertices and the paths from them; it runs while
 // nobody reads. The second one adds the windows on the edges, which queries at other points read; it writes nothing
 // that queries at vertices read, as those may be running in other threads.
+//
+// With Parallel_tag, the thread that computes has helpers. It holds the mutex, so while it waits for them it must not
+// start a query of the user (Tbb_team::run()).
 
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Face_shapes.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Path_solver.h>
@@ -34,6 +37,7 @@
 
 #include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>
+#include <CGAL/tags.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -60,7 +64,8 @@ namespace internal {
 // - At EVERYWHERE the solver has the windows as well.
 // A const function only raises m_ready, and only under the mutex. A reader loads m_ready with `acquire` before it reads
 // anything that a build writes; the build stores it with `release` after the last write.
-template <typename Traits, typename VertexIndexMap, typename FaceIndexMap, typename VertexPointMap>
+template <typename Traits, typename VertexIndexMap, typename FaceIndexMap, typename VertexPointMap,
+          typename ConcurrencyTag = Sequential_tag>
 class Lazy_path_structure
 {
 public:
@@ -78,7 +83,7 @@ public:
   using Sources = Source_point_list<Face_location, vertex_descriptor>;
   using Source_point_iterator = typename Sources::Iterator;
   using Result = std::pair<FT, Source_point_iterator>;
-  using Solver = Path_solver<Triangle_mesh, VertexIndexMap, FaceIndexMap>;
+  using Solver = Path_solver<Triangle_mesh, VertexIndexMap, FaceIndexMap, ConcurrencyTag>;
 
   // The stage of the results: where queries can be answered at once. Each value includes those before it.
   enum class Stage { NOWHERE, AT_VERTICES, EVERYWHERE };

@@ -25,11 +25,14 @@
 #include <CGAL/Surface_mesh_geodesics/internal/paths/distance_at_location.h>
 #include <CGAL/Surface_mesh_geodesics/internal/paths/isoline_tracing.h>
 #include <CGAL/Surface_mesh_geodesics/internal/paths/path_tracing.h>
-#include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_propagation.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/Available_tag.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Propagation_for_tag.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/equal_sources.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Edge_window_field.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/Pruning_rules.h>
 
 #include <CGAL/assertions.h>
+#include <CGAL/tags.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -44,7 +47,9 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-template <typename TriangleMesh, typename VertexIndexMap, typename FaceIndexMap>
+// `ConcurrencyTag` tells whether each run uses several threads.
+template <typename TriangleMesh, typename VertexIndexMap, typename FaceIndexMap,
+          typename ConcurrencyTag = Sequential_tag>
 class Path_solver
 {
 public:
@@ -286,6 +291,7 @@ public:
 
 private:
   using Surface = Surface_with_sources<TriangleMesh, VertexIndexMap, FaceIndexMap>;
+  using Tag = typename Available_tag<ConcurrencyTag>::type;
 
   // The surface as the user knows it: descriptors and their indices.
   const typename Surface::Surface& user_surface() const { return m_surface.surface(); }
@@ -325,7 +331,7 @@ private:
   {
     m_field = Vertex_distance_field<double>();
     m_field.keeps_images = true;
-    m_windows = Edge_window_field<double>();
+    m_windows.clear();
     m_has_run = false;
   }
 
@@ -335,7 +341,7 @@ private:
   {
     const Source_set<double>& sources = m_surface.sources();
     m_windows.reset(keeps(keeper) ? mesh().number_of_faces() : 0);
-    Distance_propagation<double, All_pruning_rules, Keeper> propagation(mesh(), field, keeper);
+    typename Propagation_for_tag<Tag, double, All_pruning_rules, Keeper>::type propagation(mesh(), field, keeper);
     for(std::size_t i = 0; i < sources.size(); ++i)
       propagation.add_source(sources.vertices[i], sources.offset(i));
     const double factor = unit();

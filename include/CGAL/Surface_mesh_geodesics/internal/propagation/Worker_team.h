@@ -36,14 +36,20 @@ public:
 
   // Calls work(0) in this thread and work(1) .. work(n-1) in others, and returns when all calls have returned. Other
   // threads may start late, even after work(0) has returned. Requires: n > 0; the calls do not throw.
+  //
+  // While this thread waits, it does not start other work of its arena, which might ask for a mutex that the caller
+  // holds.
   template <typename Work>
   static void run(std::size_t n, Work work)
   {
-    tbb::task_group others;
-    for(std::size_t i = 1; i < n; ++i)
-      others.run([&work, i]() { work(i); });
-    work(0);
-    others.wait();
+    tbb::this_task_arena::isolate([n, &work]()
+    {
+      tbb::task_group others;
+      for(std::size_t i = 1; i < n; ++i)
+        others.run([&work, i]() { work(i); });
+      work(0);
+      others.wait();
+    });
   }
 
   // Calls a function of the user, and returns its result. The function may use TBB: while it waits, it does not start

@@ -25,21 +25,26 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <mutex>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
+template <typename FT>
+class Window_keeper;
+
 // Batches of windows, and for each halfedge the chain of its batches, the latest first. Windows are never removed, and
-// never move: chunks have a fixed size, and a list that does not fit into the rest of a chunk becomes several batches.
-// Keeping a window takes constant time, amortized, and the memory of one Kept_window.
+// never move. Window_keeper fills the field. Each keeper has a chunk and a block of batches of its own, so several
+// threads may keep windows at once, each with its keeper, if no two of them are concerned with the same halfedge.
 //
-// Invariants: all chunks but the last one are full, and m_chunk_size windows of the last one are in use; a batch lies
-// in one chunk and is not empty; `previous` of a batch is smaller than its own index, or null_id, so chains end; there
-// are fewer than 2^32 - 1 batches.
+// Invariants: a batch lies in one chunk and is not empty; its `previous` is older, or null_id, so chains end; batches
+// are numbered through all blocks; there are fewer than 2^32 - 1 batches.
 //
-// Threads: several may call for_each_window() at once if no thread calls reset() or keep().
+// Threads: several may call for_each_window() at once if no thread calls reset(), and none keeps windows.
 template <typename FT_>
 class Edge_window_field
 {
@@ -47,62 +52,55 @@ public:
   using FT = FT_;
   using Kept = Kept_window<FT>;
 
-  // Removes all windows, and prepares for a mesh with this number of faces. Takes time linear in that number.
+  Edge_window_field() = default;
+  Edge_window_field(const Edge_window_field&) = delete;
+  Edge_window_field& operator=(const Edge_window_field&) = delete;
+
+  // Removes all windows, and prepares for a mesh with this number of faces. Takes time linear in that number. Keepers
+  // that have kept windows in the field must not keep more.
   void reset(std::size_t number_of_faces)
   {
     m_last_batch.assign(3 * number_of_faces, null_id);
-    m_batches.clear();
+    m_blocks.clear();
     m_chunks.clear();
-    m_chunk_size = 0;
+    m_windows_in_chunks = 0;
   }
 
-  // Keeps the windows of a list that a propagation carries across h, in the frame of h: copies what Kept_window has.
-  // Requires: reset() has been called for the mesh, refined by its sources; the list satisfies the invariants of a
-  // stored list (Window_lists.h), it may be empty.
-  void keep(Halfedge_id h, const Window_list<FT>& list)
+  // Removes all windows and frees all memory.
+  void clear()
   {
-    std::size_t done = 0;
-    while(done < list.size)
-    {
-      if(m_chunk_size == chunk_capacity || m_chunks.empty())
-      {
-        m_chunks.emplace_back(new Kept[chunk_capacity]);
-        m_chunk_size = 0;
-      }
-      const std::size_t n = (std::min)(chunk_capacity - m_chunk_size, list.size - done);
-      Kept* const first = m_chunks.back().get() + m_chunk_size;
-      for(std::size_t i = 0; i < n; ++i)
-      {
-        const Window<FT> w = list.columns.get(done + i);
-        first[i] = Kept{w.begin, w.end, w.image_x, w.image_depth, w.root};
-      }
-      std::uint32_t& last = m_last_batch[dense_index(h)];
-      m_batches.push_back(Batch{first, static_cast<std::uint32_t>(n), last});
-      last = static_cast<std::uint32_t>(m_batches.size() - 1);
-      m_chunk_size += n;
-      done += n;
-    }
+    m_last_batch = std::vector<std::uint32_t>();
+    m_blocks = std::vector<std::unique_ptr<Batch[]>>();
+    m_chunks = std::vector<std::unique_ptr<Kept[]>>();
+    m_windows_in_chunks = 0;
   }
 
   // Calls visit(window) for all windows of h, the latest batch first, and by key within a batch. The winner of a tie
   // in a query depends on this order. Takes time linear in the number of windows.
-  // Requires: reset() has been called for a mesh with h. `visit` does not call keep().
+  // Requires: reset() has been called for a mesh with h. `visit` keeps no windows.
   template <typename Visit>
   void for_each_window(Halfedge_id h, Visit visit) const
   {
-    for(std::uint32_t b = m_last_batch[dense_index(h)]; b != null_id; b = m_batches[b].previous)
-      for(std::uint32_t i = 0; i < m_batches[b].size; ++i)
-        visit(m_batches[b].first[i]);
+    for(std::uint32_t b = m_last_batch[dense_index(h)]; b != null_id;)
+    {
+      const Batch& batch = m_blocks[b / batches_in_block][b % batches_in_block];
+      for(std::uint32_t i = 0; i < batch.size; ++i)
+        visit(batch.first[i]);
+      b = batch.previous;
+    }
   }
 
   std::size_t memory() const
   {
-    return m_chunks.size() * chunk_capacity * sizeof(Kept) + m_batches.capacity() * sizeof(Batch)
+    return m_windows_in_chunks * sizeof(Kept) + m_blocks.size() * batches_in_block * sizeof(Batch)
          + m_last_batch.capacity() * sizeof(std::uint32_t);
   }
 
 private:
-  static constexpr std::size_t chunk_capacity = 4096;
+  friend class Window_keeper<FT>;
+
+  static constexpr std::size_t windows_in_chunk = 4096;
+  static constexpr std::size_t batches_in_block = 1024;
 
   // The windows of one list, or a part of them, and the batch of the same halfedge before it.
   struct Batch
@@ -112,29 +110,118 @@ private:
     std::uint32_t previous;
   };
 
+  // Return a chunk of n windows, and a block of batches with the number of the first one. Any thread may call them.
+  Kept* new_chunk(std::size_t n)
+  {
+    std::unique_ptr<Kept[]> chunk(new Kept[n]);
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    m_chunks.push_back(std::move(chunk));
+    m_windows_in_chunks += n;
+    return m_chunks.back().get();
+  }
+
+  std::pair<Batch*, std::uint32_t> new_block()
+  {
+    std::unique_ptr<Batch[]> block(new Batch[batches_in_block]);
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    m_blocks.push_back(std::move(block));
+    return {m_blocks.back().get(), static_cast<std::uint32_t>((m_blocks.size() - 1) * batches_in_block)};
+  }
+
+  std::vector<std::uint32_t> m_last_batch; // by halfedge
+  std::mutex m_mutex;                      // guards the members below while windows are kept
   std::vector<std::unique_ptr<Kept[]>> m_chunks;
-  std::size_t m_chunk_size = 0; // of the last chunk
-  std::vector<Batch> m_batches;
-  std::vector<std::uint32_t> m_last_batch;
+  std::size_t m_windows_in_chunks = 0;
+  std::vector<std::unique_ptr<Batch[]>> m_blocks;
 };
 
 // The keeper of a propagation whose windows go into a field. The distance that is reached does not matter to it.
+//
+// A copy keeps windows in the same field, in memory of its own. The parallel propagation gives each thread a keeper:
+// visits that take place at the same time share no face, hence no halfedge. So the order of the lists of a halfedge
+// does not depend on the threads. Neither does the order of windows, as the keepers of threads keep each list as one
+// batch. The keeper of a single thread fills each chunk, and divides a list that does not fit into several batches.
 template <typename FT>
 class Window_keeper
 {
 public:
-  explicit Window_keeper(Edge_window_field<FT>& field) : m_field(&field) {}
+  using Thread_keeper = Window_keeper;
+  static constexpr bool is_deferred = false;
 
-  void keep(Halfedge_id h, const Window_list<FT>& list) { m_field->keep(h, list); }
+  // The field must be reset before the first keep(), and not after it.
+  explicit Window_keeper(Edge_window_field<FT>& field, bool divides_lists = true)
+    : m_field(&field), m_divides_lists(divides_lists)
+  {}
+  Window_keeper(const Window_keeper& other) : Window_keeper(*other.m_field, other.m_divides_lists) {}
+  Window_keeper& operator=(const Window_keeper&) = delete;
+
+  Thread_keeper thread_keeper() const { return Window_keeper(*m_field, false); }
+
+  // Keeps the windows of a list that a propagation carries across h, in the frame of h: copies what Kept_window has.
+  // Takes constant time for each window, amortized.
+  // Requires: the field has been reset for the mesh, refined by its sources; the list satisfies the invariants of a
+  // stored list (Window_lists.h), it may be empty.
+  void keep(Halfedge_id h, const Window_list<FT>& list)
+  {
+    std::size_t done = 0;
+    while(done < list.size)
+    {
+      get_memory(m_divides_lists ? 1 : list.size);
+      const std::size_t n = (std::min)(m_free_windows, list.size - done);
+      for(std::size_t i = 0; i < n; ++i)
+      {
+        const Window<FT> w = list.columns.get(done + i);
+        m_window[i] = Kept_window<FT>{w.begin, w.end, w.image_x, w.image_depth, w.root};
+      }
+      std::uint32_t& last = m_field->m_last_batch[dense_index(h)];
+      *m_batch = Batch{m_window, static_cast<std::uint32_t>(n), last};
+      last = m_batch_number++;
+      ++m_batch;
+      --m_free_batches;
+      m_window += n;
+      m_free_windows -= n;
+      done += n;
+    }
+  }
+
   void advance(const FT&) const {}
 
 private:
+  using Batch = typename Edge_window_field<FT>::Batch;
+
+  // Makes room for n windows and a batch. If that throws, nothing has changed but the memory of the field.
+  void get_memory(std::size_t n)
+  {
+    if(m_free_windows < n)
+    {
+      const std::size_t size = (std::max)(n, std::size_t(Edge_window_field<FT>::windows_in_chunk));
+      m_window = m_field->new_chunk(size);
+      m_free_windows = size;
+    }
+    if(m_free_batches == 0)
+    {
+      std::tie(m_batch, m_batch_number) = m_field->new_block();
+      m_free_batches = Edge_window_field<FT>::batches_in_block;
+    }
+  }
+
   Edge_window_field<FT>* m_field;
+  bool m_divides_lists;
+  Kept_window<FT>* m_window = nullptr; // where the next window goes, and how many windows fit from there on
+  std::size_t m_free_windows = 0;
+  Batch* m_batch = nullptr; // the same for batches
+  std::size_t m_free_batches = 0;
+  std::uint32_t m_batch_number = 0;
 };
 
 // The keeper of a propagation that keeps no windows.
 struct No_window_keeper
 {
+  using Thread_keeper = No_window_keeper;
+  static constexpr bool is_deferred = false;
+
+  Thread_keeper thread_keeper() const { return {}; }
+
   template <typename List>
   void keep(Halfedge_id, const List&) const
   {}

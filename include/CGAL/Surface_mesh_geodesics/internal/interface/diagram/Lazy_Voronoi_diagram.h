@@ -20,10 +20,15 @@
 //
 // Results appear in three steps, each with its own flag: the diagram first, then the measures and the windows, in any
 // order. Neither of these writes anything that other queries read.
+//
+// With Parallel_tag, several threads propagate, and one of them removes windows and divides faces at the same time
+// (Window_relay.h). The thread that computes holds the mutex, so while it waits for the others it must not start a
+// query of the user (Tbb_team::run()).
 
 #include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Cell_locator.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Redundant_window_removal.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Redundant_window_remover.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Voronoi_cell_measures.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Voronoi_complex.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Face_shapes.h>
@@ -36,6 +41,7 @@
 
 #include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>
+#include <CGAL/tags.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -60,7 +66,8 @@ namespace internal {
 // Invariants: m_has_measures and m_has_windows imply m_is_built. While m_is_built is set, the sites, the mesh and the
 // maps are those that the complex was made from; functions that change one of them call forget_diagram(). What a flag
 // guards is written under the mutex before the flag is set (compute_once()), and read after it was seen.
-template <typename Traits, typename VertexIndexMap, typename FaceIndexMap, typename VertexPointMap, typename Elements>
+template <typename Traits, typename VertexIndexMap, typename FaceIndexMap, typename VertexPointMap, typename Elements,
+          typename ConcurrencyTag = Sequential_tag>
 class Lazy_Voronoi_diagram
 {
 public:
@@ -75,7 +82,7 @@ public:
   using Face_location = typename Locations::Face_location;
   using Coordinates = typename Locations::Coordinates;
   using Sites = Weighted_site_list<vertex_descriptor, Face_location, FT>;
-  using Solver = Path_solver<Triangle_mesh, VertexIndexMap, FaceIndexMap>;
+  using Solver = Path_solver<Triangle_mesh, VertexIndexMap, FaceIndexMap, ConcurrencyTag>;
   using Complex = Voronoi_complex<double>;
 
   // Stands for "no site" where a number of a site is returned.

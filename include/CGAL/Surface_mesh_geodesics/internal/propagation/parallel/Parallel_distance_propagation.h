@@ -20,6 +20,10 @@
 //    lists, propagates them and puts them back, all by itself: no two visits of a batch use the same list
 //    (Wavefront.h). What concerns vertices is left as messages for the parts.
 //
+// A keeper sees the windows (Star_propagation.h). Either each thread keeps the windows of its visits, with a keeper of
+// its own. Or the keeper cannot be divided; then one thread gives it the windows of the last batch while the others
+// visit the next one (Window_relay.h).
+//
 // So the batches, and with them every bit of the result, depend neither on the number of threads nor on their speed.
 // What no other thread can help with is a few operations per round: choosing the threshold and asking the visitor.
 // Rounds that are too small to share are done by the calling thread alone.
@@ -38,9 +42,11 @@
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Wavefront.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Batch_threshold.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Wavefront_part.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Window_relay.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Work_sharing.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/Edge_window_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Pruning_rules.h>
 
 #include <CGAL/assertions.h>
@@ -69,16 +75,22 @@ struct No_phase_clock
 // `Team` is a team of threads: see Worker_team.h. `Clock` is for benchmarks that run one thread: it is told when a phase
 // of parts or of visits begins and ends, whether more threads would share it, and when one part or visit is done.
 //
+// `Keeper` is a policy: keeper.thread_keeper() makes what keeps the windows of one thread, a Thread_keeper. If
+// Keeper::is_deferred is false, threads keep windows at once, and that is all. If it is true, Thread_keeper is a log
+// for Window_relay; all that was logged is taken over when run() returns true.
+//
 // Invariants, outside run() and at the beginning of each round:
 // - No star is taken out, and each list waits on a halfedge or not at all.
 // - A vertex that the wavefront needs is in the queue of its part, or in a message to it.
 // - m_marks[v].round == m_round exactly if v is in the batch of the last round.
-template <typename FT_, typename Rules_, typename Team, typename Clock = No_phase_clock>
+template <typename FT_, typename Rules_, typename Team, typename Keeper_ = No_window_keeper,
+          typename Clock = No_phase_clock>
 class Parallel_distance_propagation
 {
 public:
   using FT = FT_;
   using Rules = Rules_;
+  using Keeper = Keeper_;
   using Mesh = Intrinsic_mesh<FT>;
   using Field = Vertex_distance_field<FT>;
 
@@ -88,12 +100,16 @@ public:
   // Resets the field, which receives the result. Mesh and field must outlive this object. The result depends on the
   // smallest aim for the size of a batch within rounding. Requires: it is at least 1.
   Parallel_distance_propagation(const Mesh& mesh, Field& field, std::size_t smallest_batch_size = default_batch_size,
-                                const Team& team = Team())
-    : m_mesh(mesh), m_field(field), m_team(team), m_wavefront(mesh, field), m_threshold(smallest_batch_size),
-      m_maximum_distance(Field::infinity())
+                                const Team& team = Team(), Keeper keeper = Keeper())
+    : m_mesh(mesh), m_field(field), m_team(team), m_keeper(keeper), m_relay(keeper), m_wavefront(mesh, field),
+      m_threshold(smallest_batch_size), m_maximum_distance(Field::infinity())
   {
     restart();
   }
+
+  Parallel_distance_propagation(const Mesh& mesh, Field& field, Keeper keeper)
+    : Parallel_distance_propagation(mesh, field, default_batch_size, Team(), keeper)
+  {}
 
   Parallel_distance_propagation(const Parallel_distance_propagation&) = delete;
   Parallel_distance_propagation& operator=(const Parallel_distance_propagation&) = delete;
@@ -110,6 +126,7 @@ public:
     m_wavefront.restart(m_workers.front()->stars.pool(), slots_of_workers());
     for(const std::unique_ptr<Worker>& worker : m_workers)
       worker->stars.restart();
+    m_relay.restart(m_workers.size(), keepers());
     release_surplus();
     make_parts();
     m_marks.resize(m_mesh.number_of_vertices());
@@ -149,12 +166,14 @@ public:
       if(i > 0)
       {
         m_sharing.help([&](bool is_part, std::uint32_t unit)
-        { is_part ? update_part(unit) : visit_unit(*m_workers[i], unit); });
+        { is_part ? update_part(unit) : do_unit(*m_workers[i], unit); });
         return;
       }
       try
       {
         is_complete = conduct([&]() { return go_on(number_of_visits(), reached_distance()); });
+        if(is_complete)
+          m_relay.finish(reached_distance(), keepers());
       }
       catch(...)
       {
@@ -182,7 +201,7 @@ public:
       sum.maximum_window_bytes += worker->stars.memory();
     }
     sum.maximum_windows_alive = m_maximum_windows_alive;
-    sum.maximum_window_bytes += m_wavefront.memory();
+    sum.maximum_window_bytes += m_wavefront.memory() + m_relay.memory();
     sum.intrinsic_mesh_bytes = m_wavefront.table_memory() + m_marks.capacity() * sizeof(Mark);
     for(const Wavefront_part<FT>& part : m_parts)
       sum.intrinsic_mesh_bytes += part.table_memory(); // the caller adds the mesh and the results
@@ -191,16 +210,20 @@ public:
 
 private:
   using Messages = Wavefront_messages<FT>;
+  using Thread_keeper = typename Keeper::Thread_keeper;
 
   // What one thread needs for visits.
   struct alignas(64) Worker
   {
-    Star_propagation<FT, Rules> stars;
+    const std::size_t number;
+    Star_propagation<FT, Rules, Thread_keeper> stars;
     Vertex_star<FT> star; // of the vertex that is visited; a buffer between visits
     Window_list_slots slots;
     std::vector<Messages> messages; // by part
 
-    Worker(const Mesh& mesh, const std::vector<FT>& distance) : stars(mesh, distance) {}
+    Worker(std::size_t i, const Mesh& mesh, const std::vector<FT>& distance, const Thread_keeper& keeper)
+      : number(i), stars(mesh, distance, keeper)
+    {}
   };
 
   // The batch to which a vertex belonged last, and its key there, rounded.
@@ -291,12 +314,15 @@ private:
     for(Wavefront_part<FT>& part : m_parts)
       part.clear_batch();
     const std::size_t n = m_batch.size();
+    if(Keeper::is_deferred) // the keeper depends on the order of visits
+      std::sort(m_batch.begin(), m_batch.end());
     const std::size_t wanted_units = 8 * m_workers.size();
     m_visits_per_unit = (std::max)(n / wanted_units, std::size_t(1));
-    while(number_of_units(n) > Work_sharing::maximum_number_of_units)
+    while(number_of_units(n) >= Work_sharing::maximum_number_of_units)
       m_visits_per_unit *= 2;
-    share(false, number_of_units(n), n >= smallest_shared_batch,
-          [this](std::uint32_t i) { visit_unit(*m_workers.front(), i); });
+    m_relay.begin_batch(number_of_units(n), keepers());
+    share(false, m_relay.number_of_own_units() + number_of_units(n), n >= smallest_shared_batch,
+          [this](std::uint32_t i) { do_unit(*m_workers.front(), i); });
     m_maximum_windows_alive = (std::max)(m_maximum_windows_alive, number_of_windows());
     for(const std::unique_ptr<Worker>& worker : m_workers)
       m_wavefront.lists().share_surplus(worker->slots);
@@ -373,6 +399,13 @@ private:
     m_clock.end_unit();
   }
 
+  // Does a unit of phase 2.
+  void do_unit(Worker& worker, std::size_t unit)
+  {
+    m_relay.do_unit(unit, worker.number, worker.stars.keeper(), reached_distance(),
+                    [&](std::size_t i) { visit_unit(worker, i); });
+  }
+
   // Visits some vertices of the batch, one after the other.
   void visit_unit(Worker& worker, std::size_t unit)
   {
@@ -441,7 +474,8 @@ private:
   void make_workers()
   {
     while(m_workers.size() < (std::max)(m_team.size(), std::size_t(1)))
-      m_workers.push_back(std::make_unique<Worker>(m_mesh, m_field.distance));
+      m_workers.push_back(
+        std::make_unique<Worker>(m_workers.size(), m_mesh, m_field.distance, m_keeper.thread_keeper()));
   }
 
   std::vector<Window_list_slots*> slots_of_workers() const
@@ -499,6 +533,12 @@ private:
     m_memory_of_run = 0;
   }
 
+  // The keeper of each thread.
+  auto keepers()
+  {
+    return [this](std::size_t thread) -> Thread_keeper& { return m_workers[thread]->stars.keeper(); };
+  }
+
   auto pusher()
   {
     return [this](Vertex_id v, const FT& key) { m_parts[m_numbering.part_of(v)].push(v, key); };
@@ -512,6 +552,8 @@ private:
   const Mesh& m_mesh;
   Field& m_field;
   Team m_team;
+  Keeper m_keeper;
+  Window_relay<Keeper> m_relay;
   Wavefront<FT> m_wavefront;
   std::vector<std::unique_ptr<Worker>> m_workers; // the first one is the conductor's
   Part_numbering m_numbering;

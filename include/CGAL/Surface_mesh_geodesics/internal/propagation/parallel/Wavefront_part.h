@@ -40,6 +40,11 @@ struct Queued_vertex
 {
   FT key;
   Vertex_id vertex;
+
+  bool operator<(const Queued_vertex& other) const
+  {
+    return key < other.key || (!(other.key < key) && vertex < other.vertex);
+  }
 };
 
 // A shorter path to a vertex, found in the star of another one.

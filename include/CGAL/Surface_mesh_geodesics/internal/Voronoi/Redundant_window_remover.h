@@ -1,0 +1,136 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_REDUNDANT_WINDOW_REMOVER_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_REDUNDANT_WINDOW_REMOVER_H
+
+// What a propagation calls a keeper, for a diagram: it passes lists of windows and the distance reached on to the
+// removal of redundant windows. The parallel propagation logs the lists in each thread, and has one thread at a time
+// pass them on.
+
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/entering_windows.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/Kept_window.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/Window_lists.h>
+
+#include <CGAL/assertions.h>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+// The lists that one thread has carried across halfedges, in their order, with what the removal asks of them. Keeping a
+// list takes time linear in its size; the log has memory for the largest number of windows that it has had.
+//
+// Invariant: the windows of list i are those from m_lists[i].first_window up to those of the next list.
+template <typename FT>
+class Entering_window_log
+{
+public:
+  // The number of lists before it.
+  using Position = std::size_t;
+
+  // Requires: mesh and field outlive the log, and do not change during keep().
+  Entering_window_log(const Intrinsic_mesh<FT>& mesh, const Vertex_distance_field<FT>& field)
+    : m_mesh(&mesh), m_field(&field)
+  {}
+
+  // Logs a list that the propagation carries across h. Requires: the list is not empty.
+  void keep(Halfedge_id h, const Window_list<FT>& list)
+  {
+    CGAL_expensive_assertion(are_on_edge(list, m_mesh->length(h)));
+    m_lists.push_back(Entering_list{h, m_windows.size(), list.size, bound_by_windows(*m_mesh, *m_field, h, list),
+                                    smallest_distance(list)});
+    for(std::size_t i = 0; i < list.size; ++i)
+      m_windows.push_back(kept_window(list, i));
+  }
+
+  Position position() const { return m_lists.size(); }
+
+  // Passes the lists between two positions on to a removal.
+  template <typename Removal>
+  void pass_on(Position first, Position last, Removal& removal) const
+  {
+    for(Position i = first; i < last; ++i)
+    {
+      const Entering_list& list = m_lists[i];
+      removal.keep(list.halfedge, list.size, [&](std::size_t k) { return m_windows[list.first_window + k]; },
+                   [&] { return list.bound; }, [&] { return list.smallest; });
+    }
+  }
+
+  void clear()
+  {
+    m_lists.clear();
+    m_windows.clear();
+  }
+
+  void swap(Entering_window_log& other) { std::swap(*this, other); }
+
+  std::size_t memory() const
+  {
+    return m_lists.capacity() * sizeof(Entering_list) + m_windows.capacity() * sizeof(Kept_window<FT>);
+  }
+
+private:
+  struct Entering_list
+  {
+    Halfedge_id halfedge;
+    std::size_t first_window, size;
+    FT bound, smallest; // bound_by_windows() and smallest_distance() when the list entered
+  };
+
+  const Intrinsic_mesh<FT>* m_mesh;
+  const Vertex_distance_field<FT>* m_field;
+  std::vector<Entering_list> m_lists;
+  std::vector<Kept_window<FT>> m_windows;
+};
+
+// `Removal` is a Redundant_window_removal, which must outlive this object.
+template <typename Removal>
+class Redundant_window_remover
+{
+public:
+  using FT = typename Removal::FT;
+  using Thread_keeper = Entering_window_log<FT>;
+  static constexpr bool is_deferred = true;
+
+  explicit Redundant_window_remover(Removal& removal) : m_removal(&removal) {}
+
+  // --- for a propagation in one thread ---
+
+  void keep(Halfedge_id h, const Window_list<FT>& list) { m_removal->keep(h, list); }
+  void advance(const FT& reached) { m_removal->advance(reached); }
+
+  // --- for the parallel propagation: one thread at a time calls these functions ---
+
+  Thread_keeper thread_keeper() const { return Thread_keeper(m_removal->mesh(), m_removal->field()); }
+
+  // Keeps the lists between two positions of a log. Distances up to `reached` are final.
+  void take_over(const Thread_keeper& log, typename Thread_keeper::Position first,
+                 typename Thread_keeper::Position last, const FT& reached)
+  {
+    m_removal->set_final_distance(reached);
+    log.pass_on(first, last, *m_removal);
+  }
+
+private:
+  Removal* m_removal;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_REDUNDANT_WINDOW_REMOVER_H

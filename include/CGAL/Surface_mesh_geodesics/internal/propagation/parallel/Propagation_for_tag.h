@@ -1,0 +1,46 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_PARALLEL_PROPAGATION_FOR_TAG_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_PARALLEL_PROPAGATION_FOR_TAG_H
+
+// The propagation that a concurrency tag stands for. Both have the same members, and a constructor from mesh, field and
+// keeper.
+
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_propagation.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/Worker_team.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Parallel_distance_propagation.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/Edge_window_field.h>
+
+#include <CGAL/tags.h>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+// `Tag` is the type of an Available_tag.
+template <typename Tag, typename FT, typename Rules, typename Keeper = No_window_keeper>
+struct Propagation_for_tag
+{
+  using type = Distance_propagation<FT, Rules, Keeper>;
+};
+
+#ifdef CGAL_LINKED_WITH_TBB
+template <typename FT, typename Rules, typename Keeper>
+struct Propagation_for_tag<Parallel_tag, FT, Rules, Keeper>
+{
+  using type = Parallel_distance_propagation<FT, Rules, Tbb_team, Keeper>;
+};
+#endif
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_PARALLEL_PROPAGATION_FOR_TAG_H

@@ -1,0 +1,165 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_PARALLEL_WINDOW_RELAY_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_PARALLEL_WINDOW_RELAY_H
+
+// Passes the windows that several threads propagate to one keeper, which only one thread may call at a time.
+//
+// Each thread logs the windows of its visits. While the next batch is visited, one thread gives the logs to the keeper,
+// in the order of the visits in their batch, and tells it the distance that was reached before that batch. So the
+// keeper sees the same calls for any number of threads, and its work is one more unit beside the visits. It may read
+// what does not change during visits: the mesh and the field of distances.
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+// What the visits of a batch need to keep windows. `Keeper` is a policy: see Parallel_distance_propagation. Where a
+// function has a parameter `keepers`, keepers(i) is the Thread_keeper of thread i.
+//
+// If the keeper is deferred, its Thread_keeper is a log: position() is the end of the log, swap() and clear() are those
+// of a container. keeper.take_over(log, first, last, reached) takes the lists between two positions; distances up to
+// `reached` are final.
+//
+// Invariant: m_last_spans tells where in m_last_logs the windows of the last batch are, which the keeper has not seen.
+template <typename Keeper, bool is_deferred = Keeper::is_deferred>
+class Window_relay
+{
+public:
+  using Log = typename Keeper::Thread_keeper;
+
+  explicit Window_relay(Keeper keeper) : m_keeper(keeper) {}
+
+  // Forgets all windows, for a run with this number of threads.
+  template <typename Keepers>
+  void restart(std::size_t number_of_threads, Keepers keepers)
+  {
+    m_spans.clear();
+    m_last_spans.clear();
+    while(m_last_logs.size() < number_of_threads)
+      m_last_logs.push_back(m_keeper.thread_keeper());
+    for(std::size_t i = 0; i < number_of_threads; ++i)
+    {
+      m_last_logs[i].clear();
+      keepers(i).clear();
+    }
+  }
+
+  // Begins a batch with this number of units of visits. The relay may add a unit of its own.
+  template <typename Keepers>
+  void begin_batch(std::size_t number_of_visit_units, Keepers keepers)
+  {
+    for(std::size_t i = 0; i < m_last_logs.size(); ++i)
+    {
+      m_last_logs[i].swap(keepers(i));
+      keepers(i).clear();
+    }
+    m_last_spans.swap(m_spans);
+    m_spans.assign(number_of_visit_units, Span());
+    m_number_of_own_units = m_last_spans.empty() ? 0 : 1;
+  }
+
+  // 1 if the keeper has to take over windows during the batch, else 0. That unit comes first, as it may take longest.
+  std::size_t number_of_own_units() const { return m_number_of_own_units; }
+
+  // In any thread: does a unit of a batch, with the keeper of that thread. visit(i) does unit i of the visits.
+  // Requires: all windows of paths that are shorter than `reached` were propagated before this batch.
+  template <typename FT, typename Visit>
+  void do_unit(std::size_t unit, std::size_t thread, const Log& log, const FT& reached, Visit visit)
+  {
+    if(unit < m_number_of_own_units)
+    {
+      take_over(reached);
+      m_keeper.advance(reached);
+      return;
+    }
+    const std::size_t i = unit - m_number_of_own_units;
+    m_spans[i].thread = static_cast<std::uint32_t>(thread);
+    m_spans[i].first = log.position();
+    visit(i);
+    m_spans[i].last = log.position();
+  }
+
+  // Gives the keeper the windows of the last batch of a run that has reached a distance.
+  template <typename FT, typename Keepers>
+  void finish(const FT& reached, Keepers keepers)
+  {
+    begin_batch(0, keepers);
+    take_over(reached);
+  }
+
+  std::size_t memory() const
+  {
+    std::size_t n = (m_spans.capacity() + m_last_spans.capacity()) * sizeof(Span);
+    for(const Log& log : m_last_logs)
+      n += 2 * log.memory(); // the log that the thread writes is about as large
+    return n;
+  }
+
+private:
+  // The windows of one unit.
+  struct Span
+  {
+    typename Log::Position first, last;
+    std::uint32_t thread = 0;
+  };
+
+  template <typename FT>
+  void take_over(const FT& reached)
+  {
+    for(const Span& span : m_last_spans)
+      m_keeper.take_over(m_last_logs[span.thread], span.first, span.last, reached);
+  }
+
+  Keeper m_keeper;
+  std::vector<Log> m_last_logs; // by thread
+  std::vector<Span> m_spans, m_last_spans; // by unit of visits
+  std::size_t m_number_of_own_units = 0;
+};
+
+// There is nothing to relay if threads keep windows at once.
+template <typename Keeper>
+class Window_relay<Keeper, false>
+{
+public:
+  explicit Window_relay(const Keeper&) {}
+
+  template <typename Keepers>
+  void restart(std::size_t, Keepers) const
+  {}
+
+  template <typename Keepers>
+  void begin_batch(std::size_t, Keepers) const
+  {}
+
+  static constexpr std::size_t number_of_own_units() { return 0; }
+
+  template <typename FT, typename Visit>
+  void do_unit(std::size_t unit, std::size_t, const typename Keeper::Thread_keeper&, const FT&, Visit visit) const
+  {
+    visit(unit);
+  }
+
+  template <typename FT, typename Keepers>
+  void finish(const FT&, Keepers) const
+  {}
+
+  static constexpr std::size_t memory() { return 0; }
+};
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_PARALLEL_WINDOW_RELAY_H

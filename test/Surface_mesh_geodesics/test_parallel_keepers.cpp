@@ -1,0 +1,355 @@
+// Windows that several threads keep, for queries by edge and for diagrams by face. Their bits and their order depend
+// neither on the number of threads nor on timing.
+
+#include "intrinsic_mesh_helpers.h"
+#include "test_meshes.h"
+#include "test_support.h"
+#include "thread_team.h"
+
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Redundant_window_removal.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Redundant_window_remover.h>
+#include <CGAL/Surface_mesh_geodesics/internal/paths/distance_at_location.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_propagation.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Parallel_distance_propagation.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/Edge_window_field.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace test_meshes;
+
+namespace {
+
+namespace internal = CGAL::Surface_mesh_geodesics::internal;
+using Intrinsic_mesh = internal::Intrinsic_mesh<double>;
+using Field = internal::Vertex_distance_field<double>;
+using Window_field = internal::Edge_window_field<double>;
+using Rules = internal::All_pruning_rules;
+
+template <class Keeper>
+using Parallel = internal::Parallel_distance_propagation<double, Rules, Thread_team, Keeper>;
+template <class Keeper>
+using Sequential = internal::Distance_propagation<double, Rules, Keeper>;
+
+const std::vector<std::size_t> numbers_of_threads{1, 2, 3, 5, 64};
+
+// Sources with their offsets.
+using Sources = std::vector<std::pair<internal::Vertex_id, double>>;
+
+Sources random_sources(const Intrinsic_mesh& mesh, std::size_t number, test_support::Random& random)
+{
+  Sources sources;
+  for(std::size_t i = 0; i < number; ++i)
+  {
+    sources.emplace_back(static_cast<internal::Vertex_id>(random.index(mesh.number_of_vertices())),
+                         random.uniform(0., .05));
+  }
+  return sources;
+}
+
+template <class Propagation>
+void add(const Sources& sources, Propagation& propagation)
+{
+  for(const auto& s : sources)
+  {
+    propagation.add_source(s.first, s.second);
+  }
+}
+
+template <class Propagation>
+void run(Propagation& propagation, const Sources& sources)
+{
+  add(sources, propagation);
+  CHECK(propagation.run([](std::size_t, double) { return true; }));
+}
+
+// All numbers of a field.
+void append(const Field& field, std::vector<double>& numbers)
+{
+  for(std::size_t v = 0; v < field.distance.size(); ++v)
+  {
+    const auto& arrival = field.arrival[v];
+    const bool is_reached = arrival.root != internal::null_id;
+    numbers.insert(numbers.end(), {field.distance[v], is_reached ? arrival.abscissa : -1.,
+                                   static_cast<double>(arrival.halfedge), static_cast<double>(arrival.root),
+                                   field.image[v].x, field.image[v].depth});
+  }
+}
+
+// --- windows by edge ---
+
+template <class Visit>
+void for_each_halfedge(const Intrinsic_mesh& mesh, Visit visit)
+{
+  for(internal::Face_id f = 0; f < mesh.number_of_faces(); ++f)
+  {
+    for(unsigned int k = 0; k < 3; ++k)
+    {
+      visit(internal::halfedge_of(f, k));
+    }
+  }
+}
+
+// All numbers of a field and of all windows, halfedge by halfedge.
+std::vector<double> numbers_of(const Intrinsic_mesh& mesh, const Field& field, const Window_field& windows)
+{
+  std::vector<double> numbers;
+  append(field, numbers);
+  for_each_halfedge(mesh, [&](internal::Halfedge_id h)
+  {
+    numbers.push_back(-2.);
+    windows.for_each_window(h, [&](const internal::Kept_window<double>& w)
+    { numbers.insert(numbers.end(), {w.begin, w.end, w.image_x, w.image_depth, static_cast<double>(w.root)}); });
+  });
+  return numbers;
+}
+
+std::array<double, 3> random_weights(test_support::Random& random)
+{
+  const double a = random.uniform(.05, .9), b = random.uniform(.05, .95 - a);
+  return {a, b, 1. - a - b};
+}
+
+// A propagation that keeps its windows by edge.
+template <class Propagation>
+struct Kept_by_edge
+{
+  Field field;
+  Window_field windows;
+
+  template <class... Arguments>
+  Kept_by_edge(const Intrinsic_mesh& mesh, const Sources& sources, const Arguments&... arguments)
+  {
+    field.keeps_images = true;
+    windows.reset(mesh.number_of_faces());
+    Propagation propagation(mesh, field, arguments..., internal::Window_keeper<double>(windows));
+    run(propagation, sources);
+  }
+};
+
+void windows_of_edges(const Intrinsic_mesh& mesh, const Sources& sources, test_support::Random& random)
+{
+  test_support::Scope scope("windows of edges");
+  using Keeper = internal::Window_keeper<double>;
+  const Kept_by_edge<Sequential<Keeper>> expected(mesh, sources);
+  std::vector<double> first;
+  for(const std::size_t number : numbers_of_threads)
+  {
+    test_support::Scope scope_of_threads(std::to_string(number) + " threads");
+    const Kept_by_edge<Parallel<Keeper>> kept(mesh, sources, std::size_t(16), Thread_team(number));
+    const std::vector<double> numbers = numbers_of(mesh, kept.field, kept.windows);
+    first = first.empty() ? numbers : first;
+    CHECK(numbers == first);
+    if(number > 1)
+    {
+      continue;
+    }
+    CHECK_FIELDS_CLOSE(kept.field.distance, expected.field.distance, 1e-13);
+    for(internal::Face_id f = 0; f < mesh.number_of_faces(); ++f)
+    {
+      const std::array<double, 3> b = random_weights(random);
+      const auto a = internal::arrival_at_location(mesh, kept.field, kept.windows, f, b);
+      const auto e = internal::arrival_at_location(mesh, expected.field, expected.windows, f, b);
+      CHECK_EQUAL(a.root == internal::null_id, e.root == internal::null_id);
+      if(a.root != internal::null_id)
+      {
+        CHECK_CLOSE(a.distance, e.distance, 1e-12);
+      }
+    }
+  }
+}
+
+// A copy of a keeper uses other memory: what one keeps does not overwrite what the other one has kept.
+void copies_of_keepers()
+{
+  test_support::Scope scope("copies of keepers");
+  internal::Window_pool<double> pool;
+  internal::Window_list<double> list = pool.allocate(3);
+  list.size = 3;
+  Window_field windows;
+  windows.reset(2000);
+  internal::Window_keeper<double> one(windows);
+  one.keep(0, list);
+  internal::Window_keeper<double> other(one);
+  for(internal::Face_id f = 0; f < 2000; ++f)
+  {
+    for(std::size_t i = 0; i < 3; ++i)
+    {
+      list.columns.image_x()[i] = 3. * f + static_cast<double>(i);
+    }
+    (f % 3 == 0 ? other : one).keep(internal::halfedge_of(f, 1), list);
+  }
+  for(internal::Face_id f = 0; f < 2000; ++f)
+  {
+    double x = 3. * f;
+    windows.for_each_window(internal::halfedge_of(f, 1),
+                            [&](const internal::Kept_window<double>& w) { CHECK_EQUAL(w.image_x, x++); });
+    CHECK_EQUAL(x, 3. * f + 3.);
+  }
+  CHECK(windows.memory() > 6000 * sizeof(internal::Kept_window<double>));
+  windows.clear();
+  CHECK_EQUAL(windows.memory(), 0u);
+  pool.release(list);
+}
+
+// --- windows by face ---
+
+// Records the faces that it is given.
+struct Recorder
+{
+  std::vector<double> numbers;
+
+  void add(const internal::Divided_face<double>& face)
+  {
+    numbers.push_back(static_cast<double>(face.face));
+    for(const auto& side : face.breakpoints)
+    {
+      for(const auto& b : side)
+      {
+        numbers.insert(numbers.end(), {b.x, static_cast<double>(b.before), static_cast<double>(b.after)});
+      }
+    }
+    for(const auto& image : face.images)
+    {
+      numbers.insert(numbers.end(), {image.point.x, image.point.y, image.point.weight,
+                                     static_cast<double>(image.site)});
+    }
+  }
+};
+
+using Removal = internal::Redundant_window_removal<double, Recorder>;
+using Remover = internal::Redundant_window_remover<Removal>;
+
+// A propagation whose redundant windows are removed.
+template <class Propagation>
+struct Kept_by_face
+{
+  Field field;
+  Recorder recorder;
+  Removal removal;
+  std::vector<internal::Vertex_id> owners;
+
+  template <class... Arguments>
+  Kept_by_face(const Intrinsic_mesh& mesh, const Sources& sources, const Arguments&... arguments)
+  {
+    field.keeps_images = true;
+    removal.reset(mesh, field, recorder);
+    Propagation propagation(mesh, field, arguments..., Remover(removal));
+    run(propagation, sources);
+    removal.finish();
+    owners = removal.owners();
+  }
+
+  std::vector<double> numbers() const
+  {
+    std::vector<double> result = recorder.numbers;
+    append(field, result);
+    result.insert(result.end(), owners.begin(), owners.end());
+    result.push_back(static_cast<double>(removal.number_of_kept_windows()));
+    result.push_back(static_cast<double>(removal.windows().maximum_size()));
+    return result;
+  }
+};
+
+void windows_of_faces(const Intrinsic_mesh& mesh, const Sources& sources)
+{
+  test_support::Scope scope("windows of faces");
+  const Kept_by_face<Sequential<Remover>> expected(mesh, sources);
+  std::vector<double> first;
+  for(const std::size_t number : numbers_of_threads)
+  {
+    test_support::Scope scope_of_threads(std::to_string(number) + " threads");
+    const Kept_by_face<Parallel<Remover>> kept(mesh, sources, std::size_t(16), Thread_team(number));
+    const std::vector<double> numbers = kept.numbers();
+    first = first.empty() ? numbers : first;
+    CHECK(numbers == first);
+    CHECK(kept.owners == expected.owners);
+  }
+}
+
+// --- runs that end early ---
+
+// Runs of one object: some are canceled or end by an exception, and those after them are like the first.
+void runs_that_are_broken_off(const Intrinsic_mesh& mesh, const Sources& sources)
+{
+  test_support::Scope scope("broken off");
+  for(const std::size_t number : numbers_of_threads)
+  {
+    Field field;
+    field.keeps_images = true;
+    Recorder recorder;
+    Removal removal;
+    removal.reset(mesh, field, recorder);
+    Parallel<Remover> propagation(mesh, field, 16, Thread_team(number), Remover(removal));
+    std::vector<double> first;
+    for(std::size_t last = 0; last < 40; last += 8)
+    {
+      propagation.restart();
+      recorder.numbers.clear();
+      removal.reset(mesh, field, recorder);
+      run(propagation, sources);
+      removal.finish();
+      first = first.empty() ? recorder.numbers : first;
+      CHECK(recorder.numbers == first);
+
+      for(const bool throws : {false, true})
+      {
+        propagation.restart();
+        removal.reset(mesh, field, recorder);
+        add(sources, propagation);
+        std::size_t calls = 0;
+        bool is_caught = false;
+        try
+        {
+          CHECK(!propagation.run([&](std::size_t, double)
+          {
+            if(throws && calls == last)
+            {
+              throw std::range_error("thrown by the visitor");
+            }
+            return calls++ < last;
+          }));
+        }
+        catch(const std::range_error&)
+        {
+          is_caught = true;
+        }
+        CHECK_EQUAL(is_caught, throws);
+      }
+    }
+    CHECK(!first.empty());
+  }
+}
+
+} // namespace
+
+int main()
+{
+  const std::uint64_t seed = test_support::announce_seed(20260611);
+  test_support::Random random(seed);
+  copies_of_keepers();
+  for(const Indexed_mesh& indexed :
+      {noisy_sphere(3, .1, seed), rough_terrain(16, 2., seed), wavy_tube(20, 24),
+       midpoint_subdivision(jittered(genus_2_polycube(), .15, seed), 2), tetrahedral_ogre(60, seed),
+       random_cuts(noisy_sphere(2, .1, seed + 2), .15, seed + 3), two_components_and_an_isolated_vertex(),
+       irregular_tetrahedron(), needle_sphere(12, 16)})
+  {
+    test_support::Scope scope(indexed.name);
+    const Intrinsic_mesh mesh = intrinsic_mesh(to_face_graph(indexed));
+    for(const std::size_t number : {std::size_t(1), std::size_t(2), std::size_t(12)})
+    {
+      const Sources sources = random_sources(mesh, number, random);
+      windows_of_edges(mesh, sources, random);
+      windows_of_faces(mesh, sources);
+    }
+  }
+  const Intrinsic_mesh terrain = intrinsic_mesh(to_face_graph(rough_terrain(24, 1., seed)));
+  runs_that_are_broken_off(terrain, random_sources(terrain, 5, random));
+  return test_result();
+}
