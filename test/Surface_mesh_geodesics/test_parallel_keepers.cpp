@@ -273,6 +273,23 @@ void windows_of_faces(const Intrinsic_mesh& mesh, const Sources& sources)
   }
 }
 
+// If no window is removed before the end, the keeper has got all windows that were propagated, those of the last batch
+// included.
+void all_windows_are_kept(const Intrinsic_mesh& mesh, const Sources& sources)
+{
+  test_support::Scope scope("all windows are kept");
+  for(const std::size_t number : numbers_of_threads)
+  {
+    Field field;
+    Recorder recorder;
+    Removal removal;
+    removal.reset(mesh, field, recorder, false);
+    Parallel<Remover> propagation(mesh, field, 16, Thread_team(number), Remover(removal));
+    run(propagation, sources);
+    CHECK_EQUAL(removal.number_of_kept_windows(), propagation.statistics().windows_propagated);
+  }
+}
+
 // --- runs that end early ---
 
 // Runs of one object: some are canceled or end by an exception, and those after them are like the first.
@@ -347,6 +364,7 @@ int main()
       const Sources sources = random_sources(mesh, number, random);
       windows_of_edges(mesh, sources, random);
       windows_of_faces(mesh, sources);
+      all_windows_are_kept(mesh, sources);
     }
   }
   const Intrinsic_mesh terrain = intrinsic_mesh(to_face_graph(rough_terrain(24, 1., seed)));
