@@ -221,7 +221,7 @@ TABLES = {
     "schedulers": schedulers,
     "thesis_tables": thesis_tables,
     "threads": table("threads", MESH, FACES, "threads: threads $", "run, ms: run_ms ±", "speedup: speedup ~"),
-    "phases": table("phases", MESH, FACES, "run, ms: run_ms ~", "serial share: serial_share .3",
+    "phases": table("phases", MESH, FACES, "run, ms: run_ms ~", "serial share: serial_share .2",
         "2 threads: predicted_2 ~", "4: predicted_4 ~", "8: predicted_8 ~", "16: predicted_16 ~",
         "64: predicted_64 ~"),
     "matrix": table("matrix", "matrix: matrix $", "rows: rows $", "threads: threads $", "ms per row: ms_per_row ~",

@@ -189,7 +189,7 @@ public:
 private:
   using Batch = typename Edge_window_field<FT>::Batch;
 
-  // Makes room for n windows and a batch. If that throws, nothing has changed but the memory of the field.
+  // Reserves memory for n windows and a batch. If that throws, nothing has changed but the memory of the field.
   void get_memory(std::size_t n)
   {
     if(m_free_windows < n)

@@ -72,7 +72,7 @@ struct No_phase_clock
   void end_phase() {}
 };
 
-// `Team` is a team of threads: see Worker_team.h. `Clock` is for benchmarks that run one thread: it is told when a phase
+// `Team` is a team of threads: see Worker_team.h. `Clock` is for benchmarks that run one thread: it learns when a phase
 // of parts or of visits begins and ends, whether more threads would share it, and when one part or visit is done.
 //
 // `Keeper` is a policy: keeper.thread_keeper() makes what keeps the windows of one thread, a Thread_keeper. If
