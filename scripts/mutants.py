@@ -93,6 +93,7 @@ CERTIFICATE_CHECKS = "test_certificate_checks"
 CERTIFICATION = "test_certification_of_distances"
 DIAGRAM_CERTIFICATION = "test_certification_of_Voronoi_diagrams"
 SMALL = "test_small_components"
+REACHED = "test_reached_components"
 FUZZ = "test_fuzz_distances"
 
 MUTANTS = [
@@ -374,6 +375,13 @@ MUTANTS = [
      "      rename(m_renamed.back().vertices, m_renamed.back().to, m_renamed.back().from);\n",
      "    m_renamed.clear();\n",
      "after a source in a face the mesh is not what it was", (SOLVER, PATHS)),
+
+    ("components_not_joined_at_vertices", BUILDER,
+     "sets.union_set(std::size_t(component_of_vertex[v]), c);", "continue;",
+     "what is reached through a vertex of two components is not read", (REACHED,)),
+    ("neighbors_of_kept_components_not_moved", BUILDER,
+     "neighbor = neighbor == null_id ? null_id : neighbor - shift;", "neighbor = neighbor == null_id ? null_id : neighbor;",
+     "behind a component that is left out, neighbors are other faces", (REACHED,)),
 
     # --- parallel propagation, sampling ---
     ("neighbors_at_the_same_time", PARALLEL,

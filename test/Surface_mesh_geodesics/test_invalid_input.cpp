@@ -242,7 +242,8 @@ void components_that_are_too_small_are_refused()
   {
     test_support::Scope scope("unit " + std::to_string(std::log10(unit)));
     Mesh tm = to_face_graph(side_by_side(large, scaled(small, unit), "both"));
-    expect_refusal_of_sources(tm, Reason::TOO_SMALL, large.faces.size(), "points", vertex(0));
+    const std::vector<vertex_descriptor> sources{vertex(0), vertex(large.points.size())};
+    expect_refusal_of_sources(tm, Reason::TOO_SMALL, large.faces.size(), "points", sources);
     auto lengths = add_edge_lengths(tm);
     for(const auto e : edges(tm))
     {

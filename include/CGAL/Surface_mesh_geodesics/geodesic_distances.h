@@ -39,7 +39,8 @@ sources is empty. The distance of a source vertex is its offset, which is 0 by d
 
 Shortest paths cross edges, run along them and pass vertices, also pinched ones. Edges without
 length, faces without area, duplicate points, borders, several components and isolated vertices are
-allowed.
+allowed. Of several components, only those are processed that a source can reach. In the others, neither their sizes
+nor the agreement of neighbors about their edge is checked.
 
 The algorithm is VTP \cgalCite{qin2016fast}: a wavefront of vertices, nearest first, moves lists of
 windows from edge to edge, and prunes them in each triangle. In the worst case it takes
@@ -109,9 +110,10 @@ those of `Polyhedron_items_with_id_3`) must be set before, as the first call wou
 
 \throws Invalid_geodesic_input if a face is not a triangle or has a vertex twice, if two faces disagree about the ends
         of their edge, if a coordinate is not finite or the extent of the points exceeds \f$ 2^{960} \f$, if one of
-        several components is smaller than the mesh by a factor of more than \f$ 10^{60} \f$, if a location is not in
-        its face or has a null face, if a descriptor is not one of `tm` according to the index maps, if an index map has
-        values that are out of range or equal, or if the mesh has too many faces. The map is unchanged then.
+        several components that sources can reach is smaller than the others by a factor of more than
+        \f$ 10^{60} \f$, if a location is not in its face or has a null face, if a descriptor is not one of `tm`
+        according to the index maps, if an index map has values that are out of range or equal, or if the mesh has too
+        many faces. The map is unchanged then.
 \throws std::bad_alloc if there is not enough memory. The map is unchanged then, and also if the visitor throws; its
         exception is passed on.
 */

@@ -58,6 +58,13 @@ public:
       m_runner(m_surface.mesh(), m_insertion)
   {}
 
+  // Reads what the sources of the only run can reach (Intrinsic_surface).
+  template <typename Shape, typename Sources>
+  Distance_solver(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim, Shape shape, const Sources& sources)
+    : m_surface(tm, vim, fim, std::move(shape), sources), m_insertion(m_surface.mesh()),
+      m_runner(m_surface.mesh(), m_insertion)
+  {}
+
   Distance_solver(const Distance_solver&) = delete;
   Distance_solver& operator=(const Distance_solver&) = delete;
 

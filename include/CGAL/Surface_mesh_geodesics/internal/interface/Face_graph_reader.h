@@ -89,12 +89,22 @@ public:
 
   // Builds the mesh and the tables; throws Invalid_geodesic_input. Shape is described in Face_shapes.h. Takes linear
   // time.
-  template <typename Shape>
-  void read(Shape& shape, Intrinsic_mesh<FT>& mesh, Correspondence& table)
+  //
+  // If the mesh has several components, want(is_wanted) is called, which may set flags of vertices, by the index of the
+  // user's map: only the components connected to these vertices become faces of the intrinsic mesh. All components do
+  // if it returns false.
+  template <typename Shape, typename Want>
+  void read(Shape& shape, Intrinsic_mesh<FT>& mesh, Correspondence& table, Want want)
   {
     read_faces();
     Builder builder(m_connected_faces);
     m_connected_faces = std::vector<Connected_face>();
+    if(builder.number_of_components() > 1)
+    {
+      std::vector<char> is_wanted(num_vertices(m_tm), 0);
+      if(want(is_wanted))
+        builder.keep_components_of(is_wanted);
+    }
     const std::size_t number_in_faces = number_vertices(builder, table);
     const int exponent = shape.prepare(table.vertices, number_in_faces);
     mesh.set_unit(FT(std::ldexp(1., exponent)));
@@ -227,8 +237,8 @@ private:
   // first.
   void fill_face_tables(const Builder& builder, Correspondence& table) const
   {
-    table.faces.resize(m_faces.size());
-    for(Face_id i = 0; i < m_faces.size(); ++i)
+    table.faces.resize(builder.number_of_faces());
+    for(Face_id i = 0; i < table.faces.size(); ++i)
       table.faces[i] = m_faces[builder.position_of(i)];
     table.halfedge_of_face_index.assign(m_position_of_index.size(), null_id);
     for(std::size_t index = 0; index < m_position_of_index.size(); ++index)

@@ -20,6 +20,7 @@
 
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Face_graph_reader.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/Face_shapes.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/source_range.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
@@ -96,17 +97,25 @@ public:
     read(std::move(shape));
   }
 
+  // Reads what the sources can reach: the vertices of other components become isolated, and their faces are left out.
+  // Only lengths of faces that are read are checked. If lengths are given, reads all: their unit is that of the mesh.
+  template <typename Shape, typename Sources>
+  Intrinsic_surface(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim, Shape shape, const Sources& sources)
+    : Intrinsic_surface(tm, vim, fim)
+  {
+    read(std::move(shape), [&](std::vector<char>& is_wanted)
+    {
+      for_each_source<TriangleMesh>(sources, [&](const auto& source) { mark_source(source, is_wanted); });
+      return Shape::has_points;
+    });
+  }
+
   // Reads the mesh, or reads it again. If that throws, nothing changes: until the new mesh is complete, both are in
   // memory.
   template <typename Shape>
   void read(Shape shape)
   {
-    Intrinsic_mesh<FT> mesh;
-    Face_graph_correspondence<TriangleMesh> table;
-    Face_graph_reader<FT, TriangleMesh, VertexIndexMap, FaceIndexMap>(m_tm, m_vim, m_fim).read(shape, mesh, table);
-    m_mesh = std::move(mesh);
-    m_table = std::move(table);
-    m_is_read = true;
+    read(std::move(shape), [](std::vector<char>&) { return false; });
   }
 
   bool is_read() const { return m_is_read; }
@@ -289,6 +298,34 @@ public:
   }
 
 private:
+  // `want` is described in Face_graph_reader.h.
+  template <typename Shape, typename Want>
+  void read(Shape shape, Want want)
+  {
+    Intrinsic_mesh<FT> mesh;
+    Face_graph_correspondence<TriangleMesh> table;
+    Face_graph_reader<FT, TriangleMesh, VertexIndexMap, FaceIndexMap>(m_tm, m_vim, m_fim)
+      .read(shape, mesh, table, want);
+    m_mesh = std::move(mesh);
+    m_table = std::move(table);
+    m_is_read = true;
+  }
+
+  // Marks the vertex of a source, or the corners of its face. Ignores a source that is not in the mesh: it is refused
+  // when the mesh has been read.
+  template <typename Source>
+  void mark_source(const Source& source, std::vector<char>& is_marked) const
+  {
+    if constexpr(Is_vertex<TriangleMesh, Source>::value)
+    {
+      if(is_vertex_of(source, m_tm, m_vim))
+        is_marked[static_cast<std::size_t>(get(m_vim, vertex_descriptor(source)))] = 1;
+    }
+    else if(source.first != Graph_traits::null_face() && is_face_of(source.first, m_tm, m_fim))
+      for(const halfedge_descriptor h : halfedges_of_triangle(source.first, m_tm))
+        is_marked[static_cast<std::size_t>(get(m_vim, target(h, m_tm)))] = 1;
+  }
+
   // Requires: f is a face of the mesh.
   Halfedge_id first_halfedge(face_descriptor f) const
   {

@@ -72,8 +72,8 @@ bool compute_geodesic_distances(const TriangleMesh& tm, VertexDistanceMap vertex
   auto vim = CGAL::get_initialized_vertex_index_map(tm, np);
   auto fim = CGAL::get_initialized_face_index_map(tm, np);
   check_numbers(options);
-  Distance_solver<ConcurrencyTag, FT, TriangleMesh, decltype(vim), decltype(fim), Rules> solver(tm, vim, fim,
-                                                                                                 std::move(shape));
+  Distance_solver<ConcurrencyTag, FT, TriangleMesh, decltype(vim), decltype(fim), Rules> solver(
+    tm, vim, fim, std::move(shape), sources);
   if(!solver.run(sources, options, visitor))
     return false;
   write_distances(tm, solver, vertex_distance_map);

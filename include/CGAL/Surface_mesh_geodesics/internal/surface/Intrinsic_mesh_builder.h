@@ -24,6 +24,8 @@
 
 #include <CGAL/assertions.h>
 
+#include <boost/pending/disjoint_sets.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -56,6 +58,33 @@ class Intrinsic_mesh_builder
 public:
   // Numbers the faces. They are given by position, and their neighbors are positions as well. Takes linear time.
   explicit Intrinsic_mesh_builder(const std::vector<Connected_face>& faces) { number_faces(faces); }
+
+  // Sets of faces that are connected across edges.
+  std::size_t number_of_components() const { return m_first_of_component.size(); }
+
+  // Drops the components from which no path leads to a wanted vertex, also through vertices that components share. The
+  // numbers of the other faces stay in order. Takes linear time.
+  // Requires: is_wanted has an entry for each index of a corner.
+  void keep_components_of(const std::vector<char>& is_wanted)
+  {
+    const std::vector<char> is_kept = components_connected_to(is_wanted);
+    std::vector<Face_id> first_of_component;
+    Face_id end = 0;
+    for(std::size_t c = 0; c < is_kept.size(); ++c)
+    {
+      const Face_id first = first_face(c), shift = first - end;
+      if(is_kept[c] != 0)
+        first_of_component.push_back(end);
+      for(Face_id f = first; f < first_face(c + 1); ++f)
+        if(is_kept[c] != 0)
+          move_face(f, shift, end++);
+        else
+          m_name[m_order[f]] = null_id;
+    }
+    m_faces.resize(end);
+    m_order.resize(end);
+    m_first_of_component = std::move(first_of_component);
+  }
 
   // Numbers the vertices of the faces, in the order of the faces: sets vertex_of_index[index] to their numbers, and
   // returns how many there are.
@@ -115,8 +144,7 @@ public:
     components.reserve(n);
     for(std::size_t i = 0; i < n; ++i)
     {
-      const Face_id first = m_first_of_component[i],
-                    last = i + 1 < n ? m_first_of_component[i + 1] : static_cast<Face_id>(m_faces.size());
+      const Face_id first = first_face(i), last = first_face(i + 1);
       FT longest = 0;
       for(Face_id f = first; f < last; ++f)
         longest = (std::max)(longest, longest_side(mesh.face(f)));
@@ -127,14 +155,17 @@ public:
     mesh.set_edge_components(components);
   }
 
+  std::size_t number_of_faces() const { return m_faces.size(); }
+
   // Returns the position of a face of the mesh.
   std::uint32_t position_of(Face_id f) const { return m_order[f]; }
 
-  // Returns the halfedge of the mesh that is edge 0 of the face at a position. Requires: the faces are set.
+  // Returns the halfedge of the mesh that is edge 0 of the face at a position; null_id if the face was dropped.
+  // Requires: the faces are set.
   Halfedge_id first_halfedge_at(std::uint32_t position) const
   {
     CGAL_assertion(position < m_name.size());
-    return halfedge(m_name[position], 0);
+    return m_name[position] == null_id ? null_id : halfedge(m_name[position], 0);
   }
 
 private:
@@ -175,6 +206,47 @@ private:
     name = is_new ? static_cast<Face_id>(end) : name;
     end += is_new;
     return name;
+  }
+
+  // The first face of a component, or the number of faces behind the last one.
+  Face_id first_face(std::size_t component) const
+  {
+    return component < m_first_of_component.size() ? m_first_of_component[component]
+                                                   : static_cast<Face_id>(m_faces.size());
+  }
+
+  // Which components have a wanted vertex, or share vertices with such a component, directly or through others?
+  std::vector<char> components_connected_to(const std::vector<char>& is_wanted) const
+  {
+    const std::size_t n = number_of_components();
+    boost::disjoint_sets_with_storage<> sets(n);
+    std::vector<std::uint32_t> component_of_vertex(is_wanted.size(), null_id);
+    std::vector<char> has_wanted(n, 0), result(n, 0);
+    for(std::size_t c = 0; c < n; ++c)
+      for(Face_id f = first_face(c); f < first_face(c + 1); ++f)
+        for(const std::uint32_t v : m_faces[f].corner)
+        {
+          has_wanted[c] |= is_wanted[v];
+          if(component_of_vertex[v] == null_id)
+            component_of_vertex[v] = static_cast<std::uint32_t>(c);
+          else if(component_of_vertex[v] != c)
+            sets.union_set(std::size_t(component_of_vertex[v]), c);
+        }
+    for(std::size_t c = 0; c < n; ++c)
+      result[sets.find_set(c)] |= has_wanted[c];
+    for(std::size_t c = 0; c < n; ++c)
+      result[c] = result[sets.find_set(c)];
+    return result;
+  }
+
+  // Gives face f the number `to`. Its neighbors move by the same number, `shift`.
+  void move_face(Face_id f, Face_id shift, Face_id to)
+  {
+    m_faces[to] = m_faces[f];
+    for(std::uint32_t& neighbor : m_faces[to].neighbor)
+      neighbor = neighbor == null_id ? null_id : neighbor - shift;
+    m_order[to] = m_order[f];
+    m_name[m_order[to]] = to;
   }
 
   // The halfedge of the mesh that is edge j of face i. Requires: the shape of the face is set.
