@@ -19,8 +19,8 @@ CSV_FILES = {
     "standard_meshes": "against_shortest_path.csv", "all_meshes": "against_shortest_path_all.csv",
     "paths": "paths_against_shortest_path.csv", "heat_method": "against_heat_method.csv",
     "Voronoi_diagram": "voronoi.csv"} | {name: name + ".csv" for name in (
-    "face_queries", "certified_meshes", "growth", "anisotropy", "sources", "reach", "rules", "schedulers", "threads",
-        "phases", "matrix")}
+    "face_queries", "certified_meshes", "growth", "anisotropy", "sources", "reach", "rules", "schedulers",
+    "flat_vertices", "threads", "phases", "matrix")}
 
 # The picture in the manual -> the results that it shows; draw_plots.py draws it.
 PLOTS = {"plot_ratios.svg": "all_meshes", "plot_growth.svg": "growth"}
@@ -220,6 +220,11 @@ TABLES = {
         "windows per face: windows_per_face .1", "windows at once: windows_alive", words=2),
     "schedulers": schedulers,
     "thesis_tables": thesis_tables,
+    "flat_vertices": table("flat_vertices", MESH, FACES, "flat vertices, %: flat_percent", "faces left: coarse_faces",
+        "windows: windows", "left: coarse_windows", "run, ms: run_ms ±", "one by one, ms: coarse_ms ±",
+        "time ratio: time_ratio .2", "if it took no time: largest_time_ratio .2", "along lines, ms: lines_ms ±",
+        "time ratio: lines_ratio .2",
+        skip=lambda row: row["run_ms"] == ""),
     "threads": table("threads", MESH, FACES, "threads: threads $", "run, ms: run_ms ±", "speedup: speedup ~"),
     "phases": table("phases", MESH, FACES, "run, ms: run_ms ~", "serial share: serial_share .2",
         "2 threads: predicted_2 ~", "4: predicted_4 ~", "8: predicted_8 ~", "16: predicted_16 ~",
@@ -266,6 +271,15 @@ def figures(results):
     for quantity in ("ratio_first", "mean_error_percent", "largest_error_percent"):
         add_range(f"heat_{quantity}", values("heat_method", quantity))
     add_range("heat_slower_next", [1 / ratio for ratio in values("heat_method", "ratio_next")])
+    flat = values("flat_vertices", "flat_percent", subdivisions=0)
+    gains = values("flat_vertices", "time_ratio", subdivisions=0)
+    found |= {"flat_meshes": len(flat), "flat_measured": len(gains), "flat_half": sum(share >= 50 for share in flat),
+              "flat_gains": sum(gain >= 1.5 for gain in gains),
+              "flat_difference": bound(values("flat_vertices", "largest_relative_difference")),
+              "flat_lines_difference": bound(values("flat_vertices", "lines_difference"))}
+    for subdivisions, name in enumerate(("data", "once", "twice")):
+        for ratio in ("time_ratio", "largest_time_ratio") + ("lines_ratio",) * (subdivisions > 0):
+            add_range(f"flat_{name}_{ratio}", values("flat_vertices", ratio, subdivisions=subdivisions), "{:.2f}".format)
     radii = values("heat_method", "position_of_largest_error_percent")
     found["heat_radius_percent"] = f"{math.ceil(10 * max(radii)) / 10:.1f}"
     return {name: str(number) for name, number in (found | certificates(rows("certified_meshes"))).items()}

@@ -14,7 +14,8 @@ usage: run_benchmark.sh [options]
   --voronoi          also measure Surface_mesh_geodesic_Voronoi_diagram with 1 to 1000 sites
   --heat             also measure Heat_method_3: times and errors (needs Eigen)
   --questions        also run the programs for one question each: growth, anisotropy, sources, reach, rules,
-                     schedulers, face queries, threads, phases, matrix; draw plots if python3 has matplotlib
+                     schedulers, flat vertices, face queries, threads, phases, matrix; draw plots if python3 has
+                     matplotlib
   --certify          also certify distances on all meshes of the data, and compare them with the original
   --repetitions N    runs of each method on the standard meshes (5)
   --all-repetitions N  the same for --all (3)
@@ -95,8 +96,8 @@ if [ -z "$programs" ]; then
   [ "$voronoi" = no ] || targets+=(benchmark_Voronoi_diagram)
   [ "$heat" = no ] || targets+=(benchmark_against_heat_method)
   [ "$questions" = no ] || targets+=(benchmark_growth benchmark_anisotropy benchmark_sources benchmark_reach
-                                     benchmark_rules benchmark_schedulers benchmark_face_queries benchmark_threads
-                                     benchmark_phases benchmark_matrix)
+                                     benchmark_rules benchmark_schedulers benchmark_flat_vertices
+                                     benchmark_face_queries benchmark_threads benchmark_phases benchmark_matrix)
   [ "$certify" = no ] || targets+=(benchmark_certification)
   [ "${#targets[@]}" -gt 0 ] || { usage >&2; exit 1; }
   cmake --build "$build/programs" --target "${targets[@]}" > "$build/build.log"
@@ -337,6 +338,14 @@ if [ "$questions" = yes ]; then
   ask reach --subdivide 1 "$meshes/bunny00.off"
   ask rules "$meshes/elephant.off" "$meshes/armadillo.off" "$meshes/bunny00.off"
   ask schedulers "$meshes/bunny00.off" "$meshes/armadillo.off"
+  # All meshes of the data, and subdivided ones. The program skips files without a triangle mesh.
+  find "$meshes" -maxdepth 1 -type f -name '*.off' | LC_ALL=C sort > "$build/list.txt"
+  ask flat_vertices --minimum-faces 1000 --list "$build/list.txt" 2> "$build/flat_vertices.log"
+  for k in 1 2; do
+    "$programs/benchmark_flat_vertices" --repetitions "$questions_repetitions" --no-header --subdivide "$k" \
+      "$meshes/elephant.off" "$meshes/fandisk.off" "$meshes/armadillo.off" "$meshes/bunny00.off" \
+      | tee -a "$build/flat_vertices.csv" >&2
+  done
   ask face_queries "$meshes/bunny00.off"
   # These measure wall-clock time: the machine must be idle.
   ask threads --subdivide 2 "$meshes/bunny00.off"
