@@ -128,7 +128,7 @@ void propagate(const Mesh& mesh, const std::vector<Mesh::Vertex_index>& sites, c
     solver.run_with_keeper(
         [&] {
           removal.reset(solver.mesh(), solver.field(), consumer, method == "removal");
-          return internal::Redundant_window_remover<Removal>(removal);
+          return internal::Diagram_window_keeper<Removal>(removal);
         },
         go_on);
     if(method == "removal")

@@ -7,7 +7,7 @@
 #include "thread_team.h"
 
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Redundant_window_removal.h>
-#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Redundant_window_remover.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Diagram_window_keeper.h>
 #include <CGAL/Surface_mesh_geodesics/internal/paths/distance_at_location.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_propagation.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Parallel_distance_propagation.h>
@@ -224,7 +224,7 @@ struct Recorder
 };
 
 using Removal = internal::Redundant_window_removal<double, Recorder>;
-using Remover = internal::Redundant_window_remover<Removal>;
+using Diagram_keeper = internal::Diagram_window_keeper<Removal>;
 
 // A propagation whose redundant windows are removed.
 template <class Propagation>
@@ -240,7 +240,7 @@ struct Kept_by_face
   {
     field.keeps_images = true;
     removal.reset(mesh, field, recorder);
-    Propagation propagation(mesh, field, arguments..., Remover(removal));
+    Propagation propagation(mesh, field, arguments..., Diagram_keeper(removal));
     run(propagation, sources);
     removal.finish();
     owners = removal.owners();
@@ -260,12 +260,12 @@ struct Kept_by_face
 void windows_of_faces(const Intrinsic_mesh& mesh, const Sources& sources)
 {
   test_support::Scope scope("windows of faces");
-  const Kept_by_face<Sequential<Remover>> expected(mesh, sources);
+  const Kept_by_face<Sequential<Diagram_keeper>> expected(mesh, sources);
   std::vector<double> first;
   for(const std::size_t number : numbers_of_threads)
   {
     test_support::Scope scope_of_threads(std::to_string(number) + " threads");
-    const Kept_by_face<Parallel<Remover>> kept(mesh, sources, std::size_t(16), Thread_team(number));
+    const Kept_by_face<Parallel<Diagram_keeper>> kept(mesh, sources, std::size_t(16), Thread_team(number));
     const std::vector<double> numbers = kept.numbers();
     first = first.empty() ? numbers : first;
     CHECK(numbers == first);
@@ -284,7 +284,7 @@ void all_windows_are_kept(const Intrinsic_mesh& mesh, const Sources& sources)
     Recorder recorder;
     Removal removal;
     removal.reset(mesh, field, recorder, false);
-    Parallel<Remover> propagation(mesh, field, 16, Thread_team(number), Remover(removal));
+    Parallel<Diagram_keeper> propagation(mesh, field, 16, Thread_team(number), Diagram_keeper(removal));
     run(propagation, sources);
     CHECK_EQUAL(removal.number_of_kept_windows(), propagation.statistics().windows_propagated);
   }
@@ -303,7 +303,7 @@ void runs_that_are_broken_off(const Intrinsic_mesh& mesh, const Sources& sources
     Recorder recorder;
     Removal removal;
     removal.reset(mesh, field, recorder);
-    Parallel<Remover> propagation(mesh, field, 16, Thread_team(number), Remover(removal));
+    Parallel<Diagram_keeper> propagation(mesh, field, 16, Thread_team(number), Diagram_keeper(removal));
     std::vector<double> first;
     for(std::size_t last = 0; last < 40; last += 8)
     {

@@ -11,7 +11,7 @@
 #include "thread_team.h"
 
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Redundant_window_removal.h>
-#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Redundant_window_remover.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Diagram_window_keeper.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Parallel_distance_propagation.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Edge_window_field.h>
 
@@ -154,7 +154,7 @@ double run_with_windows_of_faces(std::size_t number_of_threads, const internal::
                                  long limit)
 {
   using Removal = internal::Redundant_window_removal<double, Summing_consumer>;
-  using Keeper = internal::Redundant_window_remover<Removal>;
+  using Keeper = internal::Diagram_window_keeper<Removal>;
   internal::Vertex_distance_field<double> field;
   Summing_consumer consumer;
   Removal removal;

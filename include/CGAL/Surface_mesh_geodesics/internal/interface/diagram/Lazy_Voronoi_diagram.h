@@ -28,7 +28,7 @@
 #include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Cell_locator.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Redundant_window_removal.h>
-#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Redundant_window_remover.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Diagram_window_keeper.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Voronoi_cell_measures.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Voronoi_complex.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Face_shapes.h>
@@ -456,7 +456,7 @@ private:
       removal.reset(m_solver.mesh(), m_solver.field(), m_complex);
       m_solver.for_each_equal_source([&](Vertex_id v, Vertex_id first) { removal.unite(v, first); });
       m_complex.start(m_solver.mesh());
-      return Redundant_window_remover<Removal>(removal);
+      return Diagram_window_keeper<Removal>(removal);
     };
     const bool is_complete = run([&](auto go_on)
     {

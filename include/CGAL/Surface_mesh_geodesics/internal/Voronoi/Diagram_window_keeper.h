@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Surface_mesh_geodesics authors
 
-#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_REDUNDANT_WINDOW_REMOVER_H
-#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_REDUNDANT_WINDOW_REMOVER_H
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_DIAGRAM_WINDOW_KEEPER_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_DIAGRAM_WINDOW_KEEPER_H
 
 // What a propagation calls a keeper, for a diagram: it passes lists of windows and the distance reached on to the
 // removal of redundant windows. The parallel propagation logs the lists in each thread, and has one thread at a time
@@ -99,14 +99,14 @@ private:
 
 // `Removal` is a Redundant_window_removal, which must outlive this object.
 template <typename Removal>
-class Redundant_window_remover
+class Diagram_window_keeper
 {
 public:
   using FT = typename Removal::FT;
   using Thread_keeper = Entering_window_log<FT>;
   static constexpr bool is_deferred = true;
 
-  explicit Redundant_window_remover(Removal& removal) : m_removal(&removal) {}
+  explicit Diagram_window_keeper(Removal& removal) : m_removal(&removal) {}
 
   // --- for a propagation in one thread ---
 
@@ -133,4 +133,4 @@ private:
 } // namespace Surface_mesh_geodesics
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_REDUNDANT_WINDOW_REMOVER_H
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_DIAGRAM_WINDOW_KEEPER_H
