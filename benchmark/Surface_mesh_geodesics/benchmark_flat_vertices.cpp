@@ -8,6 +8,7 @@
 //
 // All times contain the reading of the mesh. `least_ms` is the time that remains if the removal one by one takes none.
 
+#include "benchmark_surface.h"
 #include "coarse_propagation.h"
 #include "runs_in_process.h"
 #include "straight_line_removal.h"
@@ -17,9 +18,6 @@
 
 namespace internal = CGAL::Surface_mesh_geodesics::internal;
 
-using Index_map = boost::property_map<Benchmark_mesh, boost::vertex_index_t>::const_type;
-using Face_map = boost::property_map<Benchmark_mesh, boost::face_index_t>::const_type;
-using Surface = internal::Intrinsic_surface<double, Benchmark_mesh, Index_map, Face_map>;
 using Rules = internal::All_pruning_rules;
 
 const double least_share = 0.1;
@@ -31,14 +29,9 @@ struct Result
   std::vector<double> distances;
 };
 
-Surface surface_of(const Benchmark_mesh& mesh)
-{
-  return Surface(mesh, get(boost::vertex_index, mesh), get(boost::face_index, mesh),
-                 internal::shape_from_points<double>(mesh, CGAL::parameters::default_values()));
-}
-
 template <class Propagation>
-void read_distances(const Benchmark_mesh& mesh, const Surface& surface, const Propagation& propagation, Result& result)
+void read_distances(const Benchmark_mesh& mesh, const Benchmark_surface& surface, const Propagation& propagation,
+                    Result& result)
 {
   result.windows = propagation.statistics().windows_propagated;
   result.distances.reserve(mesh.number_of_vertices());
@@ -54,7 +47,7 @@ Result run_plainly(const Settings& settings, const Benchmark_mesh& mesh)
 {
   Result result;
   result.total = milliseconds_of(settings.clock_id(), [&]() {
-    Surface surface = surface_of(mesh);
+    Benchmark_surface surface = surface_of(mesh);
     internal::Source_insertion<double> insertion(surface.mesh());
     internal::Repeated_propagation<internal::Distance_propagation<double, Rules>> run(surface.mesh(), insertion);
     internal::Source_set<double> sources;
@@ -71,7 +64,7 @@ Result run_on_coarse_mesh(const Settings& settings, const Benchmark_mesh& mesh, 
 {
   Result result;
   result.total = milliseconds_of(settings.clock_id(), [&]() {
-    Surface surface = surface_of(mesh);
+    Benchmark_surface surface = surface_of(mesh);
     internal::Source_set<double> sources;
     sources.vertices.push_back(surface.id(*mesh.vertices().begin()));
     const double start = milliseconds_now(settings.clock_id());

@@ -4,13 +4,12 @@
 // Times are those of the propagation alone, without reading the mesh. The machine must be idle.
 
 #include "Phase_clock.h"
-#include "read_intrinsic_mesh.h"
+#include "benchmark_surface.h"
 #include "runs_in_process.h"
 
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Parallel_distance_propagation.h>
 
 #include <algorithm>
-#include <utility>
 
 namespace {
 
@@ -41,14 +40,14 @@ using Propagation
 // The run of median time.
 Phase_clock measure(const Settings& settings, const Benchmark_mesh& mesh, double sharing_cost)
 {
-  const auto [surface, source] = read_intrinsic_mesh(mesh);
+  const Benchmark_surface surface = surface_of(mesh);
   geodesics::Vertex_distance_field<double> field;
-  Propagation propagation(surface, field);
+  Propagation propagation(surface.mesh(), field);
   std::vector<Phase_clock> clocks;
   for(std::size_t i = 0; i < settings.repetitions; ++i)
   {
     propagation.restart();
-    propagation.add_source(source, 0.);
+    propagation.add_source(surface.id(*mesh.vertices().begin()), 0.);
     propagation.clock().start(sharing_cost);
     propagation.run([](std::size_t, double) { return true; });
     propagation.clock().stop();

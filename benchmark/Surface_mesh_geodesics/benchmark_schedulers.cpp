@@ -13,8 +13,8 @@
 // VTP-MMP, in the rest of table 4.3, has no counterpart: it keeps the windows of all edges and trims against them.
 
 #include "Scheduled_propagation.h"
+#include "benchmark_surface.h"
 #include "decimated_mesh.h"
-#include "read_intrinsic_mesh.h"
 #include "runs_in_process.h"
 #include "thesis_tables.h"
 
@@ -24,7 +24,6 @@
 #include <iomanip>
 #include <limits>
 #include <sstream>
-#include <utility>
 
 namespace {
 
@@ -98,7 +97,8 @@ std::vector<Variant> all_variants()
 // Measures all variants in turn, so that what slows the machine down for a while slows all of them down.
 std::vector<Row> measure(const Settings& settings, const std::string& file, const Benchmark_mesh& mesh)
 {
-  const std::pair<Intrinsic_mesh, geodesics::Vertex_id> read = read_intrinsic_mesh(mesh);
+  const Benchmark_surface surface = surface_of(mesh);
+  const geodesics::Vertex_id source = surface.id(*mesh.vertices().begin());
   const std::vector<Variant> variants = all_variants();
   std::vector<Row> rows(variants.size());
   std::vector<std::vector<double>> times(variants.size());
@@ -109,7 +109,7 @@ std::vector<Row> measure(const Settings& settings, const std::string& file, cons
     {
       Field field;
       times[i].push_back(milliseconds_of(
-        settings.clock_id(), [&]() { rows[i].statistics = variants[i].run(read.first, field, read.second); }));
+        settings.clock_id(), [&]() { rows[i].statistics = variants[i].run(surface.mesh(), field, source); }));
       if(expected.empty())
       {
         expected = field.distance;

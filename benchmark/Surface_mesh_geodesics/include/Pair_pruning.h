@@ -65,6 +65,28 @@ bool are_pairs_pruned_on_this_edge(const geodesics::Window_list<FT>& list)
   return list.number_of_faces_crossed() % 4 == 0;
 }
 
+// Prunes the windows of a list one after the other, on every fourth edge. survives(last, w) prunes the next window w
+// against the first `last` windows, which are left of those before it. It may change and remove these. It returns false
+// if w is dominated.
+template <class FT, class Survives>
+void prune_in_order(geodesics::Window_list<FT>& list, const Survives& survives)
+{
+  if(!are_pairs_pruned_on_this_edge(list))
+  {
+    return;
+  }
+  std::size_t last = 0;
+  for(std::size_t i = 0; i < list.size; ++i)
+  {
+    geodesics::Window<FT> w = list.columns.get(i);
+    if(survives(last, w))
+    {
+      list.columns.set(last++, w);
+    }
+  }
+  list.size = static_cast<std::uint32_t>(last);
+}
+
 // May the rules for pairs be applied to two windows of an edge? (See Window_list_crossing::survives_neighbors().)
 template <class FT>
 bool is_pair_decidable(const geodesics::Window<FT>& left, const geodesics::Window<FT>& right, const FT& length)
@@ -79,20 +101,8 @@ struct Exhaustive_pruning : Rules_alone<geodesics::All_pruning_rules>
   template <class FT>
   void prune(geodesics::Window_list<FT>& list, const FT& length)
   {
-    if(!are_pairs_pruned_on_this_edge(list))
-    {
-      return;
-    }
-    std::size_t last = 0;
-    for(std::size_t i = 0; i < list.size; ++i)
-    {
-      geodesics::Window<FT> w = list.columns.get(i);
-      if(prune_against_all(list, last, w, length))
-      {
-        list.columns.set(last++, w);
-      }
-    }
-    list.size = static_cast<std::uint32_t>(last);
+    prune_in_order(list, [&](std::size_t& last, geodesics::Window<FT>& w)
+                   { return prune_against_all(list, last, w, length); });
   }
 
 private:
@@ -131,20 +141,8 @@ struct Bisector_trimming : Rules_alone<Rules_without_pairs>
   template <class FT>
   void prune(geodesics::Window_list<FT>& list, const FT& length)
   {
-    if(!are_pairs_pruned_on_this_edge(list))
-    {
-      return;
-    }
-    std::size_t last = 0;
-    for(std::size_t i = 0; i < list.size; ++i)
-    {
-      geodesics::Window<FT> w = list.columns.get(i);
-      if(trim_against_neighbors(list, last, w, length))
-      {
-        list.columns.set(last++, w);
-      }
-    }
-    list.size = static_cast<std::uint32_t>(last);
+    prune_in_order(list, [&](std::size_t& last, geodesics::Window<FT>& w)
+                   { return trim_against_neighbors(list, last, w, length); });
   }
 
 private:

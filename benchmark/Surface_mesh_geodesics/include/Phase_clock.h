@@ -10,6 +10,7 @@
 #ifndef PHASE_CLOCK_H
 #define PHASE_CLOCK_H
 
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Parallel_distance_propagation.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Work_sharing.h>
 
 #include <algorithm>
@@ -97,19 +98,18 @@ private:
     return m_last - before;
   }
 
-  // The time until all units of a batch are done, if n threads take them in their order. A unit is as many visits as
-  // Parallel_distance_propagation makes it.
+  // The time until all units of a batch are done, if n threads take them in their order.
   double longest_thread(std::size_t n) const
   {
-    const std::size_t visits_per_unit = (std::max)(m_units.size() / (8 * n), std::size_t(1));
+    const std::size_t size_of_unit = CGAL::Surface_mesh_geodesics::internal::visits_per_unit(m_units.size(), n);
     std::priority_queue<double, std::vector<double>, std::greater<double>> free_at(
       std::greater<double>(), std::vector<double>(n, 0.));
     double longest = 0;
-    for(std::size_t first = 0; first < m_units.size(); first += visits_per_unit)
+    for(std::size_t first = 0; first < m_units.size(); first += size_of_unit)
     {
       double end = free_at.top();
       free_at.pop();
-      for(std::size_t i = first; i < (std::min)(first + visits_per_unit, m_units.size()); ++i)
+      for(std::size_t i = first; i < (std::min)(first + size_of_unit, m_units.size()); ++i)
         end += m_units[i];
       free_at.push(end);
       longest = (std::max)(longest, end);
@@ -120,7 +120,7 @@ private:
   double m_sharing_cost = 0, m_last = 0, m_outside = 0, m_parts = 0, m_visits = 0, m_alone = 0;
   bool m_is_of_visits = false, m_is_worth_sharing = false;
   std::size_t m_number_of_phases = 0;
-  std::vector<double> m_units; // of the phase
+  std::vector<double> m_units; // the times of the parts or visits of the phase
   std::array<double, threads.size()> m_predicted{};
 };
 

@@ -15,7 +15,6 @@
 
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
-#include <CGAL/Surface_mesh_geodesics/internal/window/Kept_window.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Window_lists.h>
 
 #include <algorithm>
@@ -24,15 +23,6 @@
 namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
-
-// Returns what is kept of window i of a list.
-template <typename FT>
-Kept_window<FT> kept_window(const Window_list<FT>& list, std::size_t i)
-{
-  const auto& columns = list.columns;
-  return Kept_window<FT>{columns.begin()[i], columns.end()[i], columns.image_x()[i], columns.image_depth()[i],
-                         static_cast<Vertex_id>(columns.history()[i])};
-}
 
 // Returns whether the intervals of the windows of a list are parts of an edge of the given length.
 template <typename FT>

@@ -54,8 +54,8 @@ public:
   using Mesh = Intrinsic_mesh<FT>;
   using Violation = Worst_violation<FT>;
 
-  // `values` has the distances to be checked, by vertex, in the unit of the mesh. Vertices without a
-  // value come last. Takes linear time.
+  // `values` has the distances to be checked, by vertex, in the unit of the mesh. Vertices without a value come last.
+  // Takes linear time.
   Distance_checks(const Mesh& mesh, std::vector<FT> values)
     : m_mesh(mesh), m_values(std::move(values)), m_offsets(mesh.number_of_vertices(), infinity()),
       m_scale(mesh.number_of_vertices(), FT(0)), m_extents(extents_of_components(mesh))

@@ -90,19 +90,18 @@ public:
   // Builds the mesh and the tables; throws Invalid_geodesic_input. Shape is described in Face_shapes.h. Takes linear
   // time.
   //
-  // If the mesh has several components, want(is_wanted) is called, which may set flags of vertices, by the index of the
-  // user's map: only the components connected to these vertices become faces of the intrinsic mesh. All components do
-  // if it returns false.
-  template <typename Shape, typename Want>
-  void read(Shape& shape, Intrinsic_mesh<FT>& mesh, Correspondence& table, Want want)
+  // If the mesh has several components, wanted_vertices() is called. It returns a flag for each index of a vertex: only
+  // the components connected to marked vertices become faces of the intrinsic mesh. If it returns no flags, all do.
+  template <typename Shape, typename Wanted_vertices>
+  void read(Shape& shape, Intrinsic_mesh<FT>& mesh, Correspondence& table, Wanted_vertices wanted_vertices)
   {
     read_faces();
     Builder builder(m_connected_faces);
     m_connected_faces = std::vector<Connected_face>();
     if(builder.number_of_components() > 1)
     {
-      std::vector<char> is_wanted(num_vertices(m_tm), 0);
-      if(want(is_wanted))
+      const std::vector<char> is_wanted = wanted_vertices();
+      if(!is_wanted.empty())
         builder.keep_components_of(is_wanted);
     }
     const std::size_t number_in_faces = number_vertices(builder, table);

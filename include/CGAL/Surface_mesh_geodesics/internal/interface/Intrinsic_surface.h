@@ -103,11 +103,7 @@ public:
   Intrinsic_surface(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim, Shape shape, const Sources& sources)
     : Intrinsic_surface(tm, vim, fim)
   {
-    read(std::move(shape), [&](std::vector<char>& is_wanted)
-    {
-      for_each_source<TriangleMesh>(sources, [&](const auto& source) { mark_source(source, is_wanted); });
-      return Shape::has_points;
-    });
+    read(std::move(shape), [&]() { return Shape::has_points ? marked_sources(sources) : std::vector<char>(); });
   }
 
   // Reads the mesh, or reads it again. If that throws, nothing changes: until the new mesh is complete, both are in
@@ -115,7 +111,7 @@ public:
   template <typename Shape>
   void read(Shape shape)
   {
-    read(std::move(shape), [](std::vector<char>&) { return false; });
+    read(std::move(shape), []() { return std::vector<char>(); });
   }
 
   bool is_read() const { return m_is_read; }
@@ -298,21 +294,29 @@ public:
   }
 
 private:
-  // `want` is described in Face_graph_reader.h.
-  template <typename Shape, typename Want>
-  void read(Shape shape, Want want)
+  // `wanted_vertices` is described in Face_graph_reader.h.
+  template <typename Shape, typename Wanted_vertices>
+  void read(Shape shape, Wanted_vertices wanted_vertices)
   {
     Intrinsic_mesh<FT> mesh;
     Face_graph_correspondence<TriangleMesh> table;
     Face_graph_reader<FT, TriangleMesh, VertexIndexMap, FaceIndexMap>(m_tm, m_vim, m_fim)
-      .read(shape, mesh, table, want);
+      .read(shape, mesh, table, wanted_vertices);
     m_mesh = std::move(mesh);
     m_table = std::move(table);
     m_is_read = true;
   }
 
-  // Marks the vertex of a source, or the corners of its face. Ignores a source that is not in the mesh: it is refused
-  // when the mesh has been read.
+  // Returns a flag for each index of a vertex, set for the vertices of sources and for the corners of their faces.
+  template <typename Sources>
+  std::vector<char> marked_sources(const Sources& sources) const
+  {
+    std::vector<char> is_marked(num_vertices(m_tm), 0);
+    for_each_source<TriangleMesh>(sources, [&](const auto& source) { mark_source(source, is_marked); });
+    return is_marked;
+  }
+
+  // Ignores a source that is not in the mesh: it is refused when the mesh has been read.
   template <typename Source>
   void mark_source(const Source& source, std::vector<char>& is_marked) const
   {

@@ -136,11 +136,11 @@ private:
   // Is the angle at least pi - t, where tan t = m_slope? Requires: the angle is less than 2 pi. It is the sum of an
   // angle that was not beyond pi and of one corner.
   //
-  // Formula: an angle in (pi, 2 pi) has a negative sine; one in (pi/2, pi] is at least pi - t if its tangent is. Frame:
-  // the tangent plane at the vertex. Ties: an angle of exactly pi - t is beyond. Error: a sum of up to
-  // two thousand angles (Angle_sum) errs by less than Tolerance::direction(), which is a part of t. So a face is taken
-  // out only if it lies within pi of the direction of arrival. Laws: scaling all lengths by a power of two keeps the
-  // answer, because the sum depends on ratios of lengths.
+  // Formula: an angle in (pi, 2 pi) has a negative sine. An angle in (pi/2, pi] is at least pi - t if its tangent is at
+  // least -tan t. Frame: the tangent plane at the vertex. Ties: an angle of exactly pi - t is beyond. Error: a sum of
+  // up to two thousand angles (Angle_sum) errs by less than Tolerance::direction(), which is a part of t. So a face is
+  // taken out only if it lies within pi of the direction of arrival. Laws: scaling all lengths by a power of two keeps
+  // the answer, because the sum depends on ratios of lengths.
   bool is_beyond(const Angle_sum<FT>& angle) const
   {
     return angle.sine < 0 || (angle.cosine < 0 && angle.sine <= -angle.cosine * m_slope);

@@ -156,8 +156,7 @@ public:
   bool improve(Vertex_id v, const FT& distance, const Vertex_arrival<FT>& arrival, const Arrival_image<FT>& image,
                std::vector<Vertex_id>& reached, Push push)
   {
-    const bool may_emit = ((m_mesh.kind(v) & Mesh::PSEUDO_SOURCE) | m_emission[v]) != 0;
-    if(!is_improvement(distance, m_field.distance[v], may_emit))
+    if(!is_improvement(distance, m_field.distance[v], may_emit(v)))
       return false;
     CGAL_expensive_assertion(distance < m_field.distance[v]);
     if(!(m_field.distance[v] < Field::infinity()))
@@ -240,6 +239,9 @@ private:
   // improvement, which sets it again if the vertex is a pseudo-source.
   enum Emission : unsigned char { MUST_EMIT = 1, HAS_EMITTED = 2 };
 
+  // Do windows start at v now or later? (Without a branch, as none could be predicted.)
+  bool may_emit(Vertex_id v) const { return ((m_mesh.kind(v) & Mesh::PSEUDO_SOURCE) | m_emission[v]) != 0; }
+
   void copy_distances(Star& star)
   {
     const Vertex_id v = star.vertex;
@@ -254,7 +256,7 @@ private:
     {
       link.distance = m_field.distance[link.vertex];
       link.is_degenerate = m_mesh.has(link.vertex, Mesh::DEGENERATE);
-      link.may_emit = ((m_mesh.kind(link.vertex) & Mesh::PSEUDO_SOURCE) | m_emission[link.vertex]) != 0;
+      link.may_emit = may_emit(link.vertex);
     }
   }
 

@@ -169,10 +169,7 @@ public:
       get_memory(m_divides_lists ? 1 : list.size);
       const std::size_t n = (std::min)(m_free_windows, list.size - done);
       for(std::size_t i = 0; i < n; ++i)
-      {
-        const Window<FT> w = list.columns.get(done + i);
-        m_window[i] = Kept_window<FT>{w.begin, w.end, w.image_x, w.image_depth, w.root};
-      }
+        m_window[i] = kept_window(list, done + i);
       std::uint32_t& last = m_field->m_last_batch[dense_index(h)];
       *m_batch = Batch{m_window, static_cast<std::uint32_t>(n), last};
       last = m_batch_number++;

@@ -14,6 +14,9 @@
 // distance of the pseudo-source: the final distance of the root counts, and the root may have become nearer since.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/Window_lists.h>
+
+#include <cstddef>
 
 namespace CGAL {
 namespace Surface_mesh_geodesics {
@@ -27,6 +30,15 @@ struct Kept_window
   FT image_x, image_depth; // the image lies at (image_x, -image_depth)
   Vertex_id root;
 };
+
+// Returns what is kept of window i of a list.
+template <typename FT>
+Kept_window<FT> kept_window(const Window_list<FT>& list, std::size_t i)
+{
+  const auto& columns = list.columns;
+  return Kept_window<FT>{columns.begin()[i], columns.end()[i], columns.image_x()[i], columns.image_depth()[i],
+                         static_cast<Vertex_id>(columns.history()[i])};
+}
 
 } // namespace internal
 } // namespace Surface_mesh_geodesics

@@ -27,8 +27,8 @@
 
 #include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Cell_locator.h>
-#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Redundant_window_removal.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Diagram_window_keeper.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Redundant_window_removal.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Voronoi_cell_measures.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Voronoi_complex.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Face_shapes.h>
@@ -38,6 +38,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/interface/run_with_visitor.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/distance_in_space.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/face_shape.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>
@@ -525,9 +526,7 @@ private:
       for(std::size_t k = 0; k < 3; ++k)
         largest = (std::max)(largest, std::abs(p[k] - origin[k]));
     }
-    int exponent = 0;
-    if(largest > 0 && std::isfinite(largest))
-      std::frexp(largest, &exponent);
+    const int exponent = std::isfinite(largest) ? scaling_exponent(largest) : 0;
     m_measures.clear(origin, std::ldexp(1., (std::min)(exponent, std::numeric_limits<double>::max_exponent - 1)));
   }
 

@@ -64,6 +64,12 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
+// How many visits of a batch a thread does at a time: few enough that all threads end at about the same time.
+inline std::size_t visits_per_unit(std::size_t number_of_visits, std::size_t number_of_threads)
+{
+  return (std::max)(number_of_visits / (8 * number_of_threads), std::size_t(1));
+}
+
 // Measures nothing: see Parallel_distance_propagation.
 struct No_phase_clock
 {
@@ -316,8 +322,7 @@ private:
     const std::size_t n = m_batch.size();
     if(Keeper::is_deferred) // the keeper depends on the order of visits
       std::sort(m_batch.begin(), m_batch.end());
-    const std::size_t wanted_units = 8 * m_workers.size();
-    m_visits_per_unit = (std::max)(n / wanted_units, std::size_t(1));
+    m_visits_per_unit = visits_per_unit(n, m_workers.size());
     while(number_of_units(n) >= Work_sharing::maximum_number_of_units)
       m_visits_per_unit *= 2;
     m_relay.begin_batch(number_of_units(n), keepers());
