@@ -10,8 +10,8 @@ install_needs_of_tests()
     libtbb-dev doxygen python3
 }
 
-# configure BUILD FLAGS [options of cmake]: FLAGS is a list of compiler flags for tests, examples and benchmark
-# programs. Ninja is used if it is there and the folder is new.
+# configure BUILD FLAGS [options of cmake]: FLAGS is a list of compiler flags for tests, examples, benchmark
+# programs and the program for the command line. Ninja is used if it is there and the folder is new.
 configure()
 {
   local build=$1 flags=$2 generator=()

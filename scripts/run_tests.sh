@@ -2,8 +2,8 @@
 # The quick check, ten minutes on two cores: installs what is needed, builds the tests, the examples and the program for
 # the command line with warnings as errors, and runs the tests. scripts/run_all_tests.sh runs the rest.
 #
-# Tests and examples are compiled in groups, with all assertions (also CGAL_expensive_assertion) and little optimization:
-# the answers have the same bits on every level. The program for the command line is optimized.
+# Programs are compiled in groups, with all assertions (also CGAL_expensive_assertion) and little optimization: the
+# answers have the same bits on every level.
 # Everything is written below build/. Arguments go to ctest. JOBS is the number of jobs at once.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -11,6 +11,7 @@ source "$root/scripts/build_and_test.sh"
 
 install_needs_of_tests
 build=$root/build
-configure "$build" "-O1;-UNDEBUG;-DCGAL_CHECK_EXPENSIVE" -DSurface_mesh_geodesics_BENCHMARK=OFF
+configure "$build" "-O1;-UNDEBUG;-DCGAL_CHECK_EXPENSIVE" -DSurface_mesh_geodesics_BENCHMARK=OFF \
+  -DSurface_mesh_geodesics_LONG_TESTS=OFF
 cmake --build "$build" --parallel "$jobs"
 run_ctest "$build" "$@"
