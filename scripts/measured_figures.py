@@ -225,7 +225,7 @@ TABLES = {
         "time ratio: time_ratio .2", "if it took no time: largest_time_ratio .2", "along lines, ms: lines_ms ±",
         "time ratio: lines_ratio .2",
         skip=lambda row: row["run_ms"] == ""),
-    "threads": table("threads", MESH, FACES, "threads: threads $", "run, ms: run_ms ±", "speedup: speedup ~"),
+    "threads": table("threads", MESH, FACES, "threads: threads $", "call, ms: call_ms ±", "speedup: speedup ~"),
     "phases": table("phases", MESH, FACES, "run, ms: run_ms ~", "serial share: serial_share .2",
         "2 threads: predicted_2 ~", "4: predicted_4 ~", "8: predicted_8 ~", "16: predicted_16 ~",
         "64: predicted_64 ~"),

@@ -54,6 +54,7 @@ FACE_CUT = INTERNAL + "Voronoi/Voronoi_face_cut.h"
 CHECKS = INTERNAL + "certificate/Distance_checks.h"
 VIOLATION = INTERNAL + "certificate/Worst_violation.h"
 READER = INTERNAL + "interface/Face_graph_reader.h"
+BLOCK_TEAM = INTERNAL + "propagation/Block_team.h"
 BUILDER = INTERNAL + "surface/Intrinsic_mesh_builder.h"
 LOWER_BOUND = INTERNAL + "certificate/Lower_bound_check.h"
 EDGE_FUNCTION = INTERNAL + "certificate/Edge_distance_function.h"
@@ -93,6 +94,7 @@ CERTIFICATE_CHECKS = "test_certificate_checks"
 CERTIFICATION = "test_certification_of_distances"
 DIAGRAM_CERTIFICATION = "test_certification_of_Voronoi_diagrams"
 SMALL = "test_small_components"
+BLOCKS = "test_reading_in_blocks"
 REACHED = "test_reached_components"
 FUZZ = "test_fuzz_distances"
 
@@ -382,6 +384,16 @@ MUTANTS = [
     ("neighbors_of_kept_components_not_moved", BUILDER,
      "neighbor = neighbor == null_id ? null_id : neighbor - shift;", "neighbor = neighbor == null_id ? null_id : neighbor;",
      "behind a component that is left out, neighbors are other faces", (REACHED,)),
+
+    ("last_face_of_block_not_seen", INTRINSIC_MESH,
+     "face_of(*extremes.second) + 1}", "face_of(*extremes.second)}",
+     "threads that share vertices miss angles", (BLOCKS,)),
+    ("stars_taken_for_complete", INTRINSIC_MESH,
+     "return incomplete.empty();", "return true;",
+     "threads that share vertices miss angles in second umbrellas", (BLOCKS,)),
+    ("last_fault_is_thrown", BLOCK_TEAM,
+     "for(const std::exception_ptr& fault : faults)", "for(const std::exception_ptr fault : {faults.back()})",
+     "the fault that is reported depends on the number of threads", (BLOCKS,)),
 
     # --- parallel propagation, sampling ---
     ("neighbors_at_the_same_time", PARALLEL,

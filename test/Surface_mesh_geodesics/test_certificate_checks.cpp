@@ -59,7 +59,7 @@ struct Witness
     const auto vpm = get(CGAL::vertex_point, tm);
     SMGI::Shape_from_points<double, Mesh, std::decay_t<decltype(vpm)>> shape(tm, vpm);
     SMGI::Face_graph_reader<double, Mesh, std::decay_t<decltype(vim)>, std::decay_t<decltype(fim)>>(tm, vim, fim)
-      .read(shape, mesh, table, []() { return std::vector<char>(); });
+      .read(shape, mesh, table, []() { return std::vector<char>(); }, SMGI::One_block());
     windows.reset(mesh.number_of_faces());
     field.keeps_images = true;
     SMGI::Distance_propagation<double, SMGI::All_pruning_rules, Keeper_without> propagation(

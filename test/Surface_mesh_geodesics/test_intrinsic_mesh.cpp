@@ -26,30 +26,6 @@ namespace internal = CGAL::Surface_mesh_geodesics::internal;
 using Intrinsic = internal::Intrinsic_mesh<double>;
 using Insertion = internal::Source_insertion<double>;
 
-bool is_same_face(const Intrinsic::Face& a, const Intrinsic::Face& b)
-{
-  return a.length == b.length && a.apex_x == b.apex_x && a.apex_y == b.apex_y && a.vertex == b.vertex
-      && a.opposite == b.opposite;
-}
-
-bool is_same_mesh(const Intrinsic& a, const Intrinsic& b)
-{
-  if(a.number_of_faces() != b.number_of_faces() || a.number_of_vertices() != b.number_of_vertices())
-  {
-    return false;
-  }
-  bool result = true;
-  for(internal::Face_id f = 0; f < a.number_of_faces(); ++f)
-  {
-    result = result && is_same_face(a.face(f), b.face(f));
-  }
-  for(internal::Vertex_id v = 0; v < a.number_of_vertices(); ++v)
-  {
-    result = result && a.halfedge(v) == b.halfedge(v) && a.kind(v) == b.kind(v);
-  }
-  return result;
-}
-
 // Coordinates inside a face, on an edge or at a corner.
 std::array<double, 3> random_coordinates(test_support::Random& random)
 {

@@ -70,8 +70,8 @@ and a visitor must not call functions of the object that is being built. (This i
 the visitor would compute anew.)
 
 <b>Parallel propagation.</b> With `Parallel_tag` as `ConcurrencyTag`, each propagation runs in the threads of the task
-arena of the calling thread, as in `Surface_mesh_geodesics::geodesic_distances()`; the mesh is read, and queries are
-answered, in the calling thread. Distances and points of paths do not depend on the number of threads, down to the last
+arena of the calling thread, as in `Surface_mesh_geodesics::geodesic_distances()`; queries are answered in the calling
+thread. Distances and points of paths do not depend on the number of threads, down to the last
 bit. From those with `Sequential_tag` they may differ by rounding; of several equally short paths, the other tag may
 report another one. Some more windows are kept than with `Sequential_tag`. The calling thread calls the functions of a
 visitor, less often than with `Sequential_tag`. `Parallel_tag` needs TBB.

@@ -92,7 +92,7 @@ template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typen
 bool geodesic_distance_matrix(const TriangleMesh& tm, const Sources& sources, const Targets& targets,
                               RowOutput row_output, const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return internal::with_surface(tm, np, [&](const auto& surface)
+  return internal::with_surface<ConcurrencyTag>(tm, np, [&](const auto& surface)
   {
     return internal::put_distance_matrix<ConcurrencyTag>(surface, sources, targets, row_output);
   });
@@ -161,7 +161,7 @@ template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typen
 bool symmetric_geodesic_distance_matrix(const TriangleMesh& tm, const Vertices& vertices, RowOutput row_output,
                                         const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return internal::with_surface(tm, np, [&](const auto& surface)
+  return internal::with_surface<ConcurrencyTag>(tm, np, [&](const auto& surface)
   {
     return internal::put_symmetric_distance_matrix<ConcurrencyTag>(surface, vertices, row_output);
   });
@@ -231,7 +231,7 @@ bool sparse_geodesic_distance_matrix(const TriangleMesh& tm, const Sources& sour
                                      const CGAL_NP_CLASS& np = parameters::default_values())
 {
   internal::check_maximum_distance(maximum_distance);
-  return internal::with_surface(tm, np, [&](const auto& surface)
+  return internal::with_surface<ConcurrencyTag>(tm, np, [&](const auto& surface)
   {
     return internal::put_sparse_distance_matrix<ConcurrencyTag>(surface, sources, targets, maximum_distance,
                                                                 row_output);

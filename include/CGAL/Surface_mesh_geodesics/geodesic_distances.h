@@ -48,9 +48,10 @@ windows from edge to edge, and prunes them in each triangle. In the worst case i
 distances and the windows on the wavefront. Usual meshes take far less of both: see \ref
 Surface_mesh_geodesics_performance.
 
-With `Parallel_tag`, several threads visit vertices of the wavefront at the same time. The distances do not depend on
-the number of threads; they may differ from those of `Sequential_tag` in the last digits. The calling thread calls the
-functions of the visitor, less often than with `Sequential_tag`.
+With `Parallel_tag`, several threads prepare the mesh, and visit vertices of the wavefront at the same time. The
+distances do not depend on the number of threads; they may differ from those of `Sequential_tag` in the last digits. The
+calling thread alone reads the mesh and the property maps, and calls the functions of the visitor, less often than with
+`Sequential_tag`.
 
 <b>Thread safety.</b> Several threads may call the function at once, also on the same mesh, if each call writes to maps
 of its own and no thread changes the mesh or its points. Indices that are stored in the elements of the mesh (such as

@@ -43,8 +43,9 @@ template <typename ConcurrencyTag, typename FT, typename TriangleMesh, typename 
 class Distance_solver
 {
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
-  using Propagation =
-    typename Propagation_for_tag<typename Available_tag<ConcurrencyTag>::type, FT, Rules>::type;
+  using Tag = typename Available_tag<ConcurrencyTag>::type;
+  using Propagation = typename Propagation_for_tag<Tag, FT, Rules>::type;
+  using Blocks = typename Blocks_for_tag<Tag>::type;
 
 public:
   using Surface = Intrinsic_surface<FT, TriangleMesh, VertexIndexMap, FaceIndexMap>;
@@ -54,14 +55,14 @@ public:
   // Reads the mesh; throws Invalid_geodesic_input.
   template <typename Shape>
   Distance_solver(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim, Shape shape)
-    : m_surface(tm, vim, fim, std::move(shape)), m_insertion(m_surface.mesh()),
+    : m_surface(tm, vim, fim, std::move(shape), Blocks()), m_insertion(m_surface.mesh()),
       m_runner(m_surface.mesh(), m_insertion)
   {}
 
   // Reads what the sources of the only run can reach (Intrinsic_surface).
   template <typename Shape, typename Sources>
   Distance_solver(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim, Shape shape, const Sources& sources)
-    : m_surface(tm, vim, fim, std::move(shape), sources), m_insertion(m_surface.mesh()),
+    : m_surface(tm, vim, fim, std::move(shape), sources, Blocks()), m_insertion(m_surface.mesh()),
       m_runner(m_surface.mesh(), m_insertion)
   {}
 

@@ -20,6 +20,7 @@
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Face_shapes.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/One_block.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh_builder.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/mesh_invariants.h>
@@ -90,10 +91,14 @@ public:
   // Builds the mesh and the tables; throws Invalid_geodesic_input. Shape is described in Face_shapes.h. Takes linear
   // time.
   //
+  // The arrays of the intrinsic mesh are filled in blocks (One_block.h). The user's mesh and maps are read by this
+  // thread only.
+  //
   // If the mesh has several components, wanted_vertices() is called. It returns a flag for each index of a vertex: only
   // the components connected to marked vertices become faces of the intrinsic mesh. If it returns no flags, all do.
-  template <typename Shape, typename Wanted_vertices>
-  void read(Shape& shape, Intrinsic_mesh<FT>& mesh, Correspondence& table, Wanted_vertices wanted_vertices)
+  template <typename Shape, typename Wanted_vertices, typename Blocks>
+  void read(Shape& shape, Intrinsic_mesh<FT>& mesh, Correspondence& table, Wanted_vertices wanted_vertices,
+            const Blocks& blocks)
   {
     read_faces();
     Builder builder(m_connected_faces);
@@ -107,10 +112,14 @@ public:
     const std::size_t number_in_faces = number_vertices(builder, table);
     const int exponent = shape.prepare(table.vertices, number_in_faces);
     mesh.set_unit(FT(std::ldexp(1., exponent)));
-    builder.set_faces([&](std::uint32_t f, const std::array<Vertex_id, 3>& v, Intrinsic_face<FT>& face)
-                      { return shape.shape(m_faces[f], f, v, face); }, mesh);
+    const auto shape_of_face = [&](std::uint32_t f, const std::array<Vertex_id, 3>& v, Intrinsic_face<FT>& face)
+    { return shape.shape(m_faces[f], f, v, face); };
+    if constexpr(Shape::has_points)
+      builder.set_faces(shape_of_face, mesh, blocks);
+    else
+      builder.set_faces(shape_of_face, mesh, One_block()); // shape() reads the user's map
     builder.set_edge_components([&](std::uint32_t f) { return shape.has_length(m_faces[f]); }, mesh);
-    mesh.finish(table.vertices.size());
+    mesh.finish(table.vertices.size(), blocks);
     if(!Shape::has_points)
       mesh.bound_faces_crossed_by_lengths();
     CGAL_expensive_assertion(are_invariants_kept(mesh));

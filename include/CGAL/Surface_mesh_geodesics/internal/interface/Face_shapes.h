@@ -16,7 +16,7 @@
 // A model of Shape has
 // - has_points: whether the surface is embedded in space;
 // - prepare(): reads and checks what is scaled; returns the exponent of the power of two by which lengths are divided;
-// - shape(): sets one face of the intrinsic mesh;
+// - shape(): sets one face of the intrinsic mesh; several threads may call it if there are points;
 // - has_length(): whether an edge of a face has a length before scaling and rounding.
 // They are called in this order. prepare() throws for a number that is not finite or out of range, so that shape() sees
 // lengths of at most about 1 (Intrinsic_mesh.h); both faces at an edge get its length in the same bits.

@@ -23,6 +23,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Face_shapes.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/source_range.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/One_block.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Source_set.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
@@ -89,29 +90,32 @@ public:
   // A surface that has not been read.
   Intrinsic_surface(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim) : m_tm(tm), m_vim(vim), m_fim(fim) {}
 
-  // Reads the mesh; throws Invalid_geodesic_input. Shape is described in Face_shapes.h. Takes linear time.
-  template <typename Shape>
-  Intrinsic_surface(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim, Shape shape)
+  // Reads the mesh; throws Invalid_geodesic_input. Shape is described in Face_shapes.h, Blocks in One_block.h. Takes
+  // linear time.
+  template <typename Shape, typename Blocks = One_block>
+  Intrinsic_surface(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim, Shape shape, Blocks blocks = Blocks())
     : Intrinsic_surface(tm, vim, fim)
   {
-    read(std::move(shape));
+    read(std::move(shape), blocks);
   }
 
   // Reads what the sources can reach: the vertices of other components become isolated, and their faces are left out.
   // Only lengths of faces that are read are checked. If lengths are given, reads all: their unit is that of the mesh.
-  template <typename Shape, typename Sources>
-  Intrinsic_surface(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim, Shape shape, const Sources& sources)
+  template <typename Shape, typename Sources, typename Blocks>
+  Intrinsic_surface(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim, Shape shape, const Sources& sources,
+                    Blocks blocks)
     : Intrinsic_surface(tm, vim, fim)
   {
-    read(std::move(shape), [&]() { return Shape::has_points ? marked_sources(sources) : std::vector<char>(); });
+    read_components(std::move(shape), blocks,
+                    [&]() { return Shape::has_points ? marked_sources(sources) : std::vector<char>(); });
   }
 
   // Reads the mesh, or reads it again. If that throws, nothing changes: until the new mesh is complete, both are in
   // memory.
-  template <typename Shape>
-  void read(Shape shape)
+  template <typename Shape, typename Blocks = One_block>
+  void read(Shape shape, Blocks blocks = Blocks())
   {
-    read(std::move(shape), []() { return std::vector<char>(); });
+    read_components(std::move(shape), blocks, []() { return std::vector<char>(); });
   }
 
   bool is_read() const { return m_is_read; }
@@ -295,13 +299,13 @@ public:
 
 private:
   // `wanted_vertices` is described in Face_graph_reader.h.
-  template <typename Shape, typename Wanted_vertices>
-  void read(Shape shape, Wanted_vertices wanted_vertices)
+  template <typename Shape, typename Blocks, typename Wanted_vertices>
+  void read_components(Shape shape, const Blocks& blocks, Wanted_vertices wanted_vertices)
   {
     Intrinsic_mesh<FT> mesh;
     Face_graph_correspondence<TriangleMesh> table;
     Face_graph_reader<FT, TriangleMesh, VertexIndexMap, FaceIndexMap>(m_tm, m_vim, m_fim)
-      .read(shape, mesh, table, wanted_vertices);
+      .read(shape, mesh, table, wanted_vertices, blocks);
     m_mesh = std::move(mesh);
     m_table = std::move(table);
     m_is_read = true;

@@ -83,7 +83,7 @@ public:
   template <typename Shape>
   void build_mesh(Shape shape)
   {
-    m_surface.read(std::move(shape));
+    m_surface.read(std::move(shape), typename Blocks_for_tag<Tag>::type());
     m_has_run = false;
   }
 

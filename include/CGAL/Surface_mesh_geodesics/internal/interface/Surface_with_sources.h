@@ -71,10 +71,10 @@ public:
   // --- building ---
 
   // Reads the user's mesh, and removes all sources. Throws Invalid_geodesic_input; then nothing changes.
-  template <typename Shape>
-  void read(Shape shape)
+  template <typename Shape, typename Blocks>
+  void read(Shape shape, Blocks blocks)
   {
-    m_surface.read(std::move(shape));
+    m_surface.read(std::move(shape), blocks);
     m_insertion.restart();
     clear_sources();
   }

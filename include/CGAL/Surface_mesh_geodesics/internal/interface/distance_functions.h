@@ -95,13 +95,14 @@ auto shape_from_points(const TriangleMesh& tm, const NamedParameters& np)
 // --- matrices of distances ---
 
 // Reads a mesh with the maps among the named parameters, and returns use(surface).
-template <typename TriangleMesh, typename NamedParameters, typename Use>
+template <typename ConcurrencyTag, typename TriangleMesh, typename NamedParameters, typename Use>
 bool with_surface(const TriangleMesh& tm, const NamedParameters& np, Use use)
 {
+  using Blocks = typename Blocks_for_tag<typename Available_tag<ConcurrencyTag>::type>::type;
   auto vim = CGAL::get_initialized_vertex_index_map(tm, np);
   auto fim = CGAL::get_initialized_face_index_map(tm, np);
   const Intrinsic_surface<double, TriangleMesh, decltype(vim), decltype(fim)> surface(
-    tm, vim, fim, shape_from_points<double>(tm, np));
+    tm, vim, fim, shape_from_points<double>(tm, np), Blocks());
   return use(surface);
 }
 

@@ -25,6 +25,7 @@
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Angle_sum.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/One_block.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/prefetch.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_face.h>
@@ -35,6 +36,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -241,14 +243,15 @@ public:
   Face& face(Face_id f) { return m_faces[f]; }
 
   // Finds the umbrellas and the kinds of the vertices 0 .. n-1. Requires: all faces are set.
-  void finish(std::size_t number_of_vertices)
+  template <typename Blocks = One_block>
+  void finish(std::size_t number_of_vertices, const Blocks& blocks = Blocks())
   {
     m_vertex_halfedge.assign(number_of_vertices, null_id);
     m_vertex_kind.assign(number_of_vertices, 0);
     m_other_umbrellas.clear();
     find_umbrellas();
-    fill_stars();
-    find_bends();
+    const bool are_stars_complete = fill_stars(blocks);
+    find_bends(are_stars_complete, blocks);
     for(const Face& f : m_faces)
       mark_degenerate(f);
     m_faces_crossed_by_lengths = 0;
@@ -390,39 +393,77 @@ private:
         }
   }
 
-  // Fills the stars, and finds umbrellas that are not known yet. (A walk around a vertex waits for the memory at each
-  // step, so it does nothing else.)
-  void fill_stars()
+  // Fills the stars, and finds umbrellas that are not known yet. Returns whether all were known: then each halfedge is
+  // in the star of its source. (A walk around a vertex waits for the memory at each step, so it does nothing else.)
+  template <typename Blocks>
+  bool fill_stars(const Blocks& blocks)
   {
     std::vector<Vertex_id> incomplete;
-    for(Vertex_id v = 0; v < number_of_vertices(); ++v)
+    std::mutex mutex; // of `incomplete`, which is empty for most meshes
+    blocks(number_of_vertices(), [&](std::size_t first, std::size_t last)
     {
-      std::uint32_t end = m_star_begin[v];
-      for_each_halfedge_around(v, [&](Halfedge_id h) { m_star[end++] = h; });
-      if(end != m_star_begin[v + 1])
-        incomplete.push_back(v);
-    }
+      for(Vertex_id v = static_cast<Vertex_id>(first); v < last; ++v)
+      {
+        std::uint32_t end = m_star_begin[v];
+        for_each_halfedge_around(v, [&](Halfedge_id h) { m_star[end++] = h; });
+        if(end != m_star_begin[v + 1])
+        {
+          const std::lock_guard<std::mutex> lock(mutex);
+          incomplete.push_back(v);
+        }
+      }
+    });
     if(!incomplete.empty())
       complete_closed_umbrellas(incomplete);
+    return incomplete.empty();
   }
 
   // Marks the vertices where shortest paths may bend: the total angle exceeds 2 pi, or pi on the border, by more than
-  // Tolerance::angle(). The angles are added face by face, as faces lie in a row and vertices close to each other.
-  void find_bends()
+  // Tolerance::angle(). The angles are added face by face, as faces lie in a row and vertices close to each other. So
+  // the sum of a vertex does not depend on the blocks.
+  template <typename Blocks>
+  void find_bends(bool are_stars_complete, const Blocks& blocks)
   {
-    std::vector<Angle_sum<FT>> angle(number_of_vertices());
-    for(const Face& f : m_faces)
+    const std::size_t n = number_of_vertices();
+    blocks(n, [&](std::size_t first, std::size_t last)
+    {
+      const std::pair<Face_id, Face_id> range = are_stars_complete && last - first < n
+                                                  ? faces_around(first, last)
+                                                  : std::make_pair(Face_id(0), static_cast<Face_id>(m_faces.size()));
+      find_bends(first, last, range.first, range.second);
+    });
+  }
+
+  // Marks those of the vertices [first, last). Requires: all their faces are among the faces [first_face, last_face).
+  void find_bends(std::size_t first, std::size_t last, Face_id first_face, Face_id last_face)
+  {
+    std::vector<Angle_sum<FT>> angle(last - first);
+    for(Face_id f = first_face; f < last_face; ++f)
       for(unsigned int k = 0; k < 3; ++k)
       {
-        const std::pair<FT, FT> direction = angle_direction(f, k);
-        angle[f.vertex[k]].add(direction.first, direction.second);
+        const std::size_t i = m_faces[f].vertex[k] - first; // a large number if the vertex is before `first`
+        if(i >= angle.size())
+          continue;
+        const std::pair<FT, FT> direction = angle_direction(m_faces[f], k);
+        angle[i].add(direction.first, direction.second);
       }
-    for(Vertex_id v = 0; v < number_of_vertices(); ++v)
+    for(std::size_t v = first; v < last; ++v)
     {
       const bool is_on_border = m_vertex_halfedge[v] != null_id && opposite(m_vertex_halfedge[v]) == null_id;
-      if(is_on_border ? angle[v].is_more_than_half() : angle[v].is_more_than_full())
+      if(is_on_border ? angle[v - first].is_more_than_half() : angle[v - first].is_more_than_full())
         m_vertex_kind[v] |= PSEUDO_SOURCE;
     }
+  }
+
+  // Returns a range that contains the faces around the vertices [first, last). It is short, as vertices and faces are
+  // numbered together. Requires: the stars are complete.
+  std::pair<Face_id, Face_id> faces_around(std::size_t first, std::size_t last) const
+  {
+    const auto begin = m_star.begin() + m_star_begin[first], end = m_star.begin() + m_star_begin[last];
+    if(begin == end)
+      return {0, 0};
+    const auto extremes = std::minmax_element(begin, end);
+    return {face_of(*extremes.first), face_of(*extremes.second) + 1};
   }
 
   // Marks the ends of an edge that rounding nearly erases, and the corners of a face whose height it nearly erases, as

@@ -109,26 +109,25 @@ public:
     return id;
   }
 
-  // Makes the faces. shape(position, vertices, face) sets the lengths and the layout of a face, and returns which of
-  // its edges becomes halfedge 0. Throws if two faces disagree about their edge.
-  template <typename Shape>
-  void set_faces(Shape shape, Intrinsic_mesh<FT>& mesh)
+  // Makes the faces, in blocks (One_block.h). shape(position, vertices, face) sets the lengths and the layout of a
+  // face, and returns which of its edges becomes halfedge 0. Throws if two faces disagree about their edge.
+  template <typename Shape, typename Blocks>
+  void set_faces(const Shape& shape, Intrinsic_mesh<FT>& mesh, const Blocks& blocks)
   {
-    const Face_id n = static_cast<Face_id>(m_faces.size());
+    const std::size_t n = m_faces.size();
     mesh.reset(n);
     m_first_edge.resize(n);
-    for(Face_id i = 0; i < n; ++i)
+    blocks(n, [&](std::size_t first, std::size_t last)
     {
-      Intrinsic_face<FT>& face = mesh.face(i);
-      const std::array<Vertex_id, 3>& v = m_faces[i].corner;
-      const unsigned int shift = shape(m_order[i], v, face);
-      for(unsigned int k = 0; k < 3; ++k)
-        face.vertex[k] = v[corner_after(k, shift)];
-      m_first_edge[i] = static_cast<unsigned char>(shift);
-    }
-    for(Face_id i = 0; i < n; ++i)
-      for(unsigned int j = 0; j < 3; ++j)
-        mesh.face(i).opposite[index_in_face(halfedge(i, j))] = opposite(i, j);
+      for(Face_id i = static_cast<Face_id>(first); i < last; ++i)
+        set_face(i, shape, mesh.face(i));
+    });
+    blocks(n, [&](std::size_t first, std::size_t last)
+    {
+      for(Face_id i = static_cast<Face_id>(first); i < last; ++i)
+        for(unsigned int j = 0; j < 3; ++j)
+          mesh.face(i).opposite[index_in_face(halfedge(i, j))] = opposite(i, j);
+    });
   }
 
   // Stores the sizes of edge components, if there are several. Throws if a component would vanish beside the others, as
@@ -206,6 +205,17 @@ private:
     name = is_new ? static_cast<Face_id>(end) : name;
     end += is_new;
     return name;
+  }
+
+  // Makes face i, but for its neighbors.
+  template <typename Shape>
+  void set_face(Face_id i, const Shape& shape, Intrinsic_face<FT>& face)
+  {
+    const std::array<Vertex_id, 3>& v = m_faces[i].corner;
+    const unsigned int shift = shape(m_order[i], v, face);
+    for(unsigned int k = 0; k < 3; ++k)
+      face.vertex[k] = v[corner_after(k, shift)];
+    m_first_edge[i] = static_cast<unsigned char>(shift);
   }
 
   // The first face of a component, or the number of faces behind the last one.

@@ -10,9 +10,11 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_PARALLEL_PROPAGATION_FOR_TAG_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_PARALLEL_PROPAGATION_FOR_TAG_H
 
-// The propagation that a concurrency tag stands for. Both have the same members, and a constructor from mesh, field and
-// keeper.
+// The propagation and the loops that a concurrency tag stands for. Both propagations have the same members, and a
+// constructor from mesh, field and keeper.
 
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/One_block.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/Block_team.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_propagation.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Worker_team.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Parallel_distance_propagation.h>
@@ -31,7 +33,20 @@ struct Propagation_for_tag
   using type = Distance_propagation<FT, Rules, Keeper>;
 };
 
+// How loops over the elements of a mesh are divided.
+template <typename Tag>
+struct Blocks_for_tag
+{
+  using type = One_block;
+};
+
 #ifdef CGAL_LINKED_WITH_TBB
+template <>
+struct Blocks_for_tag<Parallel_tag>
+{
+  using type = Block_team<Tbb_team>;
+};
+
 template <typename FT, typename Rules, typename Keeper>
 struct Propagation_for_tag<Parallel_tag, FT, Rules, Keeper>
 {

@@ -1,0 +1,67 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_BLOCK_TEAM_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_BLOCK_TEAM_H
+
+// The threads of a team work on blocks of numbers (numeric/One_block.h), a block each.
+
+#include <algorithm>
+#include <cstddef>
+#include <exception>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+template <typename Team>
+class Block_team
+{
+public:
+  explicit Block_team(Team team = Team()) : m_team(team) {}
+
+  template <typename Work>
+  void operator()(std::size_t n, const Work& work) const
+  {
+    const std::size_t blocks = (std::max)((std::min)(m_team.size(), n / least_block), std::size_t(1));
+    std::vector<std::exception_ptr> faults(blocks);
+    m_team.run(blocks, [&](std::size_t i) { faults[i] = fault_in(work, n * i / blocks, n * (i + 1) / blocks); });
+    for(const std::exception_ptr& fault : faults)
+      if(fault != nullptr)
+        std::rethrow_exception(fault);
+  }
+
+private:
+  // Starting a thread takes as long as the work on a few hundred faces.
+  static constexpr std::size_t least_block = 1024;
+
+  // Works on a block, and returns the exception that ends the work, if there is one.
+  template <typename Work>
+  static std::exception_ptr fault_in(const Work& work, std::size_t first, std::size_t last)
+  {
+    try
+    {
+      work(first, last);
+    }
+    catch(...)
+    {
+      return std::current_exception();
+    }
+    return nullptr;
+  }
+
+  Team m_team;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_BLOCK_TEAM_H
