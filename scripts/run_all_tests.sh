@@ -2,7 +2,7 @@
 # The long check, forty minutes on two cores: all that scripts/run_tests.sh leaves out. It has two parts; the name of one as
 # an argument runs only that one.
 #   full   builds with the flags of a release and runs all tests with them: also each header alone with both compilers,
-#          the programs with clang, projects that use the package, CGAL's own examples
+#          the programs with clang, projects that use the package, CGAL's own examples, the Python module
 #   fuzz   runs a thousand random cases of each fuzz program
 # Everything is written below build/all. JOBS is the number of jobs at once, SEED the first number of the random cases.
 set -euo pipefail
@@ -13,7 +13,9 @@ parts=("$@")
 
 full()
 {
-  configure "$root/build/all" ""
+  local python=()
+  [ ! -x /usr/bin/python3 ] || python=(-DPython_EXECUTABLE=/usr/bin/python3) # the one of Debian's packages
+  configure "$root/build/all" "" -DSurface_mesh_geodesics_PYTHON=ON "${python[@]}"
   cmake --build "$root/build/all" --parallel "$jobs"
   run_ctest "$root/build/all" -C full
 }
@@ -33,6 +35,8 @@ fuzz()
 }
 
 install_needs_of_tests
+"$root/scripts/install_needs.sh" pybind11-dev python3-dev python3-matplotlib python3-numpy python3-pip python3-pybind11 \
+  python3-pytest python3-scipy python3-setuptools python3-wheel
 for part in "${parts[@]}"; do
   case "$part" in
     full | fuzz) "$part" ;;

@@ -1,0 +1,75 @@
+"""A tour of the package on a bumpy surface: prints what it finds, and draws a picture of each step.
+
+Usage: tour.py [FOLDER_FOR_PICTURES]    (needs Matplotlib for the pictures)
+"""
+
+import pathlib
+import sys
+
+import numpy as np
+
+import surface_mesh_geodesics as smg
+
+
+def bumpy_torus(m=90, n=45):
+    """A torus with bumps: points (m n, 3) and triangles (2 m n, 3)."""
+    i, j = np.meshgrid(np.arange(m), np.arange(n), indexing="ij")
+    u, v = 2 * np.pi * i / m, 2 * np.pi * j / n
+    r = 1 + 0.15 * np.sin(5 * u) * np.cos(3 * v)
+    V = np.stack([(2.5 + r * np.cos(v)) * np.cos(u), (2.5 + r * np.cos(v)) * np.sin(u), r * np.sin(v)], axis=-1)
+    a, b = i * n + j, (i + 1) % m * n + j
+    c, d = (i + 1) % m * n + (j + 1) % n, i * n + (j + 1) % n
+    return V.reshape(-1, 3), np.concatenate([np.stack([a, b, c], axis=-1), np.stack([a, c, d], axis=-1)]).reshape(-1, 3)
+
+
+V, F = bumpy_torus()
+s = smg.Solver(V, F)
+print(s)
+
+# Distances from one vertex, and the proof that they are right.
+d = s.distances(0)
+far = int(d.argmax())
+print(f"the farthest vertex is {far}, at {d[far]:.6f}; certified: {s.certify(d, 0).is_certified()}")
+
+# The shortest path there, and lines of equal distance.
+path = s.path(0, far)
+print(path)
+lines = s.isolines(d, np.arange(0.5, d.max(), 0.5))
+print(f"{len(lines)} isolines")
+
+# Sites spread over the surface, and the regions that are nearest to each of them.
+sites = s.sample(25)
+v = s.voronoi(sites)
+print(f"{len(v.adjacency)} pairs of neighbors, areas from {v.areas.min():.3f} to {v.areas.max():.3f}")
+V2, F2, cell = v.cut()
+
+# A coarser mesh, and distances between its corners on the original surface.
+V3, F3 = s.remesh(400)
+D = s.matrix(sites, sites)
+print(f"{len(V3)} vertices, {len(F3)} faces; mean distance of two sites {D.mean():.3f}")
+
+
+def draw(folder):
+    import matplotlib
+
+    matplotlib.use("Agg")
+    folder.mkdir(parents=True, exist_ok=True)
+    pictures = {
+        "distances": smg.plot(V, F, 0.5 * np.floor(2 * d), lines=[path.points], points=V[[0, far]],
+                              title="distances in bands of 0.5, and a path"),
+        "isolines": smg.plot(V, F, lines=lines, title="isolines"),
+        "cells": smg.plot(V2, F2, np.random.default_rng(1).permutation(len(sites))[cell], cmap="tab20", points=V[sites],
+                          title="Voronoi diagram of 25 sites"),
+        "remeshed": smg.plot(V3, F3, title="400 vertices"),
+    }
+    for name, axes in pictures.items():
+        axes.view_init(55, -60)
+        axes.figure.savefig(folder / f"{name}.png", dpi=110)
+    print(f"pictures in {folder}")
+
+
+if len(sys.argv) > 1:
+    try:
+        draw(pathlib.Path(sys.argv[1]))
+    except ImportError:
+        print("no pictures: Matplotlib is not installed")

@@ -1,0 +1,26 @@
+"""Builds the compiled part. Needs CGAL's headers, GMP and MPFR; uses TBB if its headers are there."""
+
+import pathlib
+import re
+
+from pybind11.setup_helpers import ParallelCompile, Pybind11Extension, build_ext
+from setuptools import setup
+
+root = pathlib.Path(__file__).resolve().parent
+version = re.search(r"VERSION (\d+\.\d+\.\d+)\n", (root.parent / "CMakeLists.txt").read_text(encoding="utf-8"))[1]
+has_tbb = any((pathlib.Path(prefix) / "include/tbb/task_arena.h").is_file() for prefix in ("/usr", "/usr/local"))
+
+extension = Pybind11Extension(
+    "surface_mesh_geodesics._core",
+    sorted(str(path.relative_to(root)) for path in (root / "src").glob("*.cpp")),
+    include_dirs=[str(root.parent / "include")],
+    libraries=["gmp", "mpfr"] + (["tbb"] if has_tbb else []),
+    define_macros=[("NDEBUG", None), ("SURFACE_MESH_GEODESICS_VERSION", f'"{version}"')]
+    + ([("CGAL_LINKED_WITH_TBB", None)] if has_tbb else []),
+    extra_compile_args=["-O3", "-frounding-math", "-pthread"],
+    extra_link_args=["-pthread"],
+    cxx_std=17,
+)
+
+ParallelCompile("SURFACE_MESH_GEODESICS_JOBS", default=0).install()
+setup(version=version, ext_modules=[extension], cmdclass={"build_ext": build_ext})

@@ -1,0 +1,37 @@
+// What computes on a surface. Each engine reads the mesh once.
+
+#ifndef SURFACE_MESH_GEODESICS_PYTHON_ENGINES_H
+#define SURFACE_MESH_GEODESICS_PYTHON_ENGINES_H
+
+#include "Surface.h"
+
+#include <CGAL/Surface_mesh_geodesics/Geodesic_distance_solver.h>
+#include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_paths.h>
+#include <CGAL/Surface_mesh_shortest_path/Surface_mesh_shortest_path_traits.h>
+
+namespace geodesics_python {
+
+#ifdef CGAL_LINKED_WITH_TBB
+using Threads = CGAL::Parallel_tag;
+#else
+using Threads = CGAL::Sequential_tag;
+#endif
+
+namespace geodesics = CGAL::Surface_mesh_geodesics;
+
+using Sequential_solver = geodesics::Geodesic_distance_solver<Mesh>;
+using Parallel_solver = geodesics::Geodesic_distance_solver<Mesh, Threads>;
+using Traits = CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>;
+using Paths = CGAL::Surface_mesh_geodesic_paths<Traits>;
+
+template <typename Solver>
+std::unique_ptr<Solver> make_solver(const Surface& surface)
+{
+  if(surface.has_lengths())
+    return std::make_unique<Solver>(Solver::from_edge_lengths(surface.mesh(), surface.lengths()));
+  return std::make_unique<Solver>(surface.mesh());
+}
+
+} // namespace geodesics_python
+
+#endif // SURFACE_MESH_GEODESICS_PYTHON_ENGINES_H

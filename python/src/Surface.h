@@ -1,0 +1,187 @@
+// The surface behind a Python Solver, and what all bindings share: arrays, sources, and the visitor that lets Python
+// interrupt a computation. The Python files check ids and shapes before they call this module; here the mesh is checked
+// as a whole.
+
+#ifndef SURFACE_MESH_GEODESICS_PYTHON_SURFACE_H
+#define SURFACE_MESH_GEODESICS_PYTHON_SURFACE_H
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+namespace geodesics_python {
+
+namespace py = pybind11;
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Point = Kernel::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+using Vertex = Mesh::Vertex_index;
+using Face = Mesh::Face_index;
+using Barycentric = std::array<double, 3>;
+using Location = std::pair<Face, Barycentric>;
+
+// Arrays in C order, of the one type that the Python files pass.
+template <typename T>
+using Array = py::array_t<T, py::array::c_style>;
+
+// --- arrays that own their memory ------------------------------------------------------------------------------------
+
+// Moves a vector into an array of one dimension.
+template <typename T>
+py::array_t<T> to_array(std::vector<T>&& values)
+{
+  auto* const owner = new std::vector<T>(std::move(values));
+  const py::capsule capsule(owner, [](void* p) { delete static_cast<std::vector<T>*>(p); });
+  return py::array_t<T>({owner->size()}, {sizeof(T)}, owner->data(), capsule);
+}
+
+// Moves a vector of n * columns numbers into an array of n rows.
+template <typename T>
+py::array_t<T> to_rows(std::vector<T>&& values, std::size_t columns)
+{
+  const std::size_t rows = values.size() / columns;
+  return to_array(std::move(values)).reshape({rows, columns});
+}
+
+py::array_t<double> points_to_array(const std::vector<Point>& points);
+
+// --- interruption ----------------------------------------------------------------------------------------------------
+
+// Runs computations that Python can interrupt. run() computes in a thread of its own, without the interpreter's lock.
+// Twenty times a second, the calling thread takes the lock, asks for signals (Ctrl-C), and calls the progress function
+// with a number from 0 to 1. An exception of either one ends the computation and is passed on.
+//
+// It is also the visitor of the computation, a model of GeodesicPropagationVisitor. Those functions never touch Python.
+class Interruptible
+{
+public:
+  // `progress` may be None. `number_of_runs` is how often a propagation begins.
+  explicit Interruptible(py::object progress, std::size_t number_of_runs = 1)
+    : m_progress(std::move(progress)), m_number_of_runs(number_of_runs)
+  {}
+
+  void on_propagation_begin(std::size_t number_of_vertices) { m_number_of_vertices = number_of_vertices; }
+
+  void on_progress(std::size_t number_of_visits, double)
+  {
+    if(number_of_visits % 64 == 0)
+      set_part_done(double(m_run) + double(number_of_visits) / double(m_number_of_vertices + 1));
+  }
+
+  bool go_further() const { return !m_is_stopped.load(std::memory_order_relaxed); }
+  void on_propagation_end() { ++m_run; }
+
+  // `runs` is the number of runs that are done.
+  void set_part_done(double runs)
+  {
+    m_part_done.store((std::min)(1., runs / double(m_number_of_runs)), std::memory_order_relaxed);
+  }
+
+  // Calls compute(), which must not touch Python, and throws what it throws, or what has interrupted it.
+  // Requires: this thread holds the interpreter's lock.
+  void run(const std::function<void()>& compute);
+
+private:
+  void ask_python();
+
+  py::object m_progress;
+  std::size_t m_number_of_runs, m_run = 0, m_number_of_vertices = 0;
+  std::atomic<double> m_part_done{0};
+  std::atomic<bool> m_is_stopped{false};
+};
+
+// Calls compute() with at most this number of threads.
+void with_threads(std::size_t number, const std::function<void()>& compute);
+
+// Has the module been built with TBB? If not, each call uses one thread.
+bool has_threads();
+
+// --- sources ---------------------------------------------------------------------------------------------------------
+
+// Vertices, or points of faces: entry i is a vertex if vertex[i] >= 0, and else the point of face[i] with the
+// coordinates weights[i].
+struct Places
+{
+  Places(const Mesh& mesh, const Array<std::int64_t>& vertex, const Array<std::int64_t>& face,
+         const Array<double>& weights);
+
+  bool are_vertices() const { return locations.empty(); }
+  std::size_t size() const { return are_vertices() ? vertices.size() : locations.size(); }
+
+  // Calls use() with the vertices, or with locations if one of the places is a point of a face.
+  template <typename Use>
+  auto visit(Use use) const
+  {
+    return are_vertices() ? use(vertices) : use(locations);
+  }
+
+  std::vector<Vertex> vertices;
+  std::vector<Location> locations;
+};
+
+std::vector<Vertex> to_vertices(const Array<std::int64_t>& ids);
+
+// --- the surface -----------------------------------------------------------------------------------------------------
+
+struct Distance_engine;
+struct Path_engine;
+
+// A mesh, and engines that are made when they are needed. Several threads may use a surface: a computation waits for
+// the one before it.
+class Surface
+{
+public:
+  // Makes a mesh of points and triangles; throws std::invalid_argument with the reason if they are no surface. If
+  // `lengths` has rows, entry (f, k) is the length of the edge from corner k of face f to the next corner.
+  Surface(const Array<double>& points, const Array<std::int64_t>& faces, const Array<double>& lengths);
+
+  Surface(const Surface&) = delete;
+  Surface& operator=(const Surface&) = delete;
+
+  const Mesh& mesh() const { return m_mesh; }
+  bool has_lengths() const { return m_has_lengths; }
+  auto lengths() const { return m_lengths; }
+
+  // Calls compute() while no other thread computes on this surface, as Interruptible::run() does.
+  void run_alone(Interruptible& visitor, const std::function<void()>& compute);
+
+  // Both are used inside run_alone() only.
+  std::shared_ptr<Distance_engine> distance_engine;
+  std::shared_ptr<Path_engine> path_engine;
+
+private:
+  void add_faces(const Array<std::int64_t>& faces);
+  void add_lengths(const Array<std::int64_t>& faces, const Array<double>& lengths);
+
+  Mesh m_mesh;
+  Mesh::Property_map<Mesh::Edge_index, double> m_lengths;
+  bool m_has_lengths = false;
+  std::timed_mutex m_mutex;
+};
+
+// --- the parts of the module -----------------------------------------------------------------------------------------
+
+using Surface_class = py::class_<Surface, std::shared_ptr<Surface>>;
+
+void bind_distances(Surface_class& surface);
+void bind_paths(Surface_class& surface);
+void bind_diagrams(py::module_& module, Surface_class& surface);
+void bind_sampling(Surface_class& surface);
+
+} // namespace geodesics_python
+
+#endif // SURFACE_MESH_GEODESICS_PYTHON_SURFACE_H

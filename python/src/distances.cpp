@@ -1,0 +1,219 @@
+// Distances, matrices of distances, certificates.
+
+#include "Engines.h"
+
+#include <CGAL/Surface_mesh_geodesics/certify_geodesic_distances.h>
+#include <CGAL/Surface_mesh_geodesics/geodesic_distance_matrix.h>
+
+#include <boost/property_map/function_property_map.hpp>
+
+#include <algorithm>
+
+namespace geodesics_python {
+
+struct Distance_engine
+{
+  std::unique_ptr<Sequential_solver> sequential;
+  std::unique_ptr<Parallel_solver> parallel;
+};
+
+namespace {
+
+using Options = geodesics::Geodesic_distance_options<Mesh>;
+
+Sequential_solver& sequential_solver(Surface& surface)
+{
+  if(surface.distance_engine == nullptr)
+    surface.distance_engine = std::make_shared<Distance_engine>();
+  if(surface.distance_engine->sequential == nullptr)
+    surface.distance_engine->sequential = make_solver<Sequential_solver>(surface);
+  return *surface.distance_engine->sequential;
+}
+
+Parallel_solver& parallel_solver(Surface& surface)
+{
+  if(surface.distance_engine == nullptr)
+    surface.distance_engine = std::make_shared<Distance_engine>();
+  if(surface.distance_engine->parallel == nullptr)
+    surface.distance_engine->parallel = make_solver<Parallel_solver>(surface);
+  return *surface.distance_engine->parallel;
+}
+
+Options options_of(const Array<double>& offsets, double radius)
+{
+  Options options;
+  options.source_offsets.assign(offsets.data(), offsets.data() + offsets.size());
+  options.maximum_distance = radius;
+  return options;
+}
+
+struct Answer
+{
+  std::vector<double> distance;
+  std::vector<std::int64_t> nearest;
+};
+
+// Computes the distances of all vertices, or of the targets if there are some.
+template <typename Solver>
+Answer answer_of(Solver& solver, const Surface& surface, const Places& sources, const Options& options,
+                 bool with_nearest, Interruptible& visitor)
+{
+  Answer answer;
+  const bool is_complete
+    = sources.visit([&](const auto& range) { return solver.compute_distances(range, options, visitor); });
+  if(!is_complete)
+    return answer;
+  const auto add = [&](Vertex v)
+  {
+    answer.distance.push_back(solver.distance(v));
+    if(with_nearest)
+    {
+      const std::size_t i = solver.nearest_source(v);
+      answer.nearest.push_back(i == Options::no_source ? -1 : static_cast<std::int64_t>(i));
+    }
+  };
+  if(options.targets.empty())
+    for(const Vertex v : surface.mesh().vertices())
+      add(v);
+  else
+    for(const Vertex v : options.targets)
+      add(v);
+  return answer;
+}
+
+py::tuple distances(Surface& surface, const Array<std::int64_t>& vertex, const Array<std::int64_t>& face,
+                    const Array<double>& weights, const Array<double>& offsets, const Array<std::int64_t>& targets,
+                    double radius, bool with_nearest, std::size_t threads, const py::object& progress)
+{
+  const Places sources(surface.mesh(), vertex, face, weights);
+  Options options = options_of(offsets, radius);
+  options.targets = to_vertices(targets);
+  Interruptible visitor(progress);
+  Answer answer;
+  surface.run_alone(visitor, [&]()
+  {
+    if(threads <= 1 || !has_threads())
+      answer = answer_of(sequential_solver(surface), surface, sources, options, with_nearest, visitor);
+    else
+      with_threads(threads, [&]()
+      { answer = answer_of(parallel_solver(surface), surface, sources, options, with_nearest, visitor); });
+  });
+  return py::make_tuple(to_array(std::move(answer.distance)), to_array(std::move(answer.nearest)));
+}
+
+// Writes the rows of a matrix into an array, one after the other in any order.
+py::array_t<double> matrix(Surface& surface, const Array<std::int64_t>& vertex, const Array<std::int64_t>& face,
+                           const Array<double>& weights, const Array<std::int64_t>& targets, std::size_t threads,
+                           const py::object& progress)
+{
+  const Places sources(surface.mesh(), vertex, face, weights);
+  const std::vector<Vertex> range = to_vertices(targets);
+  py::array_t<double> result({sources.size(), range.size()});
+  double* const numbers = result.mutable_data();
+  Interruptible visitor(progress, sources.size());
+  surface.run_alone(visitor, [&]()
+  {
+    std::size_t number_done = 0;
+    const auto put_row = [&](std::size_t i, const std::vector<double>& row)
+    {
+      std::copy(row.begin(), row.end(), numbers + i * range.size());
+      visitor.set_part_done(double(++number_done));
+      return visitor.go_further();
+    };
+    with_threads(threads, [&]()
+    {
+      sources.visit([&](const auto& s)
+      { return geodesics::geodesic_distance_matrix<Threads>(sequential_solver(surface), s, range, put_row); });
+    });
+  });
+  return result;
+}
+
+// Returns the arrays of a matrix of compressed sparse rows: pointers to rows, columns, distances. The last two rows of
+// `put_row` may come in any order, so they are joined afterwards.
+py::tuple sparse_matrix(Surface& surface, const Array<std::int64_t>& vertex, const Array<std::int64_t>& face,
+                        const Array<double>& weights, const Array<std::int64_t>& targets, double radius,
+                        std::size_t threads, const py::object& progress)
+{
+  const Places sources(surface.mesh(), vertex, face, weights);
+  const std::vector<Vertex> range = to_vertices(targets);
+  std::vector<std::vector<std::pair<std::size_t, double>>> rows(sources.size());
+  Interruptible visitor(progress, sources.size());
+  surface.run_alone(visitor, [&]()
+  {
+    std::size_t number_done = 0;
+    const auto put_row = [&](std::size_t i, const auto& row)
+    {
+      rows[i].assign(row.begin(), row.end());
+      visitor.set_part_done(double(++number_done));
+      return visitor.go_further();
+    };
+    with_threads(threads, [&]()
+    {
+      sources.visit([&](const auto& s)
+      {
+        return geodesics::sparse_geodesic_distance_matrix<Threads>(sequential_solver(surface), s, range, radius,
+                                                                   put_row);
+      });
+    });
+  });
+  std::vector<std::int64_t> pointers(1, 0), columns;
+  std::vector<double> values;
+  for(auto& row : rows)
+  {
+    for(const auto& [column, value] : row)
+    {
+      columns.push_back(static_cast<std::int64_t>(column));
+      values.push_back(value);
+    }
+    pointers.push_back(static_cast<std::int64_t>(columns.size()));
+    row = {};
+  }
+  return py::make_tuple(to_array(std::move(pointers)), to_array(std::move(columns)), to_array(std::move(values)));
+}
+
+// Returns (worst violation, list of (condition, violation, vertex or -1, number of checks)).
+py::tuple certify(Surface& surface, const Array<double>& d, const Array<std::int64_t>& vertex,
+                  const Array<std::int64_t>& face, const Array<double>& weights, const Array<double>& offsets,
+                  double radius, const py::object& progress)
+{
+  using Certificate = geodesics::Geodesic_distance_certificate<Mesh>;
+  const Places sources(surface.mesh(), vertex, face, weights);
+  const Options options = options_of(offsets, radius);
+  const double* const numbers = d.data();
+  const auto map = boost::make_function_property_map<Vertex>([numbers](Vertex v) { return numbers[std::size_t(v)]; });
+  std::unique_ptr<Certificate> certificate;
+  Interruptible visitor(progress);
+  surface.run_alone(visitor, [&]()
+  {
+    certificate = sources.visit([&](const auto& s)
+    {
+      return std::make_unique<Certificate>(
+        surface.has_lengths()
+          ? geodesics::certify_geodesic_distances_from_edge_lengths(surface.mesh(), surface.lengths(), map, s, options)
+          : geodesics::certify_geodesic_distances(surface.mesh(), map, s, options));
+    });
+  });
+  py::list conditions;
+  for(std::size_t i = 0; i < Certificate::number_of_conditions; ++i)
+  {
+    const auto c = static_cast<Certificate::Condition>(i);
+    const Vertex v = certificate->worst_vertex(c);
+    conditions.append(py::make_tuple(Certificate::name(c), certificate->worst_violation(c),
+                                     v == Mesh::null_vertex() ? std::int64_t(-1) : std::int64_t(std::size_t(v)),
+                                     certificate->number_of_checks(c)));
+  }
+  return py::make_tuple(certificate->worst_violation(), conditions);
+}
+
+} // namespace
+
+void bind_distances(Surface_class& surface)
+{
+  surface.def("distances", &distances)
+    .def("matrix", &matrix)
+    .def("sparse_matrix", &sparse_matrix)
+    .def("certify", &certify);
+}
+
+} // namespace geodesics_python

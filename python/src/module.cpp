@@ -1,0 +1,209 @@
+// The module _core: a surface made of arrays, and what does not depend on the algorithms.
+
+#include "Surface.h"
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+#include <tbb/task_arena.h>
+#endif
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <future>
+#include <stdexcept>
+#include <string>
+
+namespace geodesics_python {
+
+py::array_t<double> points_to_array(const std::vector<Point>& points)
+{
+  std::vector<double> numbers;
+  numbers.reserve(3 * points.size());
+  for(const Point& p : points)
+    numbers.insert(numbers.end(), {p.x(), p.y(), p.z()});
+  return to_rows(std::move(numbers), 3);
+}
+
+void Interruptible::run(const std::function<void()>& compute)
+{
+  std::future<void> result = std::async(std::launch::async, compute);
+  std::exception_ptr interruption;
+  for(bool is_done = false; !is_done;)
+  {
+    {
+      const py::gil_scoped_release release;
+      is_done = result.wait_for(std::chrono::milliseconds(50)) == std::future_status::ready;
+    }
+    try
+    {
+      if(!is_done && interruption == nullptr)
+        ask_python();
+    }
+    catch(...)
+    {
+      interruption = std::current_exception();
+      m_is_stopped = true;
+    }
+  }
+  result.get();
+  if(interruption != nullptr)
+    std::rethrow_exception(interruption);
+}
+
+void Interruptible::ask_python()
+{
+  if(PyErr_CheckSignals() != 0)
+    throw py::error_already_set();
+  if(!m_progress.is_none())
+    m_progress(m_part_done.load());
+}
+
+bool has_threads()
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  return true;
+#else
+  return false;
+#endif
+}
+
+void with_threads(std::size_t number, const std::function<void()>& compute)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  const int n = static_cast<int>((std::min)(number, std::size_t(1024)));
+  // (TBB starts no more threads than the machine has unless it is told to.)
+  const tbb::global_control control(tbb::global_control::max_allowed_parallelism,
+                                    std::size_t((std::max)(n, tbb::info::default_concurrency())));
+  tbb::task_arena(n).execute(compute);
+#else
+  static_cast<void>(number);
+  compute();
+#endif
+}
+
+std::vector<Vertex> to_vertices(const Array<std::int64_t>& ids)
+{
+  std::vector<Vertex> result;
+  const auto id = ids.unchecked<1>();
+  for(py::ssize_t i = 0; i < id.shape(0); ++i)
+    result.push_back(Vertex(static_cast<Mesh::size_type>(id(i))));
+  return result;
+}
+
+Places::Places(const Mesh& mesh, const Array<std::int64_t>& vertex, const Array<std::int64_t>& face,
+               const Array<double>& weights)
+{
+  const auto v = vertex.unchecked<1>(), f = face.unchecked<1>();
+  const auto b = weights.unchecked<2>();
+  const bool has_locations = std::any_of(vertex.data(), vertex.data() + v.shape(0), [](auto id) { return id < 0; });
+  if(!has_locations)
+  {
+    vertices = to_vertices(vertex);
+    return;
+  }
+  for(py::ssize_t i = 0; i < v.shape(0); ++i)
+  {
+    if(v(i) < 0)
+    {
+      locations.emplace_back(Face(static_cast<Mesh::size_type>(f(i))), Barycentric{b(i, 0), b(i, 1), b(i, 2)});
+      continue;
+    }
+    const Vertex corner(static_cast<Mesh::size_type>(v(i)));
+    const auto h = mesh.halfedge(corner);
+    if(h == Mesh::null_halfedge())
+      throw std::invalid_argument("vertex " + std::to_string(v(i))
+                                  + " has no face: it cannot stand beside points of faces");
+    const auto inner = mesh.is_border(h) ? mesh.prev(mesh.opposite(h)) : h;
+    const Face around = mesh.face(inner);
+    Barycentric at_corner{0, 0, 0};
+    std::size_t k = 0;
+    for(auto g = mesh.halfedge(around); mesh.source(g) != corner; g = mesh.next(g))
+      ++k;
+    at_corner[k] = 1;
+    locations.emplace_back(around, at_corner);
+  }
+}
+
+Surface::Surface(const Array<double>& points, const Array<std::int64_t>& faces, const Array<double>& lengths)
+{
+  const auto p = points.unchecked<2>();
+  const std::size_t n = std::size_t(p.shape(0)), m = std::size_t(faces.shape(0));
+  if(n >= (std::size_t(1) << 31) || m >= (std::size_t(1) << 30))
+    throw std::invalid_argument("the mesh is too large: at most 2**31 - 1 vertices and 2**30 - 1 faces");
+  m_mesh.reserve(Mesh::size_type(n), Mesh::size_type(3 * m / 2 + 16), Mesh::size_type(m));
+  for(py::ssize_t v = 0; v < p.shape(0); ++v)
+    m_mesh.add_vertex(Point(p(v, 0), p(v, 1), p(v, 2)));
+  add_faces(faces);
+  if(lengths.shape(0) > 0)
+    add_lengths(faces, lengths);
+}
+
+void Surface::add_faces(const Array<std::int64_t>& faces)
+{
+  const auto id = faces.unchecked<2>();
+  std::array<Vertex, 3> corners;
+  for(py::ssize_t f = 0; f < id.shape(0); ++f)
+  {
+    for(std::size_t k = 0; k < 3; ++k)
+      corners[k] = Vertex(static_cast<Mesh::size_type>(id(f, py::ssize_t(k))));
+    if(corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0])
+      throw std::invalid_argument("face " + std::to_string(f) + " has a vertex twice");
+    const Face face = m_mesh.add_face(corners);
+    if(face == Mesh::null_face())
+      throw std::invalid_argument("face " + std::to_string(f)
+                                  + " does not fit the faces before it: an edge has more than two faces, or two faces "
+                                    "of opposite orientation, or too many parts of the surface meet at a vertex");
+    // Weights belong to the corners in the order of the array.
+    while(m_mesh.source(m_mesh.halfedge(face)) != corners[0])
+      m_mesh.set_halfedge(face, m_mesh.next(m_mesh.halfedge(face)));
+  }
+}
+
+void Surface::add_lengths(const Array<std::int64_t>& faces, const Array<double>& lengths)
+{
+  const auto l = lengths.unchecked<2>();
+  m_lengths = m_mesh.add_property_map<Mesh::Edge_index, double>("e:length", -1.).first;
+  m_has_lengths = true;
+  for(py::ssize_t f = 0; f < faces.shape(0); ++f)
+  {
+    auto h = m_mesh.halfedge(Face(static_cast<Mesh::size_type>(f)));
+    for(py::ssize_t k = 0; k < 3; ++k, h = m_mesh.next(h))
+    {
+      double& length = m_lengths[m_mesh.edge(h)];
+      if(length >= 0 && length != l(f, k))
+        throw std::invalid_argument("lengths[" + std::to_string(f) + ", " + std::to_string(k)
+                                    + "] differs from the length that another face gives to the same edge");
+      length = l(f, k);
+    }
+  }
+}
+
+void Surface::run_alone(Interruptible& visitor, const std::function<void()>& compute)
+{
+  visitor.run([&]()
+  {
+    std::unique_lock<std::timed_mutex> lock(m_mutex, std::defer_lock);
+    while(visitor.go_further())
+      if(lock.try_lock_for(std::chrono::milliseconds(50)))
+        return compute();
+  });
+}
+
+} // namespace geodesics_python
+
+PYBIND11_MODULE(_core, module)
+{
+  namespace py = pybind11;
+  using namespace geodesics_python;
+  module.doc() = "The compiled part of surface_mesh_geodesics. Programs use the classes of the package.";
+  module.attr("__version__") = SURFACE_MESH_GEODESICS_VERSION;
+  module.def("has_threads", &has_threads);
+  Surface_class surface(module, "Surface");
+  surface.def(py::init<const Array<double>&, const Array<std::int64_t>&, const Array<double>&>());
+  bind_distances(surface);
+  bind_paths(surface);
+  bind_diagrams(module, surface);
+  bind_sampling(surface);
+}

@@ -1,0 +1,228 @@
+// Shortest paths and isolines.
+
+#include "Engines.h"
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/parallel_for.h>
+#endif
+
+#include <atomic>
+#include <iterator>
+#include <limits>
+#include <tuple>
+
+namespace geodesics_python {
+
+// Paths from a set of sources.
+struct Path_engine
+{
+  Path_engine(const Surface& surface, const Places& s) : paths(surface.mesh()), sources(s)
+  {
+    if(surface.has_lengths())
+      paths.use_edge_lengths(surface.lengths());
+    sources.visit([&](const auto& range) { paths.add_source_points(range.begin(), range.end()); });
+  }
+
+  Paths paths;
+  const Places sources;
+};
+
+namespace {
+
+struct Path
+{
+  double length = std::numeric_limits<double>::infinity();
+  std::int64_t source = -1;
+  std::vector<double> points;        // from the source to the target
+  std::vector<std::int64_t> faces;   // of each point
+  std::vector<double> weights;       // of each point, in its face
+};
+
+// Collects the elements of a path, from the target to the source.
+class Path_writer
+{
+public:
+  Path_writer(const Mesh& mesh, const Paths& paths) : m_mesh(mesh), m_paths(paths) {}
+
+  void operator()(Mesh::Halfedge_index h, double t)
+  {
+    if(m_mesh.is_border(h))
+    {
+      h = m_mesh.opposite(h);
+      t = 1 - t;
+    }
+    Barycentric b{0, 0, 0};
+    const std::size_t k = corner(h);
+    b[k] = 1 - t;
+    b[(k + 1) % 3] = t;
+    // The point is that of the package, which interpolates along the edge.
+    add(m_paths.point(h, t), m_mesh.face(h), b);
+  }
+
+  void operator()(Vertex v)
+  {
+    auto h = m_mesh.halfedge(v); // leads to v
+    Barycentric b{0, 0, 0};
+    if(h == Mesh::null_halfedge())
+      return add(m_mesh.point(v), Mesh::null_face(), b);
+    if(m_mesh.is_border(h))
+      h = m_mesh.prev(m_mesh.opposite(h));
+    b[(corner(h) + 1) % 3] = 1;
+    add(m_mesh.point(v), m_mesh.face(h), b);
+  }
+
+  void operator()(Face f, const Barycentric& b) { add(m_paths.point(f, b), f, b); }
+
+  // The path from the source to the target.
+  Path reversed() const
+  {
+    Path path;
+    for(auto it = m_elements.rbegin(); it != m_elements.rend(); ++it)
+    {
+      const auto& [p, f, b] = *it;
+      path.points.insert(path.points.end(), {p.x(), p.y(), p.z()});
+      path.faces.push_back(f == Mesh::null_face() ? -1 : std::int64_t(std::size_t(f)));
+      path.weights.insert(path.weights.end(), b.begin(), b.end());
+    }
+    return path;
+  }
+
+private:
+  // The position of the source of h among the corners of its face.
+  std::size_t corner(Mesh::Halfedge_index h) const
+  {
+    std::size_t k = 0;
+    for(auto g = m_mesh.halfedge(m_mesh.face(h)); g != h; g = m_mesh.next(g))
+      ++k;
+    return k;
+  }
+
+  void add(const Point& p, Face f, const Barycentric& b)
+  {
+    if(m_elements.empty() || std::get<0>(m_elements.back()) != p)
+      m_elements.emplace_back(p, f, b);
+  }
+
+  const Mesh& m_mesh;
+  const Paths& m_paths;
+  std::vector<std::tuple<Point, Face, Barycentric>> m_elements;
+};
+
+template <typename... Target>
+Path path_to(const Surface& surface, const Paths& paths, const Target&... target)
+{
+  Path_writer writer(surface.mesh(), paths);
+  const double length = paths.shortest_path_sequence_to_source_points(target..., writer).first;
+  Path path = writer.reversed();
+  if(length >= 0)
+  {
+    path.length = length;
+    path.source = static_cast<std::int64_t>(paths.nearest_source_point(target...));
+  }
+  return path;
+}
+
+Path path_to(const Surface& surface, const Paths& paths, const Places& targets, std::size_t i)
+{
+  if(targets.are_vertices())
+    return path_to(surface, paths, targets.vertices[i]);
+  return path_to(surface, paths, targets.locations[i].first, targets.locations[i].second);
+}
+
+bool are_same(const Places& a, const Places& b) { return a.vertices == b.vertices && a.locations == b.locations; }
+
+// Returns paths that are built for the sources; null if the visitor cancels. The last engine serves again if it has the
+// same sources. Call it inside Surface::run_alone().
+std::shared_ptr<Path_engine> engine_of(Surface& surface, const Places& sources, bool everywhere, Interruptible& visitor)
+{
+  if(surface.path_engine == nullptr || !are_same(surface.path_engine->sources, sources))
+    surface.path_engine = std::make_shared<Path_engine>(surface, sources);
+  Paths& paths = surface.path_engine->paths;
+  const bool is_built = everywhere ? paths.build_sequence_tree_for_faces(visitor) : paths.build_sequence_tree(visitor);
+  return is_built ? surface.path_engine : nullptr;
+}
+
+template <typename Work>
+void for_each_target(std::size_t n, std::size_t threads, const Work& work)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  if(threads > 1)
+    return with_threads(threads, [&]() { tbb::parallel_for(std::size_t(0), n, work); });
+#endif
+  static_cast<void>(threads);
+  for(std::size_t i = 0; i < n; ++i)
+    work(i);
+}
+
+py::tuple to_tuple(Path&& path)
+{
+  return py::make_tuple(path.length, path.source, to_rows(std::move(path.points), 3), to_array(std::move(path.faces)),
+                        to_rows(std::move(path.weights), 3));
+}
+
+// Returns for each target the path from the nearest source: length, source, points, faces, weights.
+py::list paths_to(Surface& surface, const Array<std::int64_t>& vertex, const Array<std::int64_t>& face,
+                  const Array<double>& weights, const Array<std::int64_t>& target_vertex,
+                  const Array<std::int64_t>& target_face, const Array<double>& target_weights, std::size_t threads,
+                  const py::object& progress)
+{
+  const Places sources(surface.mesh(), vertex, face, weights);
+  const Places targets(surface.mesh(), target_vertex, target_face, target_weights);
+  std::vector<Path> paths(targets.size());
+  Interruptible visitor(progress, 2);
+  surface.run_alone(visitor, [&]()
+  {
+    const auto engine = engine_of(surface, sources, !targets.are_vertices(), visitor);
+    if(engine == nullptr)
+      return;
+    std::atomic<std::size_t> number_done{0};
+    for_each_target(targets.size(), threads, [&](std::size_t i)
+    {
+      if(!visitor.go_further())
+        return;
+      paths[i] = path_to(surface, engine->paths, targets, i);
+      visitor.set_part_done(1 + double(++number_done) / double(targets.size()));
+    });
+  });
+  py::list result;
+  for(Path& path : paths)
+    result.append(to_tuple(std::move(path)));
+  return result;
+}
+
+// Returns a list of lines for each level.
+py::list isolines(Surface& surface, const Array<std::int64_t>& vertex, const Array<std::int64_t>& face,
+                  const Array<double>& weights, const Array<double>& levels, const py::object& progress)
+{
+  const Places sources(surface.mesh(), vertex, face, weights);
+  std::vector<std::vector<std::vector<Point>>> lines(static_cast<std::size_t>(levels.size()));
+  const double* const level = levels.data();
+  Interruptible visitor(progress, 1 + lines.size());
+  surface.run_alone(visitor, [&]()
+  {
+    const auto engine = engine_of(surface, sources, true, visitor);
+    for(std::size_t i = 0; engine != nullptr && i < lines.size() && visitor.go_further(); ++i)
+    {
+      engine->paths.isolines(level[i], std::back_inserter(lines[i]));
+      visitor.set_part_done(double(i + 2));
+    }
+  });
+  py::list result;
+  for(const auto& lines_of_level : lines)
+  {
+    py::list arrays;
+    for(const std::vector<Point>& line : lines_of_level)
+      arrays.append(points_to_array(line));
+    result.append(arrays);
+  }
+  return result;
+}
+
+} // namespace
+
+void bind_paths(Surface_class& surface)
+{
+  surface.def("paths", &paths_to).def("isolines", &isolines);
+}
+
+} // namespace geodesics_python

@@ -1,0 +1,22 @@
+from __future__ import annotations
+
+from typing import NamedTuple
+
+
+class Condition(NamedTuple):
+    """One condition of a certificate."""
+
+    violation: float  #: the largest violation, relative; 0 if there is none
+    vertex: int  #: the vertex where it is violated most, or -1
+    number_of_checks: int
+
+
+class Certificate(NamedTuple):
+    """The result of checking distances, whoever has computed them."""
+
+    worst_violation: float  #: the largest violation of all conditions, relative
+    conditions: dict[str, Condition]
+
+    def is_certified(self, tolerance: float = 2.0**-40) -> bool:
+        """Are the distances exact up to the tolerance, a relative number?"""
+        return self.worst_violation <= tolerance

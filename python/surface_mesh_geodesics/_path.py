@@ -1,0 +1,25 @@
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+
+@dataclass(frozen=True, eq=False)
+class Path:
+    """A shortest path from a source to a target; without points if no source reaches the target.
+
+    Two points that follow each other lie in one face. The sum of the lengths between them is `length`, up to rounding.
+    """
+
+    length: float  #: in the unit of the points; infinite if there is no path
+    source: int  #: the position of the source among the sources; -1 if there is no path
+    points: np.ndarray  #: (k, 3), from the source to the target
+    faces: np.ndarray  #: (k,), a face of each point; -1 for a vertex without faces
+    barycentric: np.ndarray  #: (k, 3), the coordinates of each point in its face
+
+    def __len__(self) -> int:
+        return len(self.points)
+
+    def __repr__(self) -> str:
+        return f"Path(length={self.length:.6g}, source={self.source}, {len(self.points)} points)"

@@ -1,0 +1,246 @@
+from __future__ import annotations
+
+from typing import Any, Callable
+
+import numpy as np
+
+from . import _core
+from . import _arguments as arguments
+from ._certificate import Certificate, Condition
+from ._isolines import linear_isolines
+from ._path import Path
+from ._voronoi import Voronoi
+
+Progress = Callable[[float], Any]
+NO_IDS = np.zeros(0, dtype=np.int64)
+
+
+class Solver:
+    """Geodesic computations on one triangle mesh.
+
+    V  (n, 3) points: any type of numbers and any memory layout
+    F  (m, 3) triangles: vertices counted from 0
+
+    The mesh is copied; the arrays are never changed. It may have borders, holes, handles, several components and
+    isolated vertices, but an edge has at most two faces, of the same orientation. Raises ValueError or IndexError with
+    the argument, the element and the rule.
+
+    A *source* is a vertex, or a pair (face, barycentric coordinates); several are given as a list, an array of
+    vertices, or a pair of arrays (faces, coordinates).
+
+    Several threads may use one solver: a computation waits for the one before it. Computations run without the lock of
+    the interpreter. Ctrl-C ends them; `progress` is called with a number from 0 to 1 some twenty times a second.
+    Solvers can be pickled.
+    """
+
+    def __init__(self, V: Any, F: Any) -> None:
+        points = arguments.points_of("V", V)
+        faces = arguments.triangles_of("F", F, len(points))
+        self._set_up(points, faces, None)
+
+    @classmethod
+    def from_edge_lengths(cls, n: int, F: Any, L: Any) -> Solver:
+        """Makes a solver for a surface without points.
+
+        n  number of vertices
+        F  (m, 3) triangles
+        L  (m, 3) lengths: L[f, k] is that of the edge from F[f, k] to the next corner; equal in both faces of an edge
+
+        Points of paths are zeros then; their faces and barycentric coordinates tell where they are. Voronoi diagrams
+        have no centroids, and samples and remeshing need points.
+        """
+        n = arguments.count_of("n", n, 0)
+        faces = arguments.triangles_of("F", F, n)
+        lengths = arguments.points_of("L", L if np.size(L) else np.zeros((0, 3)))
+        if len(lengths) != len(faces):
+            raise ValueError(f"L has {len(lengths)} rows, but F has {len(faces)}")
+        if (lengths < 0).any():
+            f, k = np.argwhere(lengths < 0)[0]
+            raise ValueError(f"L[{f}, {k}] is {lengths[f, k]}: a length must not be negative")
+        solver = cls.__new__(cls)
+        solver._set_up(np.zeros((n, 3)), faces, lengths)
+        return solver
+
+    # --- distances ---
+
+    def distances(self, sources: Any, *, offsets: Any = None, targets: Any = None, radius: float = np.inf,
+                  return_nearest: bool = False, threads: int | None = 1, progress: Progress | None = None) -> Any:
+        """Returns the distances of all vertices from their nearest sources, (n,) float64, inf where none reaches.
+
+        offsets         a number for each source that is added to its distances
+        targets         vertices: only their distances are computed and returned, in their order
+        radius          distances beyond it are inf
+        return_nearest  return a pair: the distances, and (n,) the positions of the nearest sources, -1 where none
+                        reaches
+        threads         how many threads; None for all. The result does not depend on the number if it is more than 1;
+                        with 1 it may differ in the last digits.
+
+        >>> import surface_mesh_geodesics as smg
+        >>> s = smg.Solver([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]])
+        >>> s.distances([1, (0, [1, 0, 0])], offsets=[0, 1], return_nearest=True)
+        (array([1., 0., 5.]), array([1, 0, 0]))
+        """
+        places = self._places("sources", sources)
+        ids = NO_IDS if targets is None else self._vertices("targets", targets)
+        if targets is not None and len(ids) == 0:
+            return (np.zeros(0), NO_IDS.copy()) if return_nearest else np.zeros(0)
+        d, nearest = self._surface.distances(*places, arguments.offsets_of("offsets", offsets, len(places.vertex)), ids,
+                                             arguments.radius_of("radius", radius), return_nearest,
+                                             arguments.threads_of(threads), progress)
+        return (d, nearest) if return_nearest else d
+
+    def matrix(self, sources: Any = None, targets: Any = None, *, threads: int | None = None,
+               progress: Progress | None = None) -> np.ndarray:
+        """Returns the distances D[i, j] from source i to target j, a vertex. None stands for all vertices."""
+        places, ids = self._rows_and_columns(sources, targets)
+        return self._surface.matrix(*places, ids, arguments.threads_of(threads), progress)
+
+    def sparse_matrix(self, radius: float, sources: Any = None, targets: Any = None, *, threads: int | None = None,
+                      progress: Progress | None = None) -> Any:
+        """Returns the distances up to a radius, as a scipy.sparse.csr_matrix.
+
+        A distance of 0 is an entry of its own. Without SciPy, returns the triple (data, indices, indptr).
+        """
+        places, ids = self._rows_and_columns(sources, targets)
+        pointers, columns, values = self._surface.sparse_matrix(*places, ids, arguments.radius_of("radius", radius),
+                                                                arguments.threads_of(threads), progress)
+        try:
+            from scipy.sparse import csr_matrix
+        except ImportError:
+            return values, columns, pointers
+        return csr_matrix((values, columns, pointers), shape=(len(places.vertex), len(ids)))
+
+    def certify(self, d: Any, sources: Any, *, offsets: Any = None, radius: float = np.inf,
+                progress: Progress | None = None) -> Certificate:
+        """Proves distances right or wrong, whoever has computed them.
+
+        d  (n,) the distances of all vertices from the sources, inf where none reaches
+        """
+        places = self._places("sources", sources)
+        distances = np.ascontiguousarray(d, dtype=np.float64)
+        if distances.shape != (self.n_vertices,):
+            raise ValueError(f"d has shape {distances.shape}, but there are {self.n_vertices} vertices")
+        worst, conditions = self._surface.certify(distances, *places,
+                                                  arguments.offsets_of("offsets", offsets, len(places.vertex)),
+                                                  arguments.radius_of("radius", radius), progress)
+        return Certificate(worst, {name: Condition(*rest) for name, *rest in conditions})
+
+    # --- paths ---
+
+    def path(self, source: Any, target: Any, *, progress: Progress | None = None) -> Path:
+        """Returns the shortest path from a source, or from the nearest of several, to a target.
+
+        The first call computes what all paths from the same sources need; further ones are fast.
+        """
+        paths = self.paths(source, target, threads=1, progress=progress)
+        if len(paths) != 1:
+            raise ValueError(f"target has {len(paths)} places; paths() takes several")
+        return paths[0]
+
+    def paths(self, sources: Any, targets: Any, *, threads: int | None = None,
+              progress: Progress | None = None) -> list[Path]:
+        """Returns for each target the shortest path from its nearest source. Targets are given as sources are."""
+        places, ends = self._places("sources", sources), self._places("targets", targets)
+        return [Path(*path) for path in self._surface.paths(*places, *ends, arguments.threads_of(threads), progress)]
+
+    def exact_isolines(self, sources: Any, levels: Any, *,
+                       progress: Progress | None = None) -> list[list[np.ndarray]]:
+        """Returns for each level the lines of all points at this distance from the sources, arrays of shape (k, 3).
+
+        Points on edges are exact. A closed line ends with its first point.
+        """
+        return self._surface.isolines(*self._places("sources", sources),
+                                      np.atleast_1d(np.asarray(levels, dtype=np.float64)), progress)
+
+    def isolines(self, d: Any, levels: Any) -> list[np.ndarray]:
+        """Returns the lines where a function on the surface has one of the levels, as arrays of shape (k, 3).
+
+        d  (n,) values at the vertices, such as distances; linear in each face. Faces with infinite values have none.
+        """
+        values = np.asarray(d, dtype=np.float64)
+        if values.shape != (self.n_vertices,):
+            raise ValueError(f"d has shape {values.shape}, but there are {self.n_vertices} vertices")
+        return linear_isolines(self._points, self._faces, values, np.atleast_1d(np.asarray(levels, dtype=np.float64)))
+
+    # --- diagrams, samples ---
+
+    def voronoi(self, sites: Any, weights: Any = None, *, progress: Progress | None = None) -> Voronoi:
+        """Returns the exact geodesic Voronoi diagram of sites, which are given as sources are.
+
+        weights  a number for each site that is subtracted from its distances: a larger weight gives a larger cell
+        """
+        places = self._places("sites", sites)
+        n = len(places.vertex)
+        diagram = self._surface.diagram(*places, arguments.weights_of("weights", weights, n), progress)
+        return Voronoi(diagram, n, self.n_faces, self._extent())
+
+    def sample(self, n: int, *, first: Any = None, covering_radius: float = 0.0,
+               progress: Progress | None = None) -> np.ndarray:
+        """Returns vertices that are spread evenly over the surface, each the farthest from those before it.
+
+        first            vertices that are samples already; they count among the n and come first in the result
+        covering_radius  sampling ends when no vertex is farther from its nearest sample
+        """
+        self._needs_points("sample")
+        given = NO_IDS if first is None else self._vertices("first", first)
+        samples, _ = self._surface.sample(arguments.count_of("n", n, 0), given,
+                                          arguments.radius_of("covering_radius", covering_radius), progress)
+        return np.concatenate([given, samples])
+
+    def remesh(self, n: int, *, iterations: int = 10, progress: Progress | None = None) -> tuple[np.ndarray, np.ndarray]:
+        """Returns points (n, 3) and faces (m, 3) of a coarser mesh with even triangles.
+
+        Raises RuntimeError if the triangles form no surface: more vertices help.
+        """
+        self._needs_points("remesh")
+        return self._surface.remesh(arguments.count_of("n", n, 3), arguments.count_of("iterations", iterations, 0),
+                                    progress)
+
+    # --- the mesh ---
+
+    @property
+    def n_vertices(self) -> int:
+        return len(self._points)
+
+    @property
+    def n_faces(self) -> int:
+        return len(self._faces)
+
+    def __repr__(self) -> str:
+        return f"Solver({self.n_vertices} vertices, {self.n_faces} faces)"
+
+    def __reduce__(self) -> tuple:
+        if self._lengths is None:
+            return Solver, (self._points, self._faces)
+        return Solver.from_edge_lengths, (self.n_vertices, self._faces, self._lengths)
+
+    def _set_up(self, points: np.ndarray, faces: np.ndarray, lengths: np.ndarray | None) -> None:
+        self._surface = _core.Surface(points, faces, np.zeros((0, 3)) if lengths is None else lengths)
+        # Copies: the arrays of the caller may change.
+        self._points, self._faces = points.copy(), faces.copy()
+        self._lengths = None if lengths is None else lengths.copy()
+
+    def _places(self, name: str, values: Any) -> arguments.Places:
+        return arguments.places_of(name, values, self.n_vertices, self.n_faces)
+
+    def _vertices(self, name: str, values: Any) -> np.ndarray:
+        ids = arguments.ids_of(name, np.atleast_1d(values), self.n_vertices, "vertices")
+        if ids.ndim != 1:
+            raise ValueError(f"{name} has shape {ids.shape}, but one row of vertices is needed")
+        return ids
+
+    def _rows_and_columns(self, sources: Any, targets: Any) -> tuple[arguments.Places, np.ndarray]:
+        every = np.arange(self.n_vertices, dtype=np.int64)
+        places = self._places("sources", every if sources is None else sources)
+        return places, every if targets is None else self._vertices("targets", targets)
+
+    def _needs_points(self, name: str) -> None:
+        if self._lengths is not None:
+            raise ValueError(f"{name}() needs points, but this surface is given by edge lengths")
+
+    def _extent(self) -> float:
+        if self._lengths is not None:
+            return float(self._lengths.max(initial=0.0))
+        if self.n_vertices == 0:
+            return 0.0
+        return float(np.linalg.norm(self._points.max(axis=0) - self._points.min(axis=0)))

@@ -1,0 +1,65 @@
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from . import _arguments as arguments
+
+if TYPE_CHECKING:
+    from ._core import Diagram
+
+
+class Voronoi:
+    """The exact geodesic Voronoi diagram of sites. Made by `Solver.voronoi()`.
+
+    labels     (n,) the site that is nearest to each vertex; -1 where no site reaches
+    distances  (n,) the distances of the vertices from their sites, minus the weights of the sites
+    """
+
+    def __init__(self, diagram: Diagram, n_sites: int, n_faces: int, extent: float) -> None:
+        self._diagram = diagram
+        self._extent = extent
+        self.n_sites = n_sites
+        self.labels, self.distances = diagram.at_vertices()
+
+    @property
+    def areas(self) -> np.ndarray:
+        """(k,) the areas of the cells, in the square of the unit of the points. Their sum is the area that is reached."""
+        return self._diagram.areas()
+
+    @property
+    def centroids(self) -> np.ndarray:
+        """(k, 3) the centers of mass of the cells in space; they need not lie on the surface."""
+        return self._diagram.centroids()
+
+    @property
+    def adjacency(self) -> np.ndarray:
+        """(p, 2) the pairs of cells with a common edge, each once, the smaller number first."""
+        return self._diagram.adjacency()
+
+    @property
+    def triangles(self) -> np.ndarray:
+        """(t, 3) the sites around each vertex of the diagram: the triangles of the dual."""
+        return self._diagram.dual()
+
+    def boundaries(self, site: int, tolerance: float | None = None) -> list[np.ndarray]:
+        """Returns the curves around the cell of a site, without the border of the mesh.
+
+        Each is an array of shape (k, 3); a closed curve ends with its first point. Segments of lines differ from the
+        curves by at most `tolerance`, by default a thousandth of the extent of the mesh.
+        """
+        site = int(arguments.ids_of("site", site, self.n_sites, "sites"))
+        return self._diagram.boundaries(site, self._tolerance(tolerance))
+
+    def cut(self, tolerance: float | None = None) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Returns the mesh cut along the diagram: points (n, 3), faces (m, 3), and the cell of each face (m,)."""
+        return self._diagram.cut(self._tolerance(tolerance))
+
+    def __repr__(self) -> str:
+        return f"Voronoi({self.n_sites} sites, {len(self.labels)} vertices)"
+
+    def _tolerance(self, tolerance: float | None) -> float:
+        if tolerance is None:
+            return self._extent / 1000 if self._extent > 0 else 1.0
+        return arguments.positive_of("tolerance", tolerance)

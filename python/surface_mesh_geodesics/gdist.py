@@ -1,0 +1,37 @@
+"""The two functions of the package gdist, with its signatures: a program changes one import.
+
+>>> from surface_mesh_geodesics import gdist
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from ._solver import Solver
+
+
+def compute_gdist(vertices: Any, triangles: Any, source_indices: Any = None, target_indices: Any = None,
+                  max_distance: float = 1e100, is_one_indexed: bool = False) -> np.ndarray:
+    """Returns the distances of targets (all vertices by default) from the nearest source (vertex 0 by default).
+
+    Distances beyond max_distance, and where no source reaches, are inf.
+    """
+    shift = 1 if is_one_indexed else 0
+    solver = Solver(vertices, np.asarray(triangles) - shift)
+    sources = 0 if source_indices is None else np.asarray(source_indices) - shift
+    targets = None if target_indices is None else np.asarray(target_indices) - shift
+    return solver.distances(sources, targets=targets, radius=max_distance)
+
+
+def local_gdist_matrix(vertices: Any, triangles: Any, max_distance: float = 1e100,
+                       is_one_indexed: bool = False) -> Any:
+    """Returns the distances between all pairs of vertices up to max_distance, as a scipy.sparse.csc_matrix.
+
+    Pairs at distance 0 have no entry.
+    """
+    solver = Solver(vertices, np.asarray(triangles) - (1 if is_one_indexed else 0))
+    matrix = solver.sparse_matrix(max_distance).tocsc()
+    matrix.eliminate_zeros()
+    return matrix

@@ -1,0 +1,53 @@
+"""Pictures with Matplotlib, which is imported when a picture is drawn."""
+
+from __future__ import annotations
+
+from typing import Any, Sequence
+
+import numpy as np
+
+from . import _arguments as arguments
+
+
+def plot(V: Any, F: Any, values: Any = None, *, lines: Sequence[np.ndarray] = (), points: Any = None,
+         axes: Any = None, cmap: str = "viridis", title: str | None = None) -> Any:
+    """Draws a mesh, and returns the axes.
+
+    values  (n,) numbers of the vertices or (m,) of the faces, shown as colors; infinite ones are gray
+    lines   arrays of shape (k, 3), such as paths and isolines; Matplotlib shows also those behind the surface
+    points  (k, 3), drawn as dots
+    axes    three-dimensional axes of Matplotlib to draw in; new ones by default
+    """
+    import matplotlib.pyplot as plt
+
+    V = arguments.points_of("V", V)
+    F = arguments.triangles_of("F", F, len(V))
+    if axes is None:
+        axes = plt.figure(figsize=(7, 7)).add_subplot(projection="3d")
+    surface = axes.plot_trisurf(V[:, 0], V[:, 1], V[:, 2], triangles=F, color="0.85", linewidth=0, antialiased=False,
+                                shade=values is None)
+    if values is not None:
+        numbers = _values_of_faces(np.asarray(values, dtype=np.float64), V, F)
+        shown = np.ma.masked_invalid(numbers)
+        colors = plt.get_cmap(cmap).with_extremes(bad="0.7")
+        scale = plt.Normalize(shown.min() if shown.count() else 0, shown.max() if shown.count() else 1)
+        surface.set_facecolor(colors(scale(shown)))
+        axes.figure.colorbar(plt.cm.ScalarMappable(scale, colors), ax=axes, shrink=0.6)
+    for line in lines:
+        axes.plot(*np.asarray(line).T, color="black", linewidth=1.5, zorder=10)
+    if points is not None:
+        axes.scatter(*arguments.points_of("points", points).T, color="red", s=20, zorder=11)
+    if len(V):
+        axes.set_box_aspect(np.maximum(np.ptp(V, axis=0), 1e-3 * np.ptp(V, axis=0).max() or 1.0), zoom=1.3)
+    axes.set_axis_off()
+    if title is not None:
+        axes.set_title(title)
+    return axes
+
+
+def _values_of_faces(values: np.ndarray, V: np.ndarray, F: np.ndarray) -> np.ndarray:
+    if values.shape == (len(V),):
+        return values[F].mean(axis=1)
+    if values.shape == (len(F),):
+        return values
+    raise ValueError(f"values has shape {values.shape}, but there are {len(V)} vertices and {len(F)} faces")

@@ -1,0 +1,150 @@
+"""What is accepted, what is refused, and how."""
+
+import pickle
+
+import numpy as np
+import pytest
+
+import surface_mesh_geodesics as smg
+from meshes import grid, sphere
+
+V, F = grid(4, 0.2)
+EXPECTED = smg.Solver(V, F).distances(3)
+
+
+@pytest.mark.parametrize("dtype", [np.int8, np.uint8, np.int16, np.uint16, np.int32, np.uint32, np.int64, np.uint64,
+                                   np.float32, np.float64])
+def test_types_of_faces(dtype):
+    assert np.array_equal(smg.Solver(V, F.astype(dtype)).distances(3), EXPECTED)
+
+
+@pytest.mark.parametrize("change", [np.asfortranarray, lambda a: a[::-1][::-1], lambda a: np.repeat(a, 2, axis=0)[::2],
+                                    lambda a: a.tolist(), lambda a: a.astype(a.dtype.newbyteorder(">"))])
+def test_layouts(change):
+    assert np.array_equal(smg.Solver(change(V), change(F)).distances(3), EXPECTED)
+
+
+def test_float32_points_are_exact_numbers():
+    single = V.astype(np.float32)
+    assert np.array_equal(smg.Solver(single, F).distances(3), smg.Solver(single.astype(float), F).distances(3))
+
+
+def test_arrays_do_not_change_and_are_not_kept():
+    v, f = V.copy(), F.copy()
+    s = smg.Solver(v, f)
+    s.distances(3)
+    s.voronoi([0, 5])
+    assert np.array_equal(v, V) and np.array_equal(f, F)
+    v[:] = 0
+    f[:] = 0
+    assert np.array_equal(pickle.loads(pickle.dumps(s)).distances(3), EXPECTED)
+    v.flags.writeable = f.flags.writeable = False
+    frozen = V.copy()
+    frozen.flags.writeable = False
+    assert np.array_equal(smg.Solver(frozen, F).distances(3), EXPECTED)
+
+
+def nan_points():
+    points = V.copy()
+    points[2, 1] = np.nan
+    return points
+
+
+@pytest.mark.parametrize("points, faces, error, message", [
+    (V[:, :2], F, ValueError, r"V has shape \(25, 2\)"),
+    (V.ravel(), F, ValueError, r"V has shape"),
+    (nan_points(), F, ValueError, r"V\[2, 1\] is nan"),
+    (V > 0, F, ValueError, "bool"),
+    (V + 1j, F, ValueError, "complex"),
+    ([["a", "b", "c"]], F, ValueError, "V"),
+    (V, F + 1, IndexError, r"F\[\d+, \d\] is 25, but there are 25 vertices"),
+    (V, F - 1, IndexError, r"is -1, but there are 25 vertices"),
+    (V, F + 0.5, ValueError, r"F\[0, 0\] is 0.5, not an integer"),
+    (V, np.zeros((3, 4), int), ValueError, r"F\[0\] has 4 corners"),
+    (V, [[0, 1, 2], [0, 1, 2, 3]], ValueError, r"F\[1\] has 4 corners"),
+    (V, [[0, 1, 2], [0, 1]], ValueError, r"F\[1\] has 2 corners"),
+    (V, F.ravel(), ValueError, r"F has shape"),
+    (V, F > 2, ValueError, "bool"),
+    (V, [[0, 1, 1]], ValueError, "face 0 has a vertex twice"),
+    (V, [[0, 1, 2], [0, 1, 3]], ValueError, "face 1 does not fit"),
+    (V, np.vstack([F, F[:1, ::-1]]), ValueError, r"face \d+ does not fit"),
+])
+def test_bad_meshes(points, faces, error, message):
+    with pytest.raises(error, match=message):
+        smg.Solver(points, faces)
+
+
+@pytest.mark.parametrize("sources, error, message", [
+    (25, IndexError, r"sources\[0\] is 25, but there are 25 vertices"),
+    (-1, IndexError, r"sources\[0\] is -1"),
+    ([0, 99], IndexError, r"sources\[1\] is 99"),
+    (1.5, ValueError, r"sources\[0\] is 1.5, not an integer"),
+    (np.nan, ValueError, "sources"),
+    ([[0, 1]], ValueError, "sources has shape"),
+    ("0", ValueError, "sources"),
+    (None, (ValueError, TypeError), ""),
+    ((32, [1, 0, 0]), IndexError, r"sources\[0\] is 32, but there are 32 faces"),
+    ((0, [1, 1, 1]), ValueError, "source 0"),
+    ((0, [2, -1, 0]), ValueError, "source 0"),
+    ((0, [1, 0]), ValueError, "coordinates of shape"),
+    ([3, (0, [np.nan, 0, 0])], ValueError, "source 1"),
+])
+def test_bad_sources(sources, error, message):
+    with pytest.raises(error, match=message):
+        smg.Solver(V, F).distances(sources)
+
+
+@pytest.mark.parametrize("options, message", [
+    ({"offsets": [0, 1]}, "offsets has shape"), ({"offsets": [-1]}, r"offsets\[0\] is -1"),
+    ({"offsets": [np.inf]}, r"offsets\[0\] is inf"), ({"radius": -1}, "radius"), ({"radius": np.nan}, "radius"),
+    ({"threads": 0}, "threads"), ({"threads": 1.5}, "threads"), ({"threads": True}, "threads"),
+    ({"targets": [[1]]}, "targets"),
+])
+def test_bad_options(options, message):
+    with pytest.raises(ValueError, match=message):
+        smg.Solver(V, F).distances(0, **options)
+
+
+def test_no_sources():
+    d, nearest = smg.Solver(V, F).distances([], return_nearest=True)
+    assert np.isinf(d).all() and (nearest == -1).all()
+
+
+def test_empty_meshes():
+    empty = smg.Solver(np.zeros((0, 3)), np.zeros((0, 3), int))
+    assert empty.distances([]).shape == (0,) and empty.matrix().shape == (0, 0)
+    points = smg.Solver(V[:3], [])
+    assert points.distances(1).tolist() == [np.inf, 0, np.inf]
+
+
+def test_random_arguments_raise_only_documented_errors():
+    random = np.random.default_rng(5)
+    s = smg.Solver(*sphere(8))
+    n, m = s.n_vertices, s.n_faces
+    values = [0, 3, -1, n, [0, 5], [], (3, [0.2, 0.3, 0.5]), (m, [1, 0, 0]), [(0, [1, 0, 0]), 4], np.arange(4), 2.0,
+              [np.nan], "x", {"a": 1}, [[1, 2], [3]], np.zeros((2, 2)), (1, 2), (1, [2, 3]), range(3), np.int8(4)]
+    numbers = [None, 1, 0.3, -1, np.nan, np.inf, [0.1], [0.1, 0.2], "y"]
+    calls = [lambda a, b, c: s.distances(a, offsets=c, targets=b if random.random() < 0.3 else None),
+             lambda a, b, c: s.paths(a, b, threads=1), lambda a, b, c: s.path(a, b),
+             lambda a, b, c: s.matrix(a, b), lambda a, b, c: s.voronoi(a, c),
+             lambda a, b, c: s.exact_isolines(a, c), lambda a, b, c: s.sparse_matrix(c, a, b)]
+    outcomes = {"done": 0, "refused": 0}
+    for _ in range(600):
+        call = calls[random.integers(len(calls))]
+        try:
+            call(values[random.integers(len(values))], values[random.integers(len(values))],
+                 numbers[random.integers(len(numbers))])
+            outcomes["done"] += 1
+        except (ValueError, IndexError, TypeError):
+            outcomes["refused"] += 1
+    assert min(outcomes.values()) > 50
+
+
+def test_repr_version_and_pickle():
+    s = smg.Solver(V, F)
+    assert repr(s) == "Solver(25 vertices, 32 faces)"
+    assert smg.__version__.count(".") == 2
+    assert "source=0" in repr(s.path(0, 3)) and "2 sites" in repr(s.voronoi([0, 5]))
+    L = np.ones((1, 3))
+    t = pickle.loads(pickle.dumps(smg.Solver.from_edge_lengths(3, [[0, 1, 2]], L)))
+    assert np.allclose(t.distances(0), [0, 1, 1])

@@ -1,0 +1,183 @@
+"""Interruption, memory, docstrings, the program for the command line, gdist."""
+
+import csv
+import doctest
+import gc
+import importlib
+import os
+import pkgutil
+import resource
+import signal
+import subprocess
+import sys
+import textwrap
+import threading
+import time
+
+import numpy as np
+import pytest
+
+import surface_mesh_geodesics as smg
+from surface_mesh_geodesics import gdist
+from meshes import grid, sphere, write_off
+
+
+@pytest.mark.parametrize("call", ["s.distances(0)", "s.distances(0, threads=2)", "s.voronoi(list(range(0, n, 97)))",
+                                  "s.matrix()", "s.paths(0, np.arange(n))", "s.sample(n)"])
+def test_ctrl_c(call):
+    program = textwrap.dedent(f"""
+        import numpy as np, os, signal, sys, threading, time
+        sys.path.insert(0, {os.path.dirname(__file__)!r})
+        import surface_mesh_geodesics as smg
+        from meshes import sphere
+        s = smg.Solver(*sphere(150))
+        n = s.n_vertices
+        s.distances(0, targets=[0])
+        sent = []
+        def interrupt():
+            sent.append(time.monotonic())
+            os.kill(os.getpid(), signal.SIGINT)
+        threading.Timer(.1, interrupt).start()
+        try:
+            for _ in range(1000):
+                {call}
+        except KeyboardInterrupt:
+            print("interrupted after", time.monotonic() - sent[0])
+            print("works" if np.isfinite(s.distances(0)).all() else "broken")
+        """)
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=300)
+    assert "interrupted after" in done.stdout and "works" in done.stdout, done.stderr
+
+
+def test_progress_is_called_and_may_raise():
+    s = smg.Solver(*sphere(150))
+    parts = []
+    s.voronoi(list(range(0, s.n_vertices, 50)), progress=parts.append)
+    assert parts and all(0 <= p <= 1 for p in parts) and parts == sorted(parts)
+
+    def stop(part):
+        raise RuntimeError("enough")
+
+    with pytest.raises(RuntimeError, match="enough"):
+        s.matrix(progress=stop)
+    assert np.isfinite(s.distances(0)).all()
+
+
+def test_other_threads_run_during_a_computation():
+    s = smg.Solver(*sphere(150))
+    count = [0]
+    stop = threading.Event()
+
+    def tick():
+        while not stop.is_set():
+            count[0] += 1
+            time.sleep(0.001)
+
+    ticker = threading.Thread(target=tick)
+    ticker.start()
+    s.matrix(range(20), threads=1)
+    stop.set()
+    ticker.join()
+    assert count[0] > 10
+
+
+def test_memory_does_not_grow():
+    V, F = grid(20, 0.1)
+
+    def use(n):
+        for _ in range(n):
+            s = smg.Solver(V, F)
+            s.distances(0)
+            s.path(0, 30)
+            s.voronoi([0, 100]).cut()
+        gc.collect()
+        return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+
+    use(100)
+    before = use(100)
+    assert use(500) - before < 20000  # kB
+
+
+def test_results_are_counted_once():
+    s = smg.Solver(*grid(5))
+    d = s.distances(0)
+    assert sys.getrefcount(d) == 2
+    del s
+    gc.collect()
+    assert np.isfinite(d).all()
+
+
+def test_examples_in_docstrings():
+    modules = [smg] + [importlib.import_module(f"surface_mesh_geodesics.{m.name}")
+                       for m in pkgutil.iter_modules(smg.__path__) if m.name != "_core"]
+    results = [doctest.testmod(m) for m in modules]
+    assert sum(r.attempted for r in results) > 5 and sum(r.failed for r in results) == 0
+
+
+def test_public_names_have_docstrings():
+    for name in smg.__all__:
+        thing = getattr(smg, name)
+        if callable(thing):
+            assert thing.__doc__, name
+            for member, value in vars(thing).items() if isinstance(thing, type) else []:
+                if not member.startswith("_") and callable(value):
+                    assert value.__doc__, f"{name}.{member}"
+
+
+def test_import_is_light():
+    program = ("import sys, time, numpy; t = time.perf_counter(); import surface_mesh_geodesics; "
+               "print([m for m in ('scipy', 'matplotlib') if m in sys.modules])")
+    assert subprocess.run([sys.executable, "-c", program], capture_output=True, text=True).stdout.strip() == "[]"
+
+
+def test_gdist():
+    V, F = grid(6, 0.2)
+    d = smg.Solver(V, F).distances(0)
+    assert np.array_equal(gdist.compute_gdist(V, F.astype(np.int32)), d)
+    one = gdist.compute_gdist(V, F + 1, np.array([4], np.int32), np.array([1, 2], np.int32), is_one_indexed=True)
+    assert np.allclose(one, smg.Solver(V, F).distances(3, targets=[0, 1]), rtol=1e-13)
+    assert np.isinf(gdist.compute_gdist(V, F, max_distance=0.3)).any()
+    pytest.importorskip("scipy")
+    M = gdist.local_gdist_matrix(V, F, 0.4)
+    D = smg.Solver(V, F).matrix()
+    assert M.format == "csc" and np.allclose(M.toarray(), np.where(D <= 0.4, D, 0), rtol=1e-12)
+
+
+def test_plot(tmp_path):
+    pytest.importorskip("matplotlib").use("Agg")
+    V, F = sphere(12)
+    s = smg.Solver(V, F)
+    d = s.distances(0)
+    axes = smg.plot(V, F, d, lines=s.isolines(d, [1.0]), points=V[:1], title="distances")
+    axes.figure.savefig(tmp_path / "picture.png")
+    assert (tmp_path / "picture.png").stat().st_size > 5000
+    smg.plot(V, F, np.arange(len(F)), axes=axes)
+    with pytest.raises(ValueError, match="values has shape"):
+        smg.plot(V, F, d[:-1])
+
+
+# --- the same bits as the program for the command line ---
+
+PROGRAM = os.environ.get("SURFACE_MESH_GEODESICS_PROGRAM")
+
+
+def table(*arguments):
+    text = subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, check=True).stdout
+    return list(csv.DictReader(text.splitlines()))
+
+
+@pytest.mark.skipif(PROGRAM is None, reason="SURFACE_MESH_GEODESICS_PROGRAM names no program")
+@pytest.mark.parametrize("mesh", [sphere(20), grid(15, 0.3)])
+def test_same_numbers_as_the_program(mesh, tmp_path):
+    V, F = mesh
+    s = smg.Solver(V, F)
+    file = tmp_path / "mesh.off"
+    write_off(file, V, F)
+    rows = table("distances", file, "--source", 3)
+    assert [float(r["distance"]) for r in rows] == s.distances(3).tolist()
+    rows = table("path", file, "--source", 3, "--target", 70)
+    assert float(rows[0]["length"]) == s.path(3, 70).length
+    assert int(rows[0]["points"]) == len(s.path(3, 70))
+    rows = table("matrix", file, "--source", 3, "--source", 8)
+    found = np.array([[float(x) for x in r.values()] for r in rows])
+    assert set(s.matrix([3, 8], [3, 8]).ravel()) <= set(found.ravel()) or found.shape[1] == len(V)
