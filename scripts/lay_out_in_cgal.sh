@@ -107,12 +107,12 @@ if [ -n "$owner" ]; then
   echo "$owner" > "$target/package_info/$package/copyright"
 fi
 
-# Text about things that only this repository has is between marks, within a line or around lines. The page about the
-# program for the command line is left out.
+# Text about things that only this repository has is between marks, within a line or around lines. The pages about the
+# program for the command line and about Python are left out.
 manual=$target/doc/$package
 begin='<!-- not in CGAL: begin -->'
 end='<!-- not in CGAL: end -->'
-rm "$manual/Program.txt"
+rm "$manual/Program.txt" "$manual/Python.txt"
 perl -0pi -e "s/$begin(\n.*?$end\n|.*?$end)//gs" "$manual"/*.txt
 for figure in "$target/doc/$package/fig"/*; do
   grep -qF "$(basename "$figure")" "$target/doc/$package"/*.txt || rm "$figure"
