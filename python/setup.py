@@ -5,6 +5,7 @@ import re
 
 from pybind11.setup_helpers import ParallelCompile, Pybind11Extension, build_ext
 from setuptools import setup
+from setuptools.command.build_py import build_py
 
 root = pathlib.Path(__file__).resolve().parent
 version = re.search(r"VERSION (\d+\.\d+\.\d+)\n", (root.parent / "CMakeLists.txt").read_text(encoding="utf-8"))[1]
@@ -22,5 +23,17 @@ extension = Pybind11Extension(
     cxx_std=17,
 )
 
+
+class build_py_and_page(build_py):
+    """Copies the page for browsers from the program for the command line."""
+
+    def run(self):
+        super().run()
+        folder = pathlib.Path(self.build_lib) / "surface_mesh_geodesics/page"
+        self.mkpath(str(folder))
+        for source in sorted((root.parent / "demo/Surface_mesh_geodesics/page").iterdir()):
+            self.copy_file(str(source), str(folder / source.name))
+
+
 ParallelCompile("SURFACE_MESH_GEODESICS_JOBS", default=0).install()
-setup(version=version, ext_modules=[extension], cmdclass={"build_ext": build_ext})
+setup(version=version, ext_modules=[extension], cmdclass={"build_ext": build_ext, "build_py": build_py_and_page})

@@ -18,6 +18,7 @@ from ._certificate import Certificate
 from ._path import Path
 from ._solver import Solver
 from ._voronoi import Voronoi
+from .pages import Page, page
 from .pictures import plot
 
-__all__ = ["Certificate", "Path", "Solver", "Voronoi", "plot", "__version__"]
+__all__ = ["Certificate", "Page", "Path", "Solver", "Voronoi", "page", "plot", "__version__"]

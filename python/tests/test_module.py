@@ -1,11 +1,14 @@
 """Interruption, memory, docstrings, the program for the command line, gdist."""
 
+import base64
 import csv
 import doctest
 import gc
 import importlib
+import json
 import os
 import pkgutil
+import re
 import resource
 import signal
 import subprocess
@@ -143,6 +146,24 @@ def test_gdist():
     assert M.format == "csc" and np.allclose(M.toarray(), np.where(D <= 0.4, D, 0), rtol=1e-12)
 
 
+def test_joblib_processes_give_the_same_numbers():
+    joblib = pytest.importorskip("joblib")
+    s = smg.Solver(*sphere(16))
+    rows = joblib.Parallel(n_jobs=2)(joblib.delayed(s.distances)(i) for i in range(6))
+    assert all(np.array_equal(row, s.distances(i)) for i, row in enumerate(rows))
+
+
+def largest_distance(mesh):
+    return smg.Solver(*mesh).distances(0).max()
+
+
+def test_dask_processes_give_the_same_numbers():
+    dask = pytest.importorskip("dask")
+    meshes = [sphere(8), sphere(10), grid(6, 0.2)]
+    found = dask.compute(*[dask.delayed(largest_distance)(m) for m in meshes], scheduler="processes", num_workers=2)
+    assert list(found) == [largest_distance(m) for m in meshes]
+
+
 def test_plot(tmp_path):
     pytest.importorskip("matplotlib").use("Agg")
     V, F = sphere(12)
@@ -154,6 +175,26 @@ def test_plot(tmp_path):
     smg.plot(V, F, np.arange(len(F)), axes=axes)
     with pytest.raises(ValueError, match="values has shape"):
         smg.plot(V, F, d[:-1])
+
+
+def test_page(tmp_path):
+    V, F = sphere(24)
+    s = smg.Solver(V, F)
+    d = s.distances(0)
+    if not any(p.is_file() for p in smg.pages.THREE):
+        with pytest.raises(FileNotFoundError, match="three.js"):
+            smg.page(V, F, d)
+        return
+    page = smg.page(V, F, d, paths=[s.path(0, 300)], title="<a & b>", file=tmp_path / "page.html")
+    text = (tmp_path / "page.html").read_text()
+    assert text == page.text and "<title>&lt;a &amp; b&gt;</title>" in text and "@" + "DATA@" not in text
+    data = json.loads(re.search('<script id="data" type="application/json">(.*?)</script>', text)[1])
+    assert data["title"] == "<a & b>" and data["largest"] == d.max()
+    assert np.array_equal(np.frombuffer(base64.b64decode(data["distances"]), "<f4"), d.astype(np.float32))
+    assert np.allclose(np.diff(data["isolines"]), data["isolines"][0]) and 5 <= len(data["isolines"]) <= 10
+    assert page._repr_html_().startswith("<iframe srcdoc=")
+    with pytest.raises(ValueError, match="distances has shape"):
+        smg.page(V, F, d[1:])
 
 
 # --- the same bits as the program for the command line ---

@@ -1,0 +1,122 @@
+"""Pages for browsers: a surface with its distances that one can turn and click, in one file that needs no network."""
+
+from __future__ import annotations
+
+import base64
+import html
+import json
+import pathlib
+import re
+from typing import Any, Sequence
+
+import numpy as np
+
+from . import _arguments as arguments
+from ._isolines import linear_isolines
+from ._path import Path
+
+TEMPLATES = pathlib.Path(__file__).parent / "page"
+THREE = (TEMPLATES / "three.min.js", pathlib.Path("/usr/share/javascript/three/three.min.js"))
+THREE_LICENSE = (TEMPLATES / "copyright", pathlib.Path("/usr/share/doc/libjs-three/copyright"))
+
+
+class Page:
+    """A page that `page()` has made. A notebook shows it."""
+
+    def __init__(self, text: str) -> None:
+        self.text = text
+
+    def write(self, file: Any) -> None:
+        """Writes the page to a file."""
+        pathlib.Path(file).write_text(self.text, encoding="utf-8")
+
+    def _repr_html_(self) -> str:
+        return f'<iframe srcdoc="{html.escape(self.text)}" width="100%" height="600"></iframe>'
+
+
+def page(V: Any, F: Any, distances: Any, *, sources: Any = None, paths: Sequence[Path] = (), levels: Any = None,
+         title: str = "Geodesic distances", file: Any = None) -> Page:
+    """Makes a page that shows distances on a mesh, and writes it to a file if one is named.
+
+    distances  (n,) of the vertices; inf where no source reaches
+    sources    (k, 3) points that are drawn
+    paths      shortest paths that are drawn
+    levels     the distances of isolines: multiples of the first one; by default about ten round numbers
+
+    Needs three.js (Debian: libjs-three); raises FileNotFoundError if it is not there.
+    """
+    V = arguments.points_of("V", V)
+    F = arguments.triangles_of("F", F, len(V))
+    d = np.asarray(distances, dtype=np.float64)
+    if d.shape != (len(V),) or len(F) == 0:
+        raise ValueError(f"distances has shape {d.shape}, but there are {len(V)} vertices and {len(F)} faces")
+    used = V[np.unique(F)]
+    center = (used.max(axis=0) + used.min(axis=0)) / 2
+    largest = float(d[np.isfinite(d)].max(initial=0.0))
+    levels = _round_levels(largest) if levels is None else np.atleast_1d(np.asarray(levels, dtype=np.float64))
+    lines = [_lines("isoline", linear_isolines(V, F, d, levels), center)]
+    if len(paths) > 0:
+        lines.append(_lines("path", [p.points for p in paths if len(p) > 1], center))
+    nearest = V[[int(np.argmin(d))]]
+    dots = [{"role": "source", "points": _floats(nearest if sources is None else arguments.points_of("sources", sources),
+                                                 center)}]
+    if len(paths) > 0:
+        dots.append({"role": "target", "points": _floats(np.array([p.points[-1] for p in paths if len(p) > 0])
+                                                         .reshape(-1, 3), center)})
+    result = Page(_filled({
+        "title": title, "subtitle": f"{len(V)} vertices, {len(F)} faces", "center": center.tolist(),
+        "radius": float(np.linalg.norm(used.max(axis=0) - used.min(axis=0)) / 2), "points": _floats(V, center),
+        "triangles": _base64(F.astype("<u4")), "distances": _base64(d.astype("<f4")), "largest": largest,
+        "isolines": levels.tolist(), "cellColors": [], "lines": lines, "dots": dots}, title))
+    if file is not None:
+        result.write(file)
+    return result
+
+
+def _round_levels(largest: float) -> np.ndarray:
+    if not largest > 0:
+        return np.zeros(0)
+    power = 10.0 ** np.floor(np.log10(largest / 10))
+    step = power * min((f for f in (1, 2, 5, 10) if f * power >= largest / 10), default=10)
+    return step * np.arange(1, int(largest / step) + 1)
+
+
+def _lines(role: str, lines: Sequence[np.ndarray], center: np.ndarray) -> dict:
+    points = np.concatenate(lines) if len(lines) else np.zeros((0, 3))
+    return {"role": role, "lengths": _base64(np.array([len(line) for line in lines], dtype="<u4")),
+            "points": _floats(points, center)}
+
+
+def _floats(points: np.ndarray, center: np.ndarray) -> str:
+    """Relative to the center, so that 32 bits are precise enough far from the origin."""
+    return _base64((points - center).astype("<f4"))
+
+
+def _base64(array: np.ndarray) -> str:
+    return base64.b64encode(np.ascontiguousarray(array).tobytes()).decode("ascii")
+
+
+def _filled(data: dict, title: str) -> str:
+    # No character of the data ends the script element.
+    text = json.dumps(data).replace("<", "\\u003c").replace(">", "\\u003e").replace("&", "\\u0026")
+    parts = {"TITLE": html.escape(title), "LICENSE": html.escape(_license()), "THREE": _read(THREE, "three.js"),
+             "DATA": text, "SCRIPT": (TEMPLATES / "page.js").read_text(encoding="utf-8")}
+    template = (TEMPLATES / "page.html").read_text(encoding="utf-8")
+    return re.sub("@(" + "|".join(parts) + ")@", lambda match: parts[match[1]], template)
+
+
+def _read(places: Sequence[pathlib.Path], what: str) -> str:
+    for place in places:
+        if place.is_file():
+            return place.read_text(encoding="utf-8")
+    raise FileNotFoundError(f"{what} is not there (Debian: libjs-three); looked for {places[0]} and {places[-1]}")
+
+
+def _license() -> str:
+    """The copyright and the conditions of three.js, out of Debian's file."""
+    text = _read(THREE_LICENSE, "the license of three.js")
+    owner = re.search(r"Files: \*\nCopyright: ([^\n]*)\nLicense: Expat", text)
+    conditions = re.search(r"\nLicense: Expat\n( [^\n]*(?:\n [^\n]*)*)", text)
+    if owner is None or conditions is None:
+        return text
+    return f"Copyright {owner[1]}\n\n" + re.sub(r"(?m)^ \.?", "", conditions[1])
