@@ -32,7 +32,7 @@ diff <(grep -v '^Missing: ' "$work/first.txt") "$work/second.txt"
 clone=$work/above/$package
 mkdir -p "$clone/.git" "$clone/package_info/$package"
 status=0
-bash "$root/scripts/lay_out_in_cgal.sh" "$work/above" > /dev/null 2> "$work/refused.txt" || status=$?
+bash "$root/scripts/lay_out_in_cgal.sh" "$work/above" > /dev/null 2> "$work/rejected.txt" || status=$?
 [ "$status" = 2 ] && [ -d "$clone/.git" ] || fail "a clone of the repository has been replaced"
 
 # All headers are there, and are marked as a part of CGAL.

@@ -265,7 +265,7 @@ SOUND_TREE = {
 
 # What each fault writes into the tree, and words of the complaint it has to raise.
 FAULTS = {
-    "upwards": (
+    "upward": (
         {LOW: f"#include <{HIGH}>\n"},
         f"low.h: includes {HIGH} of a higher room"),
     "sibling": (

@@ -43,7 +43,7 @@ def toward(p, q, length):
 
 
 class Picture:
-    """A drawing whose y axis points upwards."""
+    """A drawing whose y axis points upward."""
 
     def __init__(self, left, bottom, right, top, scale=80):
         self.left, self.top, self.scale = left, top, scale
@@ -217,7 +217,7 @@ def wavefront():
     picture.dot(center, "black", 6)
     picture.text(center, "v", shift=(0.14, 0.2))
     words = (("lists that wait on the edges of v", PURPLE), ("carried counterclockwise", BLUE),
-             ("carried clockwise", ORANGE), ("lists that wait afterwards", GREEN),
+             ("carried clockwise", ORANGE), ("lists that wait afterward", GREEN),
              ("faces that were reached before", GRAY))
     for k, (text, color) in enumerate(words):
         picture.label((2.1, 1.2 - 0.55 * k), text, color, anchor="start")

@@ -8,7 +8,7 @@ usage: render_picture.py mesh.ply|mesh.off|diagram.vtk picture.png [options]
   --edges               the edges of a mesh without colors, and flat faces
   --size WIDTHxHEIGHT   size of the picture (900x900)
   --view X,Y,Z          direction from the mesh to the eye (0,0,1)
-  --up X,Y,Z            direction that points upwards in the picture (0,1,0)
+  --up X,Y,Z            direction that points upward in the picture (0,1,0)
   --zoom F              1: the whole mesh with a margin (1)
 
 Needs Debian's python3-vtk9, and xvfb if there is no display.

@@ -130,7 +130,7 @@ py::array_t<double> matrix(Surface& surface, const Array<std::int64_t>& vertex, 
 }
 
 // Returns the arrays of a matrix of compressed sparse rows: pointers to rows, columns, distances. The last two rows of
-// `put_row` may come in any order, so they are joined afterwards.
+// `put_row` may come in any order, so they are joined afterward.
 py::tuple sparse_matrix(Surface& surface, const Array<std::int64_t>& vertex, const Array<std::int64_t>& face,
                         const Array<double>& weights, const Array<std::int64_t>& targets, double radius,
                         std::size_t threads, const py::object& progress)

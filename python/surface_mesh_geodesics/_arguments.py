@@ -27,7 +27,7 @@ def triangles_of(name: str, values: Any, n: int) -> np.ndarray:
     try:
         array = _numbers_of(name, values)
     except ValueError:
-        _refuse_polygons(name, values)
+        _reject_polygons(name, values)
         raise
     if array.size == 0:
         return np.zeros((0, 3), dtype=np.int64)
@@ -39,7 +39,7 @@ def triangles_of(name: str, values: Any, n: int) -> np.ndarray:
 
 
 def ids_of(name: str, values: Any, n: int, what: str) -> np.ndarray:
-    """Returns an array of type int64 in C order; refuses entries that are no ids of the n elements."""
+    """Returns an array of type int64 in C order; rejects entries that are no ids of the n elements."""
     array = _numbers_of(name, values)
     if array.dtype.kind == "f" and array.size > 0:
         fractional = array != np.floor(array)
@@ -144,7 +144,7 @@ def _numbers_of(name: str, values: Any) -> np.ndarray:
     return array
 
 
-def _refuse_polygons(name: str, values: Any) -> None:
+def _reject_polygons(name: str, values: Any) -> None:
     for i, face in enumerate(values):
         if hasattr(face, "__len__") and len(face) != 3:
             raise ValueError(f"{name}[{i}] has {len(face)} corners: each face must be a triangle")

@@ -187,7 +187,8 @@ class Solver:
                                           arguments.radius_of("covering_radius", covering_radius), progress)
         return np.concatenate([given, samples])
 
-    def remesh(self, n: int, *, iterations: int = 10, progress: Progress | None = None) -> tuple[np.ndarray, np.ndarray]:
+    def remesh(self, n: int, *, iterations: int = 10,
+               progress: Progress | None = None) -> tuple[np.ndarray, np.ndarray]:
         """Returns points (n, 3) and faces (m, 3) of a coarser mesh with even triangles.
 
         Raises RuntimeError if the triangles form no surface: more vertices help.

@@ -25,7 +25,7 @@ class Voronoi:
 
     @property
     def areas(self) -> np.ndarray:
-        """(k,) the areas of the cells, in the square of the unit of the points. Their sum is the area that is reached."""
+        """(k,) the areas of the cells, in the square of the unit of the points. Their sum is the area reached."""
         return self._diagram.areas()
 
     @property

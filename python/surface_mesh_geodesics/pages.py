@@ -57,9 +57,8 @@ def page(V: Any, F: Any, distances: Any, *, sources: Any = None, paths: Sequence
     lines = [_lines("isoline", linear_isolines(V, F, d, levels), center)]
     if len(paths) > 0:
         lines.append(_lines("path", [p.points for p in paths if len(p) > 1], center))
-    nearest = V[[int(np.argmin(d))]]
-    dots = [{"role": "source", "points": _floats(nearest if sources is None else arguments.points_of("sources", sources),
-                                                 center)}]
+    shown = V[[int(np.argmin(d))]] if sources is None else arguments.points_of("sources", sources)
+    dots = [{"role": "source", "points": _floats(shown, center)}]
     if len(paths) > 0:
         dots.append({"role": "target", "points": _floats(np.array([p.points[-1] for p in paths if len(p) > 0])
                                                          .reshape(-1, 3), center)})

@@ -1,4 +1,4 @@
-"""What is accepted, what is refused, and how."""
+"""What is accepted, what is rejected, and how."""
 
 import pickle
 
@@ -128,7 +128,7 @@ def test_random_arguments_raise_only_documented_errors():
              lambda a, b, c: s.paths(a, b, threads=1), lambda a, b, c: s.path(a, b),
              lambda a, b, c: s.matrix(a, b), lambda a, b, c: s.voronoi(a, c),
              lambda a, b, c: s.exact_isolines(a, c), lambda a, b, c: s.sparse_matrix(c, a, b)]
-    outcomes = {"done": 0, "refused": 0}
+    outcomes = {"done": 0, "rejected": 0}
     for _ in range(600):
         call = calls[random.integers(len(calls))]
         try:
@@ -136,7 +136,7 @@ def test_random_arguments_raise_only_documented_errors():
                  numbers[random.integers(len(numbers))])
             outcomes["done"] += 1
         except (ValueError, IndexError, TypeError):
-            outcomes["refused"] += 1
+            outcomes["rejected"] += 1
     assert min(outcomes.values()) > 50
 
 

@@ -33,7 +33,7 @@ int main(int argc, char** argv)
   const std::size_t number = argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 100000;
   const std::uint64_t seed = test_support::announce_seed(argc > 2 ? std::strtoul(argv[2], nullptr, 10) : 1);
   const std::size_t number_not_oriented = (std::min)(number, std::size_t(1000));
-  CHECK_EQUAL(distance_fuzzing::number_refused(number_not_oriented, seed), number_not_oriented);
+  CHECK_EQUAL(distance_fuzzing::number_rejected(number_not_oriented, seed), number_not_oriented);
   distance_fuzzing::distances_on_hostile_surfaces(number, seed, argc > 3 ? argv[3] : ".");
   return test_result();
 }

@@ -267,7 +267,7 @@ void rows_may_end_early()
 }
 
 template <class Call>
-void expect_refusal(Reason reason, std::size_t element, const Call& call)
+void expect_rejection(Reason reason, std::size_t element, const Call& call)
 {
   bool is_caught = false, has_row = false;
   try
@@ -284,7 +284,7 @@ void expect_refusal(Reason reason, std::size_t element, const Call& call)
   CHECK(!has_row);
 }
 
-void invalid_input_is_refused()
+void invalid_input_is_rejected()
 {
   test_support::Scope scope("bad input");
   const Mesh tm = to_face_graph(icosphere(1));
@@ -297,16 +297,16 @@ void invalid_input_is_refused()
     {
       using Tag = decltype(tag);
       const auto none = Reason::INVALID_DESCRIPTOR;
-      expect_refusal(none, 1, [&](auto output) { SMG::geodesic_distance_matrix<Tag>(tm, bad, good, output); });
-      expect_refusal(none, 1, [&](auto output) { SMG::geodesic_distance_matrix<Tag>(tm, good, bad, output); });
-      expect_refusal(none, 0, [&](auto output) { SMG::geodesic_distance_matrix<Tag>(tm, good, null, output); });
-      expect_refusal(none, 1, [&](auto output) { SMG::symmetric_geodesic_distance_matrix<Tag>(tm, bad, output); });
-      expect_refusal(Reason::INVALID_LOCATION, 0,
+      expect_rejection(none, 1, [&](auto output) { SMG::geodesic_distance_matrix<Tag>(tm, bad, good, output); });
+      expect_rejection(none, 1, [&](auto output) { SMG::geodesic_distance_matrix<Tag>(tm, good, bad, output); });
+      expect_rejection(none, 0, [&](auto output) { SMG::geodesic_distance_matrix<Tag>(tm, good, null, output); });
+      expect_rejection(none, 1, [&](auto output) { SMG::symmetric_geodesic_distance_matrix<Tag>(tm, bad, output); });
+      expect_rejection(Reason::INVALID_LOCATION, 0,
                      [&](auto output) { SMG::geodesic_distance_matrix<Tag>(tm, outside, good, output); });
       const std::size_t no_element = Invalid_input::no_element;
       for(const double radius : {-1., std::numeric_limits<double>::quiet_NaN()})
       {
-        expect_refusal(Reason::INVALID_RADIUS, no_element, [&](auto output)
+        expect_rejection(Reason::INVALID_RADIUS, no_element, [&](auto output)
                        { SMG::sparse_geodesic_distance_matrix<Tag>(tm, good, good, radius, output); });
       }
     });
@@ -345,7 +345,7 @@ int main()
     check_mesh(indexed, random);
   }
   rows_may_end_early();
-  invalid_input_is_refused();
+  invalid_input_is_rejected();
   parameters_are_used();
   return test_result();
 }

@@ -148,7 +148,7 @@ void check_canceled_computations(Solver& solver, const Mesh& tm, test_support::R
 }
 
 // The solver rejects invalid input and keeps the results of the last computation.
-void check_refused_computations(Solver& solver, const Mesh& tm)
+void check_rejected_computations(Solver& solver, const Mesh& tm)
 {
   const vertex_descriptor foreign(static_cast<Mesh::size_type>(num_vertices(tm) + 5));
   CHECK(throws_reason(Reason::INVALID_DESCRIPTOR, [&] { solver.compute_distance(vertex(0), foreign); }));
@@ -207,7 +207,7 @@ void check_many_computations(const Indexed_mesh& indexed, test_support::Random& 
     check_against_function(solver, tm, std::vector<vertex_descriptor>{v, v, random_vertex(tm, random)}, offsets);
     check_against_function(solver, tm, std::vector<vertex_descriptor>(), Options());
     check_canceled_computations(solver, tm, random);
-    check_refused_computations(solver, tm);
+    check_rejected_computations(solver, tm);
 
     const vertex_descriptor w = random_vertex(tm, random);
     CHECK_EQUAL(solver.compute_distance(v, w), full[std::size_t(w)]);
@@ -324,7 +324,7 @@ void a_mesh_needs_no_indices(const Indexed_mesh& indexed)
   CHECK(results(of_polyhedron, polyhedron) == distances(to_face_graph(indexed), vertex(0)));
 }
 
-void the_constructor_refuses_a_mesh_of_quadrangles()
+void the_constructor_rejects_a_mesh_of_quadrangles()
 {
   Mesh square;
   square.add_vertex(Kernel::Point_3(0, 0, 0));
@@ -355,6 +355,6 @@ int main()
   solvers_from_edge_lengths_can_be_moved(sphere);
   points_and_indices_may_come_from_other_maps(sphere);
   a_mesh_needs_no_indices(sphere);
-  the_constructor_refuses_a_mesh_of_quadrangles();
+  the_constructor_rejects_a_mesh_of_quadrangles();
   return test_result();
 }

@@ -54,9 +54,9 @@ void past_failures_are_fixed()
 }
 
 // Surfaces that neither CGAL's halfedges nor those of the tests can express.
-void surfaces_without_orientation_are_refused(std::size_t number, std::uint64_t seed)
+void surfaces_without_orientation_are_rejected(std::size_t number, std::uint64_t seed)
 {
-  CHECK_EQUAL(number_refused(number, seed), number);
+  CHECK_EQUAL(number_rejected(number, seed), number);
 }
 
 } // namespace
@@ -65,7 +65,7 @@ int main()
 {
   const std::uint64_t seed = test_support::announce_seed(20261101);
   past_failures_are_fixed();
-  surfaces_without_orientation_are_refused(50, seed);
+  surfaces_without_orientation_are_rejected(50, seed);
   distances_are_right(520, seed);
   return test_result();
 }

@@ -36,7 +36,7 @@ const std::size_t any_element = no_source - 1;
 
 // Runs `call(distance map, nearest source map)`, and checks the exception and that the maps are unchanged.
 template <class TriangleMesh, class Call>
-void expect_refusal(const TriangleMesh& tm, Reason reason, std::size_t element, const std::string& what_is_wrong,
+void expect_rejection(const TriangleMesh& tm, Reason reason, std::size_t element, const std::string& what_is_wrong,
                     const Call& call)
 {
   test_support::Scope scope(what_is_wrong);
@@ -83,18 +83,18 @@ void expect_refusal(const TriangleMesh& tm, Reason reason, std::size_t element, 
 }
 
 template <class Sources>
-void expect_refusal_of_sources(const Mesh& tm, Reason reason, std::size_t element, const std::string& what_is_wrong,
+void expect_rejection_of_sources(const Mesh& tm, Reason reason, std::size_t element, const std::string& what_is_wrong,
                                const Sources& sources)
 {
-  expect_refusal(tm, reason, element, what_is_wrong, [&](auto distance_map, auto nearest_map) {
+  expect_rejection(tm, reason, element, what_is_wrong, [&](auto distance_map, auto nearest_map) {
     SMG::geodesic_distances(tm, distance_map, sources, SMG::make_geodesic_distance_options<Mesh>(nearest_map));
   });
-  expect_refusal(tm, reason, element, what_is_wrong + ", without options", [&](auto distance_map, auto) {
+  expect_rejection(tm, reason, element, what_is_wrong + ", without options", [&](auto distance_map, auto) {
     SMG::geodesic_distances(tm, distance_map, sources);
   });
 }
 
-void faces_that_are_not_triangles_are_refused()
+void faces_that_are_not_triangles_are_rejected()
 {
   Mesh tm;
   const Indexed_mesh triangles = flat_patch(2, 2, 0., false, 1);
@@ -105,13 +105,13 @@ void faces_that_are_not_triangles_are_refused()
   tm.add_face(vertex(0), vertex(3), vertex(4));
   tm.add_face(vertex(0), vertex(4), vertex(1));
   tm.add_face(vertex(3), vertex(6), vertex(7), vertex(4));
-  expect_refusal_of_sources(tm, Reason::NOT_A_TRIANGLE, 2, "quadrilateral", vertex(0));
+  expect_rejection_of_sources(tm, Reason::NOT_A_TRIANGLE, 2, "quadrilateral", vertex(0));
   // even if no path leads there
-  expect_refusal_of_sources(tm, Reason::NOT_A_TRIANGLE, 2, "quadrilateral, empty range",
+  expect_rejection_of_sources(tm, Reason::NOT_A_TRIANGLE, 2, "quadrilateral, empty range",
                             std::vector<vertex_descriptor>());
 
   auto lengths = tm.add_property_map<Mesh::Edge_index, double>("e:test_length", 1.).first;
-  expect_refusal(tm, Reason::NOT_A_TRIANGLE, 2, "quadrilateral with lengths", [&](auto distance_map, auto) {
+  expect_rejection(tm, Reason::NOT_A_TRIANGLE, 2, "quadrilateral with lengths", [&](auto distance_map, auto) {
     SMG::geodesic_distances_from_edge_lengths(tm, lengths, distance_map, vertex(0));
   });
 
@@ -121,19 +121,19 @@ void faces_that_are_not_triangles_are_refused()
     pentagon.add_vertex(Kernel::Point_3(std::cos(static_cast<double>(i)), std::sin(static_cast<double>(i)), 0.));
   }
   pentagon.add_face(std::vector<vertex_descriptor>{vertex(0), vertex(1), vertex(2), vertex(3), vertex(4)});
-  expect_refusal_of_sources(pentagon, Reason::NOT_A_TRIANGLE, 0, "pentagon", vertex(0));
+  expect_rejection_of_sources(pentagon, Reason::NOT_A_TRIANGLE, 0, "pentagon", vertex(0));
 }
 
-void non_manifold_faces_are_refused()
+void non_manifold_faces_are_rejected()
 {
-  const auto refuse = [](const Mesh& tm, std::size_t element, const char* what) {
-    expect_refusal_of_sources(tm, Reason::NON_MANIFOLD, element, what, vertex(0));
+  const auto reject = [](const Mesh& tm, std::size_t element, const char* what) {
+    expect_rejection_of_sources(tm, Reason::NON_MANIFOLD, element, what, vertex(0));
     auto lengths = get(CGAL::dynamic_edge_property_t<double>(), tm);
     for(const auto e : edges(tm))
     {
       put(lengths, e, 1.);
     }
-    expect_refusal(tm, Reason::NON_MANIFOLD, element, what, [&](auto distance_map, auto) {
+    expect_rejection(tm, Reason::NON_MANIFOLD, element, what, [&](auto distance_map, auto) {
       SMG::geodesic_distances_from_edge_lengths(tm, lengths, distance_map, vertex(0));
     });
   };
@@ -151,14 +151,14 @@ void non_manifold_faces_are_refused()
   cone.set_halfedge(f, up);
   cone.set_halfedge(rim, opposite(around, cone));
   cone.set_halfedge(tip, up);
-  refuse(cone, 0, "face with a vertex twice");
+  reject(cone, 0, "face with a vertex twice");
 
   Mesh torn = to_face_graph(icosphere(1));
   torn.set_target(halfedge(face(7), torn), vertex(40)); // a vertex apart from the others
-  refuse(torn, any_element, "two faces that disagree");
+  reject(torn, any_element, "two faces that disagree");
 }
 
-void points_that_are_not_finite_are_refused()
+void points_that_are_not_finite_are_rejected()
 {
   for(const double bad : {nan_value, infinity, -infinity})
   {
@@ -169,7 +169,7 @@ void points_that_are_not_finite_are_refused()
       // A Surface_mesh with a plain Cartesian kernel does not compute anything when it is constructed.
       using Plain_mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
       const Plain_mesh tm = to_face_graph<Plain_mesh>(indexed);
-      expect_refusal(tm, Reason::NON_FINITE_POINT, 13, "coordinate " + std::to_string(bad),
+      expect_rejection(tm, Reason::NON_FINITE_POINT, 13, "coordinate " + std::to_string(bad),
                      [&](auto distance_map, auto) {
                        SMG::geodesic_distances(tm, distance_map, *vertices(tm).begin());
                      });
@@ -198,42 +198,42 @@ void points_that_are_not_finite_are_refused()
   CHECK(is_thrown);
 }
 
-void invalid_edge_lengths_are_refused()
+void invalid_edge_lengths_are_rejected()
 {
   Mesh tm = to_face_graph(icosphere(1));
   const auto lengths = add_edge_lengths(tm);
   const Mesh::Edge_index e(17);
   const double good = lengths[e];
-  auto refuse = [&](double value, Reason reason, const std::string& what_is_wrong, std::size_t element) {
+  auto reject = [&](double value, Reason reason, const std::string& what_is_wrong, std::size_t element) {
     auto changed = lengths; // a handle to the same values
     changed[e] = value;
-    expect_refusal(tm, reason, element, what_is_wrong, [&](auto distance_map, auto nearest_map) {
+    expect_rejection(tm, reason, element, what_is_wrong, [&](auto distance_map, auto nearest_map) {
       SMG::geodesic_distances_from_edge_lengths(tm, changed, distance_map, vertex(0),
                                                 SMG::make_geodesic_distance_options<Mesh>(nearest_map));
     });
     changed[e] = good;
   };
-  refuse(nan_value, Reason::NON_FINITE_LENGTH, "NaN length", 17);
-  refuse(infinity, Reason::NON_FINITE_LENGTH, "infinite length", 17);
-  refuse(-infinity, Reason::NON_FINITE_LENGTH, "minus infinite length", any_element);
-  refuse(-good, Reason::NEGATIVE_LENGTH, "negative length", 17);
-  refuse(-1e-300, Reason::NEGATIVE_LENGTH, "tiny negative length", 17);
+  reject(nan_value, Reason::NON_FINITE_LENGTH, "NaN length", 17);
+  reject(infinity, Reason::NON_FINITE_LENGTH, "infinite length", 17);
+  reject(-infinity, Reason::NON_FINITE_LENGTH, "minus infinite length", any_element);
+  reject(-good, Reason::NEGATIVE_LENGTH, "negative length", 17);
+  reject(-1e-300, Reason::NEGATIVE_LENGTH, "tiny negative length", 17);
   // Both faces at the edge violate the inequality; the exception may name either.
-  refuse(10., Reason::TRIANGLE_INEQUALITY, "edge too long", any_element);
-  refuse(good * 1e-3, Reason::TRIANGLE_INEQUALITY, "edge too short", any_element);
+  reject(10., Reason::TRIANGLE_INEQUALITY, "edge too long", any_element);
+  reject(good * 1e-3, Reason::TRIANGLE_INEQUALITY, "edge too short", any_element);
   // exceeds equality by more than the 1.4e-14 that the reference allows
   const auto h = halfedge(e, tm);
   const double sum = lengths[edge(next(h, tm), tm)] + lengths[edge(prev(h, tm), tm)];
   for(const double excess : {1e-3, 1e-9, 1e-13})
   {
-    refuse(sum * (1. + excess), Reason::TRIANGLE_INEQUALITY, "just too long", any_element);
+    reject(sum * (1. + excess), Reason::TRIANGLE_INEQUALITY, "just too long", any_element);
   }
   auto map = get(CGAL::dynamic_vertex_property_t<double>(), tm);
   CHECK(SMG::geodesic_distances_from_edge_lengths(tm, lengths, map, vertex(0)));
 }
 
 // In the unit of the other component their lengths would underflow; scaling makes some of them zero.
-void components_that_are_too_small_are_refused()
+void components_that_are_too_small_are_rejected()
 {
   const Indexed_mesh large = flat_patch(1, 1, 0., false, 1), small = flat_patch(3, 2, .1, false, 2);
   Mesh of_one_size = to_face_graph(side_by_side(large, small, "both"));
@@ -243,14 +243,14 @@ void components_that_are_too_small_are_refused()
     test_support::Scope scope("unit " + std::to_string(std::log10(unit)));
     Mesh tm = to_face_graph(side_by_side(large, scaled(small, unit), "both"));
     const std::vector<vertex_descriptor> sources{vertex(0), vertex(large.points.size())};
-    expect_refusal_of_sources(tm, Reason::TOO_SMALL, large.faces.size(), "points", sources);
+    expect_rejection_of_sources(tm, Reason::TOO_SMALL, large.faces.size(), "points", sources);
     auto lengths = add_edge_lengths(tm);
     for(const auto e : edges(tm))
     {
       const bool is_small = source(halfedge(e, tm), tm).idx() >= large.points.size();
       lengths[e] = lengths_of_one_size[e] * (is_small ? unit : 1.);
     }
-    expect_refusal(tm, Reason::TOO_SMALL, large.faces.size(), "lengths", [&](auto distance_map, auto nearest_map) {
+    expect_rejection(tm, Reason::TOO_SMALL, large.faces.size(), "lengths", [&](auto distance_map, auto nearest_map) {
       SMG::geodesic_distances_from_edge_lengths(tm, lengths, distance_map, vertex(0),
                                                 SMG::make_geodesic_distance_options<Mesh>(nearest_map));
     });
@@ -284,7 +284,7 @@ void a_degenerate_triangle_is_allowed()
   }
 }
 
-void locations_outside_their_face_are_refused()
+void locations_outside_their_face_are_rejected()
 {
   const Mesh tm = to_face_graph(icosphere(1));
   const std::vector<std::array<double, 3>> bad_weights{{1.5, -.25, -.25},
@@ -307,10 +307,10 @@ void locations_outside_their_face_are_refused()
   {
     const std::string name = "weights " + std::to_string(i++);
     const Face_location bad(face(5), weights);
-    expect_refusal_of_sources(tm, Reason::INVALID_LOCATION, any_element, name, bad);
+    expect_rejection_of_sources(tm, Reason::INVALID_LOCATION, any_element, name, bad);
     // The exception names the invalid location, the third in the range.
     const Face_location good(face(6), {.2, .3, .5});
-    expect_refusal_of_sources(tm, Reason::INVALID_LOCATION, 2, name + ", in a range",
+    expect_rejection_of_sources(tm, Reason::INVALID_LOCATION, 2, name + ", in a range",
                               std::vector<Face_location>{good, good, bad, good});
   }
 }
@@ -331,7 +331,7 @@ void rounded_locations_are_allowed()
   CHECK(distance_of_corner(1e-13) > 0.);
 }
 
-void null_and_foreign_descriptors_are_refused()
+void null_and_foreign_descriptors_are_rejected()
 {
   const Mesh tm = to_face_graph(icosphere(1));
   const face_descriptor null_face = boost::graph_traits<Mesh>::null_face();
@@ -339,22 +339,22 @@ void null_and_foreign_descriptors_are_refused()
   const std::size_t n = num_vertices(tm);
   const std::size_t m = num_faces(tm);
 
-  expect_refusal_of_sources(tm, Reason::INVALID_DESCRIPTOR, any_element, "null vertex", null_vertex);
-  expect_refusal_of_sources(tm, Reason::INVALID_DESCRIPTOR, 1, "null vertex in a range",
+  expect_rejection_of_sources(tm, Reason::INVALID_DESCRIPTOR, any_element, "null vertex", null_vertex);
+  expect_rejection_of_sources(tm, Reason::INVALID_DESCRIPTOR, 1, "null vertex in a range",
                             std::vector<vertex_descriptor>{vertex(0), null_vertex});
-  expect_refusal_of_sources(tm, Reason::INVALID_DESCRIPTOR, any_element, "vertex of a larger mesh", vertex(n));
-  expect_refusal_of_sources(tm, Reason::INVALID_DESCRIPTOR, 2, "vertex of a larger mesh in a range",
+  expect_rejection_of_sources(tm, Reason::INVALID_DESCRIPTOR, any_element, "vertex of a larger mesh", vertex(n));
+  expect_rejection_of_sources(tm, Reason::INVALID_DESCRIPTOR, 2, "vertex of a larger mesh in a range",
                             std::vector<vertex_descriptor>{vertex(0), vertex(1), vertex(n + 1000)});
-  expect_refusal_of_sources(tm, Reason::INVALID_LOCATION, 0, "null face",
+  expect_rejection_of_sources(tm, Reason::INVALID_LOCATION, 0, "null face",
                             Face_location(null_face, {.2, .3, .5}));
-  expect_refusal_of_sources(tm, Reason::INVALID_DESCRIPTOR, any_element, "face of a larger mesh",
+  expect_rejection_of_sources(tm, Reason::INVALID_DESCRIPTOR, any_element, "face of a larger mesh",
                             Face_location(face(m), {.2, .3, .5}));
-  expect_refusal_of_sources(tm, Reason::INVALID_DESCRIPTOR, any_element, "face of a larger mesh, a vertex of it",
+  expect_rejection_of_sources(tm, Reason::INVALID_DESCRIPTOR, any_element, "face of a larger mesh, a vertex of it",
                             Face_location(face(m + 10000), {1., 0., 0.}));
 
   for(const vertex_descriptor bad : {null_vertex, vertex(n), vertex(n + 100000)})
   {
-    expect_refusal(tm, Reason::INVALID_DESCRIPTOR, any_element, "bad target", [&](auto distance_map, auto) {
+    expect_rejection(tm, Reason::INVALID_DESCRIPTOR, any_element, "bad target", [&](auto distance_map, auto) {
       Options options;
       options.targets = {vertex(0), bad};
       SMG::geodesic_distances(tm, distance_map, vertex(0), options);
@@ -365,55 +365,55 @@ void null_and_foreign_descriptors_are_refused()
   CGAL::Euler::remove_face(halfedge(face(0), with_removed), with_removed);
   CGAL::Euler::remove_face(halfedge(face(1), with_removed), with_removed);
   CHECK(with_removed.is_removed(face(0)));
-  expect_refusal_of_sources(with_removed, Reason::INVALID_DESCRIPTOR, any_element, "removed face",
+  expect_rejection_of_sources(with_removed, Reason::INVALID_DESCRIPTOR, any_element, "removed face",
                             Face_location(face(0), {.2, .3, .5}));
   for(std::size_t i = 0; i < 25; ++i)
   {
     if(with_removed.is_removed(vertex(i)))
     {
-      expect_refusal_of_sources(with_removed, Reason::INVALID_DESCRIPTOR, any_element, "removed vertex", vertex(i));
+      expect_rejection_of_sources(with_removed, Reason::INVALID_DESCRIPTOR, any_element, "removed vertex", vertex(i));
     }
   }
 }
 
-void invalid_offsets_are_refused()
+void invalid_offsets_are_rejected()
 {
   const Mesh tm = to_face_graph(icosphere(1));
   const std::vector<vertex_descriptor> sources{vertex(0), vertex(3), vertex(7)};
-  auto refuse = [&](const std::vector<double>& offsets, std::size_t element, const std::string& what_is_wrong) {
-    expect_refusal(tm, Reason::INVALID_OFFSET, element, what_is_wrong, [&](auto distance_map, auto nearest_map) {
+  auto reject = [&](const std::vector<double>& offsets, std::size_t element, const std::string& what_is_wrong) {
+    expect_rejection(tm, Reason::INVALID_OFFSET, element, what_is_wrong, [&](auto distance_map, auto nearest_map) {
       auto options = SMG::make_geodesic_distance_options<Mesh>(nearest_map);
       options.source_offsets = offsets;
       SMG::geodesic_distances(tm, distance_map, sources, options);
     });
   };
-  refuse({0., 1., -1.}, 2, "negative offset");
-  refuse({0., -1e-300, 1.}, 1, "tiny negative offset");
-  refuse({nan_value, 1., 1.}, 0, "NaN offset");
-  refuse({0., infinity, 1.}, 1, "infinite offset");
-  refuse({0., -infinity, 1.}, 1, "minus infinite offset");
-  refuse({0., 1.}, any_element, "too few offsets");
-  refuse({0., 1., 2., 3.}, any_element, "too many offsets");
+  reject({0., 1., -1.}, 2, "negative offset");
+  reject({0., -1e-300, 1.}, 1, "tiny negative offset");
+  reject({nan_value, 1., 1.}, 0, "NaN offset");
+  reject({0., infinity, 1.}, 1, "infinite offset");
+  reject({0., -infinity, 1.}, 1, "minus infinite offset");
+  reject({0., 1.}, any_element, "too few offsets");
+  reject({0., 1., 2., 3.}, any_element, "too many offsets");
   const Mesh tiny = to_face_graph(scaled(icosphere(1), 1e-100));
-  expect_refusal(tiny, Reason::INVALID_OFFSET, 1, "offset that is infinite in the unit of the mesh",
+  expect_rejection(tiny, Reason::INVALID_OFFSET, 1, "offset that is infinite in the unit of the mesh",
                  [&](auto distance_map, auto) {
     Options options;
     options.source_offsets = {0., 1e300, 1.};
     SMG::geodesic_distances(tiny, distance_map, sources, options);
   });
-  expect_refusal(tm, Reason::INVALID_OFFSET, any_element, "offset of an empty range", [&](auto distance_map, auto) {
+  expect_rejection(tm, Reason::INVALID_OFFSET, any_element, "offset of an empty range", [&](auto distance_map, auto) {
     Options options;
     options.source_offsets = {1.};
     SMG::geodesic_distances(tm, distance_map, std::vector<vertex_descriptor>(), options);
   });
 }
 
-void invalid_radii_are_refused()
+void invalid_radii_are_rejected()
 {
   const Mesh tm = to_face_graph(icosphere(1));
   for(const double radius : {-1., -1e-300, -infinity, nan_value})
   {
-    expect_refusal(tm, Reason::INVALID_RADIUS, any_element, "radius " + std::to_string(radius),
+    expect_rejection(tm, Reason::INVALID_RADIUS, any_element, "radius " + std::to_string(radius),
                    [&](auto distance_map, auto nearest_map) {
                      auto options = SMG::make_geodesic_distance_options<Mesh>(nearest_map);
                      options.maximum_distance = radius;
@@ -438,8 +438,8 @@ void index_maps_must_number_from_zero()
     }
   };
   const Face_location location(face(3), {.2, .3, .5});
-  auto refuse = [&](const std::string& what_is_wrong) {
-    expect_refusal(tm, Reason::INVALID_INDEX_MAP, any_element, what_is_wrong, [&](auto distance_map, auto) {
+  auto reject = [&](const std::string& what_is_wrong) {
+    expect_rejection(tm, Reason::INVALID_INDEX_MAP, any_element, what_is_wrong, [&](auto distance_map, auto) {
       SMG::geodesic_distances(tm, distance_map, location,
                               CGAL::parameters::vertex_index_map(vertex_indices).face_index_map(face_indices));
     });
@@ -449,23 +449,23 @@ void index_maps_must_number_from_zero()
   {
     reset();
     vertex_indices[vertex(11)] = bad;
-    refuse("vertex index " + std::to_string(bad));
+    reject("vertex index " + std::to_string(bad));
   }
   reset();
   vertex_indices[vertex(11)] = 12;
-  refuse("vertex index given twice");
+  reject("vertex index given twice");
   {
     Mesh torn = to_face_graph(icosphere(1));
     torn.remove_vertex(vertex(11)); // its faces remain
-    expect_refusal(torn, Reason::INVALID_INDEX_MAP, any_element, "face with a vertex that is not in the mesh",
+    expect_rejection(torn, Reason::INVALID_INDEX_MAP, any_element, "face with a vertex that is not in the mesh",
                    [&](auto distance_map, auto) { SMG::geodesic_distances(torn, distance_map, vertex(0)); });
   }
   reset();
   face_indices[face(11)] = num_faces(tm) + 5;
-  refuse("face index too large");
+  reject("face index too large");
   reset();
   face_indices[face(11)] = 12;
-  refuse("face index given twice");
+  reject("face index given twice");
   reset();
   auto map = get(CGAL::dynamic_vertex_property_t<double>(), tm);
   CHECK(SMG::geodesic_distances(tm, map, location,
@@ -492,17 +492,17 @@ void catching_the_base_class_works()
 
 int main()
 {
-  faces_that_are_not_triangles_are_refused();
-  non_manifold_faces_are_refused();
-  points_that_are_not_finite_are_refused();
-  invalid_edge_lengths_are_refused();
-  components_that_are_too_small_are_refused();
+  faces_that_are_not_triangles_are_rejected();
+  non_manifold_faces_are_rejected();
+  points_that_are_not_finite_are_rejected();
+  invalid_edge_lengths_are_rejected();
+  components_that_are_too_small_are_rejected();
   a_degenerate_triangle_is_allowed();
-  locations_outside_their_face_are_refused();
+  locations_outside_their_face_are_rejected();
   rounded_locations_are_allowed();
-  null_and_foreign_descriptors_are_refused();
-  invalid_offsets_are_refused();
-  invalid_radii_are_refused();
+  null_and_foreign_descriptors_are_rejected();
+  invalid_offsets_are_rejected();
+  invalid_radii_are_rejected();
   index_maps_must_number_from_zero();
   catching_the_base_class_works();
   return test_result();

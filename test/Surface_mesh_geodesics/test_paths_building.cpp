@@ -49,11 +49,11 @@ void sources_come_and_go()
   CHECK(paths.source_points_begin() == b);
   CHECK(b->first == face(3));
   CHECK(a->first == paths.face_location(vertex(0)).first); // until the next build
-  const bool is_refused = throws<CGAL::Precondition_exception>([&] { paths.remove_source_point(a); });
+  const bool is_rejected = throws<CGAL::Precondition_exception>([&] { paths.remove_source_point(a); });
 #if defined(CGAL_NO_PRECONDITIONS) || defined(CGAL_NDEBUG)
-  CHECK(!is_refused);
+  CHECK(!is_rejected);
 #else
-  CHECK(is_refused);
+  CHECK(is_rejected);
 #endif
   CHECK_EQUAL(paths.number_of_source_points(), 1u); // with or without the assertion
   CHECK(paths.source_points_begin() == b);

@@ -435,7 +435,7 @@ void points_of_flat_faces_are_located()
 }
 
 // locate() is right, or throws because the mesh is too large or too small.
-void points_are_located_or_refused(std::uint64_t seed)
+void points_are_located_or_rejected(std::uint64_t seed)
 {
   test_support::Scope scope("locate");
   const Indexed_mesh indexed = rough_terrain(6, .5, seed);
@@ -451,7 +451,7 @@ void points_are_located_or_refused(std::uint64_t seed)
       const Kernel::Point_3 p = CGAL::centroid(tm.point(tm.source(tm.halfedge(f))), tm.point(tm.target(tm.halfedge(f))),
                                          tm.point(tm.target(tm.next(tm.halfedge(f)))));
       const Kernel::Point_3 q(unit * p.x(), unit * p.y(), unit * p.z());
-      bool is_refused = false;
+      bool is_rejected = false;
       try
       {
         const Face_location location = paths.locate<AABB_traits>(q);
@@ -461,9 +461,9 @@ void points_are_located_or_refused(std::uint64_t seed)
       }
       catch(const Invalid_input& e)
       {
-        is_refused = e.reason() == Reason::NON_FINITE_POINT;
+        is_rejected = e.reason() == Reason::NON_FINITE_POINT;
       }
-      CHECK_EQUAL(is_refused, std::abs(exponent) > 260);
+      CHECK_EQUAL(is_rejected, std::abs(exponent) > 260);
     }
   }
 }
@@ -477,6 +477,6 @@ int main()
   further_members_agree_with_queries();
   trees_are_built_without_a_point_map();
   points_of_flat_faces_are_located();
-  points_are_located_or_refused(seed);
+  points_are_located_or_rejected(seed);
   return test_result();
 }

@@ -297,17 +297,17 @@ void edges_may_have_no_length()
   }
 }
 
-void broken_files_are_refused()
+void broken_files_are_rejected()
 {
   for(const std::string name : {"edge_three_faces", "index_out_of_range"})
   {
     test_support::Scope scope(name);
-    bool is_refused = false;
+    bool is_rejected = false;
     try
     {
       Mesh tm;
-      is_refused = !read_data(name, tm);
-      if(!is_refused && num_vertices(tm) > 0)
+      is_rejected = !read_data(name, tm);
+      if(!is_rejected && num_vertices(tm) > 0)
       {
         Geodesic_paths paths(tm);
         paths.add_source_point(vertex(0));
@@ -316,9 +316,9 @@ void broken_files_are_refused()
     }
     catch(const std::exception&)
     {
-      is_refused = true;
+      is_rejected = true;
     }
-    CHECK(is_refused);
+    CHECK(is_rejected);
   }
 }
 
@@ -386,7 +386,7 @@ int main()
   other_components_are_not_reached();
   points_of_paths_are_not_repeated();
   edges_may_have_no_length();
-  broken_files_are_refused();
+  broken_files_are_rejected();
   every_file_has_right_distances(random);
   return test_result();
 }

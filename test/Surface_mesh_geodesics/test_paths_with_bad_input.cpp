@@ -74,7 +74,7 @@ void vertices_without_faces_have_a_null_location()
   }
 }
 
-void bad_sources_and_queries_are_refused()
+void bad_sources_and_queries_are_rejected()
 {
   test_support::Scope scope("exceptions");
   const Mesh tm = to_face_graph(noisy_sphere(1, .1, 3));
@@ -121,7 +121,7 @@ void bad_sources_and_queries_are_refused()
   object_is_valid();
 }
 
-void bad_meshes_are_refused()
+void bad_meshes_are_rejected()
 {
   test_support::Scope scope("bad meshes");
   {
@@ -154,7 +154,7 @@ void bad_meshes_are_refused()
 }
 
 // Without sources nothing is built, but queries still check their descriptors.
-void bad_queries_without_sources_are_refused()
+void bad_queries_without_sources_are_rejected()
 {
   test_support::Scope scope("queries without sources");
   const Mesh tm = to_face_graph(noisy_sphere(1, .1, 3));
@@ -248,7 +248,7 @@ void messages_name_the_culprit()
 }
 
 // Removed elements keep their indices, and their links are meaningless.
-void removed_elements_are_refused()
+void removed_elements_are_rejected()
 {
   test_support::Scope scope("removed elements");
   Mesh tm = to_face_graph(flat_patch(6, 6, 0., false, 1));
@@ -288,9 +288,9 @@ int main()
   test_support::announce_seed(20260403);
   vertices_and_edges_without_faces_have_no_location();
   vertices_without_faces_have_a_null_location();
-  bad_sources_and_queries_are_refused();
-  bad_meshes_are_refused();
-  bad_queries_without_sources_are_refused();
-  removed_elements_are_refused();
+  bad_sources_and_queries_are_rejected();
+  bad_meshes_are_rejected();
+  bad_queries_without_sources_are_rejected();
+  removed_elements_are_rejected();
   return test_result();
 }

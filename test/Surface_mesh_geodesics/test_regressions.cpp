@@ -437,18 +437,18 @@ void paths_pass_a_pinched_vertex()
 }
 
 // The reader or an exception must reject an invalid mesh.
-void broken_files_are_refused()
+void broken_files_are_rejected()
 {
   for(const std::string name : {"edge_three_faces", "index_out_of_range"})
   {
     test_support::Scope scope(name);
-    bool is_refused = false;
+    bool is_rejected = false;
     try
     {
       Mesh tm;
       if(!read_data(name, tm))
       {
-        is_refused = true;
+        is_rejected = true;
       }
       else if(num_vertices(tm) > 0)
       {
@@ -461,9 +461,9 @@ void broken_files_are_refused()
     }
     catch(const std::exception&)
     {
-      is_refused = true;
+      is_rejected = true;
     }
-    CHECK(is_refused);
+    CHECK(is_rejected);
   }
 }
 
@@ -487,6 +487,6 @@ int main()
   nearest_source_on_a_strip();
   paths_around_saddle_and_cone();
   paths_pass_a_pinched_vertex();
-  broken_files_are_refused();
+  broken_files_are_rejected();
   return test_result();
 }

@@ -1,5 +1,5 @@
 // Components of one mesh may differ in size by a factor of up to 10^60: each has the answers that it has alone. Smaller
-// components are refused; see test_invalid_input.cpp.
+// components are rejected; see test_invalid_input.cpp.
 
 #include "Voronoi_test_helpers.h"
 #include "path_test_helpers.h"

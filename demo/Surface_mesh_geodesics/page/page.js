@@ -369,7 +369,7 @@
     return normal.normalize();
   }
 
-  // The rotation that turns a direction to the viewer, with y upwards as far as possible.
+  // The rotation that turns a direction to the viewer, with y upward as far as possible.
   function turnTo(direction) {
     const up = Math.abs(direction.y) < 0.99 ? new THREE.Vector3(0, 1, 0)
       : new THREE.Vector3(0, 0, -Math.sign(direction.y));

@@ -33,7 +33,7 @@ violate each of several conditions, and where.
 A violation is a relative number without a unit: the amount by which a number is too large or too small, divided by
 the sum of the right number and the longest edge of the faces around the vertex. It is infinite if a number that must
 be finite is not. An amount of less than \f$ 8 \epsilon \approx 1.8 \cdot 10^{-15} \f$ times the longest edge of the
-component is no violation, as points so close to each other are not distinguished.
+component is not a violation, as points so close to each other are not distinguished.
 
 \code
 const auto certificate = certify_geodesic_distances(mesh, distances, source);

@@ -211,7 +211,7 @@ public:
   ///
   /// \return `true`, or `false` if the visitor canceled: no vertex has been reached then
   ///
-  /// \throws Invalid_geodesic_input for a source, a target or a number that `geodesic_distances()` refuses. The
+  /// \throws Invalid_geodesic_input for a source, a target or a number that `geodesic_distances()` rejects. The
   ///         results of the computation before are unchanged then.
   template <typename Sources, typename Visitor>
   bool compute_distances(const Sources& sources, const Options& options, Visitor& visitor)

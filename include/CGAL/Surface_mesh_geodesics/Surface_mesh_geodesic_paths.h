@@ -92,8 +92,8 @@ next query or build begins anew. If the second stage ends early, the results of 
 what is missing under a mutex, and every other function needs the object for itself. This class keeps to the interface
 of `Surface_mesh_shortest_path` where that differs from the diagram: its functions that build are not `const`, and a new
 object, which has nothing to compute, does not read the mesh. `use_edge_lengths()` reads the lengths and throws at once,
-whereas a diagram reads them in its next build. Lengths that are refused leave this object as it was; a diagram
-refuses each build until it gets other lengths, or the points by `use_points()`. `statistics()` builds nothing. The
+whereas a diagram reads them in its next build. Lengths that are rejected leave this object as it was; a diagram
+rejects each build until it gets other lengths, or the points by `use_points()`. `statistics()` builds nothing. The
 number that stands for "no source point" is the constant `no_source`; for "no site" it is the function `null_site()`.
 
 <b>Differences from `Surface_mesh_shortest_path`.</b> All of them are intended.
@@ -389,7 +389,7 @@ public:
   /// the points of paths are those of the point map at the same locations. (The object reads the point map of the
   /// constructor only when it needs a point, so any map will do.) All results are dropped, source points are kept. The
   /// lengths are read at once, and used until `clear()`. Takes time linear in the size of the mesh. If the lengths are
-  /// refused, nothing changes: lengths and results stay as they were.
+  /// rejected, nothing changes: lengths and results stay as they were.
   ///
   /// \tparam EdgeLengthMap a model of `ReadablePropertyMap` with the edge descriptor as key type and a number
   ///         type as value type

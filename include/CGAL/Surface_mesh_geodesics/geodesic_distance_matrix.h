@@ -84,7 +84,7 @@ effects of those before. `row_output` must not change the mesh.
 
 \return `true`, or `false` if `row_output` ended the computation
 
-\throws Invalid_geodesic_input for a mesh, a source or a target that `geodesic_distances()` refuses, before the first
+\throws Invalid_geodesic_input for a mesh, a source or a target that `geodesic_distances()` rejects, before the first
         call of `row_output`. What `row_output` throws ends the computation and is passed on.
 */
 template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename Sources, typename Targets,

@@ -21,7 +21,7 @@ if(NOT position EQUAL 0)
   message(FATAL_ERROR "The package was found in ${found_Surface_mesh_geodesics_DIR}, not in ${prefix}")
 endif()
 
-# A CGAL that is too old is refused by the package, with a message that says so, and not by some header.
+# A CGAL that is too old is rejected by the package, with a message that says so, and not by some header.
 file(WRITE "${work_folder}/old_cgal/CGALConfig.cmake" "set(CGAL_VERSION 5.4.5)\n")
 execute_process(
   COMMAND

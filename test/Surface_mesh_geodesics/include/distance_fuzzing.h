@@ -529,7 +529,7 @@ distances_on_hostile_surfaces(std::size_t number, std::uint64_t seed, const std:
 }
 
 // Surfaces without orientation are not valid meshes. The functions must reject them.
-inline std::size_t number_refused(std::size_t number, std::uint64_t seed)
+inline std::size_t number_rejected(std::size_t number, std::uint64_t seed)
 {
   std::size_t result = 0;
   for(std::uint64_t s = seed; s < seed + number; ++s)

@@ -53,15 +53,15 @@ line() {
   sed -n "$2p" "$1"
 }
 
-# refuses <status> <text of the message> <arguments of the program>: nothing is computed, and one line names the reason
-refuses() {
+# rejects <status> <text of the message> <arguments of the program>: nothing is computed, and one line names the reason
+rejects() {
   local status=0
-  "$program" "${@:3}" > refused.out 2> refused.err || status=$?
+  "$program" "${@:3}" > rejected.out 2> rejected.err || status=$?
   [ "$status" -eq "$1" ] || fail "status $status instead of $1 for: ${*:3}"
-  [ ! -s refused.out ] || fail "something was written for: ${*:3}"
-  [ "$(wc -l < refused.err)" -eq 1 ] || fail "not one line of message for: ${*:3}: $(cat refused.err)"
-  contains refused.err "surface_mesh_geodesics: error: "
-  contains refused.err "$2"
+  [ ! -s rejected.out ] || fail "something was written for: ${*:3}"
+  [ "$(wc -l < rejected.err)" -eq 1 ] || fail "not one line of message for: ${*:3}: $(cat rejected.err)"
+  contains rejected.err "surface_mesh_geodesics: error: "
+  contains rejected.err "$2"
 }
 
 # is_silent <arguments of the program>: success, and an empty error stream

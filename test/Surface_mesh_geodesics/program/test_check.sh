@@ -71,33 +71,33 @@ changed 0 '0.1' > source.csv
 is_refuted SOURCES 0 "$grid" --source 0 --distances source.csv
 
 # Invalid tables.
-refuses 3 "there.csv: the file does not exist" check "$grid" --source 0 --distances there.csv
+rejects 3 "there.csv: the file does not exist" check "$grid" --source 0 --distances there.csv
 : > empty.csv
-refuses 3 "empty.csv, line 1: there is no column 'vertex'" check "$grid" --source 0 --distances empty.csv
+rejects 3 "empty.csv, line 1: there is no column 'vertex'" check "$grid" --source 0 --distances empty.csv
 printf 'vertex,length\n0,0\n' > names.csv
-refuses 3 "names.csv, line 1: there is no column 'distance'" check "$grid" --source 0 --distances names.csv
+rejects 3 "names.csv, line 1: there is no column 'distance'" check "$grid" --source 0 --distances names.csv
 grep -v '^7,' distances.csv > missing.csv
-refuses 3 "missing.csv: there is no distance for vertex 7" check "$grid" --source 0 --distances missing.csv
+rejects 3 "missing.csv: there is no distance for vertex 7" check "$grid" --source 0 --distances missing.csv
 { cat distances.csv; line distances.csv 9; } > twice.csv
-refuses 3 "twice.csv, line 18: vertex 7 occurs twice" check "$grid" --source 0 --distances twice.csv
+rejects 3 "twice.csv, line 18: vertex 7 occurs twice" check "$grid" --source 0 --distances twice.csv
 sed 's/^7,.*/16,0,0/' distances.csv > beyond.csv
-refuses 3 "beyond.csv, line 9: there is no vertex '16'" check "$grid" --source 0 --distances beyond.csv
+rejects 3 "beyond.csv, line 9: there is no vertex '16'" check "$grid" --source 0 --distances beyond.csv
 sed 's/^7,.*/7,far,0/' distances.csv > word.csv
-refuses 3 "word.csv, line 9: 'far' is not a distance" check "$grid" --source 0 --distances word.csv
+rejects 3 "word.csv, line 9: 'far' is not a distance" check "$grid" --source 0 --distances word.csv
 sed 's/^7,.*/7/' distances.csv > cut.csv
-refuses 3 "cut.csv, line 9: a value is missing" check "$grid" --source 0 --distances cut.csv
+rejects 3 "cut.csv, line 9: a value is missing" check "$grid" --source 0 --distances cut.csv
 
 mkdir folder.csv
-refuses 3 "folder.csv: is a folder, not a file" check "$grid" --source 0 --distances folder.csv
-refuses 2 "the name of an input file is empty" check "$grid" --source 0 --distances ""
+rejects 3 "folder.csv: is a folder, not a file" check "$grid" --source 0 --distances folder.csv
+rejects 2 "the name of an input file is empty" check "$grid" --source 0 --distances ""
 cp distances.csv read.csv
-refuses 2 "read.csv: this command reads the file" check "$grid" --source 0 --distances read.csv -o ./read.csv
+rejects 2 "read.csv: this command reads the file" check "$grid" --source 0 --distances read.csv -o ./read.csv
 cmp distances.csv read.csv
 
 # Wrong command lines.
-refuses 2 "--tolerance: 'abc' is not a positive number" check none.off --tolerance abc
-refuses 2 "--radius: '1e400' is not a positive number" check none.off --source 0 --radius 1e400
-refuses 2 "no source is given" check "$grid"
-refuses 2 "'0' is not a positive number" check "$grid" --source 0 --tolerance 0
-refuses 2 "the name must end with one of .csv" check "$grid" --source 0 -o x.ply
+rejects 2 "--tolerance: 'abc' is not a positive number" check none.off --tolerance abc
+rejects 2 "--radius: '1e400' is not a positive number" check none.off --source 0 --radius 1e400
+rejects 2 "no source is given" check "$grid"
+rejects 2 "'0' is not a positive number" check "$grid" --source 0 --tolerance 0
+rejects 2 "the name must end with one of .csv" check "$grid" --source 0 -o x.ply
 no_remains

@@ -91,36 +91,36 @@ is_silent distances square.off --source 0 --quiet > quiet.csv
 cmp square.csv quiet.csv
 
 # Wrong command lines.
-refuses 2 "no source is given" distances "$grid"
-refuses 2 "no mesh is given" distances --source 0
-refuses 2 "there is no vertex 16; the vertices of the mesh are 0 to 15" distances "$grid" --source 16
-refuses 2 "'-1' is not a vertex index" distances "$grid" --source -1
-refuses 2 "'1.5' is not a vertex index" distances "$grid" --source 1.5
-refuses 2 "three finite numbers" distances "$grid" --source-point 1,2
-refuses 2 "three finite numbers" distances "$grid" --source-point nan,0,0
-refuses 2 "--source-point 0,1e7,0: the distance of the point from the mesh is more than a million times the size of the mesh" \
+rejects 2 "no source is given" distances "$grid"
+rejects 2 "no mesh is given" distances --source 0
+rejects 2 "there is no vertex 16; the vertices of the mesh are 0 to 15" distances "$grid" --source 16
+rejects 2 "'-1' is not a vertex index" distances "$grid" --source -1
+rejects 2 "'1.5' is not a vertex index" distances "$grid" --source 1.5
+rejects 2 "three finite numbers" distances "$grid" --source-point 1,2
+rejects 2 "three finite numbers" distances "$grid" --source-point nan,0,0
+rejects 2 "--source-point 0,1e7,0: the distance of the point from the mesh is more than a million times the size of the mesh" \
   distances "$grid" --source-point 0,1e7,0
-refuses 2 "more than a million times" distances "$grid" --source-point -1e308,1e308,1e308
+rejects 2 "more than a million times" distances "$grid" --source-point -1e308,1e308,1e308
 is_silent distances "$grid" --source-point -1e6,-1e6,0 -o far.csv
 cmp <(cut -d, -f1,2 table.csv) <(cut -d, -f1,2 far.csv)
-refuses 2 "only 16 vertices" distances "$grid" --source-random 17
-refuses 2 "'inf' is not a positive number" distances "$grid" --source 0 --radius inf
-refuses 2 "cannot be combined" distances "$grid" --source 0 --isolines 3 --spacing 1 -o x.vtk
-refuses 2 "--spacing: more than 1000 lines up to the largest distance, 1.41421; give 0.00141421 or more" \
+rejects 2 "only 16 vertices" distances "$grid" --source-random 17
+rejects 2 "'inf' is not a positive number" distances "$grid" --source 0 --radius inf
+rejects 2 "cannot be combined" distances "$grid" --source 0 --isolines 3 --spacing 1 -o x.vtk
+rejects 2 "--spacing: more than 1000 lines up to the largest distance, 1.41421; give 0.00141421 or more" \
   distances "$grid" --source 0 --spacing 1e-9 -o x.vtk
 for number in 1001 99999999999999999999 -1 2.5 1e3 abc ""; do
-  refuses 2 "--isolines: '$number' is not a whole number from 0 to 1000" \
+  rejects 2 "--isolines: '$number' is not a whole number from 0 to 1000" \
     distances none.off --source 0 --isolines "$number" -o x.vtk
 done
 for number in abc -3 1.5 18446744073709551616; do
-  refuses 2 "--seed: '$number' is not a whole number of 0 or more" distances none.off --source-random 1 --seed "$number"
+  rejects 2 "--seed: '$number' is not a whole number of 0 or more" distances none.off --source-random 1 --seed "$number"
 done
 for number in nan inf -inf -1 0 1e400 1e-400 "" " 1" 1x; do
-  refuses 2 "--radius: '$number' is not a positive number, such as 0.5 or 1e-3" \
+  rejects 2 "--radius: '$number' is not a positive number, such as 0.5 or 1e-3" \
     distances none.off --source 0 --radius "$number"
 done
-refuses 2 "--source: '' is not a vertex index" distances none.off --source 0,
-refuses 2 "only 16 vertices" distances "$grid" --source-random 99999999999
+rejects 2 "--source: '' is not a vertex index" distances none.off --source 0,
+rejects 2 "only 16 vertices" distances "$grid" --source-random 99999999999
 remarks "--seed has no effect: no random locations are requested" distances "$grid" --source 0 --seed 1
 is_silent distances "$grid" --source 0 --seed 1 --quiet
 remarks "--isolines has no effect without an output .ply, .vtk, .obj, .html" distances "$grid" --source 0 --isolines 3
@@ -136,7 +136,7 @@ cmp <(head -n 17 B.CSV) table.csv
 "$program" remesh "$grid" --number 16 --quiet -o C.OBJ
 is_silent info C.OBJ > info.csv
 contains info.csv vertices,16
-refuses 2 "the name must end with one of .csv, .ply, .vtk, .obj" distances "$grid" --source 0 -o x.txt
-refuses 2 "--nonsense" distances "$grid" --source 0 --nonsense
+rejects 2 "the name must end with one of .csv, .ply, .vtk, .obj" distances "$grid" --source 0 -o x.txt
+rejects 2 "--nonsense" distances "$grid" --source 0 --nonsense
 [ ! -e x.vtk ]
 no_remains

@@ -23,5 +23,5 @@ contains parts.csv components,2
 is_silent info "$data/isolated_vertex.off" > isolated.csv
 contains isolated.csv isolated_vertices,1
 
-refuses 2 "the name must end with one of .csv" info "$data/grid4.off" -o x.ply
+rejects 2 "the name must end with one of .csv" info "$data/grid4.off" -o x.ply
 no_remains

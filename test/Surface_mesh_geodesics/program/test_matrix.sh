@@ -29,10 +29,10 @@ cmp near.csv <(tail -n +2 pairs.csv)
 is_silent matrix "$data/two_components.off" --source all > parts.csv
 contains parts.csv inf
 
-refuses 2 "no source is given" matrix "$grid"
-refuses 2 "use --target" matrix "$grid" --source-point 0,0,0
+rejects 2 "no source is given" matrix "$grid"
+rejects 2 "use --target" matrix "$grid" --source-point 0,0,0
 # targets are vertices: there is no option for points
-refuses 2 "unrecognised option '--target-point" matrix "$grid" --source 0 --target-point 0,0,0
+rejects 2 "unrecognised option '--target-point" matrix "$grid" --source 0 --target-point 0,0,0
 "$program" matrix --help > help
 equals "$(grep -c -e --target-point help)" 0
 contains help "a file with one vertex index per line"
@@ -40,7 +40,7 @@ printf '3\n 15 # a corner\n' > vertices.txt
 is_silent matrix "$grid" --source 0 --target-file vertices.txt > from_file.csv
 equals "$(line from_file.csv 1)" 3,15
 printf '3\n1 0 0\n' > point.txt
-refuses 3 "point.txt, line 2: only a vertex index is allowed here" \
+rejects 3 "point.txt, line 2: only a vertex index is allowed here" \
   matrix "$grid" --source 0 --target-file point.txt
-refuses 2 "'-2' is not a positive number" matrix "$grid" --source 0 --radius -2
+rejects 2 "'-2' is not a positive number" matrix "$grid" --source 0 --radius -2
 no_remains

@@ -45,22 +45,22 @@ awk '{ s = 0; for(i = 5; i < NF; i += 3) s += sqrt(($i - $(i-3))^2 + ($(i+1) - $
 is_silent path "$data/two_components.off" --source 0 --target all > parts.csv
 contains parts.csv ",-1,inf,0"
 
-refuses 2 "no source is given" path "$grid" --target 0
-refuses 2 "no target is given" path "$grid" --source 0
-refuses 2 "there is no vertex 99" path "$grid" --source 0 --target 99
+rejects 2 "no source is given" path "$grid" --target 0
+rejects 2 "no target is given" path "$grid" --source 0
+rejects 2 "there is no vertex 99" path "$grid" --source 0 --target 99
 printf '0\n1 2\n' > two_numbers.txt
-refuses 3 "two_numbers.txt, line 2: a point consists of three finite numbers" \
+rejects 3 "two_numbers.txt, line 2: a point consists of three finite numbers" \
   path "$grid" --source 0 --target-file two_numbers.txt
 printf '40 0.2 0.2 0.6\n' > no_face.txt
-refuses 3 "'40' is not a face index" path "$grid" --source 0 --target-file no_face.txt
+rejects 3 "'40' is not a face index" path "$grid" --source 0 --target-file no_face.txt
 printf '4 0.2 0.2 0.2\n' > no_sum.txt
-refuses 3 "the sum of the barycentric coordinates is not 1" path "$grid" --source 0 --target-file no_sum.txt
+rejects 3 "the sum of the barycentric coordinates is not 1" path "$grid" --source 0 --target-file no_sum.txt
 printf '# nothing\n' > no_location.txt
-refuses 3 "the file contains no location" path "$grid" --source 0 --target-file no_location.txt
-refuses 3 "none.txt: the file does not exist" path "$grid" --source 0 --target-file none.txt
-refuses 3 ".: is a folder, not a file" path "$grid" --source 0 --target-file .
-refuses 2 "--target: 'x' is not a vertex index" path none.off --source 0 --target 1,x
-refuses 2 "--target-point 0,1e400,0: a point consists of three finite numbers" path none.off --source 0 --target-point 0,1e400,0
-refuses 2 "--target-random: '0' is not a whole number of 1 or more" path none.off --source 0 --target-random 0
+rejects 3 "the file contains no location" path "$grid" --source 0 --target-file no_location.txt
+rejects 3 "none.txt: the file does not exist" path "$grid" --source 0 --target-file none.txt
+rejects 3 ".: is a folder, not a file" path "$grid" --source 0 --target-file .
+rejects 2 "--target: 'x' is not a vertex index" path none.off --source 0 --target 1,x
+rejects 2 "--target-point 0,1e400,0: a point consists of three finite numbers" path none.off --source 0 --target-point 0,1e400,0
+rejects 2 "--target-random: '0' is not a whole number of 1 or more" path none.off --source 0 --target-random 0
 remarks "--points has no effect without an output .csv" path "$grid" --source 0 --target 1 --points -o path.obj
 no_remains

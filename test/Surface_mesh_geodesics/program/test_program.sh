@@ -26,8 +26,8 @@ sed 's/\\-/-/g' "$man_page" > man_text
 for option in $(cat help_* | grep -o -e '--[a-z-]*' | sort -u); do
   contains man_text "$(echo "$option" | sed -E 's/--(target|site|first)($|-)/--source\2/')"
 done
-refuses 2 "there is no subcommand 'bogus'" bogus
-refuses 2 "there is no subcommand 'bogus'" help bogus
+rejects 2 "there is no subcommand 'bogus'" bogus
+rejects 2 "there is no subcommand 'bogus'" help bogus
 status=0
 "$program" > no_arguments.out 2> no_arguments.err || status=$?
 equals "$status" 2
@@ -35,11 +35,11 @@ equals "$status" 2
 contains no_arguments.err "usage: "
 
 for word in --version --help; do
-  refuses 2 "'bogus' after $word is superfluous" $word bogus
+  rejects 2 "'bogus' after $word is superfluous" $word bogus
 done
-refuses 2 "'extra' after help is superfluous" help info extra
-refuses 2 "there is no subcommand ''" ""
-refuses 2 "unrecognised option '--bogus'" info --help --bogus
+rejects 2 "'extra' after help is superfluous" help info extra
+rejects 2 "there is no subcommand ''" ""
+rejects 2 "unrecognised option '--bogus'" info --help --bogus
 
 # --- input ------------------------------------------------------------------------------------------------------------
 
@@ -68,17 +68,17 @@ for subcommand in $subcommands; do
     sample | remesh) arguments=(--number 3) ;;
     info) arguments=() ;;
   esac
-  refuses 2 "no mesh is given" "$subcommand" "${arguments[@]}"
-  refuses 3 "none.off: the file does not exist" "$subcommand" none.off "${arguments[@]}"
-  refuses 3 "empty.off: the file is empty" "$subcommand" empty.off "${arguments[@]}"
-  refuses 3 "no_last_faces.off: the file is damaged, incomplete" "$subcommand" no_last_faces.off "${arguments[@]}"
-  refuses 2 "more than one mesh is given" "$subcommand" "$grid" "${arguments[@]}" another.off
+  rejects 2 "no mesh is given" "$subcommand" "${arguments[@]}"
+  rejects 3 "none.off: the file does not exist" "$subcommand" none.off "${arguments[@]}"
+  rejects 3 "empty.off: the file is empty" "$subcommand" empty.off "${arguments[@]}"
+  rejects 3 "no_last_faces.off: the file is damaged, incomplete" "$subcommand" no_last_faces.off "${arguments[@]}"
+  rejects 2 "more than one mesh is given" "$subcommand" "$grid" "${arguments[@]}" another.off
 done
-refuses 3 ".: is a folder, not a file" info .
-refuses 3 "/dev/null: the name must end with one of .off" info /dev/null
-refuses 2 "the name of an input file is empty" info ""
+rejects 3 ".: is a folder, not a file" info .
+rejects 3 "/dev/null: the name must end with one of .off" info /dev/null
+rejects 2 "the name of an input file is empty" info ""
 printf 'OFF\n3 1 0\n0 0 0\n1e308 0 0\n0 1e308 0\n3 0 1 2\n' > huge.off
-refuses 3 "huge.off: vertex 1 has a coordinate that is not finite, or too large" info huge.off
+rejects 3 "huge.off: vertex 1 has a coordinate that is not finite, or too large" info huge.off
 # a mesh of size zero, or nearly zero, is valid
 printf 'OFF\n3 1 0\n0 0 0\n0 0 0\n0 0 0\n3 0 1 2\n' > point.off
 printf 'OFF\n3 1 0\n0 0 0\n1e-320 0 0\n0 1e-320 0\n3 0 1 2\n' > tiny.off
@@ -87,33 +87,33 @@ for mesh in point tiny; do
 done
 is_silent distances point.off --source-point 0,0,0 > point.csv
 # but the program finds no nearest location to a point if CGAL's trees cannot distinguish the mesh from a point
-refuses 3 "tiny.off: the mesh is too large or too small to locate points, or the point is too far" \
+rejects 3 "tiny.off: the mesh is too large or too small to locate points, or the point is too far" \
   distances tiny.off --source-point 0,0,0
-refuses 3 "text.off: the file is damaged" info text.off
-refuses 3 "no_last_points.off: the file is damaged" info no_last_points.off
-refuses 3 "not_a_number.off: " info not_a_number.off
-refuses 3 "too_large.off: " info too_large.off
-refuses 3 "no_faces.off: the file contains no faces" info no_faces.off
-refuses 3 "vertex_twice.off: " info vertex_twice.off
-refuses 3 "two_corners.off: " info two_corners.off
-refuses 3 "no_vertex.obj: " info no_vertex.obj
-refuses 3 "half.ply: " info half.ply
-refuses 3 "half.stl: " info half.stl
-refuses 3 "nan.ply: a coordinate of vertex" info nan.ply
-refuses 3 "$data/edge_three_faces.off: face 1 does not fit" info "$data/edge_three_faces.off"
-refuses 3 "moebius.off: face 4 does not fit" info moebius.off
-refuses 3 "must end with one of .off, .obj, .ply, .stl, .ts" info "$man_page"
+rejects 3 "text.off: the file is damaged" info text.off
+rejects 3 "no_last_points.off: the file is damaged" info no_last_points.off
+rejects 3 "not_a_number.off: " info not_a_number.off
+rejects 3 "too_large.off: " info too_large.off
+rejects 3 "no_faces.off: the file contains no faces" info no_faces.off
+rejects 3 "vertex_twice.off: " info vertex_twice.off
+rejects 3 "two_corners.off: " info two_corners.off
+rejects 3 "no_vertex.obj: " info no_vertex.obj
+rejects 3 "half.ply: " info half.ply
+rejects 3 "half.stl: " info half.stl
+rejects 3 "nan.ply: a coordinate of vertex" info nan.ply
+rejects 3 "$data/edge_three_faces.off: face 1 does not fit" info "$data/edge_three_faces.off"
+rejects 3 "moebius.off: face 4 does not fit" info moebius.off
+rejects 3 "must end with one of .off, .obj, .ply, .stl, .ts" info "$man_page"
 
 # --- output -----------------------------------------------------------------------------------------------------------
 
 distances=(distances "$grid" --source 0)
-refuses 4 "nowhere/x.csv: cannot be written: No such file or directory" "${distances[@]}" -o nowhere/x.csv
-refuses 4 "cannot be written: Not a directory" "${distances[@]}" -o text.off/x.csv
+rejects 4 "nowhere/x.csv: cannot be written: No such file or directory" "${distances[@]}" -o nowhere/x.csv
+rejects 4 "cannot be written: Not a directory" "${distances[@]}" -o text.off/x.csv
 mkdir folder.csv
-refuses 4 "folder.csv: cannot be written: it is a folder" "${distances[@]}" -o folder.csv
+rejects 4 "folder.csv: cannot be written: it is a folder" "${distances[@]}" -o folder.csv
 if [ -e /dev/full ]; then
   ln -s /dev/full full.csv
-  refuses 4 "cannot be written: No space left on device" "${distances[@]}" -o full.csv
+  rejects 4 "cannot be written: No space left on device" "${distances[@]}" -o full.csv
   status=0
   "$program" "${distances[@]}" > /dev/full 2> full.err || status=$?
   equals "$status" 4
@@ -122,31 +122,31 @@ fi
 if [ "$(id -u)" -ne 0 ]; then # root may write every file
   echo old > protected.csv
   chmod a-w protected.csv
-  refuses 4 "protected.csv: cannot be written: Permission denied" "${distances[@]}" -o protected.csv
+  rejects 4 "protected.csv: cannot be written: Permission denied" "${distances[@]}" -o protected.csv
   equals "$(cat protected.csv)" old
 fi
 
-refuses 2 "the name of an output file is empty" "${distances[@]}" -o ""
-refuses 2 "/dev/null: the name must end with one of" "${distances[@]}" -o /dev/null
-refuses 2 "option '--quiet' cannot be specified more than once" "${distances[@]}" --quiet --quiet
-refuses 2 "option '--seed' cannot be specified more than once" "${distances[@]}" --seed 1 --seed 2
+rejects 2 "the name of an output file is empty" "${distances[@]}" -o ""
+rejects 2 "/dev/null: the name must end with one of" "${distances[@]}" -o /dev/null
+rejects 2 "option '--quiet' cannot be specified more than once" "${distances[@]}" --quiet --quiet
+rejects 2 "option '--seed' cannot be specified more than once" "${distances[@]}" --seed 1 --seed 2
 
 # A command does not overwrite its input, under any name.
 cp "$grid" mesh.off
 ln -s mesh.off link.off
 printf '0\n' > locations.csv
 for arguments in "mesh.off -o mesh.off" "mesh.off -o link.off" "link.off -o $work/mesh.off"; do
-  refuses 2 "this command reads the file; give the output another name" remesh --number 3 $arguments
+  rejects 2 "this command reads the file; give the output another name" remesh --number 3 $arguments
 done
-refuses 2 "locations.csv: this command reads the file" distances mesh.off --source-file locations.csv -o locations.csv
+rejects 2 "locations.csv: this command reads the file" distances mesh.off --source-file locations.csv -o locations.csv
 cmp "$grid" mesh.off
 equals "$(cat locations.csv)" 0
 
 # An error leaves the old file unchanged, and no other file.
 echo old > kept.csv
-refuses 2 "there is no vertex 99" distances "$grid" --source 99 -o kept.csv
-refuses 3 "the file is empty" distances empty.off --source 0 -o kept.csv
-refuses 4 "cannot be written" "${distances[@]}" -o kept.csv -o nowhere/x.csv
+rejects 2 "there is no vertex 99" distances "$grid" --source 99 -o kept.csv
+rejects 3 "the file is empty" distances empty.off --source 0 -o kept.csv
+rejects 4 "cannot be written" "${distances[@]}" -o kept.csv -o nowhere/x.csv
 equals "$(cat kept.csv)" old
 no_remains
 

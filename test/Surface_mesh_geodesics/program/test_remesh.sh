@@ -21,14 +21,14 @@ cmp out.off coarse.off
 is_silent remesh "$sphere" --number 60 --iterations 0 --quiet > other.off
 differ other.off coarse.off
 
-refuses 2 "number" remesh "$sphere"
-refuses 2 "--number: '2' is not a whole number of 3 or more" remesh "$sphere" --number 2
-refuses 2 "--iterations: '-1' is not a whole number from 0 to 1000000" remesh none.off --number 60 --iterations -1
+rejects 2 "number" remesh "$sphere"
+rejects 2 "--number: '2' is not a whole number of 3 or more" remesh "$sphere" --number 2
+rejects 2 "--iterations: '-1' is not a whole number from 0 to 1000000" remesh none.off --number 60 --iterations -1
 cp "$sphere" sphere.off
-refuses 2 "./sphere.off: this command reads the file" remesh sphere.off --number 60 -o ./sphere.off
+rejects 2 "./sphere.off: this command reads the file" remesh sphere.off --number 60 -o ./sphere.off
 cmp sphere.off "$sphere"
-refuses 2 "the name must end with one of .off, .obj, .ply" remesh "$sphere" --number 60 -o x.vtk
+rejects 2 "the name must end with one of .off, .obj, .ply" remesh "$sphere" --number 60 -o x.vtk
 # too few cells for a closed surface
-refuses 1 "a larger --number helps" remesh "$sphere" --number 3 -o few.off
+rejects 1 "a larger --number helps" remesh "$sphere" --number 3 -o few.off
 [ ! -e few.off ]
 no_remains

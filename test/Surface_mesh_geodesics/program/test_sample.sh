@@ -40,10 +40,10 @@ contains s.vtk "SCALARS vertex int 1"
 contains s.ply "element vertex 5"
 equals "$(grep -c '^p ' s.obj)" 5
 
-refuses 2 "neither --number nor --radius is given" sample "$grid"
-refuses 2 "--number: '0' is not a whole number of 1 or more" sample none.off --number 0
-refuses 2 "--number: 'abc' is not a whole number of 1 or more" sample none.off --number abc
-refuses 2 "'-1' is not a positive number" sample none.off --radius -1
-refuses 2 "unrecognised option '--first-point" sample "$grid" --number 3 --first-point 0.1,0.1,0
-refuses 2 "more first samples than --number" sample "$grid" --number 1 --first 0,1
+rejects 2 "neither --number nor --radius is given" sample "$grid"
+rejects 2 "--number: '0' is not a whole number of 1 or more" sample none.off --number 0
+rejects 2 "--number: 'abc' is not a whole number of 1 or more" sample none.off --number abc
+rejects 2 "'-1' is not a positive number" sample none.off --radius -1
+rejects 2 "unrecognised option '--first-point" sample "$grid" --number 3 --first-point 0.1,0.1,0
+rejects 2 "more first samples than --number" sample "$grid" --number 1 --first 0,1
 no_remains

@@ -53,18 +53,18 @@ tr -d '\r' < colors.ply | awk '
     for(i in neighbor) { ++pairs; if(color[field[1]] == color[neighbor[i]]) exit 1 } }
   END { exit !(faces > 1000 && pairs > 150) }' - <(tail -n +2 neighbors.csv)
 
-refuses 2 "no site is given" voronoi "$grid"
-refuses 2 "2 weights for 1 sites" voronoi "$grid" --site 0 --weight 1,2
-refuses 2 "--weight: 'abc' is not a number" voronoi none.off --site 0 --weight 1,abc
-refuses 2 "--weight: 'nan' is not a number" voronoi none.off --site 0 --weight nan
-refuses 2 "--weight: '1e400' is not a number" voronoi none.off --site 0 --weight 1e400
-refuses 2 "--weight: '' is not a number" voronoi none.off --site 0 --weight 1,
-refuses 2 "'0' is not a positive number" voronoi none.off --site 0 --tolerance 0
-refuses 2 "--tolerance: 1e-30 is too small for a mesh of this size; give 1.41421e-09 or more" \
+rejects 2 "no site is given" voronoi "$grid"
+rejects 2 "2 weights for 1 sites" voronoi "$grid" --site 0 --weight 1,2
+rejects 2 "--weight: 'abc' is not a number" voronoi none.off --site 0 --weight 1,abc
+rejects 2 "--weight: 'nan' is not a number" voronoi none.off --site 0 --weight nan
+rejects 2 "--weight: '1e400' is not a number" voronoi none.off --site 0 --weight 1e400
+rejects 2 "--weight: '' is not a number" voronoi none.off --site 0 --weight 1,
+rejects 2 "'0' is not a positive number" voronoi none.off --site 0 --tolerance 0
+rejects 2 "--tolerance: 1e-30 is too small for a mesh of this size; give 1.41421e-09 or more" \
   voronoi "$grid" --site 0,15 --tolerance 1e-30 -o x.ply
 is_silent voronoi "$grid" --site 0,6,15 --weight 0,0.1,0 --tolerance 1.5e-9 -o finest.obj # almost too small
 [ "$(wc -c < finest.obj)" -lt 10000000 ]
 remarks "--tolerance has no effect without an output .ply, .vtk, .obj, .html" voronoi "$grid" --site 0 --tolerance 1
 remarks "--vertices has no effect without an output .csv" voronoi "$grid" --site 0,15 --vertices -o x.obj
-refuses 2 "the name must end with one of" voronoi "$grid" --site 0 -o x.stl
+rejects 2 "the name must end with one of" voronoi "$grid" --site 0 -o x.stl
 no_remains

@@ -63,8 +63,8 @@ public:
   using Point = Planar_point<double>;
   using Arc = Voronoi_arc<double>;
 
-  // The curve is the segment between the ends of the arc if the arc is straight up to rounding: it is no bisector, both
-  // weights are equal, or the bisector does not lead from one end to the other.
+  // The curve is the segment between the ends of the arc if the arc is straight up to rounding: it is not a bisector,
+  // both weights are equal, or the bisector does not lead from one end to the other.
   explicit Arc_curve(const Arc& a)
     : m_first(a.first), m_last(a.last), m_curve(a.left, a.right, a.first)
   {

@@ -69,7 +69,7 @@ namespace internal {
 // Edge_partition takes.
 //
 // Invariants:
-// - The state of a face only grows (State). m_windows has windows of ACTIVE and INACTIVE faces only; keep() refuses
+// - The state of a face only grows (State). m_windows has windows of ACTIVE and INACTIVE faces only; keep() rejects
 //   those that come later, and remove_windows() releases those of a face that is DONE.
 // - Each edge is closed once, when the last of its faces becomes inactive (deactivate()); open_edges counts the sides
 //   that are still to come. So a face is handed over after all of its edges, and both faces at an edge get the same
@@ -263,7 +263,7 @@ private:
   };
 
   // Notes that windows of a pseudo-source have entered a face. The source known now is the final one: the pseudo-source
-  // has emitted, so its distance is final up to rounding, and the propagation refuses improvements within rounding at
+  // has emitted, so its distance is final up to rounding, and the propagation rejects improvements within rounding at
   // vertices that may emit. owner() is asked for vertices with final distances only.
   //
   // The parallel propagation emits windows from pseudo-sources whose distance is not final. If it shrinks, they emit

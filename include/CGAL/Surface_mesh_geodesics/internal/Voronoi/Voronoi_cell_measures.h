@@ -48,7 +48,7 @@ public:
   }
 
   // Adds a face, given the positions of its corners in space. By Green's theorem, each part of the face gets the
-  // integrals along its border: an arc counts for the cell on its left, and backwards for the cell on its right.
+  // integrals along its border: an arc counts for the cell on its left, and backward for the cell on its right.
   void add_face(const Voronoi_complex<double>& complex, Face_id f, const std::array<Space_point, 3>& corner)
   {
     const auto layout = complex.layout(f);

@@ -470,7 +470,7 @@ private:
       if(node < n)
         break;
     }
-    return node < n ? node : 0; // 0 only if the arcs are no forest; the caller's walk ends all the same
+    return node < n ? node : 0; // 0 only if the arcs are not a forest; the caller's walk ends nevertheless
   }
 
   // --- chains ---
@@ -503,11 +503,11 @@ private:
     while(true)
     {
       const Arc& a = m_arcs[arc];
-      const bool is_backwards = a.first_node != node;
+      const bool is_backward = a.first_node != node;
       is_linked[arc] = 1;
-      chain.arcs.emplace_back(arc, is_backwards);
+      chain.arcs.emplace_back(arc, is_backward);
       chain.has_length = chain.has_length || has_length(a);
-      node = is_backwards ? a.first_node : a.last_node;
+      node = is_backward ? a.first_node : a.last_node;
       const Node& n = m_nodes[node];
       if(n.is_vertex() || n.arc[1] == null_id || node == chain.first_node)
         break;

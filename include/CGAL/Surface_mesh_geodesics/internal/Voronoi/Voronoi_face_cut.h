@@ -405,14 +405,14 @@ private:
   static constexpr int number_of_halvings = 10;
 
   // Appends samples of an arc, from behind its start to its end; the start has been sampled before.
-  void sample(const Complex::Arc& a, bool is_backwards, double tolerance)
+  void sample(const Complex::Arc& a, bool is_backward, double tolerance)
   {
     const std::size_t first = m_samples.size();
     const Arc_curve curve(a);
     curve.sample(tolerance, [&](const Point& p) { m_samples.push_back(p); }, number_of_halvings);
     if(m_samples.size() == first + 1) // a curve along a side may need a vertex inside (has_to_leave_side())
       m_samples.insert(m_samples.end() - 1, curve.point(0.5));
-    if(!is_backwards)
+    if(!is_backward)
       return;
     std::reverse(m_samples.begin() + static_cast<std::ptrdiff_t>(first), m_samples.end() - 1);
     m_samples.back() = a.first;
@@ -489,7 +489,7 @@ private:
   }
 
   // Appends the border vertices from one border node to the next one, both included. Positions run on past corner 0,
-  // so that the last piece of the border does not run backwards.
+  // so that the last piece of the border does not run backward.
   void walk_along_border(std::size_t from, std::size_t to, std::vector<std::uint32_t>& walk) const
   {
     const std::uint32_t n = static_cast<std::uint32_t>(m_border_points.size());

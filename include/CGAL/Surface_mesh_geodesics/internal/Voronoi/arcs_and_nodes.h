@@ -27,7 +27,7 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// The index of an arc or a chain, and whether it is passed backwards.
+// The index of an arc or a chain, and whether it is passed backward.
 using Oriented_index = std::pair<std::uint32_t, bool>;
 
 // A piece of the curve between two cells in one face; its points are in the layout of the face.

@@ -12,12 +12,12 @@
 
 // Checks a geodesic Voronoi diagram by the answers of its public members, against distances from one site at a time
 // that are computed apart. What is checked is documented at certify_geodesic_Voronoi_diagram(). `Diagram` is a type
-// with the members of Surface_mesh_geodesic_Voronoi_diagram; tests pass one that lies.
+// with the members of Surface_mesh_geodesic_Voronoi_diagram; tests pass one with wrong answers.
 //
 // Violations are relative. Distances are compared with the distance plus the longest edge of the component, positions
 // with that edge, areas with the expected area plus its square: the components of a mesh may differ in size by many
-// orders of magnitude. Areas are compared as multiples of that square, as squares of very small or large lengths are no
-// numbers of the unit of the mesh.
+// orders of magnitude. Areas are compared as multiples of that square, as the squares of very small or large
+// lengths underflow or overflow in the unit of the mesh.
 
 #include <CGAL/Surface_mesh_geodesics/internal/applications/Diagram_conditions.h>
 #include <CGAL/Surface_mesh_geodesics/internal/applications/Diagram_samples.h>
@@ -139,7 +139,7 @@ private:
       check_distances_from(i, samples, make_paths);
   }
 
-  // A site at a vertex without faces has no location; it is the nearest one of that vertex only, which is no sample.
+  // A site at a vertex without faces has no location; it is the nearest one of that vertex only, which is not a sample.
   template <typename MakePaths>
   void check_distances_from(std::size_t i, const Samples& samples, MakePaths make_paths)
   {

@@ -43,8 +43,8 @@ struct Diagram_violation
   // Stands for "no single site".
   static constexpr std::size_t no_site() { return (std::numeric_limits<std::size_t>::max)(); }
 
-  // Counts one check, and keeps its violation if it is larger than all before. A violation that is not positive is
-  // none; one that is not a number counts as infinite. Of equal violations the first one is kept.
+  // Counts one check, and keeps its violation if it is larger than all before. A violation that is not positive does
+  // not count; NaN counts as infinite. Of equal violations the first one is kept.
   void record(double violation, std::size_t violating_site)
   {
     ++number_of_checks;

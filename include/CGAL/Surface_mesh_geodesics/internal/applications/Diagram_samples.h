@@ -12,7 +12,8 @@
 
 // The points of the surface at which the certifier compares a geodesic Voronoi diagram with distances from each site,
 // and what the diagram says of them: points of arcs, vertices of the diagram, vertices of the mesh, and points of all
-// faces. `Diagram` is a type with the members of Surface_mesh_geodesic_Voronoi_diagram; tests pass one that lies.
+// faces. `Diagram` is a type with the members of Surface_mesh_geodesic_Voronoi_diagram; tests pass one with wrong
+// answers.
 
 #include <CGAL/Surface_mesh_geodesics/internal/applications/Diagram_conditions.h>
 

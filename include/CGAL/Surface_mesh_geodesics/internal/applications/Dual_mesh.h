@@ -80,7 +80,7 @@ private:
     }
   }
 
-  // Finds cells that are no disks, have several boundaries, or are corners of no triangle; empty ones do not count.
+  // Finds cells that are not disks, have several boundaries, or are corners of no triangle; empty ones do not count.
   // Requires: check_triangles() has been called.
   void check_cells(Report& r) const
   {

@@ -117,7 +117,7 @@ private:
     return m_rank;
   }
 
-  // Vertices without faces are no candidates; they have the last numbers.
+  // Vertices without faces are not candidates; they have the last numbers.
   std::size_t number_of_candidates() const
   {
     std::size_t n = m_surface.number_of_vertices();

@@ -90,7 +90,8 @@ private:
   }
 
   // Returns the fraction of an edge at which it is nearest to a point; both are given from the source of the edge, and
-  // divided by a power of two as large as the edge, as the squares of very small or large lengths are no numbers.
+  // divided by a power of two as large as the edge, as the squares of very small or large lengths underflow or
+  // overflow.
   static double fraction_along(const Vector& along, const Vector& to_p)
   {
     const double length = norm(along);
@@ -163,7 +164,7 @@ private:
     return {source(h, m_tm), target(h, m_tm), target(next(h, m_tm), m_tm)};
   }
 
-  // Returns the weight of a vertex in a location: 0 if it is no corner of the face, a sum if it is several corners.
+  // Returns the weight of a vertex in a location: 0 if it is not a corner of the face, a sum if it is several corners.
   static double coordinate(const Face_location& l, const Corners& of_l, typename Graph_traits::vertex_descriptor v)
   {
     double sum = 0;

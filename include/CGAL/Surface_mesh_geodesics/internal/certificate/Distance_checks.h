@@ -183,8 +183,8 @@ public:
   }
 
   // Returns the length of a path from its first vertex to a source, plus the offset of the source. Returns infinity if
-  // the path does not start and end at vertices, if its end is no source, or if a piece of it is not in the face that
-  // the path names for it. Takes linear time.
+  // the path does not start and end at vertices, if its end is not a source, or if a piece of it is not in the face
+  // that the path names for it. Takes linear time.
   FT length_to_source(const Path_steps<FT>& path) const
   {
     if(path.empty() || path.front().vertex == null_id || path.back().vertex == null_id)

@@ -132,16 +132,16 @@ private:
   }
 
   // Adds the paths that reach the edge of h from its face: from a corner, and through a window on one of the three
-  // edges. If `is_backwards`, the function runs against h.
-  void add_paths(Halfedge_id h, bool is_backwards, Edge_distance_function<FT>& function) const
+  // edges. If `is_backward`, the function runs against h.
+  void add_paths(Halfedge_id h, bool is_backward, Edge_distance_function<FT>& function) const
   {
     const Face_frame<FT> c = m_mesh.face_frame(h);
     auto add = [&](const Piece& p)
-    { function.add(is_backwards ? backwards(p, c.length) : p); };
+    { function.add(is_backward ? backward(p, c.length) : p); };
     auto add_three = [&](const Piece& before, const Piece& p, const Piece& behind)
     {
-      if(is_backwards)
-        function.add(backwards(p, c.length), backwards(behind, c.length), backwards(before, c.length));
+      if(is_backward)
+        function.add(backward(p, c.length), backward(behind, c.length), backward(before, c.length));
       else
         function.add(p, before, behind);
     };
@@ -194,7 +194,7 @@ private:
   }
 
   // Returns the piece in the direction against an edge of this length.
-  static Piece backwards(const Piece& p, const FT& length)
+  static Piece backward(const Piece& p, const FT& length)
   {
     return {length - p.end, length - p.begin, length - p.x, p.depth, p.offset};
   }
@@ -218,18 +218,18 @@ private:
   }
 
   // Reads the function on the edge of h: in the direction of h, or against it.
-  void read_function(Halfedge_id h, bool is_backwards, std::vector<Piece>& pieces) const
+  void read_function(Halfedge_id h, bool is_backward, std::vector<Piece>& pieces) const
   {
     pieces.clear();
     const bool is_first = is_first_of_edge(h);
     const std::size_t e = dense_index(is_first ? h : m_mesh.opposite(h));
     const auto first = m_pieces.begin() + static_cast<std::ptrdiff_t>(m_begin[e]);
     pieces.assign(first, first + static_cast<std::ptrdiff_t>(m_size[e]));
-    if(is_first != is_backwards) // the direction in which the function is stored
+    if(is_first != is_backward) // the direction in which the function is stored
       return;
     std::reverse(pieces.begin(), pieces.end());
     for(Piece& p : pieces)
-      p = backwards(p, m_mesh.length(h));
+      p = backward(p, m_mesh.length(h));
   }
 
   // --- the condition ---

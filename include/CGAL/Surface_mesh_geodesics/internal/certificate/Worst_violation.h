@@ -31,7 +31,7 @@ struct Worst_violation
   std::size_t number_of_checks = 0;
 
   // Records a check at v. `excess` is the amount by which the condition fails, `extent` the longest edge of the
-  // component. An excess of at most gap() times `extent` is no violation, because the package does not distinguish
+  // component. An excess of at most gap() times `extent` is not a violation, because the package does not distinguish
   // points that close. Otherwise the size of the violation is excess / scale, or infinity if that is NaN. Ties: the
   // first of equal violations stays.
   void record(const FT& excess, const FT& scale, const FT& extent, Vertex_id v)

@@ -80,7 +80,7 @@ public:
       {
         const double extent = std::abs(m_points.back()[i] - m_points.front()[i]);
         if(!(extent <= largest_extent()))
-          refuse_point();
+          reject_point();
         if(m_points.size() <= number_in_faces)
           largest = (std::max)(largest, extent);
       }
@@ -117,7 +117,7 @@ private:
 
   // Throws for the first vertex of vertices(tm) that has a coordinate which is not finite or too large by itself;
   // otherwise for no vertex in particular, as points are too far from each other.
-  [[noreturn]] void refuse_point() const
+  [[noreturn]] void reject_point() const
   {
     std::size_t position = 0, culprit = 0;
     for(vertex_descriptor v : vertices(m_tm))

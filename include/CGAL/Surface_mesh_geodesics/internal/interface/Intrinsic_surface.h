@@ -166,7 +166,7 @@ public:
           return id;
       }
     }
-    refuse_vertex(what, position);
+    reject_vertex(what, position);
   }
 
   // Does the same for each vertex of a range. Takes linear time.
@@ -189,7 +189,7 @@ public:
   Halfedge_id checked_halfedge(face_descriptor f, const char* what, std::size_t position) const
   {
     if(f == Graph_traits::null_face())
-      refuse_null_face(what, position);
+      reject_null_face(what, position);
     const std::size_t index = static_cast<std::size_t>(get(m_fim, f));
     if(index < m_table.halfedge_of_face_index.size())
     {
@@ -197,7 +197,7 @@ public:
       if(h != null_id && m_table.faces[face_of(h)] == f)
         return h;
     }
-    refuse_face(what, position);
+    reject_face(what, position);
   }
 
   // Returns the user's halfedge that is h. Walks around the face from halfedge(f, tm), as only that one is in a table.
@@ -250,7 +250,7 @@ public:
     return set;
   }
 
-  // Appends a source, whose number is the number of those before it. `what` names it in the message of a refusal.
+  // Appends a source, whose number is the number of those before it. `what` names it in the message of a rejection.
   template <typename Source>
   void add_source(const Source& source, Source_set<FT>& set, const char* what = "source") const
   {
@@ -284,16 +284,16 @@ public:
   void check_vertex(vertex_descriptor v, const char* what, std::size_t position) const
   {
     if(!is_vertex_of(v, m_tm, m_vim))
-      refuse_vertex(what, position);
+      reject_vertex(what, position);
   }
 
   template <typename BarycentricCoordinates>
   void check_location(face_descriptor f, const BarycentricCoordinates& b, const char* what, std::size_t position) const
   {
     if(f == Graph_traits::null_face())
-      refuse_null_face(what, position);
+      reject_null_face(what, position);
     if(!is_face_of(f, m_tm, m_fim))
-      refuse_face(what, position);
+      reject_face(what, position);
     intrinsic_coordinates<FT>(halfedge_of(0, 0), b, what, position);
   }
 
@@ -320,7 +320,7 @@ private:
     return is_marked;
   }
 
-  // Ignores a source that is not in the mesh: it is refused when the mesh has been read.
+  // Ignores a source that is not in the mesh: it is rejected when the mesh has been read.
   template <typename Source>
   void mark_source(const Source& source, std::vector<char>& is_marked) const
   {

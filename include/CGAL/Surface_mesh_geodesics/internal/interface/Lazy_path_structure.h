@@ -111,7 +111,7 @@ public:
   // has computed them since.
   bool has_changed() const { return m_ready.load(std::memory_order_acquire) == Stage::NOWHERE; }
 
-  // Adds a vertex. The build refuses an invalid one.
+  // Adds a vertex. build() rejects an invalid one.
   Source_point_iterator add_source(vertex_descriptor v)
   {
     const bool is_vertex = is_vertex_of(v, m_tm, m_vertex_index_map);
@@ -119,7 +119,7 @@ public:
       {is_vertex ? Locations::location(v, m_tm, m_traits) : Locations::null_location(m_traits), true, v});
   }
 
-  // Adds a point of a face. The build refuses an invalid one.
+  // Adds a point of a face. build() rejects an invalid one.
   Source_point_iterator add_source(const Face_location& location)
   {
     return add_source_point({location, false, Graph_traits::null_vertex()});
@@ -197,8 +197,8 @@ public:
     set_ready(Stage::EVERYWHERE);
   }
 
-  // Returns what the last propagation did; one that only adds windows counts if it is complete, and none counts that an
-  // exception has ended. Waits while a query in another thread computes.
+  // Returns the statistics of the last propagation. One that only adds windows counts if it is complete. One that an
+  // exception has ended does not count. Waits while a query in another thread computes.
   Propagation_statistics statistics() const
   {
     const std::lock_guard<std::mutex> lock(m_mutex);
@@ -390,7 +390,8 @@ private:
     return q;
   }
 
-  // Returns whether the location is a vertex of its face, after snapping. An invalid one is none; the query refuses it.
+  // Returns whether the location is a vertex of its face, after snapping. Returns false for an invalid
+  // location; the query rejects it.
   static bool is_at_corner(Coordinates b)
   {
     if(!are_valid_coordinates(b))

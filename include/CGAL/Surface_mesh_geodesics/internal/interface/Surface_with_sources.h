@@ -85,7 +85,7 @@ public:
     m_surface.forget();
   }
 
-  // Removes all sources; the mesh becomes what it was.
+  // Removes all sources, and restores the mesh.
   void clear_sources()
   {
     m_insertion.undo();

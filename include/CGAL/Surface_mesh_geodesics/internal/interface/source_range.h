@@ -11,7 +11,7 @@
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_SOURCE_RANGE_H
 
 // What a user may give as a source: a vertex descriptor, a location in a face, or a range of these; and how a
-// descriptor that is not valid is refused. Intrinsic_surface::source_set() turns a range into a Source_set.
+// descriptor that is not valid is rejected. Intrinsic_surface::source_set() turns a range into a Source_set.
 
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
@@ -121,10 +121,10 @@ bool is_face_of(typename boost::graph_traits<TriangleMesh>::face_descriptor f, c
   return static_cast<std::size_t>(get(fim, f)) < num_faces(tm) && !Removed_elements<TriangleMesh>::contain(f, tm);
 }
 
-// --- refusals: `what` and `position` name the culprit in the message, as in "source 3"; without a number for
+// --- rejections: `what` and `position` name the culprit in the message, as in "source 3"; without a number for
 // no_element ---
 
-[[noreturn]] inline void refuse_descriptor(Invalid_geodesic_input::Reason reason, const char* what,
+[[noreturn]] inline void reject_descriptor(Invalid_geodesic_input::Reason reason, const char* what,
                                            std::size_t position, const char* fault)
 {
   const std::string number
@@ -132,21 +132,21 @@ bool is_face_of(typename boost::graph_traits<TriangleMesh>::face_descriptor f, c
   throw Invalid_geodesic_input(reason, what + number + fault, position);
 }
 
-[[noreturn]] inline void refuse_vertex(const char* what, std::size_t position)
+[[noreturn]] inline void reject_vertex(const char* what, std::size_t position)
 {
-  refuse_descriptor(Invalid_geodesic_input::Reason::INVALID_DESCRIPTOR, what, position,
+  reject_descriptor(Invalid_geodesic_input::Reason::INVALID_DESCRIPTOR, what, position,
                     " is not a vertex of the mesh");
 }
 
-[[noreturn]] inline void refuse_face(const char* what, std::size_t position)
+[[noreturn]] inline void reject_face(const char* what, std::size_t position)
 {
-  refuse_descriptor(Invalid_geodesic_input::Reason::INVALID_DESCRIPTOR, what, position,
+  reject_descriptor(Invalid_geodesic_input::Reason::INVALID_DESCRIPTOR, what, position,
                     " is not in a face of the mesh");
 }
 
-[[noreturn]] inline void refuse_null_face(const char* what, std::size_t position)
+[[noreturn]] inline void reject_null_face(const char* what, std::size_t position)
 {
-  refuse_descriptor(Invalid_geodesic_input::Reason::INVALID_LOCATION, what, position, " has a null face");
+  reject_descriptor(Invalid_geodesic_input::Reason::INVALID_LOCATION, what, position, " has a null face");
 }
 
 // Returns the barycentric coordinates of a location in the order of the corners of the intrinsic face. The user's order
@@ -159,7 +159,7 @@ Barycentric<FT> intrinsic_coordinates(Halfedge_id h, const Coordinates& b, const
   for(unsigned int j = 0; j < 3; ++j)
     r[(index_in_face(h) + j) % 3] = FT(CGAL::to_double(b[j]));
   if(!are_valid_coordinates(r))
-    refuse_descriptor(Invalid_geodesic_input::Reason::INVALID_LOCATION, what, position, " is not in its face");
+    reject_descriptor(Invalid_geodesic_input::Reason::INVALID_LOCATION, what, position, " is not in its face");
   return r;
 }
 

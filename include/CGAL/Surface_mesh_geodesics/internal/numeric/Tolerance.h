@@ -10,9 +10,11 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_TOLERANCE_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_TOLERANCE_H
 
-// Every tolerance of the computation, room by room, so that they can be compared with each other. Two kinds of numbers
-// stand elsewhere: the default tolerances of the certificates, which are part of their public classes, and bounds of
-// the size of a computation (Path_search::maximum_effort, Intrinsic_mesh::largest_faces_crossed, largest_extent()).
+// Every tolerance of the computation, room by room, so that they can be compared with each other. Three kinds of
+// numbers stand elsewhere: the default tolerances of the certificates, which are part of their public classes; bounds
+// of the size of a computation or of its input (Path_search::maximum_effort, Intrinsic_mesh::largest_faces_crossed,
+// Surface_locations::largest_size, largest_extent() and its neighbors); and numbers that change the time but no result
+// beyond rounding (Batch_threshold).
 //
 // No tolerance is absolute. The comment of each one names the quantity that it multiplies ("relative to a distance")
 // and the reason for its size. Most are a power of two times epsilon(), so that multiplying by them is exact.
@@ -48,7 +50,7 @@ struct Tolerance
   // side of its face.
   static FT barycentric() { return 64 * input_epsilon(); }
 
-  // Relative to 1: coordinates whose sum differs from 1 by more, or one of which is less than zero by more, are no
+  // Relative to 1: coordinates whose sum differs from 1 by more, or one of which is less than zero by more, are not
   // barycentric coordinates. Large enough for coordinates with ordinary rounding errors, small enough to detect a
   // mistake.
   static FT location()
@@ -100,9 +102,9 @@ struct Tolerance
     return e * e;
   }
 
-  // Relative to the longest side, where the user gives lengths: in a face with a smaller height h, |e| / h bounds paths
-  // by millions of crossed faces for each edge e, which no computation reaches in practice, and the square of this
-  // ratio, below 2^-48, is near the rounding of double.
+  // Relative to the longest side, where the user gives lengths: in a face with a smaller height h, the bound |e| / h on
+  // the faces crossed for each edge e runs to millions, which no computation reaches in practice, and the square of
+  // this ratio, below 2^-48, is near the rounding of double.
   static constexpr double lost_face() { return 0x1p-24; }
 
   // Relative to the longest side: if a mesh has lost faces, only faces with a larger height count for the bound, which
@@ -193,8 +195,8 @@ struct Tolerance
 
   // --- Diagrams: Voronoi/ and the bisectors in numeric/ --------------------------------------------------------------
 
-  // Relative to a distance: an image is nearer than another one if it is so by more. Each distance errs by distance(),
-  // and each image by its rounding in the frame of the face.
+  // Relative to a distance: an image counts as nearer than another one if it is nearer by more than this. Each distance
+  // errs by distance(), and each image by its rounding in the frame of the face.
   static FT nearer() { return 4 * distance(); }
 
   // Relative to a distance: an image may follow another one of the same site, where the interval of that one ends, if

@@ -58,7 +58,7 @@ struct Planar_triangle
 // product by 13 u, its root by 7.5 u, and apex_y by 10.5 u of itself: less than 6 epsilon(). The summand of a in
 // apex_x errs by 3 u of b + c at most, and apex_x by 5.5 u of c or 6.5 u of b: less than 3 and 4 epsilon(). So
 // the directions of all sides are accurate in needles, too.
-// Laws: a power of two scales the result exactly.
+// Laws: scaling all lengths by a power of two scales the result exactly.
 template <typename FT>
 Planar_triangle<FT> planar_triangle_from_lengths(const FT& a, const FT& b, const FT& c)
 {

@@ -293,8 +293,8 @@ private:
   //
   // Formula: gap + distance(v) <= rest() + slack(), and distance(v) < the distance of the start, so that the path comes
   // nearer to the source with each piece. Frame: none; it compares distances. Ties: a path that is equally long runs
-  // through v; a vertex as far as the start is refused. Error: rest() is a difference of sums, which round once for
-  // each step; slack() covers the rounding of one image and one frame, not that of all steps. No bound is known for
+  // through v; a vertex as far away as the start is rejected. Error: rest() is a difference of sums, which round once
+  // for each step; slack() covers the rounding of one image and one frame, not that of all steps. No bound is known for
   // many steps. A wrong answer cannot give a wrong path: has_right_length() compares the sum of the pieces with the
   // distance.
   // Laws: monotone in gap; scaling all lengths by a power of two keeps the answer.

@@ -139,7 +139,7 @@ private:
   }
 
   // Returns the last piece of the path to v, as the propagation has recorded it.
-  // Requires: v is reached, and no source.
+  // Requires: v is reached and is not a source.
   Piece_start<FT> piece_to(Vertex_id v) const
   {
     CGAL_assertion(m_field.arrival[v].halfedge != null_id);

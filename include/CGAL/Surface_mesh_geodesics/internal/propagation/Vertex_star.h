@@ -38,7 +38,7 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// A vertex of the link. The visit improves this copy of its distance; the field is updated afterwards.
+// A vertex of the link. The visit improves this copy of its distance; the field is updated afterward.
 template <typename FT>
 struct Link_vertex
 {

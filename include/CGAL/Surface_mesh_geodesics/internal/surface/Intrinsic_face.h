@@ -100,7 +100,7 @@ struct Face_frame
 // height by 10.5 u of itself (planar_triangle_from_lengths()). As the ratio times a side of the layout is at most
 // length[0], and with u for the rest, the apex errs by sqrt((7.5 + 3 c)^2 + (12.5 s)^2) u for an angle with the cosine
 // c and the sine s: less than 15 u, that is, 8 epsilon() in each frame. From points: set_shape_from_sides().
-// Laws: scaling by a power of two scales the result exactly.
+// Laws: scaling all lengths by a power of two scales the result exactly.
 template <typename FT>
 void set_apex(const Intrinsic_face<FT>& f, unsigned int k, Face_frame<FT>& c)
 {

@@ -38,8 +38,8 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// A face of a triangle mesh: the indices of its corners and of the faces across its edges. A neighbor that is no index
-// of a face stands for the border. Edge j leads from corner j to corner j+1.
+// A face of a triangle mesh: the indices of its corners and of the faces across its edges. A neighbor that is not
+// the index of a face stands for the border. Edge j leads from corner j to corner j+1.
 struct Connected_face
 {
   std::array<std::uint32_t, 3> corner, neighbor;
@@ -148,7 +148,7 @@ public:
       for(Face_id f = first; f < last; ++f)
         longest = (std::max)(longest, longest_side(mesh.face(f)));
       if(longest < smallest_component())
-        refuse_lengths(has_length, first, last);
+        reject_lengths(has_length, first, last);
       components.push_back({first, longest});
     }
     mesh.set_edge_components(components);
@@ -284,7 +284,7 @@ private:
   }
 
   template <typename Has_length>
-  void refuse_lengths(Has_length has_length, Face_id first, Face_id last) const
+  void reject_lengths(Has_length has_length, Face_id first, Face_id last) const
   {
     for(Face_id i = first; i < last; ++i)
       if(has_length(m_order[i]))

@@ -104,7 +104,7 @@ public:
     m_number_of_faces = m_mesh.number_of_faces();
   }
 
-  // Removes all inserted vertices: each face, vertex and kind becomes what it was, to the same bits. Takes time for
+  // Removes all inserted vertices: restores each face, vertex and kind to the same bits. Takes time for
   // what the insertions have changed. Changes are taken back in reverse order, since a face may have been saved several
   // times.
   void undo()

@@ -37,12 +37,12 @@ namespace internal {
 template <typename FT>
 class Window_keeper;
 
-// Batches of windows, and for each halfedge the chain of its batches, the latest first. Windows are never removed, and
-// never move. Window_keeper fills the field. Each keeper has a chunk and a block of batches of its own, so several
+// Bundles of windows, and for each halfedge the chain of its bundles, the latest first. Windows are never removed, and
+// never move. Window_keeper fills the field. Each keeper has a chunk and a block of bundles of its own, so several
 // threads may keep windows at once, each with its keeper, if no two of them are concerned with the same halfedge.
 //
-// Invariants: a batch lies in one chunk and is not empty; its `previous` is older, or null_id, so chains end; batches
-// are numbered through all blocks; there are fewer than 2^32 - 1 batches.
+// Invariants: a bundle lies in one chunk and is not empty; its `previous` is older, or null_id, so chains end; bundles
+// are numbered through all blocks; there are fewer than 2^32 - 1 bundles.
 //
 // Threads: several may call for_each_window() at once if no thread calls reset(), and none keeps windows.
 template <typename FT_>
@@ -60,7 +60,7 @@ public:
   // that have kept windows in the field must not keep more.
   void reset(std::size_t number_of_faces)
   {
-    m_last_batch.assign(3 * number_of_faces, null_id);
+    m_last_bundle.assign(3 * number_of_faces, null_id);
     m_blocks.clear();
     m_chunks.clear();
     m_windows_in_chunks = 0;
@@ -69,48 +69,48 @@ public:
   // Removes all windows and frees all memory.
   void clear()
   {
-    m_last_batch = std::vector<std::uint32_t>();
-    m_blocks = std::vector<std::unique_ptr<Batch[]>>();
+    m_last_bundle = std::vector<std::uint32_t>();
+    m_blocks = std::vector<std::unique_ptr<Bundle[]>>();
     m_chunks = std::vector<std::unique_ptr<Kept[]>>();
     m_windows_in_chunks = 0;
   }
 
-  // Calls visit(window) for all windows of h, the latest batch first, and by key within a batch. The winner of a tie
+  // Calls visit(window) for all windows of h, the latest bundle first, and by key within a bundle. The winner of a tie
   // in a query depends on this order. Takes time linear in the number of windows.
   // Requires: reset() has been called for a mesh with h. `visit` keeps no windows.
   template <typename Visit>
   void for_each_window(Halfedge_id h, Visit visit) const
   {
-    for(std::uint32_t b = m_last_batch[dense_index(h)]; b != null_id;)
+    for(std::uint32_t b = m_last_bundle[dense_index(h)]; b != null_id;)
     {
-      const Batch& batch = m_blocks[b / batches_in_block][b % batches_in_block];
-      for(std::uint32_t i = 0; i < batch.size; ++i)
-        visit(batch.first[i]);
-      b = batch.previous;
+      const Bundle& bundle = m_blocks[b / bundles_in_block][b % bundles_in_block];
+      for(std::uint32_t i = 0; i < bundle.size; ++i)
+        visit(bundle.first[i]);
+      b = bundle.previous;
     }
   }
 
   std::size_t memory() const
   {
-    return m_windows_in_chunks * sizeof(Kept) + m_blocks.size() * batches_in_block * sizeof(Batch)
-         + m_last_batch.capacity() * sizeof(std::uint32_t);
+    return m_windows_in_chunks * sizeof(Kept) + m_blocks.size() * bundles_in_block * sizeof(Bundle)
+         + m_last_bundle.capacity() * sizeof(std::uint32_t);
   }
 
 private:
   friend class Window_keeper<FT>;
 
   static constexpr std::size_t windows_in_chunk = 4096;
-  static constexpr std::size_t batches_in_block = 1024;
+  static constexpr std::size_t bundles_in_block = 1024;
 
-  // The windows of one list, or a part of them, and the batch of the same halfedge before it.
-  struct Batch
+  // The windows of one list, or a part of them, and the bundle of the same halfedge before it.
+  struct Bundle
   {
     const Kept* first;
     std::uint32_t size;
     std::uint32_t previous;
   };
 
-  // Return a chunk of n windows, and a block of batches with the number of the first one. Any thread may call them.
+  // Return a chunk of n windows, and a block of bundles with the number of the first one. Any thread may call them.
   Kept* new_chunk(std::size_t n)
   {
     std::unique_ptr<Kept[]> chunk(new Kept[n]);
@@ -120,19 +120,19 @@ private:
     return m_chunks.back().get();
   }
 
-  std::pair<Batch*, std::uint32_t> new_block()
+  std::pair<Bundle*, std::uint32_t> new_block()
   {
-    std::unique_ptr<Batch[]> block(new Batch[batches_in_block]);
+    std::unique_ptr<Bundle[]> block(new Bundle[bundles_in_block]);
     const std::lock_guard<std::mutex> lock(m_mutex);
     m_blocks.push_back(std::move(block));
-    return {m_blocks.back().get(), static_cast<std::uint32_t>((m_blocks.size() - 1) * batches_in_block)};
+    return {m_blocks.back().get(), static_cast<std::uint32_t>((m_blocks.size() - 1) * bundles_in_block)};
   }
 
-  std::vector<std::uint32_t> m_last_batch; // by halfedge
+  std::vector<std::uint32_t> m_last_bundle; // by halfedge
   std::mutex m_mutex;                      // guards the members below while windows are kept
   std::vector<std::unique_ptr<Kept[]>> m_chunks;
   std::size_t m_windows_in_chunks = 0;
-  std::vector<std::unique_ptr<Batch[]>> m_blocks;
+  std::vector<std::unique_ptr<Bundle[]>> m_blocks;
 };
 
 // The keeper of a propagation whose windows go into a field. The distance that is reached does not matter to it.
@@ -140,7 +140,7 @@ private:
 // A copy keeps windows in the same field, in memory of its own. The parallel propagation gives each thread a keeper:
 // visits that take place at the same time share no face, hence no halfedge. So the order of the lists of a halfedge
 // does not depend on the threads. Neither does the order of windows, as the keepers of threads keep each list as one
-// batch. The keeper of a single thread fills each chunk, and divides a list that does not fit into several batches.
+// bundle. The keeper of a single thread fills each chunk, and divides a list that does not fit into several bundles.
 template <typename FT>
 class Window_keeper
 {
@@ -170,11 +170,11 @@ public:
       const std::size_t n = (std::min)(m_free_windows, list.size - done);
       for(std::size_t i = 0; i < n; ++i)
         m_window[i] = kept_window(list, done + i);
-      std::uint32_t& last = m_field->m_last_batch[dense_index(h)];
-      *m_batch = Batch{m_window, static_cast<std::uint32_t>(n), last};
-      last = m_batch_number++;
-      ++m_batch;
-      --m_free_batches;
+      std::uint32_t& last = m_field->m_last_bundle[dense_index(h)];
+      *m_bundle = Bundle{m_window, static_cast<std::uint32_t>(n), last};
+      last = m_bundle_number++;
+      ++m_bundle;
+      --m_free_bundles;
       m_window += n;
       m_free_windows -= n;
       done += n;
@@ -184,9 +184,9 @@ public:
   void advance(const FT&) const {}
 
 private:
-  using Batch = typename Edge_window_field<FT>::Batch;
+  using Bundle = typename Edge_window_field<FT>::Bundle;
 
-  // Reserves memory for n windows and a batch. If that throws, nothing has changed but the memory of the field.
+  // Reserves memory for n windows and a bundle. If that throws, nothing has changed but the memory of the field.
   void get_memory(std::size_t n)
   {
     if(m_free_windows < n)
@@ -195,10 +195,10 @@ private:
       m_window = m_field->new_chunk(size);
       m_free_windows = size;
     }
-    if(m_free_batches == 0)
+    if(m_free_bundles == 0)
     {
-      std::tie(m_batch, m_batch_number) = m_field->new_block();
-      m_free_batches = Edge_window_field<FT>::batches_in_block;
+      std::tie(m_bundle, m_bundle_number) = m_field->new_block();
+      m_free_bundles = Edge_window_field<FT>::bundles_in_block;
     }
   }
 
@@ -206,9 +206,9 @@ private:
   bool m_divides_lists;
   Kept_window<FT>* m_window = nullptr; // where the next window goes, and how many windows fit from there on
   std::size_t m_free_windows = 0;
-  Batch* m_batch = nullptr; // the same for batches
-  std::size_t m_free_batches = 0;
-  std::uint32_t m_batch_number = 0;
+  Bundle* m_bundle = nullptr; // the same for bundles
+  std::size_t m_free_bundles = 0;
+  std::uint32_t m_bundle_number = 0;
 };
 
 // The keeper of a propagation that keeps no windows.

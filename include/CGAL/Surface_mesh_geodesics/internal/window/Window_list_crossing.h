@@ -82,7 +82,7 @@ public:
   // are then examined one by one. The order of pruning does not matter: each removed path is longer than some path on
   // the surface. Lists are pruned on every fourth edge only. To remove a window later costs less than to look for it on
   // each edge.
-  // Requires: the list is valid. It is so afterwards; in between, trimming may leave empty intervals.
+  // Requires: the list is valid. It is so afterward; in between, trimming may leave empty intervals.
   void prune(Window_list<FT>& list, const Face_frame<FT>& c, const Corner_rivals<FT>& corners)
   {
     CGAL_expensive_assertion(internal::is_valid(list, c.length));

@@ -214,7 +214,7 @@ public:
     return list;
   }
 
-  // Releases the block of a list. The list is empty afterwards.
+  // Releases the block of a list. The list is empty afterward.
   void release(List& list)
   {
     if(list.columns.height != 0)
@@ -508,7 +508,7 @@ private:
 
   Slot& at(std::uint32_t slot) { return m_chunks[slot / slots_in_chunk][slot % slots_in_chunk]; }
 
-  // Makes the table, and reserves as many chunks as can ever be needed: threads read the places of chunks while
+  // Makes the table, and reserves as many chunks as can ever be needed: threads read the positions of chunks while
   // another one makes a chunk. Beside the slots in use, each thread has at most three chunks (share_surplus()).
   void resize(std::size_t number_of_faces, std::size_t number_of_threads)
   {

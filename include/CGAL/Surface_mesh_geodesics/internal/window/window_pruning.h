@@ -98,7 +98,8 @@ template <typename FT>
 Pair_outcome prune_pair(Window<FT>& left, Window<FT>& right)
 {
   CGAL_expensive_assertion(left.key <= right.key && !is_order_unknown(left, right));
-  // (The edge is not shorter than this part of it, and what is too close on a short edge is so on a longer one.)
+  // (The edge is not shorter than this part of it, and an image too close on a short edge is too close on a longer
+  // one.)
   CGAL_expensive_assertion(!is_too_close_to_trim(left, FT((std::max)(left.end, right.end))));
   CGAL_expensive_assertion(!is_too_close_to_trim(right, FT((std::max)(left.end, right.end))));
   if(left.end <= right.begin)

@@ -243,12 +243,10 @@ private:
   // Formula: at the middle, the polynomials of c are positive, and is_nearer() holds for g and `left`; and both ends
   // are farther apart than the width of a face's rounding. Frame: that of the bisector. Ties: an image that ties, or is
   // nearer on no more than `width`, does not take over.
-  // Error: if the result is true, g is nearer than `left` at the
-  // middle by 23 u of the distance (is_nearer()), where u = epsilon() / 2; it sees the middle up to the rounding of a
-  // polynomial. A take-over on a part that is not wider than m_width is missed. No bound is known for the middle as a
-  // point of the bisector (Weighted_bisector.h).
-  // Laws: no image takes over from itself; scaling all lengths by a power
-  // of two keeps the answer.
+  // Error: if the result is true, g is nearer than `left` at the middle by 23 u of the distance (is_nearer()), where
+  // u = epsilon() / 2; it sees the middle up to the rounding of a polynomial. A take-over on a part that is not wider
+  // than m_width is missed. No bound is known for the middle as a point of the bisector (Weighted_bisector.h).
+  // Laws: no image takes over from itself; scaling all lengths by a power of two keeps the answer.
   bool is_taken_over_between(const FT& from, const FT& to, const Image& left, const Image& g, const Challenge& c) const
   {
     const FT middle = from + (to - from) / 2;

@@ -106,10 +106,10 @@ public:
 
   const Sites& sites() const { return m_sites; }
 
-  // Adds a vertex. The build refuses an invalid one.
+  // Adds a vertex. build() rejects an invalid one.
   std::size_t add_site(vertex_descriptor v, const FT& weight) { return add({true, v, Face_location(), weight}); }
 
-  // Adds a point of a face. The build refuses an invalid one.
+  // Adds a point of a face. build() rejects an invalid one.
   std::size_t add_site(const Face_location& location, const FT& weight)
   {
     return add({false, Graph_traits::null_vertex(), location, weight});
@@ -140,7 +140,7 @@ public:
                                                             : Locations::null_location(m_traits);
   }
 
-  // --- lengths: they are read by the next build, which refuses invalid ones. (The shortest paths read them at once.)
+  // --- lengths: they are read by the next build, which rejects invalid ones. (The shortest paths read them at once.)
 
   template <typename EdgeLengthMap>
   void use_edge_lengths(EdgeLengthMap edge_length_map)
@@ -173,8 +173,9 @@ public:
     return build_with([&](auto propagate) { return run_with_visitor(visitor, num_vertices(m_tm), propagate); });
   }
 
-  // What the propagation did, and how many windows the diagram kept: at most at a time, and without the removal of
-  // redundant ones. Both build the diagram. Nothing that runs later in const functions changes these figures.
+  // What the propagation did, and how many windows the diagram kept: the largest number at one time, and the number
+  // without the removal of redundant ones. Both build the diagram. Nothing that runs later in const functions changes
+  // these figures.
   Propagation_statistics statistics() const
   {
     build();
@@ -346,7 +347,7 @@ private:
 
   // --- forgetting ---
 
-  // Adds a site and forgets the diagram. If the site is refused, nothing changes.
+  // Adds a site and forgets the diagram. If the site is rejected, nothing changes.
   std::size_t add(const typename Sites::Site& site)
   {
     const std::size_t i = m_sites.add(site);

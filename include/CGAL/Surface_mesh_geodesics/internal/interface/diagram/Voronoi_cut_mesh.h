@@ -14,7 +14,7 @@
 // refined intrinsic mesh: each of its edges becomes a chain of edges that both faces share, and each face is filled
 // with the triangles that Voronoi_face_cut makes of it.
 //
-// Halfedges are linked one by one, without Euler operations: these refuse pinched vertices and two edges with the same
+// Halfedges are linked one by one, without Euler operations: these reject pinched vertices and two edges with the same
 // ends, both of which a surface may have.
 
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>

@@ -33,7 +33,7 @@ namespace Surface_mesh_geodesics {
 namespace internal {
 
 // Sites have the numbers 0, 1, ... in the order in which they are added. Invariant: all weights are finite; add()
-// refuses others. Whether vertices and locations are on the mesh is checked by the solver, which gets them later.
+// rejects others. Whether vertices and locations are on the mesh is checked by the solver, which gets them later.
 template <typename vertex_descriptor, typename Face_location, typename FT>
 class Weighted_site_list
 {
@@ -62,7 +62,7 @@ public:
   std::size_t add(const Site& site)
   {
     if(!std::isfinite(CGAL::to_double(site.weight)))
-      refuse_weight("is not finite", m_sites.size());
+      reject_weight("is not finite", m_sites.size());
     m_sites.push_back(site);
     return m_sites.size() - 1;
   }
@@ -86,13 +86,13 @@ public:
     {
       const double offset = largest - CGAL::to_double(m_sites[i].weight);
       if(!std::isfinite(offset / unit))
-        refuse_weight("differs too much from the largest weight", i);
+        reject_weight("differs too much from the largest weight", i);
       add(m_sites[i], offset);
     }
   }
 
 private:
-  [[noreturn]] static void refuse_weight(const char* reason, std::size_t i)
+  [[noreturn]] static void reject_weight(const char* reason, std::size_t i)
   {
     throw Invalid_geodesic_input(Invalid_geodesic_input::Reason::INVALID_OFFSET,
                                  "the weight of site " + std::to_string(i) + ' ' + reason, i);

@@ -50,12 +50,12 @@ public:
   void go_on_from(const FT& nearest) { m_limit = nearest + m_step; }
 
   // Goes on after a batch of `size` vertices, the farthest of which had the key `farthest`, when the wavefront had
-  // `front` vertices with them. Requires: size > 0.
-  void go_on(std::size_t size, const FT& farthest, std::size_t front)
+  // `wavefront_size` vertices with them. Requires: size > 0.
+  void go_on(std::size_t size, const FT& farthest, std::size_t wavefront_size)
   {
-    const std::size_t aim = (std::max)(m_smallest_aim, front / part_of_wavefront);
+    const std::size_t aim = (std::max)(m_smallest_aim, wavefront_size / part_of_wavefront);
     const FT wanted = FT(aim) / FT(size);
-    if(wanted < 1 || size < front) // a step that takes in the whole wavefront is long enough
+    if(wanted < 1 || size < wavefront_size) // a step that takes in the whole wavefront is long enough
       m_step *= (std::max)(FT(1) / 2, (std::min)(wanted, FT(2)));
     m_step = (std::max)(m_step, smallest_step());
     m_limit = (std::min)(m_limit, farthest) + m_step;

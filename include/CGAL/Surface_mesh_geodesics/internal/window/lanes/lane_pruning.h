@@ -82,7 +82,7 @@ struct Compared_distances
 // the path of `right` to K and is not the shorter one there: that part of `left` is dominated. The mirror image holds
 // if `left` is nearer. K is put at both ends, `first` and `last`, of what the intervals share. There, one of the
 // windows begins or ends, and its distance is known. A window that loses its whole interval is dominated, else it is
-// trimmed. Two windows that still overlap afterwards have a point of equal distance inside, up to rounding.
+// trimmed. Two windows that still overlap afterward have a point of equal distance inside, up to rounding.
 //
 // Ties remove nothing. Error bound: a part is removed only if it is farther than its rival or ties up to
 // epsilon(), and is removed wherever it is farther by 9 epsilon(), for exact images (see
