@@ -63,16 +63,19 @@ py::array_t<double> points_to_array(const std::vector<Point>& points);
 
 // Runs computations that Python can interrupt. run() computes in a thread of its own, without the interpreter's lock.
 // Twenty times a second, the calling thread takes the lock, asks for signals (Ctrl-C), and calls the progress function
-// with a number from 0 to 1. An exception of either one ends the computation and is passed on.
+// with a number from 0 to 1, which never falls. An exception of either one ends the computation and is passed on. The
+// end of the interpreter also ends computations, those of daemon threads (stop_all()).
 //
 // It is also the visitor of the computation, a model of GeodesicPropagationVisitor. Those functions never touch Python.
 class Interruptible
 {
 public:
   // `progress` may be None. `number_of_runs` is how often a propagation begins.
-  explicit Interruptible(py::object progress, std::size_t number_of_runs = 1)
-    : m_progress(std::move(progress)), m_number_of_runs(number_of_runs)
-  {}
+  explicit Interruptible(py::object progress, std::size_t number_of_runs = 1);
+  ~Interruptible();
+
+  Interruptible(const Interruptible&) = delete;
+  Interruptible& operator=(const Interruptible&) = delete;
 
   void on_propagation_begin(std::size_t number_of_vertices) { m_number_of_vertices = number_of_vertices; }
 
@@ -88,12 +91,19 @@ public:
   // `runs` is the number of runs that are done.
   void set_part_done(double runs)
   {
-    m_part_done.store((std::min)(1., runs / double(m_number_of_runs)), std::memory_order_relaxed);
+    const double part = (std::min)(1., runs / double(m_number_of_runs));
+    if(part > m_part_done.load(std::memory_order_relaxed))
+      m_part_done.store(part, std::memory_order_relaxed);
   }
 
-  // Calls compute(), which must not touch Python, and throws what it throws, or what has interrupted it.
+  // Calls compute(), which must not touch Python, and throws what has interrupted it, or what it throws. Computes in
+  // this thread if that is said to be short: starting a thread takes longer.
   // Requires: this thread holds the interpreter's lock.
-  void run(const std::function<void()>& compute);
+  void run(bool is_short, const std::function<void()>& compute);
+
+  // Stops all computations, and waits until their threads have ended. Requires: this thread holds the interpreter's
+  // lock.
+  static void stop_all();
 
 private:
   void ask_python();
@@ -157,7 +167,10 @@ public:
   auto lengths() const { return m_lengths; }
 
   // Calls compute() while no other thread computes on this surface, as Interruptible::run() does.
-  void run_alone(Interruptible& visitor, const std::function<void()>& compute);
+  void run_alone(Interruptible& visitor, bool is_short, const std::function<void()>& compute);
+
+  // The lock of the surface, if no thread computes on it at the moment.
+  std::unique_lock<std::timed_mutex> try_lock() { return {m_mutex, std::try_to_lock}; }
 
   // Both are used inside run_alone() only.
   std::shared_ptr<Distance_engine> distance_engine;

@@ -32,7 +32,7 @@ public:
         m_voronoi.add_site(range[i], weights.size() == 0 ? 0. : weights.data()[i]);
     });
     Interruptible visitor(progress);
-    visitor.run([&]() { m_voronoi.build(visitor); });
+    visitor.run(false, [&]() { m_voronoi.build(visitor); });
   }
 
   std::size_t number_of_sites() const { return m_voronoi.number_of_sites(); }
@@ -42,28 +42,29 @@ public:
   {
     std::vector<std::int64_t> labels;
     std::vector<double> distances;
-    for(const Vertex v : m_surface->mesh().vertices())
-    {
-      labels.push_back(number(m_voronoi.nearest_site(v)));
-      const double d = m_voronoi.distance_to_nearest_site(v);
-      distances.push_back(labels.back() < 0 ? std::numeric_limits<double>::infinity() : d);
-    }
+    without_lock([&]() { find_at_vertices(labels, distances); });
     return py::make_tuple(to_array(std::move(labels)), to_array(std::move(distances)));
   }
 
   py::array_t<double> areas() const
   {
     std::vector<double> result;
-    for(std::size_t i = 0; i < number_of_sites(); ++i)
-      result.push_back(m_voronoi.area(i));
+    without_lock([&]()
+    {
+      for(std::size_t i = 0; i < number_of_sites(); ++i)
+        result.push_back(m_voronoi.area(i));
+    });
     return to_array(std::move(result));
   }
 
   py::array_t<double> centroids() const
   {
     std::vector<Point> result;
-    for(std::size_t i = 0; i < number_of_sites(); ++i)
-      result.push_back(m_voronoi.centroid(i));
+    without_lock([&]()
+    {
+      for(std::size_t i = 0; i < number_of_sites(); ++i)
+        result.push_back(m_voronoi.centroid(i));
+    });
     return points_to_array(result);
   }
 
@@ -81,24 +82,12 @@ public:
   // The curves around a cell; a closed one ends with its first point.
   py::list boundaries(std::size_t i, double tolerance) const
   {
+    std::vector<std::vector<Point>> curves;
+    Interruptible visitor{py::none()};
+    visitor.run(false, [&]() { find_boundaries(i, tolerance, visitor, curves); });
     py::list result;
-    for(const auto& boundary : m_voronoi.boundary(i))
-    {
-      std::vector<Point> points;
-      for(const auto& [edge, is_reversed] : boundary.edges)
-      {
-        std::vector<Point> part;
-        edge.polyline(tolerance, std::back_inserter(part));
-        if(is_reversed)
-          std::reverse(part.begin(), part.end());
-        // (An edge begins where the one before it ends.)
-        points.insert(points.end(), part.begin() + (points.empty() || part.empty() ? 0 : 1), part.end());
-      }
-      // (Rounding may have moved the end, which comes from another face.)
-      if(boundary.is_closed && !points.empty())
-        points.back() = points.front();
-      result.append(points_to_array(points));
-    }
+    for(const std::vector<Point>& curve : curves)
+      result.append(points_to_array(curve));
     return result;
   }
 
@@ -119,7 +108,8 @@ public:
   {
     Mesh mesh;
     auto cell = mesh.add_property_map<Face, std::size_t>("f:cell", 0).first;
-    m_voronoi.cut(mesh, cell, tolerance);
+    Interruptible visitor{py::none()};
+    visitor.run(false, [&]() { m_voronoi.cut(mesh, cell, tolerance); });
     std::vector<Point> points;
     for(const Vertex v : mesh.vertices())
       points.push_back(mesh.point(v));
@@ -134,6 +124,47 @@ public:
   }
 
 private:
+  template <typename Compute>
+  static void without_lock(const Compute& compute)
+  {
+    const py::gil_scoped_release release;
+    compute();
+  }
+
+  void find_at_vertices(std::vector<std::int64_t>& labels, std::vector<double>& distances) const
+  {
+    for(const Vertex v : m_surface->mesh().vertices())
+    {
+      labels.push_back(number(m_voronoi.nearest_site(v)));
+      const double d = m_voronoi.distance_to_nearest_site(v);
+      distances.push_back(labels.back() < 0 ? std::numeric_limits<double>::infinity() : d);
+    }
+  }
+
+  void find_boundaries(std::size_t i, double tolerance, const Interruptible& visitor,
+                       std::vector<std::vector<Point>>& curves) const
+  {
+    for(const auto& boundary : m_voronoi.boundary(i))
+    {
+      std::vector<Point> points;
+      for(const auto& [edge, is_reversed] : boundary.edges)
+      {
+        if(!visitor.go_further())
+          return;
+        std::vector<Point> part;
+        edge.polyline(tolerance, std::back_inserter(part));
+        if(is_reversed)
+          std::reverse(part.begin(), part.end());
+        // (An edge begins where the one before it ends.)
+        points.insert(points.end(), part.begin() + (points.empty() || part.empty() ? 0 : 1), part.end());
+      }
+      // (Rounding may have moved the end, which comes from another face.)
+      if(boundary.is_closed && !points.empty())
+        points.back() = points.front();
+      curves.push_back(std::move(points));
+    }
+  }
+
   static std::int64_t number(std::size_t site) { return site == Voronoi::null_site() ? -1 : std::int64_t(site); }
 
   std::shared_ptr<Surface> m_surface;

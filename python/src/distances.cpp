@@ -90,7 +90,7 @@ py::tuple distances(Surface& surface, const Array<std::int64_t>& vertex, const A
   options.targets = to_vertices(targets);
   Interruptible visitor(progress);
   Answer answer;
-  surface.run_alone(visitor, [&]()
+  surface.run_alone(visitor, false, [&]()
   {
     if(threads <= 1 || !has_threads())
       answer = answer_of(sequential_solver(surface), surface, sources, options, with_nearest, visitor);
@@ -111,7 +111,7 @@ py::array_t<double> matrix(Surface& surface, const Array<std::int64_t>& vertex, 
   py::array_t<double> result({sources.size(), range.size()});
   double* const numbers = result.mutable_data();
   Interruptible visitor(progress, sources.size());
-  surface.run_alone(visitor, [&]()
+  surface.run_alone(visitor, false, [&]()
   {
     std::size_t number_done = 0;
     const auto put_row = [&](std::size_t i, const std::vector<double>& row)
@@ -129,8 +129,8 @@ py::array_t<double> matrix(Surface& surface, const Array<std::int64_t>& vertex, 
   return result;
 }
 
-// Returns the arrays of a matrix of compressed sparse rows: pointers to rows, columns, distances. The last two rows of
-// `put_row` may come in any order, so they are joined afterward.
+// Returns the arrays of a matrix of compressed sparse rows: pointers to rows, columns, distances. Rows come in any
+// order, so they are joined at the end.
 py::tuple sparse_matrix(Surface& surface, const Array<std::int64_t>& vertex, const Array<std::int64_t>& face,
                         const Array<double>& weights, const Array<std::int64_t>& targets, double radius,
                         std::size_t threads, const py::object& progress)
@@ -139,7 +139,7 @@ py::tuple sparse_matrix(Surface& surface, const Array<std::int64_t>& vertex, con
   const std::vector<Vertex> range = to_vertices(targets);
   std::vector<std::vector<std::pair<std::size_t, double>>> rows(sources.size());
   Interruptible visitor(progress, sources.size());
-  surface.run_alone(visitor, [&]()
+  surface.run_alone(visitor, false, [&]()
   {
     std::size_t number_done = 0;
     const auto put_row = [&](std::size_t i, const auto& row)
@@ -175,7 +175,7 @@ py::tuple sparse_matrix(Surface& surface, const Array<std::int64_t>& vertex, con
 // Returns (worst violation, list of (condition, violation, vertex or -1, number of checks)).
 py::tuple certify(Surface& surface, const Array<double>& d, const Array<std::int64_t>& vertex,
                   const Array<std::int64_t>& face, const Array<double>& weights, const Array<double>& offsets,
-                  double radius, const py::object& progress)
+                  double radius)
 {
   using Certificate = geodesics::Geodesic_distance_certificate<Mesh>;
   const Places sources(surface.mesh(), vertex, face, weights);
@@ -183,8 +183,8 @@ py::tuple certify(Surface& surface, const Array<double>& d, const Array<std::int
   const double* const numbers = d.data();
   const auto map = boost::make_function_property_map<Vertex>([numbers](Vertex v) { return numbers[std::size_t(v)]; });
   std::unique_ptr<Certificate> certificate;
-  Interruptible visitor(progress);
-  surface.run_alone(visitor, [&]()
+  Interruptible visitor{py::none()};
+  surface.run_alone(visitor, false, [&]()
   {
     certificate = sources.visit([&](const auto& s)
     {

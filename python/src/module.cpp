@@ -12,8 +12,11 @@
 #include <chrono>
 #include <exception>
 #include <future>
+#include <mutex>
+#include <set>
 #include <stdexcept>
 #include <string>
+#include <thread>
 
 namespace geodesics_python {
 
@@ -26,8 +29,46 @@ py::array_t<double> points_to_array(const std::vector<Point>& points)
   return to_rows(std::move(numbers), 3);
 }
 
-void Interruptible::run(const std::function<void()>& compute)
+namespace {
+
+// The computations that run now.
+std::mutex running_mutex;
+std::set<Interruptible*> running;
+
+} // namespace
+
+Interruptible::Interruptible(py::object progress, std::size_t number_of_runs)
+  : m_progress(std::move(progress)), m_number_of_runs(number_of_runs)
 {
+  const std::lock_guard<std::mutex> lock(running_mutex);
+  running.insert(this);
+}
+
+Interruptible::~Interruptible()
+{
+  const std::lock_guard<std::mutex> lock(running_mutex);
+  running.erase(this);
+}
+
+void Interruptible::stop_all()
+{
+  const py::gil_scoped_release release;
+  for(bool is_done = false; !is_done; std::this_thread::sleep_for(std::chrono::milliseconds(1)))
+  {
+    const std::lock_guard<std::mutex> lock(running_mutex);
+    for(Interruptible* i : running)
+      i->m_is_stopped = true;
+    is_done = running.empty();
+  }
+}
+
+void Interruptible::run(bool is_short, const std::function<void()>& compute)
+{
+  if(is_short)
+  {
+    const py::gil_scoped_release release;
+    return compute();
+  }
   std::future<void> result = std::async(std::launch::async, compute);
   std::exception_ptr interruption;
   for(bool is_done = false; !is_done;)
@@ -47,9 +88,11 @@ void Interruptible::run(const std::function<void()>& compute)
       m_is_stopped = true;
     }
   }
-  result.get();
   if(interruption != nullptr)
     std::rethrow_exception(interruption);
+  result.get();
+  if(m_is_stopped)
+    throw std::runtime_error("the program ends");
 }
 
 void Interruptible::ask_python()
@@ -72,8 +115,9 @@ bool has_threads()
 void with_threads(std::size_t number, const std::function<void()>& compute)
 {
 #ifdef CGAL_LINKED_WITH_TBB
-  const int n = static_cast<int>((std::min)(number, std::size_t(1024)));
-  // (TBB starts no more threads than the machine has unless it is told to.)
+  // More threads than this only take memory. (TBB starts no more than the machine has unless it is told to.)
+  const std::size_t most = (std::max)(std::size_t(32), std::size_t(tbb::info::default_concurrency()));
+  const int n = static_cast<int>((std::min)(number, most));
   const tbb::global_control control(tbb::global_control::max_allowed_parallelism,
                                     std::size_t((std::max)(n, tbb::info::default_concurrency())));
   tbb::task_arena(n).execute(compute);
@@ -180,9 +224,9 @@ void Surface::add_lengths(const Array<std::int64_t>& faces, const Array<double>&
   }
 }
 
-void Surface::run_alone(Interruptible& visitor, const std::function<void()>& compute)
+void Surface::run_alone(Interruptible& visitor, bool is_short, const std::function<void()>& compute)
 {
-  visitor.run([&]()
+  visitor.run(is_short, [&]()
   {
     std::unique_lock<std::timed_mutex> lock(m_mutex, std::defer_lock);
     while(visitor.go_further())
@@ -201,9 +245,12 @@ PYBIND11_MODULE(_core, module)
   module.attr("__version__") = SURFACE_MESH_GEODESICS_VERSION;
   module.def("has_threads", &has_threads);
   Surface_class surface(module, "Surface");
-  surface.def(py::init<const Array<double>&, const Array<std::int64_t>&, const Array<double>&>());
+  surface.def(py::init<const Array<double>&, const Array<std::int64_t>&, const Array<double>&>(),
+              py::call_guard<py::gil_scoped_release>());
   bind_distances(surface);
   bind_paths(surface);
   bind_diagrams(module, surface);
   bind_sampling(surface);
+  // Before the interpreter ends: a computation that ends later would find no interpreter.
+  py::module_::import("atexit").attr("register")(py::cpp_function(&Interruptible::stop_all));
 }

@@ -25,6 +25,7 @@ struct Path_engine
 
   Paths paths;
   const Places sources;
+  bool is_built_everywhere = false;
 };
 
 namespace {
@@ -42,7 +43,9 @@ struct Path
 class Path_writer
 {
 public:
-  Path_writer(const Mesh& mesh, const Paths& paths) : m_mesh(mesh), m_paths(paths) {}
+  Path_writer(const Surface& surface, const Paths& paths)
+    : m_mesh(surface.mesh()), m_paths(paths), m_has_points(!surface.has_lengths())
+  {}
 
   void operator()(Mesh::Halfedge_index h, double t)
   {
@@ -97,21 +100,23 @@ private:
     return k;
   }
 
+  // Leaves out a point that rounding makes equal to the one before, as the package does.
   void add(const Point& p, Face f, const Barycentric& b)
   {
-    if(m_elements.empty() || std::get<0>(m_elements.back()) != p)
+    if(m_elements.empty() || !m_has_points || std::get<0>(m_elements.back()) != p)
       m_elements.emplace_back(p, f, b);
   }
 
   const Mesh& m_mesh;
   const Paths& m_paths;
+  const bool m_has_points;
   std::vector<std::tuple<Point, Face, Barycentric>> m_elements;
 };
 
 template <typename... Target>
 Path path_to(const Surface& surface, const Paths& paths, const Target&... target)
 {
-  Path_writer writer(surface.mesh(), paths);
+  Path_writer writer(surface, paths);
   const double length = paths.shortest_path_sequence_to_source_points(target..., writer).first;
   Path path = writer.reversed();
   if(length >= 0)
@@ -139,7 +144,18 @@ std::shared_ptr<Path_engine> engine_of(Surface& surface, const Places& sources, 
     surface.path_engine = std::make_shared<Path_engine>(surface, sources);
   Paths& paths = surface.path_engine->paths;
   const bool is_built = everywhere ? paths.build_sequence_tree_for_faces(visitor) : paths.build_sequence_tree(visitor);
-  return is_built ? surface.path_engine : nullptr;
+  if(!is_built)
+    return nullptr;
+  surface.path_engine->is_built_everywhere |= everywhere;
+  return surface.path_engine;
+}
+
+// Are there paths from these sources already? The answer may be out of date when it is used.
+bool is_ready(Surface& surface, const Places& sources, bool everywhere)
+{
+  const std::unique_lock<std::timed_mutex> lock = surface.try_lock();
+  return lock.owns_lock() && surface.path_engine != nullptr && are_same(surface.path_engine->sources, sources)
+      && (surface.path_engine->is_built_everywhere || !everywhere);
 }
 
 template <typename Work>
@@ -170,7 +186,8 @@ py::list paths_to(Surface& surface, const Array<std::int64_t>& vertex, const Arr
   const Places targets(surface.mesh(), target_vertex, target_face, target_weights);
   std::vector<Path> paths(targets.size());
   Interruptible visitor(progress, 2);
-  surface.run_alone(visitor, [&]()
+  const bool is_short = targets.size() <= 16 && is_ready(surface, sources, !targets.are_vertices());
+  surface.run_alone(visitor, is_short, [&]()
   {
     const auto engine = engine_of(surface, sources, !targets.are_vertices(), visitor);
     if(engine == nullptr)
@@ -198,7 +215,7 @@ py::list isolines(Surface& surface, const Array<std::int64_t>& vertex, const Arr
   std::vector<std::vector<std::vector<Point>>> lines(static_cast<std::size_t>(levels.size()));
   const double* const level = levels.data();
   Interruptible visitor(progress, 1 + lines.size());
-  surface.run_alone(visitor, [&]()
+  surface.run_alone(visitor, false, [&]()
   {
     const auto engine = engine_of(surface, sources, true, visitor);
     for(std::size_t i = 0; engine != nullptr && i < lines.size() && visitor.go_further(); ++i)

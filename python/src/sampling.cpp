@@ -25,7 +25,7 @@ py::tuple sample(Surface& surface, std::size_t n, const Array<std::int64_t>& fir
   std::vector<std::int64_t> samples;
   double covered = 0;
   Interruptible visitor(progress, n + 1);
-  surface.run_alone(visitor, [&]()
+  surface.run_alone(visitor, false, [&]()
   {
     std::vector<Vertex> vertices;
     covered = geodesics::geodesic_farthest_point_sampling(surface.mesh(), n, std::back_inserter(vertices), options,
@@ -42,7 +42,7 @@ py::tuple remesh(Surface& surface, std::size_t n, unsigned int iterations, const
   Mesh coarse;
   bool is_manifold = false;
   Interruptible visitor(progress, n + iterations + 1);
-  surface.run_alone(visitor, [&]()
+  surface.run_alone(visitor, false, [&]()
   {
     is_manifold = geodesics::geodesic_remeshing(
       surface.mesh(), n, coarse,

@@ -11,46 +11,48 @@ import numpy as np
 
 def points_of(name: str, values: Any) -> np.ndarray:
     """Returns an array of shape (n, 3) and type float64 in C order; copies only if it must."""
-    array = _numbers_of(name, values)
+    array = numbers_of(name, values)
     if array.ndim != 2 or array.shape[1] != 3:
-        raise ValueError(f"{name} has shape {array.shape}, but (n, 3) is needed: a row of three numbers for each point")
+        raise ValueError(f"{name} has shape {array.shape}, but (n, 3) is needed")
     array = np.ascontiguousarray(array, dtype=np.float64)
-    bad = ~np.isfinite(array)
-    if bad.any():
-        row, column = np.argwhere(bad)[0]
-        raise ValueError(f"{name}[{row}, {column}] is {array[row, column]}, not a finite number")
+    _check_elements(name, array, ~np.isfinite(array), "not a finite number")
     return array
 
 
 def triangles_of(name: str, values: Any, n: int) -> np.ndarray:
     """Returns an array of shape (m, 3) and type int64 in C order with entries from 0 to n-1."""
-    try:
-        array = _numbers_of(name, values)
-    except ValueError:
-        _reject_polygons(name, values)
-        raise
-    if array.size == 0:
+    if isinstance(values, (list, tuple)):
+        for i, face in enumerate(values):
+            if hasattr(face, "__len__") and len(face) != 3:
+                raise ValueError(f"{name}[{i}] has {len(face)} corners: each face must be a triangle")
+    array = numbers_of(name, values)
+    if array.ndim <= 2 and array.size == 0:
         return np.zeros((0, 3), dtype=np.int64)
-    if array.ndim != 2 or array.shape[1] != 3:
-        if array.ndim == 2:
-            raise ValueError(f"{name}[0] has {array.shape[1]} corners: each face must be a triangle")
-        raise ValueError(f"{name} has shape {array.shape}, but (m, 3) is needed: three vertices for each face")
+    if array.ndim == 2 and array.shape[1] != 3:
+        raise ValueError(f"{name}[0] has {array.shape[1]} corners: each face must be a triangle")
+    if array.ndim != 2:
+        raise ValueError(f"{name} has shape {array.shape}, but (m, 3) is needed")
     return ids_of(name, array, n, "vertices")
 
 
 def ids_of(name: str, values: Any, n: int, what: str) -> np.ndarray:
-    """Returns an array of type int64 in C order; rejects entries that are no ids of the n elements."""
-    array = _numbers_of(name, values)
-    if array.dtype.kind == "f" and array.size > 0:
-        fractional = array != np.floor(array)
-        if fractional.any() or not np.isfinite(array).all():
-            position = tuple(np.argwhere(fractional | ~np.isfinite(array))[0])
-            raise ValueError(f"{_element(name, position)} is {array[position]}, not an integer")
-    bad = (array < 0) | (array >= n)
+    """Returns an array of type int64 in C order; rejects entries that are not ids of the n elements."""
+    array = numbers_of(name, values)
+    if array.dtype.kind == "f":
+        _check_elements(name, array, ~(np.isfinite(array) & (array == np.floor(array))), "not an integer")
+    bad = np.asarray((array < 0) | (array >= n))
     if bad.any():
         position = tuple(np.argwhere(bad)[0])
         raise IndexError(f"{_element(name, position)} is {array[position]}, but there are {n} {what}, counted from 0")
-    return np.ascontiguousarray(array, dtype=np.int64)
+    return np.ascontiguousarray(array, dtype=np.int64).reshape(array.shape)
+
+
+def row_of_ids(name: str, values: Any, n: int) -> np.ndarray:
+    """Returns one vertex or a row of vertices as an array of one dimension."""
+    ids = np.atleast_1d(ids_of(name, values, n, "vertices"))
+    if ids.ndim != 1:
+        raise ValueError(f"{name} has shape {ids.shape}, but one row of vertices is needed")
+    return ids
 
 
 class Places(NamedTuple):
@@ -67,28 +69,19 @@ class Places(NamedTuple):
 def places_of(name: str, values: Any, n_vertices: int, n_faces: int) -> Places:
     """Reads a vertex, a pair (face, coordinates), a sequence of these, or a pair of arrays (faces, coordinates)."""
     if _is_pair(values):
-        faces = np.atleast_1d(np.asarray(values[0]))
-        weights = np.atleast_2d(_numbers_of(name, values[1])).astype(np.float64)
-        if weights.shape != (len(faces), 3):
-            raise ValueError(f"{name} has coordinates of shape {weights.shape} for {len(faces)} faces, "
-                             "but three numbers for each face are needed")
-        faces = ids_of(name, faces, n_faces, "faces")
-        return Places(np.full(len(faces), -1, dtype=np.int64), faces, np.ascontiguousarray(weights))
-    if isinstance(values, numbers.Number) or isinstance(values, np.ndarray):
-        return _vertices(ids_of(name, np.atleast_1d(values), n_vertices, "vertices"), name)
-    values = list(values)
-    if not any(_is_pair(value) for value in values):
-        return _vertices(ids_of(name, values, n_vertices, "vertices"), name)
-    parts = [_padded(places_of(f"{name}[{i}]", value, n_vertices, n_faces)) for i, value in enumerate(values)]
-    return Places(*(np.concatenate(arrays) for arrays in zip(*parts)))
+        return _points_of_faces(name, values, n_faces)
+    if isinstance(values, (list, tuple)) and any(isinstance(value, tuple) for value in values):
+        parts = [_place(f"{name}[{i}]", value, n_vertices, n_faces) for i, value in enumerate(values)]
+        return Places(*(np.concatenate(arrays) for arrays in zip(*parts)))
+    if isinstance(values, range):
+        values = np.array(values, dtype=np.int64)
+    return Places(row_of_ids(name, values, n_vertices), np.zeros(0, dtype=np.int64), np.zeros((0, 3)))
 
 
 def offsets_of(name: str, values: Any, n: int) -> np.ndarray:
     """Returns n numbers that are finite and not negative, or none."""
     array = weights_of(name, values, n)
-    if (array < 0).any():
-        i = int(np.argmax(array < 0))
-        raise ValueError(f"{name}[{i}] is {array[i]}: it must not be negative")
+    _check_elements(name, array, array < 0, "but it must not be negative")
     return array
 
 
@@ -96,33 +89,52 @@ def weights_of(name: str, values: Any, n: int) -> np.ndarray:
     """Returns n numbers that are finite, or none."""
     if values is None:
         return np.zeros(0)
-    array = np.atleast_1d(_numbers_of(name, values)).astype(np.float64)
+    array = row_of_numbers(name, values)
     if array.shape != (n,):
-        raise ValueError(f"{name} has shape {array.shape}, but {n} numbers are needed")
-    if not np.isfinite(array).all():
-        i = int(np.argmin(np.isfinite(array)))
-        raise ValueError(f"{name}[{i}] is {array[i]}, not a finite number")
+        raise ValueError(f"{name} has shape {array.shape}, but {n} {'number is' if n == 1 else 'numbers are'} needed")
+    _check_elements(name, array, ~np.isfinite(array), "not a finite number")
     return array
 
 
-def count_of(name: str, value: Any, least: int) -> int:
-    if isinstance(value, bool) or not isinstance(value, numbers.Number) or int(value) != value or value < least:
-        raise ValueError(f"{name} is {value!r}, but an integer from {least} on is needed")
+def row_of_numbers(name: str, values: Any) -> np.ndarray:
+    """Returns one number or a row of numbers as an array of one dimension and type float64."""
+    array = np.atleast_1d(numbers_of(name, values)).astype(np.float64)
+    if array.ndim != 1:
+        raise ValueError(f"{name} has shape {array.shape}, but one row of numbers is needed")
+    return array
+
+
+def values_of(name: str, values: Any, n: int) -> np.ndarray:
+    """Returns a number for each vertex."""
+    array = numbers_of(name, values)
+    if array.shape != (n,):
+        raise ValueError(f"{name} has shape {array.shape}, but there are {n} vertices")
+    return np.ascontiguousarray(array, dtype=np.float64)
+
+
+def levels_of(name: str, values: Any) -> np.ndarray:
+    array = row_of_numbers(name, values)
+    _check_elements(name, array, np.isnan(array), "not a number")
+    return array
+
+
+def count_of(name: str, value: Any, least: int, most: int = 2**31 - 1) -> int:
+    is_number = isinstance(value, numbers.Real) and not isinstance(value, (bool, np.bool_))
+    if not is_number or not least <= value <= most or int(value) != value:
+        raise ValueError(f"{name} is {value!r}, but an integer from {least} to {most} is needed")
     return int(value)
 
 
-def positive_of(name: str, value: Any) -> float:
-    value = float(value)
-    if not value > 0 or not np.isfinite(value):
-        raise ValueError(f"{name} is {value}: it must be positive")
-    return value
+def length_of(name: str, value: Any, least: float, rule: str) -> float:
+    """Returns a number that is not less than `least`; infinity counts."""
+    array = numbers_of(name, value)
+    if array.ndim != 0 or not array >= least:
+        raise ValueError(f"{name} is {value!r}: it must be {rule}")
+    return float(array)
 
 
 def radius_of(name: str, value: Any) -> float:
-    value = float(value)
-    if not value >= 0:
-        raise ValueError(f"{name} is {value}: it must not be negative")
-    return value
+    return length_of(name, value, 0.0, "a number that is not negative")
 
 
 def threads_of(value: int | None) -> int:
@@ -132,40 +144,65 @@ def threads_of(value: int | None) -> int:
     return count_of("threads", value, 1)
 
 
-def _numbers_of(name: str, values: Any) -> np.ndarray:
+def progress_of(value: Any) -> Any:
+    if value is not None and not callable(value):
+        raise ValueError(f"progress is {value!r}, but a function is needed")
+    return value
+
+
+def numbers_of(name: str, values: Any) -> np.ndarray:
+    """Returns an array of integers or floats."""
     try:
         array = np.asarray(values)
-    except ValueError as error:
-        raise ValueError(f"{name} is not an array: its rows differ in length") from error
-    if array.dtype.kind == "O" and array.size > 0:
-        raise ValueError(f"{name} is not an array of numbers")
-    if array.size > 0 and array.dtype.kind not in "iuf":
+    except (ValueError, OverflowError) as error:
+        raise ValueError(f"{name} is not an array of numbers: {error}") from None
+    if np.ma.is_masked(values):
+        raise ValueError(f"{name} has masked elements")
+    if array.dtype.kind not in "iuf" and array.size > 0 or array.dtype.kind in "SUO":
         raise ValueError(f"{name} has the type {array.dtype}, but numbers are needed")
     return array
 
 
-def _reject_polygons(name: str, values: Any) -> None:
-    for i, face in enumerate(values):
-        if hasattr(face, "__len__") and len(face) != 3:
-            raise ValueError(f"{name}[{i}] has {len(face)} corners: each face must be a triangle")
+def _place(name: str, value: Any, n_vertices: int, n_faces: int) -> Places:
+    if _is_pair(value) and np.ndim(value[0]) == 0:
+        return _points_of_faces(name, value, n_faces)
+    ids = row_of_ids(name, value, n_vertices)
+    if len(ids) != 1:
+        raise ValueError(f"{name} is {value!r}, but a vertex or a pair (face, coordinates) is needed")
+    return Places(ids, np.full(1, -1, dtype=np.int64), np.zeros((1, 3)))
+
+
+def _points_of_faces(name: str, values: Any, n_faces: int) -> Places:
+    faces = np.atleast_1d(ids_of(f"face of {name}", values[0], n_faces, "faces"))
+    given = numbers_of(f"coordinates of {name}", values[1])
+    weights = np.atleast_2d(given).astype(np.float64)
+    if weights.shape != (len(faces), 3):
+        raise ValueError(f"coordinates of {name} have the shape {given.shape}, but three numbers for each face are needed")
+    # The sum and the signs may err by the rounding of the type.
+    tolerance = 1e-9 if given.dtype.kind != "f" or given.dtype.itemsize >= 8 else 8 * float(np.finfo(given.dtype).eps)
+    sums = weights.sum(axis=1)
+    bad = ~((weights >= -tolerance).all(axis=1) & (np.abs(sums - 1) <= tolerance))
+    if bad.any():
+        i = int(np.argmax(bad))
+        raise ValueError(f"coordinates {weights[i].tolist()} of {name} (point {i}) are not in the face: they must not be "
+                         "negative, and their sum must be 1")
+    inexact = (np.abs(sums - 1) > 1e-15) | (weights < 0).any(axis=1)
+    positive = np.maximum(weights[inexact], 0)
+    weights[inexact] = positive / positive.sum(axis=1, keepdims=True)
+    return Places(np.full(len(faces), -1, dtype=np.int64), faces, np.ascontiguousarray(weights))
 
 
 def _is_pair(value: Any) -> bool:
     """Is this (face, coordinates) or (faces, coordinates), and not two vertices?"""
-    return isinstance(value, tuple) and len(value) == 2 and np.ndim(value[1]) == np.ndim(value[0]) + 1
+    if not isinstance(value, tuple) or len(value) != 2 or any(isinstance(part, tuple) for part in value):
+        return False
+    return np.size(value[1]) > 1 if hasattr(value[1], "__len__") and not isinstance(value[1], (str, bytes)) else False
 
 
-def _vertices(ids: np.ndarray, name: str) -> Places:
-    if ids.ndim != 1:
-        raise ValueError(f"{name} has shape {ids.shape}, but one row of vertices is needed")
-    return Places(ids, np.zeros(0, dtype=np.int64), np.zeros((0, 3)))
-
-
-def _padded(places: Places) -> Places:
-    if len(places.face) == len(places.vertex):
-        return places
-    n = len(places.vertex)
-    return Places(places.vertex, np.full(n, -1, dtype=np.int64), np.zeros((n, 3)))
+def _check_elements(name: str, array: np.ndarray, is_bad: np.ndarray, rule: str) -> None:
+    if is_bad.any():
+        position = tuple(np.argwhere(is_bad)[0])
+        raise ValueError(f"{_element(name, position)} is {array[position]}, {rule}")
 
 
 def _element(name: str, position: tuple) -> str:

@@ -26,7 +26,8 @@ def _lines_of_level(points: np.ndarray, faces: np.ndarray, values: np.ndarray, l
     a, b = unique[:, 0], unique[:, 1]
     t = (level - values[a]) / (values[b] - values[a])
     nodes = points[a] + t[:, None] * (points[b] - points[a])
-    return [nodes[chain] for chain in _chains(inverse.reshape(-1, 2), len(unique))]
+    lines = [nodes[chain] for chain in _chains(inverse.reshape(-1, 2), len(unique))]
+    return [line for line in lines if (line != line[0]).any()]  # around a vertex with this value, all are equal
 
 
 def _chains(segments: np.ndarray, n: int) -> list[list[int]]:

@@ -9,7 +9,7 @@ import numpy as np
 class Path:
     """A shortest path from a source to a target; without points if no source reaches the target.
 
-    Two points that follow each other lie in one face. The sum of the lengths between them is `length`, up to rounding.
+    Consecutive points lie in one face. The lengths between them add up to `length`, up to rounding.
     """
 
     length: float  #: in the unit of the points; infinite if there is no path

@@ -22,15 +22,16 @@ class Solver:
     F  (m, 3) triangles: vertices counted from 0
 
     The mesh is copied; the arrays are never changed. It may have borders, holes, handles, several components and
-    isolated vertices, but an edge has at most two faces, of the same orientation. Raises ValueError or IndexError with
-    the argument, the element and the rule.
+    isolated vertices, but an edge has at most two faces, of the same orientation, and two closed surfaces must not
+    share a vertex. Raises ValueError or IndexError with the argument, the element and the rule.
 
     A *source* is a vertex, or a pair (face, barycentric coordinates); several are given as a list, an array of
     vertices, or a pair of arrays (faces, coordinates).
 
     Several threads may use one solver: a computation waits for the one before it. Computations run without the lock of
-    the interpreter. Ctrl-C ends them; `progress` is called with a number from 0 to 1 some twenty times a second.
-    Solvers can be pickled.
+    the interpreter. Ctrl-C ends them (but for `certify`); `progress` is called with a number from 0 to 1 some twenty
+    times a second, and never if the call is short. Solvers can be pickled. A process must not be forked while another
+    of its threads computes.
     """
 
     def __init__(self, V: Any, F: Any) -> None:
@@ -46,14 +47,15 @@ class Solver:
         F  (m, 3) triangles
         L  (m, 3) lengths: L[f, k] is that of the edge from F[f, k] to the next corner; equal in both faces of an edge
 
-        Points of paths are zeros then; their faces and barycentric coordinates tell where they are. Voronoi diagrams
-        have no centroids, and samples and remeshing need points.
+        Points of paths are zeros then; their faces and barycentric coordinates tell where they are. Isolines, samples,
+        remeshing, and the lines and centroids of Voronoi diagrams need points.
         """
         n = arguments.count_of("n", n, 0)
         faces = arguments.triangles_of("F", F, n)
-        lengths = arguments.points_of("L", L if np.size(L) else np.zeros((0, 3)))
-        if len(lengths) != len(faces):
-            raise ValueError(f"L has {len(lengths)} rows, but F has {len(faces)}")
+        lengths = arguments.numbers_of("L", L)
+        if lengths.shape != faces.shape and (lengths.size > 0 or faces.size > 0):
+            raise ValueError(f"L has shape {lengths.shape}, but F has {faces.shape}")
+        lengths = arguments.points_of("L", lengths.reshape(-1, 3))
         if (lengths < 0).any():
             f, k = np.argwhere(lengths < 0)[0]
             raise ValueError(f"L[{f}, {k}] is {lengths[f, k]}: a length must not be negative")
@@ -71,9 +73,9 @@ class Solver:
         targets         vertices: only their distances are computed and returned, in their order
         radius          distances beyond it are inf
         return_nearest  return a pair: the distances, and (n,) the positions of the nearest sources, -1 where none
-                        reaches
-        threads         how many threads; None for all. The result does not depend on the number if it is more than 1;
-                        with 1 it may differ in the last digits.
+                        reaches; of several that are equally near, any
+        threads         how many threads; None for all. All numbers above 1 give the same bits; 1 may give other last
+                        digits
 
         >>> import surface_mesh_geodesics as smg
         >>> s = smg.Solver([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]])
@@ -82,47 +84,57 @@ class Solver:
         """
         places = self._places("sources", sources)
         ids = NO_IDS if targets is None else self._vertices("targets", targets)
+        options = (arguments.radius_of("radius", radius), bool(return_nearest), arguments.threads_of(threads),
+                   arguments.progress_of(progress))
+        added = arguments.offsets_of("offsets", offsets, len(places.vertex))
         if targets is not None and len(ids) == 0:
             return (np.zeros(0), NO_IDS.copy()) if return_nearest else np.zeros(0)
-        d, nearest = self._surface.distances(*places, arguments.offsets_of("offsets", offsets, len(places.vertex)), ids,
-                                             arguments.radius_of("radius", radius), return_nearest,
-                                             arguments.threads_of(threads), progress)
+        d, nearest = self._surface.distances(*places, added, ids, *options)
         return (d, nearest) if return_nearest else d
 
     def matrix(self, sources: Any = None, targets: Any = None, *, threads: int | None = None,
                progress: Progress | None = None) -> np.ndarray:
-        """Returns the distances D[i, j] from source i to target j, a vertex. None stands for all vertices."""
+        """Returns the distances D[i, j] from source i to target j, a vertex. None stands for all vertices.
+
+        >>> import surface_mesh_geodesics as smg
+        >>> smg.Solver([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]]).matrix([0, 1])
+        array([[0., 3., 4.],
+               [3., 0., 5.]])
+        """
         places, ids = self._rows_and_columns(sources, targets)
-        return self._surface.matrix(*places, ids, arguments.threads_of(threads), progress)
+        return self._surface.matrix(*places, ids, arguments.threads_of(threads), arguments.progress_of(progress))
 
     def sparse_matrix(self, radius: float, sources: Any = None, targets: Any = None, *, threads: int | None = None,
                       progress: Progress | None = None) -> Any:
         """Returns the distances up to a radius, as a scipy.sparse.csr_matrix.
 
-        A distance of 0 is an entry of its own. Without SciPy, returns the triple (data, indices, indptr).
+        Distances of 0 are stored, too. Without SciPy, returns the triple (data, indices, indptr).
         """
         places, ids = self._rows_and_columns(sources, targets)
         pointers, columns, values = self._surface.sparse_matrix(*places, ids, arguments.radius_of("radius", radius),
-                                                                arguments.threads_of(threads), progress)
+                                                                arguments.threads_of(threads),
+                                                                arguments.progress_of(progress))
         try:
             from scipy.sparse import csr_matrix
         except ImportError:
             return values, columns, pointers
         return csr_matrix((values, columns, pointers), shape=(len(places.vertex), len(ids)))
 
-    def certify(self, d: Any, sources: Any, *, offsets: Any = None, radius: float = np.inf,
-                progress: Progress | None = None) -> Certificate:
-        """Proves distances right or wrong, whoever has computed them.
+    def certify(self, d: Any, sources: Any, *, offsets: Any = None, radius: float = np.inf) -> Certificate:
+        """Proves distances right or wrong, no matter who computed them.
 
         d  (n,) the distances of all vertices from the sources, inf where none reaches
+
+        >>> import surface_mesh_geodesics as smg
+        >>> s = smg.Solver([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]])
+        >>> s.certify([3, 0, 5], 1).is_certified(), s.certify([3, 0, 5.1], 1).is_certified()
+        (True, False)
         """
         places = self._places("sources", sources)
-        distances = np.ascontiguousarray(d, dtype=np.float64)
-        if distances.shape != (self.n_vertices,):
-            raise ValueError(f"d has shape {distances.shape}, but there are {self.n_vertices} vertices")
+        distances = arguments.values_of("d", d, self.n_vertices)
         worst, conditions = self._surface.certify(distances, *places,
                                                   arguments.offsets_of("offsets", offsets, len(places.vertex)),
-                                                  arguments.radius_of("radius", radius), progress)
+                                                  arguments.radius_of("radius", radius))
         return Certificate(worst, {name: Condition(*rest) for name, *rest in conditions})
 
     # --- paths ---
@@ -131,6 +143,11 @@ class Solver:
         """Returns the shortest path from a source, or from the nearest of several, to a target.
 
         The first call computes what all paths from the same sources need; further ones are fast.
+
+        >>> import surface_mesh_geodesics as smg
+        >>> p = smg.Solver([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]]).path(1, 2)
+        >>> p.length, p.points.tolist()
+        (5.0, [[3.0, 0.0, 0.0], [0.0, 4.0, 0.0]])
         """
         paths = self.paths(source, target, threads=1, progress=progress)
         if len(paths) != 1:
@@ -141,7 +158,8 @@ class Solver:
               progress: Progress | None = None) -> list[Path]:
         """Returns for each target the shortest path from its nearest source. Targets are given as sources are."""
         places, ends = self._places("sources", sources), self._places("targets", targets)
-        return [Path(*path) for path in self._surface.paths(*places, *ends, arguments.threads_of(threads), progress)]
+        return [Path(*path) for path in self._surface.paths(*places, *ends, arguments.threads_of(threads),
+                                                            arguments.progress_of(progress))]
 
     def exact_isolines(self, sources: Any, levels: Any, *,
                        progress: Progress | None = None) -> list[list[np.ndarray]]:
@@ -149,18 +167,18 @@ class Solver:
 
         Points on edges are exact. A closed line ends with its first point.
         """
-        return self._surface.isolines(*self._places("sources", sources),
-                                      np.atleast_1d(np.asarray(levels, dtype=np.float64)), progress)
+        self._needs_points("exact_isolines")
+        return self._surface.isolines(*self._places("sources", sources), arguments.levels_of("levels", levels),
+                                      arguments.progress_of(progress))
 
     def isolines(self, d: Any, levels: Any) -> list[np.ndarray]:
         """Returns the lines where a function on the surface has one of the levels, as arrays of shape (k, 3).
 
         d  (n,) values at the vertices, such as distances; linear in each face. Faces with infinite values have none.
         """
-        values = np.asarray(d, dtype=np.float64)
-        if values.shape != (self.n_vertices,):
-            raise ValueError(f"d has shape {values.shape}, but there are {self.n_vertices} vertices")
-        return linear_isolines(self._points, self._faces, values, np.atleast_1d(np.asarray(levels, dtype=np.float64)))
+        self._needs_points("isolines")
+        values = arguments.values_of("d", d, self.n_vertices)
+        return linear_isolines(self._points, self._faces, values, arguments.levels_of("levels", levels))
 
     # --- diagrams, samples ---
 
@@ -168,23 +186,32 @@ class Solver:
         """Returns the exact geodesic Voronoi diagram of sites, which are given as sources are.
 
         weights  a number for each site that is subtracted from its distances: a larger weight gives a larger cell
+
+        >>> import surface_mesh_geodesics as smg
+        >>> s = smg.Solver([[0, 0, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0]], [[0, 1, 2], [0, 2, 3]])
+        >>> v = s.voronoi([0, 1])
+        >>> v.labels, v.areas.round(12), v.adjacency
+        (array([0, 1, 1, 0]), array([2., 2.]), array([[0, 1]]))
         """
         places = self._places("sites", sites)
         n = len(places.vertex)
-        diagram = self._surface.diagram(*places, arguments.weights_of("weights", weights, n), progress)
-        return Voronoi(diagram, n, self.n_faces, self._extent())
+        diagram = self._surface.diagram(*places, arguments.weights_of("weights", weights, n),
+                                        arguments.progress_of(progress))
+        return Voronoi(diagram, n, self._extent(), self._lengths is None)
 
     def sample(self, n: int, *, first: Any = None, covering_radius: float = 0.0,
                progress: Progress | None = None) -> np.ndarray:
         """Returns vertices that are spread evenly over the surface, each the farthest from those before it.
 
-        first            vertices that are samples already; they count among the n and come first in the result
+        first            vertices that are samples already; they count among the n and come first in the result, all of
+                         them even if there are more than n
         covering_radius  sampling ends when no vertex is farther from its nearest sample
         """
         self._needs_points("sample")
         given = NO_IDS if first is None else self._vertices("first", first)
         samples, _ = self._surface.sample(arguments.count_of("n", n, 0), given,
-                                          arguments.radius_of("covering_radius", covering_radius), progress)
+                                          arguments.radius_of("covering_radius", covering_radius),
+                                          arguments.progress_of(progress))
         return np.concatenate([given, samples])
 
     def remesh(self, n: int, *, iterations: int = 10,
@@ -195,7 +222,7 @@ class Solver:
         """
         self._needs_points("remesh")
         return self._surface.remesh(arguments.count_of("n", n, 3), arguments.count_of("iterations", iterations, 0),
-                                    progress)
+                                    arguments.progress_of(progress))
 
     # --- the mesh ---
 
@@ -212,8 +239,8 @@ class Solver:
 
     def __reduce__(self) -> tuple:
         if self._lengths is None:
-            return Solver, (self._points, self._faces)
-        return Solver.from_edge_lengths, (self.n_vertices, self._faces, self._lengths)
+            return type(self), (self._points, self._faces)
+        return type(self).from_edge_lengths, (self.n_vertices, self._faces, self._lengths)
 
     def _set_up(self, points: np.ndarray, faces: np.ndarray, lengths: np.ndarray | None) -> None:
         self._surface = _core.Surface(points, faces, np.zeros((0, 3)) if lengths is None else lengths)
@@ -225,10 +252,7 @@ class Solver:
         return arguments.places_of(name, values, self.n_vertices, self.n_faces)
 
     def _vertices(self, name: str, values: Any) -> np.ndarray:
-        ids = arguments.ids_of(name, np.atleast_1d(values), self.n_vertices, "vertices")
-        if ids.ndim != 1:
-            raise ValueError(f"{name} has shape {ids.shape}, but one row of vertices is needed")
-        return ids
+        return arguments.row_of_ids(name, values, self.n_vertices)
 
     def _rows_and_columns(self, sources: Any, targets: Any) -> tuple[arguments.Places, np.ndarray]:
         every = np.arange(self.n_vertices, dtype=np.int64)

@@ -17,9 +17,10 @@ class Voronoi:
     distances  (n,) the distances of the vertices from their sites, minus the weights of the sites
     """
 
-    def __init__(self, diagram: Diagram, n_sites: int, n_faces: int, extent: float) -> None:
+    def __init__(self, diagram: Diagram, n_sites: int, extent: float, has_points: bool) -> None:
         self._diagram = diagram
         self._extent = extent
+        self._has_points = has_points
         self.n_sites = n_sites
         self.labels, self.distances = diagram.at_vertices()
 
@@ -31,6 +32,7 @@ class Voronoi:
     @property
     def centroids(self) -> np.ndarray:
         """(k, 3) the centers of mass of the cells in space; they need not lie on the surface."""
+        self._needs_points("centroids")
         return self._diagram.centroids()
 
     @property
@@ -47,13 +49,20 @@ class Voronoi:
         """Returns the curves around the cell of a site, without the border of the mesh.
 
         Each is an array of shape (k, 3); a closed curve ends with its first point. Segments of lines differ from the
-        curves by at most `tolerance`, by default a thousandth of the extent of the mesh.
+        curves by at most `tolerance`, by default a thousandth of the extent of the mesh, at least a millionth.
         """
+        self._needs_points("boundaries")
+        if np.ndim(site) != 0:
+            raise ValueError(f"site is {site!r}, but one number is needed")
         site = int(arguments.ids_of("site", site, self.n_sites, "sites"))
         return self._diagram.boundaries(site, self._tolerance(tolerance))
 
     def cut(self, tolerance: float | None = None) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Returns the mesh cut along the diagram: points (n, 3), faces (m, 3), and the cell of each face (m,)."""
+        """Returns the mesh cut along the diagram: points (n, 3), faces (m, 3), and the cell of each face (m,).
+
+        `tolerance` as for boundaries().
+        """
+        self._needs_points("cut")
         return self._diagram.cut(self._tolerance(tolerance))
 
     def __repr__(self) -> str:
@@ -62,4 +71,10 @@ class Voronoi:
     def _tolerance(self, tolerance: float | None) -> float:
         if tolerance is None:
             return self._extent / 1000 if self._extent > 0 else 1.0
-        return arguments.positive_of("tolerance", tolerance)
+        # A smaller one gives millions of points.
+        least = 1e-6 * self._extent
+        return arguments.length_of("tolerance", tolerance, least, f"at least {least:g}, a millionth of the extent")
+
+    def _needs_points(self, name: str) -> None:
+        if not self._has_points:
+            raise ValueError(f"{name} needs points, but this surface is given by edge lengths")

@@ -16,13 +16,11 @@ def compute_gdist(vertices: Any, triangles: Any, source_indices: Any = None, tar
                   max_distance: float = 1e100, is_one_indexed: bool = False) -> np.ndarray:
     """Returns the distances of targets (all vertices by default) from the nearest source (vertex 0 by default).
 
-    Distances beyond max_distance, and where no source reaches, are inf.
+    Distances beyond max_distance, and where no source reaches, are inf. As in gdist, is_one_indexed concerns the
+    triangles only: sources and targets are counted from 0. The triangles must have the same orientation.
     """
-    shift = 1 if is_one_indexed else 0
-    solver = Solver(vertices, np.asarray(triangles) - shift)
-    sources = 0 if source_indices is None else np.asarray(source_indices) - shift
-    targets = None if target_indices is None else np.asarray(target_indices) - shift
-    return solver.distances(sources, targets=targets, radius=max_distance)
+    sources = 0 if source_indices is None else source_indices
+    return _solver(vertices, triangles, is_one_indexed).distances(sources, targets=target_indices, radius=max_distance)
 
 
 def local_gdist_matrix(vertices: Any, triangles: Any, max_distance: float = 1e100,
@@ -31,7 +29,10 @@ def local_gdist_matrix(vertices: Any, triangles: Any, max_distance: float = 1e10
 
     Pairs at distance 0 have no entry.
     """
-    solver = Solver(vertices, np.asarray(triangles) - (1 if is_one_indexed else 0))
-    matrix = solver.sparse_matrix(max_distance).tocsc()
+    matrix = _solver(vertices, triangles, is_one_indexed).sparse_matrix(max_distance).tocsc()
     matrix.eliminate_zeros()
     return matrix
+
+
+def _solver(vertices: Any, triangles: Any, is_one_indexed: bool) -> Solver:
+    return Solver(vertices, np.asarray(triangles, dtype=np.int64) - 1 if is_one_indexed else triangles)

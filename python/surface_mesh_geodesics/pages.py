@@ -47,13 +47,13 @@ def page(V: Any, F: Any, distances: Any, *, sources: Any = None, paths: Sequence
     """
     V = arguments.points_of("V", V)
     F = arguments.triangles_of("F", F, len(V))
-    d = np.asarray(distances, dtype=np.float64)
-    if d.shape != (len(V),) or len(F) == 0:
-        raise ValueError(f"distances has shape {d.shape}, but there are {len(V)} vertices and {len(F)} faces")
+    d = arguments.values_of("distances", distances, len(V))
+    if len(F) == 0:
+        raise ValueError("F has no faces: there is nothing to show")
     used = V[np.unique(F)]
     center = (used.max(axis=0) + used.min(axis=0)) / 2
     largest = float(d[np.isfinite(d)].max(initial=0.0))
-    levels = _round_levels(largest) if levels is None else np.atleast_1d(np.asarray(levels, dtype=np.float64))
+    levels = _round_levels(largest) if levels is None else arguments.levels_of("levels", levels)
     lines = [_lines("isoline", linear_isolines(V, F, d, levels), center)]
     if len(paths) > 0:
         lines.append(_lines("path", [p.points for p in paths if len(p) > 1], center))

@@ -75,19 +75,26 @@ def test_bad_meshes(points, faces, error, message):
 
 
 @pytest.mark.parametrize("sources, error, message", [
-    (25, IndexError, r"sources\[0\] is 25, but there are 25 vertices"),
-    (-1, IndexError, r"sources\[0\] is -1"),
+    (25, IndexError, "sources is 25, but there are 25 vertices"),
+    (-1, IndexError, "sources is -1"),
     ([0, 99], IndexError, r"sources\[1\] is 99"),
-    (1.5, ValueError, r"sources\[0\] is 1.5, not an integer"),
+    (1.5, ValueError, "sources is 1.5, not an integer"),
     (np.nan, ValueError, "sources"),
     ([[0, 1]], ValueError, "sources has shape"),
-    ("0", ValueError, "sources"),
-    (None, (ValueError, TypeError), ""),
-    ((32, [1, 0, 0]), IndexError, r"sources\[0\] is 32, but there are 32 faces"),
-    ((0, [1, 1, 1]), ValueError, "source 0"),
-    ((0, [2, -1, 0]), ValueError, "source 0"),
-    ((0, [1, 0]), ValueError, "coordinates of shape"),
-    ([3, (0, [np.nan, 0, 0])], ValueError, "source 1"),
+    ("0", ValueError, "sources has the type"),
+    (b"0", ValueError, "sources has the type"),
+    (None, ValueError, "sources has the type"),
+    ({1: 2}, ValueError, "sources has the type"),
+    (np.ma.masked_equal([1, 2], 2), ValueError, "sources has masked elements"),
+    ([2**64], (ValueError, IndexError), "sources"),
+    ((32, [1, 0, 0]), IndexError, "face of sources is 32, but there are 32 faces"),
+    ((0, [1, 1, 1]), ValueError, "coordinates .* of sources"),
+    ((0, [2, -1, 0]), ValueError, "coordinates .* of sources"),
+    ((0, [1, 0]), ValueError, "coordinates of sources have the shape"),
+    ([3, (0, [np.nan, 0, 0])], ValueError, r"coordinates .* of sources\[1\]"),
+    ([(0, [1, 0, 0]), [1, 2]], ValueError, r"sources\[1\] is"),
+    ([(0, [1, 0, 0]), []], ValueError, r"sources\[1\] is"),
+    ([(0, [1, 0, 0]), ([1, 2], [[1, 0, 0], [1, 0, 0]])], ValueError, r"sources\[1\]"),
 ])
 def test_bad_sources(sources, error, message):
     with pytest.raises(error, match=message):
@@ -98,11 +105,60 @@ def test_bad_sources(sources, error, message):
     ({"offsets": [0, 1]}, "offsets has shape"), ({"offsets": [-1]}, r"offsets\[0\] is -1"),
     ({"offsets": [np.inf]}, r"offsets\[0\] is inf"), ({"radius": -1}, "radius"), ({"radius": np.nan}, "radius"),
     ({"threads": 0}, "threads"), ({"threads": 1.5}, "threads"), ({"threads": True}, "threads"),
-    ({"targets": [[1]]}, "targets"),
+    ({"targets": [[1]]}, "targets"), ({"targets": (0, [1, 0, 0])}, "targets"), ({"radius": "0.5"}, "radius"),
+    ({"radius": [0.5]}, "radius"), ({"radius": None}, "radius"), ({"threads": np.nan}, "threads"),
+    ({"threads": 10**30}, "threads"), ({"offsets": ["1"]}, "offsets"), ({"offsets": [1j]}, "offsets"),
+    ({"progress": 5}, "progress"), ({"targets": [], "radius": -1}, "radius"),
 ])
 def test_bad_options(options, message):
     with pytest.raises(ValueError, match=message):
         smg.Solver(V, F).distances(0, **options)
+
+
+def test_coordinates_of_other_types():
+    s = smg.Solver(V, F)
+    for dtype, bound in ((np.float32, 1e-6), (np.float16, 1e-2)):
+        for b in np.random.default_rng(1).dirichlet([1, 1, 1], 50).astype(dtype):
+            assert np.allclose(s.distances((7, b)), s.distances((7, b.astype(float) / b.astype(float).sum())), atol=bound)
+
+
+def test_sequences_of_places():
+    s = smg.Solver(V, F)
+    pair = (7, [0.2, 0.3, 0.5])
+    expected = np.minimum(s.distances(pair), s.distances(3))
+    for places in ([3, pair], (pair, 3), [pair, np.int64(3)], [pair, [3]]):
+        assert np.array_equal(s.distances(places), expected)
+
+
+class Frame:
+    """Like a table of pandas: iterating gives the names of the columns."""
+
+    def __init__(self, values):
+        self.values = values
+
+    def __array__(self, dtype=None):
+        return np.asarray(self.values, dtype)
+
+    def __iter__(self):
+        return iter("abc")
+
+
+def test_objects_that_convert_to_arrays():
+    assert np.array_equal(smg.Solver(Frame(V), Frame(F)).distances(Frame([3])), EXPECTED)
+
+
+def test_bad_calls():
+    s = smg.Solver(V, F)
+    v = s.voronoi([0, 24])
+    for call, message in ((lambda: s.isolines(EXPECTED, None), "levels"), (lambda: s.isolines(EXPECTED, [[1]]), "levels"),
+                          (lambda: s.exact_isolines(0, np.nan), "levels"), (lambda: s.certify(["1"] * 25, 0), "d has"),
+                          (lambda: v.cut("0.1"), "tolerance"), (lambda: v.cut(1e-9), "tolerance"),
+                          (lambda: v.boundaries([0]), "site"), (lambda: s.sample(np.nan), "n is"),
+                          (lambda: s.remesh(5, iterations=2**40), "iterations"), (lambda: smg.Solver(V, None), "F has"),
+                          (lambda: smg.Solver.from_edge_lengths(3, [[0, 1, 2]], [[1, 1], [1]]), "L "),
+                          (lambda: smg.plot(V, []), "no faces")):
+        with pytest.raises(ValueError, match=message):
+            call()
 
 
 def test_no_sources():
