@@ -177,14 +177,14 @@ def _points_of_faces(name: str, values: Any, n_faces: int) -> Places:
     given = numbers_of(f"coordinates of {name}", values[1])
     weights = np.atleast_2d(given).astype(np.float64)
     if weights.shape != (len(faces), 3):
-        raise ValueError(f"coordinates of {name} have the shape {given.shape}, but three numbers for each face are needed")
+        raise ValueError(f"coordinates of {name} have the shape {given.shape}, but (k, 3) is needed for k faces")
     # The sum and the signs may err by the rounding of the type.
     tolerance = 1e-9 if given.dtype.kind != "f" or given.dtype.itemsize >= 8 else 8 * float(np.finfo(given.dtype).eps)
     sums = weights.sum(axis=1)
     bad = ~((weights >= -tolerance).all(axis=1) & (np.abs(sums - 1) <= tolerance))
     if bad.any():
         i = int(np.argmax(bad))
-        raise ValueError(f"coordinates {weights[i].tolist()} of {name} (point {i}) are not in the face: they must not be "
+        raise ValueError(f"coordinates {weights[i].tolist()} of {name} (point {i}) are not in the face: none may be "
                          "negative, and their sum must be 1")
     inexact = (np.abs(sums - 1) > 1e-15) | (weights < 0).any(axis=1)
     positive = np.maximum(weights[inexact], 0)

@@ -29,7 +29,7 @@ class Solver:
     vertices, or a pair of arrays (faces, coordinates).
 
     Several threads may use one solver: a computation waits for the one before it. Computations run without the lock of
-    the interpreter. Ctrl-C ends them (but for `certify`); `progress` is called with a number from 0 to 1 some twenty
+    the interpreter. Ctrl-C ends them (but not `certify`); `progress` is called with a number from 0 to 1 some twenty
     times a second, and never if the call is short. Solvers can be pickled. A process must not be forked while another
     of its threads computes.
     """

@@ -119,7 +119,8 @@ def test_coordinates_of_other_types():
     s = smg.Solver(V, F)
     for dtype, bound in ((np.float32, 1e-6), (np.float16, 1e-2)):
         for b in np.random.default_rng(1).dirichlet([1, 1, 1], 50).astype(dtype):
-            assert np.allclose(s.distances((7, b)), s.distances((7, b.astype(float) / b.astype(float).sum())), atol=bound)
+            exact = b.astype(float) / b.astype(float).sum()
+            assert np.allclose(s.distances((7, b)), s.distances((7, exact)), atol=bound)
 
 
 def test_sequences_of_places():
@@ -150,7 +151,8 @@ def test_objects_that_convert_to_arrays():
 def test_bad_calls():
     s = smg.Solver(V, F)
     v = s.voronoi([0, 24])
-    for call, message in ((lambda: s.isolines(EXPECTED, None), "levels"), (lambda: s.isolines(EXPECTED, [[1]]), "levels"),
+    for call, message in ((lambda: s.isolines(EXPECTED, None), "levels"),
+                          (lambda: s.isolines(EXPECTED, [[1]]), "levels"),
                           (lambda: s.exact_isolines(0, np.nan), "levels"), (lambda: s.certify(["1"] * 25, 0), "d has"),
                           (lambda: v.cut("0.1"), "tolerance"), (lambda: v.cut(1e-9), "tolerance"),
                           (lambda: v.boundaries([0]), "site"), (lambda: s.sample(np.nan), "n is"),

@@ -70,8 +70,8 @@ def test_edge_lengths_are_enough():
     assert abs(path.length - flat.length) < 1e-12 and len(path) == len(flat)
     corners = np.einsum("kj,kjd->kd", flat.barycentric, V[F[flat.faces]])
     assert np.allclose(corners, path.points, atol=1e-9)
-    for call in (lambda: t.isolines(t.distances(0), 1.0), lambda: t.exact_isolines(0, 1.0), lambda: t.voronoi([0]).cut(),
-                 lambda: t.voronoi([0]).centroids, lambda: t.voronoi([0]).boundaries(0)):
+    for call in (lambda: t.isolines(t.distances(0), 1.0), lambda: t.exact_isolines(0, 1.0),
+                 lambda: t.voronoi([0]).cut(), lambda: t.voronoi([0]).centroids, lambda: t.voronoi([0]).boundaries(0)):
         with pytest.raises(ValueError, match="needs points"):
             call()
     with pytest.raises(ValueError, match=r"L\[3, 1\]"):

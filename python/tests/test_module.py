@@ -238,6 +238,5 @@ def test_same_numbers_as_the_program(mesh, tmp_path):
     text = subprocess.run([PROGRAM, "matrix", file, "--source", "3", "--source", "8"], capture_output=True, text=True,
                           check=True).stdout
     found = np.array([[float(x) for x in row.split(",")] for row in text.splitlines() if row])
-    # Without targets, the matrix is that of the sources, which head the columns. Its rows are computed from the diagonal
-    # on.
+    # Without targets, the matrix is that of the sources, which head the columns. It is computed above the diagonal.
     assert found[0].tolist() == [3, 8] and np.array_equal(np.triu(found[1:]), np.triu(s.matrix([3, 8], [3, 8])))
