@@ -42,7 +42,7 @@ Blocks blocks_of(std::size_t number_of_threads) { return Blocks(Thread_team(numb
 void each_number_belongs_to_one_block()
 {
   test_support::Scope scope("numbers");
-  for(const std::size_t n : {0, 1, 1023, 1024, 2047, 2048, 100003})
+  for(const std::size_t n : {0u, 1u, 1023u, 1024u, 2047u, 2048u, 100003u})
   {
     for(const std::size_t threads : numbers_of_threads)
     {
