@@ -250,8 +250,8 @@ public:
     m_vertex_kind.assign(number_of_vertices, 0);
     m_other_umbrellas.clear();
     find_umbrellas();
-    const bool are_stars_complete = fill_stars(blocks);
-    find_bends(are_stars_complete, blocks);
+    fill_stars(blocks);
+    find_bends(blocks);
     for(const Face& f : m_faces)
       mark_degenerate(f);
     m_faces_crossed_by_lengths = 0;
@@ -393,10 +393,10 @@ private:
         }
   }
 
-  // Fills the stars, and finds umbrellas that are not known yet. Returns whether all were known: then each halfedge is
-  // in the star of its source. (A walk around a vertex waits for the memory at each step, so it does nothing else.)
+  // Fills the stars, and finds umbrellas that are not known yet. (A walk around a vertex waits for the memory at each
+  // step, so it does nothing else.) The star of a pinched vertex may lack halfedges.
   template <typename Blocks>
-  bool fill_stars(const Blocks& blocks)
+  void fill_stars(const Blocks& blocks)
   {
     std::vector<Vertex_id> incomplete;
     std::mutex mutex; // of `incomplete`, which is empty for most meshes
@@ -415,26 +415,27 @@ private:
     });
     if(!incomplete.empty())
       complete_closed_umbrellas(incomplete);
-    return incomplete.empty();
   }
 
   // Marks the vertices where shortest paths may bend: the total angle exceeds 2 pi, or pi on the border, by more than
   // Tolerance::angle(). The angles are added face by face, as faces lie in a row and vertices close to each other. So
-  // the sum of a vertex does not depend on the blocks.
+  // the sum of a vertex does not depend on the blocks. (Pinched vertices are marked already, whatever their angles
+  // are.)
   template <typename Blocks>
-  void find_bends(bool are_stars_complete, const Blocks& blocks)
+  void find_bends(const Blocks& blocks)
   {
     const std::size_t n = number_of_vertices();
     blocks(n, [&](std::size_t first, std::size_t last)
     {
-      const std::pair<Face_id, Face_id> range = are_stars_complete && last - first < n
+      const std::pair<Face_id, Face_id> range = last - first < n
                                                   ? faces_around(first, last)
                                                   : std::make_pair(Face_id(0), static_cast<Face_id>(m_faces.size()));
       find_bends(first, last, range.first, range.second);
     });
   }
 
-  // Marks those of the vertices [first, last). Requires: all their faces are among the faces [first_face, last_face).
+  // Marks those of the vertices [first, last). Requires: all their faces, but for pinched vertices, are among the faces
+  // [first_face, last_face).
   void find_bends(std::size_t first, std::size_t last, Face_id first_face, Face_id last_face)
   {
     std::vector<Angle_sum<FT>> angle(last - first);
@@ -455,8 +456,8 @@ private:
     }
   }
 
-  // Returns a range that contains the faces around the vertices [first, last). It is short, as vertices and faces are
-  // numbered together. Requires: the stars are complete.
+  // Returns a range that contains the faces in the stars of the vertices [first, last). It is short, as vertices and
+  // faces are numbered together.
   std::pair<Face_id, Face_id> faces_around(std::size_t first, std::size_t last) const
   {
     const auto begin = m_star.begin() + m_star_begin[first], end = m_star.begin() + m_star_begin[last];
