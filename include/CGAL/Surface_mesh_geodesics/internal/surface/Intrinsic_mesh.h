@@ -354,7 +354,7 @@ private:
         add_umbrella(source(h), h);
     for(Vertex_id v = 0; v < number_of_vertices(); ++v)
       m_star_begin[v + 1] += m_star_begin[v];
-    m_star.resize(m_star_begin.back());
+    m_star.assign(m_star_begin.back(), 0); // an entry that is not filled is some halfedge
   }
 
   // Umbrellas beyond the first are rare; they are stored sorted by vertex.
