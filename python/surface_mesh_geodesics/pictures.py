@@ -38,7 +38,8 @@ def plot(V: Any, F: Any, values: Any = None, *, lines: Sequence[np.ndarray] = ()
         scale = plt.Normalize(shown.min() if shown.count() else 0, shown.max() if shown.count() else 1)
         surface.set_facecolor(colors(scale(shown)))
         axes.figure.colorbar(plt.cm.ScalarMappable(scale, colors), ax=axes, shrink=0.6)
-    lines = [lines] if isinstance(lines, Path) or np.ndim(lines) == 2 else lines
+    is_one = isinstance(lines, Path) or isinstance(lines, np.ndarray) and lines.ndim == 2
+    lines = [lines] if is_one else lines
     for i, line in enumerate(lines):
         line = arguments.points_of(f"lines[{i}]", line.points if isinstance(line, Path) else line)
         axes.plot(*line.T, color="black", linewidth=1.5, zorder=10)

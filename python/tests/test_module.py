@@ -189,6 +189,10 @@ def test_plot(tmp_path):
     axes.figure.savefig(tmp_path / "picture.png")
     assert (tmp_path / "picture.png").stat().st_size > 5000
     smg.plot(V, F, np.arange(len(F)), axes=axes)
+    for lines in (s.isolines(d, [0.3, 1.0, 2.0]), s.path(0, 50), [s.path(0, 50), s.path(0, 60)], s.path(0, 50).points):
+        number = len(axes.lines)
+        smg.plot(V, F, lines=lines, axes=axes)
+        assert len(axes.lines) - number == (1 if not isinstance(lines, list) else len(lines))
     with pytest.raises(ValueError, match="values has shape"):
         smg.plot(V, F, d[:-1])
 
