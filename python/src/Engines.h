@@ -1,4 +1,4 @@
-// What computes on a surface. Each engine reads the mesh once.
+// The classes of the package that compute on a surface.
 
 #ifndef SURFACE_MESH_GEODESICS_PYTHON_ENGINES_H
 #define SURFACE_MESH_GEODESICS_PYTHON_ENGINES_H
@@ -23,14 +23,6 @@ using Sequential_solver = geodesics::Geodesic_distance_solver<Mesh>;
 using Parallel_solver = geodesics::Geodesic_distance_solver<Mesh, Threads>;
 using Traits = CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>;
 using Paths = CGAL::Surface_mesh_geodesic_paths<Traits>;
-
-template <typename Solver>
-std::unique_ptr<Solver> make_solver(const Surface& surface)
-{
-  if(surface.has_lengths())
-    return std::make_unique<Solver>(Solver::from_edge_lengths(surface.mesh(), surface.lengths()));
-  return std::make_unique<Solver>(surface.mesh());
-}
 
 } // namespace geodesics_python
 

@@ -21,23 +21,20 @@ namespace {
 
 using Options = geodesics::Geodesic_distance_options<Mesh>;
 
-Sequential_solver& sequential_solver(Surface& surface)
+// Returns a solver of the surface; makes it if it is not there. Call it inside Surface::run_alone().
+template <typename Solver>
+Solver& solver_of(Surface& surface, std::unique_ptr<Solver> Distance_engine::*member)
 {
   if(surface.distance_engine == nullptr)
     surface.distance_engine = std::make_shared<Distance_engine>();
-  if(surface.distance_engine->sequential == nullptr)
-    surface.distance_engine->sequential = make_solver<Sequential_solver>(surface);
-  return *surface.distance_engine->sequential;
+  std::unique_ptr<Solver>& solver = *surface.distance_engine.*member;
+  if(solver == nullptr)
+    solver.reset(surface.has_lengths() ? new Solver(Solver::from_edge_lengths(surface.mesh(), surface.lengths()))
+                                       : new Solver(surface.mesh()));
+  return *solver;
 }
 
-Parallel_solver& parallel_solver(Surface& surface)
-{
-  if(surface.distance_engine == nullptr)
-    surface.distance_engine = std::make_shared<Distance_engine>();
-  if(surface.distance_engine->parallel == nullptr)
-    surface.distance_engine->parallel = make_solver<Parallel_solver>(surface);
-  return *surface.distance_engine->parallel;
-}
+Sequential_solver& sequential_solver(Surface& surface) { return solver_of(surface, &Distance_engine::sequential); }
 
 Options options_of(const Array<double>& offsets, double radius)
 {
@@ -96,7 +93,10 @@ py::tuple distances(Surface& surface, const Array<std::int64_t>& vertex, const A
       answer = answer_of(sequential_solver(surface), surface, sources, options, with_nearest, visitor);
     else
       with_threads(threads, [&]()
-      { answer = answer_of(parallel_solver(surface), surface, sources, options, with_nearest, visitor); });
+      {
+        Parallel_solver& solver = solver_of(surface, &Distance_engine::parallel);
+        answer = answer_of(solver, surface, sources, options, with_nearest, visitor);
+      });
   });
   return py::make_tuple(to_array(std::move(answer.distance)), to_array(std::move(answer.nearest)));
 }

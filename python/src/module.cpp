@@ -136,40 +136,6 @@ std::vector<Vertex> to_vertices(const Array<std::int64_t>& ids)
   return result;
 }
 
-Places::Places(const Mesh& mesh, const Array<std::int64_t>& vertex, const Array<std::int64_t>& face,
-               const Array<double>& weights)
-{
-  const auto v = vertex.unchecked<1>(), f = face.unchecked<1>();
-  const auto b = weights.unchecked<2>();
-  const bool has_locations = std::any_of(vertex.data(), vertex.data() + v.shape(0), [](auto id) { return id < 0; });
-  if(!has_locations)
-  {
-    vertices = to_vertices(vertex);
-    return;
-  }
-  for(py::ssize_t i = 0; i < v.shape(0); ++i)
-  {
-    if(v(i) < 0)
-    {
-      locations.emplace_back(Face(static_cast<Mesh::size_type>(f(i))), Barycentric{b(i, 0), b(i, 1), b(i, 2)});
-      continue;
-    }
-    const Vertex corner(static_cast<Mesh::size_type>(v(i)));
-    const auto h = mesh.halfedge(corner);
-    if(h == Mesh::null_halfedge())
-      throw std::invalid_argument("vertex " + std::to_string(v(i))
-                                  + " has no face: it cannot stand beside points of faces");
-    const auto inner = mesh.is_border(h) ? mesh.prev(mesh.opposite(h)) : h;
-    const Face around = mesh.face(inner);
-    Barycentric at_corner{0, 0, 0};
-    std::size_t k = 0;
-    for(auto g = mesh.halfedge(around); mesh.source(g) != corner; g = mesh.next(g))
-      ++k;
-    at_corner[k] = 1;
-    locations.emplace_back(around, at_corner);
-  }
-}
-
 Surface::Surface(const Array<double>& points, const Array<std::int64_t>& faces, const Array<double>& lengths)
 {
   const auto p = points.unchecked<2>();

@@ -6,12 +6,36 @@
 #include <tbb/parallel_for.h>
 #endif
 
+#include <algorithm>
 #include <atomic>
 #include <iterator>
 #include <limits>
-#include <tuple>
+#include <stdexcept>
+#include <string>
+#include <utility>
 
 namespace geodesics_python {
+
+Places::Places(const Mesh& mesh, const Array<std::int64_t>& vertex, const Array<std::int64_t>& face,
+               const Array<double>& weights)
+{
+  vertices = to_vertices(vertex);
+  const auto id = vertex.unchecked<1>(), f = face.unchecked<1>();
+  const auto b = weights.unchecked<2>();
+  if(std::none_of(vertex.data(), vertex.data() + id.shape(0), [](std::int64_t v) { return v < 0; }))
+    return;
+  for(py::ssize_t i = 0; i < id.shape(0); ++i)
+  {
+    if(id(i) < 0)
+      locations.emplace_back(Face(static_cast<Mesh::size_type>(f(i))), Barycentric{b(i, 0), b(i, 1), b(i, 2)});
+    else
+      locations.push_back(Paths::face_location(vertices[std::size_t(i)], mesh));
+    if(locations.back().first == Mesh::null_face())
+      throw std::invalid_argument("vertex " + std::to_string(id(i))
+                                  + " has no face: it cannot stand beside points of faces");
+  }
+  vertices.clear();
+}
 
 // Paths from a set of sources.
 struct Path_engine
@@ -47,34 +71,9 @@ public:
     : m_mesh(surface.mesh()), m_paths(paths), m_has_points(!surface.has_lengths())
   {}
 
-  void operator()(Mesh::Halfedge_index h, double t)
-  {
-    if(m_mesh.is_border(h))
-    {
-      h = m_mesh.opposite(h);
-      t = 1 - t;
-    }
-    Barycentric b{0, 0, 0};
-    const std::size_t k = corner(h);
-    b[k] = 1 - t;
-    b[(k + 1) % 3] = t;
-    // The point is that of the package, which interpolates along the edge.
-    add(m_paths.point(h, t), m_mesh.face(h), b);
-  }
-
-  void operator()(Vertex v)
-  {
-    auto h = m_mesh.halfedge(v); // leads to v
-    Barycentric b{0, 0, 0};
-    if(h == Mesh::null_halfedge())
-      return add(m_mesh.point(v), Mesh::null_face(), b);
-    if(m_mesh.is_border(h))
-      h = m_mesh.prev(m_mesh.opposite(h));
-    b[(corner(h) + 1) % 3] = 1;
-    add(m_mesh.point(v), m_mesh.face(h), b);
-  }
-
-  void operator()(Face f, const Barycentric& b) { add(m_paths.point(f, b), f, b); }
+  void operator()(Mesh::Halfedge_index h, double t) { add(m_paths.point(h, t), Paths::face_location(h, t, m_mesh)); }
+  void operator()(Vertex v) { add(m_mesh.point(v), Paths::face_location(v, m_mesh)); }
+  void operator()(Face f, const Barycentric& b) { add(m_paths.point(f, b), {f, b}); }
 
   // The path from the source to the target.
   Path reversed() const
@@ -82,7 +81,8 @@ public:
     Path path;
     for(auto it = m_elements.rbegin(); it != m_elements.rend(); ++it)
     {
-      const auto& [p, f, b] = *it;
+      const auto& [p, location] = *it;
+      const auto& [f, b] = location;
       path.points.insert(path.points.end(), {p.x(), p.y(), p.z()});
       path.faces.push_back(f == Mesh::null_face() ? -1 : std::int64_t(std::size_t(f)));
       path.weights.insert(path.weights.end(), b.begin(), b.end());
@@ -91,26 +91,17 @@ public:
   }
 
 private:
-  // The position of the source of h among the corners of its face.
-  std::size_t corner(Mesh::Halfedge_index h) const
-  {
-    std::size_t k = 0;
-    for(auto g = m_mesh.halfedge(m_mesh.face(h)); g != h; g = m_mesh.next(g))
-      ++k;
-    return k;
-  }
-
   // Leaves out a point that rounding makes equal to the one before, as the package does.
-  void add(const Point& p, Face f, const Barycentric& b)
+  void add(const Point& p, const Location& location)
   {
-    if(m_elements.empty() || !m_has_points || std::get<0>(m_elements.back()) != p)
-      m_elements.emplace_back(p, f, b);
+    if(m_elements.empty() || !m_has_points || m_elements.back().first != p)
+      m_elements.emplace_back(p, location);
   }
 
   const Mesh& m_mesh;
   const Paths& m_paths;
   const bool m_has_points;
-  std::vector<std::tuple<Point, Face, Barycentric>> m_elements;
+  std::vector<std::pair<Point, Location>> m_elements;
 };
 
 template <typename... Target>
