@@ -55,8 +55,11 @@ function(surface_mesh_geodesics_set_up_program target folder uses_eigen uses_tbb
   if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
     target_compile_options(${target} PRIVATE ${Surface_mesh_geodesics_WARNING_FLAGS})
     if(Surface_mesh_geodesics_WARNINGS_AS_ERRORS)
+      target_compile_options(${target} PRIVATE -Werror)
       # GCC 12 warns that std::vector copies from a null pointer where it has inlined the assignment of an empty list.
-      target_compile_options(${target} PRIVATE -Werror -Wno-error=nonnull)
+      if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+        target_compile_options(${target} PRIVATE -Wno-error=nonnull)
+      endif()
     endif()
   endif()
 endfunction()

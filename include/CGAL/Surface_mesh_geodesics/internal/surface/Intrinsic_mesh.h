@@ -434,7 +434,7 @@ private:
     });
   }
 
-  // Marks those of the vertices [first, last). Requires: all their faces, but for pinched vertices, are among the faces
+  // Does so for the vertices [first, last). Requires: all their faces, but for pinched vertices, are among the faces
   // [first_face, last_face).
   void find_bends(std::size_t first, std::size_t last, Face_id first_face, Face_id last_face)
   {
