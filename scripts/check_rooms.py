@@ -5,8 +5,9 @@ Usage: check_rooms.py INCLUDE_FOLDER | --self-test
 
 The folders of CGAL/Surface_mesh_geodesics/internal/ are rooms, and their order is the architecture (ROOMS below):
 
-- A file includes files of its own room or of a lower one. Rooms that share a rank do not include each other. Public
-  headers are above all rooms, except two plain value types that rooms throw or fill in.
+- A file includes files of its own room or of a lower one. Rooms that share a rank do not include each other.
+- A public header is above all rooms, unless it includes neither a header of the package nor a mesh nor a kernel. Then
+  it is a plain value type and below all rooms, which may fill it in or throw it.
 - Rooms below `interface` know neither meshes nor kernels.
 - A room has at most 15 files, and a README.md that names each of them and each subfolder. A subfolder of a room counts
   as a room of its own.
@@ -29,7 +30,6 @@ OWN = "CGAL/Surface_mesh_geodesics/"
 INTERNAL = OWN + "internal/"
 CONVENIENCE_HEADER = "CGAL/Surface_mesh_geodesics.h"
 LICENSE_HEADER = "CGAL/license/Surface_mesh_geodesics.h"
-PLAIN_PUBLIC_HEADERS = {OWN + "Propagation_statistics.h", OWN + "Invalid_geodesic_input.h"}
 TOLERANCE = INTERNAL + "numeric/Tolerance.h"
 COMPATIBILITY = INTERNAL + "numeric/cgal_compatibility.h"
 
@@ -46,6 +46,7 @@ ROOMS = (
 RANK = {room: rank for rank, rooms in enumerate(ROOMS) for room in rooms}
 FIRST_RANK_WITH_MESHES = RANK["interface"]
 PUBLIC_RANK = len(ROOMS)
+PLAIN_RANK = -1
 MOST_FILES_IN_ROOM = 15
 
 # Headers of CGAL that bring neither a mesh nor a kernel.
@@ -77,12 +78,6 @@ def folder_of(name):
     return pathlib.PurePosixPath(name).parent.as_posix()
 
 
-def rank_of(name):
-    if name in PLAIN_PUBLIC_HEADERS:
-        return 0
-    return RANK.get(room_of(name), PUBLIC_RANK)
-
-
 def brings_mesh_or_kernel(include):
     if include.startswith("CGAL/"):
         return include not in PLAIN_CGAL_HEADERS
@@ -94,14 +89,31 @@ def includes_of(text):
     return INCLUDE.findall(BLOCK_COMMENT.sub("", text))
 
 
-def check_own_include(name, include, texts, complaints):
-    if include not in texts:
+def is_plain(name, text):
+    """Whether a header is public and includes neither a header of the package nor a mesh nor a kernel."""
+    if not name.startswith(OWN) or name.startswith(INTERNAL):
+        return False
+    return not any(
+        include.startswith(OWN) or include == CONVENIENCE_HEADER or brings_mesh_or_kernel(include)
+        for _, include in includes_of(text) if include != LICENSE_HEADER)
+
+
+def ranks_of(texts):
+    """The rank of each header; a lower one may be included by a higher one."""
+    return {
+        name: PLAIN_RANK if is_plain(name, text) else RANK.get(room_of(name), PUBLIC_RANK)
+        for name, text in texts.items()
+    }
+
+
+def check_own_include(name, include, ranks, complaints):
+    if include not in ranks:
         complaints.append(f"{name}: includes {include}, which does not exist")
     elif include == CONVENIENCE_HEADER:
         complaints.append(f"{name}: includes the convenience header")
-    elif rank_of(include) > rank_of(name):
+    elif ranks[include] > ranks[name]:
         complaints.append(f"{name}: includes {include} of a higher room")
-    elif rank_of(include) == rank_of(name) and room_of(include) != room_of(name) and room_of(name):
+    elif ranks[include] == ranks[name] and room_of(include) != room_of(name) and room_of(name):
         complaints.append(f"{name}: includes {include} of a sibling room")
 
 
@@ -208,18 +220,19 @@ def check(folder):
     }
     check_rooms(folder, texts, complaints)
     graph = {}
+    ranks = ranks_of(texts)
     for name, text in texts.items():
         includes = includes_of(text)
         graph[name] = [include for _, include in includes if include in texts]
         check_license(name, {include for _, include in includes}, complaints)
-        knows_no_mesh = name.startswith(INTERNAL) and name != COMPATIBILITY and rank_of(name) < FIRST_RANK_WITH_MESHES
+        knows_no_mesh = name.startswith(INTERNAL) and name != COMPATIBILITY and ranks[name] < FIRST_RANK_WITH_MESHES
         for quote, include in includes:
             if quote == '"':
                 complaints.append(f'{name}: includes "{include}" with quotes')
             elif include == LICENSE_HEADER:
                 continue
             elif include.startswith(OWN) or include == CONVENIENCE_HEADER:
-                check_own_include(name, include, texts, complaints)
+                check_own_include(name, include, ranks, complaints)
             elif knows_no_mesh and brings_mesh_or_kernel(include):
                 complaints.append(f"{name}: includes <{include}>, but its room knows no mesh")
         if name != COMPATIBILITY and "CGAL_VERSION" in text:
@@ -305,9 +318,15 @@ FAULTS = {
     "internal includes public": (
         {LOW: f"#include <{OWN}door.h>\n"},
         "of a higher room"),
-    "statistics include a room": (
-        {OWN + "Propagation_statistics.h": LICENSE_LINE + f"#include <{HIGH}>\n"},
-        "Propagation_statistics.h: includes"),
+    "room includes a public header that includes a room": (
+        {OWN + "Propagation_statistics.h": LICENSE_LINE + f"#include <{LOW}>\n"},
+        f"high.h: includes {OWN}Propagation_statistics.h of a higher room"),
+    "room includes a public header that includes a mesh": (
+        {OWN + "Propagation_statistics.h": LICENSE_LINE + "#include <CGAL/boost/graph/helpers.h>\n"},
+        f"high.h: includes {OWN}Propagation_statistics.h of a higher room"),
+    "room includes a public header that includes a public header": (
+        {OWN + "Propagation_statistics.h": LICENSE_LINE + f"#include <{OWN}door.h>\n"},
+        f"high.h: includes {OWN}Propagation_statistics.h of a higher room"),
     "mesh": (
         {LOW: "#include <CGAL/boost/graph/helpers.h>\n"},
         "low.h: includes <CGAL/boost/graph/helpers.h>"),
