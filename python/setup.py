@@ -18,7 +18,7 @@ extension = Pybind11Extension(
     libraries=["gmp", "mpfr"] + (["tbb"] if has_tbb else []),
     define_macros=[("NDEBUG", None), ("SURFACE_MESH_GEODESICS_VERSION", f'"{version}"')]
     + ([("CGAL_LINKED_WITH_TBB", None)] if has_tbb else []),
-    extra_compile_args=["-O3", "-frounding-math", "-pthread"],
+    extra_compile_args=["-O3", "-g0", "-frounding-math", "-pthread"],
     extra_link_args=["-pthread"],
     cxx_std=17,
 )

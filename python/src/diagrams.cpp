@@ -1,26 +1,52 @@
-// Geodesic Voronoi diagrams.
+// Geodesic Voronoi diagrams, and what the package makes with them: samples and remeshing. (One file, because compiling
+// the diagram takes longer than everything else.)
 
 #include "Engines.h"
 
 #include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_Voronoi_diagram.h>
+#include <CGAL/Surface_mesh_geodesics/geodesic_farthest_point_sampling.h>
+#include <CGAL/Surface_mesh_geodesics/geodesic_remeshing.h>
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <iterator>
 #include <limits>
+#include <stdexcept>
+#include <string>
 
 namespace geodesics_python {
 
 namespace {
 
+// The cell of each face of a mesh that is cut along a diagram. The cut ends with an exception if Python interrupts it.
+struct Cell_map
+{
+  using key_type = Face;
+  using value_type = std::size_t;
+  using reference = std::size_t;
+  using category = boost::writable_property_map_tag;
+
+  friend void put(const Cell_map& map, Face f, std::size_t cell)
+  {
+    if(!map.visitor.go_further())
+      throw std::runtime_error("interrupted");
+    map.cells[f] = cell;
+  }
+
+  const Interruptible& visitor;
+  Mesh::Property_map<Face, std::size_t> cells;
+};
+
 // A diagram that is built, and the surface that it refers to.
+template <typename Tag>
 class Diagram
 {
   using Voronoi = CGAL::Surface_mesh_geodesic_Voronoi_diagram<Traits, CGAL::Default, CGAL::Default, CGAL::Default,
-                                                              CGAL::Default, CGAL::Sequential_tag>;
+                                                              CGAL::Default, Tag>;
 
 public:
-  Diagram(std::shared_ptr<Surface> surface, const Places& sites, const Array<double>& weights,
+  Diagram(std::shared_ptr<Surface> surface, const Places& sites, const Array<double>& weights, std::size_t threads,
           const py::object& progress)
     : m_surface(std::move(surface)), m_voronoi(m_surface->mesh())
   {
@@ -32,7 +58,7 @@ public:
         m_voronoi.add_site(range[i], weights.size() == 0 ? 0. : weights.data()[i]);
     });
     Interruptible visitor(progress);
-    visitor.run(false, [&]() { m_voronoi.build(visitor); });
+    visitor.run(false, [&]() { with_threads(threads, [&]() { m_voronoi.build(visitor); }); });
   }
 
   std::size_t number_of_sites() const { return m_voronoi.number_of_sites(); }
@@ -107,8 +133,8 @@ public:
   py::tuple cut(double tolerance) const
   {
     Mesh mesh;
-    auto cell = mesh.add_property_map<Face, std::size_t>("f:cell", 0).first;
     Interruptible visitor{py::none()};
+    const Cell_map cell{visitor, mesh.add_property_map<Face, std::size_t>("f:cell", 0).first};
     visitor.run(false, [&]() { m_voronoi.cut(mesh, cell, tolerance); });
     std::vector<Point> points;
     for(const Vertex v : mesh.vertices())
@@ -118,7 +144,7 @@ public:
     {
       for(const Vertex v : mesh.vertices_around_face(mesh.halfedge(f)))
         faces.push_back(std::int64_t(std::size_t(v)));
-      cells.push_back(number(cell[f]));
+      cells.push_back(number(cell.cells[f]));
     }
     return py::make_tuple(points_to_array(points), to_rows(std::move(faces), 3), to_array(std::move(cells)));
   }
@@ -171,30 +197,84 @@ private:
   Voronoi m_voronoi;
 };
 
-std::unique_ptr<Diagram> diagram_of(std::shared_ptr<Surface> surface, const Array<std::int64_t>& vertex,
-                                    const Array<std::int64_t>& face, const Array<double>& weights,
-                                    const Array<double>& site_weights, const py::object& progress)
+template <typename Tag>
+void bind_diagram(py::module_& module, const char* name)
+{
+  using Class = Diagram<Tag>;
+  py::class_<Class>(module, name)
+    .def("at_vertices", &Class::at_vertices)
+    .def("areas", &Class::areas)
+    .def("centroids", &Class::centroids)
+    .def("adjacency", &Class::adjacency)
+    .def("boundaries", &Class::boundaries)
+    .def("dual", &Class::dual)
+    .def("cut", &Class::cut);
+}
+
+py::object diagram(const std::shared_ptr<Surface>& surface, const Array<std::int64_t>& vertex,
+                   const Array<std::int64_t>& face, const Array<double>& weights, const Array<double>& site_weights,
+                   std::size_t threads, const py::object& progress)
 {
   const Places sites(surface->mesh(), vertex, face, weights);
-  return std::make_unique<Diagram>(std::move(surface), sites, site_weights, progress);
+  if(threads > 1)
+    return py::cast(std::make_unique<Diagram<Threads>>(surface, sites, site_weights, threads, progress));
+  return py::cast(std::make_unique<Diagram<CGAL::Sequential_tag>>(surface, sites, site_weights, threads, progress));
+}
+
+// Returns the samples, without the first ones, and the covering radius.
+py::tuple sample(Surface& surface, std::size_t n, const Array<std::int64_t>& first, double radius,
+                 const py::object& progress)
+{
+  geodesics::Geodesic_sampling_options<Mesh> options;
+  options.first_samples = to_vertices(first);
+  options.covering_radius = radius;
+  std::vector<std::int64_t> samples;
+  double covered = 0;
+  Interruptible visitor(progress, n + 1);
+  surface.run_alone(visitor, false, [&]()
+  {
+    std::vector<Vertex> vertices;
+    covered = geodesics::geodesic_farthest_point_sampling(surface.mesh(), n, std::back_inserter(vertices), options,
+                                                          CGAL::parameters::visitor(std::ref(visitor)));
+    for(const Vertex v : vertices)
+      samples.push_back(std::int64_t(std::size_t(v)));
+  });
+  return py::make_tuple(to_array(std::move(samples)), covered);
+}
+
+// Returns the points and the faces of a coarser mesh.
+py::tuple remesh(Surface& surface, std::size_t n, unsigned int iterations, const py::object& progress)
+{
+  Mesh coarse;
+  bool is_manifold = false;
+  Interruptible visitor(progress, n + iterations + 1);
+  surface.run_alone(visitor, false, [&]()
+  {
+    is_manifold = geodesics::geodesic_remeshing(
+      surface.mesh(), n, coarse,
+      CGAL::parameters::number_of_iterations(iterations).visitor(std::ref(visitor))).is_manifold();
+  });
+  if(!is_manifold)
+    throw std::runtime_error("the triangles between " + std::to_string(n)
+                             + " vertices form no surface; more vertices help");
+  std::vector<Point> points;
+  for(const Vertex v : coarse.vertices())
+    points.push_back(coarse.point(v));
+  std::vector<std::int64_t> faces;
+  for(const Face f : coarse.faces())
+    for(const Vertex v : coarse.vertices_around_face(coarse.halfedge(f)))
+      faces.push_back(std::int64_t(std::size_t(v)));
+  return py::make_tuple(points_to_array(points), to_rows(std::move(faces), 3));
 }
 
 } // namespace
 
 void bind_diagrams(py::module_& module, Surface_class& surface)
 {
-  py::class_<Diagram>(module, "Diagram")
-    .def("at_vertices", &Diagram::at_vertices)
-    .def("areas", &Diagram::areas)
-    .def("centroids", &Diagram::centroids)
-    .def("adjacency", &Diagram::adjacency)
-    .def("boundaries", &Diagram::boundaries)
-    .def("dual", &Diagram::dual)
-    .def("cut", &Diagram::cut);
-  surface.def("diagram", [](std::shared_ptr<Surface> self, const Array<std::int64_t>& vertex,
-                            const Array<std::int64_t>& face, const Array<double>& weights,
-                            const Array<double>& site_weights, const py::object& progress)
-              { return diagram_of(std::move(self), vertex, face, weights, site_weights, progress); });
+  bind_diagram<CGAL::Sequential_tag>(module, "Diagram");
+  if(has_threads())
+    bind_diagram<Threads>(module, "Parallel_diagram");
+  surface.def("diagram", &diagram).def("sample", &sample).def("remesh", &remesh);
 }
 
 } // namespace geodesics_python

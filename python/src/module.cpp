@@ -216,7 +216,6 @@ PYBIND11_MODULE(_core, module)
   bind_distances(surface);
   bind_paths(surface);
   bind_diagrams(module, surface);
-  bind_sampling(surface);
   // Before the interpreter ends: a computation that ends later would find no interpreter.
   py::module_::import("atexit").attr("register")(py::cpp_function(&Interruptible::stop_all));
 }

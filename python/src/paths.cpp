@@ -29,7 +29,7 @@ Places::Places(const Mesh& mesh, const Array<std::int64_t>& vertex, const Array<
     if(id(i) < 0)
       locations.emplace_back(Face(static_cast<Mesh::size_type>(f(i))), Barycentric{b(i, 0), b(i, 1), b(i, 2)});
     else
-      locations.push_back(Paths::face_location(vertices[std::size_t(i)], mesh));
+      locations.push_back(Paths_with<CGAL::Sequential_tag>::face_location(vertices[std::size_t(i)], mesh));
     if(locations.back().first == Mesh::null_face())
       throw std::invalid_argument("vertex " + std::to_string(id(i))
                                   + " has no face: it cannot stand beside points of faces");
@@ -37,19 +37,62 @@ Places::Places(const Mesh& mesh, const Array<std::int64_t>& vertex, const Array<
   vertices.clear();
 }
 
-// Paths from a set of sources.
-struct Path_engine
+// Paths from a set of sources, built by one thread or by several.
+class Path_engine
 {
-  Path_engine(const Surface& surface, const Places& s) : paths(surface.mesh()), sources(s)
+public:
+  Path_engine(const Surface& surface, const Places& sources, bool is_parallel)
+    : m_sources(sources), m_is_parallel(is_parallel)
   {
-    if(surface.has_lengths())
-      paths.use_edge_lengths(surface.lengths());
-    sources.visit([&](const auto& range) { paths.add_source_points(range.begin(), range.end()); });
+    if(is_parallel)
+      set_up(surface, m_parallel);
+    else
+      set_up(surface, m_sequential);
   }
 
-  Paths paths;
-  const Places sources;
-  bool is_built_everywhere = false;
+  bool has_sources(const Places& sources) const
+  {
+    return m_sources.vertices == sources.vertices && m_sources.locations == sources.locations;
+  }
+
+  bool is_ready(bool everywhere) const { return everywhere ? m_is_built_everywhere : m_is_built; }
+
+  // Calls use() with the paths.
+  template <typename Use>
+  auto visit(Use use) const
+  {
+    return m_is_parallel ? use(*m_parallel) : use(*m_sequential);
+  }
+
+  // Returns false if the visitor cancels.
+  bool build(bool everywhere, std::size_t threads, Interruptible& visitor)
+  {
+    with_threads(threads, [&]()
+    {
+      visit([&](auto& paths)
+      {
+        m_is_built = everywhere ? paths.build_sequence_tree_for_faces(visitor) : paths.build_sequence_tree(visitor);
+      });
+    });
+    m_is_built_everywhere = m_is_built && (m_is_built_everywhere || everywhere);
+    return m_is_built;
+  }
+
+private:
+  template <typename Paths>
+  void set_up(const Surface& surface, std::unique_ptr<Paths>& paths)
+  {
+    paths = std::make_unique<Paths>(surface.mesh());
+    if(surface.has_lengths())
+      paths->use_edge_lengths(surface.lengths());
+    m_sources.visit([&](const auto& range) { paths->add_source_points(range.begin(), range.end()); });
+  }
+
+  const Places m_sources;
+  const bool m_is_parallel;
+  std::unique_ptr<Paths_with<CGAL::Sequential_tag>> m_sequential;
+  std::unique_ptr<Paths_with<Threads>> m_parallel;
+  bool m_is_built = false, m_is_built_everywhere = false;
 };
 
 namespace {
@@ -64,6 +107,7 @@ struct Path
 };
 
 // Collects the elements of a path, from the target to the source.
+template <typename Paths>
 class Path_writer
 {
 public:
@@ -104,10 +148,10 @@ private:
   std::vector<std::pair<Point, Location>> m_elements;
 };
 
-template <typename... Target>
+template <typename Paths, typename... Target>
 Path path_to(const Surface& surface, const Paths& paths, const Target&... target)
 {
-  Path_writer writer(surface, paths);
+  Path_writer<Paths> writer(surface, paths);
   const double length = paths.shortest_path_sequence_to_source_points(target..., writer).first;
   Path path = writer.reversed();
   if(length >= 0)
@@ -118,35 +162,32 @@ Path path_to(const Surface& surface, const Paths& paths, const Target&... target
   return path;
 }
 
-Path path_to(const Surface& surface, const Paths& paths, const Places& targets, std::size_t i)
+Path path_to(const Surface& surface, const Path_engine& engine, const Places& targets, std::size_t i)
 {
-  if(targets.are_vertices())
-    return path_to(surface, paths, targets.vertices[i]);
-  return path_to(surface, paths, targets.locations[i].first, targets.locations[i].second);
+  return engine.visit([&](const auto& paths)
+  {
+    if(targets.are_vertices())
+      return path_to(surface, paths, targets.vertices[i]);
+    return path_to(surface, paths, targets.locations[i].first, targets.locations[i].second);
+  });
 }
 
-bool are_same(const Places& a, const Places& b) { return a.vertices == b.vertices && a.locations == b.locations; }
-
-// Returns paths that are built for the sources; null if the visitor cancels. The last engine serves again if it has the
-// same sources. Call it inside Surface::run_alone().
-std::shared_ptr<Path_engine> engine_of(Surface& surface, const Places& sources, bool everywhere, Interruptible& visitor)
+// Returns an engine that is built for the sources; null if the visitor cancels. The last engine serves again if it has
+// the same sources, however many threads have built it. Call it inside Surface::run_alone().
+std::shared_ptr<Path_engine> engine_of(Surface& surface, const Places& sources, bool everywhere, std::size_t threads,
+                                       Interruptible& visitor)
 {
-  if(surface.path_engine == nullptr || !are_same(surface.path_engine->sources, sources))
-    surface.path_engine = std::make_shared<Path_engine>(surface, sources);
-  Paths& paths = surface.path_engine->paths;
-  const bool is_built = everywhere ? paths.build_sequence_tree_for_faces(visitor) : paths.build_sequence_tree(visitor);
-  if(!is_built)
-    return nullptr;
-  surface.path_engine->is_built_everywhere |= everywhere;
-  return surface.path_engine;
+  if(surface.path_engine == nullptr || !surface.path_engine->has_sources(sources))
+    surface.path_engine = std::make_shared<Path_engine>(surface, sources, threads > 1);
+  return surface.path_engine->build(everywhere, threads, visitor) ? surface.path_engine : nullptr;
 }
 
 // Are there paths from these sources already? The answer may be out of date when it is used.
 bool is_ready(Surface& surface, const Places& sources, bool everywhere)
 {
   const std::unique_lock<std::timed_mutex> lock = surface.try_lock();
-  return lock.owns_lock() && surface.path_engine != nullptr && are_same(surface.path_engine->sources, sources)
-      && (surface.path_engine->is_built_everywhere || !everywhere);
+  return lock.owns_lock() && surface.path_engine != nullptr && surface.path_engine->has_sources(sources)
+      && surface.path_engine->is_ready(everywhere);
 }
 
 template <typename Work>
@@ -180,7 +221,7 @@ py::list paths_to(Surface& surface, const Array<std::int64_t>& vertex, const Arr
   const bool is_short = targets.size() <= 16 && is_ready(surface, sources, !targets.are_vertices());
   surface.run_alone(visitor, is_short, [&]()
   {
-    const auto engine = engine_of(surface, sources, !targets.are_vertices(), visitor);
+    const auto engine = engine_of(surface, sources, !targets.are_vertices(), threads, visitor);
     if(engine == nullptr)
       return;
     std::atomic<std::size_t> number_done{0};
@@ -188,7 +229,7 @@ py::list paths_to(Surface& surface, const Array<std::int64_t>& vertex, const Arr
     {
       if(!visitor.go_further())
         return;
-      paths[i] = path_to(surface, engine->paths, targets, i);
+      paths[i] = path_to(surface, *engine, targets, i);
       visitor.set_part_done(1 + double(++number_done) / double(targets.size()));
     });
   });
@@ -200,7 +241,8 @@ py::list paths_to(Surface& surface, const Array<std::int64_t>& vertex, const Arr
 
 // Returns a list of lines for each level.
 py::list isolines(Surface& surface, const Array<std::int64_t>& vertex, const Array<std::int64_t>& face,
-                  const Array<double>& weights, const Array<double>& levels, const py::object& progress)
+                  const Array<double>& weights, const Array<double>& levels, std::size_t threads,
+                  const py::object& progress)
 {
   const Places sources(surface.mesh(), vertex, face, weights);
   std::vector<std::vector<std::vector<Point>>> lines(static_cast<std::size_t>(levels.size()));
@@ -208,10 +250,10 @@ py::list isolines(Surface& surface, const Array<std::int64_t>& vertex, const Arr
   Interruptible visitor(progress, 1 + lines.size());
   surface.run_alone(visitor, false, [&]()
   {
-    const auto engine = engine_of(surface, sources, true, visitor);
+    const auto engine = engine_of(surface, sources, true, threads, visitor);
     for(std::size_t i = 0; engine != nullptr && i < lines.size() && visitor.go_further(); ++i)
     {
-      engine->paths.isolines(level[i], std::back_inserter(lines[i]));
+      engine->visit([&](const auto& paths) { paths.isolines(level[i], std::back_inserter(lines[i])); });
       visitor.set_part_done(double(i + 2));
     }
   });

@@ -18,5 +18,11 @@ class Certificate(NamedTuple):
     conditions: dict[str, Condition]
 
     def is_certified(self, tolerance: float = 2.0**-40) -> bool:
-        """Are the distances exact up to the tolerance, a relative number?"""
+        """Are the distances exact up to the tolerance, a relative number?
+
+        >>> import surface_mesh_geodesics as smg
+        >>> s = smg.Solver([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]])
+        >>> s.certify([0, 3, 4], 0).is_certified(1e-15)
+        True
+        """
         return self.worst_violation <= tolerance

@@ -49,6 +49,10 @@ class Solver:
 
         Points of paths are zeros then; their faces and barycentric coordinates tell where they are. Isolines, samples,
         remeshing, and the lines and centroids of Voronoi diagrams need points.
+
+        >>> import surface_mesh_geodesics as smg
+        >>> smg.Solver.from_edge_lengths(3, [[0, 1, 2]], [[3, 5, 4]]).distances(0)
+        array([0., 3., 4.])
         """
         n = arguments.count_of("n", n, 0)
         faces = arguments.triangles_of("F", F, n)
@@ -109,6 +113,11 @@ class Solver:
         """Returns the distances up to a radius, as a scipy.sparse.csr_matrix.
 
         Distances of 0 are stored, too. Without SciPy, returns the triple (data, indices, indptr).
+
+        >>> import surface_mesh_geodesics as smg
+        >>> S = smg.Solver([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]]).sparse_matrix(3.5, [0])
+        >>> S.data if hasattr(S, "data") else S[0]
+        array([0., 3.])
         """
         places, ids = self._rows_and_columns(sources, targets)
         pointers, columns, values = self._surface.sparse_matrix(*places, ids, arguments.radius_of("radius", radius),
@@ -139,42 +148,59 @@ class Solver:
 
     # --- paths ---
 
-    def path(self, source: Any, target: Any, *, progress: Progress | None = None) -> Path:
+    def path(self, source: Any, target: Any, *, threads: int | None = 1, progress: Progress | None = None) -> Path:
         """Returns the shortest path from a source, or from the nearest of several, to a target.
 
-        The first call computes what all paths from the same sources need; further ones are fast.
+        The first call computes what all paths from the same sources need, in as many threads as it is told; further
+        ones are fast.
 
         >>> import surface_mesh_geodesics as smg
         >>> p = smg.Solver([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]]).path(1, 2)
         >>> p.length, p.points.tolist()
         (5.0, [[3.0, 0.0, 0.0], [0.0, 4.0, 0.0]])
         """
-        paths = self.paths(source, target, threads=1, progress=progress)
+        paths = self.paths(source, target, threads=threads, progress=progress)
         if len(paths) != 1:
             raise ValueError(f"target has {len(paths)} places; paths() takes several")
         return paths[0]
 
     def paths(self, sources: Any, targets: Any, *, threads: int | None = None,
               progress: Progress | None = None) -> list[Path]:
-        """Returns for each target the shortest path from its nearest source. Targets are given as sources are."""
+        """Returns for each target the shortest path from its nearest source. Targets are given as sources are.
+
+        >>> import surface_mesh_geodesics as smg
+        >>> s = smg.Solver([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]])
+        >>> [(p.source, p.length) for p in s.paths([0, 1], [0, 2])]
+        [(0, 0.0), (0, 4.0)]
+        """
         places, ends = self._places("sources", sources), self._places("targets", targets)
         return [Path(*path) for path in self._surface.paths(*places, *ends, arguments.threads_of(threads),
                                                             arguments.progress_of(progress))]
 
-    def exact_isolines(self, sources: Any, levels: Any, *,
+    def exact_isolines(self, sources: Any, levels: Any, *, threads: int | None = 1,
                        progress: Progress | None = None) -> list[list[np.ndarray]]:
         """Returns for each level the lines of all points at this distance from the sources, arrays of shape (k, 3).
 
         Points on edges are exact. A closed line ends with its first point.
+
+        >>> import surface_mesh_geodesics as smg
+        >>> s = smg.Solver([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]])
+        >>> [line[[0, -1]].round(9).tolist() for line in s.exact_isolines(0, 2)[0]]
+        [[[2.0, 0.0, 0.0], [0.0, 2.0, 0.0]]]
         """
         self._needs_points("exact_isolines")
         return self._surface.isolines(*self._places("sources", sources), arguments.levels_of("levels", levels),
-                                      arguments.progress_of(progress))
+                                      arguments.threads_of(threads), arguments.progress_of(progress))
 
     def isolines(self, d: Any, levels: Any) -> list[np.ndarray]:
         """Returns the lines where a function on the surface has one of the levels, as arrays of shape (k, 3).
 
         d  (n,) values at the vertices, such as distances; linear in each face. Faces with infinite values have none.
+
+        >>> import surface_mesh_geodesics as smg
+        >>> s = smg.Solver([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]])
+        >>> s.isolines(s.distances(0), 2)[0].tolist()
+        [[2.0, 0.0, 0.0], [0.0, 2.0, 0.0]]
         """
         self._needs_points("isolines")
         values = arguments.values_of("d", d, self.n_vertices)
@@ -182,7 +208,8 @@ class Solver:
 
     # --- diagrams, samples ---
 
-    def voronoi(self, sites: Any, weights: Any = None, *, progress: Progress | None = None) -> Voronoi:
+    def voronoi(self, sites: Any, weights: Any = None, *, threads: int | None = 1,
+                progress: Progress | None = None) -> Voronoi:
         """Returns the exact geodesic Voronoi diagram of sites, which are given as sources are.
 
         weights  a number for each site that is subtracted from its distances: a larger weight gives a larger cell
@@ -196,7 +223,7 @@ class Solver:
         places = self._places("sites", sites)
         n = len(places.vertex)
         diagram = self._surface.diagram(*places, arguments.weights_of("weights", weights, n),
-                                        arguments.progress_of(progress))
+                                        arguments.threads_of(threads), arguments.progress_of(progress))
         return Voronoi(diagram, n, self._extent(), self._lengths is None)
 
     def sample(self, n: int, *, first: Any = None, covering_radius: float = 0.0,
@@ -206,6 +233,10 @@ class Solver:
         first            vertices that are samples already; they count among the n and come first in the result, all of
                          them even if there are more than n
         covering_radius  sampling ends when no vertex is farther from its nearest sample
+
+        >>> import surface_mesh_geodesics as smg
+        >>> smg.Solver([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]]).sample(2, first=[1])
+        array([1, 2])
         """
         self._needs_points("sample")
         given = NO_IDS if first is None else self._vertices("first", first)
@@ -219,6 +250,12 @@ class Solver:
         """Returns points (n, 3) and faces (m, 3) of a coarser mesh with even triangles.
 
         Raises RuntimeError if the triangles form no surface: more vertices help.
+
+        >>> import surface_mesh_geodesics as smg
+        >>> V = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
+        >>> V2, F2 = smg.Solver(V, [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]).remesh(4, iterations=0)
+        >>> V2.shape, F2.shape
+        ((4, 3), (4, 3))
         """
         self._needs_points("remesh")
         return self._surface.remesh(arguments.count_of("n", n, 3), arguments.count_of("iterations", iterations, 0),

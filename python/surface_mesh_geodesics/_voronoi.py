@@ -15,6 +15,12 @@ class Voronoi:
 
     labels     (n,) the site that is nearest to each vertex; -1 where no site reaches
     distances  (n,) the distances of the vertices from their sites, minus the weights of the sites
+
+    >>> import surface_mesh_geodesics as smg
+    >>> s = smg.Solver([[0, 0, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0]], [[0, 1, 2], [0, 2, 3]])
+    >>> v = s.voronoi([0, 1])
+    >>> v.centroids.round(12).tolist(), v.triangles.shape
+    ([[0.5, 1.0, 0.0], [1.5, 1.0, 0.0]], (0, 3))
     """
 
     def __init__(self, diagram: Diagram, n_sites: int, extent: float, has_points: bool) -> None:
@@ -50,6 +56,11 @@ class Voronoi:
 
         Each is an array of shape (k, 3); a closed curve ends with its first point. Segments of lines differ from the
         curves by at most `tolerance`, by default a thousandth of the extent of the mesh, at least a millionth.
+
+        >>> import surface_mesh_geodesics as smg
+        >>> s = smg.Solver([[0, 0, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0]], [[0, 1, 2], [0, 2, 3]])
+        >>> [line[:, 0].round(12).tolist() for line in s.voronoi([0, 1]).boundaries(0)]
+        [[1.0, 1.0, 1.0]]
         """
         self._needs_points("boundaries")
         if np.ndim(site) != 0:
@@ -60,7 +71,13 @@ class Voronoi:
     def cut(self, tolerance: float | None = None) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Returns the mesh cut along the diagram: points (n, 3), faces (m, 3), and the cell of each face (m,).
 
-        `tolerance` as for boundaries().
+        `tolerance` as for boundaries(). The first points are the vertices of the mesh.
+
+        >>> import surface_mesh_geodesics as smg
+        >>> s = smg.Solver([[0, 0, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0]], [[0, 1, 2], [0, 2, 3]])
+        >>> V, F, cell = s.voronoi([0, 1]).cut()
+        >>> V[F[cell == 0]][:, :, 0].max().round(12), V[F[cell == 1]][:, :, 0].min().round(12)
+        (1.0, 1.0)
         """
         self._needs_points("cut")
         return self._diagram.cut(self._tolerance(tolerance))

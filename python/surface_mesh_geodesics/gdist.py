@@ -1,7 +1,4 @@
-"""The two functions of the package gdist, with its signatures: a program changes one import.
-
->>> from surface_mesh_geodesics import gdist
-"""
+"""The two functions of the package gdist, with its signatures: a program changes one import."""
 
 from __future__ import annotations
 
@@ -18,6 +15,10 @@ def compute_gdist(vertices: Any, triangles: Any, source_indices: Any = None, tar
 
     Distances beyond max_distance, and where no source reaches, are inf. As in gdist, is_one_indexed concerns the
     triangles only: sources and targets are counted from 0. The triangles must have the same orientation.
+
+    >>> from surface_mesh_geodesics import gdist
+    >>> gdist.compute_gdist([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[1, 2, 3]], [1], is_one_indexed=True)
+    array([3., 0., 5.])
     """
     sources = 0 if source_indices is None else source_indices
     return _solver(vertices, triangles, is_one_indexed).distances(sources, targets=target_indices, radius=max_distance)
@@ -27,7 +28,11 @@ def local_gdist_matrix(vertices: Any, triangles: Any, max_distance: float = 1e10
                        is_one_indexed: bool = False) -> Any:
     """Returns the distances between all pairs of vertices up to max_distance, as a scipy.sparse.csc_matrix.
 
-    Pairs at distance 0 have no entry.
+    Pairs at distance 0 have no entry. Needs SciPy.
+
+    >>> from surface_mesh_geodesics import gdist
+    >>> gdist.local_gdist_matrix([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]], 3.5).nnz  # doctest: +SKIP
+    2
     """
     matrix = _solver(vertices, triangles, is_one_indexed).sparse_matrix(max_distance).tocsc()
     matrix.eliminate_zeros()
