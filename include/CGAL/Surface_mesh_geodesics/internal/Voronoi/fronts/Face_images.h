@@ -46,7 +46,8 @@ public:
   using Image = Site_image<FT>;
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
-  // Starts a face, given its corners in counterclockwise order. Then images are added.
+  // Starts a face, given its corners in counterclockwise order. Removes the images of the face before; their memory is
+  // kept. Then images are added.
   void start(const std::array<Point, 3>& corner)
   {
     m_images.clear();
@@ -124,8 +125,8 @@ public:
     return best_seeing != none && is_tie ? best_seeing : best;
   }
 
-  // Returns the images of a site that tie with its nearest one at p, in ascending order, whether they see p or bend.
-  // None if the site has no image.
+  // Returns the images of a site that tie with its nearest one at p, up to the error of images (Tolerance::tie()), in
+  // ascending order, whether they see p or bend. None if the site has no image.
   std::vector<std::size_t> tied_images(Vertex_id site, const Point& p) const
   {
     std::vector<std::size_t> result;

@@ -116,9 +116,10 @@ public:
   }
 
   // Follows f until it meets the cell of a third one of sites(), leaves the face, or leaves the half-plane `until`,
-  // unless that is nullptr. Replaces the result of an earlier trace of f. In a face without height the front stops at
-  // its start. Takes time proportional to the number of images for each piece; where images tie, the search for a way
-  // ahead takes a time quadratic in the number of those that do.
+  // unless that is nullptr. Replaces the result of an earlier trace of f; f.stop tells why this one has ended. It is
+  // LOST where no curve leads on, and if the bound of the number of pieces has ended the trace. In a face without
+  // height the front stops at its start. Takes time proportional to the number of images for each piece; where images
+  // tie, the search for a way ahead takes a time quadratic in the number of those that do.
   // Requires: sites() are set; the two sites of f are equally far from its start, up to rounding.
   void trace(Front& f, const Half_plane<FT>* until)
   {
@@ -397,7 +398,8 @@ private:
 
   // Where several images of a site tie, rounding may have led to one that is not the nearest ahead. Changes f to the
   // pair of tied images, one of each site, whose curve leads farthest into the face without turning back. Returns false
-  // if no curve leads away from here. (At the start of f any curve that is longer than rounding will do.)
+  // if no curve leads away from here. (At the start of f any curve that is longer than rounding will do.) Widens
+  // m_slack for the next piece, as a point where curves touch is known less exactly (Face_images::touching()).
   bool find_way_ahead(Front& f)
   {
     m_slack = m_images.touching();
@@ -463,7 +465,8 @@ private:
   // --- images and bends ---
 
   // Adds the paths around the end of image i that is nearer to p, and returns their index. Bends live until the next
-  // trace. A bend of a bend has no cone; it is not made, since only images with a cone are left or do not see p.
+  // trace; a reference to one is valid until the next one is added. A bend of a bend has no cone; it is not made, since
+  // only images with a cone are left or do not see p.
   std::size_t add_bend(std::size_t i, const Point& p)
   {
     m_bends.push_back(Images::bend(image(i), p));
