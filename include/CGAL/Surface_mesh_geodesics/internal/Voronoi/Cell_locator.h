@@ -175,8 +175,8 @@ private:
   }
 
   // Returns the clearance of an anchor q: the smallest distance of the end of an arc from the segment to q, and of q
-  // from an arc other than its own. Stops with a larger value as soon as the clearance is known to be at most `bound`,
-  // so that most anchors look at few arcs.
+  // from an arc other than its own (null for an anchor on the border). Stops with a larger value as soon as the
+  // clearance is known to be at most `bound`, so that most anchors look at few arcs.
   FT clearance_of(const Point& q, const Arc* own, const FT& bound) const
   {
     FT smallest = std::numeric_limits<FT>::infinity();
