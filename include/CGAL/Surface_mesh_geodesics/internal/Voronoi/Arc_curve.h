@@ -32,7 +32,8 @@ namespace Surface_mesh_geodesics {
 namespace internal {
 
 // Integrals along a part of the border of a region that is on its left. Summed over the whole border, they are the area
-// and the integrals of x and y over the region (Green's theorem).
+// and the integrals of x and y over the region (Green's theorem):
+//   area = 1/2 of the integral of (x dy - y dx), and 1/3 of the integrals of x (x dy - y dx) and y (x dy - y dx).
 struct Border_integrals
 {
   double area = 0, x = 0, y = 0;
@@ -45,7 +46,8 @@ struct Border_integrals
   }
 };
 
-// Returns the integrals along the segment from p to q.
+// Returns the integrals along the segment from p to q, where x dy - y dx is constant: the cross product of p and q,
+// times the differential of a parameter that runs from 0 to 1.
 inline Border_integrals segment_integrals(const Planar_point<double>& p, const Planar_point<double>& q)
 {
   const double cross = p.x * q.y - p.y * q.x;
@@ -64,7 +66,8 @@ public:
   using Arc = Voronoi_arc<double>;
 
   // The curve is the segment between the ends of the arc if the arc is straight up to rounding: it is not a bisector,
-  // both weights are equal, or the bisector does not lead from one end to the other.
+  // both weights are equal, or the bisector does not lead from one end to the other. The arc is not referred to
+  // afterwards.
   explicit Arc_curve(const Arc& a)
     : m_first(a.first), m_last(a.last), m_curve(a.left, a.right, a.first)
   {
@@ -78,8 +81,8 @@ public:
 
   bool is_segment() const { return m_is_segment; }
 
-  // Returns the point at parameter t: exactly the ends of the arc at 0 and 1. Parameters are proportional to the angle
-  // at the focus (Weighted_bisector), not to the length.
+  // Returns the point at parameter t: exactly the ends of the arc at 0 and 1, and outside of [0, 1]. Parameters are
+  // proportional to the angle at the focus (Weighted_bisector), not to the length.
   Point point(double t) const
   {
     if(t <= 0)
@@ -101,7 +104,9 @@ public:
   }
 
   // Returns the integrals along the arc: those of the chord, plus those between chord and curve. The latter are taken
-  // relative to the first point, so that no digits are lost.
+  // relative to the first point, so that no digits are lost. With that origin, x dy - y dx vanishes along the chord,
+  // and the integrals along the curve alone are those over the region between both. A shift of the origin adds the area
+  // times the first point to the integrals of x and y.
   Border_integrals integrals() const
   {
     if(m_is_segment)
@@ -121,7 +126,8 @@ public:
   }
 
   // Calls visit(point) for points of the curve in their order, without the first point and including the last one. The
-  // segments between them are at most `tolerance` away from the curve, unless `number_of_halvings` do not suffice.
+  // segments between them are at most `tolerance` away from the curve, unless `number_of_halvings` do not suffice. A
+  // segment has its last point only.
   template <typename Visit>
   void sample(double tolerance, Visit visit, int number_of_halvings = 24) const
   {
@@ -157,13 +163,15 @@ private:
     return Point{m_first.x + t * (m_last.x - m_first.x), m_first.y + t * (m_last.y - m_first.y)};
   }
 
-  // Several integrands, which are computed together, or their integrals.
+  // Several integrands, which are computed together (the curve is evaluated once for all), or their integrals.
   template <std::size_t n>
   using Values = std::array<double, n>;
 
   // Returns the integrals over the curve of f(point, derivative by the angle). Intervals are halved until the sums
   // change by at most Tolerance::quadrature() of `scale`; a relative criterion would fail where f is only rounding.
   // Each integral keeps the value at which it stops changing. After 1024 parts the last sums are returned as they are.
+  // So the curve is evaluated at 7 * 2047 points at most.
+  // Requires: the curve is not a segment.
   template <std::size_t n, typename Function>
   Values<n> integrals_of(Function f, const Values<n>& scale) const
   {
@@ -220,7 +228,7 @@ private:
   }
 
   // Visits points between the parameters t and u, at which the curve is at p and q: halves until the middle is close to
-  // the chord, at most `depth` times.
+  // the chord, at most `depth` times. The ends are not visited, so that each point is visited once.
   template <typename Visit>
   void refine(double t, double u, const Point& p, const Point& q, double tolerance, int depth,
               Visit& visit) const
@@ -236,9 +244,9 @@ private:
   }
 
   Point m_first, m_last;
-  Weighted_bisector<double> m_curve;
+  Weighted_bisector<double> m_curve; // starts at m_first; read only if m_is_segment is not set
   bool m_is_segment;
-  double m_end = 0; // Weighted_bisector::angle() of the last point
+  double m_end = 0; // Weighted_bisector::angle() of the last point, positive unless m_is_segment is set
 };
 
 } // namespace internal

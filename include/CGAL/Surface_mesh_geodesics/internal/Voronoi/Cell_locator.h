@@ -20,6 +20,9 @@
 // On symmetric surfaces, arcs run along edges and meet in corners and in the middles of faces, where rounding decides
 // what a segment meets. So of several anchors the one with the largest clearance is taken: the distance of the segment
 // from the ends of arcs, and of the anchor from other arcs.
+//
+// The cases in the order of cell(): a face without arcs has one cell; in a face without height cell_on_border()
+// decides; cell_on_arcs() looks for arcs at the point; else best_anchor() and cell_on_the_way() do the rest.
 
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Voronoi_complex.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
@@ -48,6 +51,7 @@ public:
   using Arc = Voronoi_arc<FT>;
 
   // Prepares to locate a point p in the layout of face f. The complex is referred to.
+  // Requires: the complex is finished, and p is in the face up to rounding.
   Cell_locator(const Complex& complex, Face_id f, const Point& p)
     : m_complex(complex), m_face(f), m_p(p), m_range(complex.arcs_of_face(f))
   {}
@@ -67,7 +71,8 @@ public:
   }
 
 private:
-  // A point, and the cell in which the segment from it to p starts.
+  // A point, and the cell in which the segment from it to p starts. The clearance is -1 as long as there is none: any
+  // anchor is better, since clearances are not negative.
   struct Anchor
   {
     Point point;
@@ -115,7 +120,8 @@ private:
   }
 
   // Returns the distance of x from a point of an arc, which is the nearest one if x is close to the arc: an end, or the
-  // point in the direction of x from the focus. So the result is never too small.
+  // point in the direction of x from the focus. So the result is never too small: a clearance may be overrated, but no
+  // point is taken for one of an arc that it is not on.
   FT distance_from_arc(const Point& x, const Arc& a) const
   {
     const FT to_ends = (std::min)(distance(x, a.first), distance(x, a.last));
@@ -127,7 +133,8 @@ private:
   }
 
   // Returns the best anchor of the first kind in which one has a clearance: corners, points of the border, points of
-  // arcs. If none has, the best of all; its result may be wrong where rounding decides what the segment meets.
+  // arcs. If none has, the best of all; its result may be wrong where rounding decides what the segment meets. (At
+  // parameter 0 the breakpoints are tried with the corners; arcs end there, so their clearance is 0.)
   Anchor best_anchor() const
   {
     Anchor best;
@@ -168,8 +175,8 @@ private:
   }
 
   // Returns the clearance of an anchor q: the smallest distance of the end of an arc from the segment to q, and of q
-  // from an arc other than its own. Stops with a larger value as soon as the clearance is known to be at most `bound`,
-  // so that most anchors look at few arcs.
+  // from an arc other than its own (null for an anchor on the border). Stops with a larger value as soon as the
+  // clearance is known to be at most `bound`, so that most anchors look at few arcs.
   FT clearance_of(const Point& q, const Arc* own, const FT& bound) const
   {
     FT smallest = std::numeric_limits<FT>::infinity();
@@ -196,7 +203,8 @@ private:
   }
 
   // If the segment from p to q meets the arc at a distance less than `first` from p, sets `first` to that distance and
-  // `site` to the cell on the side of p.
+  // `site` to the cell on the side of p. An arc meets the line of the segment where way() is 0: once if it is a
+  // segment, at most twice if it is a piece of a hyperbola. (way.b, -way.a) is the unit vector from p to q.
   void meet_arc(const Arc& a, const Point& q, Vertex_id& site, FT& first) const
   {
     const Half_plane<FT> way = Half_plane<FT>::left_of(m_p, q);

@@ -12,7 +12,7 @@
 
 // What a propagation calls a keeper, for a diagram: it passes lists of windows and the distance reached on to the
 // removal of redundant windows. The parallel propagation logs the lists in each thread, and has one thread at a time
-// pass them on.
+// pass them on (propagation/parallel/Window_relay.h).
 
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/entering_windows.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
@@ -33,12 +33,15 @@ namespace internal {
 // The lists that one thread has carried across halfedges, in their order, with what the removal asks of them. Keeping a
 // list takes time linear in its size; the log has memory for the largest number of windows that it has had.
 //
+// The bounds are computed when a list is logged, not when it is passed on: a Kept_window has no distances at the ends
+// of its interval, and the list is gone by then.
+//
 // Invariant: the windows of list i are those from m_lists[i].first_window up to those of the next list.
 template <typename FT>
 class Entering_window_log
 {
 public:
-  // The number of lists before it.
+  // A place in the log: the number of lists before it. Valid until clear().
   using Position = std::size_t;
 
   // Requires: mesh and field outlive the log, and do not change during keep().
@@ -58,7 +61,8 @@ public:
 
   Position position() const { return m_lists.size(); }
 
-  // Passes the lists between two positions on to a removal.
+  // Passes the lists between two positions on to a removal. The log does not change, and other threads may write logs
+  // of their own meanwhile. Requires: first <= last <= position().
   template <typename Removal>
   void pass_on(Position first, Position last, Removal& removal) const
   {
@@ -97,7 +101,9 @@ private:
   std::vector<Kept_window<FT>> m_windows;
 };
 
-// `Removal` is a Redundant_window_removal, which must outlive this object.
+// `Removal` is a Redundant_window_removal, which must outlive this object and has been reset for the mesh before the
+// object is used. Copies serve the same removal. `is_deferred` tells the parallel propagation that threads log windows
+// first; a keeper that is not deferred keeps windows in several threads at once (Window_keeper).
 template <typename Removal>
 class Diagram_window_keeper
 {
@@ -117,7 +123,9 @@ public:
 
   Thread_keeper thread_keeper() const { return Thread_keeper(m_removal->mesh(), m_removal->field()); }
 
-  // Keeps the lists between two positions of a log. Distances up to `reached` are final.
+  // Keeps the lists between two positions of a log. Distances up to `reached` are final; those of the roots of these
+  // windows may be greater. The caller goes through the logs in the order of the visits in their batch; then, while the
+  // propagation runs, it calls advance(reached).
   void take_over(const Thread_keeper& log, typename Thread_keeper::Position first,
                  typename Thread_keeper::Position last, const FT& reached)
   {

@@ -25,17 +25,19 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// The struct is reused from face to face, so that its vectors are allocated a few times only.
+// The struct is reused from face to face, so that its vectors are allocated a few times only. A consumer copies what it
+// needs: the content is valid during Consumer::add() only.
 template <typename FT>
 struct Divided_face
 {
   Face_id face = null_id;
 
-  // Where cells begin and end on side k, in the order of that halfedge of the edge that has the smaller index.
-  // Both faces at an edge get the same breakpoints.
+  // Where cells begin and end on side k, in the order of that halfedge of the edge that has the smaller index, and with
+  // abscissas from its source; none if the side is in one cell. Both faces at an edge get the same breakpoints.
   std::array<std::vector<Edge_breakpoint<FT>>, 3> breakpoints;
 
-  std::vector<Site_image<FT>> images; // in the layout of the face
+  // In the layout of the face: its corners first, then the windows that are left (for_each_site_image()).
+  std::vector<Site_image<FT>> images;
 };
 
 } // namespace internal

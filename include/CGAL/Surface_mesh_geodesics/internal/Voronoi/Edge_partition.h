@@ -15,7 +15,8 @@
 // part of the edge; both faces at the edge use the result.
 //
 // The envelope is found by walking from the first end to the last one, from each image to the one that takes over
-// first.
+// first: build() repeats take_over(), which asks takes_over() about each image, and successor() where the interval of
+// the current image ends. change_site() notes where the walk comes to another cell.
 //
 // Formula: the distance by an image is weight + |(x - image_x, depth)| in the frame of a halfedge, where x is the
 // abscissa. Two of them are equal at the roots of a quadratic equation (equal_points()), refined by Newton's method.
@@ -94,7 +95,7 @@ public:
   using Breakpoint = Edge_breakpoint<FT>;
 
   // Starts an edge, given the sites and the distances of its ends. Then images are added, and build() is called.
-  // Requires: length > 0.
+  // Requires: length > 0; both ends are reached.
   void start(const FT& length, Vertex_id first_site, const FT& first_distance, Vertex_id last_site,
              const FT& last_distance)
   {
@@ -125,6 +126,8 @@ public:
     {
     }
     m_intervals.push_back(Edge_interval<FT>{m_x, m_length, m_current});
+    // If rounding has led the walk to another site than that of the last end, the end decides: it is a vertex, whose
+    // site is the same for all edges there.
     change_site(m_length, m_last_site);
     CGAL_expensive_assertion(is_partition());
   }
@@ -364,7 +367,8 @@ private:
     return best;
   }
 
-  // Notes that the cell of another site begins at x. A cell without width is dropped.
+  // Notes that the cell of another site begins at x. A cell without width is dropped: the new site takes its place in
+  // the last breakpoint, which goes, too, if the cell before it has the same site.
   void change_site(const FT& x, Vertex_id site)
   {
     const Vertex_id before = m_breakpoints.empty() ? m_images[0].site : m_breakpoints.back().after;

@@ -20,8 +20,12 @@
 // both sides of it are closed on their own.
 //
 // Only the sites decide which fronts may meet; distances decide which of them do. So regardless of rounding, the result
-// is a forest with these leaves and matches those of the adjacent faces. Where rounding hides how
-// fronts meet (two sites tie in a region), segments join them.
+// is a forest with these leaves and matches those of the adjacent faces. Where rounding hides how fronts meet (two
+// sites tie in a region), segments join them.
+//
+// Steps: build() starts the fronts, close() reduces a list of them until none is left: connect_touching(), split() and
+// split_at() connect two fronts, join_agreeing(), join_nearest() and join() join them. connect() finds the curve
+// between two fronts, finish() makes arcs of a front.
 //
 // Formula: the points of an arc are equally far from its two images, and no other image is nearer.
 // Frame: the layout of the face (corners 0, 1 and 2 at (0,0), (length[0],0) and (apex_x,apex_y)).
@@ -72,7 +76,7 @@ struct Face_arc
 // after fewer steps than it has fronts, whatever the distances are.
 //
 // Cost: at most quadratic in the number of breakpoints, counted in traces (Front_tracer::trace()); a face that one
-// curve crosses needs one trace.
+// curve crosses needs one trace. Each step also compares all pairs of fronts, but mostly their sites only.
 template <typename FT_>
 class Face_partition
 {
@@ -84,7 +88,8 @@ public:
   using Arc = Face_arc<FT>;
 
   // A point where arcs end. The breakpoints come first, in their order, then the nodes inside. Of a vertex, where three
-  // cells meet, the sites are in counterclockwise order; other nodes have two sites, and null_id.
+  // cells meet, the sites are in counterclockwise order; other nodes have two sites, and null_id: the cells on the left
+  // and on the right of the front that starts at the node or runs through it.
   struct Node
   {
     Point p;
@@ -92,8 +97,8 @@ public:
     bool is_vertex;
   };
 
-  // Starts a face, given its corners. Then images are added, and breakpoints in counterclockwise order; then build() is
-  // called.
+  // Starts a face, given its corners, and removes the results of the one before. Then images are added, and breakpoints
+  // in counterclockwise order; then build() is called.
   void start(const std::array<Point, 3>& corner)
   {
     m_tracer.start(corner);
@@ -106,7 +111,7 @@ public:
   void add(const Breakpoint& b) { m_tracer.add(b); }
 
   // Makes the nodes and arcs. Requires: the cell that begins at a breakpoint is the one that ends at the next one; at
-  // each breakpoint, the two cells differ.
+  // each breakpoint, the two cells differ. (So there are two breakpoints at least, or none.)
   void build()
   {
     CGAL_assertion(do_breakpoints_match());
@@ -203,7 +208,8 @@ private:
   }
 
   // Tells the tracer the sites of some fronts: in this part of the face, no trace meets the cell of another site. By
-  // the invariant of a list, the sites on the left are all of them.
+  // the invariant of a list, the sites on the left are all of them. (One that has several pieces in this part occurs
+  // several times, which does no harm.)
   void find_sites(const std::vector<Front>& fronts)
   {
     std::vector<Vertex_id>& sites = m_tracer.sites();
@@ -273,7 +279,8 @@ private:
   }
 
   // Connects the fronts i and j. Leaves the fronts on one side of that curve, and lets those on the other side wait.
-  // Fronts that have met a cell that is not in their part are traced again.
+  // Fronts that have met a cell that is not in their part are traced again, and so are those that rounding has stopped:
+  // with fewer sites they may find their way. Requires: are_ends_of_curve() holds for both.
   void split_at(std::vector<Front>& fronts, std::size_t i, std::size_t j)
   {
     connect(fronts[i], fronts[j]);
@@ -343,11 +350,13 @@ private:
       join(fronts, best);
   }
 
-  // Joins the fronts i and i + 1 in a vertex, from which one front goes on. The cell between them is closed; fronts
-  // that have met it are traced again. The sites of the vertex are in counterclockwise order because f and g are.
+  // Joins the fronts i and i + 1 (cyclically) in a vertex, from which one front goes on. The cell between them is
+  // closed; fronts that have met it are traced again. The sites of the vertex are in counterclockwise order because f
+  // and g are.
   //
-  // If the traces meet up to rounding, both end in the vertex. Otherwise the vertex is chosen among points
-  // of both traces, and each front is cut at it or led to it by segments.
+  // If the traces meet up to rounding, both end in the vertex. Otherwise the vertex is chosen among points of both
+  // traces, and each front is cut at it or led to it by segments.
+  // Requires: f.left != g.right, as the front that goes on separates these two; both fronts have been traced.
   void join(std::vector<Front>& fronts, std::size_t i)
   {
     const std::size_t next = (i + 1) % fronts.size();
@@ -419,7 +428,10 @@ private:
   bool starts_at_border(const Front& f) const { return f.node < m_tracer.breakpoints().size(); }
 
   // Makes arcs of the pieces of f, the last of which ends at p, and a node between two of them. Pieces that are added
-  // here are segments, those that have been traced are bisectors.
+  // here are segments, those that have been traced are bisectors. `node` is the node at p; f is not needed afterwards.
+  //
+  // The last piece is drawn on to p, if other paths do not become the shortest ones before. Segments follow the last
+  // piece where f has lost its way (LOST), and are the whole curve if f has no pieces.
   void finish(Front& f, const Point& p, std::size_t node)
   {
     if(completion().is_taken_over_before(f, p))
@@ -446,10 +458,10 @@ private:
     }
   }
 
-  Front_tracer<FT> m_tracer;
+  Front_tracer<FT> m_tracer; // owns the images and breakpoints of the face
   std::vector<Node> m_nodes;
   std::vector<Arc> m_arcs;
-  std::vector<Front> m_fronts;
+  std::vector<Front> m_fronts; // the list that build() begins with; a member, so that its memory is kept
   std::vector<std::vector<Front>> m_waiting; // parts of the face that are still to be closed
   std::size_t m_number_of_joints = 0;
 };

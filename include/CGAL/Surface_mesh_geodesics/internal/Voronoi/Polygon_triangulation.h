@@ -46,7 +46,12 @@ public:
 
   // Triangulates a polygon, given counterclockwise; triangles refer to the indices of its vertices. is_allowed(i, j)
   // tells whether a diagonal may be used; a forbidden one counts more than all triangles that are not counterclockwise.
-  // Of equal candidates the one with the lowest apex is taken. Takes cubic time.
+  // Of equal candidates the one with the lowest apex is taken. Takes cubic time, and memory quadratic in the number of
+  // vertices. A polygon of less than three vertices has no triangles.
+  //
+  // Formula: the cost of (i, j) is 0 for a side of the polygon, where j = i + 1, else the least sum of the costs of (i,
+  // k), of (k, j) and of the triangle (i, k, j), over all k between i and j; FORBIDDEN is added for a diagonal that is
+  // not allowed. The last pair, (0, n - 1), is a side again.
   template <typename IsAllowed>
   void build(const std::vector<Point>& polygon, IsAllowed is_allowed)
   {
@@ -76,7 +81,8 @@ public:
   std::uint64_t badness() const { return m_badness; }
 
 private:
-  // Above the number of bad triangles of any polygon that fits in memory.
+  // Above the number of bad triangles of any polygon that fits in memory. A sum of such terms, one for each diagonal,
+  // does not overflow.
   static constexpr std::uint64_t FORBIDDEN = std::uint64_t(1) << 32;
 
   struct Cost
@@ -97,7 +103,8 @@ private:
   };
 
   // Finds the apex of the triangle at the diagonal (i, j) for which the part behind the diagonal is cheapest, and
-  // returns its cost. Requires: all smaller parts are known.
+  // returns its cost. A triangle only adds to the cost, so an apex whose two parts are not cheaper than the best one is
+  // skipped. Requires: all smaller parts are known.
   Cost cheapest(const std::vector<Point>& polygon, std::size_t i, std::size_t j)
   {
     const std::size_t n = polygon.size();
@@ -135,7 +142,8 @@ private:
     return result;
   }
 
-  // Lists the triangles of the part between the diagonal (i, j) and the sides i, ..., j.
+  // Lists the triangles of the part between the diagonal (i, j) and the sides i, ..., j. Calls itself at most as deep
+  // as the polygon has vertices.
   void collect(std::uint32_t i, std::uint32_t j, std::size_t n)
   {
     if(j < i + 2)
@@ -146,8 +154,8 @@ private:
     collect(k, j, n);
   }
 
-  std::vector<Cost> m_cost;
-  std::vector<std::uint32_t> m_apex;
+  std::vector<Cost> m_cost;          // of the part of the diagonal (i, j), at i * n + j for i < j
+  std::vector<std::uint32_t> m_apex; // of its triangle at that diagonal, if j > i + 1
   std::vector<Triangle> m_triangles;
   std::uint64_t m_badness = 0;
 };

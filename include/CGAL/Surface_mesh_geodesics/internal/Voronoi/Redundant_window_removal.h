@@ -65,8 +65,10 @@ namespace internal {
 // `Consumer` has a member add(const Divided_face<FT>&), which is called once for each face that lies in several cells.
 //
 // In the propagation, keep() and advance() are called in turn, then finish(). All faces have been handed over when
-// finish() returns. Time: linear in the number of windows that enter faces, plus for each divided edge what
-// Edge_partition takes.
+// finish() returns, and no windows are left; owners() may be called then. Time: linear in the number of windows that
+// enter faces, plus for each divided edge what Edge_partition takes.
+//
+// One thread at a time may call an object. It reads the mesh and the distances, and writes neither.
 //
 // Invariants:
 // - The state of a face only grows (State). m_windows has windows of ACTIVE and INACTIVE faces only; keep() rejects
@@ -84,8 +86,9 @@ public:
   using Mesh = Intrinsic_mesh<FT>;
   using Field = Vertex_distance_field<FT>;
 
-  // Starts anew. The arguments are referred to, not copied. If `is_early` is false, redundant windows are removed by
-  // finish() only (to measure what early removal saves).
+  // Starts anew. The arguments are referred to, not copied: the mesh, refined by the sites, and the field into which
+  // the propagation writes. If `is_early` is false, redundant windows are removed by finish() only (to measure what
+  // early removal saves). Takes time linear in the size of the mesh.
   void reset(const Mesh& mesh, const Field& field, Consumer& consumer, bool is_early = true)
   {
     m_consumer = &consumer;
@@ -106,10 +109,12 @@ public:
 
   // Gives the cell of `source` to `first`, as the two tie everywhere up to rounding. (Otherwise rounding would decide
   // for each edge anew which of them is nearer.) If another source is nearer to `first`, so that it has no cell itself,
-  // `source` keeps its cell. Call it after reset() and before the first keep().
+  // `source` keeps its cell. Call it after reset() and before the first keep(). `first` is not united with a third one:
+  // pairs do not form chains (for_each_equal_source()).
   void unite(Vertex_id source, Vertex_id first) { m_first_of_equal[source] = first; }
 
   // Keeps the windows of a list that the propagation carries across h into the face of h, unless that face is inactive.
+  // The list is copied. Requires: it is not empty.
   void keep(Halfedge_id h, const Window_list<FT>& list)
   {
     CGAL_expensive_assertion(are_on_edge(list, m_mesh->length(h)));
@@ -150,6 +155,7 @@ public:
 
   // Lets the inactive region grow, as the wavefront has reached a distance (thesis, algorithm 4, step 4). A face with a
   // large bound is looked at again half-way, as bounds shrink. The margin below `reached` covers the error of images.
+  // `limit` is the bound of the face when it was put into the queue; the smaller one of both bounds counts.
   // Requires: distances below `reached` are final, and windows with paths that short have been kept.
   void advance(const FT& reached)
   {
@@ -164,7 +170,8 @@ public:
     });
   }
 
-  // Makes all faces inactive, as the propagation has ended.
+  // Makes all faces inactive, as the propagation has ended. That includes those around sources, which no window may
+  // have entered, and those that no site reaches; these have no owner, and count as redundant.
   void finish()
   {
     m_final_distance = Field::infinity();
@@ -174,7 +181,8 @@ public:
         deactivate(f);
   }
 
-  // Returns the nearest source of a vertex whose distance is final, null_id if none reaches it.
+  // Returns the nearest source of a vertex whose distance is final, null_id if none reaches it. Of two sources that
+  // have been united it is the first one, unless that has no cell. Takes constant time, amortized (source_of()).
   Vertex_id owner(Vertex_id v)
   {
     const Vertex_id source = source_of(v), first = first_of_equal(source);
@@ -198,7 +206,8 @@ public:
   const Face_windows<FT>& windows() const { return m_windows; }
   std::size_t number_of_kept_windows() const { return m_number_of_kept; }
 
-  // Returns the memory of the arrays in bytes.
+  // Returns the memory of the windows, of the queue, and of the tables by face and by vertex, in bytes. (Breakpoints
+  // and buffers are small beside these, and are not counted.)
   std::size_t memory() const
   {
     return m_windows.memory() + m_queue.memory() + m_faces.capacity() * sizeof(Face_record)
@@ -256,10 +265,14 @@ private:
 
   struct Face_record
   {
-    Vertex_id source; // of all windows that have entered: null_id, one source (the first of equal ones), or several
+    // The source of all windows that have entered: null_id before the first one, then one source (the first one of
+    // equal ones), or several_sources.
+    Vertex_id source;
     State state;
     unsigned char open_edges; // the number of sides that are not closed yet (close_edge())
-    std::array<float, 3> bound; // of the distances on each side, by the windows that have crossed it; rounded up
+    // Of the distances on each side, by the windows that have crossed it in either direction; rounded up. Infinity if
+    // none has.
+    std::array<float, 3> bound;
   };
 
   // Notes that windows of a pseudo-source have entered a face. The source known now is the final one: the pseudo-source
@@ -285,8 +298,9 @@ private:
     m_queue.push(f, FT(nearest + longest / 2), FT(nearest + longest));
   }
 
-  // Returns a distance that no point of the border of a face exceeds, as known so far. Later windows and smaller
-  // distances of the corners may only reduce it.
+  // Returns a distance that no point of the border of a face exceeds, as known so far: the largest one of its sides,
+  // each of which has the smaller one of two bounds. Later windows and smaller distances of the corners may only reduce
+  // it. It is infinite as long as both bounds of some side are.
   FT bound(Face_id f) const
   {
     const typename Mesh::Face& face = m_mesh->face(f);
@@ -313,7 +327,8 @@ private:
   bool is_inactive(Face_id f) const { return m_faces[f].state == INACTIVE || m_faces[f].state == DONE; }
 
   // Makes a face inactive (procedure 3 of the thesis), and closes its edges to inactive neighbors. A redundant face
-  // releases its windows at once. Its edges are closed all the same, since the neighbors count them.
+  // releases its windows at once. Its edges are closed all the same, since the neighbors count them. The state comes
+  // first: close_edge() reads from it that an edge of a redundant face (DONE) is in one cell.
   void deactivate(Face_id f)
   {
     m_faces[f].state = INACTIVE;
@@ -330,7 +345,8 @@ private:
   }
 
   // Returns whether a face is redundant (definition 5.1): its corners and all windows that have entered have one
-  // source. Then all of the face is in one cell, its border too: no shortest path to it comes from elsewhere.
+  // source. Then all of the face is in one cell, its border too: no shortest path to it comes from elsewhere. (owner()
+  // may say the second one of two equal sources, the record always has the first one.)
   bool has_one_source(Face_id f)
   {
     const auto& corner = m_mesh->face(f).vertex;
@@ -361,7 +377,7 @@ private:
   }
 
   // Notes that one more side of a face is closed. When all of them are, the face is handed over if it lies in several
-  // cells, and releases its windows.
+  // cells, and releases its windows. In this order: hand_over() makes images of the windows.
   void close_side(Face_id f)
   {
     if(--m_faces[f].open_edges != 0 || m_faces[f].state != INACTIVE)
@@ -371,7 +387,8 @@ private:
     remove_windows(f);
   }
 
-  // Returns whether a cell begins or ends on a side of the face. Otherwise all of the face is in one cell.
+  // Returns whether a cell begins or ends on a side of the face. Otherwise all of the face is in one cell, as each
+  // piece of a cell touches the border (Face_partition.h). Requires: all three edges are closed.
   bool is_divided(Face_id f) const
   {
     for(unsigned int k = 0; k < 3; ++k)
@@ -405,7 +422,8 @@ private:
     return range == nullptr ? Index_range{0, 0} : *range;
   }
 
-  // Finds the breakpoints of the edge, and removes the windows of both sides that are nearest nowhere.
+  // Finds the breakpoints of the edge, and removes the windows of both sides that are nearest nowhere. An edge whose
+  // ends have no site, or that has no length, gets a breakpoint only if its ends have different sites: at its source.
   // Requires: h < o, or o is null_id; both faces at the edge are INACTIVE.
   void divide_edge(Halfedge_id h, Halfedge_id o)
   {
@@ -458,7 +476,8 @@ private:
     m_breakpoints.insert(m_breakpoints.end(), found.begin(), found.end());
   }
 
-  // Adds the paths that arrive at a border edge through its face, as no window leaves the face there.
+  // Adds the paths that arrive at a border edge through its face, as no window leaves the face there. Their images
+  // follow those of the candidates, so that is_nearest() can tell them apart.
   void add_paths_to_border(Halfedge_id h)
   {
     const auto owner_of = [&](Vertex_id v) { return owner(v); };
@@ -533,14 +552,15 @@ private:
   std::vector<Face_record> m_faces;
   std::vector<Known_source> m_source; // by vertex
   std::unordered_map<Vertex_id, Vertex_id> m_first_of_equal;
-  Face_windows<FT> m_windows;
-  std::vector<Edge_breakpoint<FT>> m_breakpoints;
+  Face_windows<FT> m_windows; // by the halfedge across which they have entered
+  std::vector<Edge_breakpoint<FT>> m_breakpoints; // of all divided edges, one after the other, until reset()
   Index_table<Index_range> m_range_of_edge; // in m_breakpoints, by the halfedge with the smaller index
   Radix_heap m_queue;
-  std::size_t m_number_of_kept = 0;
-  FT m_final_distance = Field::infinity();
-  Edge_partition<FT> m_edge;
-  std::vector<std::pair<Halfedge_id, Kept_window<FT>>> m_candidates; // image i + 2 of m_edge is candidate i
+  std::size_t m_number_of_kept = 0; // in all, also of those that have been released
+  FT m_final_distance = Field::infinity(); // see set_final_distance()
+  Edge_partition<FT> m_edge; // the edge that is divided
+  // The windows of that edge, and across which halfedge each has come. Image i + 2 of m_edge is candidate i.
+  std::vector<std::pair<Halfedge_id, Kept_window<FT>>> m_candidates;
   Divided_face<FT> m_divided_face;
 };
 

@@ -31,6 +31,8 @@ namespace internal {
 // Areas are in the squared unit of the intrinsic mesh, centroids in the unit of the given positions. Moments are summed
 // up for positions in a frame of their own, near 1, because products of very small or large numbers leave the range of
 // double.
+// Formula: the centroid of a cell is the integral of the position over it, divided by its area. The moment is the
+// integral of (position - origin) / unit.
 // Error: rounding, and that of Arc_curve::integrals(). An arc adds to the cell on its left what it takes from the cell
 // on its right, so its error cancels in the sum of all areas.
 class Voronoi_cell_measures
@@ -38,7 +40,8 @@ class Voronoi_cell_measures
 public:
   using Space_point = std::array<double, 3>;
 
-  // `origin` is a point near the corners, `unit` a power of two about as large as their largest difference from it.
+  // Removes all sums. `origin` is a point near the corners, `unit` a power of two about as large as their largest
+  // difference from it.
   void clear(const Space_point& origin, double unit)
   {
     m_sums.clear();
@@ -48,7 +51,8 @@ public:
   }
 
   // Adds a face, given the positions of its corners in space. By Green's theorem, each part of the face gets the
-  // integrals along its border: an arc counts for the cell on its left, and backward for the cell on its right.
+  // integrals along its border: an arc counts for the cell on its left, and backward for the cell on its right. A face
+  // that no site reaches adds nothing. Requires: the complex is finished.
   void add_face(const Voronoi_complex<double>& complex, Face_id f, const std::array<Space_point, 3>& corner)
   {
     const auto layout = complex.layout(f);
@@ -132,7 +136,8 @@ private:
     s.area += integrals.area;
     if(!(layout[1].x > 0) || !(layout[2].y > 0))
       return;
-    // The integrals of the three barycentric coordinates over the part.
+    // The integrals of the three barycentric coordinates over the part: y / apex_y, (x - b2 apex_x) / length[0], and
+    // what is missing to 1, integrated.
     const double b2 = integrals.y / layout[2].y, b1 = (integrals.x - b2 * layout[2].x) / layout[1].x,
                  b0 = integrals.area - b1 - b2;
     const auto scaled = [&](unsigned int i, unsigned int k) { return (corner[i][k] - m_origin[k]) / m_unit; };
@@ -140,8 +145,8 @@ private:
       s.moment[k] += b0 * scaled(0, k) + b1 * scaled(1, k) + b2 * scaled(2, k);
   }
 
-  std::unordered_map<Vertex_id, Sum> m_sums;
-  Vertex_id m_last_site = null_id;
+  std::unordered_map<Vertex_id, Sum> m_sums; // by the vertex of the site; its elements do not move
+  Vertex_id m_last_site = null_id;           // means nothing if m_last_sum is null
   Sum* m_last_sum = nullptr;
   Space_point m_origin{};
   double m_unit = 1;

@@ -17,6 +17,10 @@
 // The complex is generic: three arcs meet at each vertex of the diagram, and no arc runs through a vertex of the mesh
 // or along an edge. On symmetric surfaces ties are decided one way or the other, which yields arcs without length;
 // has_length() tells, and readers of the complex leave them out.
+//
+// Steps: add() divides a face and copies its nodes and arcs (add_breakpoints(), Face_partition, add_partition()), and
+// counts the parts of cells in it. finish() counts the other elements of cells (count_edges_and_faces()), and links
+// arcs to chains (link_chains()).
 
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Divided_face.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Face_partition.h>
@@ -41,7 +45,8 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// Use: start(), add() for each divided face while distances are propagated, finish(). The queries are valid after that.
+// Use: start(), add() for each divided face while distances are propagated, finish(). The queries are valid after that,
+// and until clear() or start(). Several threads may call them at once.
 //
 // Invariants after finish():
 // - Each node has one arc (at the border of the mesh), two, or three (at a vertex of the diagram). Face_partition gives
@@ -116,7 +121,8 @@ public:
     m_number_of_joints = 0;
   }
 
-  // The elements; indices in other elements refer to these arrays. Arcs of one face are consecutive.
+  // The elements; indices in other elements refer to these arrays. Arcs of one face are consecutive; faces follow each
+  // other in the order of add(), not by their indices.
   const std::vector<Arc>& arcs() const { return m_arcs; }
   const std::vector<Node>& nodes() const { return m_nodes; }
   const std::vector<Chain>& chains() const { return m_chains; }
@@ -124,7 +130,7 @@ public:
   // Returns the nearest site of a vertex, null_id if none reaches it.
   Vertex_id owner(Vertex_id v) const { return m_owner[v]; }
 
-  // Returns (first, last): the arcs in a face are first, ..., last - 1.
+  // Returns (first, last): the arcs in a face are first, ..., last - 1. It is (0, 0) for a face in one cell.
   std::pair<std::uint32_t, std::uint32_t> arcs_of_face(Face_id f) const
   {
     const std::pair<std::uint32_t, std::uint32_t>* const arcs = m_arcs_of_face.find(f);
@@ -174,7 +180,7 @@ public:
   }
 
   // Calls visit(site, p, q) for the segments of the border of a face, counterclockwise, cut where cells end. Visits
-  // nothing in a face that no site reaches.
+  // nothing in a face that no site reaches. p and q are in the layout of the face; a segment may have no length.
   template <typename Visit>
   void for_each_border_interval(Face_id f, Visit visit) const
   {
@@ -199,8 +205,9 @@ public:
     }
   }
 
-  // Returns the parts of the boundary of a cell. The parts that the border of the mesh interrupts come first, each from
-  // its beginning. Takes time proportional to the number of chains.
+  // Returns the parts of the boundary of a cell; none if the cell is empty, or if it is all that its site reaches. The
+  // parts that the border of the mesh interrupts come first, each from its beginning. Takes time proportional to the
+  // number of chains.
   std::vector<Voronoi_boundary_part> boundary(Vertex_id site) const
   {
     std::vector<Voronoi_boundary_part> result;
@@ -228,8 +235,9 @@ public:
     return result;
   }
 
-  // Returns the Euler characteristic of a cell together with its boundary: vertices - edges + faces. Nodes and arcs of
-  // a closed part of the boundary cancel each other, so they need not be counted.
+  // Returns the Euler characteristic of a cell together with its boundary: vertices - edges + faces. It is 1 for a disk
+  // and 0 for an annulus. Nodes and arcs of a closed part of the boundary cancel each other, so they need not be
+  // counted.
   int Euler_characteristic(Vertex_id site) const
   {
     const Voronoi_cell_elements n = cell(site);
@@ -251,7 +259,8 @@ public:
 
 private:
   // Follows the boundary of a cell from chain i on, and marks the chains of that part as used. The part ends where it
-  // closes, or at a node of the border, where no chain of the cell begins.
+  // closes, or at a node of the border, where no chain of the cell begins. `starting` leads from a node to the chain of
+  // the cell that begins there (its index in `chains`).
   Voronoi_boundary_part boundary_part(const std::vector<Oriented_index>& chains,
                                       const std::unordered_map<std::uint32_t, std::uint32_t>& starting,
                                       std::uint32_t i, std::vector<char>& is_used) const
@@ -286,7 +295,7 @@ private:
 
   // Returns the index of the first node on an edge; the nodes of an edge are consecutive, in the order of h. Makes them
   // when the first face at the edge is added, so that both faces share them.
-  // Requires: h is the halfedge of the edge with the smaller index.
+  // Requires: h is the halfedge of the edge with the smaller index; `breakpoints` are the same in both calls.
   std::uint32_t first_node(Halfedge_id h, const std::vector<Edge_breakpoint<FT>>& breakpoints)
   {
     CGAL_assertion(h < m_mesh->opposite(h)); // (null_id is the largest index)
@@ -327,8 +336,9 @@ private:
     return *m_last_elements;
   }
 
-  // Counts the faces in one cell each, and the parts into which cells divide edges. (add() counts the parts of faces in
-  // several cells.) Each edge is counted once, by its halfedge with the smaller index.
+  // Counts the faces in one cell each, and the parts into which cells divide edges: one more than the edge has nodes.
+  // (add() counts the parts of faces in several cells.) Each edge is counted once, by its halfedge with the smaller
+  // index.
   void count_edges_and_faces()
   {
     for(Face_id f = 0; f < m_mesh->number_of_faces(); ++f)
@@ -449,7 +459,8 @@ private:
   }
 
   // Follows the arcs from a breakpoint, with the cell of `site` on the left, and returns the breakpoint where they end.
-  // At each node one arc leads on, as the other arcs there have `site` on the other side or not at all.
+  // At each node one arc leads on, as the other arcs there have `site` on the other side or not at all. Nodes have
+  // their numbers in the partition: those below n are breakpoints.
   std::size_t follow_in_face(std::size_t node, Vertex_id site) const
   {
     const std::vector<Face_arc<FT>>& arcs = m_partition.arcs();
@@ -476,7 +487,8 @@ private:
   // --- chains ---
 
   // Links the arcs to chains: first those that end at a vertex or the border, from there, then the closed ones, from an
-  // arbitrary node. Takes linear time.
+  // arbitrary node. (What the first round leaves runs through nodes of two arcs only, so it is closed.) Takes linear
+  // time.
   void link_chains()
   {
     std::vector<char> is_linked(m_arcs.size(), 0);
@@ -491,7 +503,8 @@ private:
   }
 
   // Adds the chain that leaves a node by an arc, and marks its arcs as linked. The cell on the left stays the same from
-  // arc to arc, as two arcs that meet at a node of two sites separate the same cells.
+  // arc to arc, as two arcs that meet at a node of two sites separate the same cells. The chain ends at a vertex, at
+  // the border, or where it began.
   void link_chain(std::uint32_t node, std::uint32_t arc, std::vector<char>& is_linked)
   {
     Chain chain;
@@ -543,17 +556,19 @@ private:
   const Mesh* m_mesh = nullptr;
   std::vector<Vertex_id> m_owner; // the nearest site, by vertex
   Index_table<Index_range> m_edge_nodes; // the nodes on divided edges, by the halfedge with the smaller index
+  // By site: each chain of its boundary, oriented so that the cell is on the left.
   std::unordered_map<Vertex_id, std::vector<Oriented_index>> m_chains_of_cell;
   std::vector<Node> m_nodes;
   std::vector<Arc> m_arcs;
   std::vector<Chain> m_chains;
-  Index_table<std::pair<std::uint32_t, std::uint32_t>> m_arcs_of_face;
-  std::unordered_map<Vertex_id, Voronoi_cell_elements> m_cells;
-  Vertex_id m_last_site = null_id;
+  Index_table<std::pair<std::uint32_t, std::uint32_t>> m_arcs_of_face; // (first, last); divided faces only
+  std::unordered_map<Vertex_id, Voronoi_cell_elements> m_cells; // by site
+  Vertex_id m_last_site = null_id; // of elements(); null_id if the pointer means nothing
   Voronoi_cell_elements* m_last_elements = nullptr;
   std::size_t m_number_of_joints = 0;
   Face_partition<FT> m_partition;
-  // For the face that is added: the node of each breakpoint, and of each node of the partition.
+  // For the face that is added: the node of each breakpoint, and of each node of the partition. (Breakpoints are the
+  // first nodes of the partition, in the same order.)
   std::vector<std::uint32_t> m_breakpoint_nodes, m_node_of;
   std::vector<char> m_is_seen;
 };

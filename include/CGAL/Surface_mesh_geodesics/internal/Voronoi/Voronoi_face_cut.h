@@ -12,15 +12,18 @@
 
 // Cuts a face along its arcs into triangles that belong to one cell each, in the layout of the face.
 //
-// The complex is generic, the cut is not: an arc without length there becomes one vertex here. Nodes on an edge
-// that are at a vertex of the mesh up to rounding, or at each other, are contracted; this is decided for the edge, so
-// that both of its faces agree (Edge_contraction). Inside a face, nodes are contracted along arcs without length.
+// The complex is generic, the cut is not: an arc without length there becomes one vertex here. Nodes on an edge that
+// are at a vertex of the mesh up to rounding, or at each other, are contracted; this is decided for the edge, so that
+// both of its faces agree (Edge_contraction). Inside a face, nodes are contracted along arcs without length.
 //
 // The rest is combinatorics. A part of a cell is a closed walk along the border and along curves. Each walk is divided
 // into cycles without repeated vertices; cycles of two vertices (an arc along an edge) are dropped; the others are
 // triangulated. So the cut of all faces fits together regardless of rounding.
 //
 // Curves are sampled. If segments cross where curves are close to each other, the face is sampled more finely.
+//
+// Steps for a divided face: collect_border(), find_vertices_of_nodes(), collect_curves(), collect_regions(), and for
+// each walk divide_into_cycles() and triangulate().
 
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Arc_curve.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Polygon_triangulation.h>
@@ -575,6 +578,7 @@ private:
   const Mesh& m_mesh;
   const Complex& m_complex;
   Face_id m_face = null_id;
+  // The vertices on the border, and all vertices, which begin with these; indices of vertices refer to them.
   std::vector<Point> m_border_points, m_points;
   std::vector<unsigned char> m_sides; // the sides on which a vertex is, one bit for each
   std::vector<Border_node> m_border_nodes;

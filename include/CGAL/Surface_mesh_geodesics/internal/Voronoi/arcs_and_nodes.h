@@ -11,7 +11,9 @@
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_ARCS_AND_NODES_H
 
 // The elements that a Voronoi complex (Voronoi_complex.h) is made of, as plain values. Arcs, nodes and chains refer to
-// each other by their indices in the complex; sites are vertices of the intrinsic mesh.
+// each other by their indices in the complex; faces and sites are faces and vertices of the refined mesh.
+//
+// Lengths are in the unit of the intrinsic mesh; distances and weights include the offsets of the sites.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Weighted_bisector.h>
@@ -33,8 +35,12 @@ using Oriented_index = std::pair<std::uint32_t, bool>;
 // A piece of the curve between two cells in one face; its points are in the layout of the face.
 //
 // All points are as far from `left` as from `right`, the images of the two sites that the paths come from. From `first`
-// to `last`, the cell of left_site is on the left. Unless is_bisector is set, the arc is the segment between its
-// ends, where rounding hides the true curve.
+// to `last`, the cell of left_site is on the left. Unless is_bisector is set, the arc is the segment between its ends,
+// where rounding hides the true curve. Then both images may be the same one: where two cells meet along an edge, the
+// paths of one of them may come from the other face only (Front_completion).
+//
+// The two sites differ. A curve may consist of several arcs in one face: a node is between two of them where another
+// image of one of the sites takes over.
 template <typename FT>
 struct Voronoi_arc
 {
@@ -54,7 +60,11 @@ struct Voronoi_node
   Planar_point<FT> point;
   FT abscissa = 0; // on its edge if it is on one, from the source of the halfedge with the smaller index
   FT distance;     // from the nearest sites
-  std::array<Vertex_id, 3> sites; // counterclockwise; the last one is null_id unless three cells meet
+  // Counterclockwise; the last one is null_id unless three cells meet. On an edge: the site before the node and the one
+  // behind it, along the halfedge with the smaller index.
+  std::array<Vertex_id, 3> sites;
+  // The arcs that end here, in the order in which they were added; null_id follows the last one. A node with one arc is
+  // at the border of the mesh, once all faces have been added.
   std::array<std::uint32_t, 3> arc{null_id, null_id, null_id};
 
   bool is_vertex() const { return sites[2] != null_id; }
@@ -80,7 +90,8 @@ struct Voronoi_boundary_part
   bool is_closed = false;
 };
 
-// The numbers of mesh vertices, of parts of mesh edges, and of parts of faces in a cell.
+// The numbers of mesh vertices, of parts of mesh edges, and of parts of faces in a cell, without those on its boundary.
+// They give its Euler characteristic.
 struct Voronoi_cell_elements
 {
   std::size_t vertices = 0, edge_intervals = 0, face_regions = 0;

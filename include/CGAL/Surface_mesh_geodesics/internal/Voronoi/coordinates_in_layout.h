@@ -27,8 +27,9 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// Returns the coordinates of the point of side k nearest to p. In a face without height, that is p itself if side k is
-// a longest one.
+// Returns the coordinates of the point of side k nearest to p: two of them are not negative and sum up to 1, the third
+// one is 0. In a face without height, that is p itself if side k is a longest one. A side without length gives its
+// first corner.
 template <typename FT>
 std::array<FT, 3> coordinates_on_side(const Intrinsic_face<FT>& face, unsigned int k, const Planar_point<FT>& p)
 {
@@ -65,6 +66,9 @@ std::array<FT, 3> coordinates_on_border(const Intrinsic_face<FT>& face, const Pl
 // Returns the barycentric coordinates of a point in the layout of a face. None of them is negative: a point outside,
 // which is so by rounding, is replaced by the nearest point of the border. In a face without height the height of a
 // point tells nothing; there the point is measured along the longest side, which covers the whole face.
+//
+// Formula: p = b0 (0,0) + b1 (length[0],0) + b2 (apex_x,apex_y) and b0 + b1 + b2 = 1, solved for b2 first. Neither
+// divisor is 0 in a face with a height.
 template <typename FT>
 std::array<FT, 3> coordinates_in_layout(const Intrinsic_face<FT>& face, const Planar_point<FT>& p)
 {

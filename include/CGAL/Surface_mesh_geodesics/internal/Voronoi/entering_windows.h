@@ -11,7 +11,11 @@
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_ENTERING_WINDOWS_H
 
 // What a list of windows that enters a face tells about the distances on the edge that it crosses. All functions read
-// the list, the mesh and the field, and nothing else, so the threads of a propagation may call them during visits.
+// the list, the mesh and the field, and nothing else, so the threads of a propagation may call them during visits. They
+// take time linear in the number of windows.
+//
+// Redundant_window_removal makes upper bounds of them that tell when a face is inactive (thesis, 5.1). Distances only
+// shrink while they are propagated, so a bound that has been true once stays true.
 
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
@@ -24,7 +28,8 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// Returns whether the intervals of the windows of a list are parts of an edge of the given length.
+// Returns whether the intervals of the windows of a list are parts of an edge of the given length. (They may overlap
+// and leave gaps.)
 template <typename FT>
 bool are_on_edge(const Window_list<FT>& list, const FT& length)
 {
@@ -35,7 +40,8 @@ bool are_on_edge(const Window_list<FT>& list, const FT& length)
   return true;
 }
 
-// Returns the smallest distance at an end of a window. Requires: the list is not empty.
+// Returns the smallest distance at an end of a window. Inside an interval there may be a smaller one; but any point of
+// the list will do as the first part of a path whose length is a bound. Requires: the list is not empty.
 template <typename FT>
 FT smallest_distance(const Window_list<FT>& list)
 {
@@ -47,7 +53,8 @@ FT smallest_distance(const Window_list<FT>& list)
 }
 
 // Returns a distance that no point between two points on an edge exceeds: the paths by the two points have this length
-// on average, so one of them is not longer.
+// on average, so one of them is not longer. For a point at x behind the first one, they are at_first + x and at_last +
+// length - x long. Infinity if one of both is not reached.
 template <typename FT>
 FT bound_between(const FT& at_first, const FT& at_last, const FT& length)
 {
@@ -56,7 +63,8 @@ FT bound_between(const FT& at_first, const FT& at_last, const FT& length)
 
 // Returns a distance that no point on the edge of h exceeds, by the windows of a list on that edge. The distance by a
 // window is convex along the edge, so that it is largest at an end of the interval; gaps between windows are bounded by
-// bound_between(). (Windows that overlap may be out of order; then the bound is larger than need be.)
+// bound_between(). (Windows that overlap may be out of order; then the bound is larger than need be.) It is infinite if
+// a gap at an end of the edge has no path from that end.
 template <typename FT>
 FT bound_by_windows(const Intrinsic_mesh<FT>& mesh, const Vertex_distance_field<FT>& field, Halfedge_id h,
                     const Window_list<FT>& list)

@@ -10,8 +10,11 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_SITE_IMAGES_OF_FACE_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_SITE_IMAGES_OF_FACE_H
 
-// Finds the site images of a face (Site_image.h): its corners, and the images behind the windows that entered it.
-// All coordinates are those of the layout of the face: corners 0, 1 and 2 at (0,0), (length[0],0) and (apex_x,apex_y).
+// Finds the site images of a face (Site_image.h): its corners, and the images behind the windows that entered it. All
+// coordinates are those of the layout of the face: corners 0, 1 and 2 at (0,0), (length[0],0) and (apex_x,apex_y).
+//
+// for_each_site_image() serves a face that is divided; image_on_edge() turns a site image into one of an edge
+// (Edge_image), for edges of the border, which no window crosses outward.
 
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Edge_partition.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/fronts/Site_image.h>
@@ -48,7 +51,8 @@ struct Side_frame
     return {FT(origin.x + x * tx - y * ty), FT(origin.y + x * ty + y * tx)};
   }
 
-  // Returns the points on the left of the line through p in the direction (x, y) of the frame.
+  // Returns the points on the left of the line through p in the direction (x, y) of the frame; p is in the layout.
+  // Values are signed distances.
   Half_plane<FT> half_plane(const FT& x, const FT& y, const Planar_point<FT>& p) const
   {
     return Half_plane<FT>::along(FT(x * tx - y * ty), FT(x * ty + y * tx), p);
@@ -58,7 +62,9 @@ struct Side_frame
 // Returns the image of a window across the side of `frame`. The weight is the distance of the window's root.
 //
 // The sides of the cone come from the coordinates in the frame of the side: there, an image that is very close to an
-// end of its window keeps its direction, while in the layout of the face both may round to one point.
+// end of its window keeps its direction, while in the layout of the face both may round to one point. Each side leads
+// through an end of the interval and the image, which is below: the left one down to the image, the right one up from
+// it. So the cone is on the left of both.
 template <typename FT>
 Site_image<FT> image_of_window(const Kept_window<FT>& w, const Side_frame<FT>& frame, const FT& weight, Vertex_id site)
 {
@@ -76,6 +82,8 @@ Site_image<FT> image_of_window(const Kept_window<FT>& w, const Side_frame<FT>& f
 
 // Calls visit(image) for the site images of face f: the corners, then the windows of each side in the order in which
 // they came. owner_of(v) is the site nearest to vertex v, null_id if none reaches it. Linear in the number of images.
+// The weights are the distances of the field at the time of the call: those that matter in the face have to be final.
+// (A side without length has no windows, since their intervals have a length.)
 template <typename FT, typename OwnerOf, typename Visit>
 void for_each_site_image(const Intrinsic_mesh<FT>& mesh, const Vertex_distance_field<FT>& field,
                          const Face_windows<FT>& windows, OwnerOf owner_of, Face_id f, Visit visit)
@@ -102,7 +110,8 @@ void for_each_site_image(const Intrinsic_mesh<FT>& mesh, const Vertex_distance_f
 
 // Shortens the interval from `first` to `last` of the edge from a to b to the part that is in the cone of an image.
 // Returns false if no point of the edge is in one of the two half-planes. If it returns true, the interval may still be
-// empty, with last < first.
+// empty, with last < first. The abscissa where a side of the cone crosses the edge is length * at_a / (at_a - at_b), as
+// the signed distance from that side is linear along the edge.
 // Requires: image.has_cone; `length` is the distance from a to b.
 template <typename FT>
 bool clip_to_cone(const Site_image<FT>& image, const Planar_point<FT>& a, const Planar_point<FT>& b, const FT& length,

@@ -21,7 +21,13 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// In the order of Geodesic_distance_certificate::Condition, where they are explained.
+// In the order of Geodesic_distance_certificate::Condition, where they are explained: the public certificate takes
+// entry i of the records for its condition i.
+//
+// REACH to PAIRS_OF_FACES need only the mesh, the sources and the values. The next three need a witness: PATHS shows
+// that no distance is too short, LOWER_BOUNDS and PROOF show that none is too long. These three prove the distances of
+// the vertices that the witness reaches; REACH decides about the others. REVERSE repeats a part of the result in
+// another way.
 enum Checked_condition : unsigned int
 {
   CHECKED_REACH,
@@ -35,6 +41,7 @@ enum Checked_condition : unsigned int
   NUMBER_OF_CHECKED_CONDITIONS
 };
 
+// Indexed by Checked_condition. A record without checks belongs to a condition that was not checked.
 template <typename FT>
 using Checked_conditions = std::array<Worst_violation<FT>, NUMBER_OF_CHECKED_CONDITIONS>;
 

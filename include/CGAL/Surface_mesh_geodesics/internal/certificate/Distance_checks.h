@@ -14,11 +14,21 @@
 // (Lower_bound_check.h) they prove the distances. Nothing here depends on how the distances were found. A path counts
 // only after its length has been measured.
 //
+// With d for the given values, the conditions are:
+//   check_reach()           d(v) is a number, not negative, and finite exactly where faces lead to a source
+//   check_sources()         d(s) <= offset of s, for each source s at a vertex with a value
+//   check_edges()           d(w) <= d(v) + |vw| along each edge, in both directions
+//   check_pairs_of_faces()  the same for the vertices opposite to an edge, if the segment between them crosses it
+//   check_paths()           d(v) = the measured length of a path to a source + the offset of that source
+//   check_lower_bounds()    d(v) <= u(v), the lower bound that Lower_bound_check proves
+//   check_reverse()         d(v) = the smallest offset + distance of a source, computed from v
+// check_paths() shows that no value is too short, check_lower_bounds() that none is too long.
+//
 // The last vertices of the mesh may be sources inside faces and on edges. No distance is given for them, but the
 // conditions hold for paths through them.
 //
-// A violation is relative to the right value plus the longest edge of the faces around the vertex. Conditions that
-// stem from an inequality d(v) <= d(w) + |vw| are computed with one addition and one subtraction, so rounding causes
+// A violation is relative to the right value plus the longest edge of the faces around the vertex. Conditions that stem
+// from an inequality d(v) <= d(w) + |vw| are computed with one addition and one subtraction, so rounding causes
 // violations of a few epsilon. The length of a path errs by about one epsilon for each face that it crosses.
 
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
@@ -54,8 +64,9 @@ public:
   using Mesh = Intrinsic_mesh<FT>;
   using Violation = Worst_violation<FT>;
 
-  // `values` has the distances to be checked, by vertex, in the unit of the mesh. Vertices without a value come last.
-  // Takes linear time.
+  // `values` has the distances to be checked, by vertex, in the unit of the intrinsic mesh; offsets, limits and bounds
+  // have the same unit. Vertices without a value come last. The mesh is referred to, not copied; the sources are
+  // vertices of it already. Takes linear time.
   Distance_checks(const Mesh& mesh, std::vector<FT> values)
     : m_mesh(mesh), m_values(std::move(values)), m_offsets(mesh.number_of_vertices(), infinity()),
       m_scale(mesh.number_of_vertices(), FT(0)), m_extents(extents_of_components(mesh))
@@ -66,7 +77,8 @@ public:
         m_scale[v] = (std::max)(m_scale[v], longest_side(m_mesh.face(f)));
   }
 
-  // Adds a source at a vertex. The smallest offset of the sources at a vertex counts. Call it before any check.
+  // Adds a source at a vertex, which need not have a value. The smallest offset of the sources at a vertex counts. Call
+  // it before any check.
   void add_source(Vertex_id v, const FT& offset) { m_offsets[v] = (std::min)(m_offsets[v], offset); }
 
   // --- conditions; `limit` is the radius up to which distances were computed, infinity if all were ---
@@ -93,12 +105,14 @@ public:
       const bool is_finite = m_values[v] >= 0 && m_values[v] <= limit * (1 + Tolerance<FT>::path()) && !is_infinite;
       const bool is_right
         = is_connected[v] != 0 ? (is_finite || (is_infinite && limit < infinity())) : is_infinite;
+      // The condition holds or fails: the violation is 0 or infinite, whatever the scale is.
       worst.record(is_right ? FT(0) : infinity(), FT(1), FT(1), v);
     }
     return worst;
   }
 
-  // Along an edge, values grow by at most its length.
+  // Along an edge, values grow by at most its length. Each face checks its edges in both directions, so an edge inside
+  // the mesh counts up to four times as a check.
   Violation check_edges(const FT& limit) const
   {
     Violation worst;
@@ -113,7 +127,8 @@ public:
   }
 
   // Between the two vertices opposite to an edge, values grow by at most the length of the segment between them, in the
-  // common plane of both faces, if it crosses the edge.
+  // common plane of both faces, if it crosses the edge. (Otherwise the segment is not a path on the surface.) A
+  // halfedge checks the way into its own face; its opposite checks the way back.
   Violation check_pairs_of_faces(const FT& limit) const
   {
     Violation worst;
@@ -124,7 +139,9 @@ public:
         if(o == null_id)
           continue;
         const Face_frame<FT> above = m_mesh.face_frame(h), below = m_mesh.face_frame(o);
-        // In the frame of h, the vertex of the other face is at (x, -below.apex_y).
+        // In the frame of h, the vertex of the other face is at (x, -below.apex_y): o runs from B to A, so that its
+        // abscissas count from B. The segment meets the edge where y is 0, at the abscissa `crossing`. Two faces
+        // without height have no such segment.
         const FT x = below.apex_rest, height = above.apex_y + below.apex_y;
         if(!(height > 0))
           continue;
@@ -135,7 +152,8 @@ public:
     return worst;
   }
 
-  // No value is greater than the lower bound that Lower_bound_check proves.
+  // No value is greater than the lower bound that Lower_bound_check proves. `bounds` has one for each vertex of the
+  // mesh; infinity says that the witness reaches no source from there, which is left to check_reach().
   Violation check_lower_bounds(const std::vector<FT>& bounds, const FT& limit) const
   {
     CGAL_assertion(bounds.size() >= m_values.size());
@@ -147,7 +165,9 @@ public:
   }
 
   // Each value is the length of a path to a source plus the offset of the source. The field proposes the paths; each is
-  // measured here, in the faces that it names. A vertex that the field does not reach is left to check_reach().
+  // measured here, in the faces that it names. A vertex that the field does not reach is left to check_reach(). If no
+  // path is found, or it does not end at a source, the violation is infinite.
+  // Requires: the field is that of a complete propagation on the same mesh, and has images (Path_tracer).
   Violation check_paths(const Vertex_distance_field<FT>& field, const FT& limit) const
   {
     const Path_tracer<FT> tracer(m_mesh, field);
@@ -170,7 +190,8 @@ public:
   const std::vector<FT>& extents() const { return m_extents; }
 
   // Checks that the value of v equals its distance from the sources, computed in reverse: `field_of_v` has the
-  // distances from v.
+  // distances from v, which are final at all sources. Distances are symmetric; offsets are added at the other end. A
+  // vertex that is reached in neither way is left to check_reach(). Takes linear time.
   void check_reverse(Vertex_id v, const Vertex_distance_field<FT>& field_of_v, const FT& limit, Violation& worst) const
   {
     FT reverse = infinity();
@@ -184,7 +205,8 @@ public:
 
   // Returns the length of a path from its first vertex to a source, plus the offset of the source. Returns infinity if
   // the path does not start and end at vertices, if its end is not a source, or if a piece of it is not in the face
-  // that the path names for it. Takes linear time.
+  // that the path names for it. The lengths that the path itself states (Path_step::gap) are not read. Takes linear
+  // time.
   FT length_to_source(const Path_steps<FT>& path) const
   {
     if(path.empty() || path.front().vertex == null_id || path.back().vertex == null_id)
@@ -204,13 +226,15 @@ public:
 private:
   static FT infinity() { return std::numeric_limits<FT>::infinity(); }
 
-  // Returns whether v rightly has no value because its distance is beyond the limit.
+  // Returns whether v rightly has no value because its distance is beyond the limit. A distance within
+  // Tolerance::path() of the limit may be on either side of it, and the vertex may have a value or none.
   bool is_beyond(Vertex_id v, const FT& distance, const FT& limit) const
   {
     return limit < infinity() && distance > limit * (1 - Tolerance<FT>::path()) && m_values[v] == infinity();
   }
 
-  // Returns the distance with which a path continues at v; infinity if it is unknown.
+  // Returns the distance with which a path continues at v; infinity if it is unknown. A source without a value has its
+  // offset, which its distance does not exceed; so the condition on the way from there is never too strict.
   FT value_on_the_way(Vertex_id v) const
   {
     return v < m_values.size() ? m_values[v] : m_offsets[v];
@@ -222,7 +246,8 @@ private:
     worst.record(excess, number + m_scale[v], m_extents[v], v);
   }
 
-  // Checks that the value grows by at most `length` along a path between two vertices.
+  // Checks that the value grows by at most `length` along a path between two vertices. Nothing is checked for a target
+  // without a value, or from a vertex whose value is infinite or not a number: check_reach() looks at these.
   void check_way(Vertex_id from, Vertex_id to, const FT& length, const FT& limit, Violation& worst) const
   {
     const FT value = value_on_the_way(from), d = value + length;
@@ -243,8 +268,9 @@ private:
     return is_connected;
   }
 
-  // Computes the coordinates of a point of a path in the plane of a face; returns false if it is not on the face's
-  // border.
+  // Computes the coordinates of a point of a path in the plane of a face, in its layout; returns false if the point is
+  // not on the face's border. A point of an edge is named by either of the two halfedges, whose abscissas run against
+  // each other.
   bool is_in_face(const Path_step<FT>& point, Face_id f, std::array<FT, 2>& p) const
   {
     if(f >= m_mesh.number_of_faces())

@@ -13,6 +13,10 @@
 // An upper bound of the distance on an edge, as a function of the abscissa. It is the minimum over families of paths;
 // the paths of a family lead straight from one image of a pseudo-source to an interval of the edge. The function is
 // continuous up to rounding, and never less than the distance because all these paths exist.
+//
+// Use: restart() for an edge, add() for each family of paths, pieces() for the result. add() takes the minimum with
+// three parts: the family over its interval, and on either side of it paths that go on from there. add_part() finds out
+// whether a part is better anywhere, merge() and append_lower() put it into the sequence.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
 
@@ -28,7 +32,8 @@ namespace Surface_mesh_geodesics {
 namespace internal {
 
 // The distance on the interval [begin, end] of an edge: the distance from an image at (x, -depth) in the frame of the
-// edge, plus `offset`. The depth is not negative, up to rounding.
+// edge, plus `offset`, the length of the path up to the image. The depth is not negative, up to rounding. The image may
+// be on either side of the edge: distances on the edge are the same. x need not be in the interval.
 template <typename FT>
 struct Distance_piece
 {
@@ -44,7 +49,9 @@ struct Distance_piece
 //
 // The slope of a distance is the cosine of the angle between the edge and the line to the image. Two slopes are equal
 // where the edge meets the line through both images, at the abscissa t with
-// (t - x) / depth = (t - other_x) / other_depth. An image on the edge has the slopes -1 and 1 on its two sides.
+// (t - x) / depth = (t - other_x) / other_depth. It does not exist if the depths are equal. An image on the edge has
+// the slopes -1 and 1 on its two sides, so that the difference turns at the image itself; if only one of both is there,
+// the formula gives its abscissa.
 template <typename FT>
 std::array<FT, 2> turning_points(const FT& x, const FT& depth, const FT& other_x, const FT& other_depth)
 {
@@ -77,7 +84,8 @@ public:
     m_pieces.clear();
   }
 
-  // Adds the paths of a piece, and those that go on from the ends of its interval along the edge.
+  // Adds the paths of a piece, and those that go on from the ends of its interval along the edge: distances from an
+  // image at the end itself, at depth 0.
   // Requires: 0 <= piece.begin and piece.end <= length, unless the interval is empty. Takes time linear in the number
   // of pieces.
   void add(const Piece& piece)
@@ -88,7 +96,8 @@ public:
 
   // Adds the paths of a piece, and other paths to the points before and behind its interval: [0, before.end] and
   // [behind.begin, length], which meet the interval. Intervals of neighboring windows may leave a gap by rounding;
-  // paths that bend at an end of a window close it, as they are longer by no more than the square of the gap.
+  // paths that bend at an end of a window close it, as they are longer by no more than the square of the gap. Adds
+  // nothing if the interval of the piece is empty, not even the other paths.
   void add(const Piece& piece, const Piece& before, const Piece& behind)
   {
     if(!(piece.begin < piece.end))
@@ -154,7 +163,8 @@ private:
     return (std::max)(part.begin, old.begin) < (std::min)(part.end, old.end);
   }
 
-  // Is the part less than the old piece somewhere in their common interval, by more than rounding?
+  // Is the part less than the old piece somewhere in their common interval, by more than rounding? The difference is
+  // monotone between breakpoints, so that it is enough to look at these.
   static bool is_clearly_better(const Piece& part, const Piece& old)
   {
     if(!do_overlap(part, old))
@@ -191,8 +201,10 @@ private:
     append(old, t[3], old.end);
   }
 
-  // Does the same between two breakpoints. Where both are equal is found by bisection down to neighboring numbers: both
-  // are evaluated as they will be later, so that rounding does not separate the test from the result.
+  // Does the same between two breakpoints. The difference is monotone there: if one of both is lower at both ends, it
+  // is so in between; the old piece counts as lower in a tie. Otherwise the functions cross once. Where both are equal
+  // is found by bisection down to neighboring numbers: both are evaluated as they will be later, so that rounding does
+  // not separate the test from the result.
   void append_lower(const Piece& part, const Piece& old, const FT& first, const FT& last)
   {
     if(!(first < last))
@@ -217,6 +229,7 @@ private:
   }
 
   // Appends an interval of a piece to the buffer; joins it with the last interval if that is of the same image.
+  // Requires: the interval begins where the last one ends, unless it is empty.
   void append(const Piece& piece, const FT& begin, const FT& end)
   {
     if(!(begin < end))
@@ -234,6 +247,7 @@ private:
   }
 
   FT m_length = 0;
+  // The buffer takes the new sequence while add_part() reads the old one; otherwise its content means nothing.
   std::vector<Piece> m_pieces, m_buffer;
 };
 

@@ -24,6 +24,14 @@
 // if the line from there to p passes through the piece, and leads through an end of the piece otherwise. So both sides
 // of the condition are distances from images, and the extrema of their difference are at known abscissas.
 //
+// Steps:
+// - make_functions() makes u on each edge: add_paths() collects the corners of a face and the windows on its three
+//   sides, Edge_distance_function takes the minimum.
+// - run() takes each halfedge as the place of q, for the face on its left. check_ends() and check_continuity() are for
+//   p on the same edge, check_pieces() for p on the two other sides. check_pair() divides the side of p by the ends of
+//   the piece of q, check_part() compares two distances from images.
+// - Not here: u(s) <= offset of s. The caller checks that for each source (Distance_certifier).
+//
 // Rounding. Let e be the largest violation found; a violation is the excess, so u(p) <= u(q) + |pq| + e. A path that
 // crosses m faces gives u(v) <= u(s) + length + m e. The values at both ends of the path may differ by e from the
 // function on the edges. So the distance is at least u(v) - (m + 2) e.
@@ -50,6 +58,10 @@ namespace Surface_mesh_geodesics {
 namespace internal {
 
 // Checks the condition on all faces.
+//
+// Frames: a point, an image or a side is given in the frame of the halfedge whose face is looked at (Face_frame): A is
+// the origin, B lies on the x axis, the face lies above. Functions on a side count from its `origin` (Line). Lengths
+// are in the unit of the intrinsic mesh.
 template <typename FT_>
 class Lower_bound_check
 {
@@ -58,9 +70,11 @@ public:
   using Mesh = Intrinsic_mesh<FT>;
   using Piece = Distance_piece<FT>;
 
-  // `distance` has the values of u at the vertices, `extents` the longest edge of the component of each vertex, and
-  // `windows` the windows for u between them. All are referred to, not copied. Takes time linear in the number of
-  // windows, times the number of pieces of an edge.
+  // `distance` has the values of u at the vertices, infinity where no path is known, `extents` the longest edge of the
+  // component of each vertex, and `windows` the windows for u between them. All are referred to, not copied. Takes time
+  // linear in the number of windows, times the number of pieces of an edge.
+  // Requires: the intervals of the windows are parts of their edges. Nothing else about the windows is taken for
+  // granted.
   Lower_bound_check(const Mesh& mesh, const std::vector<FT>& distance, const std::vector<FT>& extents,
                     const Edge_window_field<FT>& windows)
     : m_mesh(mesh), m_distance(distance), m_extents(extents), m_windows(windows)
@@ -84,13 +98,15 @@ public:
 private:
   using Point = Planar_point<FT>;
 
-  // The values of a linear function at the ends of a piece.
+  // The values of a linear function at the ends of a piece: on which side of a ray they are (turn()).
   struct Ends
   {
     FT first, last;
   };
 
-  // An edge in the frame of another edge: from `origin` in the direction `unit`.
+  // An edge in the frame of another edge: from `origin` in the direction `unit`. at() is the point at an abscissa;
+  // along() and across() are the abscissa of the foot of a point, and its signed distance from the line, positive on
+  // the left.
   struct Line
   {
     Point origin, unit;
@@ -103,7 +119,7 @@ private:
 
   // --- the functions on the edges ---
 
-  // The function of an edge is stored along one of its halfedges.
+  // The function of an edge is stored along one of its halfedges: the one with the smaller index, or the only one.
   bool is_first_of_edge(Halfedge_id h) const { return m_mesh.opposite(h) == null_id || h < m_mesh.opposite(h); }
 
   static bool is_finite(const FT& d) { return d < std::numeric_limits<FT>::infinity(); }
@@ -132,7 +148,8 @@ private:
   }
 
   // Adds the paths that reach the edge of h from its face: from a corner, and through a window on one of the three
-  // edges. If `is_backward`, the function runs against h.
+  // edges. (A window across h itself comes from the other face, but is known in the frame of h.) If `is_backward`, the
+  // function runs against h.
   void add_paths(Halfedge_id h, bool is_backward, Edge_distance_function<FT>& function) const
   {
     const Face_frame<FT> c = m_mesh.face_frame(h);
@@ -159,6 +176,7 @@ private:
   }
 
   // Adds the paths of the windows on another side of the face, the halfedge g, to the base, which has the given length.
+  // The base is the x axis; `side` is the edge of g in the direction of g, and the windows enter the face across it.
   template <typename Add>
   void add_windows_through(Halfedge_id g, const Line& side, const FT& length, Add add) const
   {
@@ -168,10 +186,13 @@ private:
       // The image lies on the right of the side, outside the face.
       const Point image = {side.at(w.image_x).x + w.image_depth * side.unit.y,
                            side.at(w.image_x).y - w.image_depth * side.unit.x};
+      // No straight path leads down to the base from an image that is not above its line.
       if(!(image.y > 0))
         return;
       // On both sides, the ray through the end of the window meets the base further left than the ray through its
-      // begin. The points of the base beyond these rays are reached around an end of the window.
+      // begin. The points of the base beyond these rays are reached around an end of the window. A ray that rises meets
+      // the base nowhere. As a ray turns upward to it, the point on the base moves away without bound: to the left
+      // behind the right side of the face, to the right behind the left side. `rising` is that limit.
       const Point left = side.at(w.end), right = side.at(w.begin);
       const FT rising = side.unit.y > 0 ? -infinity : infinity;
       const FT first = (std::max)(seen_on_base(image, left, rising), FT(0)),
@@ -186,6 +207,7 @@ private:
   static FT distance(const Point& a, const Point& b) { return norm<FT>(b.x - a.x, b.y - a.y); }
 
   // Returns the abscissa where the ray from the image through p meets the line of the base, or `rising` if it does not.
+  // A point p on the base is that point itself. Requires: image.y > 0.
   static FT seen_on_base(const Point& image, const Point& p, const FT& rising)
   {
     if(!(p.y > 0))
@@ -217,7 +239,8 @@ private:
     return {l.at(l.length), {-l.unit.x, -l.unit.y}, l.length};
   }
 
-  // Reads the function on the edge of h: in the direction of h, or against it.
+  // Reads the function on the edge of h: in the direction of h, or against it. `pieces` ascend in that direction; they
+  // are none if nothing reaches the edge, or if it has no length.
   void read_function(Halfedge_id h, bool is_backward, std::vector<Piece>& pieces) const
   {
     pieces.clear();
@@ -235,7 +258,9 @@ private:
   // --- the condition ---
 
   // Checks the condition from the points q on the edge of h to the points p on the two other sides of its face, and to
-  // the ends of the edge.
+  // the ends of the edge. Both sides are read away from the edge: AC from A, against its halfedge, and BC from B. If a
+  // side with a length has no function, no corner of the face is reached, and check_continuity() finds that the edge
+  // has one nevertheless.
   void check_beyond(Halfedge_id h)
   {
     const Face_frame<FT> c = m_mesh.face_frame(h);
@@ -257,9 +282,11 @@ private:
     }
   }
 
-  // Checks that the function has no jumps, and is not less than the values at the ends of the edge. A piece is a
-  // distance from an image, which grows by at most the length of the way. So a function without jumps satisfies the
-  // condition for two points of the edge itself, and no other check is needed for them.
+  // Checks that the function has no jumps, and is not less than the values at the ends of the edge. (It is not greater
+  // by more than rounding, as add_paths() has added the paths from both ends.) A piece is a distance from an image,
+  // which grows by at most the length of the way. So a function without jumps satisfies the condition for two points of
+  // the edge itself, and no other check is needed for them.
+  // Requires: m_from is not empty.
   void check_continuity(const Face_frame<FT>& c)
   {
     for(std::size_t i = 0; i + 1 < m_from.size(); ++i)
@@ -290,7 +317,7 @@ private:
   // The vertices at the start and at the end of a side; a violation is reported at the nearer one.
   using Ends_of_side = std::pair<Vertex_id, Vertex_id>;
 
-  // Checks each piece of the edge against each piece of the side.
+  // Checks each piece of the edge (m_from) against each piece of the side (m_to).
   void check_pieces(const Line& side, const Ends_of_side& ends)
   {
     for(const Piece& q : m_from)
@@ -300,7 +327,8 @@ private:
 
   // Checks the condition from the points of q, on the edge, to the points of p, on the side. The points of p that are
   // seen from the image of q through q form an interval; to those on either side of it, the shortest way is through an
-  // end of q. If the image lies on the edge, all ways are through the point of q that is nearest to it.
+  // end of q. If the image lies on the edge, all ways are through the point of q that is nearest to it. The image is
+  // taken below the edge, opposite to p, wherever its paths come from: its distances on the edge are the same.
   void check_pair(const Piece& q, const Piece& p, const Line& side, const Ends_of_side& ends)
   {
     const Point begin = {q.begin, FT(0)}, end = {q.end, FT(0)}, image = {q.x, -q.depth};

@@ -23,6 +23,8 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
+// A new record has no checks and no violation. `excess`, `scale` and `extent` are lengths in one unit, that of the
+// intrinsic mesh; `size` has no unit, so that records of different conditions and components can be compared.
 template <typename FT>
 struct Worst_violation
 {
@@ -30,10 +32,11 @@ struct Worst_violation
   Vertex_id vertex = null_id; // where the worst violation is; null_id if there is none
   std::size_t number_of_checks = 0;
 
-  // Records a check at v. `excess` is the amount by which the condition fails, `extent` the longest edge of the
-  // component. An excess of at most gap() times `extent` is not a violation, because the package does not distinguish
-  // points that close. Otherwise the size of the violation is excess / scale, or infinity if that is NaN. Ties: the
-  // first of equal violations stays.
+  // Records a check at v. `excess` is the amount by which the condition fails, not positive if it holds; `extent` is
+  // the longest edge of the component. An excess of at most gap() times `extent` is not a violation, because the
+  // package does not distinguish points that close. Otherwise the size of the violation is excess / scale, or infinity
+  // if that is NaN, as for a value that is not a number, or for infinity / infinity. Ties: the first of equal
+  // violations stays, except that NaN displaces an infinite one.
   void record(const FT& excess, const FT& scale, const FT& extent, Vertex_id v)
   {
     ++number_of_checks;
@@ -46,7 +49,8 @@ struct Worst_violation
     vertex = v;
   }
 
-  // Adds the checks of another record. Ties: this record keeps its violation.
+  // Adds the checks of another record: a condition may have two parts, as the proof has (on faces, and at sources).
+  // Ties: this record keeps its violation.
   void record(const Worst_violation& other)
   {
     number_of_checks += other.number_of_checks;

@@ -12,6 +12,10 @@
 
 // A front: the growing end of the curve between two cells in a face. It starts at a breakpoint of the border, or at a
 // vertex of the diagram inside, and advances into the face until it meets the cell of a third site or another front.
+//
+// Life of a front: Face_partition makes it at a node. Front_tracer::trace() fills in the result, and does so again if
+// the cell that the front has met does not count any more. When it is known where the front ends, cut_at() or
+// Front_completion shortens or extends the pieces to that point, and Face_partition::finish() makes arcs of them.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
@@ -28,8 +32,8 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// A breakpoint as one face sees it: walking counterclockwise along the border of the face, the cell of `left` ends at p
-// and that of `right` begins. (So `left` is on the left of a front that starts here.)
+// A breakpoint as one face sees it, in the layout of the face: walking counterclockwise along the border of the face,
+// the cell of `left` ends at p and that of `right` begins. (So `left` is on the left of a front that starts here.)
 template <typename FT>
 struct Border_breakpoint
 {
@@ -38,7 +42,7 @@ struct Border_breakpoint
 };
 
 // A part of the way of a front along which one image of each of the two sites is nearest. It starts where the piece
-// before ends.
+// before ends, the first one at the start of the front. `left` and `right` are copies of the images, or bends.
 template <typename FT>
 struct Front_piece
 {
@@ -47,10 +51,14 @@ struct Front_piece
 };
 
 // Why a trace ends: SITE, it meets the cell of a third site; OUTSIDE, it leaves the face or the half-plane that it is
-// traced in; LOST, rounding hides how it goes on.
+// traced in; LOST, rounding hides how it goes on. NOT_TRACED: there is no result, or it does not count any more, and
+// the front has to be traced (again).
 enum class Front_stop { NOT_TRACED, SITE, OUTSIDE, LOST };
 
 // The curve between two cells from a node of the partition to where it has been traced.
+//
+// Invariant: left != right. After a trace, `end` is the end of the last piece, or p if there are no pieces. Functions
+// that change the pieces later leave `end` and the images as they were (but Front_completion::end_at() sets `end`).
 template <typename FT>
 struct Cell_front
 {
@@ -61,11 +69,12 @@ struct Cell_front
   Point p;               // where it starts
   std::size_t node;      // the node of the partition at p
 
-  // The result of the last trace.
+  // The result of the last trace. With NOT_TRACED, it is that of a trace that does not count any more, or of none: then
+  // there are no pieces.
   Front_stop stop = Front_stop::NOT_TRACED;
   std::vector<Front_piece<FT>> pieces;
   Point end;
-  Vertex_id third = null_id; // the site whose cell it meets
+  Vertex_id third = null_id; // the site whose cell it meets, if stop is SITE; third_image is valid then only
   // The indices of the images at the end; larger than all images where the path bends at the end of an interval.
   std::size_t left_image = none, right_image = none, third_image = none;
 
@@ -74,6 +83,8 @@ struct Cell_front
   {}
 
   // Returns the number of pieces up to the end of a piece (or the start) that is nearest to q, and its distance from q.
+  // So 0 stands for the start; the earliest one counts in a tie. Takes time linear in the number of pieces, like all
+  // functions here.
   std::pair<std::size_t, FT> nearest_end(const Point& q) const
   {
     std::pair<std::size_t, FT> nearest(0, distance(p, q));
@@ -92,7 +103,9 @@ struct Cell_front
     return piece_through(q) != none ? FT(0) : nearest_end(q).second;
   }
 
-  // Returns the index of the piece that leads through v, up to rounding; `none` if no piece does.
+  // Returns the index of the piece that leads through v, up to rounding; `none` if no piece does. A piece leads through
+  // v if v is equally far from both of its images, and lies between the ends of the piece as measured along the tangent
+  // of the bisector at v. (A ray has no valid bisector: no piece along one counts.)
   std::size_t piece_through(const Point& v) const
   {
     using std::abs;
@@ -113,7 +126,7 @@ struct Cell_front
   }
 
   // Ends the front at v if a piece leads through v, and returns whether it does. (Where two sites nearly tie, a trace
-  // may have met a third cell behind the vertex v.)
+  // may have met a third cell behind the vertex v.) Drops the pieces behind that one.
   bool cut_at(const Point& v)
   {
     const std::size_t i = piece_through(v);

@@ -31,7 +31,8 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// Frame: the layout of the face. Queries take time proportional to the number of images.
+// Frame: the layout of the face. Queries take time proportional to the number of images. An index of an image is its
+// position in the order of add(), valid until start().
 //
 // Invariant: cones() has one cone for each image, in the same order. Lengths that are uncertain come in three sizes:
 // width() for what rounding alone does, touching() for points where curves touch a line or each other (the square root
@@ -45,7 +46,8 @@ public:
   using Image = Site_image<FT>;
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
-  // Starts a face, given its corners in counterclockwise order. Then images are added.
+  // Starts a face, given its corners in counterclockwise order. Removes the images of the face before; their memory is
+  // kept. Then images are added.
   void start(const std::array<Point, 3>& corner)
   {
     m_images.clear();
@@ -69,7 +71,8 @@ public:
   const std::vector<Image>& all() const { return m_images; }
   const Cone_columns<FT>& cones() const { return m_cones; }
 
-  // The three half-planes whose intersection is the face.
+  // The three half-planes whose intersection is the face: side k leads from corner k to the next one. Their values are
+  // signed distances, positive inside.
   const std::array<Half_plane<FT>, 3>& sides() const { return m_side; }
 
   // The longest side.
@@ -87,14 +90,15 @@ public:
   // Ends of curves that are closer to each other may be meant to be one point.
   FT joining_distance() const { return Tolerance<FT>::near_end() * m_size; }
 
-  // Returns whether p is in the face up to rounding.
+  // Returns whether p is in the face, or outside of a side by not more than width().
   bool is_in_face(const Point& p) const
   {
     return std::all_of(m_side.begin(), m_side.end(), [&](const Half_plane<FT>& h) { return h(p) >= -width(); });
   }
 
   // Returns the image of a site that is nearest to p, `none` if the site has no image. If images tie, one that sees p
-  // is preferred; of these the nearest one, and of equal ones the lowest index.
+  // is preferred, because a trace can start with it as it is; of these the nearest one, and of equal ones the lowest
+  // index. If the best image does not see p, its paths bend on the way to p.
   std::size_t nearest_of(Vertex_id site, const Point& p) const
   {
     std::size_t best = none, best_seeing = none;
@@ -121,8 +125,8 @@ public:
     return best_seeing != none && is_tie ? best_seeing : best;
   }
 
-  // Returns the images of a site that tie with its nearest one at p, in ascending order, whether they see p or bend.
-  // None if the site has no image.
+  // Returns the images of a site that tie with its nearest one at p, up to the error of images (Tolerance::tie()), in
+  // ascending order, whether they see p or bend. None if the site has no image.
   std::vector<std::size_t> tied_images(Vertex_id site, const Point& p) const
   {
     std::vector<std::size_t> result;
@@ -150,7 +154,9 @@ public:
     return image.sees(p, width()) ? image.point : bend(image, p).point;
   }
 
-  // Returns the image of paths that bend at the end of the interval nearer to p. Requires: image.has_cone.
+  // Returns the image of paths that bend at the end of the interval nearer to p: a weighted point at that end, without
+  // a cone, whose weight is the distance of the end from the site. The end is that of the side of the cone beyond which
+  // p is, or to which it is nearer. Requires: image.has_cone.
   static Image bend(const Image& image, const Point& p)
   {
     CGAL_assertion(image.has_cone);

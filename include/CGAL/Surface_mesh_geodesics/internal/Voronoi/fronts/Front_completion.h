@@ -14,6 +14,10 @@
 //
 // Traces end close to that point, up to rounding. Where they do not (two sites tie in a region, or many images tie),
 // the rest is drawn as segments, each of them with images that really are the nearest ones along it.
+//
+// In the order in which Face_partition calls them: end_at() after a trace that was to arrive at p; lead_to() if no
+// piece leads through the end; then, while arcs are made, is_taken_over_before(), lead_back() and
+// add_straight_pieces().
 
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/fronts/Cell_front.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/fronts/Face_images.h>
@@ -33,9 +37,9 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// Refers to the images of a face. Functions that lead f elsewhere leave its pieces so that each one starts where the
-// one before ends; Face_partition::finish() makes arcs of them. f.stop tells it whether the last piece may be drawn on
-// to the end (OUTSIDE) or segments have to be added (LOST).
+// Refers to the images of a face, which must not change meanwhile. Functions that lead f elsewhere leave its pieces so
+// that each one starts where the one before ends; Face_partition::finish() makes arcs of them. f.stop tells it whether
+// the last piece may be drawn on to the end (OUTSIDE) or segments have to be added (LOST).
 template <typename FT_>
 class Front_completion
 {
@@ -48,7 +52,7 @@ public:
   explicit Front_completion(const Face_images<FT>& images) : m_images(images) {}
 
   // Lets f end at the end of the first piece that touches p, if there is one: a curve along the border may have passed
-  // its end.
+  // its end. Drops the pieces behind it.
   void end_at(Front& f, const Point& p) const
   {
     const auto piece = std::find_if(f.pieces.begin(), f.pieces.end(),
@@ -60,7 +64,9 @@ public:
     f.stop = Front_stop::OUTSIDE;
   }
 
-  // Lets a front that has not found its way to v go straight to it, from where it has been closest.
+  // Lets a front that has not found its way to v go straight to it, from where it has been closest: drops the pieces
+  // behind that point. If the point touches v, the last piece may be drawn on to v; otherwise segments have to be
+  // added.
   void lead_to(Front& f, const Point& v) const
   {
     const std::pair<std::size_t, FT> nearest = f.nearest_end(v);
@@ -82,6 +88,7 @@ public:
   }
 
   // Lets a front that ends close to p go straight from where it is closest. Changes nothing if no piece comes close.
+  // Unlike lead_to(), it asks for segments because the last piece must not be drawn on (is_taken_over_before()).
   void lead_back(Front& f, const Point& p) const
   {
     const std::pair<std::size_t, FT> nearest = f.nearest_end(p);
@@ -92,8 +99,10 @@ public:
   }
 
   // Appends the segment pq to f, divided where other paths become the shortest ones: it is halved until the images of
-  // each part are nearest at both of its ends, then adjacent parts with the same images are joined. Takes at most
-  // quadratic time in the number of images.
+  // each part are nearest at both of its ends, then adjacent parts with the same images are joined. Parts not longer
+  // than width() are not halved. Pieces that f has already are not joined with new ones: they are bisectors, the new
+  // ones are segments. Takes at most quadratic time in the number of images.
+  // Requires: the pieces of f end at p; f starts there if it has none.
   void add_straight_pieces(Front& f, const Point& p, const Point& q) const
   {
     std::size_t halvings = 8 * m_images.number() + 64; // a bound, in case rounding never lets the ends agree
@@ -120,8 +129,9 @@ public:
   }
 
 private:
-  // Returns whether the distance of x by an image is that of the nearer one of the two cells, up to rounding. (Behind
-  // the end of a cone it is smaller.)
+  // Returns whether the distance of x by an image is that of the nearer one of the two cells, up to rounding. The cone
+  // of the image is not looked at: behind the end of the cone, the distance along the straight line belongs to no path
+  // and may be smaller than the nearest one. Then the result is false.
   bool is_nearest_at(const Front& f, const Additively_weighted_point<FT>& point, const Point& x) const
   {
     using std::abs;

@@ -38,13 +38,15 @@ namespace internal {
 // What ends a piece, and where. BORDER: the curve leaves the face; UNTIL: it leaves the half-plane of the trace;
 // LEFT_CONE, RIGHT_CONE: it leaves the cone of its left or right image; NEARER: another image becomes nearer;
 // IMPRECISE: the curve has to be described anew from here. With NOTHING, t is where the search ends, if it is bounded.
+//
+// t is the parameter of the curve (Weighted_bisector::point()): 0 at its start, ascending along it.
 template <typename FT>
 struct Front_event
 {
   enum Kind { NOTHING, BORDER, UNTIL, LEFT_CONE, RIGHT_CONE, NEARER, IMPRECISE } kind = NOTHING;
   FT t = std::numeric_limits<FT>::infinity();
-  std::size_t index = 0;   // of the side or of the image
-  Half_plane<FT> line{};   // that the curve leaves
+  std::size_t index = 0;   // of the image for NEARER, of the side for BORDER; for a cone 0 (left side) or 1
+  Half_plane<FT> line{};   // that the curve leaves: for BORDER, UNTIL and the cones only
   FT reach = std::numeric_limits<FT>::infinity(); // no point of the curve before t is farther from its start
 
   bool is_bounded() const { return t < std::numeric_limits<FT>::infinity(); }
@@ -64,9 +66,9 @@ public:
   using Event = Front_event<FT>;
   using Bisector = Weighted_bisector<FT>;
 
-  // Starts a search along a curve up to the parameter `end`. `width` is the rounding of lengths in the face, `slack`
-  // the distance by which the start of the curve may be outside of half-planes that it is to leave. The curve is
-  // referred to.
+  // Starts a search along a curve up to the parameter `end`, which may be infinite. `width` is the rounding of lengths
+  // in the face, `slack` the distance by which the start of the curve may be outside of half-planes that it is to
+  // leave. The curve is referred to, until the next start().
   void start(const Bisector& curve, const FT& end, const FT& width, const FT& slack)
   {
     CGAL_assertion(width >= 0 && slack >= 0);
@@ -95,7 +97,8 @@ public:
       m_event.reach = m_curve->reach(m_event.t);
   }
 
-  // Finds the first parameter behind which the curve is outside of a half-plane.
+  // Finds the first parameter behind which the curve is outside of a half-plane. Requires: the values of h are signed
+  // distances, since they are compared with lengths.
   //
   // A curve that starts on the line may be outside by rounding, and so may be one that touches it. Therefore the curve
   // is outside next to its start, or between two roots, only if it is so by more than `slack` or `width`.
@@ -150,6 +153,10 @@ public:
   // points that g sees. `at_start` is the distance by `left` at the start of the curve. g has to be nearer beyond
   // rounding (Tolerance::nearer()), on a part of the curve longer than `width`. If `has_been_left` is set, g does not
   // become nearer at the start of the curve: otherwise rounding could lead from one image to the other and back.
+  //
+  // The roots of the polynomials of g (Challenge) divide the curve up to the event; g takes over at the start of the
+  // first part that is_taken_over_between() accepts. Takes constant time; most images are rejected by may_take_over()
+  // before a root is computed.
   void take_over(const Image& left, const FT& at_start, const Image& g, std::size_t index, bool has_been_left)
   {
     Challenge c;
@@ -189,7 +196,8 @@ private:
   }
 
   // Returns false if g does not take over before the event; sets c otherwise. The cheap tests come first: distances
-  // change by at most the length of the way, for g as for the images of the curve. The others look at the coefficients
+  // change by at most the length of the way, for g as for the images of the curve. So up to the distance `reach` from
+  // the start, g is not nearer unless (distance by g) - reach < at_start + reach. The others look at the coefficients
   // in Bernstein form (Quadratic): they may fail to reject an image, but reject none that takes over.
   bool may_take_over(const FT& at_start, const Image& g, Challenge& c) const
   {
@@ -257,8 +265,8 @@ private:
 
   const Bisector* m_curve = nullptr;
   FT m_width = 0, m_slack = 0;
-  Event m_event;
-  std::vector<FT> m_roots;
+  Event m_event; // the first one of the candidates so far
+  std::vector<FT> m_roots; // a buffer of take_over()
 };
 
 } // namespace internal

@@ -36,7 +36,8 @@ namespace internal {
 // best_vertex() if they do not meet). Whether f and g may be joined at all is a matter of their sites alone
 // (Face_partition.h).
 //
-// Refers to the images of a face.
+// Refers to the images of a face, which must not change meanwhile. All functions require that both fronts have been
+// traced in that face, and that g follows f counterclockwise: f.right == g.left.
 template <typename FT_>
 class Front_meeting
 {
@@ -53,10 +54,12 @@ public:
     return f.stop == Front_stop::SITE && g.stop == Front_stop::SITE && f.third == g.right && g.third == f.left;
   }
 
-  // Returns the point where two fronts that agree meet: equally far from the three images at the end of f, refined.
+  // Returns the point where two fronts that agree meet: equally far from the three images at the end of f, refined from
+  // the middle between both ends. It is that middle if paths bend at the end of f.
   //
-  // Where curves run along the border of the face or touch it, that point is not well known and may be outside. Then it
-  // is the one of the four start and end points in the face at which the three distances differ least.
+  // Where curves run along the border of the face or touch it, the refined point is not well known and may be outside.
+  // Then it is the one of the four start and end points in the face at which the three distances differ least.
+  // Requires: agree(f, g).
   Point common_end(const Front& f, const Front& g) const
   {
     const Point middle = midpoint(f.end, g.end);
@@ -90,7 +93,8 @@ public:
   // Returns the best vertex for two fronts that do not meet, of all points where their pieces start and end. The cost
   // of a point is the amount by which the farthest of the three sites is farther than the nearest of all, plus the
   // distances of the point from both fronts: zero, up to rounding, for a true vertex that both traces reach. The first
-  // point of the smallest cost is taken.
+  // point of the smallest cost is taken. Takes time linear in the number of these points, times that of images and
+  // pieces.
   Point best_vertex(const Front& f, const Front& g) const
   {
     Point best = f.p;
@@ -126,8 +130,9 @@ private:
     return farthest - nearest;
   }
 
-  // Finds the images of the three sites at the end of a front that meets a third site. Returns false if the paths of
-  // one of them bend there.
+  // Finds the images of the three sites at the end of a front that meets a third site: of its left, its right and the
+  // third one. Returns false if the paths of one of them bend there (its index is that of a bend, which lives in the
+  // tracer).
   bool find_points_at_end(const Front& f, std::array<Additively_weighted_point<FT>, 3>& point) const
   {
     const std::array<std::size_t, 3> index{f.left_image, f.right_image, f.third_image};

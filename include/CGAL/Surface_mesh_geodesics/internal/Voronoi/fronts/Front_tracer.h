@@ -17,6 +17,13 @@
 // image of one of the two sites takes over, which begins the next piece, or an image of a third site does, which ends
 // the trace.
 //
+// How trace() proceeds:
+// - start_trace() finds the images of both sites at the start of the front.
+// - step() follows one piece: find_event() tries the border, the cones and the other images, end_of_piece() refines the
+//   point of the event, go_over() changes the image or ends the trace. update_stop_at_border() then decides whether a
+//   front that has come to the border has left the face.
+// - Where no curve leads on, find_way_ahead() looks for two other images that tie here.
+//
 // Rounding may lead into circles where many images tie. Three rules end them: an image that has been left at a point
 // follows no other one there and takes over there once at most, the number of pieces is bounded, and a front that
 // cannot go on looks once for a pair of tied images whose curve leads on.
@@ -77,7 +84,8 @@ public:
   const Images& images() const { return m_images; }
   const std::vector<Breakpoint>& breakpoints() const { return m_breakpoints; }
 
-  // The sites whose cells end a trace, in ascending order: those that a front may meet at all.
+  // The sites whose cells end a trace, in ascending order: those that a front may meet at all. Images of other sites
+  // are ignored. The caller sets them before each trace: they are those of one part of the face (Face_partition.h).
   std::vector<Vertex_id>& sites() { return m_sites; }
 
   // Returns whether a site is one of sites(). Mostly there are two.
@@ -92,7 +100,7 @@ public:
   std::size_t number_of_traces() const { return m_number_of_traces; }
 
   // Sets h to the half-plane into which a front starts: ahead of the line through its start across its curve. Returns
-  // false if that is not known.
+  // false if that is not known. The values of h are signed distances.
   bool find_half_plane_ahead(const Front& f, Half_plane<FT>& h) const
   {
     const std::size_t l = m_images.nearest_of(f.left, f.p), r = m_images.nearest_of(f.right, f.p);
@@ -108,9 +116,10 @@ public:
   }
 
   // Follows f until it meets the cell of a third one of sites(), leaves the face, or leaves the half-plane `until`,
-  // unless that is nullptr. Replaces the result of an earlier trace of f. In a face without height the front stops at
-  // its start. Takes time proportional to the number of images for each piece; where images tie, the search for a way
-  // ahead takes a time quadratic in the number of those that do.
+  // unless that is nullptr. Replaces the result of an earlier trace of f; f.stop tells why this one has ended. It is
+  // LOST where no curve leads on, and if the bound of the number of pieces has ended the trace. In a face without
+  // height the front stops at its start. Takes time proportional to the number of images for each piece; where images
+  // tie, the search for a way ahead takes a time quadratic in the number of those that do.
   // Requires: sites() are set; the two sites of f are equally far from its start, up to rounding.
   void trace(Front& f, const Half_plane<FT>* until)
   {
@@ -148,7 +157,7 @@ private:
   using Bisector = Weighted_bisector<FT>;
 
   // Prepares a trace from the start of f. Returns false if nothing can be traced: the face has no height, or one of the
-  // sites has no image in this face (f.stop is LOST then).
+  // sites has no image in this face (f.stop is LOST then). An image that does not see the start is replaced by a bend.
   bool start_trace(Front& f)
   {
     f.pieces.clear();
@@ -181,7 +190,8 @@ private:
       f.stop = Front_stop::OUTSIDE;
   }
 
-  // Returns whether f ends at a breakpoint of its two cells, within a tolerance.
+  // Returns whether f ends at a breakpoint of its two cells, within a tolerance. A curve that ends there has its cells
+  // on the other sides than one that starts there.
   bool ends_at_breakpoint(const Front& f, const FT& tolerance) const
   {
     for(const Breakpoint& b : m_breakpoints)
@@ -193,7 +203,8 @@ private:
   // --- one piece ---
 
   // Follows f along one piece. Returns false if no curve leads on, or if it has no end. If the curve leaves the face at
-  // the event, up to rounding, the border decides: whatever else happens there belongs to the adjacent face.
+  // the event, up to rounding, the border decides: whatever else happens there belongs to the adjacent face. (The
+  // references to images are used before go_over(), which may add a bend and so move them.)
   bool step(Front& f, const Half_plane<FT>* until)
   {
     const Image &left = image(f.left_image), &right = image(f.right_image);
@@ -215,8 +226,8 @@ private:
   }
 
   // Returns whether a curve exists that has the two cells on the sides where they should be. A ray leads on if the
-  // image whose paths do not bend sees it on its side; otherwise the front would come toward the vertex where the ray
-  // begins.
+  // image whose paths do not bend sees it on its side: it sees a point a bit ahead of the start, and as far aside.
+  // Otherwise the front would come toward the vertex where the ray begins.
   bool leads_on(const Bisector& curve, const Image& left, const Image& right) const
   {
     if(!curve.is_ray())
@@ -245,8 +256,10 @@ private:
     return m_first.event();
   }
 
-  // Tries which images take over. The images next to the current two come first: windows come nearly in the order
-  // of their intervals, so that a neighbor is likely to end the piece; what is behind that end is not looked at.
+  // Tries which images take over. The images next to the current two come first: windows come nearly in the order of
+  // their intervals, so that a neighbor is likely to end the piece; what is behind that end is not looked at. Of the
+  // others, an image can take over only if the curve enters its cone before the event, so its cone must not be farther
+  // from the start than the event reaches. (An index of -1 or beyond wraps around and is not less than n.)
   void try_images(const Front& f)
   {
     const std::size_t n = m_images.number();
@@ -280,7 +293,8 @@ private:
 
   // Returns where a piece ends, refined by Newton's method: equally far from both images and from a third site, or on
   // the line that the curve leaves. `at_border` is the parameter where the curve leaves the face; a vertex that comes
-  // to lie outside by refinement is taken from the curve instead.
+  // to lie outside by refinement is taken from the curve instead. An event at the start of the curve (t = 0) moves
+  // nothing.
   Point end_of_piece(const Front& f, const Bisector& curve, const Event& event, const FT& at_border) const
   {
     if(!(event.t > 0))
@@ -327,7 +341,8 @@ private:
     return site != f.left && site != f.right;
   }
 
-  // Lets f go over to an image that has become nearer, or stop if it belongs to a third site.
+  // Lets f go over to an image that has become nearer, or stop if it belongs to a third site. Only images of sites()
+  // get here (try_image()).
   void meet(Front& f, std::size_t index)
   {
     const Vertex_id site = image(index).site;
@@ -347,7 +362,8 @@ private:
 
   // Returns the image of the same site that follows at p, where the cone of image i ends: the nearest one that sees p
   // and is as near as image i, the lowest index in a tie. Where rounding has left a gap between the cones, paths bend
-  // at the end of the interval. `other` is the current image of the other site.
+  // at the end of the interval. The bend is made in any case, since try_images() compares it with the image that
+  // follows. `other` is the current image of the other site. Requires: image i has a cone.
   std::size_t successor(std::size_t i, std::size_t other, const Point& p)
   {
     m_left_here.push_back(i);
@@ -382,7 +398,8 @@ private:
 
   // Where several images of a site tie, rounding may have led to one that is not the nearest ahead. Changes f to the
   // pair of tied images, one of each site, whose curve leads farthest into the face without turning back. Returns false
-  // if no curve leads away from here. (At the start of f any curve that is longer than rounding will do.)
+  // if no curve leads away from here. (At the start of f any curve that is longer than rounding will do.) Widens
+  // m_slack for the next piece, as a point where curves touch is known less exactly (Face_images::touching()).
   bool find_way_ahead(Front& f)
   {
     m_slack = m_images.touching();
@@ -407,7 +424,8 @@ private:
     return is_found;
   }
 
-  // Returns whether the curve of two images at the end of f leads to where f comes from.
+  // Returns whether the curve of two images at the end of f leads to where f comes from: whether its tangent there
+  // makes an angle of more than 90 degrees with the chord of the last piece.
   bool turns_back(const Front& f, std::size_t l, std::size_t r) const
   {
     if(f.pieces.empty())
@@ -418,7 +436,8 @@ private:
   }
 
   // Returns how far the curve of two images leads from p into the face and their cones, 0 if another one of the tied
-  // images `left` and `right` is nearer ahead.
+  // images `left` and `right` is nearer ahead. "Ahead" is half-way to the end, but at most at the parameter
+  // look_ahead(). Uses m_first, so the event of the last search is lost.
   FT way_ahead(const Point& p, std::size_t l, std::size_t r, const std::vector<std::size_t>& left,
                const std::vector<std::size_t>& right)
   {
@@ -446,7 +465,8 @@ private:
   // --- images and bends ---
 
   // Adds the paths around the end of image i that is nearer to p, and returns their index. Bends live until the next
-  // trace. A bend of a bend has no cone; it is not made, since only images with a cone are left or do not see p.
+  // trace; a reference to one is valid until the next one is added. A bend of a bend has no cone; it is not made, since
+  // only images with a cone are left or do not see p.
   std::size_t add_bend(std::size_t i, const Point& p)
   {
     m_bends.push_back(Images::bend(image(i), p));
@@ -461,12 +481,12 @@ private:
 
   Images m_images;
   std::vector<Image> m_bends; // the ends of intervals where the paths of the current trace bend
-  std::vector<Breakpoint> m_breakpoints;
-  std::vector<Vertex_id> m_sites;
+  std::vector<Breakpoint> m_breakpoints; // of the face, all of them, whatever part of it is traced
+  std::vector<Vertex_id> m_sites;        // see sites()
   FT m_slack = 0; // how far a piece may start outside of the half-planes that it is to leave
   std::vector<FT> m_margins; // of the cones from the start of a piece
   std::vector<std::size_t> m_left_here; // the images that the front has left at its end
-  First_event<FT> m_first;
+  First_event<FT> m_first; // of the piece that is followed; reused, so that its buffer is not allocated anew
   std::size_t m_number_of_traces = 0;
 };
 

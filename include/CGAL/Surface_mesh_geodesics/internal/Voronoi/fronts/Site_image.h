@@ -14,6 +14,9 @@
 // starts at a corner of the face, or at a pseudo-source outside; then it enters through the interval of a window.
 // Unfolded into the plane of the face, that pseudo-source is a point: a site image. The cells in the face are the
 // additively weighted Voronoi diagram of its site images, each restricted to its cone.
+//
+// site_images_of_face.h makes the images; here is only what they answer. All lengths are in the unit of the intrinsic
+// mesh.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Weighted_bisector.h>
@@ -32,15 +35,18 @@ namespace internal {
 //
 // The point of a window sees the part of the face in its cone: the points whose straight path to it passes the interval
 // of the window, from `left_end` to `right_end` as seen from the point. Paths to other points of the face bend at the
-// nearer end of the interval. A corner of the face has no cone and sees all of the face.
+// nearer end of the interval. A corner of the face has no cone and sees all of the face; a bend (Face_images::bend())
+// has none either, and stands for paths to one side of a cone only.
 template <typename FT>
 struct Site_image
 {
-  Additively_weighted_point<FT> point; // its weight is the distance of the pseudo-source from the site
-  Vertex_id site = null_id;
+  // The weight is the distance of the pseudo-source from the site, with the offset of the site.
+  Additively_weighted_point<FT> point;
+  Vertex_id site = null_id; // the vertex of the site whose cell the paths belong to
   bool has_cone = false;
-  Half_plane<FT> left, right; // the two sides of the cone; both are positive inside
-  Planar_point<FT> left_end, right_end;
+  // Valid if has_cone. The two sides of the cone: both are positive inside, and their values are signed distances.
+  Half_plane<FT> left, right;
+  Planar_point<FT> left_end, right_end; // each lies on its side of the cone
 
   // Returns whether p is in the cone, or outside by not more than `tolerance` (a length).
   bool sees(const Planar_point<FT>& p, const FT& tolerance = 0) const
@@ -48,7 +54,8 @@ struct Site_image
     return !has_cone || (left(p) >= -tolerance && right(p) >= -tolerance);
   }
 
-  // Returns the length of the shortest path from the site to p through the interval.
+  // Returns the length of the shortest path from the site to p through the interval: straight from the point if it sees
+  // p, else around the end of the interval on the side of p. Requires: p is in the face, up to rounding.
   FT distance_to(const Planar_point<FT>& p) const
   {
     if(sees(p))
@@ -59,6 +66,7 @@ struct Site_image
 };
 
 // The sides of the cones of many images as a structure of arrays, so that the compiler tests several cones at a time.
+// Cone i is that of the i-th image that was added.
 template <typename FT>
 class Cone_columns
 {
@@ -69,7 +77,7 @@ public:
       c.clear();
   }
 
-  // Appends a cone; an image without a cone gets one that contains everything.
+  // Appends a cone; an image without a cone gets one that contains everything: its margin is infinite at each point.
   void add(const Site_image<FT>& image)
   {
     const FT unbounded = std::numeric_limits<FT>::infinity();
@@ -80,8 +88,8 @@ public:
       m_column[k].push_back(row[k]);
   }
 
-  // Sets margins[i] for the i-th cone. It is not negative if p is in the cone; else p is at least -margins[i] away
-  // from it.
+  // Sets margins[i] for the i-th cone: the smaller one of the signed distances of p from its two sides. It is not
+  // negative if p is in the cone; else p is at least -margins[i] away from it.
   void find_margins(const Planar_point<FT>& p, std::vector<FT>& margins) const
   {
     const std::size_t n = m_column[0].size();
