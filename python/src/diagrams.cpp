@@ -4,6 +4,7 @@
 #include "Engines.h"
 
 #include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_Voronoi_diagram.h>
+#include <CGAL/Surface_mesh_geodesics/geodesic_Voronoi_cell_colors.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_farthest_point_sampling.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_remeshing.h>
 
@@ -103,6 +104,15 @@ public:
         if(i < j)
           pairs.insert(pairs.end(), {std::int64_t(i), std::int64_t(j)});
     return to_rows(std::move(pairs), 2);
+  }
+
+  // Red, green and blue of each cell, from 0 to 255.
+  py::array_t<std::int64_t> colors() const
+  {
+    std::vector<std::int64_t> result;
+    for(const CGAL::IO::Color& c : geodesics::geodesic_Voronoi_cell_colors(m_voronoi))
+      result.insert(result.end(), {c.red(), c.green(), c.blue()});
+    return to_rows(std::move(result), 3);
   }
 
   // The curves around a cell; a closed one ends with its first point.
@@ -206,6 +216,7 @@ void bind_diagram(py::module_& module, const char* name)
     .def("areas", &Class::areas)
     .def("centroids", &Class::centroids)
     .def("adjacency", &Class::adjacency)
+    .def("colors", &Class::colors)
     .def("boundaries", &Class::boundaries)
     .def("dual", &Class::dual)
     .def("cut", &Class::cut);

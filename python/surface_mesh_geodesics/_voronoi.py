@@ -47,6 +47,11 @@ class Voronoi:
         return self._diagram.adjacency()
 
     @property
+    def colors(self) -> np.ndarray:
+        """(k, 3) a color for each cell, from 0 to 255; cells with a common edge differ."""
+        return self._diagram.colors()
+
+    @property
     def triangles(self) -> np.ndarray:
         """(t, 3) the sites around each vertex of the diagram: the triangles of the dual."""
         return self._diagram.dual()

@@ -35,13 +35,15 @@ class Page:
 
 
 def page(V: Any, F: Any, distances: Any, *, sources: Any = None, paths: Sequence[Path] = (), levels: Any = None,
-         title: str = "Geodesic distances", file: Any = None) -> Page:
+         cells: Any = None, colors: Any = None, title: str = "Geodesic distances", file: Any = None) -> Page:
     """Makes a page that shows distances on a mesh, and writes it to a file if one is named.
 
     distances  (n,) of the vertices; inf where no source reaches
     sources    (k, 3) points that are drawn
     paths      shortest paths that are drawn
     levels     the distances of isolines: multiples of the first one; by default about ten round numbers
+    cells      (m,) the cell of each face, of a mesh that Voronoi.cut() has made; without isolines then
+    colors     (k, 3) the color of each cell, as Voronoi.colors has them
 
     Needs three.js (Debian: libjs-three); raises FileNotFoundError if it is not there.
     """
@@ -53,7 +55,10 @@ def page(V: Any, F: Any, distances: Any, *, sources: Any = None, paths: Sequence
     used = V[np.unique(F)]
     center = (used.max(axis=0) + used.min(axis=0)) / 2
     largest = float(d[np.isfinite(d)].max(initial=0.0))
-    levels = _round_levels(largest) if levels is None else arguments.levels_of("levels", levels)
+    if levels is None:
+        levels = _round_levels(largest) if cells is None else np.zeros(0)
+    levels = arguments.levels_of("levels", levels)
+    cell_data = {} if cells is None else _cells(cells, colors, len(F))
     lines = [_lines("isoline", linear_isolines(V, F, d, levels), center)]
     if len(paths) > 0:
         lines.append(_lines("path", [p.points for p in paths if len(p) > 1], center))
@@ -66,7 +71,7 @@ def page(V: Any, F: Any, distances: Any, *, sources: Any = None, paths: Sequence
         "title": title, "subtitle": f"{len(V)} vertices, {len(F)} faces", "center": center.tolist(),
         "radius": float(np.linalg.norm(used.max(axis=0) - used.min(axis=0)) / 2), "points": _floats(V, center),
         "triangles": _base64(F.astype("<u4")), "distances": _base64(d.astype("<f4")), "largest": largest,
-        "isolines": levels.tolist(), "cellColors": [], "lines": lines, "dots": dots}, title))
+        "isolines": levels.tolist(), "cellColors": [], "lines": lines, "dots": dots, **cell_data}, title))
     if file is not None:
         result.write(file)
     return result
@@ -78,6 +83,14 @@ def _round_levels(largest: float) -> np.ndarray:
     power = 10.0 ** np.floor(np.log10(largest / 10))
     step = power * min((f for f in (1, 2, 5, 10) if f * power >= largest / 10), default=10)
     return step * np.arange(1, int(largest / step) + 1)
+
+
+def _cells(cells: Any, colors: Any, n: int) -> dict:
+    shown = arguments.ids_of("colors", [] if colors is None else colors, 256, "shades").reshape(-1, 3)
+    numbers = arguments.ids_of("cells", cells, len(shown), "colors")
+    if numbers.shape != (n,):
+        raise ValueError(f"cells has shape {numbers.shape}, but there are {n} faces")
+    return {"cells": _base64(numbers.astype("<u4")), "cellColors": ["#%02x%02x%02x" % tuple(c) for c in shown]}
 
 
 def _lines(role: str, lines: Sequence[np.ndarray], center: np.ndarray) -> dict:

@@ -91,6 +91,19 @@ def test_threads_do_not_change_bits():
     assert np.array_equal(s.distances(7, threads=None).shape, one.shape)
 
 
+def test_threads_do_not_change_paths_and_diagrams():
+    V, F = sphere(40)
+    by_threads = [smg.Solver(V, F) for _ in range(3)]
+    one, two, three = (s.path(7, 500, threads=k + 1) for k, s in enumerate(by_threads))
+    assert np.array_equal(two.points, three.points) and two.length == pytest.approx(one.length, rel=1e-13)
+    one, two, three = (s.voronoi([3, 300, 900], threads=k + 1) for k, s in enumerate(by_threads))
+    assert np.array_equal(two.areas, three.areas) and np.allclose(one.areas, two.areas, rtol=1e-12)
+    assert np.array_equal(two.labels, three.labels)
+    one, two, three = (s.exact_isolines(7, 1, threads=k + 1)[0] for k, s in enumerate(by_threads))
+    assert all(np.array_equal(a, b) for a, b in zip(two, three))
+    assert all(np.allclose(a, b, atol=1e-9) for a, b in zip(one, two))
+
+
 def test_matrices():
     V, F = grid(7, 0.2)
     s = smg.Solver(V, F)

@@ -26,7 +26,9 @@ from meshes import grid, sphere, write_off
 
 
 @pytest.mark.parametrize("call", ["s.distances(0)", "s.distances(0, threads=2)", "s.voronoi(list(range(0, n, 97)))",
-                                  "s.matrix()", "s.paths(0, np.arange(n))", "s.sample(n)"])
+                                  "s.matrix()", "s.paths(0, np.arange(n))", "s.sample(n)", "s.remesh(500)",
+                                  "v.cut()", "s.exact_isolines(0, np.linspace(.1, 3, 1000))", "s.certify(d, 0)",
+                                  "s.path(np.arange(0, n, 7), 5, threads=2)", "s.voronoi([0, 99], threads=2)"])
 def test_ctrl_c(call):
     program = textwrap.dedent(f"""
         import numpy as np, os, signal, sys, threading, time
@@ -35,7 +37,7 @@ def test_ctrl_c(call):
         from meshes import sphere
         s = smg.Solver(*sphere(150))
         n = s.n_vertices
-        s.distances(0, targets=[0])
+        d, v = s.distances(0), s.voronoi([0, 99])
         sent = []
         def interrupt():
             sent.append(time.monotonic())
@@ -215,6 +217,25 @@ def test_page(tmp_path):
     assert page._repr_html_().startswith("<iframe srcdoc=")
     with pytest.raises(ValueError, match="distances has shape"):
         smg.page(V, F, d[1:])
+
+
+def test_page_of_a_diagram():
+    if not any(p.is_file() for p in smg.pages.THREE):
+        pytest.skip("three.js is not there")
+    s = smg.Solver(*sphere(16))
+    sites = s.sample(5)
+    v = s.voronoi(sites)
+    V, F, cell = v.cut()
+    d = smg.Solver(V, F).distances(sites)
+    data = json.loads(re.search('<script id="data" type="application/json">(.*?)</script>',
+                                smg.page(V, F, d, cells=cell, colors=v.colors).text)[1])
+    assert np.array_equal(np.frombuffer(base64.b64decode(data["cells"]), "<u4"), cell)
+    assert len(set(data["cellColors"])) == 5 and all(re.fullmatch("#[0-9a-f]{6}", c) for c in data["cellColors"])
+    assert data["isolines"] == []
+    with pytest.raises(IndexError, match="cells"):
+        smg.page(V, F, d, cells=cell, colors=v.colors[:4])
+    with pytest.raises(ValueError, match="cells has shape"):
+        smg.page(V, F, d, cells=cell[1:], colors=v.colors)
 
 
 # --- the same bits as the program for the command line ---

@@ -108,7 +108,8 @@ public:
   /// returns how many times a condition has been checked.
   ///
   /// \param c the condition
-  /// \return the number of vertices, edges, pairs of faces or paths that were checked; 0 if the condition was not
+  /// \return how often the condition was checked: for a vertex, for an edge (in each direction and for each of its
+  ///         faces), for a pair of faces (in each direction), for a path; 0 if the condition was not
   std::size_t number_of_checks(Condition c) const { return entry(c).number_of_checks; }
 
   /// returns the name of a condition, such as "PATHS".
