@@ -107,7 +107,7 @@ private:
       std::size_t k = 0;
       for(const vertex_descriptor v : CGAL::vertices_around_face(halfedge(f, m_tm), m_tm))
         corners[k++] = std::size_t(get(m_vertex_index_map, v));
-      m_components.add_face(corners, longest_edge(f));
+      m_components.add_face(corners, longest_edge(f, m_tm, m_length));
     }
     m_components.finish();
   }
@@ -312,12 +312,6 @@ private:
   {
     const halfedge_descriptor h = halfedge(f, m_tm), g = next(h, m_tm);
     return {m_length(h), m_length(g), m_length(next(g, m_tm))};
-  }
-
-  double longest_edge(face_descriptor f) const
-  {
-    const std::array<double, 3> l = lengths(f);
-    return *std::max_element(l.begin(), l.end());
   }
 
   const Diagram& m_diagram;

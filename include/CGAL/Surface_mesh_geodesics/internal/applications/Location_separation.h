@@ -38,6 +38,15 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
+// Returns the length of the longest edge of a triangle. `length(h)` gives the length of a halfedge.
+template <typename TriangleMesh, typename Length>
+double longest_edge(typename boost::graph_traits<TriangleMesh>::face_descriptor f, const TriangleMesh& tm,
+                    const Length& length)
+{
+  const auto h = halfedge(f, tm), g = next(h, tm);
+  return (std::max)(length(h), (std::max)(length(g), length(next(g, tm))));
+}
+
 // Measures straight through space, between the points of the locations.
 template <typename Diagram, typename VertexPointMap>
 class Separation_in_space
@@ -136,7 +145,7 @@ public:
     for(std::size_t k = 0; k < 3; ++k)
       sum += std::abs(CGAL::to_double(a.second[k]) - coordinate(b, of_b, of_a[k]))
            + std::abs(CGAL::to_double(b.second[k]) - coordinate(a, of_a, of_b[k]));
-    return sum * (std::max)(longest_edge(a.first), longest_edge(b.first));
+    return sum * (std::max)(longest_edge(a.first, m_tm, m_length), longest_edge(b.first, m_tm, m_length));
   }
 
   // Looks at the border edges and border vertices of the face only. A location is on an edge if the coordinate of the
@@ -153,7 +162,7 @@ public:
         if(is_border(g, m_tm))
           smallest = (std::min)(smallest, std::abs(1 - CGAL::to_double(l.second[k])));
     }
-    return smallest * longest_edge(l.first);
+    return smallest * longest_edge(l.first, m_tm, m_length);
   }
 
 private:
@@ -171,12 +180,6 @@ private:
     for(std::size_t k = 0; k < 3; ++k)
       sum += of_l[k] == v ? CGAL::to_double(l.second[k]) : 0.;
     return sum;
-  }
-
-  double longest_edge(typename Graph_traits::face_descriptor f) const
-  {
-    const auto h = halfedge(f, m_tm), g = next(h, m_tm);
-    return (std::max)(m_length(h), (std::max)(m_length(g), m_length(next(g, m_tm))));
   }
 
   const Triangle_mesh& m_tm;
