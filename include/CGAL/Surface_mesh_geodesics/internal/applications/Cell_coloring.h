@@ -12,6 +12,9 @@
 
 // Colors for the cells of a diagram: neighbors get different ones, and all are used about equally often. The coloring
 // itself knows cells by their numbers and neighbors only.
+//
+// cell_colors() is for the public function and for the writers. It asks the diagram for neighbors; coloring_order() and
+// coloring() do the rest.
 
 #include <CGAL/IO/Color.h>
 #include <CGAL/assertions.h>
@@ -38,12 +41,19 @@ inline const std::array<IO::Color, 12>& colors_of_cells()
   return colors;
 }
 
-// The numbers of the neighbors of each cell. The relation is symmetric.
+// The numbers of the neighbors of each cell, which is the number of its site. The relation is symmetric, each neighbor
+// is named once, and no cell is its own neighbor. A cell that is empty has none.
 using Neighbors_of_cells = std::vector<std::vector<std::size_t>>;
 
 // The cells in the order in which they are colored, the smallest-last order of Matula and Beck (1983): removes a cell
 // with the fewest remaining neighbors again and again, and reverses the order of removal. Then few neighbors precede a
-// cell: at most five on a surface without handles, as a planar graph has a vertex with five neighbors or fewer.
+// cell: at most five on a surface without handles, as a planar graph has a vertex with five neighbors or fewer. In a
+// tie, the cell with the smallest number is removed first.
+//
+// On a surface with g handles, n cells have at most 6 + 12 (g - 1) / n neighbors on average. For g = 6 that is less
+// than 11 if n > 12, and fewer cells have no more than 11 neighbors anyway. So at most eleven neighbors precede a cell
+// on surfaces with up to six handles, and twelve colors are enough.
+//
 // Takes O(k log n) time for n cells and k pairs of neighbors.
 inline std::vector<std::size_t> coloring_order(const Neighbors_of_cells& neighbors)
 {
@@ -61,6 +71,7 @@ inline std::vector<std::size_t> coloring_order(const Neighbors_of_cells& neighbo
     remaining.erase(remaining.begin());
     order.push_back(i);
     for(const std::size_t j : neighbors[i])
+      // A neighbor that has been removed is not found, and does not change.
       if(remaining.erase({number_remaining[j], j}) == 1)
         remaining.emplace(--number_remaining[j], j);
   }
@@ -70,7 +81,7 @@ inline std::vector<std::size_t> coloring_order(const Neighbors_of_cells& neighbo
 
 // The number of a color for each cell. Each cell takes a color that the fewest of its colored neighbors have, which is
 // none of them if there are enough colors; among these the one that is used least; among these the first.
-// Requires: number_of_colors > 0.
+// Requires: number_of_colors > 0. Takes O(k + n c) time for n cells, k pairs of neighbors and c colors.
 inline std::vector<std::size_t> coloring(const Neighbors_of_cells& neighbors, std::size_t number_of_colors)
 {
   CGAL_assertion(number_of_colors > 0);
@@ -96,7 +107,8 @@ inline std::vector<std::size_t> coloring(const Neighbors_of_cells& neighbors, st
   return color;
 }
 
-// The colors of all cells of a diagram, by the numbers of their sites. Builds the diagram if that is not done.
+// The colors of all cells of a diagram, by the numbers of their sites. Builds the diagram if that is not done. Empty
+// cells get a color, too.
 template <typename Diagram>
 std::vector<IO::Color> cell_colors(const Diagram& diagram)
 {

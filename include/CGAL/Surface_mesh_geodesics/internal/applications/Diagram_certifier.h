@@ -14,6 +14,13 @@
 // that are computed apart. What is checked is documented at certify_geodesic_Voronoi_diagram(). `Diagram` is a type
 // with the members of Surface_mesh_geodesic_Voronoi_diagram; tests pass one with wrong answers.
 //
+// The steps of run():
+// 1. find_components() measures the extents that violations are relative to.
+// 2. check_distances() compares samples (Diagram_samples.h) with the distances from each site.
+// 3. check_boundaries() follows the boundary of each cell.
+// 4. check_areas() adds up the areas of the cells of each component.
+// The public functions call certify_diagram_with_points() or certify_diagram_with_edge_lengths(), at the end.
+//
 // Violations are relative. Distances are compared with the distance plus the longest edge of the component, positions
 // with that edge, areas with the expected area plus its square: the components of a mesh may differ in size by many
 // orders of magnitude. Areas are compared as multiples of that square, as the squares of very small or large
@@ -51,6 +58,9 @@ namespace internal {
 //
 // The certifier uses the answers of the diagram and its own distances only, no table of the diagram, so that it does
 // not share its faults. It records the size of each violation and judges none: the caller compares it with a tolerance.
+// The mesh of the diagram is a model of FaceListGraph; the index map has values from 0 to num_vertices() - 1. All maps
+// and function objects are copied. The diagram is built by its first query if that is not done, so invalid input is
+// thrown from run().
 template <typename Diagram, typename VertexIndexMap, typename Length, typename Separation>
 class Diagram_certifier
 {
@@ -71,7 +81,9 @@ public:
   {}
 
   // Checks all conditions. `make_paths()` returns a pointer to a new object of shortest paths without source points.
-  // Takes the time of a propagation that keeps its windows for each site, and of a query for each site and sample.
+  // Takes the time of a propagation that keeps its windows for each site, and of a query for each site and sample. The
+  // paths have to use the lengths of the diagram. A diagram without sites has nothing to check. The call may be
+  // repeated, with the same result.
   template <typename MakePaths>
   Diagram_violations run(MakePaths make_paths)
   {
@@ -107,7 +119,7 @@ private:
       std::size_t k = 0;
       for(const vertex_descriptor v : CGAL::vertices_around_face(halfedge(f, m_tm), m_tm))
         corners[k++] = std::size_t(get(m_vertex_index_map, v));
-      m_components.add_face(corners, longest_edge(f));
+      m_components.add_face(corners, longest_edge(f, m_tm, m_length));
     }
     m_components.finish();
   }
@@ -121,13 +133,14 @@ private:
   double extent_around(vertex_descriptor v) const { return m_components.extent(component_of(v)); }
   double extent_around(face_descriptor f) const { return extent_around(corner(f)); }
 
-  // Returns `excess / scale`, but 0 for no excess on a component all of whose edges have length 0.
+  // Returns `excess / scale`, but 0 for no excess on a component all of whose edges have length 0. Any positive excess
+  // is infinite there.
   static double relative(double excess, double scale) { return excess == 0 ? 0. : excess / scale; }
 
   // --- distances ---
 
   // Compares all samples with the distances from each site. One site after the other, as the windows of a propagation
-  // take far more memory than the samples.
+  // take far more memory than the samples. Takes the time of a propagation for each site.
   template <typename MakePaths>
   void check_distances(MakePaths make_paths)
   {
@@ -146,6 +159,7 @@ private:
     const Face_location site = m_diagram.site(i);
     if(site.first == Graph_traits::null_face())
       return;
+    // A new object for each site, whose windows are freed at the end of this function.
     auto paths = make_paths();
     paths->add_source_point(site);
     paths->build_sequence_tree_for_faces();
@@ -162,6 +176,9 @@ private:
 
   // Compares the distance of a sample from site i, infinity if the site does not reach it, with what the diagram says:
   // it is that of the sample if the diagram names i among the nearest sites, and not smaller otherwise.
+  //
+  // If the diagram names a site that does not reach the sample, the difference is NaN, which counts as infinite. If it
+  // names no site for a point that site i reaches, the violation is infinite, too.
   //
   // The difference of a distance and a weight is rounded to the size of the larger one; where the weight is the larger
   // one, that is more than the rounding of lengths, and is allowed.
@@ -189,7 +206,8 @@ private:
   // How often boundaries run through an edge forward and backward.
   using Uses = std::array<int, 2>;
 
-  // Arcs of an edge meet, edges of a boundary meet, and each edge is run through once in each direction.
+  // Arcs of an edge meet, edges of a boundary meet, and each edge is run through once in each direction. The counts of
+  // uses find an edge that is missing in a boundary, or is in one twice, whatever its place is.
   void check_boundaries()
   {
     for(const auto& e : m_diagram.edges())
@@ -204,7 +222,8 @@ private:
         record(DIAGRAM_BOUNDARIES, infinity(), e.sites().first);
   }
 
-  // Checks one part of the boundary of the cell of site i, and counts its uses of edges.
+  // Checks one part of the boundary of the cell of site i, and counts its uses of edges. Requires: the part has an
+  // edge.
   template <typename Boundary>
   void check_boundary(std::size_t i, const Boundary& b, std::vector<Uses>& uses)
   {
@@ -225,6 +244,8 @@ private:
       record(DIAGRAM_BOUNDARIES, (std::max)(gap_to_border(first), gap_to_border(last)), i);
   }
 
+  // The start and the end of an arc or an edge, in the direction in which it is run through. An edge that is run
+  // through backward starts with its last arc, backward.
   static Face_location start_of(const Directed_arc& a) { return a.first.point(a.second ? 1. : 0.); }
   static Face_location end_of(const Directed_arc& a) { return a.first.point(a.second ? 0. : 1.); }
 
@@ -264,6 +285,7 @@ private:
   void check_areas()
   {
     std::vector<double> expected(num_vertices(m_tm), 0.), sum(expected), rounding(expected);
+    // A face is reached if one of its corners is: all of a component is, or nothing.
     for(const face_descriptor f : faces(m_tm))
       if(m_diagram.nearest_site(source(halfedge(f, m_tm), m_tm)) != no_site() && extent_around(f) > 0)
         expected[component_of(f)] += area(f, power_of_two(extent_around(f)));
@@ -272,6 +294,7 @@ private:
       const face_descriptor f = m_diagram.site(i).first;
       if(f == Graph_traits::null_face() || !(extent_around(f) > 0))
         continue;
+      // The unit is divided by twice, as its square may overflow or vanish.
       const double unit = power_of_two(extent_around(f)), a = CGAL::to_double(m_diagram.area(i)) / unit / unit;
       const std::size_t c = component_of(f);
       sum[c] += a;
@@ -298,7 +321,8 @@ private:
   static bool is_number(double area, double unit) { return area * unit * unit < infinity(); }
 
   // Returns the area of a face in squares of `unit`, from its lengths. It is accurate for needles, as the shortest one
-  // is the base.
+  // is the base. Formula: base times height over 2, with the height of planar_triangle_from_lengths(). Requires: unit >
+  // 0.
   double area(face_descriptor f, double unit) const
   {
     std::array<double, 3> l = lengths(f);
@@ -314,12 +338,6 @@ private:
     return {m_length(h), m_length(g), m_length(next(g, m_tm))};
   }
 
-  double longest_edge(face_descriptor f) const
-  {
-    const std::array<double, 3> l = lengths(f);
-    return *std::max_element(l.begin(), l.end());
-  }
-
   const Diagram& m_diagram;
   const Triangle_mesh& m_tm;
   VertexIndexMap m_vertex_index_map;
@@ -332,6 +350,10 @@ private:
 
 // Certifies a diagram with paths of the type Paths<Traits, ...>, which is Surface_mesh_geodesic_paths with the maps
 // among the named parameters. `prepare(paths)` is called for each new object of paths, before sources are added.
+//
+// Paths is a parameter because this room does not include the public class. Traits and maps have to be those of the
+// diagram. An object of paths can neither be copied nor moved, hence the pointers. Throws Invalid_geodesic_input if the
+// mesh or a site is invalid.
 template <template <typename...> class Paths, typename Traits, typename Diagram, typename Length, typename Separation,
           typename Prepare, typename NamedParameters>
 Diagram_violations certify_diagram(const Diagram& diagram, Length length, Separation separation, Prepare prepare,

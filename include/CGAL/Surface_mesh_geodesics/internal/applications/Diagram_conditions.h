@@ -21,7 +21,8 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// In the order of Geodesic_Voronoi_certificate::Condition, where they are explained.
+// In the order of Geodesic_Voronoi_certificate::Condition, where they are explained. A condition is an index of
+// Diagram_violations.
 enum Diagram_condition : unsigned int
 {
   DIAGRAM_ARCS,
@@ -44,10 +45,12 @@ struct Diagram_violation
   static constexpr std::size_t no_site() { return (std::numeric_limits<std::size_t>::max)(); }
 
   // Counts one check, and keeps its violation if it is larger than all before. A violation that is not positive does
-  // not count; NaN counts as infinite. Of equal violations the first one is kept.
+  // not count; NaN counts as infinite. Of equal violations the first one is kept. So a condition that always holds has
+  // the size 0 and no site, and a certificate can tell "checked" from "never checked" by the number of checks.
   void record(double violation, std::size_t violating_site)
   {
     ++number_of_checks;
+    // Also false if the violation is NaN, which goes on to become infinite.
     if(violation <= size)
       return;
     const double infinity = std::numeric_limits<double>::infinity();
@@ -56,6 +59,7 @@ struct Diagram_violation
   }
 };
 
+// By condition. The public certificate holds a copy.
 using Diagram_violations = std::array<Diagram_violation, NUMBER_OF_DIAGRAM_CONDITIONS>;
 
 } // namespace internal

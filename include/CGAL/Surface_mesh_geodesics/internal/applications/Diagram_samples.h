@@ -35,6 +35,12 @@ namespace internal {
 
 // The constructor asks the diagram all questions; then the samples are plain values. They are the same in each run, so
 // a certificate can be repeated.
+//
+// There are seven samples for each arc, one for each vertex of the diagram and of the mesh, and one or eight for each
+// face, in this order. Points of faces that are not vertices make the diagram propagate a second time, to keep its
+// windows.
+//
+// The diagram is referred to, in the constructor only.
 template <typename Diagram>
 class Diagram_samples
 {
@@ -47,7 +53,8 @@ class Diagram_samples
 
 public:
   // A point of the surface. The diagram says that the sites are equally near, that no other site is nearer, and how far
-  // they are, less their weights.
+  // they are, less their weights. If no site reaches the point, its only site is Diagram_violation::no_site(), and the
+  // distance is -1.
   struct Sample
   {
     vertex_descriptor vertex;                   // the null vertex if the sample is a location
@@ -85,7 +92,8 @@ private:
         add(arc.point(t), {arc.sites().first, arc.sites().second}, CGAL::to_double(arc.distance(t)), DIAGRAM_ARCS);
   }
 
-  // Adds a vertex of the mesh, with the one site that the diagram names for it.
+  // Adds a vertex of the mesh, with the one site that the diagram names for it. Paths are asked for the vertex itself
+  // then, not for a location.
   void add_vertex_of_mesh(vertex_descriptor v)
   {
     add(Face_location(), {m_diagram.nearest_site(v)}, CGAL::to_double(m_diagram.distance_to_nearest_site(v)),
@@ -94,6 +102,7 @@ private:
   }
 
   // One point in a face that no arc crosses, and eight in one that arcs cross. No two faces get the same coordinates.
+  // Where no arc runs, one point tells the cell of the whole face.
   void add_points_of_face(face_descriptor f)
   {
     const std::size_t number = m_diagram.arcs(f).empty() ? 1 : 8;
@@ -108,7 +117,8 @@ private:
 
   // The next one of a sequence of points that fill the unit square evenly, folded to the triangle x + y <= 1. The steps
   // are the powers of 0.7548..., the inverse of the real root of x^3 = x + 1 (an additive recurrence of low
-  // discrepancy).
+  // discrepancy). Folding keeps the points evenly spread, as it maps both halves of the square to the triangle without
+  // distortion.
   std::array<double, 2> next_point_of_triangle()
   {
     m_sequence[0] = std::fmod(m_sequence[0] + 0.7548776662466927, 1.);
@@ -129,7 +139,8 @@ private:
     m_sites.insert(m_sites.end(), sites.begin(), sites.end());
   }
 
-  // Is the vertex in no face? (It may have edges.)
+  // Is the vertex in no face? (It may have edges.) Such a vertex has no location, and no path of other sites leads to
+  // it; so it is not a sample.
   bool is_isolated(vertex_descriptor v) const
   {
     if(CGAL::halfedges_around_target(v, m_tm).empty())
@@ -142,6 +153,7 @@ private:
 
   const Diagram& m_diagram;
   const Triangle_mesh& m_tm;
+  // The last point of the sequence before it was folded.
   std::array<double, 2> m_sequence{{0.5, 0.5}};
   std::vector<Sample> m_samples;
   std::vector<std::size_t> m_sites;

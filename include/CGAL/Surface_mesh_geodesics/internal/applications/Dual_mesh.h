@@ -37,6 +37,10 @@ namespace internal {
 // `Report` is Geodesic_dual_report, where the conditions are explained. If the cells are disks, and two or three of
 // them meet in one piece at most, the dual is homeomorphic to the surface (Edelsbrunner and Shah, Triangulating
 // topological spaces, 1997).
+//
+// report() takes three steps: check_triangles() counts what the others look up, check_cells() looks at each cell, and
+// check_edges() at each edge of the diagram. `Diagram` is the public class. It is referred to, and must outlive the
+// object; cells are named by the numbers of their sites.
 template <typename Diagram, typename Report>
 class Dual_check
 {
@@ -44,7 +48,7 @@ class Dual_check
   using Triple = std::array<std::size_t, 3>;
 
 public:
-  // Builds the diagram if that is not done.
+  // Builds the diagram if that is not done. Throws what build() throws.
   explicit Dual_check(const Diagram& diagram) : m_diagram(diagram) { diagram.dual(std::back_inserter(m_triangles)); }
 
   const std::vector<Triple>& triangles() const { return m_triangles; }
@@ -56,13 +60,17 @@ public:
     check_triangles(r);
     check_cells(r);
     check_edges(r);
+    // CGAL takes no triangles at all for a polygon mesh; the dual of a diagram without vertices is not one.
     r.is_polygon_mesh = !m_triangles.empty() && Polygon_mesh_processing::is_polygon_soup_a_polygon_mesh(m_triangles);
     return r;
   }
 
 private:
   // Counts the triangles of each three sites, and the uses of each halfedge. Two triangles with the same halfedge mean
-  // that two cells have two edges in common.
+  // that two cells have two edges in common: triangles are oriented like the surface, so the two triangles at one edge
+  // use it in opposite directions.
+  //
+  // Each finding is recorded when its count reaches 2, so that it is recorded once.
   void check_triangles(Report& r)
   {
     std::map<Triple, int> number_of_triangles;
@@ -81,7 +89,7 @@ private:
   }
 
   // Finds cells that are not disks, have several boundaries, or are corners of no triangle; empty ones do not count.
-  // Requires: check_triangles() has been called.
+  // Requires: check_triangles() has been called. Takes the time to follow the boundaries of all cells.
   void check_cells(Report& r) const
   {
     CGAL_assertion(m_is_in_triangle.empty() == m_triangles.empty());
@@ -110,6 +118,7 @@ private:
       const int n = ++number_of_edges[pair];
       if(n == 2)
         m_pairs_with_several_edges.insert(pair);
+      // A triangle uses the dual edge in one of two directions, depending on its side.
       if(n == 1 && m_halfedges.count(s) == 0 && m_halfedges.count(Pair(s.second, s.first)) == 0)
         r.pairs_without_triangle.push_back(pair);
     }
@@ -123,8 +132,10 @@ private:
   std::set<Pair> m_pairs_with_several_edges;
 };
 
-// Adds the triangles to the output, with a vertex at each site that is in a triangle.
-// Requires: the triangles form a polygon mesh.
+// Adds the triangles to the output, with a vertex at each site that is in a triangle, in the order in which the
+// triangles name them. What the output has held before stays.
+// Requires: the triangles form a polygon mesh. OutputMesh is a model of MutableFaceGraph with an internal property for
+// CGAL::vertex_point_t, whose points are made from three doubles.
 template <typename OutputMesh, typename Diagram>
 void add_dual_triangles(const Diagram& diagram, const std::vector<std::array<std::size_t, 3>>& triangles,
                         OutputMesh& output)
@@ -140,6 +151,7 @@ void add_dual_triangles(const Diagram& diagram, const std::vector<std::array<std
     {
       if(index_of_point[i] == Diagram::null_site())
       {
+        // A site in a triangle has a face, so its location has a point.
         const auto p = diagram.point(diagram.site(i));
         index_of_point[i] = points.size();
         points.push_back(Point(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())));
@@ -149,7 +161,8 @@ void add_dual_triangles(const Diagram& diagram, const std::vector<std::array<std
   Polygon_mesh_processing::polygon_soup_to_polygon_mesh(points, faces, output);
 }
 
-// Adds the dual to the output if it is manifold; the output is not changed otherwise.
+// Adds the dual to the output if it is manifold; the output is not changed otherwise. Throws what Dual_check throws,
+// before the output changes.
 template <typename Report, typename Diagram, typename OutputMesh>
 Report add_dual_mesh(const Diagram& diagram, OutputMesh& output)
 {

@@ -10,7 +10,8 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_FARTHEST_POINT_SAMPLING_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_FARTHEST_POINT_SAMPLING_H
 
-// Farthest point sampling: takes, again and again, the vertex that is farthest from all samples so far.
+// Farthest point sampling: takes, again and again, the vertex that is farthest from all samples so far. (The
+// thesis, section 6.2, proposes it for remeshing.)
 //
 // Distances are propagated once. A new sample is a further source of the same propagation, whose windows cover its
 // Voronoi cell and little more (Distance_propagation::add_source() says why that is right).
@@ -36,6 +37,11 @@ namespace internal {
 
 // Ties: of vertices that are equally far, the one that comes first in vertices(tm). Time: each sample costs the windows
 // of its cell and a little more; Farthest_vertex_queue finds the next one.
+//
+// The mesh is referred to, the index maps are copied. Samples are vertices, so the intrinsic mesh has no inserted
+// sources, and tables of vertices never grow: the queue may refer to the distances in m_field.
+//
+// An object is used by one thread. run() may be called again, which reads the mesh anew.
 template <typename TriangleMesh, typename VertexIndexMap, typename FaceIndexMap>
 class Farthest_point_sampling
 {
@@ -49,8 +55,13 @@ public:
   {}
 
   // Writes samples until there are n, with those in the options, or the covering radius of the options is reached.
-  // Returns the covering radius; infinity if the visitor cancels the first propagation. Options is
-  // Geodesic_sampling_options. Throws Invalid_geodesic_input.
+  // Returns the covering radius in the user's unit: the distance of the farthest vertex from its nearest sample. It is
+  // infinity if no sample reaches some vertex that has a face, or if the visitor cancels the first propagation; if the
+  // visitor cancels a later one, it is that of the samples before. Options is Geodesic_sampling_options. Shape is
+  // described in Face_shapes.h. Throws Invalid_geodesic_input, before anything is written.
+  //
+  // Each pass of the loop asks for the farthest vertex first: its distance is the covering radius of the samples so
+  // far, which decides whether it becomes a sample. A sample is written when its propagation is complete.
   template <typename Shape, typename OutputIterator, typename Options, typename Visitor>
   double run(Shape shape, std::size_t n, OutputIterator output, const Options& options, Visitor& visitor)
   {
@@ -61,6 +72,7 @@ public:
     Propagation propagation(m_surface.mesh(), m_field);
     std::size_t number = options.first_samples.size();
     bool is_complete = add_first_samples(propagation, options.first_samples, visitor);
+    // From here on distances only shrink, as the queue requires.
     Farthest_vertex_queue<double> queue(m_field.distance, ranks(), number_of_candidates());
     const double unit = m_surface.unit();
     double radius = std::numeric_limits<double>::infinity();
@@ -86,7 +98,7 @@ public:
 
 private:
   // Makes sources of the samples that the user gives, and propagates from all of them at once. Returns false if the
-  // visitor cancels.
+  // visitor cancels. A vertex that is named twice counts twice among the n samples.
   template <typename Visitor>
   bool add_first_samples(Propagation& propagation, const std::vector<vertex_descriptor>& samples, Visitor& visitor)
   {
@@ -95,7 +107,8 @@ private:
     return samples.empty() || propagate(propagation, visitor);
   }
 
-  // Continues the propagation with the sources that are new. Returns false if the visitor cancels.
+  // Continues the propagation with the sources that are new. Returns false if the visitor cancels. The distances that
+  // the visitor gets begin at 0 each time.
   template <typename Visitor>
   bool propagate(Propagation& propagation, Visitor& visitor) const
   {

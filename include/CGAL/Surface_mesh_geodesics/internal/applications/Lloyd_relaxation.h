@@ -11,7 +11,10 @@
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_LLOYD_RELAXATION_H
 
 // Lloyd's method on a mesh: sites are vertices, and each moves to the vertex of its cell that is nearest to the
-// centroid of the cell (thesis, section 5.4.4). The mesh is read once for all iterations.
+// centroid of the cell. (Remeshing is an application of the thesis, section 5.4.4, which leaves the sites where they
+// are.) The mesh is read once for all iterations.
+//
+// relax_sites() is the loop. Vertex_site_diagram holds the diagram, which all iterations share.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/distance_in_space.h>
 
@@ -33,7 +36,10 @@ namespace Surface_mesh_geodesics {
 namespace internal {
 
 // A diagram of the type Diagram<Traits, maps...>, which is Surface_mesh_geodesic_Voronoi_diagram, all sites of which
-// are vertices. The mesh is referred to, not copied.
+// are vertices. The mesh is referred to, not copied. An object cannot be copied or moved, like its diagram;
+// make_vertex_site_diagram() returns it nevertheless, as C++17 constructs a returned temporary in place.
+//
+// The points are those of a kernel of double, from which the traits are made. All maps are copied.
 template <template <typename...> class Diagram_, typename TriangleMesh, typename VertexIndexMap,
           typename HalfedgeIndexMap, typename FaceIndexMap, typename VertexPointMap>
 class Vertex_site_diagram
@@ -50,7 +56,8 @@ public:
     : m_tm(tm), m_vpm(vpm), m_diagram(tm, vim, him, fim, vpm)
   {}
 
-  // Replaces all sites; the mesh is not read again.
+  // Replaces all sites; the mesh is not read again. The diagram is not built here; its next query or build() rejects a
+  // site that is not a vertex.
   template <typename Sites>
   void set_sites(const Sites& sites)
   {
@@ -65,6 +72,9 @@ public:
   //
   // The result is that of central_vertex() for each site, in one pass over the mesh instead of one for each site.
   // Requires: `sites` are the sites of the diagram.
+  //
+  // All sites move at once: the cells are those of the sites before, whatever is written to `sites` meanwhile. Builds
+  // the diagram if that is not done. Takes time linear in the size of the mesh and of the diagram.
   bool move_to_centers(std::vector<vertex_descriptor>& sites) const
   {
     CGAL_assertion(sites.size() == m_diagram.number_of_sites());
@@ -94,7 +104,7 @@ private:
   Diagram m_diagram;
 };
 
-// A diagram without sites, with the maps among the named parameters.
+// A diagram without sites, with the maps among the named parameters. Reads nothing yet: the first build reads the mesh.
 template <template <typename...> class Diagram, typename TriangleMesh, typename NamedParameters>
 auto make_vertex_site_diagram(const TriangleMesh& tm, const NamedParameters& np)
 {
@@ -110,7 +120,11 @@ auto make_vertex_site_diagram(const TriangleMesh& tm, const NamedParameters& np)
 }
 
 // Moves sites to the centers of their cells until no site moves, the visitor cancels, or the largest number of
-// iterations is reached. Returns the number of iterations that moved a site.
+// iterations is reached. Returns the number of iterations that moved a site. If the visitor cancels, the sites are
+// those of the iteration before. Throws Invalid_geodesic_input from the first iteration, before a site has moved.
+//
+// The loop need not end by itself, as a site may go back and forth between two vertices; so the number of iterations is
+// bounded. Each one takes the time of a diagram.
 template <template <typename...> class Diagram, typename TriangleMesh, typename vertex_descriptor, typename Visitor,
           typename NamedParameters>
 std::size_t relax_sites(const TriangleMesh& tm, std::vector<vertex_descriptor>& sites,

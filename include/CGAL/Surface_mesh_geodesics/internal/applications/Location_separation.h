@@ -15,7 +15,7 @@
 // surface that is given by the lengths of its edges.
 //
 // Both are models of the same concept:
-//   separation(a, b)           the distance of two locations, 0 if they are equal up to rounding
+//   separation(a, b)           the distance of two locations, 0 up to rounding if they are equal
 //   separation.from_border(a)  the distance of a location from the border; infinity if there is no border nearby
 // Distances are in the unit of the mesh.
 
@@ -38,7 +38,18 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// Measures straight through space, between the points of the locations.
+// Returns the length of the longest edge of a triangle. `length(h)` gives the length of a halfedge.
+template <typename TriangleMesh, typename Length>
+double longest_edge(typename boost::graph_traits<TriangleMesh>::face_descriptor f, const TriangleMesh& tm,
+                    const Length& length)
+{
+  const auto h = halfedge(f, tm), g = next(h, tm);
+  return (std::max)(length(h), (std::max)(length(g), length(next(g, tm))));
+}
+
+// Measures straight through space, between the points of the locations. A distance in space is not greater than that on
+// the surface: two locations may be near each other in space only, so a fault may go unnoticed, but no two locations of
+// one point are taken for different ones.
 template <typename Diagram, typename VertexPointMap>
 class Separation_in_space
 {
@@ -46,7 +57,8 @@ class Separation_in_space
   using Vector = std::array<double, 3>;
 
 public:
-  // Collects the border edges in time linear in the size of the mesh.
+  // Collects the border edges in time linear in the size of the mesh. The diagram is referred to; the map is read here
+  // only.
   Separation_in_space(const Diagram& diagram, VertexPointMap vpm) : m_diagram(diagram)
   {
     const auto& tm = diagram.triangle_mesh();
@@ -116,7 +128,8 @@ private:
 // Compares barycentric coordinates, as there are no points. A location is the sum of its corners, weighted with its
 // coordinates. If the two faces have a corner in common, each corner's share moves over at most the longest edge of the
 // two faces. So the sum of the differences, times that edge, is an upper bound of the distance. If they have none, the
-// result is two such edges, which tells only that the locations differ.
+// result is two such edges, which tells only that the locations differ. Two locations of one point are in faces with a
+// common corner, so the result is 0 for them, up to rounding.
 template <typename Diagram, typename Length>
 class Separation_by_coordinates
 {
@@ -126,7 +139,7 @@ class Separation_by_coordinates
   using Corners = std::array<typename Graph_traits::vertex_descriptor, 3>;
 
 public:
-  // `length(h)` gives the length of a halfedge.
+  // `length(h)` gives the length of a halfedge. It is copied, the mesh is referred to.
   Separation_by_coordinates(const Diagram& diagram, Length length) : m_tm(diagram.triangle_mesh()), m_length(length) {}
 
   double operator()(const Face_location& a, const Face_location& b) const
@@ -136,11 +149,13 @@ public:
     for(std::size_t k = 0; k < 3; ++k)
       sum += std::abs(CGAL::to_double(a.second[k]) - coordinate(b, of_b, of_a[k]))
            + std::abs(CGAL::to_double(b.second[k]) - coordinate(a, of_a, of_b[k]));
-    return sum * (std::max)(longest_edge(a.first), longest_edge(b.first));
+    return sum * (std::max)(longest_edge(a.first, m_tm, m_length), longest_edge(b.first, m_tm, m_length));
   }
 
   // Looks at the border edges and border vertices of the face only. A location is on an edge if the coordinate of the
-  // opposite corner is 0, and at a corner if its coordinate is 1.
+  // opposite corner is 0, and at a corner if its coordinate is 1. With another coordinate b, it is at most b times the
+  // longest edge away from that edge, or 1 - b times the longest edge from that corner. Takes time linear in the
+  // degrees of the corners.
   double from_border(const Face_location& l) const
   {
     double smallest = std::numeric_limits<double>::infinity();
@@ -153,7 +168,7 @@ public:
         if(is_border(g, m_tm))
           smallest = (std::min)(smallest, std::abs(1 - CGAL::to_double(l.second[k])));
     }
-    return smallest * longest_edge(l.first);
+    return smallest * longest_edge(l.first, m_tm, m_length);
   }
 
 private:
@@ -171,12 +186,6 @@ private:
     for(std::size_t k = 0; k < 3; ++k)
       sum += of_l[k] == v ? CGAL::to_double(l.second[k]) : 0.;
     return sum;
-  }
-
-  double longest_edge(typename Graph_traits::face_descriptor f) const
-  {
-    const auto h = halfedge(f, m_tm), g = next(h, m_tm);
-    return (std::max)(m_length(h), (std::max)(m_length(g), m_length(next(g, m_tm))));
   }
 
   const Triangle_mesh& m_tm;

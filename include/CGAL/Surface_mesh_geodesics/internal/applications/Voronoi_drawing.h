@@ -28,6 +28,8 @@ namespace Surface_mesh_geodesics {
 namespace internal {
 
 // Triangles and polylines do not share points: polylines follow the arcs by themselves, with another set of samples.
+// Points are in the user's unit. Members of the same index belong together: triangles and site_of_triangle, polylines
+// and sites_of_polyline.
 struct Voronoi_drawing
 {
   using Point = Simple_cartesian<double>::Point_3;
@@ -39,7 +41,10 @@ struct Voronoi_drawing
   std::vector<std::vector<std::size_t>> polylines;    // indices in `points`
   std::vector<Sites> sites_of_polyline;
 
-  // Adds the mesh, cut along the arcs. No polyline is farther from its arc than `tolerance`, in the unit of the mesh.
+  // Adds the mesh, cut along the arcs. No polyline is farther from its arc than `tolerance`, in the unit of the mesh,
+  // unless Voronoi_face_cut ends the sampling of an arc before. The mesh is cut into a Surface_mesh first, which is
+  // freed at the end. Requires: tolerance > 0. Takes the time of Diagram::cut(), which builds the diagram if that is
+  // not done.
   template <typename Diagram>
   void add_cells(const Diagram& diagram, double tolerance)
   {
@@ -58,7 +63,8 @@ struct Voronoi_drawing
     }
   }
 
-  // Adds one polyline for each edge of the diagram, with points of its own.
+  // Adds one polyline for each edge of the diagram, with points of its own. `tolerance` is that of Edge::polyline(),
+  // which halves arcs further than add_cells() does. Takes time linear in the number of points.
   template <typename Diagram>
   void add_edges(const Diagram& diagram, double tolerance)
   {

@@ -13,6 +13,9 @@
 // Writes the drawing of a diagram as text in the formats OBJ, PLY and legacy VTK. What each file holds is documented at
 // the public functions of write_geodesic_Voronoi_diagram.h. Functions that write a whole file flush the stream and
 // return whether it is still good. Numbers are written with the precision of the stream.
+//
+// `Diagram` is the public class; `tolerance` is positive, in the unit of the mesh. All writers compute the whole
+// drawing before they write its first line: what building throws leaves the stream as it was.
 
 #include <CGAL/Surface_mesh_geodesics/internal/applications/Cell_coloring.h>
 #include <CGAL/Surface_mesh_geodesics/internal/applications/Voronoi_drawing.h>
@@ -31,7 +34,7 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// The number of a site in a file, -1 for no site.
+// The number of a site in a file, -1 for no site, which diagrams name by the largest std::size_t.
 inline long site_number(std::size_t i)
 {
   return i == (std::numeric_limits<std::size_t>::max)() ? -1l : static_cast<long>(i);
@@ -82,7 +85,8 @@ inline void write_color(std::ostream& os, const IO::Color& c)
 }
 
 // Writes the header, with a comment for each site, since PLY has no element for sites. Segments are elements of type
-// `edge`, as PLY has no polylines.
+// `edge`, as PLY has no polylines. The order of properties is that in which write_diagram_PLY() writes the numbers of
+// each line. Indices are of type int, so readers expect fewer than 2^31 points; this is not checked.
 inline void write_header_PLY(std::ostream& os, const Voronoi_drawing& drawing, const std::vector<IO::Color>& colors)
 {
   os << "ply\nformat ascii 1.0\n";
@@ -99,7 +103,8 @@ inline void write_header_PLY(std::ostream& os, const Voronoi_drawing& drawing, c
      << "\nproperty int vertex1\nproperty int vertex2\nproperty int left_site\nproperty int right_site\nend_header\n";
 }
 
-// Writes triangles in the colors of their cells, gray where no site reaches, and the segments of the edges.
+// Writes triangles in the colors of their cells, gray where no site reaches, and the segments of the edges. Sites with
+// an empty cell have a comment, too.
 template <typename Diagram>
 bool write_diagram_PLY(std::ostream& os, const Diagram& diagram, double tolerance)
 {
@@ -124,7 +129,8 @@ bool write_diagram_PLY(std::ostream& os, const Diagram& diagram, double toleranc
 
 // --- VTK ---
 
-// Writes a field of the cell data: `site_of_line(sites)` for the polylines, then the sites of the triangles.
+// Writes a field of the cell data: `site_of_line(sites)` for the polylines, then the sites of the triangles. Each field
+// is a number for each cell of the file.
 template <typename SiteOfLine>
 void write_sites_VTK(std::ostream& os, const Voronoi_drawing& drawing, const char* name, SiteOfLine site_of_line)
 {
@@ -136,6 +142,7 @@ void write_sites_VTK(std::ostream& os, const Voronoi_drawing& drawing, const cha
 }
 
 // Writes the polylines. The second number of the header counts all numbers that follow: a size and the points of each.
+// A polyline of s segments has s + 1 points, so these are s + 2 numbers. Without polylines there is no such section.
 inline void write_lines_VTK(std::ostream& os, const Voronoi_drawing& drawing)
 {
   const std::size_t number_of_lines = drawing.polylines.size();
@@ -151,6 +158,7 @@ inline void write_lines_VTK(std::ostream& os, const Voronoi_drawing& drawing)
 }
 
 // Writes polylines, then triangles: legacy VTK numbers the cells of a file in this order, and the cell data follow it.
+// A triangle takes four numbers: its size, 3, and three points.
 template <typename Diagram>
 bool write_diagram_VTK(std::ostream& os, const Diagram& diagram, double tolerance)
 {
@@ -174,7 +182,8 @@ bool write_diagram_VTK(std::ostream& os, const Diagram& diagram, double toleranc
 // --- files ---
 
 // Writes with 17 digits, in the format that the extension of the name stands for. Returns false for another extension,
-// and does not touch the file then.
+// and does not touch the file then. Returns false also if the file cannot be opened or written; it may hold a part of
+// the text then. Extensions are in lower case.
 template <typename Diagram>
 bool write_diagram_file(const std::string& filename, const Diagram& diagram, double tolerance)
 {

@@ -13,6 +13,12 @@
 // Checks distances given by the user. A propagation of its own proposes a proof: paths, which show that no distance is
 // too short, and windows, which show that none is too long. Distance_checks and Lower_bound_check judge the proposal
 // and know nothing of the propagation.
+//
+// Who does what:
+// - the constructor reads the mesh, and set_sources() makes vertices of the sources;
+// - run() checks the conditions in the order of Checked_condition: those that need no propagation itself, paths and
+//   lower bounds in check_with_witness(), distances in the opposite direction in check_reverse();
+// - certify_distances() does all of this for the public functions, and makes the certificate.
 
 #include <CGAL/Surface_mesh_geodesics/internal/certificate/Checked_conditions.h>
 #include <CGAL/Surface_mesh_geodesics/internal/certificate/Distance_checks.h>
@@ -48,6 +54,9 @@ namespace internal {
 // What the proof rests on. The values are the user's. The propagation here may be wrong, too: its paths are measured
 // face by face, and its windows only propose a lower bound on each edge, which Lower_bound_check verifies. So a fault
 // of the propagation can make right distances fail, but not wrong ones pass.
+//
+// The mesh is referred to and must outlive the object, the index maps are copied. FT is double for users. All work is
+// done in the calling thread.
 template <typename FT, typename TriangleMesh, typename VertexIndexMap, typename FaceIndexMap>
 class Distance_certifier
 {
@@ -55,6 +64,8 @@ public:
   using Surface = Intrinsic_surface<FT, TriangleMesh, VertexIndexMap, FaceIndexMap>;
   using Field = Vertex_distance_field<FT>;
 
+  // Shape is described in Face_shapes.h. Reads all components, and throws Invalid_geodesic_input for a fault in any of
+  // them.
   template <typename Shape>
   Distance_certifier(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim, Shape shape)
     : m_surface(tm, vim, fim, std::move(shape)), m_insertion(m_surface.mesh())
@@ -67,6 +78,8 @@ public:
 
   // Numbers the sources and makes vertices of them. `offsets` has one for each source, or none, in the user's unit.
   // Throws Invalid_geodesic_input. Requires: check_offsets(offsets) does not throw.
+  // The vertices that are made stay in the mesh as long as the object. They have the last numbers, behind the vertices
+  // of the user, and no distance is given for them.
   template <typename Sources>
   void set_sources(const Sources& sources, const std::vector<double>& offsets)
   {
@@ -79,10 +92,13 @@ public:
   // Checks all conditions. `value(v)` is the distance of a vertex descriptor v, in the user's unit. `user_limit` is the
   // radius up to which distances were computed, infinity if all were. Distances are computed in reverse from
   // `number_of_reverse_runs` vertices. Takes the time and memory of a propagation that keeps its windows, and that of
-  // the checks.
+  // the checks. `value` may return any number: check_reach() reports infinity where it is wrong, negative numbers and
+  // NaN.
   template <typename Value>
   Checked_conditions<FT> run(Value value, const FT& user_limit, std::size_t number_of_reverse_runs)
   {
+    // From here on all lengths are in the unit of the intrinsic mesh. Violations are relative, so they need no
+    // conversion back.
     const FT limit = user_limit / m_surface.unit();
     std::vector<FT> values;
     values.reserve(m_surface.number_of_vertices());
@@ -103,12 +119,15 @@ public:
   }
 
 private:
-  // Propagates, and checks the paths and the lower bounds that come from it.
+  // Propagates, and checks the paths and the lower bounds that come from it. The propagation has no limit: whether a
+  // vertex may be without a value depends on its distance, which must be known for that. The windows are freed before
+  // the reverse runs start.
   void check_with_witness(const Distance_checks<FT>& checks, const FT& limit, Checked_conditions<FT>& result) const
   {
     Edge_window_field<FT> windows;
     windows.reset(m_surface.mesh().number_of_faces());
     Field field;
+    // Paths are traced by images, which the field keeps if it is told so before the propagation resets it.
     field.keeps_images = true;
     Distance_propagation<FT, All_pruning_rules, Window_keeper<FT>> propagation(m_surface.mesh(), field,
                                                                               Window_keeper<FT>(windows));
@@ -122,7 +141,8 @@ private:
     result[CHECKED_PROOF].record(check_bounds_at_sources(field, checks));
   }
 
-  // Checks that the lower bound of a source is not greater than its offset, which the proof requires.
+  // Checks that the lower bound of a source is not greater than its offset, which the proof requires. A violation is
+  // relative to the bound, which is positive where it is too large, as offsets are not negative.
   Worst_violation<FT> check_bounds_at_sources(const Field& field, const Distance_checks<FT>& checks) const
   {
     Worst_violation<FT> worst;
@@ -131,9 +151,14 @@ private:
     return worst;
   }
 
-  // Computes distances from some vertices to the sources, and compares them. The vertices are spread over all numbers:
-  // the reader numbers vertices by their distance from a face, so these are near it, far from it, and in between. (With
-  // one run, the vertex in the middle of the numbers.)
+  // Computes distances from some vertices to the sources, and compares them. Such a run meets other windows than the
+  // one that has computed the distances, so an error that depends on the direction shows.
+  //
+  // The vertices are spread over all numbers: the reader numbers vertices by their distance from a face, so these are
+  // near it, far from it, and in between. (With one run, the vertex in the middle of the numbers. If more runs
+  // are asked for than there are vertices, there are as many as vertices, but several start from the same one.)
+  //
+  // Each run ends as soon as the distances of all sources are final.
   Worst_violation<FT> check_reverse(const Distance_checks<FT>& checks, const FT& limit, std::size_t number) const
   {
     std::vector<Vertex_id> targets;
@@ -162,7 +187,10 @@ private:
 
 // Checks distances and returns a Certificate, which is Geodesic_distance_certificate<TriangleMesh>. `make_shape()`
 // tells where the lengths of edges come from (Face_shapes.h). Options and named parameters are those of the public
-// functions.
+// functions. Of the options, it uses offsets and radius only. The parameter number_of_iterations is the number of
+// reverse runs.
+// Throws Invalid_geodesic_input for invalid input, never because a distance is wrong. Numbers in the options are
+// checked before the mesh is read.
 template <typename Certificate, typename TriangleMesh, typename VertexDistanceMap, typename Sources, typename Options,
           typename MakeShape, typename NamedParameters>
 Certificate certify_distances(const TriangleMesh& tm, VertexDistanceMap vertex_distance_map, const Sources& sources,

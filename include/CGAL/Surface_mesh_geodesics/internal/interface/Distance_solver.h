@@ -38,6 +38,13 @@ namespace internal {
 // Invariant between runs: the intrinsic mesh has no inserted sources (Repeated_propagation removes them), so that each
 // run starts from the mesh as it was read. The answers are those of the last run until the next one begins; after a run
 // that was canceled or failed, no vertex is reached.
+//
+// TriangleMesh is a model of FaceListGraph, which is referred to and must outlive the object; the index maps are
+// copied. ConcurrencyTag is the tag of the user, which does not compile if it asks for threads that are not available
+// (Available_tag.h). FT and Rules differ from double and All_pruning_rules in tests and measurements only.
+//
+// Objects cannot be copied or moved: m_insertion and m_runner refer to the mesh in m_surface. Const functions only
+// read, so several threads may call them; run() needs the object for itself.
 template <typename ConcurrencyTag, typename FT, typename TriangleMesh, typename VertexIndexMap, typename FaceIndexMap,
           typename Rules = All_pruning_rules>
 class Distance_solver
@@ -52,14 +59,16 @@ public:
 
   static constexpr std::size_t no_source = Source_numbers::none;
 
-  // Reads the mesh; throws Invalid_geodesic_input.
+  // Reads the whole mesh, for runs from any sources; throws Invalid_geodesic_input. Takes linear time.
   template <typename Shape>
   Distance_solver(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim, Shape shape)
     : m_surface(tm, vim, fim, std::move(shape), Blocks()), m_insertion(m_surface.mesh()),
       m_runner(m_surface.mesh(), m_insertion)
   {}
 
-  // Reads what the sources of the only run can reach (Intrinsic_surface).
+  // Reads what the sources of the only run can reach (Intrinsic_surface). A run from other sources would not get beyond
+  // the components that these reach. Invalid sources are ignored here, and rejected by run(). The range may be read
+  // twice, here and by run(), so it must allow several passes.
   template <typename Shape, typename Sources>
   Distance_solver(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim, Shape shape, const Sources& sources)
     : m_surface(tm, vim, fim, std::move(shape), sources, Blocks()), m_insertion(m_surface.mesh()),
@@ -75,6 +84,9 @@ public:
   // Invalid_geodesic_input, before anything changes, if a source, a target or the number of offsets is invalid.
   // `options` are those of the public functions, in the user's unit. Requires: check_numbers(options) does not throw.
   // Takes time for the area that the run reaches, if there are limits.
+  //
+  // If the visitor or the propagation throws, no vertex is reached, and the next run is right. Statistics count a run
+  // that was canceled, but none that has thrown.
   template <typename Sources, typename Options, typename Visitor>
   bool run(const Sources& sources, const Options& options, Visitor& visitor)
   {
@@ -85,6 +97,7 @@ public:
     limits.first_target = targets.data();
     limits.last_target = targets.data() + targets.size();
 
+    // All input is valid: from here on, the results of the run before are lost.
     Unfinished_run unfinished{&m_runner};
     const double unit = static_cast<double>(m_surface.unit());
     const bool is_complete = run_with_visitor(visitor, m_surface.number_of_vertices(), [&](auto go_on)
@@ -98,16 +111,20 @@ public:
       statistics.intrinsic_mesh_bytes += m_surface.memory() + m_runner.field_memory();
       options.statistics->add(statistics);
     }
+    // The runner has removed the inserted vertices from the mesh. The set still has their numbers, and so has the field
+    // until the next run, which is enough to find the source of a vertex.
     m_numbers.assign(set);
     unfinished.runner = nullptr;
     return is_complete;
   }
 
-  // Returns the distance of a vertex of the mesh in the user's unit, infinity if it was not reached.
+  // Returns the distance of a vertex of the mesh in the user's unit, infinity if it was not reached. Requires: v is a
+  // vertex of the mesh (not checked).
   FT distance(vertex_descriptor v) const { return m_runner.distance(m_surface.id(v)) * m_surface.unit(); }
 
   // Returns the number of the source from which the distance of v is measured, or no_source if v is not reached. Takes
-  // time logarithmic in the number of sources, and linear in the number of vertices where the path bends.
+  // time logarithmic in the number of sources, and linear in the number of vertices where the path bends. Requires: v
+  // is a vertex of the mesh (not checked).
   std::size_t nearest_source(vertex_descriptor v) const
   {
     const Vertex_id i = m_surface.id(v);
@@ -116,7 +133,9 @@ public:
     return m_numbers.number_at(m_runner.source_of(i));
   }
 
-  // Calls visit(vertex_descriptor, distance) for all vertices that have been reached.
+  // Calls visit(vertex_descriptor, distance) for all vertices that have been reached, each once, in no particular
+  // order. Takes time linear in the number of vertices that the last run touched. That list also has inserted sources,
+  // which are not vertices of the user, and vertices whose distances are not final; both are passed over.
   template <typename Visit>
   void for_each_vertex_reached(Visit visit) const
   {
@@ -140,6 +159,7 @@ private:
     }
   };
 
+  // In this order, as each member refers to those above it.
   Surface m_surface;
   Source_insertion<FT> m_insertion;
   Runner m_runner;

@@ -16,6 +16,14 @@
 // Three numberings occur. The *index* of a vertex or face is that of the user's property map; its *position* is that in
 // the range vertices(tm) or faces(tm); its *id* is that in the intrinsic mesh, which the builder chooses. Indices have
 // to be below num_vertices() and num_faces() and different from each other; they may have gaps at removed elements.
+//
+// The steps of read(), and who does them:
+// 1. read_faces() checks the faces, and collects their corners and neighbors.
+// 2. The builder numbers the faces, breadth first in each component, and drops components that are not wanted.
+// 3. number_vertices() numbers the vertices in the order of the faces.
+// 4. The shape reads points or lengths and chooses the unit (Face_shapes.h). The builder makes the faces with it, and
+//    the intrinsic mesh finds its umbrellas and pseudo-sources.
+// 5. fill_face_tables() connects these faces with those of the user.
 
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Face_shapes.h>
@@ -47,6 +55,8 @@ namespace internal {
 // The elements of a mesh of the user and those of its intrinsic mesh. Face_graph_reader fills it; the tables are
 // inverse to each other. Halfedges are found by face: halfedge(f, tm) has an id, and next() is next_halfedge() on both
 // sides.
+//
+// Faces of components that have been left out are in no table: their entry is null_id, and their vertices are isolated.
 template <typename TriangleMesh>
 struct Face_graph_correspondence
 {
@@ -74,6 +84,9 @@ struct Face_graph_correspondence
 // triangle and has a valid index, and whether its vertices differ and have valid indices; then whether vertices have
 // different indices; then the points or lengths (Face_shapes.h), the triangle inequality, whether neighbors agree about
 // their edge, and the sizes of components.
+//
+// TriangleMesh is a model of FaceListGraph. It is referred to; the maps, which are copied, have values that convert to
+// std::size_t. An object serves for one call.
 template <typename FT, typename TriangleMesh, typename VertexIndexMap, typename FaceIndexMap>
 class Face_graph_reader
 {
@@ -88,20 +101,22 @@ class Face_graph_reader
 public:
   Face_graph_reader(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim) : m_tm(tm), m_vim(vim), m_fim(fim) {}
 
-  // Builds the mesh and the tables; throws Invalid_geodesic_input. Shape is described in Face_shapes.h. Takes linear
-  // time.
+  // Builds the mesh and the tables; throws Invalid_geodesic_input. Both are incomplete then, so Intrinsic_surface
+  // passes new ones. Shape is described in Face_shapes.h. Takes linear time.
   //
   // The arrays of the intrinsic mesh are filled in blocks (One_block.h). The user's mesh and maps are read by this
-  // thread only.
+  // thread only, as the public functions promise.
   //
-  // If the mesh has several components, wanted_vertices() is called. It returns a flag for each index of a vertex: only
-  // the components connected to marked vertices become faces of the intrinsic mesh. If it returns no flags, all do.
+  // If the mesh has several components, wanted_vertices() is called, after all faces have been checked. It returns a
+  // flag for each index of a vertex: only the components connected to marked vertices become faces of the intrinsic
+  // mesh. If it returns no flags, all do.
   template <typename Shape, typename Wanted_vertices, typename Blocks>
   void read(Shape& shape, Intrinsic_mesh<FT>& mesh, Correspondence& table, Wanted_vertices wanted_vertices,
             const Blocks& blocks)
   {
     read_faces();
     Builder builder(m_connected_faces);
+    // The builder has copied them in their new order. The first copy is freed before the mesh needs memory.
     m_connected_faces = std::vector<Connected_face>();
     if(builder.number_of_components() > 1)
     {
@@ -110,6 +125,7 @@ public:
         builder.keep_components_of(is_wanted);
     }
     const std::size_t number_in_faces = number_vertices(builder, table);
+    // The vertices are numbered before their points are read, so that points lie in the order in which faces need them.
     const int exponent = shape.prepare(table.vertices, number_in_faces);
     mesh.set_unit(FT(std::ldexp(1., exponent)));
     const auto shape_of_face = [&](std::uint32_t f, const std::array<Vertex_id, 3>& v, Intrinsic_face<FT>& face)
@@ -120,6 +136,7 @@ public:
       builder.set_faces(shape_of_face, mesh, One_block()); // shape() reads the user's map
     builder.set_edge_components([&](std::uint32_t f) { return shape.has_length(m_faces[f]); }, mesh);
     mesh.finish(table.vertices.size(), blocks);
+    // With points, no shortest path crosses a face twice (thesis, lemma 3.2). With lengths only, it may.
     if(!Shape::has_points)
       mesh.bound_faces_crossed_by_lengths();
     CGAL_expensive_assertion(are_invariants_kept(mesh));
@@ -127,7 +144,9 @@ public:
   }
 
 private:
-  // Reads the faces with their corners and neighbors, and checks them and the index maps.
+  // Reads the faces with their corners and neighbors, and checks them and the index maps. The loop reads neighbors as
+  // indices, because a neighbor may come later in the range; its position is known behind the loop. Where indices are
+  // positions, as in a Surface_mesh without removed faces, that second pass is left out.
   void read_faces()
   {
     // (Some models count their elements in each call.)
@@ -149,6 +168,7 @@ private:
     if(!m_indices_are_positions)
       for(Connected_face& face : m_connected_faces)
         for(std::uint32_t& neighbor : face.neighbor)
+          // An index that no face has becomes null_id, the border.
           neighbor = neighbor < m_position_of_index.size() ? m_position_of_index[neighbor] : null_id;
   }
 
@@ -164,7 +184,8 @@ private:
                                  "the index of face " + std::to_string(m_faces.size()) + fault, m_faces.size());
   }
 
-  // Notes which face has an index. Throws if the index is out of range, or taken.
+  // Notes which face has an index. Throws if the index is out of range, or taken. Requires: the face is the next one,
+  // at position m_faces.size().
   void register_index(face_descriptor f, std::size_t range_of_indices)
   {
     const std::size_t index = index_of(f);
@@ -194,7 +215,8 @@ private:
   }
 
   // Returns the index of the face across h, or null_id if there is none. (A face that is not among faces(tm) counts as
-  // none, but that is not known before all faces have been read.)
+  // none, but that is not known before all faces have been read.) An index that does not fit into 32 bits becomes
+  // null_id as well: no face has it.
   std::uint32_t neighbor(halfedge_descriptor h) const
   {
     const halfedge_descriptor o = opposite(h, m_tm);
@@ -204,7 +226,11 @@ private:
 
   // Numbers the vertices in the order of the faces, so that neighbors are close in memory, and the isolated ones last.
   // Fills the tables of vertices. Returns how many are in faces. Throws if two vertices have one index, or if a corner
-  // of a face is not in vertices(tm).
+  // of a face is not in vertices(tm). Takes linear time.
+  //
+  // Corners come first: the builder has given them numbers below `number_in_faces`. The loop then meets all vertices in
+  // the user's order, and gives the next numbers to those that no face has, among them the vertices of components that
+  // were left out.
   std::size_t number_vertices(Builder& builder, Correspondence& table) const
   {
     const std::size_t range_of_indices = num_vertices(m_tm);
@@ -224,6 +250,7 @@ private:
       ++number_known;
       table.vertices[id] = v;
     }
+    // Each number has to be known now: the loop has met n vertices, unless a corner was not among them.
     if(number_known != n)
       throw Invalid_geodesic_input(Reason::INVALID_INDEX_MAP,
                                    "a face has a vertex that is not among those of the mesh");
@@ -242,7 +269,7 @@ private:
   }
 
   // Fills the tables of faces. The builder has reordered the faces, and turned them so that their shortest edge is
-  // first.
+  // first. Edge 0 of a face at a position is halfedge(f, tm), as read_faces() has begun there.
   void fill_face_tables(const Builder& builder, Correspondence& table) const
   {
     table.faces.resize(builder.number_of_faces());
@@ -261,6 +288,7 @@ private:
   FaceIndexMap m_fim;
   std::vector<face_descriptor> m_faces;          // by position
   std::vector<Connected_face> m_connected_faces; // by position; corners are indices of the user's map
+  // By the index of the user's map; null_id for an index that no face has.
   std::vector<std::uint32_t> m_position_of_index;
   bool m_indices_are_positions = true; // of all faces
 };

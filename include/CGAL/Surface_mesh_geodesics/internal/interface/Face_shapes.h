@@ -15,11 +15,20 @@
 //
 // A model of Shape has
 // - has_points: whether the surface is embedded in space;
-// - prepare(): reads and checks what is scaled; returns the exponent of the power of two by which lengths are divided;
-// - shape(): sets one face of the intrinsic mesh; several threads may call it if there are points;
-// - has_length(): whether an edge of a face has a length before scaling and rounding.
+// - prepare(vertices, n): reads and checks what is scaled; returns the exponent of the power of two by which lengths
+//   are divided. `vertices` are the user's in the order of the intrinsic mesh, of which the first n are in faces;
+// - shape(f, position, v, face): sets lengths and layout of a face of the intrinsic mesh, given as the user's face f at
+//   a position of faces(tm), and by the numbers v of its corners. Edge j of f leads from corner j to corner j+1.
+//   Returns the edge that has become halfedge 0, a shortest one. Several threads may call it if there are points;
+// - has_length(f): whether an edge of a face has a length before scaling and rounding. It is asked only for
+//   components whose lengths vanish beside the unit: they are valid if they have no lengths at all.
 // They are called in this order. prepare() throws for a number that is not finite or out of range, so that shape() sees
 // lengths of at most about 1 (Intrinsic_mesh.h); both faces at an edge get its length in the same bits.
+//
+// The unit comes from the longest edge if lengths are given. If points are given, it comes from the extent of their
+// coordinates, which is known before any edge is measured: lengths are below 4 then, and may all be far smaller than 1.
+//
+// An object refers to the mesh, copies the map, and is needed only while the mesh is read (Face_graph_reader.h).
 
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
@@ -52,7 +61,8 @@ halfedges_of_triangle(typename boost::graph_traits<TriangleMesh>::face_descripto
 }
 
 // Shapes from the points of the vertices. prepare() reads each point once, in the order in which the faces will ask for
-// them, and scales it by a power of two.
+// them, and scales it by a power of two. The values of VertexPointMap have members x(), y(), z() that CGAL::to_double()
+// takes; get() may return them by value or by reference.
 template <typename FT, typename TriangleMesh, typename VertexPointMap>
 class Shape_from_points
 {
@@ -67,7 +77,11 @@ public:
   Shape_from_points(const TriangleMesh& tm, VertexPointMap vpm) : m_tm(tm), m_vpm(vpm) {}
 
   // Reads the points of the vertices of the intrinsic mesh. Those behind the first `number_in_faces` are isolated; they
-  // have no lengths and do not count for the scale.
+  // have no lengths and do not count for the scale, but are checked.
+  //
+  // Coordinates are compared with those of the first point, not with 0: a mesh far from the origin is as large as its
+  // extent. One comparison finds all faults: the difference from a coordinate that is infinite or NaN is so itself, and
+  // coordinates that are too far from each other may each be valid.
   int prepare(const std::vector<vertex_descriptor>& numbered_vertices, std::size_t number_in_faces)
   {
     m_points.reserve(numbered_vertices.size());
@@ -90,12 +104,14 @@ public:
     return exponent;
   }
 
-  // Sets the shape of the face of three vertices, and returns which of its edges becomes halfedge 0.
+  // Sets the shape of the face of three vertices, and returns which of its edges becomes halfedge 0. Reads only the
+  // copy of the points, so threads may call it at once.
   unsigned int shape(face_descriptor, std::size_t, const std::array<Vertex_id, 3>& v, Intrinsic_face<FT>& f) const
   {
     return set_shape_from_sides<FT>({difference(v[1], v[0]), difference(v[2], v[1]), difference(v[0], v[2])}, f);
   }
 
+  // Compares the points in the user's number type. If two edges have no length, the third one has none either.
   bool has_length(face_descriptor f) const
   {
     const auto h = halfedges_of_triangle(f, m_tm);
@@ -107,7 +123,8 @@ public:
 
 private:
   // If a coordinate overflows, all vertices in faces share it: the next larger number would be farther away than the
-  // extent. Any number serves then.
+  // extent. Any number serves then. (The factor is greater than 1 for such a tiny mesh far from the origin. Isolated
+  // vertices may differ, but have no lengths.)
   void scale_points(double factor)
   {
     for(std::array<double, 3>& p : m_points)
@@ -116,7 +133,8 @@ private:
   }
 
   // Throws for the first vertex of vertices(tm) that has a coordinate which is not finite or too large by itself;
-  // otherwise for no vertex in particular, as points are too far from each other.
+  // otherwise for no vertex in particular, as points are too far from each other. The map is read a second time for
+  // that, in the order of the user, as the message names positions.
   [[noreturn]] void reject_point() const
   {
     std::size_t position = 0, culprit = 0;
@@ -149,7 +167,9 @@ private:
   std::vector<std::array<double, 3>> m_points; // of the numbered vertices, scaled
 };
 
-// Shapes from a map of edge lengths. prepare() checks the range of all lengths, shape() the triangle inequality.
+// Shapes from a map of edge lengths. prepare() checks the range of all lengths, shape() the triangle inequality. The
+// values of EdgeLengthMap are numbers that CGAL::to_double() takes. Both faces of an edge ask for the same edge
+// descriptor, so they get the same length.
 template <typename FT, typename TriangleMesh, typename EdgeLengthMap>
 class Shape_from_edge_lengths
 {
@@ -164,7 +184,7 @@ public:
   Shape_from_edge_lengths(const TriangleMesh& tm, EdgeLengthMap elm) : m_tm(tm), m_elm(elm) {}
 
   // Checks the lengths of all edges, in the order of edges(tm). The map is read again by shape(), so that no table of
-  // lengths is needed.
+  // lengths is needed. Edges without faces are checked, too, and count for the unit.
   template <typename Vertices>
   int prepare(const Vertices&, std::size_t)
   {
@@ -189,7 +209,8 @@ public:
   }
 
   // Sets the shape of the face of three halfedges, and returns which of them becomes halfedge 0. Throws if one edge is
-  // longer than the two others, beyond rounding.
+  // longer than the two others, beyond rounding. Reads the user's map, so one thread calls it.
+  // The check comes after the layout, as the layout has put the lengths in order; a mesh with such a face is not used.
   unsigned int shape(face_descriptor face, std::size_t face_position, const std::array<Vertex_id, 3>&,
                      Intrinsic_face<FT>& f) const
   {
@@ -215,6 +236,7 @@ public:
 private:
   const TriangleMesh& m_tm;
   EdgeLengthMap m_elm;
+  // The inverse of the unit, exactly, once prepare() has been called.
   double m_factor = 1;
 };
 

@@ -44,7 +44,7 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// Throws unless the radius is a number that is not negative.
+// Throws unless the radius is a number that is not negative. Infinity is valid and means no radius.
 inline void check_maximum_distance(double maximum_distance)
 {
   if(!(maximum_distance >= 0))
@@ -71,9 +71,15 @@ void check_numbers(const Options& options)
   check_offsets(options.source_offsets);
 }
 
-// Refers to the user's mesh and copies the index maps. Functions that take a descriptor to be checked throw
-// Invalid_geodesic_input; `what` and `position` name the culprit. All other functions take constant time and require
-// is_read(), unless they say otherwise.
+// Refers to the user's mesh, which must outlive the object, and copies the index maps; keeps no map of points or
+// lengths. Functions that take a descriptor to be checked throw Invalid_geodesic_input; `what` and `position` name the
+// culprit. All other functions take constant time and require is_read(), unless they say otherwise.
+//
+// FT is the number type of the computation, which is double for users. Lengths, distances and offsets inside are
+// given as multiples of unit().
+//
+// Const functions only read, so several threads may call them at once. The address of mesh() stays the same when the
+// mesh is read again, so others may refer to it as long as the object does not move.
 template <typename FT, typename TriangleMesh, typename VertexIndexMap, typename FaceIndexMap>
 class Intrinsic_surface
 {
@@ -101,6 +107,8 @@ public:
 
   // Reads what the sources can reach: the vertices of other components become isolated, and their faces are left out.
   // Only lengths of faces that are read are checked. If lengths are given, reads all: their unit is that of the mesh.
+  // Sources that are not on the mesh are ignored here, and rejected by source_set(). The range is read here and by
+  // source_set(), so it must allow several passes.
   template <typename Shape, typename Sources, typename Blocks>
   Intrinsic_surface(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim, Shape shape, const Sources& sources,
                     Blocks blocks)
@@ -111,7 +119,7 @@ public:
   }
 
   // Reads the mesh, or reads it again. If that throws, nothing changes: until the new mesh is complete, both are in
-  // memory.
+  // memory. Sources that have been inserted into the mesh before are gone with it.
   template <typename Shape, typename Blocks = One_block>
   void read(Shape shape, Blocks blocks = Blocks())
   {
@@ -120,6 +128,7 @@ public:
 
   bool is_read() const { return m_is_read; }
 
+  // Frees the memory of mesh and tables. read() may follow.
   void forget()
   {
     m_mesh = Intrinsic_mesh<FT>();
@@ -128,8 +137,11 @@ public:
   }
 
   const Intrinsic_mesh<FT>& mesh() const { return m_mesh; }
+  // For Source_insertion, which adds vertices behind those of the user and removes them.
   Intrinsic_mesh<FT>& mesh() { return m_mesh; }
+  // The factor from lengths inside to those of the user, a power of two.
   const FT& unit() const { return m_mesh.unit(); }
+  // In bytes, of the arrays that grow with the mesh.
   std::size_t memory() const { return m_mesh.memory() + m_table.memory(); }
 
   // --- vertices ---
@@ -146,7 +158,8 @@ public:
     return v < number_of_vertices() ? descriptor(v) : Graph_traits::null_vertex();
   }
 
-  // Requires: v is a vertex of the mesh.
+  // Requires: v is a vertex of the mesh. This is not checked: the index of v is looked up in a table without a test of
+  // its range.
   Vertex_id id(vertex_descriptor v) const
   {
     return m_table.vertex_of_index[static_cast<std::size_t>(get(m_vim, v))];
@@ -185,7 +198,7 @@ public:
   face_descriptor descriptor_of_face(Face_id f) const { return m_table.faces[f]; }
 
   // Returns the halfedge of the intrinsic mesh that is halfedge(f, tm). Throws unless f is a face of the mesh that was
-  // read, in the same way as checked_id().
+  // read, in the same way as checked_id(). The faces of components that have not been read are rejected as well.
   Halfedge_id checked_halfedge(face_descriptor f, const char* what, std::size_t position) const
   {
     if(f == Graph_traits::null_face())
@@ -210,7 +223,9 @@ public:
     return result;
   }
 
-  // Returns the coordinates of a point of a face in the order of the user's corners.
+  // Returns the coordinates of a point of a face in the order of the user's corners, which begins at the source of
+  // halfedge(f, tm); the order of the intrinsic face begins at its shortest edge. (Face_parts leads from a part of a
+  // face to the face as a whole.)
   std::pair<face_descriptor, Coordinates> location(Face_id f, const Coordinates& b) const
   {
     const face_descriptor face = m_table.faces[f];
@@ -225,7 +240,8 @@ public:
 
   // Returns the sources of a range, or the single source. `offsets` are in the user's unit: none, or one for each
   // source. Throws if a source or the number of offsets is invalid, or if an offset is too large for the mesh.
-  // Requires: check_offsets(offsets) does not throw. Takes linear time.
+  // Requires: check_offsets(offsets) does not throw. Takes linear time. Located sources stay as they are;
+  // insert_located_sources() makes vertices of them.
   template <typename Sources>
   Source_set<FT> source_set(const Sources& sources, const std::vector<double>& offsets = {}) const
   {
@@ -250,7 +266,8 @@ public:
     return set;
   }
 
-  // Appends a source, whose number is the number of those before it. `what` names it in the message of a rejection.
+  // Appends a source, whose number is the number of those before it. `what` names it in the message of a rejection. If
+  // the source is rejected, the set has not changed.
   template <typename Source>
   void add_source(const Source& source, Source_set<FT>& set, const char* what = "source") const
   {
@@ -267,7 +284,8 @@ public:
   }
 
   // Appends the offset of the source with the number set.offsets.size(). Throws if it is infinite in the unit of the
-  // intrinsic mesh. Requires: it is finite and not negative.
+  // intrinsic mesh. Requires: it is finite and not negative. If it throws, the set has one offset too many, and must
+  // not be used any more.
   void add_offset(double offset, Source_set<FT>& set) const
   {
     CGAL_assertion(offset >= 0);
@@ -280,6 +298,9 @@ public:
   }
 
   // --- checks that need no mesh that is read; they see no more than indices tell ---
+
+  // They answer queries of objects without sources, which need not read the mesh. A descriptor of another mesh passes
+  // if its index fits, although checked_id() and checked_halfedge() may reject it.
 
   void check_vertex(vertex_descriptor v, const char* what, std::size_t position) const
   {
@@ -294,11 +315,13 @@ public:
       reject_null_face(what, position);
     if(!is_face_of(f, m_tm, m_fim))
       reject_face(what, position);
+    // Whether coordinates are valid does not depend on their order, so any halfedge will do.
     intrinsic_coordinates<FT>(halfedge_of(0, 0), b, what, position);
   }
 
 private:
-  // `wanted_vertices` is described in Face_graph_reader.h.
+  // `wanted_vertices` is described in Face_graph_reader.h. The members change when all has been read, so an exception
+  // leaves them as they were.
   template <typename Shape, typename Blocks, typename Wanted_vertices>
   void read_components(Shape shape, const Blocks& blocks, Wanted_vertices wanted_vertices)
   {
@@ -311,7 +334,8 @@ private:
     m_is_read = true;
   }
 
-  // Returns a flag for each index of a vertex, set for the vertices of sources and for the corners of their faces.
+  // Returns a flag for each index of a vertex, set for the vertices of sources and for the corners of their faces. The
+  // reader calls it after it has checked that all faces are triangles.
   template <typename Sources>
   std::vector<char> marked_sources(const Sources& sources) const
   {
@@ -334,7 +358,8 @@ private:
         is_marked[static_cast<std::size_t>(get(m_vim, target(h, m_tm)))] = 1;
   }
 
-  // Requires: f is a face of the mesh.
+  // Returns the halfedge of the intrinsic mesh that is halfedge(f, tm). Requires: f is a face of the mesh as it was
+  // read.
   Halfedge_id first_halfedge(face_descriptor f) const
   {
     return m_table.halfedge_of_face_index[static_cast<std::size_t>(get(m_fim, f))];

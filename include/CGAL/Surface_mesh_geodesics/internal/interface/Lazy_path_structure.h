@@ -21,6 +21,10 @@
 // nobody reads. The second one adds the windows on the edges, which queries at other points read; it writes nothing
 // that queries at vertices read, as those may be running in other threads.
 //
+// Who computes: a query calls prepare(), a build function build(). Both end in compute(), which decides between three
+// propagations: of the first stage, of both stages at once, or of the second stage on top of the first one. Path_solver
+// runs them.
+//
 // With Parallel_tag, the thread that computes has helpers. It holds the mutex, so while it waits for them it must not
 // start a query of the user (Tbb_team::run()).
 
@@ -64,6 +68,10 @@ namespace internal {
 // - At EVERYWHERE the solver has the windows as well.
 // A const function only raises m_ready, and only under the mutex. A reader loads m_ready with `acquire` before it reads
 // anything that a build writes; the build stores it with `release` after the last write.
+//
+// Traits is a model of SurfaceMeshShortestPathTraits; an object of it is copied, and so are the maps. The mesh is
+// referred to. Mesh and maps must be valid as long as the object, and must not change before clear(), as points are
+// read from the map whenever a path is written. All distances of the interface are in the user's unit.
 template <typename Traits, typename VertexIndexMap, typename FaceIndexMap, typename VertexPointMap,
           typename ConcurrencyTag = Sequential_tag>
 class Lazy_path_structure
@@ -105,10 +113,10 @@ public:
   const Sources& sources() const { return m_sources; }
   Coordinates weights(const Barycentric_coordinates& location) const { return Locations::weights(location, m_traits); }
 
-  // --- source points ---
+  // --- source points: nothing is rejected here but by build(), as the mesh need not have been read ---
 
   // Returns whether the results at vertices are missing: source points or lengths have changed, and no build or query
-  // has computed them since.
+  // has computed them since. Nothing is missing in a new object, as it has no sources.
   bool has_changed() const { return m_ready.load(std::memory_order_acquire) == Stage::NOWHERE; }
 
   // Adds a vertex. build() rejects an invalid one.
@@ -160,7 +168,7 @@ public:
 
   // Computes what queries in `wanted` need, if it is missing. `run(propagate)` calls propagate(go_on) and returns its
   // result. Returns false if that is false: go_on() has ended the propagation. If building ends early, by that or by an
-  // exception, the stage stays as it was, as in a query.
+  // exception, the stage stays as it was, as in a query. Takes no lock, as the object is not shared then.
   template <typename Run>
   bool build(Stage wanted, Run run)
   {
@@ -169,7 +177,7 @@ public:
 
   bool build(Stage wanted) { return build(wanted, Run_to_the_end()); }
 
-  // Builds, and reports the progress to a visitor that may cancel.
+  // Builds, and reports the progress to a visitor that may cancel. The visitor is not called if nothing is missing.
   template <typename Visitor>
   bool build_with_visitor(Stage wanted, Visitor& visitor)
   {
@@ -178,18 +186,21 @@ public:
   }
 
   // Reads the lengths of the edges at once, and forgets all results. Throws Invalid_geodesic_input; then nothing
-  // changes.
+  // changes. Takes linear time.
   template <typename EdgeLengthMap>
   void use_edge_lengths(EdgeLengthMap edge_length_map)
   {
     m_solver.build_mesh(Shape_from_edge_lengths<double, Triangle_mesh, EdgeLengthMap>(m_tm, edge_length_map));
+    // The solver has no results now. Without sources none are needed; but if sources have been removed, a build is
+    // still due, which frees them.
     if(m_sources.size() > 0)
       set_changed();
     else if(!has_changed())
       set_ready(Stage::EVERYWHERE);
   }
 
-  // Forgets sources, results, mesh and edge lengths.
+  // Forgets sources, results, mesh and edge lengths. The next build reads points, also if lengths have been in use. The
+  // object is ready, as without sources there is nothing to compute.
   void clear()
   {
     m_sources.clear();
@@ -208,6 +219,8 @@ public:
   // --- queries ---
 
   // All of them throw Invalid_geodesic_input for a vertex or location that is not on the mesh, and what a build throws.
+  // If the results are there, a vertex takes constant time (and time for the chain of pseudo-sources that leads to its
+  // source), and a location takes time linear in the number of windows around its face.
 
   // Returns the distance and the source point; -1 and end() if no source reaches the point.
   Result distance(vertex_descriptor v) const { return result(query(v)); }
@@ -240,7 +253,8 @@ public:
     return sequence(query(f, location), visitor, [&] { visitor(f, location); });
   }
 
-  // Writes the distances of all vertices; -1 for those that no source reaches.
+  // Writes the distances of all vertices; -1 for those that no source reaches. (-1 as in the queries, since the value
+  // type may be one without infinity.)
   template <typename VertexDistanceMap>
   void write_distances(VertexDistanceMap vertex_distance_map) const
   {
@@ -268,7 +282,8 @@ public:
     return {farthest.first, FT(farthest.second)};
   }
 
-  // Writes a polyline for each line of points at the distance `value`; see isoline_tracing.h.
+  // Writes a polyline for each line of points at the distance `value`; see isoline_tracing.h. Returns the output
+  // iterator past the last one. `value` is in the user's unit.
   template <typename OutputIterator>
   OutputIterator write_isolines(const FT& value, OutputIterator output) const
   {
@@ -282,6 +297,7 @@ public:
     return output;
   }
 
+  // The point of a location given by numbers, for Isoline_writer.
   Point_3 point(face_descriptor f, const Coordinates& b) const
   {
     return Locations::point(f, Locations::coordinates(b, m_traits), m_tm, m_vertex_point_map, m_traits);
@@ -319,13 +335,15 @@ private:
   {
     if(is_ready(wanted))
       return;
+    // Only const functions hold the mutex, and none of them has a visitor, which could query this object and wait here
+    // forever. (In Lazy_Voronoi_diagram, visitors run under the mutex.)
     const std::lock_guard<std::mutex> lock(m_mutex);
     if(!is_ready(wanted)) // another thread may have computed it meanwhile
       compute(wanted, Run_to_the_end());
   }
 
   // Requires: !is_ready(wanted), and nobody computes, neither another thread nor this one: a visitor must not call the
-  // object. If it ends early, what was ready stays ready.
+  // object. If it ends early, what was ready stays ready. The caller holds the mutex, or has the object for itself.
   template <typename Run>
   bool compute(Stage wanted, Run run) const
   {
@@ -338,13 +356,17 @@ private:
     { return adds_windows ? m_solver.add_windows(go_on) : m_solver.run(wanted == Stage::EVERYWHERE, go_on); });
     if(!is_complete)
       return false;
+    // Numbers and windows have to be complete before a reader learns that they are. The second stage leaves the numbers
+    // alone, as readers of the first one may be using them.
     if(!adds_windows)
       m_sources.set_built();
     set_ready(wanted);
     return true;
   }
 
-  // Reads the mesh if that has not been done, and checks all sources. Throws Invalid_geodesic_input.
+  // Reads the mesh if that has not been done, and checks all sources. Throws Invalid_geodesic_input. Source points get
+  // their numbers in the solver here: their positions in the list. If one is rejected, the results of the build before
+  // are lost, which nobody may read any more.
   void give_sources_to_solver() const
   {
     if(!m_solver.has_mesh())
@@ -363,7 +385,8 @@ private:
 
   // --- queries ---
 
-  // Prepares the object for a query at v, and checks v.
+  // Prepares the object for a query at v, and checks v. Without results the mesh need not have been read, so that there
+  // is no table to look v up in; its index alone is checked then.
   Query query(vertex_descriptor v) const
   {
     prepare(Stage::AT_VERTICES);

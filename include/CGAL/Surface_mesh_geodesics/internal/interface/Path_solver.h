@@ -47,7 +47,18 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// `ConcurrencyTag` tells whether each run uses several threads.
+// `ConcurrencyTag` tells whether each run uses several threads. All computing is in double, whatever the kernel of the
+// user is. Lengths and distances inside are in the unit of the intrinsic mesh; where a parameter or a result is in the
+// user's unit, its comment says so.
+//
+// What is valid when:
+// - the mesh from build_mesh() to forget(), with its sources as vertices from run() to the next change of sources;
+// - the field while has_run() is true;
+// - the windows after a run(), or a call of add_windows(), that was told to keep them and has returned true, until the
+//   next run. The caller remembers whether that was done; the class does not check it.
+//
+// If run() throws (std::bad_alloc, or what go_on() throws), has_run() is false; the mesh and the sources stay. If
+// add_windows() throws, the results of vertices stay as well.
 template <typename TriangleMesh, typename VertexIndexMap, typename FaceIndexMap,
           typename ConcurrencyTag = Sequential_tag>
 class Path_solver
@@ -103,7 +114,7 @@ public:
   }
 
   // Adds a source; throws Invalid_geodesic_input, with `what` in the message. The distances from it begin with its
-  // offset, which is finite and not negative, in the user's unit.
+  // offset, which is finite and not negative, in the user's unit. If it throws, begin_sources() has to follow.
   void add_source(vertex_descriptor v, double offset = 0, const char* what = "source")
   {
     m_surface.add_source(v, offset, what);
@@ -116,7 +127,8 @@ public:
   }
 
   // Propagates from the sources, and keeps the windows if they are wanted. Returns false, and forgets all results, if
-  // go_on(number of visits, distance in the user's unit) does.
+  // go_on(number of visits, distance in the user's unit) does. Requires: has_mesh(). Without sources, no vertex is
+  // reached.
   template <typename GoOn>
   bool run(bool keeps_windows, GoOn go_on)
   {
@@ -124,7 +136,9 @@ public:
                          : run_with_keeper([] { return No_window_keeper(); }, go_on);
   }
 
-  // Does the same with the keeper that make_keeper() returns. Calls it when the sources are vertices of the mesh.
+  // Does the same with the keeper that make_keeper() returns. Calls it when the sources are vertices of the mesh. A
+  // diagram needs the sources as vertices when it starts its keeper. Its keeper has windows of its own, so that queries
+  // which need windows have to call add_windows() first.
   template <typename MakeKeeper, typename GoOn>
   bool run_with_keeper(MakeKeeper make_keeper, GoOn go_on)
   {
@@ -146,6 +160,7 @@ public:
   bool add_windows(GoOn go_on)
   {
     CGAL_assertion(m_has_run);
+    // propagate() replaces them, also by those of a run that ends early.
     const Propagation_statistics statistics = m_statistics;
     Vertex_distance_field<double> field;
     const bool is_complete = propagate(field, Window_keeper<double>(m_windows), go_on);
@@ -160,6 +175,8 @@ public:
 
   const Intrinsic_mesh<double>& mesh() const { return m_surface.mesh(); }
   const Vertex_distance_field<double>& field() const { return m_field; }
+
+  // The factor from lengths inside to those of the user: a power of two.
   double unit() const { return mesh().unit(); }
 
   // Calls visit(v, u) for each vertex v of a source that ties everywhere with an earlier one, at u.
@@ -210,6 +227,7 @@ public:
     user_surface().check_location(f, b, "the query", Invalid_geodesic_input::no_element);
   }
 
+  // A point that is not a vertex of the refined mesh: the path to it may come through a window.
   bool needs_windows(const Query& q) const { return q.vertex == null_id; }
 
   // Returns the arrival at the point; its root is null_id if no source reaches the point.
@@ -224,17 +242,20 @@ public:
     return a;
   }
 
-  // Returns the number of the source from which a path comes.
+  // Returns the number of the source from which a path comes, in the order of add_source(). Requires: a.root is not
+  // null_id.
   std::size_t source_number(const Arrival& a) const
   {
     return source_at(m_field.source_of(a.root));
   }
 
-  // Returns the distance of a vertex of the mesh, in the user's unit. Requires: has_run().
+  // Returns the distance of a vertex of the mesh, in the user's unit. Requires: has_run(). Infinity if no source
+  // reaches it. The vertex is not checked.
   double distance(vertex_descriptor v) const { return m_field.distance[user_surface().id(v)] * unit(); }
 
   // Returns the path from a point to its source. Throws std::runtime_error if no path with the length of the distance
-  // is found. Requires: the point is reached.
+  // is found. Requires: the point is reached; `a` is arrival(q). Takes time linear in the number of faces that the path
+  // crosses, unless rounding makes a search necessary (Path_tracer).
   Path_steps<double> path(const Query& q, const Arrival& a) const
   {
     Path_steps<double> steps;
@@ -249,7 +270,8 @@ public:
   // Reports the path from a point to a sink, without the point itself if it is a location. Calls
   // sink.vertex(vertex_descriptor); sink.edge(halfedge_descriptor, t) with t from source to target; sink.source(number)
   // at the end if the source is not a vertex; and, if Sink::wants_faces, sink.face(face_descriptor) before each of them
-  // but the first.
+  // but the first. Requires: `steps` is path(q, a). (Of the inserted sources only the last one is met: paths
+  // are reported for sources without offsets, and no shortest path passes such a source.)
   template <typename Sink>
   void report(const Query& q, const Arrival& a, const Path_steps<double>& steps, Sink& sink) const
   {
@@ -274,6 +296,7 @@ public:
 
   // Calls line(points, is_closed) for each line of points at a distance, in the user's unit. A point is a pair of a
   // face of the user and three coordinates, in the order of the user's corners. Requires: the windows are known.
+  // `resolution` is the largest error of a point, as a part of the length of its edge.
   template <typename Line>
   void trace_isolines(double distance, double resolution, Line line) const
   {
@@ -327,6 +350,7 @@ private:
     return item;
   }
 
+  // Frees the memory of the results. Paths need the images of arrivals, so the field is told to keep them.
   void forget_results()
   {
     m_field = Vertex_distance_field<double>();
@@ -336,6 +360,8 @@ private:
   }
 
   // Propagates into a field.
+  // The windows are reset first, as the keeper may not keep any before. The memory of mesh and results counts for
+  // intrinsic_mesh_bytes, that of kept windows for maximum_window_bytes.
   template <typename Keeper, typename GoOn>
   bool propagate(Vertex_distance_field<double>& field, Keeper keeper, GoOn go_on)
   {
@@ -353,6 +379,7 @@ private:
     return is_complete;
   }
 
+  // Whether a keeper fills m_windows.
   static constexpr bool keeps(const Window_keeper<double>&) { return true; }
   template <typename Keeper>
   static constexpr bool keeps(const Keeper&)

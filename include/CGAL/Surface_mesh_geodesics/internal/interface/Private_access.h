@@ -12,6 +12,10 @@
 
 // The one friend of public classes. They have something for the functions of this package and not for users: the
 // functions that check construct certificates, and those for matrices use the surface that a solver has read.
+//
+// Friends that are functions would have to be declared with all their template parameters, before the classes. So the
+// classes name one struct, which lets the rooms above in: Geodesic_distance_certificate, Geodesic_Voronoi_certificate
+// and Geodesic_distance_solver do so.
 
 #include <utility>
 
@@ -21,7 +25,7 @@ namespace internal {
 
 struct Private_access
 {
-  // Constructs an object by a private constructor.
+  // Constructs an object by a private constructor. Requires: Private_access is a friend of Object.
   template <typename Object, typename... Arguments>
   static Object make(Arguments&&... arguments)
   {

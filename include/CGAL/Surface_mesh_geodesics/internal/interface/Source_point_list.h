@@ -14,6 +14,10 @@
 //
 // Queries answer with the source points of the last build. So the list keeps a source point that has been removed until
 // the next build: until then its iterator may be dereferenced. Iterators to other source points stay valid.
+// Two lists hold the source points, those that count and those that have been removed since the last build. A std::list
+// moves an element from one to the other without touching iterators, also those that users hold.
+//
+// Neither type is checked: FaceLocation and VertexDescriptor are only copied.
 
 #include <CGAL/assertions.h>
 
@@ -39,7 +43,8 @@ struct Source_point
 template <typename FaceLocation, typename VertexDescriptor>
 class Source_point_list;
 
-// The iterator that users get. It shows the location only.
+// The iterator that users get. It shows the location only. After its source point has been removed, it may be
+// dereferenced and compared until the next build, but neither ++ nor -- leads back to the list.
 template <typename FaceLocation, typename VertexDescriptor>
 class Source_point_iterator
 {
@@ -86,6 +91,9 @@ private:
 
 // Takes constant time for all functions but clear() and set_built(), which are linear in the number of source
 // points. Not safe for threads by itself; Lazy_path_structure.h says who calls what when.
+//
+// The number of a source point is its position in the list at the last build, at which the solver has got the source
+// points in the same order.
 template <typename FaceLocation, typename VertexDescriptor>
 class Source_point_list
 {
@@ -103,7 +111,8 @@ public:
   Iterator add(const Source& source) { return Iterator(m_sources.insert(m_sources.end(), source)); }
 
   // Removes a source point, in constant time. Returns false if it has been removed already.
-  // Requires: `it` is an iterator to a source point that has not been removed.
+  // Requires: `it` is an iterator to a source point that has not been removed. (The test stays where preconditions are
+  // off: a second removal would splice from the wrong list.)
   bool remove(Iterator it)
   {
     CGAL_precondition_msg(!it.m_iterator->is_removed, "the source point has been removed already");
@@ -114,6 +123,7 @@ public:
     return true;
   }
 
+  // Frees all source points, those that have been removed as well. All iterators but end() become invalid.
   void clear()
   {
     m_sources.clear();
@@ -122,7 +132,8 @@ public:
   }
 
   // Ends a build: numbers the source points, and frees those that have been removed. Leaves begin(), end() and size()
-  // alone, so other threads may read them meanwhile.
+  // alone, so other threads may read them meanwhile. If it throws std::bad_alloc, numbers are missing, so the caller
+  // must not count the build.
   void set_built()
   {
     m_by_number.clear();

@@ -40,7 +40,9 @@ namespace Surface_mesh_geodesics {
 namespace internal {
 
 // `Traits` is a model of SurfaceMeshShortestPathTraits; points and coordinates are made by its function objects.
-// Numbers are converted to double where a decision is made.
+// Numbers are converted to double where a decision is made. Mesh, maps and traits are parameters of each function, as
+// the static members of Surface_mesh_geodesic_paths have no object. Nothing is checked: descriptors have to be those of
+// the mesh, and only locate() throws.
 template <typename Traits, typename VertexPointMap>
 struct Surface_locations
 {
@@ -74,7 +76,7 @@ struct Surface_locations
     return traits.construct_barycentric_coordinates_object()(FT(b[0]), FT(b[1]), FT(b[2]));
   }
 
-  // Returns the location that stands for no point of the surface.
+  // Returns the location that stands for no point of the surface. A build rejects it as a source.
   static Face_location null_location(const Traits& traits)
   {
     return Face_location(Graph_traits::null_face(), coordinates({0., 0., 0.}, traits));
@@ -94,7 +96,7 @@ struct Surface_locations
                                                   vertex(t, 2), weight(location, 2));
   }
 
-  // Returns the point at t of a halfedge, constructed by the traits.
+  // Returns the point at t of a halfedge, constructed by the traits. The barycenter gives the source the weight 1 - t.
   static Point_3 point(halfedge_descriptor he, const FT& t, const Triangle_mesh& tm, VertexPointMap vertex_point_map,
                        const Traits& traits)
   {
@@ -119,7 +121,8 @@ struct Surface_locations
     return h;
   }
 
-  // Returns the location of a vertex in one of its faces; the null location if it has none.
+  // Returns the location of a vertex in one of its faces; the null location if it has none. Its coordinate is an exact
+  // 1, so snapping finds the vertex again.
   static Face_location location(vertex_descriptor v, const Triangle_mesh& tm, const Traits& traits)
   {
     const halfedge_descriptor h = halfedge_in_face(v, tm);
@@ -146,11 +149,13 @@ struct Surface_locations
   {
     const auto range = faces(tm);
     tree.rebuild(range.begin(), range.end(), tm, vertex_point_map);
+    // Otherwise the first query would build it, and queries may come from several threads.
     tree.build();
   }
 
   // Returns the location nearest to a point. The tree chooses between equally near faces.
   // Requires: the tree holds the faces of tm, at least one. Throws Invalid_geodesic_input if sizes are out of range.
+  // Takes logarithmic time in practice.
   template <typename AABBTraits>
   static Face_location locate(const Point_3& p, const AABB_tree<AABBTraits>& tree, const Triangle_mesh& tm,
                               VertexPointMap vertex_point_map, const Traits& traits)
@@ -161,7 +166,9 @@ struct Surface_locations
   }
 
   // Returns the location where a ray meets the mesh first; the null location if it meets no face in a point. Of equal
-  // distances from the source of the ray the first one that the tree reports counts.
+  // distances from the source of the ray the first one that the tree reports counts. A face in a plane with the ray
+  // meets it in a segment and does not count; neighbors that meet it in a point do. Takes time for all faces that the
+  // ray meets. Throws Invalid_geodesic_input if sizes are out of range.
   template <typename AABBTraits>
   static Face_location locate(const Ray_3& ray, const AABB_tree<AABBTraits>& tree, const Triangle_mesh& tm,
                               VertexPointMap vertex_point_map, const Traits& traits)
@@ -190,7 +197,7 @@ struct Surface_locations
 
 private:
   // Throws if the mesh, or the mesh with the point, is too large or too small for CGAL's trees and kernels: the
-  // location would be wrong.
+  // location would be wrong. Number types that are not floating point have no range to leave.
   template <typename AABBTraits>
   static void check_size(const AABB_tree<AABBTraits>& tree, const Point_3& p)
   {
@@ -222,6 +229,7 @@ private:
   }
 
   // Returns the location at t of a halfedge in its face; the third coordinate is an exact 0. Requires: `he` has a face.
+  // Takes constant time, as it is one of three.
   static Face_location location_in_face(halfedge_descriptor he, const FT& t, const Triangle_mesh& tm,
                                         const Traits& traits)
   {
@@ -248,7 +256,8 @@ private:
   }
 
   // Returns the location on the longest side, the first of several, that is nearest to p. Its error is the height of
-  // the face, and a few epsilon of the side.
+  // the face, and a few epsilon of the side. Computes in double.
+  // Formula: t = (p - a)(b - a) / |b - a|^2 for a side from a to b, clamped to [0, 1]; 0 if the face is a single point.
   static Face_location location_on_longest_side(face_descriptor f, const Point_3& p, const Triangle_mesh& tm,
                                                 VertexPointMap vertex_point_map, const Traits& traits)
   {

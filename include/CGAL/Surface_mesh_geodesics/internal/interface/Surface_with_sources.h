@@ -32,7 +32,9 @@ namespace Surface_mesh_geodesics {
 namespace internal {
 
 // A point of a query: a vertex, or a point of a face of the refined mesh. `face` and `coordinates` are set if the point
-// is not a vertex of the first mesh; `vertex` is then set as well if a source is there.
+// is not a vertex of the first mesh; `vertex` is then set as well if a source is there. Coordinates are those in
+// `face`, a part, not in the face that the user has named. A query refers to the sources that are inserted when it is
+// made; it becomes void when they change.
 struct Surface_query
 {
   Vertex_id vertex = null_id;
@@ -45,6 +47,9 @@ struct Surface_query
 
 // Use: read(), add_source() for each source, insert_sources(), then the queries; clear_sources() or read() begins anew.
 // Invariant between calls: the mesh is refined only while m_are_inserted is set.
+// The sources stay inserted, since queries at any point need the refined mesh. (Distance_solver removes them after each
+// run.) Const functions only read, so several threads may query at once. The object cannot be copied or moved, as
+// m_insertion refers to the mesh in m_surface.
 template <typename TriangleMesh, typename VertexIndexMap, typename FaceIndexMap>
 class Surface_with_sources
 {
@@ -75,17 +80,21 @@ public:
   void read(Shape shape, Blocks blocks)
   {
     m_surface.read(std::move(shape), blocks);
+    // In this order: restart() lets the insertion forget the faces of the former mesh. Otherwise clear_sources() would
+    // write them into the new one.
     m_insertion.restart();
     clear_sources();
   }
 
+  // Forgets sources and mesh, and frees their memory. The sources go first, while their mesh is still there.
   void forget()
   {
     clear_sources();
     m_surface.forget();
   }
 
-  // Removes all sources, and restores the mesh.
+  // Removes all sources, and restores the mesh. Vertices and faces of the first mesh get the same bits as before.
+  // Sources that have been added, but not inserted, are forgotten as well.
   void clear_sources()
   {
     m_insertion.undo();
@@ -95,7 +104,8 @@ public:
 
   // Appends a source; throws Invalid_geodesic_input, with `what` in the message. The offset is in the user's unit,
   // finite and not negative.
-  // Requires: the sources are not inserted.
+  // Requires: the sources are not inserted. If it throws, clear_sources() has to follow: the set of sources may be
+  // incomplete.
   template <typename Source>
   void add_source(const Source& source, double offset, const char* what)
   {
@@ -104,7 +114,8 @@ public:
     m_surface.add_offset(offset, m_sources);
   }
 
-  // Makes vertices of all sources, unless they are vertices already.
+  // Makes vertices of all sources, unless they are vertices already. Does nothing if they are inserted, so that a run
+  // may be repeated. Sources at one point become one vertex.
   void insert_sources()
   {
     if(m_are_inserted)
@@ -124,6 +135,7 @@ public:
   // --- from the refined mesh to the user ---
 
   // Returns the user's face, and the coordinates in the order of its corners, of a point of a face of the refined mesh.
+  // Takes expected constant time.
   std::pair<face_descriptor, Coordinates> user_location(Face_id f, Coordinates b) const
   {
     const Face_id whole = m_insertion.parts().coordinates_in_whole(f, b);
@@ -161,6 +173,7 @@ public:
     if(q.vertex != null_id)
       return q;
     q.is_in_face = true;
+    // The edges of the face as a whole count here. part_with() changes c to the coordinates in a part.
     q.is_on_edge = c[0] == 0 || c[1] == 0 || c[2] == 0;
     q.face = parts().part_with(face_of(h), c);
     q.coordinates = c;
@@ -171,7 +184,8 @@ public:
   }
 
 private:
-  // Returns the vertex at corner k of a face of the mesh as it was before sources were inserted.
+  // Returns the vertex at corner k of a face of the mesh as it was before sources were inserted. After insertions, f is
+  // the number of one of the parts of that face, whose corners may be others.
   Vertex_id corner_vertex(Face_id f, unsigned int k) const
   {
     Coordinates c{};
@@ -180,9 +194,10 @@ private:
     return mesh().face(part).vertex[nearest_corner(c)];
   }
 
+  // The mesh of m_surface is the one that m_insertion changes.
   Surface m_surface;
   Source_insertion<double> m_insertion;
-  Source_set<double> m_sources;
+  Source_set<double> m_sources; // as added; their vertices are known once they are inserted
   Source_numbers m_numbers;
   bool m_are_inserted = false;
 };

@@ -36,7 +36,8 @@ namespace internal {
 
 // --- distances ---
 
-// Writes the distances of a solver to a map of the user.
+// Writes the distances of a solver to a map of the user, in the user's unit, infinity for vertices that are not
+// reached. Takes linear time.
 template <typename TriangleMesh, typename Solver, typename VertexDistanceMap>
 void write_distances(const TriangleMesh& tm, const Solver& solver, VertexDistanceMap distance_map)
 {
@@ -47,7 +48,8 @@ void write_distances(const TriangleMesh& tm, const Solver& solver, VertexDistanc
     put(distance_map, v, static_cast<Value>(solver.distance(v)));
 }
 
-// Writes the numbers of the nearest sources to a map of the user.
+// Writes the numbers of the nearest sources to a map of the user; the largest std::size_t where no source reaches. The
+// overload below is chosen if the options have no map.
 template <typename TriangleMesh, typename Solver, typename NearestSourceMap>
 void write_nearest_sources(const TriangleMesh& tm, const Solver& solver, NearestSourceMap map)
 {
@@ -61,8 +63,11 @@ void write_nearest_sources(const TriangleMesh&, const Solver&, No_nearest_source
 
 // Computes the distances from sources for all functions of geodesic_distances.h. `shape` tells where the lengths come
 // from (Face_shapes.h), `visitor` is told of the progress. Rules and FT, the pruning rules and the number type of the
-// computation, are the defaults except in tests. Checks the numbers in the options before it reads the mesh; writes
-// nothing if an exception or the visitor ends the computation.
+// computation, are the defaults except in tests and measurements. Checks the numbers in the options before it reads the
+// mesh. Returns false if the visitor cancels.
+//
+// The maps are written last: if an exception or the visitor ends the computation, they are unchanged. Index maps come
+// from the named parameters or the mesh; those that CGAL makes itself take linear time and memory.
 template <typename ConcurrencyTag, typename Rules = All_pruning_rules, typename FT = double, typename TriangleMesh,
           typename VertexDistanceMap, typename Sources, typename Options, typename Shape, typename Visitor,
           typename NamedParameters>
@@ -81,7 +86,8 @@ bool compute_geodesic_distances(const TriangleMesh& tm, VertexDistanceMap vertex
   return true;
 }
 
-// Returns the shape of the faces from the point map among the named parameters.
+// Returns the shape of the faces from the point map among the named parameters. The map is copied, and the mesh
+// referred to.
 template <typename FT, typename TriangleMesh, typename NamedParameters>
 auto shape_from_points(const TriangleMesh& tm, const NamedParameters& np)
 {
@@ -94,7 +100,8 @@ auto shape_from_points(const TriangleMesh& tm, const NamedParameters& np)
 
 // --- matrices of distances ---
 
-// Reads a mesh with the maps among the named parameters, and returns use(surface).
+// Reads a mesh with the maps among the named parameters, and returns use(surface). The surface ends with the call. All
+// components are read, as each row may start in another one. With Parallel_tag, threads share the work of reading.
 template <typename ConcurrencyTag, typename TriangleMesh, typename NamedParameters, typename Use>
 bool with_surface(const TriangleMesh& tm, const NamedParameters& np, Use use)
 {
@@ -107,7 +114,11 @@ bool with_surface(const TriangleMesh& tm, const NamedParameters& np, Use use)
 }
 
 // The functions below compute the rows of a matrix and pass them to `output`; they return false if `output` ends the
-// computation.
+// computation. All sources and targets are checked before the first row, and Invalid_geodesic_input is thrown.
+//
+// `surface` is an Intrinsic_surface, which they only read: sources in faces are inserted into copies of its mesh
+// (Matrix_worker). So several threads may use one surface at once. Distance_matrix.h says what a row holds and in which
+// order rows come.
 template <typename ConcurrencyTag, typename Surface, typename Sources, typename Targets, typename RowOutput>
 bool put_distance_matrix(const Surface& surface, const Sources& sources, const Targets& targets, RowOutput& output)
 {
@@ -116,6 +127,8 @@ bool put_distance_matrix(const Surface& surface, const Sources& sources, const T
                                surface.checked_ids(targets, "target"), output);
 }
 
+// The vertices of `range` are sources and targets. Row i ends with the distance to the last of them, and begins with
+// that to itself.
 template <typename ConcurrencyTag, typename Surface, typename Vertices, typename RowOutput>
 bool put_symmetric_distance_matrix(const Surface& surface, const Vertices& range, RowOutput& output)
 {
@@ -123,6 +136,7 @@ bool put_symmetric_distance_matrix(const Surface& surface, const Vertices& range
   return matrix.put_triangular_rows(typename Available_tag<ConcurrencyTag>::type(), output);
 }
 
+// `maximum_distance` is in the user's unit. Requires: check_maximum_distance(maximum_distance) does not throw.
 template <typename ConcurrencyTag, typename Surface, typename Sources, typename Targets, typename RowOutput>
 bool put_sparse_distance_matrix(const Surface& surface, const Sources& sources, const Targets& targets,
                                 double maximum_distance, RowOutput& output)

@@ -29,6 +29,9 @@ namespace Surface_mesh_geodesics {
 namespace internal {
 
 // Computes the points of the elements of a path, one after the other, with `paths.point()`.
+//
+// `Paths` is Surface_mesh_geodesic_paths: it has Point_3, which has a default constructor and operator!=, and the
+// functions point(v), point(he, t) and point(f, coordinates). It is referred to, and must outlive the object.
 template <typename Paths>
 class Path_points
 {
@@ -43,6 +46,7 @@ public:
   bool next(const Element&... element)
   {
     const Point_3 p = m_paths.point(element...);
+    // The first point always counts, whatever a default point is.
     const bool is_new = m_is_first || p != m_point;
     m_is_first = false;
     m_point = p;
@@ -59,7 +63,8 @@ private:
   Point_3 m_point = Point_3();
 };
 
-// Writes the points of a path.
+// Writes the points of a path, none twice in a row. The output iterator is copied; the position that it reaches is not
+// returned.
 template <typename Paths, typename OutputIterator>
 class Path_point_writer
 {
@@ -78,7 +83,8 @@ private:
   OutputIterator m_output;
 };
 
-// Writes the points of a path, each with the face of the segment that leads to it. enter() sets that face.
+// Writes the points of a path, each with the face of the segment that leads to it. enter() sets that face. The first
+// point has the null face, as nothing leads to it.
 template <typename Paths, typename OutputIterator>
 class Path_polyline_writer
 {
@@ -102,7 +108,8 @@ private:
   face_descriptor m_face = boost::graph_traits<typename Paths::Triangle_mesh>::null_face();
 };
 
-// Whether a visitor has enter(), and wants the face of each segment.
+// Whether a visitor has enter(), and wants the face of each segment. It is decided by the type: a visitor of the user
+// may have a member of that name for another purpose.
 template <typename Visitor>
 struct Wants_faces_of_segments : std::false_type
 {};
@@ -113,7 +120,10 @@ struct Wants_faces_of_segments<Path_polyline_writer<Paths, OutputIterator>> : st
 
 // Turns what the solver reports of a path into calls of the visitor, in the order of the path from the query point to
 // the source: face() before each element that is reached through a face, and source() at the end unless the source is a
-// vertex. `structure` knows the source points.
+// vertex. `structure` knows the source points. Structure and visitor are referred to.
+//
+// Path_solver::report() calls it after the path has been traced as a whole, so that a path that cannot be traced
+// reaches no visitor.
 template <typename Structure, typename Visitor>
 class Path_sequence_sink
 {
@@ -141,7 +151,9 @@ public:
       m_visitor.enter(f);
   }
 
-  // Ends the path at a source point that is not a vertex. The visitor gets it as an edge if it lies on one.
+  // Ends the path at a source point that is not a vertex. The visitor gets it as an edge if it lies on one. The
+  // coordinates are snapped as for the insertion of the source, so at most one of them is zero: two zeros would have
+  // made it a vertex.
   void source(std::size_t number)
   {
     const typename Structure::Face_location& location = *m_structure.sources().by_number(number);
@@ -163,7 +175,10 @@ private:
 };
 
 // Writes isolines as polylines, without a point twice in a row. A closed line ends with its first point. A line of one
-// point is not written. `structure.point(f, b)` gives the points.
+// point is not written. `structure.point(f, b)` gives the points, for coordinates in the order of the user's corners;
+// it is referred to.
+//
+// Isoline_tracer calls it with located points, at least two; rounding may make their points in space equal.
 template <typename Structure, typename OutputIterator>
 class Isoline_writer
 {

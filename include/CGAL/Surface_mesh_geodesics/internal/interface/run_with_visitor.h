@@ -23,7 +23,10 @@ namespace internal {
 
 // Calls run(go_on), a propagation, between the first and the last function of the visitor, and returns its result. The
 // propagation calls go_on(number of visits, distance in the user's unit) at each visit of a vertex, and ends with false
-// as soon as that returns false.
+// as soon as that returns false. With several threads it calls go_on less often, always in this thread.
+//
+// The last function is also called after a cancellation, but not if an exception of the visitor or of the propagation
+// passes through. The visitor is referred to, since not every visitor can be copied.
 template <typename Visitor, typename Run>
 bool run_with_visitor(Visitor& visitor, std::size_t number_of_vertices, Run run)
 {
@@ -38,7 +41,7 @@ bool run_with_visitor(Visitor& visitor, std::size_t number_of_vertices, Run run)
 }
 
 // The visitor of a function that propagates several times. Once the user's visitor has canceled, go_further() returns
-// false without asking it again.
+// false without asking it again. A run that starts nevertheless ends at its first visit.
 template <typename Visitor>
 class Visitor_of_several_runs
 {
@@ -64,6 +67,9 @@ private:
 
 // The thread that computes the results of an object. Its visitor must not call the object: a second computation would
 // run inside the first one, or wait for it forever. Other threads may call it, and wait.
+// The owner has to make sure that only one thread at a time has a Scope: by a mutex, or because the object is not
+// shared. is_this() may be called by any thread at any time, hence the atomic number. It is true only inside a Scope of
+// the same thread, so a thread that gets another answer may safely wait for the mutex.
 class Computing_thread
 {
 public:

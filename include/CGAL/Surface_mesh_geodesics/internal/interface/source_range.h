@@ -33,13 +33,14 @@ namespace internal {
 
 // --- kinds of sources ---
 
-// True for a vertex descriptor and what converts to one.
+// True for a vertex descriptor and what converts to one. It is tried first, so a type that is both counts as a vertex.
 template <typename TriangleMesh, typename Source>
 struct Is_vertex
   : std::is_convertible<Source, typename boost::graph_traits<TriangleMesh>::vertex_descriptor>
 {};
 
-// True for a pair of a face descriptor and three numbers.
+// True for a pair of a face descriptor and three numbers. Anything with members `first` and `second` will do whose
+// `second` has an operator[], such as std::pair with std::array or with the coordinates of a traits class.
 template <typename TriangleMesh, typename Source, typename = void>
 struct Is_face_location
   : std::false_type
@@ -60,7 +61,8 @@ struct Is_source
                                    || Is_face_location<TriangleMesh, Source>::value>
 {};
 
-// Calls visit(source) for a single source, or for each source of a range, in its order.
+// Calls visit(source) for a single source, or for each source of a range, in its order. Callers pass the same range
+// twice, to find the components that are reached and to number the sources, so it must allow several passes.
 template <typename TriangleMesh, typename Sources, typename Visit>
 void for_each_source(const Sources& sources, Visit visit)
 {
@@ -77,12 +79,14 @@ void for_each_source(const Sources& sources, Visit visit)
 }
 
 // The default of Geodesic_distance_options::nearest_source_map: the nearest sources are not requested.
+// write_nearest_sources() does nothing for it.
 struct No_nearest_source_map
 {};
 
 // --- validity of descriptors, before the mesh is read ---
 
-// Elements that have been removed keep their index. Only the mesh can tell, and not every type of mesh can.
+// Elements that have been removed keep their index. Only the mesh can tell, and not every type of mesh can. For those
+// that cannot, like Polyhedron_3, whose descriptors point to freed memory then, nothing is known to be removed.
 template <typename TriangleMesh>
 struct Removed_elements
 {
@@ -103,7 +107,8 @@ struct Removed_elements<CGAL::Surface_mesh<Point>>
   }
 };
 
-// Returns whether v is a vertex of the mesh, judged by its index. Takes constant time.
+// Returns whether v is a vertex of the mesh, judged by its index. Takes constant time. A vertex of another mesh passes
+// if its index fits.
 template <typename TriangleMesh, typename VertexIndexMap>
 bool is_vertex_of(typename boost::graph_traits<TriangleMesh>::vertex_descriptor v, const TriangleMesh& tm,
                   const VertexIndexMap& vim)
@@ -113,7 +118,8 @@ bool is_vertex_of(typename boost::graph_traits<TriangleMesh>::vertex_descriptor 
       && !Removed_elements<TriangleMesh>::contain(v, tm);
 }
 
-// Returns whether f is a face of the mesh, judged by its index. Requires: f is not the null face.
+// Returns whether f is a face of the mesh, judged by its index. Requires: f is not the null face. (Callers reject that
+// one before, for a reason of its own: INVALID_LOCATION.)
 template <typename TriangleMesh, typename FaceIndexMap>
 bool is_face_of(typename boost::graph_traits<TriangleMesh>::face_descriptor f, const TriangleMesh& tm,
                 const FaceIndexMap& fim)
@@ -151,7 +157,8 @@ bool is_face_of(typename boost::graph_traits<TriangleMesh>::face_descriptor f, c
 
 // Returns the barycentric coordinates of a location in the order of the corners of the intrinsic face. The user's order
 // begins at the source of halfedge(f, tm), which is h in the intrinsic mesh. Throws if they are not valid
-// (are_valid_coordinates()). Does not round them to the edges; see snap_coordinates().
+// (are_valid_coordinates()). Does not round them to the edges; see snap_coordinates(). Their number type is any that
+// CGAL::to_double() takes.
 template <typename FT, typename Coordinates>
 Barycentric<FT> intrinsic_coordinates(Halfedge_id h, const Coordinates& b, const char* what, std::size_t position)
 {

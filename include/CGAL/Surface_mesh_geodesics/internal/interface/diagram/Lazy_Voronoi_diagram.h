@@ -21,6 +21,9 @@
 // Results appear in three steps, each with its own flag: the diagram first, then the measures and the windows, in any
 // order. Neither of these writes anything that other queries read.
 //
+// Who does what: compute_once() guards each step. build_with() makes the diagram: give_sites_to_solver(), propagate(),
+// and Voronoi_handles::collect(). measure() and Path_solver::add_windows() are the other two steps.
+//
 // With Parallel_tag, several threads propagate, and one of them removes windows and divides faces at the same time
 // (Window_relay.h). The thread that computes holds the mutex, so while it waits for the others it must not start a
 // query of the user (Tbb_team::run()).
@@ -66,7 +69,8 @@ namespace internal {
 //
 // Invariants: m_has_measures and m_has_windows imply m_is_built. While m_is_built is set, the sites, the mesh and the
 // maps are those that the complex was made from; functions that change one of them call forget_diagram(). What a flag
-// guards is written under the mutex before the flag is set (compute_once()), and read after it was seen.
+// guards is written under the mutex before the flag is set (compute_once()), and read after it was seen. The mesh is
+// referred to, maps and traits are copied; all of them stay valid and unchanged until clear().
 template <typename Traits, typename VertexIndexMap, typename FaceIndexMap, typename VertexPointMap, typename Elements,
           typename ConcurrencyTag = Sequential_tag>
 class Lazy_Voronoi_diagram
@@ -274,7 +278,8 @@ public:
   }
 
   // Both return the distance to the nearest site, less its weight; -1 if no site reaches the point. A location that is
-  // neither a vertex nor a site needs windows, which the first such query computes by one more propagation.
+  // neither a vertex nor a site needs windows, which the first such query computes by one more propagation. With a
+  // positive weight, -1 may be a distance, too; nearest_site() tells.
   FT distance_to_nearest_site(vertex_descriptor v) const
   {
     build();
@@ -396,7 +401,8 @@ private:
   // --- computing ---
 
   // Calls compute() unless the flag is set, and sets it unless compute() returns false or throws. Of several threads
-  // one computes; the others wait.
+  // one computes; the others wait. The thread is asked for before it locks: a visitor runs under the mutex, and would
+  // wait for itself.
   template <typename Compute>
   bool compute_once(std::atomic<bool>& is_done, Compute compute) const
   {
@@ -467,6 +473,8 @@ private:
     });
     if(!is_complete)
       return false;
+    // First the last faces are divided and join the complex. Then the owners, whose distances are final now, let the
+    // complex count elements and link arcs to chains.
     removal.finish();
     m_complex.finish(removal.owners());
     m_statistics = m_solver.statistics();

@@ -40,11 +40,20 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// `VertexPointMap` is writable, with the points of the output as values.
+// OutputMesh is a model of MutableFaceGraph. `VertexPointMap` is writable, with the points of the output as values.
+// Mesh, complex and output are referred to, the map is copied.
+//
+// The steps of build():
+// 1. new_vertex() for each vertex of the refined mesh, so that these come first in the output;
+// 2. add_edge_pieces() for each edge of the refined mesh, so that both faces find the same pieces;
+// 3. fill_face() for each face: collect_border() gathers the pieces around it, add_triangle() adds triangles;
+// 4. link_border_at() and link_border_inside_edges() for the halfedges that have got no triangle.
 //
 // How halfedges are linked: new_edge() makes border halfedges without a next one; add_triangle() links those inside;
 // link_border_at() and link_border_inside_edges() link what has stayed on the border. So each halfedge gets its next
 // one exactly once. Takes time linear in the size of the output, plus the time of the cuts.
+//
+// If memory runs out, the output has halfedges that are not linked, and is not a valid mesh.
 template <typename OutputMesh, typename VertexPointMap>
 class Voronoi_cut_mesh
 {
@@ -62,7 +71,8 @@ public:
 
   // Adds the cut surface to the output. `point_of_vertex(v)` gives the point of a vertex of the refined mesh,
   // `point_in_face(f, p)` the point at p in the plane of a face; `set_site(f, s)` is called for each new face and the
-  // vertex of its site, or null_id. Tolerances are in the unit of the intrinsic mesh. Call it once.
+  // vertex of its site, or null_id. Tolerances are in the unit of the intrinsic mesh. Call it once. What the output has
+  // held before is not touched. Requires: tolerance > 0.
   template <typename PointOfVertex, typename PointInFace, typename SetSite>
   void build(double tolerance, PointOfVertex point_of_vertex, PointInFace point_in_face, SetSite set_site)
   {
@@ -85,7 +95,8 @@ public:
   }
 
 private:
-  // Returns whether h is the halfedge of its edge along which the pieces are stored: the one with the smaller index.
+  // Returns whether h is the halfedge of its edge along which the pieces are stored: the one with the smaller index. At
+  // the border of the mesh, that is the only one.
   bool is_first(Halfedge_id h) const
   {
     const Halfedge_id o = m_mesh.opposite(h);
@@ -114,7 +125,8 @@ private:
   }
 
   // Divides the edge of h where arcs end on it, and adds the pieces from its source to its target. The cut of both
-  // faces divides the edge in the same way (Edge_contraction). Requires: is_first(h).
+  // faces divides the edge in the same way (Edge_contraction). Requires: is_first(h). Takes time linear in the number
+  // of nodes on the edge.
   template <typename PointInFace>
   void add_edge_pieces(Halfedge_id h, PointInFace point_in_face)
   {
@@ -138,7 +150,8 @@ private:
     m_pieces.push_back(Graph_traits::null_halfedge()); // ends the pieces of this edge
   }
 
-  // Appends the pieces along h to the border of its face.
+  // Appends the pieces along h to the border of its face. They run along h, counterclockwise around the face: the
+  // pieces of the opposite halfedge are reversed, one by one and in their order.
   void collect_border(Halfedge_id h)
   {
     const bool is_reversed = !is_first(h);
@@ -159,6 +172,7 @@ private:
     m_border.clear();
     for(unsigned int k = 0; k < 3; ++k)
       collect_border(halfedge_of(f, k));
+    // Border vertex i of the cut is the source of halfedge i here, as both begin at corner 0 and divide edges alike.
     const std::uint32_t n = static_cast<std::uint32_t>(m_border.size());
     CGAL_assertion(n == cut.number_of_border_vertices());
     m_local.clear();
@@ -176,7 +190,7 @@ private:
   }
 
   // Returns the halfedge between two vertices of the face whose triangle on the left is not made yet; adds the edge if
-  // it is the first one of its two triangles.
+  // it is the first one of its two triangles. The second one finds the opposite halfedge among those that are open.
   halfedge_descriptor take_halfedge(std::uint32_t from, std::uint32_t to)
   {
     const auto it = m_open.find(std::make_pair(from, to));
@@ -204,6 +218,7 @@ private:
     {
       set_face(h[k], f, m_output);
       set_next(h[k], h[next_corner(k)], m_output);
+      // Any halfedge will do inside; at the border, a border halfedge replaces it when that is linked.
       set_halfedge(target(h[k], m_output), h[k], m_output);
     }
     set_halfedge(f, h[0], m_output);
@@ -226,6 +241,9 @@ private:
 
   // Links the border halfedges at a vertex. The one that enters along one umbrella is followed by the one that leaves
   // along the next umbrella, so that a walk around a pinched vertex meets all umbrellas.
+  // A border halfedge of the output is the opposite of a piece along a border edge, and runs clockwise around the face.
+  // So at the first halfedge h of an umbrella one enters v, along h; at the last one, one leaves v along the halfedge
+  // before. Takes time linear in the number of faces around v, and of pieces of one edge for each umbrella.
   void link_border_at(Vertex_id v)
   {
     std::vector<halfedge_descriptor> entering, leaving;
@@ -243,7 +261,8 @@ private:
     }
   }
 
-  // Links the border halfedges at the vertices that divide a border edge.
+  // Links the border halfedges at the vertices that divide a border edge. There the piece that enters from one side is
+  // followed by the piece that leaves on the other side, in the direction opposite to h.
   void link_border_inside_edges()
   {
     for(Halfedge_id h = 0; h < m_first_piece.size(); ++h)
@@ -273,7 +292,8 @@ private:
 };
 
 // Adds the cut surface of a lazy diagram to a mesh; the tolerance is in the user's unit. `face_site_map` receives the
-// number of the site of each new face. Requires: the diagram is built.
+// number of the site of each new face. Requires: the diagram is built. Points are made in the number type of the traits
+// and converted to double. A face that no site reaches gets Diagram::no_site.
 template <typename Diagram, typename OutputMesh, typename VertexPointMap, typename FaceSiteMap>
 void add_cut_mesh(const Diagram& diagram, double tolerance, OutputMesh& output, VertexPointMap vpm,
                   FaceSiteMap face_site_map)

@@ -14,7 +14,11 @@
 // without length, where the diagram is degenerate; users see none of them, and the nodes that such chains connect are
 // one vertex. This table has the handles of all elements, and leads from each element to the complex and back.
 //
-// Elements are numbered in the order of the complex.
+// Elements are numbered in the order of the complex. In the names below, arcs, *edges* and
+// *vertices* are those of the user; the complex has arcs, *chains* and *nodes*.
+//
+// collect() calls collect_arcs(), collect_edges() and collect_vertices(), in this order: an edge refers to its arcs by
+// their numbers.
 
 #include <boost/pending/disjoint_sets.hpp>
 
@@ -35,7 +39,9 @@ namespace internal {
 // Invariants, from collect() to clear(): elements have the numbers 0, 1, ... in their vectors; each one leads to one
 // element of the complex (complex_arc(), chain_of_edge(), node_of_vertex()), chains and nodes back to edges and
 // vertices. A chain or arc without length has no handle; nodes that such chains connect have one vertex in common.
-// Handles hold a pointer to the diagram, which therefore must not move.
+// Handles hold a pointer to the diagram, which therefore must not move. Const functions only read, so that several
+// threads may call them; collect() and clear() need the object for themselves (Lazy_Voronoi_diagram makes sure of
+// that). Numbers are not checked.
 template <typename Diagram>
 class Voronoi_handles
 {
@@ -51,6 +57,7 @@ public:
 
   explicit Voronoi_handles(const Diagram& diagram) : m_diagram(&diagram) {}
 
+  // Removes the elements. The tables keep old entries, so only collect() may be called next.
   void clear()
   {
     m_vertices.clear();
@@ -58,8 +65,10 @@ public:
     m_edges.clear();
   }
 
-  // Makes the elements of a complex. `site_at(v)` gives the number of the site at a vertex of the refined mesh,
-  // `face_index(f)` the user's index of a face of the refined mesh. Takes time linear in the size of the complex.
+  // Makes the elements of a complex, in place of those before. `site_at(v)` gives the number of the site at a vertex of
+  // the refined mesh, `face_index(f)` the user's index of a face of the refined mesh. If it throws std::bad_alloc,
+  // clear() has to follow. Takes time linear in the size of the complex, and O(n log n) for the n runs of arcs, which
+  // are sorted by face.
   template <typename Complex, typename SiteAt, typename FaceIndex>
   void collect(const Complex& complex, SiteAt site_at, FaceIndex face_index)
   {
@@ -92,8 +101,9 @@ public:
 
   // --- along elements ---
 
-  // Writes the points of a polyline along edge e, which is at most `tolerance` away from its arcs. Takes time linear
-  // in the number of points.
+  // Writes the points of a polyline along edge e, which is at most `tolerance` away from its arcs. Takes time linear in
+  // the number of points. The points come from Diagram::point(). Where an arc without length has been left out, the
+  // ends of its neighbors differ by rounding; the first one of the two is written.
   template <typename OutputIterator>
   OutputIterator write_polyline(std::size_t e, double tolerance, OutputIterator output) const
   {
@@ -113,7 +123,8 @@ public:
   }
 
   // Translates the curves of the boundary of a cell, which are chains of the complex. Users see neither the chains
-  // without length nor the curves that consist of these alone.
+  // without length nor the curves that consist of these alone. `curves` is the result of Voronoi_complex::boundary().
+  // Takes linear time.
   template <typename Curves>
   std::vector<Boundary> boundary(const Curves& curves) const
   {
@@ -142,7 +153,9 @@ public:
     return result;
   }
 
-  // Returns the sites on the other side of a boundary, in ascending order.
+  // Returns the sites on the other side of a boundary, in ascending order. The cell is on the left of its boundary, so
+  // the other site is that on the right: the second one of an edge, or the first one if the boundary runs through it
+  // backward.
   static std::vector<std::size_t> sites_beyond(const std::vector<Boundary>& boundary)
   {
     std::vector<std::size_t> result;
@@ -170,7 +183,8 @@ public:
   std::size_t edge_of_chain(std::size_t c) const { return m_edge_of_chain[c]; }
 
 private:
-  // Consecutive arcs in one face. A face that holds sites may have several such runs.
+  // Consecutive arcs in one face. A face that holds sites may have several such runs. The arcs are m_arcs[first], ...,
+  // m_arcs[last - 1].
   struct Run_of_arcs
   {
     std::size_t face_index;
@@ -197,6 +211,7 @@ private:
         continue;
       number[a] = m_arcs.size();
       const auto position = static_cast<std::ptrdiff_t>(m_arcs.size());
+      // A new run begins where the face of the refined mesh changes, also if both are parts of one face of the user.
       if(m_arcs.empty() || arcs[a].face != arcs[m_arc_ids.back()].face)
         m_arcs_by_face.push_back(Run_of_arcs{face_index(arcs[a].face), position, position});
       m_arcs_by_face.back().last = position + 1;
@@ -208,7 +223,7 @@ private:
   }
 
   // Makes an edge of each chain that has a length. The arcs of the edge that have no length are left out: the others
-  // still follow each other, up to rounding.
+  // still follow each other, up to rounding. Requires: the arcs have been collected.
   template <typename Complex>
   void collect_edges(const Complex& complex, const std::vector<std::size_t>& number_of_arc)
   {
@@ -232,7 +247,8 @@ private:
   }
 
   // Makes one vertex of all nodes that chains without length connect. Its node is the one with the smallest index; its
-  // sites are those of all of them. Takes almost linear time.
+  // sites are those of all of them. Takes almost linear time. Nodes on the border of the mesh are not vertices; a chain
+  // without length from such a node to a vertex unites nothing.
   template <typename Complex, typename SiteAt>
   void collect_vertices(const Complex& complex, SiteAt site_at)
   {
@@ -278,6 +294,7 @@ private:
 
   const Diagram* m_diagram;
   std::vector<Vertex> m_vertices;
+  // By vertex, and by node of the complex: none if that is not a vertex.
   std::vector<std::size_t> m_node_of_vertex, m_vertex_of_node;
   std::vector<std::vector<std::size_t>> m_vertex_sites;
   std::vector<Arc> m_arcs;

@@ -14,6 +14,9 @@
 // unit. A propagation knows offsets instead of weights: it starts from each site with the difference from the largest
 // weight, so the heaviest site starts at 0 and no offset is negative.
 //
+// Formula: offset = W - w for a site with the weight w, where W is the largest weight. So d + offset - W, for the
+// geodesic distance d from the site, is the distance d - w that users get.
+//
 // Weights are checked here, not where offsets are: add() reports an invalid weight at once, and the messages speak of
 // the weight that the user gave. All offsets that leave are valid.
 
@@ -33,7 +36,9 @@ namespace Surface_mesh_geodesics {
 namespace internal {
 
 // Sites have the numbers 0, 1, ... in the order in which they are added. Invariant: all weights are finite; add()
-// rejects others. Whether vertices and locations are on the mesh is checked by the solver, which gets them later.
+// rejects others. Whether vertices and locations are on the mesh is checked by the solver, which gets them later. The
+// three types are those of the public diagram; CGAL::to_double() takes FT. Not safe for threads by itself:
+// Lazy_Voronoi_diagram changes the list only while it is not shared.
 template <typename vertex_descriptor, typename Face_location, typename FT>
 class Weighted_site_list
 {
@@ -58,7 +63,8 @@ public:
     return m_sites[i];
   }
 
-  // Appends a site and returns its number. Throws Invalid_geodesic_input if the weight is not finite.
+  // Appends a site and returns its number. Throws Invalid_geodesic_input if the weight is not finite. The list has not
+  // changed then.
   std::size_t add(const Site& site)
   {
     if(!std::isfinite(CGAL::to_double(site.weight)))
@@ -67,7 +73,7 @@ public:
     return m_sites.size() - 1;
   }
 
-  // Returns 0 if there are no sites.
+  // Returns 0 if there are no sites. Takes linear time.
   double largest_weight() const
   {
     double largest = m_sites.empty() ? 0. : CGAL::to_double(m_sites.front().weight);
@@ -77,7 +83,9 @@ public:
   }
 
   // Calls add(site, offset) for each site. Throws Invalid_geodesic_input if an offset is infinite, also as a multiple
-  // of `unit`, the unit of the intrinsic mesh.
+  // of `unit`, the unit of the intrinsic mesh. The sites before that one have been passed on then, so what add() has
+  // filled must not be used. Takes linear time.
+  // Requires: unit > 0. The offset that add() gets is in the user's unit.
   template <typename Add>
   void for_each_offset(double unit, Add add) const
   {
