@@ -436,6 +436,88 @@ void faults_in_small_components_are_found()
   }
 }
 
+// Cancels at its n-th call of go_further().
+struct Canceling_visitor : SMG::Geodesic_default_visitor
+{
+  explicit Canceling_visitor(std::size_t n) : calls_left(n) {}
+
+  void on_propagation_begin(std::size_t n)
+  {
+    CHECK_EQUAL(n, number_of_vertices);
+    ++begun;
+    visits = 0;
+    distance = 0;
+  }
+
+  void on_progress(std::size_t v, double d)
+  {
+    CHECK(v >= visits && d >= distance && d <= largest_distance * (1 + 1e-12));
+    visits = v;
+    distance = d;
+  }
+
+  bool go_further()
+  {
+    CHECK(calls_left > 0); // it is not asked again
+    ++calls;
+    return --calls_left > 0;
+  }
+
+  void on_propagation_end() { ++ended; }
+
+  std::size_t calls_left, calls = 0, begun = 0, ended = 0, visits = 0, number_of_vertices = 0;
+  double distance = 0, largest_distance = infinity;
+};
+
+void canceled_checks_prove_nothing()
+{
+  test_support::Scope scope("visitor");
+  Mesh tm = to_face_graph(transformed(noisy_sphere(2, .2, 5), "scaled", [](const Coordinates& c) { return 100. * c; }));
+  Distance_map map = add_distances(tm);
+  SMG::geodesic_distances(tm, map, vertex(0));
+  const auto certify = [&](Canceling_visitor& visitor)
+  {
+    visitor.number_of_vertices = num_vertices(tm);
+    return SMG::certify_geodesic_distances(tm, map, vertex(0), CGAL::parameters::visitor(std::ref(visitor)));
+  };
+  Canceling_visitor patient((std::numeric_limits<std::size_t>::max)());
+  patient.largest_distance = 700;
+  check_certified(certify(patient));
+  CHECK_EQUAL(patient.begun, std::size_t(5)); // the proof, and four vertices in reverse
+  CHECK_EQUAL(patient.ended, std::size_t(5));
+  CHECK(patient.calls > num_vertices(tm) + 2 * num_faces(tm));
+  for(std::size_t n = 1; n <= patient.calls; n += (std::max)(patient.calls / 40, std::size_t(1)))
+  {
+    test_support::Scope call_scope("call " + std::to_string(n));
+    Canceling_visitor visitor(n);
+    const Certificate c = certify(visitor);
+    CHECK_EQUAL(visitor.calls, n);
+    CHECK_EQUAL(visitor.begun, visitor.ended);
+    CHECK_EQUAL(c.worst_violation(), infinity);
+    CHECK_EQUAL(c.worst_violation(Condition::REVERSE), infinity);
+    CHECK(c.worst_violation(Condition::EDGES) <= Certificate::default_tolerance);
+  }
+}
+
+// More reverse runs than vertices start at each vertex once.
+void each_vertex_starts_one_reverse_run_at_most()
+{
+  test_support::Scope scope("reverse runs");
+  Mesh tm = to_face_graph(octahedron());
+  Distance_map map = add_distances(tm);
+  SMG::geodesic_distances(tm, map, vertex(0));
+  for(std::size_t v = 0; v < num_vertices(tm); ++v)
+  {
+    const double right = map[vertex(v)];
+    map[vertex(v)] = right * 1.01 + .01;
+    const Certificate c
+      = SMG::certify_geodesic_distances(tm, map, vertex(0), CGAL::parameters::number_of_iterations(1000));
+    CHECK_EQUAL(c.number_of_checks(Condition::REVERSE), num_vertices(tm));
+    CHECK(c.worst_vertex(Condition::REVERSE) == vertex(v));
+    map[vertex(v)] = right;
+  }
+}
+
 void invalid_input_throws()
 {
   test_support::Scope scope("invalid input");
@@ -467,6 +549,8 @@ int main()
   missing_source_is_found();
   distances_along_edges_are_found();
   faults_in_small_components_are_found();
+  canceled_checks_prove_nothing();
+  each_vertex_starts_one_reverse_run_at_most();
   invalid_input_throws();
   return test_result();
 }

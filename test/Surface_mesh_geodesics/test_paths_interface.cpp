@@ -1,6 +1,7 @@
 // Every member of Surface_mesh_shortest_path: the same code names it for both classes at compile time, and calls it for
 // both with the same result. Then the members that only the new class has, and locate() where the original fails.
 
+#include "expected_exceptions.h"
 #include "interface_of_shortest_path.h"
 #include "path_interface_helpers.h"
 #include "path_test_helpers.h"
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -465,6 +467,12 @@ void points_are_located_or_rejected(std::uint64_t seed)
       }
       CHECK_EQUAL(is_rejected, std::abs(exponent) > 260);
     }
+  }
+  const Geodesic_paths paths(tm);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for(const Kernel::Point_3& p : {Kernel::Point_3(nan, 0, 0), Kernel::Point_3(0, nan, 0), Kernel::Point_3(0, 0, nan)})
+  {
+    CHECK(throws_reason(Reason::NON_FINITE_POINT, [&] { paths.locate<AABB_traits>(p); }));
   }
 }
 

@@ -93,6 +93,15 @@ no thread modifies them; see `geodesic_distances()`.
     \cgalParamType{unsigned int}
     \cgalParamDefault{`4`}
   \cgalParamNEnd
+  \cgalParamNBegin{visitor}
+    \cgalParamDescription{a visitor that follows each propagation. The first one includes the checks of paths and of
+                          lower bounds, during which the numbers do not change. If the visitor cancels, the function
+                          returns at once, and the conditions that it has not checked to the end are violated
+                          infinitely.}
+    \cgalParamType{a model of `GeodesicPropagationVisitor`}
+    \cgalParamDefault{`Geodesic_default_visitor`}
+    \cgalParamExtra{The visitor is not copied if it is passed with `std::ref()`.}
+  \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \return for each condition, how far it is violated and where. The function does not throw because distances are wrong.

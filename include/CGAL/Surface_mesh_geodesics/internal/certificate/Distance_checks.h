@@ -167,8 +167,10 @@ public:
   // Each value is the length of a path to a source plus the offset of the source. The field proposes the paths; each is
   // measured here, in the faces that it names. A vertex that the field does not reach is left to check_reach(). If no
   // path is found, or it does not end at a source, the violation is infinite.
+  // Before each path, go_on() is called; the check is interrupted if it returns false.
   // Requires: the field is that of a complete propagation on the same mesh, and has images (Path_tracer).
-  Violation check_paths(const Vertex_distance_field<FT>& field, const FT& limit) const
+  template <typename GoOn>
+  Violation check_paths(const Vertex_distance_field<FT>& field, const FT& limit, GoOn go_on) const
   {
     const Path_tracer<FT> tracer(m_mesh, field);
     Path_steps<FT> path;
@@ -177,6 +179,11 @@ public:
     {
       if(!(field.distance[v] < infinity()))
         continue;
+      if(!go_on())
+      {
+        worst.record_interruption();
+        break;
+      }
       path.clear();
       const FT length = tracer.trace_from_vertex(v, path) ? length_to_source(path) : infinity();
       if(is_beyond(v, length, limit))

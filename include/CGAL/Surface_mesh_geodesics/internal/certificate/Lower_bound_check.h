@@ -71,8 +71,7 @@ public:
   using Piece = Distance_piece<FT>;
 
   // `distance` has the values of u at the vertices, infinity where no path is known, `extents` the longest edge of the
-  // component of each vertex, and `windows` the windows for u between them. All are referred to, not copied. Takes time
-  // linear in the number of windows, times the number of pieces of an edge.
+  // component of each vertex, and `windows` the windows for u between them. All are referred to, not copied.
   // Requires: the intervals of the windows are parts of their edges. Nothing else about the windows is taken for
   // granted.
   Lower_bound_check(const Mesh& mesh, const std::vector<FT>& distance, const std::vector<FT>& extents,
@@ -81,17 +80,24 @@ public:
   {
     CGAL_assertion(distance.size() == mesh.number_of_vertices());
     CGAL_assertion(extents.size() == mesh.number_of_vertices());
-    make_functions();
   }
 
-  // Returns the worst violation of u(p) <= u(q) + |pq| over all points on the border of one face. Takes time quadratic
-  // in the number of pieces around a face.
-  Worst_violation<FT> run()
+  // Returns the worst violation of u(p) <= u(q) + |pq| over all points on the border of one face. Before each face, and
+  // each step towards it, go_on() is called; the check is interrupted if it returns false. Takes time linear in the
+  // number of windows, times the number of pieces of an edge, and quadratic in the number of pieces around a face.
+  template <typename GoOn>
+  Worst_violation<FT> run(GoOn go_on)
   {
     m_worst = Worst_violation<FT>();
-    for(Face_id f = 0; f < m_mesh.number_of_faces(); ++f)
-      for(unsigned int k = 0; k < 3; ++k)
+    bool is_complete = make_functions(go_on);
+    for(Face_id f = 0; f < m_mesh.number_of_faces() && is_complete; ++f)
+    {
+      is_complete = go_on();
+      for(unsigned int k = 0; k < 3 && is_complete; ++k)
         check_beyond(halfedge_of(f, k));
+    }
+    if(!is_complete)
+      m_worst.record_interruption();
     return m_worst;
   }
 
@@ -125,26 +131,34 @@ private:
   static bool is_finite(const FT& d) { return d < std::numeric_limits<FT>::infinity(); }
 
   // Makes u on all edges: on each one the minimum over the paths that reach it through its two faces, along the
-  // halfedge for which is_first_of_edge() holds.
-  void make_functions()
+  // halfedge for which is_first_of_edge() holds. Returns false if go_on() does.
+  template <typename GoOn>
+  bool make_functions(GoOn go_on)
   {
     m_begin.assign(3 * m_mesh.number_of_faces(), 0);
     m_size.assign(3 * m_mesh.number_of_faces(), 0);
     Edge_distance_function<FT> function;
     for(Face_id f = 0; f < m_mesh.number_of_faces(); ++f)
+    {
+      if(!go_on())
+        return false;
       for(unsigned int k = 0; k < 3; ++k)
-      {
-        const Halfedge_id h = halfedge_of(f, k);
-        if(!is_first_of_edge(h))
-          continue;
-        function.restart(m_mesh.length(h));
-        add_paths(h, false, function);
-        if(m_mesh.opposite(h) != null_id)
-          add_paths(m_mesh.opposite(h), true, function);
-        m_begin[dense_index(h)] = m_pieces.size();
-        m_size[dense_index(h)] = function.pieces().size();
-        m_pieces.insert(m_pieces.end(), function.pieces().begin(), function.pieces().end());
-      }
+        if(is_first_of_edge(halfedge_of(f, k)))
+          make_function(halfedge_of(f, k), function);
+    }
+    return true;
+  }
+
+  // `function` is reused memory. Requires: is_first_of_edge(h).
+  void make_function(Halfedge_id h, Edge_distance_function<FT>& function)
+  {
+    function.restart(m_mesh.length(h));
+    add_paths(h, false, function);
+    if(m_mesh.opposite(h) != null_id)
+      add_paths(m_mesh.opposite(h), true, function);
+    m_begin[dense_index(h)] = m_pieces.size();
+    m_size[dense_index(h)] = function.pieces().size();
+    m_pieces.insert(m_pieces.end(), function.pieces().begin(), function.pieces().end());
   }
 
   // Adds the paths that reach the edge of h from its face: from a corner, and through a window on one of the three

@@ -60,6 +60,9 @@ struct Worst_violation
     vertex = other.vertex;
   }
 
+  // Records that a check has been interrupted: nothing is proved.
+  void record_interruption() { size = infinity(); }
+
   static FT infinity() { return std::numeric_limits<FT>::infinity(); }
 };
 

@@ -20,12 +20,14 @@
 //   lower bounds in check_with_witness(), distances in the opposite direction in check_reverse();
 // - certify_distances() does all of this for the public functions, and makes the certificate.
 
+#include <CGAL/Surface_mesh_geodesics/Geodesic_default_visitor.h>
 #include <CGAL/Surface_mesh_geodesics/internal/certificate/Checked_conditions.h>
 #include <CGAL/Surface_mesh_geodesics/internal/certificate/Distance_checks.h>
 #include <CGAL/Surface_mesh_geodesics/internal/certificate/Lower_bound_check.h>
 #include <CGAL/Surface_mesh_geodesics/internal/certificate/Worst_violation.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Intrinsic_surface.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Private_access.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/run_with_visitor.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_propagation.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Source_insertion.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
@@ -93,9 +95,10 @@ public:
   // radius up to which distances were computed, infinity if all were. Distances are computed in reverse from
   // `number_of_reverse_runs` vertices. Takes the time and memory of a propagation that keeps its windows, and that of
   // the checks. `value` may return any number: check_reach() reports infinity where it is wrong, negative numbers and
-  // NaN.
-  template <typename Value>
-  Checked_conditions<FT> run(Value value, const FT& user_limit, std::size_t number_of_reverse_runs)
+  // NaN. The visitor follows each propagation; the first one includes the checks of what it proposes. If the visitor
+  // cancels, the conditions that are not checked to the end are violated infinitely: nothing is proved.
+  template <typename Value, typename Visitor>
+  Checked_conditions<FT> run(Value value, const FT& user_limit, std::size_t number_of_reverse_runs, Visitor& visitor)
   {
     // From here on all lengths are in the unit of the intrinsic mesh. Violations are relative, so they need no
     // conversion back.
@@ -113,8 +116,9 @@ public:
     result[CHECKED_SOURCES] = checks.check_sources();
     result[CHECKED_EDGES] = checks.check_edges(limit);
     result[CHECKED_PAIRS_OF_FACES] = checks.check_pairs_of_faces(limit);
-    check_with_witness(checks, limit, result);
-    result[CHECKED_REVERSE] = check_reverse(checks, limit, number_of_reverse_runs);
+    Visitor_of_several_runs<Visitor> visitor_of_runs(visitor);
+    check_with_witness(checks, limit, visitor_of_runs, result);
+    result[CHECKED_REVERSE] = check_reverse(checks, limit, number_of_reverse_runs, visitor_of_runs);
     return result;
   }
 
@@ -122,7 +126,9 @@ private:
   // Propagates, and checks the paths and the lower bounds that come from it. The propagation has no limit: whether a
   // vertex may be without a value depends on its distance, which must be known for that. The windows are freed before
   // the reverse runs start.
-  void check_with_witness(const Distance_checks<FT>& checks, const FT& limit, Checked_conditions<FT>& result) const
+  template <typename Visitor>
+  void check_with_witness(const Distance_checks<FT>& checks, const FT& limit, Visitor& visitor,
+                          Checked_conditions<FT>& result) const
   {
     Edge_window_field<FT> windows;
     windows.reset(m_surface.mesh().number_of_faces());
@@ -133,12 +139,30 @@ private:
                                                                               Window_keeper<FT>(windows));
     for(const std::pair<Vertex_id, FT>& s : m_sources)
       propagation.add_source(s.first, s.second);
-    propagation.run([](std::size_t, const FT&) { return true; });
-    result[CHECKED_PATHS] = checks.check_paths(field, limit);
-    result[CHECKED_LOWER_BOUNDS] = checks.check_lower_bounds(field.distance, limit);
-    Lower_bound_check<FT> proof(m_surface.mesh(), field.distance, checks.extents(), windows);
-    result[CHECKED_PROOF] = proof.run();
-    result[CHECKED_PROOF].record(check_bounds_at_sources(field, checks));
+    const bool is_complete = run_with_visitor(visitor, m_surface.number_of_vertices(), [&](auto go_on)
+    {
+      std::size_t visits = 0;
+      double reached = 0;
+      const auto count = [&](std::size_t number_of_visits, const FT& distance)
+      {
+        visits = number_of_visits;
+        reached = static_cast<double>(distance * m_surface.unit());
+        return go_on(visits, reached);
+      };
+      if(!propagation.run(count))
+        return false;
+      const auto go_on_checking = [&]() { return go_on(visits, reached); };
+      result[CHECKED_PATHS] = checks.check_paths(field, limit, go_on_checking);
+      result[CHECKED_LOWER_BOUNDS] = checks.check_lower_bounds(field.distance, limit);
+      Lower_bound_check<FT> proof(m_surface.mesh(), field.distance, checks.extents(), windows);
+      result[CHECKED_PROOF] = proof.run(go_on_checking);
+      return true;
+    });
+    if(is_complete)
+      result[CHECKED_PROOF].record(check_bounds_at_sources(field, checks));
+    else
+      for(const Checked_condition c : {CHECKED_PATHS, CHECKED_LOWER_BOUNDS, CHECKED_PROOF})
+        result[c].record_interruption();
   }
 
   // Checks that the lower bound of a source is not greater than its offset, which the proof requires. A violation is
@@ -155,11 +179,12 @@ private:
   // one that has computed the distances, so an error that depends on the direction shows.
   //
   // The vertices are spread over all numbers: the reader numbers vertices by their distance from a face, so these are
-  // near it, far from it, and in between. (With one run, the vertex in the middle of the numbers. If more runs
-  // are asked for than there are vertices, there are as many as vertices, but several start from the same one.)
+  // near it, far from it, and in between. (With one run, the vertex in the middle of the numbers.)
   //
   // Each run ends as soon as the distances of all sources are final.
-  Worst_violation<FT> check_reverse(const Distance_checks<FT>& checks, const FT& limit, std::size_t number) const
+  template <typename Visitor>
+  Worst_violation<FT> check_reverse(const Distance_checks<FT>& checks, const FT& limit, std::size_t wanted_number,
+                                    Visitor& visitor) const
   {
     std::vector<Vertex_id> targets;
     for(const std::pair<Vertex_id, FT>& s : m_sources)
@@ -168,16 +193,34 @@ private:
     Distance_propagation<FT> propagation(m_surface.mesh(), field);
     Worst_violation<FT> worst;
     const std::size_t n = m_surface.number_of_vertices();
-    for(std::size_t i = 0; i < (std::min)(number, n); ++i)
+    const std::size_t number = (std::min)(wanted_number, n);
+    for(std::size_t i = 0; i < number; ++i)
     {
       const Vertex_id v = static_cast<Vertex_id>(number > 1 ? (n - 1) * i / (number - 1) : n / 2);
       propagation.restart();
       propagation.add_source(v, FT(0));
       propagation.set_targets(targets.data(), targets.data() + targets.size());
-      propagation.run([](std::size_t, const FT&) { return true; });
+      if(!run_to_sources(propagation, visitor))
+      {
+        worst.record_interruption();
+        break;
+      }
       checks.check_reverse(v, field, limit, worst);
     }
     return worst;
+  }
+
+  // Returns false if the visitor cancels, or has canceled before.
+  template <typename Propagation, typename Visitor>
+  bool run_to_sources(Propagation& propagation, Visitor& visitor) const
+  {
+    return !visitor.is_canceled() && run_with_visitor(visitor, m_surface.number_of_vertices(), [&](auto go_on)
+    {
+      return propagation.run([&](std::size_t number_of_visits, const FT& distance)
+      {
+        return go_on(number_of_visits, static_cast<double>(distance * m_surface.unit()));
+      });
+    });
   }
 
   Surface m_surface;
@@ -188,7 +231,7 @@ private:
 // Checks distances and returns a Certificate, which is Geodesic_distance_certificate<TriangleMesh>. `make_shape()`
 // tells where the lengths of edges come from (Face_shapes.h). Options and named parameters are those of the public
 // functions. Of the options, it uses offsets and radius only. The parameter number_of_iterations is the number of
-// reverse runs.
+// reverse runs, `visitor` follows all runs.
 // Throws Invalid_geodesic_input for invalid input, never because a distance is wrong. Numbers in the options are
 // checked before the mesh is read.
 template <typename Certificate, typename TriangleMesh, typename VertexDistanceMap, typename Sources, typename Options,
@@ -205,9 +248,12 @@ Certificate certify_distances(const TriangleMesh& tm, VertexDistanceMap vertex_d
   check_numbers(options);
   Distance_certifier<double, TriangleMesh, decltype(vim), decltype(fim)> certifier(tm, vim, fim, make_shape());
   certifier.set_sources(sources, options.source_offsets);
+  Geodesic_default_visitor default_visitor;
+  auto& visitor = parameters::choose_parameter(parameters::get_parameter_reference(np, internal_np::visitor),
+                                               default_visitor);
   const auto conditions = certifier.run(
     [&](vertex_descriptor v) { return CGAL::to_double(get(vertex_distance_map, v)); }, options.maximum_distance,
-    static_cast<std::size_t>(choose_parameter(get_parameter(np, internal_np::number_of_iterations), 4)));
+    static_cast<std::size_t>(choose_parameter(get_parameter(np, internal_np::number_of_iterations), 4)), visitor);
   return Private_access::make<Certificate>(
     conditions, [&](Vertex_id v) { return certifier.surface().descriptor_or_null(v); });
 }
