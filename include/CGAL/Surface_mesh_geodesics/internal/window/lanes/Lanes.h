@@ -32,7 +32,7 @@ struct Lanes<double>
 {
   static constexpr std::size_t size = CGAL_SURFACE_MESH_GEODESICS_LANES;
 
-  // A lane of a mask has all bits set, or none: instructions that look at one bit of it look at the sign.
+  // A lane of a mask has all bits set, or none, so an instruction that looks at its sign alone sees all of it.
   typedef double Number __attribute__((vector_size(8 * size)));
   typedef std::uint64_t Word __attribute__((vector_size(8 * size)));
   typedef std::int64_t Mask __attribute__((vector_size(8 * size))); // of zeros and minus ones
