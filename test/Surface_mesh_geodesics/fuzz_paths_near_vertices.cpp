@@ -13,7 +13,7 @@ int main(int argc, char** argv)
   const std::uint64_t seed = argc > 2 ? std::strtoul(argv[2], nullptr, 10) : 1;
   std::cout << "seed " << seed << "\n";
   test_support::Random random(seed);
-  paths_near_vertices::rectangles_of_long_faces(number, random);
-  paths_near_vertices::squeezed_meshes(number / 10, random);
+  paths_near_vertices::paths_in_rectangles_of_long_faces_are_found(number, random);
+  paths_near_vertices::paths_on_squeezed_meshes_are_found(number / 10, random);
   return test_support::test_result();
 }

@@ -119,7 +119,7 @@ void grids_with_equal_points_are_divided(std::uint64_t seed)
 }
 
 // Meshes on which diagrams of former versions were wrong, with sites at vertices and in a face.
-void certify_diagrams()
+void cells_in_caps_and_at_equal_points_are_certified()
 {
   {
     // Close to a site, distances are smaller than the rounding of abscissas on the edge of a face without height.
@@ -148,7 +148,7 @@ void certify_diagrams()
 
 int main()
 {
-  certify_diagrams();
+  cells_in_caps_and_at_equal_points_are_certified();
 
   a_face_without_area_beside_a_site_is_divided();
   points_near_an_edge_have_the_nearest_site();

@@ -240,7 +240,7 @@ Surface_point in_face(std::size_t f, const std::array<std::pair<std::size_t, dou
 
 // --- the rows ---
 
-void sources_on_edges()
+void sources_on_edges_have_exact_distances()
 {
   {
     Row row("triangle", triangle(), "from (3/4, 0) to the corners");
@@ -257,7 +257,7 @@ void sources_on_edges()
   row.print();
 }
 
-void sources_at_vertices_up_to_rounding()
+void sources_at_vertices_up_to_rounding_are_the_vertices()
 {
   {
     Row row("triangle", triangle(), "from (0, 4), and 1.1e-16 of its weight at (0, 0), to the corners");
@@ -275,7 +275,7 @@ void sources_at_vertices_up_to_rounding()
   row.print();
 }
 
-void queries_on_the_border()
+void queries_on_the_border_are_answered()
 {
   Row row("triangle", triangle(), "from (0, 4) to (0, 3/2)");
   row.add_source(vertex(2));
@@ -283,7 +283,7 @@ void queries_on_the_border()
   row.print();
 }
 
-void several_sources()
+void several_sources_are_all_found()
 {
   {
     Row row("square", square(), "from both (0, 0) and (1, 0) to the corners");
@@ -305,7 +305,7 @@ void several_sources()
   row.print();
 }
 
-void edges_without_length()
+void edges_may_have_no_length()
 {
   Row row("triangle with an edge of length 0", edge_without_length(), "from (0, 0) to the vertices");
   row.add_source(vertex(0));
@@ -318,7 +318,7 @@ void edges_without_length()
   row.print();
 }
 
-void isolated_vertices()
+void isolated_vertices_reach_themselves_only()
 {
   Row row("triangle and a vertex without faces", triangle_and_point(), "from the vertex to all vertices");
   row.add_source(vertex(3));
@@ -329,7 +329,7 @@ void isolated_vertices()
   row.print();
 }
 
-void points_of_paths()
+void points_of_paths_are_not_repeated()
 {
   Row row("square", square(), "from (0, 0) to (3/8, 5/8): the path");
   row.add_source(vertex(0));
@@ -338,7 +338,7 @@ void points_of_paths()
 }
 
 // From (0, 2) to (5, 4) the line has the points (5/2, 3), (15/4, 7/2) and (25/6, 11/3) on inner edges.
-void rays_near_vertices(double unit, const std::string& name)
+void rays_near_vertices_are_not_lost(double unit, const std::string& name)
 {
   Row row("fan of four triangles, unit " + name, fan_of_four(), "from (0, 2) to (5, 4)", unit);
   row.add_source(vertex(0));
@@ -348,7 +348,7 @@ void rays_near_vertices(double unit, const std::string& name)
   row.print();
 }
 
-void small_meshes()
+void small_meshes_have_exact_distances()
 {
   for(const double unit : {1e-160, 1e-170})
   {
@@ -369,17 +369,17 @@ int main()
   std::cout << "CGAL " << CGAL_VERSION_STR << "\n"
             << "| mesh | faces | question | `Surface_mesh_shortest_path` | this package |\n"
             << "|---|--:|---|---|---|\n";
-  sources_on_edges();
-  sources_at_vertices_up_to_rounding();
-  queries_on_the_border();
-  several_sources();
-  edges_without_length();
-  isolated_vertices();
-  points_of_paths();
-  rays_near_vertices(3., "3");
-  rays_near_vertices(1., "1");
-  rays_near_vertices(1e-120, "1e-120");
-  rays_near_vertices(1e120, "1e120");
-  small_meshes();
+  sources_on_edges_have_exact_distances();
+  sources_at_vertices_up_to_rounding_are_the_vertices();
+  queries_on_the_border_are_answered();
+  several_sources_are_all_found();
+  edges_may_have_no_length();
+  isolated_vertices_reach_themselves_only();
+  points_of_paths_are_not_repeated();
+  rays_near_vertices_are_not_lost(3., "3");
+  rays_near_vertices_are_not_lost(1., "1");
+  rays_near_vertices_are_not_lost(1e-120, "1e-120");
+  rays_near_vertices_are_not_lost(1e120, "1e120");
+  small_meshes_have_exact_distances();
   return test_result();
 }

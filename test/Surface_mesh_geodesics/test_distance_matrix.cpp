@@ -208,7 +208,7 @@ void check_symmetric_matrix(const Mesh& tm, const std::vector<vertex_descriptor>
     });
 }
 
-void check_mesh(const Indexed_mesh& indexed, test_support::Random& random)
+void rows_are_those_of_single_runs(const Indexed_mesh& indexed, test_support::Random& random)
 {
   test_support::Scope scope(indexed.name);
   const Mesh tm = to_face_graph(indexed);
@@ -342,7 +342,7 @@ int main()
   for(const Indexed_mesh& indexed : {noisy_sphere(2, .1, seed), rough_terrain(8, 2., seed), genus_2_polycube(),
                                      two_components_and_an_isolated_vertex()})
   {
-    check_mesh(indexed, random);
+    rows_are_those_of_single_runs(indexed, random);
   }
   rows_may_end_early();
   invalid_input_is_rejected();

@@ -172,7 +172,7 @@ void check_rejected_computations(Solver& solver, const Mesh& tm)
   }
 }
 
-void check_many_computations(const Indexed_mesh& indexed, test_support::Random& random)
+void each_computation_agrees_with_the_function(const Indexed_mesh& indexed, test_support::Random& random)
 {
   test_support::Scope scope(indexed.name);
   const Mesh tm = to_face_graph(indexed);
@@ -346,7 +346,7 @@ int main()
        random_cuts(noisy_sphere(2, .1, seed + 2), .15, seed + 3), two_components_and_an_isolated_vertex(),
        tetrahedral_ogre(60, seed + 1)})
   {
-    check_many_computations(indexed, random);
+    each_computation_agrees_with_the_function(indexed, random);
   }
   work_depends_on_the_area_reached();
   work_does_not_depend_on_other_components();

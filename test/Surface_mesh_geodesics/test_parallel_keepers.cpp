@@ -133,7 +133,8 @@ struct Kept_by_edge
   }
 };
 
-void windows_of_edges(const Intrinsic_mesh& mesh, const Sources& sources, test_support::Random& random)
+void threads_do_not_change_the_windows_of_edges(const Intrinsic_mesh& mesh, const Sources& sources,
+                                                test_support::Random& random)
 {
   test_support::Scope scope("windows of edges");
   using Keeper = internal::Window_keeper<double>;
@@ -166,7 +167,7 @@ void windows_of_edges(const Intrinsic_mesh& mesh, const Sources& sources, test_s
 }
 
 // A copy of a keeper uses other memory: what one keeps does not overwrite what the other one has kept.
-void copies_of_keepers()
+void copies_of_keepers_share_no_memory()
 {
   test_support::Scope scope("copies of keepers");
   internal::Window_pool<double> pool;
@@ -257,7 +258,7 @@ struct Kept_by_face
   }
 };
 
-void windows_of_faces(const Intrinsic_mesh& mesh, const Sources& sources)
+void threads_do_not_change_the_divided_faces(const Intrinsic_mesh& mesh, const Sources& sources)
 {
   test_support::Scope scope("windows of faces");
   const Kept_by_face<Sequential<Diagram_keeper>> expected(mesh, sources);
@@ -293,7 +294,7 @@ void all_windows_are_kept(const Intrinsic_mesh& mesh, const Sources& sources)
 // --- runs that end early ---
 
 // Runs of one object: some are canceled or end by an exception, and those after them are like the first.
-void runs_that_are_broken_off(const Intrinsic_mesh& mesh, const Sources& sources)
+void broken_off_runs_leave_no_trace(const Intrinsic_mesh& mesh, const Sources& sources)
 {
   test_support::Scope scope("broken off");
   for(const std::size_t number : numbers_of_threads)
@@ -350,7 +351,7 @@ int main()
 {
   const std::uint64_t seed = test_support::announce_seed(20260611);
   test_support::Random random(seed);
-  copies_of_keepers();
+  copies_of_keepers_share_no_memory();
   for(const Indexed_mesh& indexed :
       {noisy_sphere(3, .1, seed), rough_terrain(16, 2., seed), wavy_tube(20, 24),
        midpoint_subdivision(jittered(genus_2_polycube(), .15, seed), 2), tetrahedral_ogre(60, seed),
@@ -362,12 +363,12 @@ int main()
     for(const std::size_t number : {std::size_t(1), std::size_t(2), std::size_t(12)})
     {
       const Sources sources = random_sources(mesh, number, random);
-      windows_of_edges(mesh, sources, random);
-      windows_of_faces(mesh, sources);
+      threads_do_not_change_the_windows_of_edges(mesh, sources, random);
+      threads_do_not_change_the_divided_faces(mesh, sources);
       all_windows_are_kept(mesh, sources);
     }
   }
   const Intrinsic_mesh terrain = intrinsic_mesh(to_face_graph(rough_terrain(24, 1., seed)));
-  runs_that_are_broken_off(terrain, random_sources(terrain, 5, random));
+  broken_off_runs_leave_no_trace(terrain, random_sources(terrain, 5, random));
   return test_result();
 }

@@ -81,7 +81,7 @@ void run(Any_propagation& propagation, internal::Vertex_id source, double maximu
   }));
 }
 
-void check_limits(std::size_t number_of_threads, const internal::Intrinsic_mesh<double>& mesh)
+void runs_out_of_memory_leave_no_trace(std::size_t number_of_threads, const internal::Intrinsic_mesh<double>& mesh)
 {
   test_support::Scope scope(std::to_string(number_of_threads) + " threads");
   const double unlimited = internal::Vertex_distance_field<double>::infinity();
@@ -174,7 +174,7 @@ double run_with_windows_of_faces(std::size_t number_of_threads, const internal::
   return consumer.sum;
 }
 
-void check_limits_with_keepers(std::size_t number_of_threads, const internal::Intrinsic_mesh<double>& mesh)
+void keepers_out_of_memory_leave_no_trace(std::size_t number_of_threads, const internal::Intrinsic_mesh<double>& mesh)
 {
   test_support::Scope scope("keepers, " + std::to_string(number_of_threads) + " threads");
   internal::Edge_window_field<double> windows;
@@ -219,8 +219,8 @@ int main()
     test_meshes::to_face_graph(test_meshes::noisy_sphere(3, .1, test_support::announce_seed(7))));
   for(const std::size_t number_of_threads : std::vector<std::size_t>{1, 2, 5})
   {
-    check_limits(number_of_threads, mesh);
-    check_limits_with_keepers(number_of_threads, mesh);
+    runs_out_of_memory_leave_no_trace(number_of_threads, mesh);
+    keepers_out_of_memory_leave_no_trace(number_of_threads, mesh);
   }
   return test_result();
 }

@@ -110,7 +110,7 @@ std::vector<double> answers(const Paths& paths, const Mesh& tm, const std::vecto
   return numbers;
 }
 
-void check_paths(const Mesh& tm, test_support::Random& random)
+void threads_do_not_change_the_paths(const Mesh& tm, test_support::Random& random)
 {
   test_support::Scope scope("paths");
   const std::vector<Surface_point> sources = random_points(tm, 1 + random.index(4), random);
@@ -219,7 +219,7 @@ void check_agreement(const Parallel_diagram& diagram, const Voronoi& sequential,
   }
 }
 
-double check_diagrams(const Mesh& tm, double largest_weight, test_support::Random& random)
+double threads_do_not_change_the_diagrams(const Mesh& tm, double largest_weight, test_support::Random& random)
 {
   test_support::Scope scope("diagrams");
   const Weighted_sites sites = random_sites(tm, 2 + random.index(20), largest_weight, random);
@@ -299,7 +299,7 @@ void build_with_visitors(Build build, Is_built is_built)
   CHECK(is_built());
 }
 
-void visitors(std::uint64_t seed)
+void visitors_can_cancel_or_throw(std::uint64_t seed)
 {
   test_support::Scope scope("visitors");
   const Mesh tm = to_face_graph(noisy_sphere(3, .1, seed));
@@ -325,7 +325,7 @@ void visitors(std::uint64_t seed)
   }
 }
 
-void invalid_input()
+void invalid_input_is_rejected()
 {
   test_support::Scope scope("invalid input");
   const Mesh tm = to_face_graph(icosphere(1));
@@ -353,7 +353,7 @@ void invalid_input()
 
 // Tasks query objects of which nothing is built. The one that builds waits for its helpers while it holds a mutex. It
 // must not start another query meanwhile.
-void queries_from_tasks(std::uint64_t seed)
+void tasks_may_query_what_is_not_built(std::uint64_t seed)
 {
   test_support::Scope scope("queries from tasks");
   const Mesh tm = to_face_graph(noisy_sphere(3, .1, seed));
@@ -402,17 +402,17 @@ int main()
   {
     test_support::Scope scope(indexed.name);
     const Mesh tm = to_face_graph(indexed);
-    check_paths(tm, random);
+    threads_do_not_change_the_paths(tm, random);
     for(const double largest_weight : {0., .1})
     {
-      worst = (std::max)(worst, check_diagrams(tm, largest_weight, random));
+      worst = (std::max)(worst, threads_do_not_change_the_diagrams(tm, largest_weight, random));
     }
   }
   std::cout << "largest violation of a certificate: " << worst << std::endl;
-  visitors(seed);
-  invalid_input();
+  visitors_can_cancel_or_throw(seed);
+  invalid_input_is_rejected();
 #ifdef CGAL_LINKED_WITH_TBB
-  queries_from_tasks(seed);
+  tasks_may_query_what_is_not_built(seed);
 #else
   std::cout << "TBB is not there: nothing is parallel" << std::endl;
 #endif

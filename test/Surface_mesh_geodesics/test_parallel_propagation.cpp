@@ -144,7 +144,7 @@ void check_task(const Intrinsic_mesh& mesh, const Task& task)
   }
 }
 
-void check_mesh(const Indexed_mesh& indexed, test_support::Random& random)
+void threads_do_not_change_the_distances(const Indexed_mesh& indexed, test_support::Random& random)
 {
   test_support::Scope scope(indexed.name);
   const Mesh tm = to_face_graph(indexed);
@@ -168,7 +168,7 @@ void check_mesh(const Indexed_mesh& indexed, test_support::Random& random)
 }
 
 // A run that is canceled or ends by an exception does not influence the next one.
-void runs_that_are_broken_off(std::uint64_t seed)
+void broken_off_runs_leave_no_trace(std::uint64_t seed)
 {
   test_support::Scope scope("broken off");
   const Intrinsic_mesh mesh = intrinsic_mesh(to_face_graph(noisy_sphere(3, .1, seed)));
@@ -221,7 +221,7 @@ void runs_that_are_broken_off(std::uint64_t seed)
 }
 
 // More threads than any machine here has, and a number that changes from run to run.
-void many_threads(std::uint64_t seed)
+void more_threads_than_processors_change_no_distance(std::uint64_t seed)
 {
   test_support::Scope scope("many threads");
   const Intrinsic_mesh mesh = intrinsic_mesh(to_face_graph(rough_terrain(24, 1., seed)));
@@ -240,7 +240,7 @@ void many_threads(std::uint64_t seed)
 }
 
 // Blocks of memory migrate between threads. This must not make each run allocate new ones.
-void memory_of_many_runs()
+void memory_does_not_grow_from_run_to_run()
 {
   test_support::Scope scope("memory of many runs");
   const Intrinsic_mesh mesh = intrinsic_mesh(to_face_graph(rough_terrain(60, .5, 1)));
@@ -271,7 +271,7 @@ void with_threads(std::size_t number_of_threads, const Call& call)
 }
 
 // The public functions with TBB, with sources in faces and nearest sources.
-void public_functions(std::uint64_t seed, test_support::Random& random)
+void public_functions_agree_with_sequential_ones(std::uint64_t seed, test_support::Random& random)
 {
   test_support::Scope scope("public functions");
   const Mesh tm = to_face_graph(rough_terrain(16, 1.5, seed));
@@ -317,13 +317,13 @@ int main()
        random_cuts(noisy_sphere(2, .1, seed + 2), .15, seed + 3), two_components_and_an_isolated_vertex(),
        irregular_tetrahedron(), needle_sphere(12, 16)})
   {
-    check_mesh(indexed, random);
+    threads_do_not_change_the_distances(indexed, random);
   }
-  runs_that_are_broken_off(seed);
-  many_threads(seed);
-  memory_of_many_runs();
+  broken_off_runs_leave_no_trace(seed);
+  more_threads_than_processors_change_no_distance(seed);
+  memory_does_not_grow_from_run_to_run();
 #ifdef CGAL_LINKED_WITH_TBB
-  public_functions(seed, random);
+  public_functions_agree_with_sequential_ones(seed, random);
 #else
   std::cout << "TBB is not there: the public functions are not parallel" << std::endl;
 #endif

@@ -300,7 +300,7 @@ struct Archetype_point_map
   }
 };
 
-void minimal_traits_class()
+void a_minimal_traits_class_is_enough()
 {
   test_support::Scope scope("minimal traits class");
   const Indexed_mesh indexed = noisy_sphere(2, .1, 3);
@@ -338,7 +338,7 @@ struct Own_map
   friend Value get(const Own_map& map, const Key& key) { return map.values->at(key); }
 };
 
-void property_maps()
+void maps_of_the_user_replace_those_of_the_mesh()
 {
   test_support::Scope scope("property maps");
   const Indexed_mesh indexed = noisy_sphere(2, .1, 4);
@@ -424,7 +424,7 @@ struct External_maps
 };
 
 template <class Graph>
-void with_external_maps(const std::string& name)
+void meshes_without_indices_need_external_maps_only(const std::string& name)
 {
   test_support::Scope scope(name);
   using Maps = External_maps<Graph>;
@@ -443,7 +443,7 @@ void with_external_maps(const std::string& name)
   }
 }
 
-void face_filtered_graph()
+void a_part_of_a_mesh_agrees_with_a_mesh_of_its_faces()
 {
   test_support::Scope scope("Face_filtered_graph");
   using Graph = CGAL::Face_filtered_graph<Mesh>;
@@ -473,7 +473,7 @@ void face_filtered_graph()
 // --- kernels ---
 
 template <class Exact_kernel>
-void exact_kernel(const std::string& name)
+void exact_kernels_give_the_same_answers(const std::string& name)
 {
   test_support::Scope scope(name);
   using Exact_mesh = CGAL::Surface_mesh<typename Exact_kernel::Point_3>;
@@ -504,15 +504,16 @@ void exact_kernel(const std::string& name)
 int main()
 {
   test_support::announce_seed(seed);
-  minimal_traits_class();
-  property_maps();
-  with_external_maps<CGAL::Polyhedron_3<Kernel>>("Polyhedron_3");
-  with_external_maps<CGAL::Linear_cell_complex_for_bgl_combinatorial_map_helper<
+  a_minimal_traits_class_is_enough();
+  maps_of_the_user_replace_those_of_the_mesh();
+  meshes_without_indices_need_external_maps_only<CGAL::Polyhedron_3<Kernel>>("Polyhedron_3");
+  meshes_without_indices_need_external_maps_only<CGAL::Linear_cell_complex_for_bgl_combinatorial_map_helper<
     2, 3, CGAL::Linear_cell_complex_traits<3, Kernel>>::type>("Linear_cell_complex");
-  face_filtered_graph();
-  exact_kernel<CGAL::Exact_predicates_exact_constructions_kernel>("exact constructions");
+  a_part_of_a_mesh_agrees_with_a_mesh_of_its_faces();
+  exact_kernels_give_the_same_answers<CGAL::Exact_predicates_exact_constructions_kernel>("exact constructions");
 #ifdef CGAL_USE_CORE
-  exact_kernel<CGAL::Exact_predicates_exact_constructions_kernel_with_sqrt>("exact constructions with roots");
+  exact_kernels_give_the_same_answers<CGAL::Exact_predicates_exact_constructions_kernel_with_sqrt>(
+    "exact constructions with roots");
 #endif
   return test_result();
 }

@@ -125,7 +125,7 @@ void check_plane_mesh(const std::string& name, const Mesh& tm, const std::vector
   }
 }
 
-void random_points_of_plane_meshes(test_support::Random& random)
+void distances_between_random_points_are_those_in_the_domain(test_support::Random& random)
 {
   for(const std::string name :
       {"two_tri_square", "two_tri_square_b", "single_triangle", "kite_pp3d30", "square100_gc111", "strip4", "grid4",
@@ -289,7 +289,7 @@ int main()
   test_support::Random random(seed);
   paths_bend_around_a_hole();
   paths_bend_at_a_corner_of_the_border();
-  random_points_of_plane_meshes(random);
+  distances_between_random_points_are_those_in_the_domain(random);
   sources_near_to_vertices_have_exact_distances(random);
   return test_result();
 }

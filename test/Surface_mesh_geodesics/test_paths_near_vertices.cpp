@@ -12,7 +12,7 @@ namespace {
 
 // A line passes a vertex at a distance of 1e-16, on faces of 1 x 1e-6. An earlier version followed it on the wrong
 // side.
-void line_through_a_vertex_of_needles()
+void a_line_through_a_vertex_of_needles_is_found()
 {
   test_support::Scope scope("line through a vertex");
   Mesh tm;
@@ -63,8 +63,8 @@ int main()
   const std::uint64_t seed = 20260407;
   std::cout << "seed " << seed << "\n";
   test_support::Random random(seed);
-  line_through_a_vertex_of_needles();
-  rectangles_of_long_faces(20000, random);
-  squeezed_meshes(2000, random);
+  a_line_through_a_vertex_of_needles_is_found();
+  paths_in_rectangles_of_long_faces_are_found(20000, random);
+  paths_on_squeezed_meshes_are_found(2000, random);
   return test_support::test_result();
 }

@@ -166,7 +166,7 @@ void paths_on_a_saddle_are_chords_or_pass_its_vertex()
   }
 }
 
-void tetrahedron()
+void corners_of_a_tetrahedron_have_known_distances()
 {
   test_support::Scope scope("tetra");
   const Mesh tm = load_data("tetra");
@@ -176,7 +176,7 @@ void tetrahedron()
   check_paths_of_vertices(paths, tm, {d, d, d, 2. * d}, 3., tolerance);
 }
 
-void octahedron_with_one_or_several_sources()
+void sources_given_twice_or_together_are_exact_on_an_octahedron()
 {
   test_support::Scope scope("octahedron");
   const Mesh tm = load_data("octahedron");
@@ -214,7 +214,7 @@ void paths_bend_at_the_corner_of_an_L()
   CHECK(std::find(points.begin(), points.end(), coordinates(vertex(4), tm)) != points.end());
 }
 
-void paths_of_a_saddle_in_a_file()
+void paths_in_a_saddle_fan_bend_at_its_center()
 {
   test_support::Scope scope("saddle_fan8");
   const Mesh tm = load_data("saddle_fan8");
@@ -232,7 +232,7 @@ void paths_of_a_saddle_in_a_file()
   }
 }
 
-void paths_around_a_cone()
+void paths_around_a_cone_unroll()
 {
   test_support::Scope scope("cone64");
   const Mesh tm = load_data("cone64");
@@ -283,11 +283,11 @@ int main()
   distances_on_a_cube_are_those_of_the_rolled_cube(random);
   corners_of_a_cube_have_known_distances();
   paths_on_a_saddle_are_chords_or_pass_its_vertex();
-  tetrahedron();
-  octahedron_with_one_or_several_sources();
+  corners_of_a_tetrahedron_have_known_distances();
+  sources_given_twice_or_together_are_exact_on_an_octahedron();
   paths_bend_at_the_corner_of_an_L();
-  paths_of_a_saddle_in_a_file();
-  paths_around_a_cone();
+  paths_in_a_saddle_fan_bend_at_its_center();
+  paths_around_a_cone_unroll();
   paths_pass_a_pinched_vertex();
   return test_result();
 }

@@ -35,7 +35,7 @@ std::vector<double> Euclidean_field(const Mesh& tm, const Coordinates& p)
   return result;
 }
 
-void square_of_two_triangles()
+void sources_on_edges_of_a_square_have_exact_distances()
 {
   test_support::Scope scope("two_tri_square");
   const Mesh tm = load_data("two_tri_square");
@@ -123,7 +123,7 @@ void sources_inside_a_face_have_exact_distances()
   CHECK_EQUAL(get(nearest, vertex(result.size() - 1)), 1u);
 }
 
-void single_triangle()
+void distances_in_a_triangle_are_Euclidean()
 {
   test_support::Scope scope("single_triangle");
   const Mesh tm = load_data("single_triangle");
@@ -161,7 +161,7 @@ void grids_are_Euclidean()
   }
 }
 
-void noise_at_a_corner_of_grid5()
+void noise_at_a_corner_changes_no_distance()
 {
   test_support::Scope scope("grid5, noise");
   const Mesh tm = load_data("grid5");
@@ -206,7 +206,7 @@ void unreachable_vertices_are_at_infinity()
   }
 }
 
-void flat_meshes_of_the_heat_method()
+void flat_meshes_of_the_heat_method_have_exact_distances()
 {
   {
     test_support::Scope scope("kite_pp3d30");
@@ -317,7 +317,7 @@ void scale_and_position_do_not_matter()
   }
 }
 
-void polyhedra()
+void distances_on_polyhedra_are_exact()
 {
   const double r2 = std::sqrt(2.);
   {
@@ -374,7 +374,7 @@ void paths_bend_at_a_reflex_border_vertex()
                      (std::vector<double>{std::sqrt(5.), 2, 1. + r2, r2, 1, 2, 1, 0}), tolerance);
 }
 
-void nearest_source_on_a_strip()
+void vertices_of_a_strip_know_their_nearest_source()
 {
   const double r2 = std::sqrt(2.);
   test_support::Scope scope("strip4");
@@ -397,7 +397,7 @@ void nearest_source_on_a_strip()
   }
 }
 
-void paths_around_saddle_and_cone()
+void distances_around_saddle_and_cone_are_exact()
 {
   const double r2 = std::sqrt(2.);
   {
@@ -471,21 +471,21 @@ void broken_files_are_rejected()
 
 int main()
 {
-  square_of_two_triangles();
+  sources_on_edges_of_a_square_have_exact_distances();
   sources_inside_a_face_have_exact_distances();
-  single_triangle();
+  distances_in_a_triangle_are_Euclidean();
   grids_are_Euclidean();
-  noise_at_a_corner_of_grid5();
+  noise_at_a_corner_changes_no_distance();
   unreachable_vertices_are_at_infinity();
-  flat_meshes_of_the_heat_method();
+  flat_meshes_of_the_heat_method_have_exact_distances();
   needle_without_area_does_no_harm();
   cap_without_area_does_no_harm();
   thin_sliver_does_no_harm();
   scale_and_position_do_not_matter();
-  polyhedra();
+  distances_on_polyhedra_are_exact();
   paths_bend_at_a_reflex_border_vertex();
-  nearest_source_on_a_strip();
-  paths_around_saddle_and_cone();
+  vertices_of_a_strip_know_their_nearest_source();
+  distances_around_saddle_and_cone_are_exact();
   paths_pass_a_pinched_vertex();
   broken_files_are_rejected();
   return test_result();

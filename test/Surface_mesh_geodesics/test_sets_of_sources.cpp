@@ -89,7 +89,7 @@ void duplicate_and_adjacent_sources_are_harmless(const Mesh& tm, test_support::R
   CHECK_EQUAL(get(nearest, neighbor), 1u);
 }
 
-void several_sources_in_one_face_and_on_one_edge(const Mesh& tm, test_support::Random& random)
+void several_sources_in_one_face_and_on_one_edge_are_all_found(const Mesh& tm, test_support::Random& random)
 {
   test_support::Scope scope("one face, one edge");
   const face_descriptor f = random_location(tm, random).first;
@@ -181,7 +181,7 @@ int main()
     an_empty_range_leaves_all_at_infinity(tm);
     any_range_or_single_source_is_accepted(tm, random);
     duplicate_and_adjacent_sources_are_harmless(tm, random);
-    several_sources_in_one_face_and_on_one_edge(tm, random);
+    several_sources_in_one_face_and_on_one_edge_are_all_found(tm, random);
     edge_sources_are_the_same_from_both_faces(tm);
   }
   an_empty_mesh_has_no_distances();

@@ -57,7 +57,7 @@ void check_piece(const Intrinsic_mesh& mesh, const Field& field, Vertex_id v)
   CHECK(field.source_of(end) == field.source_of(v));
 }
 
-void check_pieces(const Indexed_mesh& indexed, const std::vector<std::size_t>& sources)
+void pieces_have_the_length_of_the_distance(const Indexed_mesh& indexed, const std::vector<std::size_t>& sources)
 {
   test_support::Scope scope(indexed.name);
   const Intrinsic_mesh mesh = intrinsic_mesh(to_face_graph(indexed));
@@ -213,8 +213,8 @@ int main()
   for(const Indexed_mesh& indexed : {noisy_sphere(4, .05, seed), rough_terrain(20, .3, seed), torus(1., .4, 24, 12),
                                      saddle_patch(12), cube_grid(6), genus_2_polycube()})
   {
-    check_pieces(indexed, {0});
-    check_pieces(indexed, {3, 50, 101});
+    pieces_have_the_length_of_the_distance(indexed, {0});
+    pieces_have_the_length_of_the_distance(indexed, {3, 50, 101});
     images_are_rotated_about_a_corner(indexed, random);
     distances_in_faces_obey_their_laws(indexed, random);
   }

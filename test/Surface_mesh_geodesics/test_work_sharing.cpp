@@ -19,7 +19,7 @@ namespace {
 namespace internal = CGAL::Surface_mesh_geodesics::internal;
 
 // Runs phases with random numbers of units. One unit of each phase throws, if units fail.
-void check_phases(std::size_t number_of_threads, bool units_fail, test_support::Random& random)
+void each_unit_is_done_once(std::size_t number_of_threads, bool units_fail, test_support::Random& random)
 {
   test_support::Scope scope(std::to_string(number_of_threads) + " threads");
   internal::Work_sharing sharing;
@@ -138,8 +138,8 @@ int main()
   test_support::Random random(test_support::announce_seed(20261123));
   for(const std::size_t number_of_threads : std::vector<std::size_t>{1, 2, 5, 64})
   {
-    check_phases(number_of_threads, false, random);
-    check_phases(number_of_threads, true, random);
+    each_unit_is_done_once(number_of_threads, false, random);
+    each_unit_is_done_once(number_of_threads, true, random);
   }
   parts_divide_the_vertices();
   batches_are_a_small_part_of_the_wavefront(random);

@@ -151,7 +151,7 @@ inline Indexed_mesh rectangle(std::size_t m, std::size_t n, double dx, double dy
   return mesh;
 }
 
-inline void rectangles_of_long_faces(std::size_t number, test_support::Random& random)
+inline void paths_in_rectangles_of_long_faces_are_found(std::size_t number, test_support::Random& random)
 {
   Worst worst;
   for(std::size_t i = 0; i < number; ++i)
@@ -171,7 +171,7 @@ inline void rectangles_of_long_faces(std::size_t number, test_support::Random& r
 }
 
 // Checks other meshes, squeezed in a random direction.
-inline void squeezed_meshes(std::size_t number, test_support::Random& random)
+inline void paths_on_squeezed_meshes_are_found(std::size_t number, test_support::Random& random)
 {
   Worst worst;
   const std::vector<Indexed_mesh> meshes = small_collection(20260408);

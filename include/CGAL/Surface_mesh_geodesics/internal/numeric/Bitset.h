@@ -27,6 +27,10 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
+// Invariant: m_first has the numbers 0 .. 63, m_others[j] those from 64 (j + 1) on. Nearly all sets here are smaller
+// than 64, as they belong to the star of a vertex; these allocate no memory.
+//
+// insert() and remove() require a number below the n of the last reset().
 class Bitset
 {
 public:

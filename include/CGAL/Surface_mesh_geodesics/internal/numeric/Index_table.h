@@ -43,7 +43,7 @@ public:
     m_size = 0;
   }
 
-  // The value of a key, or null. The pointer is valid until the next insertion.
+  // The value of a key, or null. The pointer is valid until the next insertion. Requires: key != null_id.
   const Value* find(std::uint32_t key) const
   {
     if(m_size == 0)
@@ -72,7 +72,8 @@ private:
   std::size_t position(std::uint32_t key) const
   {
     CGAL_assertion(key != null_id && m_size < m_keys.size());
-    // (Fibonacci hashing: the constant is 2^64 over the golden ratio. Keys that follow each other are spread evenly.)
+    // (Fibonacci hashing: the constant is 2^64 over the golden ratio. Keys that follow each other are spread evenly.
+    // The middle bits of the product are taken, as the lowest ones depend on the lowest bits of the key alone.)
     const std::size_t mask = m_keys.size() - 1;
     std::size_t i = static_cast<std::size_t>((key * std::uint64_t(0x9E3779B97F4A7C15)) >> 32) & mask;
     while(m_keys[i] != key && m_keys[i] != null_id)

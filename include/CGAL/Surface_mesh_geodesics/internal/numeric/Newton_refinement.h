@@ -34,6 +34,10 @@ namespace internal {
 // f is the difference of the distances from two points. If these are close to each other, the gradient of f vanishes:
 // then f tells nothing about the position, and g decides it alone.
 //
+// Formula: a step is x times the unit gradient of f (`across`) plus y times its normal (`along`). With n the length of
+// the gradient of f, f + n x = 0 gives x, and then g + x (grad g) across + y (grad g) along = 0 gives y. If grad g has
+// nearly no component along (`slope`), the curves f = 0 and g = 0 are nearly parallel, and p is the answer.
+//
 // Error: where the method converges, |f| + |g| is at most the rounding of the distances (`precision`). No bound is
 // known for the position, since the two curves may touch.
 template <typename FT, typename Residuals>
@@ -99,7 +103,8 @@ Planar_point<FT> polished_intersection(const Additively_weighted_point<FT>& a, c
   });
 }
 
-// Returns the line through p perpendicular to the bisector of a and b.
+// Returns the line through p perpendicular to the bisector of a and b: its direction is the gradient of the difference
+// of the distances. Where that vanishes, the result is zero everywhere.
 template <typename FT>
 Half_plane<FT> line_across(const Additively_weighted_point<FT>& a, const Additively_weighted_point<FT>& b,
                            const Planar_point<FT>& p)

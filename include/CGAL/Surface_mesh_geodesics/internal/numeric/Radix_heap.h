@@ -36,6 +36,7 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
+// Invariant: each entry is in bucket_of(its key). Bucket 0 has those that are due when the reached distance grows.
 class Radix_heap
 {
 public:
@@ -66,7 +67,9 @@ public:
       return;
     const std::size_t last = bucket_of(reached);
     m_reached = reached;
-    // All entries in the buckets before the last one are due, and some of the last one.
+    // `last` is the highest bit in which the reached distance changes. Entries in the buckets before the last one agree
+    // with the former distance in this bit, so they are due; some of the last one are. Those behind it stay where they
+    // are, as their first difference is above this bit.
     for(std::size_t i = 0; i <= last; ++i)
     {
       if(m_bucket[i].empty())

@@ -246,6 +246,8 @@ public:
   bool is_left_focus() const { return m_is_left_focus; }
 
   // Returns the point at parameter t >= 0: the start at 0. Behind end(), it is on the other branch.
+  // Formula, unless it is straight: p0 + 2 t (T - t b u) / w(t), with the tangent T at p0, the direction u of p0 from
+  // F, b = m_bend and w = denominator().
   Point point(const FT& t) const
   {
     if(m_is_straight)
@@ -254,7 +256,9 @@ public:
     return Point{FT(m_p.x + factor * (m_tx - g * m_ux)), FT(m_p.y + factor * (m_ty - g * m_uy))};
   }
 
-  // Returns a distance from the start that no point of the curve from 0 to t exceeds.
+  // Returns a distance from the start that no point of the curve from 0 to t exceeds: point() with the norms of both
+  // vectors, and with the smallest coefficient in Bernstein form as a lower bound of w. Infinity if that is not
+  // positive.
   FT reach(const FT& t) const
   {
     using std::abs;
@@ -299,7 +303,7 @@ public:
     return Point{FT((mx * wt - nx * dw) / square), FT((my * wt - ny * dw) / square)};
   }
 
-  // Positive where the curve exists.
+  // The polynomial w(t) = (1 + t^2) / r(t), with r the distance of the point from F. Positive where the curve exists.
   const Quadratic<FT>& denominator() const { return m_denominator; }
 
   // Returns the parameter at which the curve goes to infinity. Behind it, point() is on the other branch.
@@ -307,7 +311,8 @@ public:
 
   // Returns the parameter from which the curve should be described anew, infinity if there is none. Parameters lose
   // their digits far away from the focus, where all of them are close to end(), and after more than half a turn around
-  // it.
+  // it. Formula: the first root of 1 + t^2 - reach r w(t), where the curve is `reach` times as far from F as p0 is, but
+  // no more than half_turn().
   FT end_of_precision() const
   {
     if(m_is_straight)
@@ -332,6 +337,10 @@ public:
 
   // Returns a polynomial in the parameter that is positive where a third point g is nearer than the two; it is negative
   // everywhere if g never is. `to_g` is the distance of g from the start in the plane.
+  //
+  // Formula: (1 + t^2) (s + u d) - K w(t), with s, d and K those of F and g. It is the inequality K / r < s + u d,
+  // multiplied by 1 + t^2. The value at p0 is ((r + s)^2 - to_g^2) / (2 r), computed as a product (`gain`), so that it
+  // keeps its digits where g is about as near as F.
   Quadratic<FT> nearer(const Focus& g, const FT& to_g) const
   {
     if(m_is_straight)

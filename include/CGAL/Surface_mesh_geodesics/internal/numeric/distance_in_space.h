@@ -18,7 +18,8 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// The Euclidean distance of two points of any kernel, as a double. std::hypot() lets no square overflow or vanish.
+// The Euclidean distance of two points of any kernel, as a double. std::hypot() lets no square overflow or vanish. The
+// coordinates are subtracted in the numbers of the kernel: only their differences are rounded to double.
 template <typename Point>
 double distance_in_space(const Point& p, const Point& q)
 {

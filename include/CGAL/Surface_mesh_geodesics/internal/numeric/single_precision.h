@@ -39,7 +39,7 @@ struct Single_precision
                                             : std::numeric_limits<float>::infinity();
   }
 
-  // A bound from below.
+  // A bound from below; the largest finite number for large x, so that no bound from below is infinite.
   template <typename FT>
   static float not_more(const FT& x)
   {

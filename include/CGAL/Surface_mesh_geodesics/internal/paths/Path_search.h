@@ -74,7 +74,7 @@ public:
   }
 
   // The same from the point of face f with the barycentric coordinates b, which is at `distance`. `root` is the root of
-  // its arrival; the path leads to the source of the root.
+  // its arrival; the path leads to the source of the root. Requires: the root is reached, b >= 0.
   bool from_location(Face_id f, const std::array<FT, 3>& b, Vertex_id root, const FT& distance, const FT& tolerance,
                      Steps& path)
   {
@@ -257,8 +257,9 @@ private:
     return (x - cone.image_x) * (x - cone.image_x) + cone.image_depth * cone.image_depth;
   }
 
-  // The same for one vertex v, at the distance `from_vertex` from the farthest point, which is `from_image` from the
-  // image.
+  // Returns whether the path through v, an end of the edge of a cone, is not longer at the point of the cone farthest
+  // from v. That point is at `from_vertex` from v and at `from_image` from the image. A vertex with another source than
+  // that of the search beats nothing: its paths lead to the wrong source.
   bool is_beaten(Vertex_id v, const FT& from_vertex, const FT& from_image) const
   {
     const auto known = m_shortest.find(v);
@@ -291,7 +292,8 @@ private:
   }
 
   // Looks at the apex of the face behind a cone, and through the two other sides of the face. The line from the image
-  // to the apex crosses the edge at t, moved into the cone; there the cone is divided between the two sides.
+  // to the apex crosses the edge at t, moved into the cone; there the cone is divided between the two sides. The search
+  // goes back to the stop of the cone, which need not be the last one.
   void look_through(Index i)
   {
     const Cone cone = m_cones[i];
@@ -307,7 +309,9 @@ private:
       add(right_part(cone, c, i, t));
   }
 
-  // Returns the part of a cone on the side AC, through the points of AB from begin to t.
+  // Returns the part of a cone on the side AC, through the points of AB from begin to t. Frame: that of the halfedge
+  // behind AC, which runs from A to C. If t is before the end of the cone, the part reaches C. It may be empty; add()
+  // drops it then.
   static Cone left_part(const Cone& cone, const Face_frame<FT>& c, Index i, const FT& t)
   {
     const Side_angle<FT> angle = left_angle(c);
@@ -389,6 +393,8 @@ private:
         reversed.push_back(step);
         return;
       }
+      // From the side to the frame of the parent. `part` is the fraction of the way from A to C, or from B to C: the
+      // halfedge behind AC runs from A to C, and that behind CB from C to B.
       const Halfedge_id before = m_cones[cone.parent].halfedge;
       const Face_frame<FT> c = m_mesh.face_frame(before);
       const bool is_left = h == previous_halfedge(before);
@@ -400,8 +406,8 @@ private:
 
   const Mesh& m_mesh;
   const Field& m_field;
-  Vertex_id m_source = null_id;
-  FT m_distance = 0, m_tolerance = 0;
+  Vertex_id m_source = null_id;       // where the path has to end
+  FT m_distance = 0, m_tolerance = 0; // the length that it has to have
   Index m_stop = null_id; // the current stop; null_id for the beginning
   FT m_length = 0;        // of the path to the current stop
   std::size_t m_effort = 0;

@@ -41,7 +41,10 @@ struct Path_item
 };
 
 // Calls `report` with each item, in the order of the path. Call begin_behind() first if the path begins at a point that
-// is reported elsewhere, then add() for each step, then finish().
+// is reported elsewhere, then add() for each step, then finish(). An object serves one path.
+//
+// Invariants between calls: all items before m_pending are reported or left out; m_last is the last one that was
+// reported, or the point of begin_behind(). Two items at most are remembered, so paths of any length take no memory.
 template <typename FT, typename Report>
 class Path_thinning
 {
@@ -63,7 +66,7 @@ public:
   }
 
   // Takes the next step. A step on an edge that is not part of an edge of the first mesh is passed over; its gap and
-  // face count for the next step.
+  // face count for the next step. (An edge with a step inside has a length: see Path_step.)
   void add(const Path_step<FT>& step)
   {
     CGAL_expensive_assertion(step.gap >= 0);
@@ -94,7 +97,8 @@ public:
   }
 
 private:
-  // Returns whether the item lies on the face of the first mesh of which `part` is a part.
+  // Returns whether the item lies on the face of the first mesh of which `part` is a part. Takes time linear in the
+  // degree of a vertex. A point on an edge touches the faces on both sides, a point inside a face only its own.
   bool touches(const Item& item, Face_id part) const
   {
     const Face_id f = m_parts.whole(part);

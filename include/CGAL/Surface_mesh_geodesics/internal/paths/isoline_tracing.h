@@ -54,6 +54,9 @@ struct Isoline_point
 // Invariants, when all faces have been looked at: each point has two neighbors, one in each face at its edge, or one at
 // the border of the mesh; so points and neighbors form lines and closed lines. The number of crossings around a face is
 // even, because each edge has an odd number of them if and only if its ends are on different sides of the value.
+//
+// An object may trace the lines of one value after the other, in one thread: it keeps its buffers. It changes nothing
+// that it reads.
 template <typename FT_>
 class Isoline_tracer
 {
@@ -146,7 +149,8 @@ private:
     return distance_at(face_of(h), b);
   }
 
-  // Appends the crossings between the positions s < t of h, in order. Their distances are ds and dt.
+  // Appends the crossings between the positions s < t of h, in order. Their distances are ds and dt. Positions are
+  // fractions of the edge, in [0, 1].
   // The recursion halves t - s, so it ends after -log2(resolution) steps, 41 for doubles.
   void find_crossings(Halfedge_id h, const FT& value, const FT& s, const FT& ds, const FT& t, const FT& dt)
   {
@@ -185,7 +189,9 @@ private:
 
   // Joins the crossings around a face in pairs. They divide its boundary into arcs that are nearer and farther in turn;
   // after the first crossing the arc is on the other side of the value than corner 0. With more than two crossings the
-  // distance at their centroid decides whether the segments cut off the nearer arcs or the farther ones.
+  // distance at their centroid decides whether the segments cut off the nearer arcs or the farther ones: those that are
+  // not on the side of the centroid. A shift of 0 cuts off the arcs behind points with even numbers, a shift of 1 the
+  // others.
   void connect_in_face(Face_id f, const FT& value)
   {
     const std::vector<Point_index> around = points_around(f, value);
@@ -216,7 +222,8 @@ private:
     return around;
   }
 
-  // Returns the barycentric coordinates of the centroid of some crossings of a face.
+  // Returns the barycentric coordinates of the centroid of some crossings of a face. A crossing that belongs to the
+  // halfedge of the neighbor is turned to that of f, which runs the other way.
   std::array<FT, 3> middle_of(Face_id f, const std::vector<Point_index>& around) const
   {
     std::array<FT, 3> b{};
@@ -263,7 +270,8 @@ private:
       }
   }
 
-  // Returns the points of the line from point i on, without a vertex twice in a row, and marks them.
+  // Returns the points of the line from point i on, without a vertex twice in a row, and marks them. The walk ends
+  // where a point has no second neighbor, or where it meets a point that is marked: the first one of a closed line.
   std::vector<Point> line_from(Point_index i, std::vector<char>& is_done) const
   {
     std::vector<Point> points;

@@ -20,7 +20,9 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// Parallel_tag or Sequential_tag.
+// Parallel_tag or Sequential_tag. The test asks for Parallel_tag: in CGAL it is derived from Sequential_tag, so both
+// convert to the latter. Without TBB, Parallel_tag is an error, as elsewhere in CGAL; Parallel_if_available_tag is
+// Sequential_tag then.
 template <typename ConcurrencyTag>
 struct Available_tag
 {

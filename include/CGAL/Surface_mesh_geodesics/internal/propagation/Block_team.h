@@ -21,12 +21,17 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
+// `Team` is a team of threads: see Worker_team.h. The blocks depend on the size of the team, so work() must have the
+// same result for any blocks.
 template <typename Team>
 class Block_team
 {
 public:
   explicit Block_team(Team team = Team()) : m_team(team) {}
 
+  // Calls work(first, last) for blocks of nearly the same size, the first one in this thread. A short loop stays in
+  // this thread, as one block, which is empty if n is 0. Each thread writes an entry of `faults` of its own: a team
+  // must not see an exception, and the fault of the first block is thrown, whichever came first in time.
   template <typename Work>
   void operator()(std::size_t n, const Work& work) const
   {

@@ -45,6 +45,7 @@ public:
   using Mesh = Intrinsic_mesh<FT>;
   using Runner = Repeated_propagation<Distance_propagation<FT, All_pruning_rules>>;
 
+  // The insertion refers to the copy, and the runner to both: members are made in this order, and destroyed in reverse.
   Matrix_worker(const Mesh& mesh, bool needs_copy)
   {
     if(needs_copy)
@@ -59,7 +60,8 @@ public:
 
   // Runs from one source, and returns the result, which is valid until the next run. The source is `location` unless
   // that is null, else `vertex`. If `stop` is set meanwhile, the run ends early and no distances are known; the row is
-  // not output then.
+  // not output then. (The flag guards no other memory, so its order relative to other reads does not matter.)
+  // Requires: `location` is null unless the worker has a copy of the mesh.
   const Runner& run(Vertex_id vertex, const Located_source<FT>* location, const Run_limits<FT>& limits,
                     const Stop_flag& stop)
   {
@@ -76,7 +78,7 @@ private:
   std::unique_ptr<Mesh> m_mesh;
   std::unique_ptr<Source_insertion<FT>> m_insertion;
   std::unique_ptr<Runner> m_runner;
-  Source_set<FT> m_source;
+  Source_set<FT> m_source; // one source without an offset; a buffer between runs
 };
 
 // Passes a row to the function of the user; returns whether to go on. A function that returns void never stops; the
@@ -148,7 +150,9 @@ public:
   }
 
   // Row i has the targets whose distance from source i is at most the maximum (in the user's unit), in the order of
-  // their positions.
+  // their positions. A run ends at the maximum, or when all targets are final if that is earlier. A row takes time for
+  // the vertices that the run reaches, not for all targets.
+  // Requires: maximum_distance >= 0; the targets are vertices of the mesh.
   template <typename Tag, typename Output>
   bool put_sparse_rows(Tag tag, const std::vector<Vertex_id>& targets, double maximum_distance,
                        Output& output) const
@@ -173,7 +177,8 @@ public:
 
 private:
   // The positions of each vertex in a range of targets, which may contain it several times: a list for each vertex,
-  // linked by position.
+  // linked by position. All threads read one object, which is made once for a matrix, in time linear in the numbers of
+  // targets and of vertices.
   class Target_positions
   {
   public:
@@ -207,7 +212,8 @@ private:
     return static_cast<double>(FT(runner.distance(v) * m_mesh.unit()));
   }
 
-  // Fills a row with the distances of [first, last) from source i. The range must not change during the run.
+  // Fills a row with the distances of [first, last) from source i. The range must not change during the run. (Without
+  // targets nothing is run: a run without targets would have no limit.)
   void run_to(Worker& worker, std::size_t i, const Vertex_id* first, const Vertex_id* last, Dense_row& row,
               const Stop_flag& stop) const
   {
@@ -222,7 +228,8 @@ private:
       row.push_back(distance(runner, *first));
   }
 
-  // Calls compute(worker, i, row, stop) for each row, in the threads of `tag`, and passes the rows on in order.
+  // Calls compute(worker, i, row, stop) for each row, in the threads of `tag`, and passes the rows on in order. Only
+  // located sources change the mesh, so without them no worker needs a copy.
   template <typename Row, typename Tag, typename Output, typename Compute>
   bool put_rows(Tag tag, Output& output, Compute compute) const
   {
@@ -234,7 +241,7 @@ private:
 
   const Mesh& m_mesh;
   Source_set<FT> m_sources;
-  std::vector<const Located_source<FT>*> m_location; // by position
+  std::vector<const Located_source<FT>*> m_location; // by position, in m_sources; null for a vertex
 };
 
 } // namespace internal

@@ -159,7 +159,8 @@ private:
     return [this](Vertex_id v, const FT& key) { m_queue.push_or_decrease(v, key); };
   }
 
-  // Takes over the distances and the lists of the star.
+  // Takes over the distances and the lists of the star. The maximum number of windows is that between visits: those
+  // that a visit makes and removes again do not count.
   void put_back()
   {
     bool are_windows_stale = false;

@@ -40,6 +40,9 @@ using Stop_flag = std::atomic<bool>;
 // Invariants, while the mutex is held: rows below m_first_inside have been output; m_first_inside <= m_next <=
 // m_first_inside + number of rows in memory; row i is in slot i % number of rows. Only one thread outputs at a time,
 // and only that thread changes m_first_inside.
+//
+// The contents of a row need no lock. They belong to the thread that has claimed the row; when it marks the row as
+// filled, under the mutex, they pass to the thread that outputs, and with m_first_inside to the next claim of the slot.
 template <typename Row, typename Compute, typename Output>
 class Ordered_rows
 {
@@ -55,7 +58,8 @@ public:
   Ordered_rows(const Ordered_rows&) = delete;
   Ordered_rows& operator=(const Ordered_rows&) = delete;
 
-  // Computes and outputs rows until there are no more. Does not throw: finish() does.
+  // Computes and outputs rows until there are no more. Does not throw: finish() does. A thread that finds no row makes
+  // no worker, which may have to copy a mesh.
   template <typename MakeWorker>
   void work(const MakeWorker& make_worker)
   {
@@ -151,7 +155,10 @@ private:
 
 // Computes and outputs the rows 0 .. n-1. compute(worker, i, row, stop) fills row i; output(i, row) is called for one
 // row at a time, in ascending order. Returns false as soon as output() does, else true. make_worker() returns a
-// pointer; each thread that computes rows calls it once, and is the only one that uses the worker.
+// pointer; each thread that computes rows calls it once, and is the only one that uses the worker. If a call throws,
+// the others stop, and the first exception is thrown when all threads have returned.
+//
+// There are four rows in memory for each thread, so that the others may run ahead of a row that takes long.
 template <typename Row, typename Team, typename MakeWorker, typename Compute, typename Output>
 bool for_each_ordered_row(const Team& team, std::size_t n, const MakeWorker& make_worker, const Compute& compute,
                           const Output& output)

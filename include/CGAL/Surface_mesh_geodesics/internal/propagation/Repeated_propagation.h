@@ -27,7 +27,9 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// Where a run may end early: at the maximum distance and, if there are targets, when their distances are final.
+// Where a run may end early: at the maximum distance and, if there are targets, when their distances are final. An
+// empty range of targets is no limit. The distance is in the unit of the mesh; the range must live until the run has
+// ended.
 template <typename FT>
 struct Run_limits
 {
@@ -37,6 +39,9 @@ struct Run_limits
 };
 
 // `Propagation` is Distance_propagation or Parallel_distance_propagation.
+//
+// The field keeps the result after the sources are removed from the mesh: vertices of inserted sources are then numbers
+// behind those of the mesh, which no face has. They are valid for the queries below until the next run.
 template <typename Propagation>
 class Repeated_propagation
 {
@@ -57,6 +62,10 @@ public:
 
   // Propagates from the sources, and sets the vertices of those in faces. Returns false if go_on(number of visits,
   // distance) does; no vertex has been reached then. The result does not depend on the order of the sources.
+  //
+  // The propagation restarts when the sources are inserted: restart() sizes its tables by the refined mesh. The sources
+  // are removed in any case, also by an exception; m_limit is set only by a run that returns true.
+  // Requires: no source is in a face if the object was made without an insertion.
   template <typename GoOn>
   bool run(Source_set<FT>& sources, const Run_limits<FT>& limits, GoOn go_on)
   {
@@ -88,7 +97,8 @@ public:
   // Returns the vertex of the source from which the distance of v is measured. Requires: v has been reached.
   Vertex_id source_of(Vertex_id v) const { return m_field.source_of(v); }
 
-  // Returns all vertices that the last run touched, each once; those of sources in faces are among them.
+  // Returns all vertices that the last run touched, each once; those of sources in faces are among them. Some may have
+  // distances that are not final: distance() is infinite for these.
   const std::vector<Vertex_id>& vertices_reached() const { return m_field.reached; }
 
   Propagation_statistics statistics() const { return m_propagation.statistics(); }
@@ -111,7 +121,7 @@ private:
   Source_insertion<FT>* m_insertion;
   Field m_field;
   Propagation m_propagation;
-  FT m_limit = -1; // distances beyond it are not final
+  FT m_limit = -1; // distances beyond it are not final; -1 if there is no result
 };
 
 } // namespace internal

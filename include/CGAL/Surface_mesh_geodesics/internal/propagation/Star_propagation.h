@@ -60,6 +60,9 @@ bool is_improvement(const FT& d, const FT& distance, bool may_emit)
 // propagated across h, after pruning.
 //
 // Invariants, between visits: the pool owns the blocks of all lists; m_statistics counts all visits since restart().
+//
+// Threads: an object is used by one thread at a time. Objects of several threads may share the mesh and the distances,
+// which no visit changes.
 template <typename FT, typename Rules, typename Keeper = No_window_keeper>
 class Star_propagation
 {
@@ -95,6 +98,9 @@ public:
 
   // Visits the vertex of a star. Requires: the star has been filled by Wavefront::take().
   // Afterwards no window waits inside the star: see the invariants of Vertex_star.
+  //
+  // The edges come first, so that all windows are compared with distances of the link that count the paths along the
+  // edges. All distances are in the unit of the mesh.
   void propagate(Star& star)
   {
     CGAL_expensive_assertion(star.waiting_lists_are_marked());
@@ -135,6 +141,9 @@ private:
 
   // Emits a window from the vertex onto the opposite edge of each face of the sector, unless the edge is a border, has
   // no length, or the window is beaten by the vertex a or b at once (rule of Xin and Wang 2009).
+  //
+  // The window is in the frame of the halfedge ba, which belongs to the face beyond: seen from v, b is on the left. The
+  // distances of its ends are those along the edges vb and va.
   void emit(Star& star)
   {
     for(std::size_t i = 0; i < star.faces.size(); ++i)
@@ -176,7 +185,8 @@ private:
       });
   }
 
-  // The mirror image: faces are numbered from the last one on, so that the sweep runs against their order.
+  // The mirror image: faces are numbered from the last one on, so that the sweep runs against their order. (A set
+  // visits its elements in ascending order, and also those that are inserted behind the current one.)
   void turn_clockwise(Star& star)
   {
     Bitset& waiting = star.waiting_from_last;
@@ -194,6 +204,9 @@ private:
 
   // Propagates a list across va: its left part goes on around v, its right part leaves the star. The list is taken out
   // of the face first, since the part that goes on around v may wait for the same face (a star of one face).
+  //
+  // Frame: that of va. The corners A, B and C are v, a and b; the left edge AC is that to the next face around v, the
+  // right edge CB is that of the link.
   void cross_counterclockwise(Star& star, Face& f)
   {
     const Face_frame<FT> c = m_mesh.face_frame(f.halfedge);
@@ -213,7 +226,8 @@ private:
     m_pool.release(list);
   }
 
-  // Propagates a list across bv: its right part goes on around v, its left part leaves the star.
+  // Propagates a list across bv: its right part goes on around v, its left part leaves the star. Frame: that of bv, so
+  // the corners A, B and C are b, v and a.
   void cross_clockwise(Star& star, Face& f)
   {
     const Halfedge_id bv = previous_halfedge(f.halfedge);
@@ -235,7 +249,8 @@ private:
   }
 
   // Prunes the list that is about to enter a face across h, finds its shortest path to the third vertex of the face,
-  // and improves that vertex. Returns whether anything of the list is left.
+  // and improves that vertex. Returns whether anything of the list is left. The keeper sees what pruning has left,
+  // before the list is split. An improved apex becomes the rival of the children: split() uses `corners` next.
   bool enter(Halfedge_id h, const Face_frame<FT>& c, Corner_rivals<FT>& corners, List& list, Link& apex,
              typename List_crossing::Apex_path& path)
   {
@@ -269,7 +284,7 @@ private:
 
   // Improves a vertex of the link by a path of length d, if it is shorter. The last straight piece of the path leads
   // from the vertex `root` through the point `abscissa` of the halfedge h opposite to the vertex. Returns whether it
-  // did.
+  // did. The image is set by enter() only: a path along an edge needs none.
   static bool improve(Link& link, const FT& d, Halfedge_id h, const FT& abscissa, Vertex_id root)
   {
     if(!is_improvement(d, link.distance, link.may_emit))
@@ -286,7 +301,8 @@ private:
   static Vertex_rival<FT> rival(const Star& star) { return Vertex_rival<FT>(star.distance, star.is_degenerate); }
 
   // Reserves capacity for n more windows in a list. Returns a list without a block if there is no list (at the border),
-  // or if its edge has no length.
+  // or if its edge has no length. The result refers to the block of the list: split() writes there, and put() makes the
+  // windows part of the list. In between, nothing else may be added to the list.
   List reserve(List* list, std::size_t n, const FT& length)
   {
     if(list == nullptr || !(length > 0))
@@ -312,6 +328,8 @@ private:
   }
 
   // Appends to a list a batch that was written into the spare capacity of the list; drops a batch that is too far away.
+  // (A window at the maximum distance stays: it may reach a vertex there.) A list that stays empty gives its block
+  // back.
   void put(List& list, const Window_batch<FT>& batch)
   {
     const bool is_too_far = batch.size > 0 && batch.minimum_distance > m_maximum_distance;

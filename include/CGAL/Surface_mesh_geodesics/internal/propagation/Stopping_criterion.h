@@ -55,6 +55,8 @@ public:
 
   // Advances to `key`, and returns whether the propagation may stop. Requires: no window that waits is nearer than
   // `key`; `distance` are the current distances of the vertices. Amortized cost: constant, plus each target once.
+  // Ties: a key at the maximum distance does not end the run, as vertices at that distance may still be reached from
+  // it.
   bool is_reached_at(const FT& key, const std::vector<FT>& distance)
   {
     m_reached = (std::max)(m_reached, key); // rounding may let a window be nearer than its parent

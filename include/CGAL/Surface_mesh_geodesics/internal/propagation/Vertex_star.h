@@ -38,7 +38,8 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// A vertex of the link. The visit improves this copy of its distance; the field is updated afterward.
+// A vertex of the link. The visit improves this copy of its distance; the field is updated afterward. So a visit sees
+// its own improvements at once, and those of visits at the same time never.
 template <typename FT>
 struct Link_vertex
 {
@@ -55,7 +56,8 @@ struct Link_vertex
   Vertex_rival<FT> rival() const { return Vertex_rival<FT>(distance, is_degenerate); }
 };
 
-// A face (v, a, b) of the star.
+// A face (v, a, b) of the star. It owns the blocks of its lists from Wavefront::take() to Wavefront::put_lists(); then
+// the wavefront does.
 template <typename FT>
 struct Star_face
 {
@@ -97,7 +99,8 @@ struct Vertex_star
   Bitset waiting, waiting_from_last;
   Bitset marks; // a buffer of Wavefront
 
-  // Finds the faces and links of v. The caller fills in the rest. Linear in the degree of v.
+  // Finds the faces and links of v. The caller fills in the rest. Linear in the degree of v. If a list of the former
+  // star still has a block, as after an exception, the pool does not get it back.
   void surround(const Intrinsic_mesh<FT>& mesh, Vertex_id v)
   {
     vertex = v;
@@ -158,7 +161,8 @@ private:
     close(mesh, first_face, h == null_id);
   }
 
-  // Adds the face of h and the link a before it. The next call, or close(), adds the link b behind it.
+  // Adds the face of h and the link a before it. The next call, or close(), adds the link b behind it. The neighbors
+  // are set as if the umbrella had neither a beginning nor an end; close() corrects its first and its last face.
   void add_face(const Intrinsic_mesh<FT>& mesh, Halfedge_id h)
   {
     const std::uint32_t f = static_cast<std::uint32_t>(faces.size());
@@ -167,7 +171,8 @@ private:
     links.emplace_back(mesh.target(h));
   }
 
-  // Joins the last face of an umbrella to its first one, unless a border separates them.
+  // Joins the last face of an umbrella to its first one, unless a border separates them. In a closed umbrella the last
+  // link is the first one; at a border it has a place of its own.
   void close(const Intrinsic_mesh<FT>& mesh, std::uint32_t first_face, bool has_border)
   {
     if(has_border)

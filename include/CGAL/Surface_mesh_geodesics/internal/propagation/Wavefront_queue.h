@@ -12,9 +12,9 @@
 
 // The priority queue of the wavefront (thesis, 4.3.2): vertices ordered by the smallest distance that waits at them.
 //
-// An indexed heap with four children per node. It stores the position of each vertex in the heap, so that a key can be
-// decreased in place and a vertex has at most one entry. Four children make the heap half as deep as two, and the
-// children of a node share a cache line.
+// An indexed heap with four children per node: the children of entry i are 4 i + 1, ..., 4 i + 4. It stores the
+// position of each vertex in the heap, so that a key can be decreased in place and a vertex has at most one entry. Four
+// children make the heap half as deep as two, and the children of a node lie in a row, in one cache line or in two.
 //
 // Ties: equal keys are ordered by vertex index. The order of visits, and with it every bit of the result, therefore
 // depends on the keys alone and not on the history of the heap.
@@ -155,7 +155,8 @@ private:
     m_position[entry.vertex] = static_cast<std::uint32_t>(i);
   }
 
-  // Moves the vacancy at i toward the root until the entry fits there.
+  // Moves the vacancy at i toward the root until the entry fits there. Each entry on the way moves once; no two are
+  // exchanged.
   void sift_up(std::size_t i, const Entry& entry)
   {
     while(i > 0)
@@ -169,7 +170,8 @@ private:
     put(i, entry);
   }
 
-  // Moves the vacancy at the root toward the leaves until the entry fits there.
+  // Moves the vacancy at the root toward the leaves until the entry fits there. Each step finds the least of up to four
+  // children, without a branch for the same reason as is_before().
   void sift_down(const Entry& entry)
   {
     std::size_t i = 0;

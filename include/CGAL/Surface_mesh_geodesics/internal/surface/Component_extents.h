@@ -34,7 +34,8 @@ namespace internal {
 
 // Components from the faces of any mesh whose vertices have the indices 0 .. n-1. Call add_face() for all faces, then
 // finish(), then the queries. Takes almost linear time in all, and constant time for a query. The result does not
-// depend on the order of the faces, except which vertex represents a component.
+// depend on the order of the faces, except which vertex represents a component. All lengths are in one unit, that of
+// the caller.
 template <typename FT>
 class Component_extents
 {
@@ -82,13 +83,14 @@ public:
 private:
   using Sets = boost::disjoint_sets<std::size_t*, std::size_t*>;
 
+  // A view of the two arrays, which hold the whole state. (boost::disjoint_sets owns nothing.)
   Sets sets() { return Sets(m_rank.data(), m_component.data()); }
 
   std::vector<std::size_t> m_component, m_rank; // the parents in the forest of disjoint sets; after finish(), the roots
   std::vector<FT> m_longest_edge;               // of the faces added at a vertex; after finish(), valid at the roots
 };
 
-// Returns, for each vertex of a mesh, the extent of its component.
+// Returns, for each vertex of a mesh, the extent of its component, in the unit of the mesh. Takes almost linear time.
 template <typename FT>
 std::vector<FT> extents_of_components(const Intrinsic_mesh<FT>& mesh)
 {

@@ -46,7 +46,7 @@ class Face_parts
 {
 public:
   // Returns the part of face f of the first mesh that contains the point b; b become its coordinates there, snapped to
-  // the edges and corners of that part (snap_coordinates()).
+  // the edges and corners of that part (snap_coordinates()). If f has not been divided, b stay as they are.
   Face_id part_with(Face_id f, Barycentric<FT>& b) const
   {
     const auto parts = m_parts.find(f);
@@ -129,6 +129,9 @@ private:
   // Returns the part that contains b, and sets its coordinates there. If rounding leaves several parts, the one where
   // no coordinate is negative, or the least one is largest, wins; then the one where the coordinates are known best;
   // then the first one.
+  //
+  // Narrow parts, where nothing is known, are passed over. Some part is wide enough: together they cover the face,
+  // whose area in its own coordinates is that of the unit triangle. `local` is set only by such a part.
   Face_id find_part(const std::vector<Face_id>& parts, const Barycentric<FT>& b, Barycentric<FT>& local) const
   {
     Face_id best = parts.front();
@@ -150,7 +153,9 @@ private:
     return best;
   }
 
-  std::unordered_map<Face_id, std::vector<Face_id>> m_parts; // of a face of the first mesh
+  // For each divided face of the first mesh its parts, the first of which has the index of the face; for each part its
+  // corners there.
+  std::unordered_map<Face_id, std::vector<Face_id>> m_parts;
   std::unordered_map<Face_id, Face_part<FT>> m_part_of;
 };
 

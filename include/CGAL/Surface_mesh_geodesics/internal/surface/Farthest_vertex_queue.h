@@ -27,13 +27,17 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
+// Invariant: each of the vertices has one entry, whose key is not smaller than its distance. So an entry at the top
+// whose key is its distance is the farthest: no other distance exceeds the key of its own entry.
+//
+// Vertices that no source reaches have the distance infinity; they are the farthest.
 template <typename FT>
 class Farthest_vertex_queue
 {
 public:
   // Contains the vertices 0 .. n-1. Requires: both vectors have entries for them. Of vertices with the same distance,
   // the one with the smallest rank[v] is the farthest. Both vectors are referred to, not copied; distances may shrink,
-  // but not grow.
+  // but not grow. Takes linear time.
   Farthest_vertex_queue(const std::vector<FT>& distance, const std::vector<Vertex_id>& rank, std::size_t n)
     : m_distance(distance), m_rank(rank)
   {

@@ -44,6 +44,8 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
+// Invariants, from finish() on: those of mesh_invariants.h. Vertices and faces that are added later have numbers behind
+// those of the mesh as it was built. A copy is a mesh of its own.
 template <typename FT_>
 class Intrinsic_mesh
 {
@@ -75,6 +77,8 @@ public:
 
   const Face& face(Face_id f) const { return m_faces[f]; }
 
+  // The ends of h, which has its face on the left; the halfedge between them in the face across, or null_id at the
+  // border; the length, in the unit of this mesh. Requires: h is a halfedge of a face.
   Vertex_id source(Halfedge_id h) const { return m_faces[face_of(h)].vertex[index_in_face(h)]; }
   Vertex_id target(Halfedge_id h) const { return source(next_halfedge(h)); }
   Halfedge_id opposite(Halfedge_id h) const { return m_faces[face_of(h)].opposite[index_in_face(h)]; }
@@ -222,6 +226,7 @@ public:
   // without points, bound_faces_crossed_by_lengths() ---
 
   // Reserves memory for the faces that a few sources inside faces need: else the first source would double the memory.
+  // New faces hold anything until the builder has set all their members; vertices are the former ones until finish().
   void reset(std::size_t number_of_faces)
   {
     m_faces.reserve(number_of_faces + room_for_sources);
@@ -229,7 +234,10 @@ public:
     m_edge_components.clear();
     m_extents_of_added_faces.clear();
   }
+
+  // See unit(). Requires: a power of two.
   void set_unit(const FT& unit) { m_unit = unit; }
+
   // Requires: there are several components, sorted by face.
   void set_edge_components(const std::vector<Edge_component>& components)
   {
@@ -240,9 +248,14 @@ public:
     m_edge_components = components;
   }
 
+  // Whoever changes a face keeps the invariants.
   Face& face(Face_id f) { return m_faces[f]; }
 
   // Finds the umbrellas and the kinds of the vertices 0 .. n-1. Requires: all faces are set.
+  //
+  // The order of the steps: the star of a vertex is filled from its first umbrella, and find_bends() looks into the
+  // stars for the faces of a block. Takes linear time. Each umbrella beyond the first one of a vertex takes time linear
+  // in the number of all such umbrellas.
   template <typename Blocks = One_block>
   void finish(std::size_t number_of_vertices, const Blocks& blocks = Blocks())
   {
@@ -261,6 +274,9 @@ public:
   // Lets shortest paths cross faces more than once; see most_faces_crossed(). If some face is flatter than
   // Tolerance::lost_face(), no bound from its height would end the computation in practice; the bound then ignores
   // faces that are flatter than Tolerance::thick_face().
+  //
+  // Formula: the sum of 1 + |e| / h over the three sides e of all faces, where h is the least height. The least height
+  // of a face is twice its area over its longest side. If no face counts, h is infinite.
   void bound_faces_crossed_by_lengths()
   {
     double height = std::numeric_limits<double>::infinity(), height_of_thick = height, sum = 0;
@@ -283,7 +299,8 @@ public:
 
   // --- refinement and its reversal, for sources inside faces and on edges (Source_insertion.h) ---
 
-  // Adds a vertex with a total angle of 2 pi, or pi on the border, which h leaves.
+  // Adds a vertex with a total angle of 2 pi, or pi on the border, which h leaves. h may be null_id if set_halfedge()
+  // follows.
   Vertex_id add_flat_vertex(Halfedge_id h)
   {
     m_vertex_halfedge.push_back(h);
@@ -292,7 +309,7 @@ public:
   }
 
   // Adds a face, a part of the face `whole`, and returns its index. The opposites of its neighbors are the caller's
-  // task.
+  // task. All references to faces become invalid.
   Face_id add_face(const Face& f, Face_id whole)
   {
     const FT extent = extent_around(whole);
@@ -302,7 +319,8 @@ public:
     return static_cast<Face_id>(m_faces.size() - 1);
   }
 
-  // Removes the last vertices and faces.
+  // Removes the last vertices and faces. Requires: they have been added since finish(), and none of those that stay
+  // refers to them.
   void truncate(std::size_t number_of_vertices, std::size_t number_of_faces)
   {
     CGAL_assertion(number_of_vertices <= this->number_of_vertices() && number_of_faces <= this->number_of_faces());
@@ -332,6 +350,10 @@ public:
 
 private:
   // Finds the first umbrella of each vertex and all those with a border, and reserves memory for the stars.
+  //
+  // A vertex at the border starts with its first halfedge at the border, any other one with its first halfedge. The
+  // umbrellas that are still missing are closed; fill_stars() notices them. m_star_begin[v + 1] first counts the
+  // halfedges that leave v, and then is the end of their row in m_star.
   void find_umbrellas()
   {
     m_star_begin.assign(number_of_vertices() + 1, 0);
@@ -394,7 +416,8 @@ private:
   }
 
   // Fills the stars, and finds umbrellas that are not known yet. (A walk around a vertex waits for the memory at each
-  // step, so it does nothing else.) The star of a pinched vertex may lack halfedges.
+  // step, so it does nothing else.) The star of a pinched vertex may lack halfedges. Each vertex has a row of its own
+  // in m_star, so blocks do not disturb each other.
   template <typename Blocks>
   void fill_stars(const Blocks& blocks)
   {
@@ -482,7 +505,8 @@ private:
       }
   }
 
-  // If sources have divided a face into n+1 faces, a path that crosses the face once crosses at most n+1 of them.
+  // If sources have divided a face into n+1 faces, a path that crosses the face once crosses at most n+1 of them. On a
+  // surface with points no face is crossed twice, so their number is the bound.
   void count_most_faces_crossed()
   {
     m_most_faces_crossed = number_of_faces();

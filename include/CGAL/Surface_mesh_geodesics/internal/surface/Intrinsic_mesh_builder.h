@@ -39,14 +39,15 @@ namespace Surface_mesh_geodesics {
 namespace internal {
 
 // A face of a triangle mesh: the indices of its corners and of the faces across its edges. A neighbor that is not
-// the index of a face stands for the border. Edge j leads from corner j to corner j+1.
+// the index of a face stands for the border. Edge j leads from corner j to corner j+1. Corners are indices of the
+// caller; number_vertices() replaces them by vertices of the mesh.
 struct Connected_face
 {
   std::array<std::uint32_t, 3> corner, neighbor;
 };
 
-// Call the member functions in the order in which they stand. Throws Invalid_geodesic_input; its element() is the
-// position of a face.
+// Call the member functions in the order in which they stand; keep_components_of() may be left out. Throws
+// Invalid_geodesic_input; its element() is the position of a face.
 //
 // The faces come in any order, and a neighbor may be anywhere in memory. They are put into their new order once, at the
 // beginning. Everything after that reads memory from front to back.
@@ -63,7 +64,8 @@ public:
   std::size_t number_of_components() const { return m_first_of_component.size(); }
 
   // Drops the components from which no path leads to a wanted vertex, also through vertices that components share. The
-  // numbers of the other faces stay in order. Takes linear time.
+  // numbers of the other faces stay in order. A component moves as a whole, to numbers that have become free before it,
+  // so one shift serves all its faces and their neighbors. Takes almost linear time.
   // Requires: is_wanted has an entry for each index of a corner.
   void keep_components_of(const std::vector<char>& is_wanted)
   {
@@ -111,6 +113,10 @@ public:
 
   // Makes the faces, in blocks (One_block.h). shape(position, vertices, face) sets the lengths and the layout of a
   // face, and returns which of its edges becomes halfedge 0. Throws if two faces disagree about their edge.
+  // Requires: the corners of each face are three different vertices.
+  //
+  // The second loop begins when the first one has ended: the halfedge opposite to an edge has its number only when the
+  // face across knows its first edge. A block writes its own faces only.
   template <typename Shape, typename Blocks>
   void set_faces(const Shape& shape, Intrinsic_mesh<FT>& mesh, const Blocks& blocks)
   {
@@ -169,6 +175,9 @@ public:
 
 private:
   // Numbers breadth first; each component starts from its first face.
+  //
+  // Invariant: m_order[0 .. end-1] are the faces that have numbers. m_faces has the first of them, whose neighbors have
+  // numbers as well; the others are the queue of the search.
   void number_faces(const std::vector<Connected_face>& faces)
   {
     const std::size_t n = faces.size();
@@ -207,7 +216,7 @@ private:
     return name;
   }
 
-  // Makes face i, but for its neighbors.
+  // Makes face i, but for its neighbors. Corner k of the face is corner k + shift of the caller, modulo 3.
   template <typename Shape>
   void set_face(Face_id i, const Shape& shape, Intrinsic_face<FT>& face)
   {
@@ -225,7 +234,8 @@ private:
                                                    : static_cast<Face_id>(m_faces.size());
   }
 
-  // Which components have a wanted vertex, or share vertices with such a component, directly or through others?
+  // Which components have a wanted vertex, or share vertices with such a component, directly or through others? A set
+  // of components is connected across vertices. Its representative learns of a wanted vertex first, then all others do.
   std::vector<char> components_connected_to(const std::vector<char>& is_wanted) const
   {
     const std::size_t n = number_of_components();
@@ -249,7 +259,8 @@ private:
     return result;
   }
 
-  // Gives face f the number `to`. Its neighbors move by the same number, `shift`.
+  // Gives face f the number `to`. Its neighbors move by the same number, `shift`. Requires: to == f - shift, which
+  // is f itself, or the number of a face that has been moved or dropped.
   void move_face(Face_id f, Face_id shift, Face_id to)
   {
     m_faces[to] = m_faces[f];
@@ -266,7 +277,7 @@ private:
   }
 
   // The halfedge opposite to edge j of face i: the one between the same vertices in the face across. Throws unless that
-  // face has it, and face i across it.
+  // face has it, and face i across it. k is the corner of that face where edge j ends, or 0 if it has no such corner.
   Halfedge_id opposite(Face_id i, unsigned int j) const
   {
     const Face_id g = m_faces[i].neighbor[j];
@@ -283,6 +294,8 @@ private:
     return halfedge(g, k);
   }
 
+  // Throws for the first face of a component that has a length. A component without lengths is valid: all its points
+  // are one.
   template <typename Has_length>
   void reject_lengths(Has_length has_length, Face_id first, Face_id last) const
   {

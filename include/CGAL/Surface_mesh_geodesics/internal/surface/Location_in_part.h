@@ -33,6 +33,8 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
+// All lengths and areas here are those of barycentric coordinates, not of the surface. coordinates() and rounding() are
+// in the order of the corners given, and mean something if is_known().
 template <typename FT>
 class Location_in_part
 {
@@ -41,6 +43,10 @@ public:
 
   // Measures from a corner of the shortest side and leaves out the largest coordinate of that corner. If two corners
   // are very near to each other, differences of the other coordinates are accurate relative to their distance.
+  //
+  // Formula (Cramer's rule): with u and v the differences of the two other corners and p that of the point from the
+  // first corner, p = s u + t v has s = (p x v) / (u x v) and t = (u x p) / (u x v). The same for p - s u - t v
+  // corrects s and t once. The coordinates are 1 - s - t at the first corner, s and t at the others.
   Location_in_part(const std::array<Barycentric, 3>& corner, const Barycentric& point)
   {
     using std::abs;
@@ -82,7 +88,9 @@ public:
 
   FT least_coordinate() const { return *std::min_element(m_coordinates.begin(), m_coordinates.end()); }
 
-  // Moves the point to the edge or the corner on which it may be, given the error bounds. Requires: is_known().
+  // Moves the point to the edge or the corner on which it may be, given the error bounds. Requires: is_known(). Then
+  // the largest coordinate, at least 1/3, exceeds its bound, so at least one is kept. On an edge the result may still
+  // have a negative coordinate: it tells that the point is not in this part.
   void snap()
   {
     using std::abs;
@@ -119,6 +127,7 @@ private:
 
   static FT cross(const Difference& u, const Difference& v) { return u.x * v.y - u.y * v.x; }
 
+  // Returns a bound of the error of cross(u, v), to first order in the bounds of the four coordinates.
   static FT rounding_of_cross(const Difference& u, const Difference& v)
   {
     using std::abs;
@@ -134,12 +143,14 @@ private:
     return square > 0 ? FT(((m_point.x - m_corner[i].x) * x + (m_point.y - m_corner[i].y) * y) / square) : FT(0);
   }
 
+  // Returns the distance of two corners as the sum of the differences of their coordinates.
   static FT extent(const Barycentric& a, const Barycentric& b)
   {
     using std::abs;
     return abs(FT(a[0] - b[0])) + abs(FT(a[1] - b[1])) + abs(FT(a[2] - b[2]));
   }
 
+  // The corner from which differences are measured, and the coordinate that they leave out.
   unsigned int m_first = 0, m_without = 0;
   bool m_has_area = false;
   std::array<Difference, 3> m_corner;

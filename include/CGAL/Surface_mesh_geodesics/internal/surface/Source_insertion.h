@@ -47,6 +47,8 @@ namespace internal {
 // from its coordinates (from_corner()), lengths of surviving edges are copied, and the halves of an edge are its length
 // times the two weights. Each new face gets its own layout from these vectors, with its shortest edge as the base.
 //
+// The *first mesh* is the mesh without inserted sources, as it was at the construction or the last restart().
+//
 // Invariants, between public functions: m_saved has each changed face as it was before each change, in that order,
 // m_saved_kinds each changed kind; parts() knows all faces that are parts of a face of the first mesh.
 template <typename FT_>
@@ -66,7 +68,8 @@ public:
 
   // Returns the vertex at the point b of face f of the first mesh, and makes it if there is none. A point that is up to
   // rounding on an edge or at a vertex is there; see snap_coordinates(). On an edge without length, the vertex is an
-  // end of the edge. Takes time linear in the number of parts of f, unless a vertex around is pinched.
+  // end of the edge. A second source at the same point gets the same vertex. Takes time linear in the number of parts
+  // of f, unless a vertex around is pinched.
   // Requires: are_valid_coordinates(b).
   Vertex_id insert(Face_id f, Coordinates b)
   {
@@ -74,6 +77,7 @@ public:
     snap_coordinates(b);
     Coordinates local = b;
     const Face_id s = m_parts.part_with(f, local);
+    // Coordinates that are exactly zero tell where the point is: none inside the part, one on an edge, two at a corner.
     unsigned int number_of_zeros = 0, zero = 0;
     for(unsigned int k = 0; k < 3; ++k)
       if(local[k] == 0)
@@ -106,7 +110,7 @@ public:
 
   // Removes all inserted vertices: restores each face, vertex and kind to the same bits. Takes time for
   // what the insertions have changed. Changes are taken back in reverse order, since a face may have been saved several
-  // times.
+  // times. The mesh is truncated last: among the saved faces and kinds are those of faces and vertices that were added.
   void undo()
   {
     if(m_saved.empty())
@@ -146,8 +150,8 @@ private:
 
   static Vector negated(const Vector& a) { return Vector{FT(-a.x), FT(-a.y)}; }
 
-  // Returns the vector from corner k to the point b. Its relative error stays small if the point is near the corner,
-  // as no positions are subtracted.
+  // Returns the vector from corner k to the point b: b_i (p_i - p_k) + b_j (p_j - p_k), where i and j are the other
+  // corners. Its relative error stays small if the point is near the corner, as the position of b is not rounded first.
   static Vector from_corner(const std::array<Vector, 3>& p, const Coordinates& b, unsigned int k)
   {
     const unsigned int i = next_corner(k), j = previous_corner(k);
@@ -156,7 +160,8 @@ private:
   }
 
   // Makes a face of a draft, instead of face f, or at the end if f is null_id; returns the halfedge that is side 0
-  // of the draft. The opposites are not set. The shortest side becomes halfedge 0, the first one in a tie.
+  // of the draft. The opposites are not set. The shortest side becomes halfedge 0, the first one in a tie. `whole` is
+  // the face of the first mesh of which the new face is a part.
   Halfedge_id make_face(const Draft& draft, Face_id whole, Face_id f)
   {
     const unsigned int shift = static_cast<unsigned int>(
@@ -186,7 +191,8 @@ private:
   }
 
   // Sets the apex by the projection of the third side on the base, side `shift` of the draft. A height that rounding
-  // makes negative is zero: the invariant of a layout.
+  // makes negative is zero: the invariant of a layout. Formula: with b the base and a the vector from its beginning to
+  // the apex, (a b / |b|, b x a / |b|). A base without length has no direction; the apex is then on the x axis.
   static void set_apex_of(const Draft& draft, unsigned int shift, Face& face)
   {
     const Vector& base = draft.side[shift];
@@ -217,7 +223,8 @@ private:
       m_mesh.face(face_of(b)).opposite[index_in_face(b)] = a;
   }
 
-  // An edge that survives the replacement of its face: its old and new name, its opposite and its source.
+  // An edge that survives the replacement of its face: its old and new name, its opposite before the split, and its
+  // source.
   struct Kept_edge
   {
     Halfedge_id from, opposite, to;
@@ -225,7 +232,8 @@ private:
   };
 
   // Links the kept edges of the new faces, and completes the new vertex v, which `leaving` leaves. If the faces of two
-  // opposite edges have both been replaced, both edges are among the kept ones.
+  // opposite edges have both been replaced, both edges are among the kept ones. `renaming` has the halves of a split
+  // edge already. The vertices around v come last: a walk around v needs all links.
   void finish_split(Vertex_id v, Halfedge_id leaving, const std::vector<Kept_edge>& kept,
                     Renaming renaming)
   {
@@ -253,7 +261,8 @@ private:
 
   // Makes pseudo-sources of the vertices around a source. Paths that graze them run through a gap between the windows
   // on both sides, whose directions err by the rounding of the edges around, relative to the distance of the source. A
-  // source very near to a vertex makes both degenerate, as an edge of the mesh with that length would.
+  // source very near to a vertex makes both degenerate, as an edge of the mesh with that length would. (Each face
+  // around v gives both of its edges at v: the last edge before a border is that of one face only.)
   void mark_near_vertices(Vertex_id v)
   {
     m_mesh.for_each_halfedge_around(v, [this, v](Halfedge_id h)
@@ -322,14 +331,17 @@ private:
       made[k] = make_face(d, whole.whole, k == 0 ? s : null_id);
       kept.push_back(Kept_edge{halfedge_of(s, k), old.opposite[k], made[k], old.vertex[k]});
     }
-    for(unsigned int k = 0; k < 3; ++k) // the spokes between neighbors
+    // Each spoke is between two neighbors: next_halfedge(made[k]) leads from corner k+1 to v, and the halfedge before
+    // made[k+1] back.
+    for(unsigned int k = 0; k < 3; ++k)
       link(next_halfedge(made[k]), previous_halfedge(made[next_corner(k)]));
     finish_split(v, previous_halfedge(made[0]), kept, Renaming());
     return v;
   }
 
   // Splits the edge h = (a, b) at wa a + wb b, and the faces on both sides; returns the new vertex. Both weights are
-  // given, as 1 minus the larger one would lose digits of the smaller one.
+  // given, as 1 minus the larger one would lose digits of the smaller one. Requires: both are positive, and the edge
+  // has a length. If h is at the border, so is (v, b), which therefore begins the umbrella of v.
   Vertex_id split_edge(Halfedge_id h, const FT& wa, const FT& wb)
   {
     const Halfedge_id o = m_mesh.opposite(h);
@@ -377,7 +389,8 @@ private:
   }
 
   // Splits the face of h = (a, b), with the third vertex c, at the point v = wa a + wb b; returns the halfedges (a, v)
-  // and (v, b). The edge (a, b) is not among the kept ones.
+  // and (v, b). The edge (a, b) is not among the kept ones. The face of a, v and c takes the index of the old one,
+  // that of v, b and c is appended. Both sides get the same `length`, so that the halves have the same bits on both.
   std::pair<Halfedge_id, Halfedge_id> split_side(Halfedge_id h, const FT& wa, const FT& wb,
                                                  const FT& length, Vertex_id v,
                                                  std::vector<Kept_edge>& kept)

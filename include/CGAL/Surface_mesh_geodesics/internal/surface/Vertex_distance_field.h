@@ -30,7 +30,8 @@ namespace internal {
 
 // The last straight piece of the shortest path to a vertex: it comes from the vertex `root`, crosses `halfedge`, which
 // is opposite to the vertex in a face, at `abscissa` (measured from the source of the halfedge), and enters the vertex
-// through that face. For a source, `halfedge` is null_id and `root` is the vertex itself.
+// through that face. For a source, `halfedge` is null_id and `root` is the vertex itself. If the piece is an edge of
+// the mesh, it "crosses" the halfedge at its end, which is the root.
 template <typename FT>
 struct Vertex_arrival
 {
@@ -39,13 +40,19 @@ struct Vertex_arrival
   Vertex_id root = null_id;
 };
 
-// The image of the root in the frame of the halfedge of arrival: the point (x, -depth).
+// The image of the root in the frame of the halfedge of arrival: the point (x, -depth). It means nothing if the last
+// piece is an edge of the mesh, which ends in its first face.
 template <typename FT>
 struct Arrival_image
 {
   FT x = 0, depth = 0;
 };
 
+// Invariants between the steps of a run: `reached` has exactly the vertices whose distance is finite, and these have a
+// root in `arrival`. All lengths are in the unit of the mesh. Distances shrink during a run; which of them are final is
+// known to the propagation that fills the field (reached_distance()).
+//
+// Threads: several may read the field while no run changes it. Wavefront.h says who changes it during a run.
 template <typename FT>
 struct Vertex_distance_field
 {
@@ -93,6 +100,8 @@ struct Vertex_distance_field
 
   static FT infinity() { return std::numeric_limits<FT>::infinity(); }
 
+  // Returns whether the shortest path to v begins at v. A source that is nearer to another one, because of its offset,
+  // is not a source in this sense.
   bool is_source(Vertex_id v) const
   {
     return arrival[v].root == v && arrival[v].halfedge == null_id;

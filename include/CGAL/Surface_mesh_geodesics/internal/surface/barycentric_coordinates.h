@@ -43,7 +43,8 @@ bool are_valid_coordinates(const std::array<FT, 3>& b)
 }
 
 // Sets coordinates up to Tolerance::barycentric() to zero, and divides the others by their sum. The point moves to an
-// edge or a corner if it is that near to it. Requires: are_valid_coordinates(b).
+// edge or a corner if it is that near to it. Requires: are_valid_coordinates(b). Then the largest coordinate is about
+// 1/3 at least, and the sum is positive. Afterwards no coordinate is negative, and that of a corner is exactly 1.
 template <typename FT>
 void snap_coordinates(std::array<FT, 3>& b)
 {
@@ -66,7 +67,9 @@ unsigned int nearest_corner(const std::array<FT, 3>& b)
   return static_cast<unsigned int>(std::max_element(b.begin(), b.end()) - b.begin());
 }
 
-// Returns the coordinates of the point b of a triangle whose corners have the coordinates c in a larger face.
+// Returns the coordinates of the point b of a triangle whose corners have the coordinates c in a larger face. Formula:
+// b[0] c[0] + b[1] c[1] + b[2] c[2]. Zeros stay exact: a point of a side that lies on an edge of the larger face has a
+// coordinate 0 there.
 template <typename FT>
 std::array<FT, 3> combination(const std::array<std::array<FT, 3>, 3>& c, const std::array<FT, 3>& b)
 {

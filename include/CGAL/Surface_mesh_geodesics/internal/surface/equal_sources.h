@@ -30,8 +30,13 @@ namespace internal {
 // Calls visit(v, u) for each source at a vertex v with an edge to the vertex u of an earlier source such that the two
 // tie: the length of the edge plus the difference of the offsets is at most Tolerance::equal_sources(), relative to the
 // extent of their component (Intrinsic_mesh::extent_around()): the sources of a small component may be nearer to each
-// other than the rounding of the distances in a large one. No vertex occurs both as a v and as a u, so ties do not form
-// chains. Takes time linear in the number of faces around the sources, times the logarithm of the number of components.
+// other than the rounding of the distances in a large one. If each vertex has one source, no vertex occurs both as a v
+// and as a u, so ties do not form chains. Of several vertices u that tie with v, the last one around v counts. Takes
+// time linear in the number of faces around the sources, times the logarithm of the number of components.
+//
+// vertex[i] and offset[i] are those of source i, in the unit of the mesh. Requires: both ranges have the same size, and
+// all sources are vertices of the mesh. Of several sources at one vertex, the first one that ties with no earlier
+// source is compared with all that follow.
 template <typename FT, typename Visit>
 void for_each_equal_source(const Intrinsic_mesh<FT>& mesh, const std::vector<Vertex_id>& vertex,
                            const std::vector<FT>& offset, Visit visit)

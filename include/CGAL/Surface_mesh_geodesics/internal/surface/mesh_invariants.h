@@ -23,7 +23,7 @@ namespace Surface_mesh_geodesics {
 namespace internal {
 
 // Returns whether the layout is valid: side 0 is a shortest side, lengths are not negative, the apex is not below the
-// base.
+// base. A length that is not a number is not valid.
 template <typename FT>
 bool is_layout_valid(const Intrinsic_face<FT>& f)
 {
@@ -42,7 +42,8 @@ bool is_opposite_valid(const Intrinsic_mesh<FT>& mesh, Halfedge_id h)
 }
 
 // Returns whether the halfedge of v leaves v, begins its umbrella, and the kinds of v agree: a pinched or degenerate
-// vertex is a pseudo-source.
+// vertex is a pseudo-source. A walk that begins at the border ends at the border; only a pinched vertex may also have
+// umbrellas of the other kind.
 template <typename FT>
 bool is_vertex_valid(const Intrinsic_mesh<FT>& mesh, Vertex_id v)
 {

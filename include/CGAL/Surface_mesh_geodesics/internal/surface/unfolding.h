@@ -11,7 +11,7 @@
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_UNFOLDING_H
 
 // From the frame of a halfedge AB to the frames of the two other sides of its face, AC on the left and CB on the right
-// (Face_frame in Intrinsic_mesh.h). An image that lies below AB is turned about A, or about B, until the side is the x
+// (Face_frame in Intrinsic_face.h). An image that lies below AB is turned about A, or about B, until the side is the x
 // axis. This is one step of unfolding (thesis 3.3.1), for one image.
 
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>

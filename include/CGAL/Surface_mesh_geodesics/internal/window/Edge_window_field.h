@@ -148,7 +148,8 @@ public:
   using Thread_keeper = Window_keeper;
   static constexpr bool is_deferred = false;
 
-  // The field must be reset before the first keep(), and not after it.
+  // The field must be reset before the first keep(), and not after it, and must outlive the keeper. With
+  // divides_lists = false, each list is one bundle.
   explicit Window_keeper(Edge_window_field<FT>& field, bool divides_lists = true)
     : m_field(&field), m_divides_lists(divides_lists)
   {}
@@ -158,7 +159,8 @@ public:
   Thread_keeper thread_keeper() const { return Window_keeper(*m_field, false); }
 
   // Keeps the windows of a list that a propagation carries across h, in the frame of h: copies what Kept_window has.
-  // Takes constant time for each window, amortized.
+  // Takes constant time for each window, amortized. The new bundle becomes the head of the chain of h; entries of other
+  // halfedges are not touched.
   // Requires: the field has been reset for the mesh, refined by its sources; the list satisfies the invariants of a
   // stored list (Window_lists.h), it may be empty.
   void keep(Halfedge_id h, const Window_list<FT>& list)
@@ -186,7 +188,8 @@ public:
 private:
   using Bundle = typename Edge_window_field<FT>::Bundle;
 
-  // Reserves memory for n windows and a bundle. If that throws, nothing has changed but the memory of the field.
+  // Reserves memory for n windows and a bundle. If that throws, nothing has changed but the memory of the field. What
+  // is left of the former chunk stays unused, so a list that is not divided may waste some.
   void get_memory(std::size_t n)
   {
     if(m_free_windows < n)

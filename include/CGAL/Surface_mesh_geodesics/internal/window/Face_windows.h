@@ -39,7 +39,7 @@ namespace internal {
 // the windows in the ring up to this chunk, so the last link has the number of windows of the halfedge.
 //
 // All functions with a halfedge require that reset() has been called for a mesh with that halfedge. Windows move when
-// others are added: visitors get copies.
+// others are added: visitors get copies. An object is used by one thread at a time.
 template <typename FT>
 class Face_windows
 {
@@ -62,6 +62,9 @@ public:
 
   // Adds window(i) for i = 0 .. n-1, called once each and in this order, behind the windows that h has. `window` does
   // not access this object. n may be 0. Fewer than 2^32 windows of one halfedge can be kept.
+  //
+  // A number of windows that is a multiple of the capacity means that the last chunk is full: it is never empty. The
+  // chunk is looked up after add_chunk(), which may move all chunks.
   template <typename Window_at>
   void add(Halfedge_id h, std::size_t n, Window_at window)
   {
@@ -147,7 +150,8 @@ private:
     std::uint32_t next;
   };
 
-  // Puts an empty chunk behind the last one, or makes it the only one. It becomes the last chunk.
+  // Puts an empty chunk behind the last one, or makes it the only one. It becomes the last chunk, and takes over the
+  // number of windows in those before it.
   void add_chunk(std::uint32_t& last)
   {
     const std::uint32_t c = new_chunk();

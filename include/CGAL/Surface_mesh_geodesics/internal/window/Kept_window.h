@@ -31,7 +31,7 @@ struct Kept_window
   Vertex_id root;
 };
 
-// Returns what is kept of window i of a list.
+// Returns what is kept of window i of a list. The lower half of a Window_history is the root.
 template <typename FT>
 Kept_window<FT> kept_window(const Window_list<FT>& list, std::size_t i)
 {

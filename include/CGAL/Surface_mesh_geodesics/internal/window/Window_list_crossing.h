@@ -247,7 +247,8 @@ private:
     list.size = static_cast<std::uint32_t>(last);
   }
 
-  // Is w dominated by itself, whatever its neighbors are?
+  // Is w dominated by itself, whatever its neighbors are? Stale windows, and those that have crossed too many faces,
+  // are counted with those that a vertex beats.
   bool is_dominated(const Window<FT>& w, const FT& length, const Vertex_rival<FT>& left,
                     const Vertex_rival<FT>& right)
   {
@@ -299,7 +300,8 @@ private:
   }
 
   // Splits a list window by window. A window keeps both sides if its position relative to the nearest one is unknown,
-  // or if it lies wholly on the other side of the separating point than its key says: then nothing can be proved.
+  // or if it lies wholly on the other side of the separating point than its key says: then nothing can be proved. The
+  // cuts at the ends of AB let all of its paths go to both edges.
   void split_one_by_one(const Window_list<FT>& list, const Face_frame<FT>& c, const Apex_path& path,
                         Edge_cut<FT> to_left, Edge_cut<FT> to_right)
   {
@@ -347,8 +349,10 @@ private:
   bool m_has_stale_windows = false; // there may be windows of a pseudo-source that has been improved since
   bool m_has_close_images = false;  // some windows of the list may be too close to trim
   Window_batch<FT> m_left, m_right;
-  std::vector<FT> m_abscissa;           // the apex_abscissa of each window of the list
-  std::vector<Suspects> m_suspects;     // among the windows of the list
+  // The apex_abscissa of each window of the list, from find_apex_path() to split(). There is room for a full step of
+  // lanes behind the last one.
+  std::vector<FT> m_abscissa;
+  std::vector<Suspects> m_suspects; // among the windows of the list, while it is pruned
 };
 
 } // namespace internal

@@ -49,6 +49,7 @@ struct Window_batch
   FT minimum_distance;
   std::uint32_t steps; // joined_steps() of the windows
 
+  // Begins an empty batch behind the windows of a list. A list without a block gives a batch that takes no windows.
   void start(const Window_list<FT>& space, std::uint32_t steps_of_windows)
   {
     list = space;
@@ -68,7 +69,8 @@ struct Window_batch
   }
 };
 
-// Which paths of a list go to the edge AC or CB, and the rivals there.
+// Which paths of a list go to the edge AC or CB, and the rivals there: A and C, or C and B. The left of the cut goes to
+// AC, the right of it to CB; a cut at the far end of AB lets all paths go.
 template <typename FT>
 struct Edge_cut
 {
@@ -86,7 +88,8 @@ struct Nearest_window
   bool has_close_images; // some windows of the list may be too close to trim
 };
 
-// Eight windows of a list, with a bit for each one that has to be examined by itself.
+// Eight windows of a list, with a bit for each one that has to be examined by itself: window i has bit i % 8 of word
+// i / 8. Eight is the largest number of lanes.
 using Suspects = unsigned char;
 constexpr std::size_t suspects_in_word = 8;
 
@@ -208,6 +211,8 @@ Window_list_loops<FT> window_list_loops(Lane_choice choice = Lane_choice::BEST)
   return one_lane::List_loops<FT, Rules>::table();
 }
 
+// Call the object with the number of windows that a loop will process; it returns the table to use.
+//
 // The loops for lists of any length. Lists of one window pay for vectors and gain nothing; lists of up to four windows
 // gain nothing from eight lanes. With many sources, most lists are that short.
 template <typename FT, typename Rules>

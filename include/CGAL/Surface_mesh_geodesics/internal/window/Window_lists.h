@@ -48,6 +48,9 @@ namespace internal {
 //
 // A value of this type refers to a block and does not own it. Its functions are const in the sense of a pointer: they
 // change windows, not the block. Row i of all columns together is window i.
+//
+// The columns of numbers lie one behind the other from `numbers` on, `height` rows each, and so do those of words. A
+// value without a block has the height 0.
 template <typename FT>
 struct Window_columns
 {
@@ -198,7 +201,8 @@ public:
   using List = Window_list<FT>;
   using Columns = Window_columns<FT>;
 
-  // Makes an empty list with a capacity of n windows at least. Requires: n > 0.
+  // Makes an empty list with a capacity of n windows at least. Its rows hold what the last list of the block has left.
+  // Requires: n > 0.
   List allocate(std::size_t n)
   {
     List list;
@@ -223,7 +227,7 @@ public:
   }
 
   // Reserves capacity for n more windows behind those of a list. add() makes them part of the list. The list moves to a
-  // larger block if it has to; then its columns change.
+  // larger block if it has to; then its columns change, and copies of the list refer to a block that is free.
   void reserve(List& list, std::size_t n)
   {
     if(list.size + n <= list.capacity())
@@ -296,6 +300,11 @@ private:
   //
   // A late window with the key of an old one is marked, as their order is not known (Window.h). Marks are set in the
   // lowest bit of the steps, which is one_step in the history.
+  //
+  // Invariant of the loop: the first n rows of `merged` are the old windows before `old` and the late ones before
+  // `late`. Each copy may write up to three more rows; the next one writes over them, and the last one ends in the
+  // padding. If an old window has the key of a late one, the last old one that is copied has it, as the old ones are
+  // sorted.
   void merge(List& list, std::size_t middle)
   {
     List merged = allocate(list.size);
@@ -448,7 +457,8 @@ public:
 
   bool has(Halfedge_id h) const { return m_slot_of_halfedge[dense_index(h)] != null_id; }
 
-  // Moves the list of h to `list`. Requires: has(h), and `list` has no block.
+  // Moves the list of h to `list`. The slot stays with the thread of `slots`. Requires: has(h), and `list` has no
+  // block.
   void take(Halfedge_id h, List& list, Window_list_slots& slots)
   {
     CGAL_assertion(has(h) && list.columns.height == 0);
@@ -462,7 +472,8 @@ public:
     slots.number_of_windows -= static_cast<std::ptrdiff_t>(list.size);
   }
 
-  // Moves a list to h, where it is merged with the list that waits already. Requires: the list is not empty.
+  // Moves a list to h, where it is merged with the list that waits already. Of windows with the same key, those of that
+  // one come first. `pool` and `slots` are those of the calling thread. Requires: the list is not empty.
   void put(Halfedge_id h, List& list, Window_pool<FT>& pool, Window_list_slots& slots)
   {
     CGAL_assertion(list.size > 0);
@@ -483,7 +494,8 @@ public:
     list = List();
   }
 
-  // Lets other threads use slots that a thread has too many of.
+  // Lets other threads use slots that a thread has too many of. Requires: no thread takes or puts lists meanwhile, as
+  // this takes no lock.
   void share_surplus(Window_list_slots& slots)
   {
     if(slots.free.size() <= 2 * slots_in_chunk)
@@ -538,6 +550,7 @@ private:
     }
   }
 
+  // By dense_index(): the slot, null_id if no list waits. Threads read and write different entries.
   std::vector<std::uint32_t> m_slot_of_halfedge;
   std::vector<std::unique_ptr<Slot[]>> m_chunks;
   std::size_t m_number_of_slots = 0;

@@ -26,6 +26,9 @@ namespace internal {
 // Sets w to the window on the whole edge opposite to a pseudo-source in one face. `c` is the frame of that edge with
 // the pseudo-source as its apex; the window belongs to the opposite halfedge, which runs from c.target to c.origin. A
 // pseudo-source on the line of the edge gets an image of a small positive depth, Tolerance::depth().
+// The apex lies above the edge in the frame `c`, so the image lies below it in that of the opposite halfedge, whose
+// abscissas count from the other end.
+//
 // Requires: root_distance <= target_distance, origin_distance, the distances of the ends of the edge along the window.
 template <typename FT>
 void window_of_pseudo_source(const Face_frame<FT>& c, const FT& root_distance,

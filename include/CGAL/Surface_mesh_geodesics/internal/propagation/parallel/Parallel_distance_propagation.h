@@ -122,7 +122,8 @@ public:
 
   // Removes the sources, distances, limits and statistics of the last run. The mesh may have changed since. Linear in
   // the area that the last run reached; linear in the mesh if an exception of a thread ended that run, or the number of
-  // threads has changed.
+  // threads has changed. The blocks of all lists, those in stars and those that wait, go back to the pools before
+  // surplus memory is freed.
   void restart()
   {
     make_workers();
@@ -232,7 +233,8 @@ private:
     {}
   };
 
-  // The batch to which a vertex belonged last, and its key there, rounded.
+  // The batch to which a vertex belonged last, and its key there, rounded. Rounding makes ties but no other order, and
+  // neighbors see the same marks: of two neighbors in a batch, both agree which one is nearer. Round 0 is none.
   struct Mark
   {
     std::uint32_t round = 0;
@@ -241,7 +243,9 @@ private:
 
   // --- the conductor: the calling thread ---
 
-  // Visits batches until nothing waits or a limit is reached. Returns false as soon as go_on() does.
+  // Visits batches until nothing waits or a limit is reached. Returns false as soon as go_on() does. Each turn of the
+  // loop is a round. A batch is empty if the threshold is below the nearest key; then only the threshold moves. go_on()
+  // is isolated, as it calls the user's visitor, which may use TBB.
   template <typename GoOn>
   bool conduct(GoOn go_on)
   {
@@ -303,7 +307,7 @@ private:
       m_wavefront.expect_stale_windows(largest_key);
   }
 
-  // Marks of earlier rounds become void.
+  // Marks of earlier rounds become void. (If the number of the round overflows, they are removed.)
   void begin_round()
   {
     if(m_round == (std::numeric_limits<std::uint32_t>::max)())
@@ -375,6 +379,7 @@ private:
     return key;
   }
 
+  // The number of windows that wait. (That of one thread may be negative: it takes what others have put.)
   std::size_t number_of_windows() const
   {
     std::ptrdiff_t n = 0;
@@ -393,7 +398,8 @@ private:
 
   // --- any thread ---
 
-  // Brings a part up to date, and marks the vertices of its batch.
+  // Brings a part up to date, and marks the vertices of its batch. Other threads update other parts at the same time;
+  // distances and marks of different parts are different numbers in memory.
   void update_part(std::size_t i)
   {
     Wavefront_part<FT>& part = m_parts[i];
@@ -404,7 +410,7 @@ private:
     m_clock.end_unit();
   }
 
-  // Does a unit of phase 2.
+  // Does a unit of phase 2, visits or the unit of the relay, with the worker of the thread that runs.
   void do_unit(Worker& worker, std::size_t unit)
   {
     m_relay.do_unit(unit, worker.number, worker.stars.keeper(), reached_distance(),
@@ -424,6 +430,8 @@ private:
     }
   }
 
+  // Visits a vertex of the batch, or queues it again. Lists are put back at once, and improvements become messages: see
+  // Wavefront.h about what visits may do at the same time. `next` is visited next; its faces are requested meanwhile.
   void visit(Worker& worker, const Queued_vertex<FT>& q, Vertex_id next)
   {
     worker.star.surround(m_mesh, q.vertex);
@@ -475,7 +483,8 @@ private:
 
   // --- preparation ---
 
-  // Makes a worker for each thread of the team.
+  // Makes a worker for each thread of the team. Workers stay when the team shrinks. Threads that join it later have
+  // none before the next restart(), so a run does not use them.
   void make_workers()
   {
     while(m_workers.size() < (std::max)(m_team.size(), std::size_t(1)))

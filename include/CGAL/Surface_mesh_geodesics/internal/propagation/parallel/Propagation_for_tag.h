@@ -26,14 +26,16 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// `Tag` is the type of an Available_tag.
+// `Tag` is the type of an Available_tag: Sequential_tag, or Parallel_tag where TBB is linked. The primary templates
+// serve Sequential_tag.
 template <typename Tag, typename FT, typename Rules, typename Keeper = No_window_keeper>
 struct Propagation_for_tag
 {
   using type = Distance_propagation<FT, Rules, Keeper>;
 };
 
-// How loops over the elements of a mesh are divided.
+// How loops over the elements of a mesh are divided: a function object as in One_block.h. Only the reading of a mesh
+// uses it; a propagation shares its work in its own way (Work_sharing.h).
 template <typename Tag>
 struct Blocks_for_tag
 {

@@ -35,6 +35,7 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
+// An entry of a queue, in a batch or on its way to a queue. The order is that of Wavefront_queue.
 template <typename FT>
 struct Queued_vertex
 {
@@ -47,7 +48,7 @@ struct Queued_vertex
   }
 };
 
-// A shorter path to a vertex, found in the star of another one.
+// A shorter path to a vertex, found in the star of another one, `star`: the arguments of Wavefront::improve().
 template <typename FT>
 struct Vertex_improvement
 {
@@ -64,7 +65,8 @@ struct Vertex_improvement
   }
 };
 
-// What the visits of one thread leave for one part.
+// What the visits of one thread leave for one part. That thread appends during the visits. The thread that updates the
+// part reads and clears them between the visits, so they need no lock.
 template <typename FT>
 struct Wavefront_messages
 {
@@ -78,7 +80,11 @@ struct Wavefront_messages
   }
 };
 
-// The parts are numbered. Their number is a power of 2.
+// The parts are numbered. Their number is a power of 2, so that a vertex and its number in its part are found by
+// shifts.
+//
+// The bits of a vertex from the highest on: the number of its block in the part, the part (m_bits of them), the place
+// in the block (block_bits). The number of the vertex in its part leaves out those in the middle.
 class Part_numbering
 {
 public:
@@ -104,7 +110,8 @@ public:
     return (block << block_bits) | (number & ((Vertex_id(1) << block_bits) - 1));
   }
 
-  // A bound of number_in_part() for meshes with this number of vertices.
+  // More than number_in_part() for any vertex of a mesh with this number of vertices: the size of tables by that
+  // number.
   std::size_t largest_part(std::size_t number_of_vertices) const
   {
     return ((number_of_vertices >> (block_bits + m_bits)) + 1) << block_bits;
@@ -116,7 +123,10 @@ private:
   unsigned int m_bits = 0;
 };
 
-// Invariant, after update(): all vertices of the part that must be visited are in the queue or in batch().
+// Invariant, after take_over(): all vertices of the part that must be visited are in the queue or in batch().
+//
+// Threads: one at a time updates a part (take_over(), fill_batch()), which writes distances of its own vertices only.
+// The other functions are for the conductor, while no other thread is at work.
 template <typename FT>
 class Wavefront_part
 {
@@ -142,6 +152,11 @@ public:
 
   // Takes over the messages that all threads have left for this part, and clears them. `messages` is a range of
   // pointers.
+  //
+  // Three passes over the messages: the first finds the best improvement of each vertex, the second applies it and
+  // queues vertices, the third forgets. Only the best one is applied: after a worse one, a better one within rounding
+  // would be ignored (is_improvement()), so the result would depend on the order of the messages. Takes linear time,
+  // plus that of the queue.
   template <typename RangeOfMessages>
   void take_over(const RangeOfMessages& messages, Wavefront<FT>& wavefront)
   {
@@ -199,7 +214,7 @@ public:
   // Requires: the vertex belongs to this part.
   void push(Vertex_id v, const FT& key) { m_queue.push_or_decrease(m_numbering.number_in_part(v), key); }
 
-  // The vertices that are queued or in the batch, and the smallest key of these.
+  // The number of vertices that are queued or in the batch, and the smallest key of these, or infinity.
   std::size_t size() const { return m_queue.size() + m_batch.size(); }
   FT nearest_key() const
   {

@@ -33,6 +33,9 @@ namespace internal {
 // `reached` are final.
 //
 // Invariant: m_last_spans tells where in m_last_logs the windows of the last batch are, which the keeper has not seen.
+//
+// There are two logs for each thread, which change places in begin_batch(): the thread writes one of them while the
+// keeper reads the other. Threads: the conductor calls all functions but do_unit(), while no unit is being done.
 template <typename Keeper, bool is_deferred = Keeper::is_deferred>
 class Window_relay
 {
@@ -56,7 +59,9 @@ public:
     }
   }
 
-  // Begins a batch with this number of units of visits. The relay may add a unit of its own.
+  // Begins a batch with this number of units of visits. The relay may add a unit of its own. The logs of the last batch
+  // come here; the threads go on with those of the batch before it, emptied. Takes time linear in the numbers of units
+  // and of threads.
   template <typename Keepers>
   void begin_batch(std::size_t number_of_visit_units, Keepers keepers)
   {
@@ -73,14 +78,15 @@ public:
   // 1 if the keeper has to take over windows during the batch, else 0. That unit comes first, as it may take longest.
   std::size_t number_of_own_units() const { return m_number_of_own_units; }
 
-  // In any thread: does a unit of a batch, with the keeper of that thread. visit(i) does unit i of the visits.
+  // In any thread: does a unit of a batch, with the keeper of that thread. visit(i) does unit i of the visits. Each
+  // unit notes its part of the log in a span of its own: it may be done by any thread, after any others.
   // Requires: all windows of paths that are shorter than `reached` were propagated before this batch.
   template <typename FT, typename Visit>
   void do_unit(std::size_t unit, std::size_t thread, const Log& log, const FT& reached, Visit visit)
   {
     if(unit < m_number_of_own_units)
     {
-      take_over(reached);
+      take_over(reached); // first: the keeper may act on a distance only when it has the windows of shorter paths
       m_keeper.advance(reached);
       return;
     }
@@ -91,7 +97,8 @@ public:
     m_spans[i].last = log.position();
   }
 
-  // Gives the keeper the windows of the last batch of a run that has reached a distance.
+  // Gives the keeper the windows of the last batch of a run that has reached a distance. As no unit follows that could
+  // do this, the conductor does it alone.
   template <typename FT, typename Keepers>
   void finish(const FT& reached, Keepers keepers)
   {
@@ -108,7 +115,8 @@ public:
   }
 
 private:
-  // The windows of one unit.
+  // The windows of one unit: those between two positions of the log of a thread. Spans are in the order of the visits,
+  // whatever thread has made them when; this order is what the keeper sees.
   struct Span
   {
     typename Log::Position first, last;
@@ -128,7 +136,7 @@ private:
   std::size_t m_number_of_own_units = 0;
 };
 
-// There is nothing to relay if threads keep windows at once.
+// There is nothing to relay if threads keep windows at once: no logs, no unit of its own, no memory.
 template <typename Keeper>
 class Window_relay<Keeper, false>
 {

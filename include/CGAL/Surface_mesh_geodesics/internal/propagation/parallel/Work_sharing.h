@@ -27,7 +27,8 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// Waits for another thread: spins at first, then gives the processor away.
+// Waits for another thread: spins at first, then gives the processor away. The pause tells the processor that this is a
+// loop of waiting, so that it leaves its units to the other thread of its core.
 class Spin_wait
 {
 public:
@@ -51,6 +52,10 @@ private:
 
 // Invariants: m_done <= number of units claimed <= number of units of the phase; they are equal between phases. What
 // the conductor writes before share() is seen by all units, and what the units write is seen by the conductor after it.
+//
+// Why that holds. The conductor publishes a phase by storing the ticket (release), and a thread claims a unit by
+// exchanging the ticket (acquire): it sees all that was written before, also that m_done is zero. It counts its unit in
+// m_done (release), and the conductor goes on when it has read the full number (acquire).
 class Work_sharing
 {
 public:
@@ -73,7 +78,8 @@ public:
     rethrow();
   }
 
-  // In another thread: does units until the conductor calls end(). work(kind, i) is unit i of a phase of that kind.
+  // In another thread: does units until the conductor calls end(). work(kind, i) is unit i of a phase of that kind. A
+  // thread may come late, even after end(). An exception of a unit is kept for the conductor.
   template <typename Work>
   void help(Work work)
   {
@@ -85,14 +91,18 @@ public:
         spin.wait();
   }
 
+  // In the conductor's thread: between these two calls, help() waits for units. Requires of begin(): no thread is in
+  // help() yet. Requires of end(): no phase is under way.
   void begin() { m_is_over.store(false); }
   void end() { m_is_over.store(true, std::memory_order_release); }
 
 private:
   // A ticket has the number of the phase (31 bits), its kind (1 bit), the number of units, and the next unit (16 bits
-  // each). A thread claims a unit by exchanging the ticket, so it cannot claim one of a phase that is over.
+  // each). A thread claims a unit by exchanging the ticket, so it cannot claim one of a phase that is over. The next
+  // unit does not run over into the number of units, as it never exceeds it.
   using Ticket = std::uint64_t;
 
+  // The ticket of the next phase, of which no unit is claimed yet.
   static Ticket ticket_after(Ticket t, bool kind, std::uint32_t n)
   {
     return (((t >> 33) + 1) << 33) | (static_cast<Ticket>(kind) << 32) | (static_cast<Ticket>(n) << 16);
@@ -102,7 +112,8 @@ private:
   static std::uint32_t next_unit(Ticket t) { return t & 0xffff; }
   static bool kind_of(Ticket t) { return ((t >> 32) & 1) != 0; }
 
-  // Claims and does one unit. Returns false if all are claimed.
+  // Claims and does one unit. Returns false if all are claimed. A unit that throws counts as done, else the conductor
+  // would wait forever. The first one to throw keeps its exception before it counts; nobody else writes there.
   template <typename Work>
   bool do_one(Work work)
   {
@@ -125,6 +136,7 @@ private:
     return true;
   }
 
+  // Requires: all units are done.
   void rethrow()
   {
     if(!m_has_failed.load(std::memory_order_acquire))

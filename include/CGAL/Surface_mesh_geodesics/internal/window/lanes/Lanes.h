@@ -32,6 +32,7 @@ struct Lanes<double>
 {
   static constexpr std::size_t size = CGAL_SURFACE_MESH_GEODESICS_LANES;
 
+  // A lane of a mask has all bits set, or none, so an instruction that looks at its sign alone sees all of it.
   typedef double Number __attribute__((vector_size(8 * size)));
   typedef std::uint64_t Word __attribute__((vector_size(8 * size)));
   typedef std::int64_t Mask __attribute__((vector_size(8 * size))); // of zeros and minus ones
@@ -70,7 +71,8 @@ struct Lanes<double>
     return result;
   }
 
-  // The smallest number of all lanes, by halves. Requires: no lane is a NaN.
+  // The smallest number of all lanes, by halves. Requires: no lane is a NaN. Each step takes the minima of lanes whose
+  // distance is half of that in the step before; after the last one, all lanes have the result.
   static double least(Number x)
   {
 #if CGAL_SURFACE_MESH_GEODESICS_LANES == 8
@@ -97,6 +99,7 @@ struct Lanes<double>
 #endif
   }
 
+  // A comparison with a NaN is false.
   // (The comparisons of the extension produce code that does not stay in the registers of SSE2.)
 #if CGAL_SURFACE_MESH_GEODESICS_LANES == 2 && defined(__SSE2__)
   static Mask less(Number a, Number b) { return (Mask)_mm_cmplt_pd(a, b); }
@@ -168,6 +171,7 @@ struct Lanes<double>
   }
 
 private:
+  // They may alias, as the memory that they read was written as plain numbers.
   typedef double Numbers_anywhere __attribute__((vector_size(8 * size), aligned(8), may_alias));
   typedef std::uint64_t Words_anywhere __attribute__((vector_size(8 * size), aligned(8), may_alias));
 };

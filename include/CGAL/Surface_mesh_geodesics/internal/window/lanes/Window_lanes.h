@@ -25,7 +25,8 @@ struct Window_lanes : Window_numbers<FT>
   typename Lanes<FT>::Word key, history;
 };
 
-// The windows of a block from row i on.
+// The windows of a block from row i on, as many as there are lanes. Requires: i is at most the capacity of the block;
+// the rows of the padding may be read, and hold numbers.
 template <typename FT>
 CGAL_SURFACE_MESH_GEODESICS_INLINE
 Window_lanes<FT> load_windows(const Window_columns<FT>& columns, std::size_t i)
@@ -37,6 +38,8 @@ Window_lanes<FT> load_windows(const Window_columns<FT>& columns, std::size_t i)
                           L::load(columns.key() + i), L::load(columns.history() + i)};
 }
 
+// Writes all lanes, also those without a window, to the rows from i on. Requires: as for load_windows(), and the rows
+// behind the windows are not in use.
 template <typename FT>
 CGAL_SURFACE_MESH_GEODESICS_INLINE
 void store_windows(const Window_columns<FT>& columns, std::size_t i, const Window_lanes<FT>& w)
