@@ -51,6 +51,7 @@ LIMITS = {
     "lines of a file": 600,
     "columns of a line": 120,
     "percent of comments in a public header": 40,
+    "percent of comments in a room": 20,
     "rooms": 8,
     "percent of include/ in one room": 30,
 }
@@ -273,6 +274,10 @@ def complaints_about_rooms(files):
         if share > LIMITS["percent of include/ in one room"]:
             complaints.append(f"{room}: {share} % of the lines of include/, at most "
                               f"{LIMITS['percent of include/ in one room']} % are allowed")
+        comments = figures[room]["comments, %"]
+        if comments < LIMITS["percent of comments in a room"]:
+            complaints.append(f"{room}: {comments} % are comments, at least {LIMITS['percent of comments in a room']} "
+                              "% are expected")
     return complaints
 
 
@@ -387,7 +392,7 @@ def function_of(lines):
 
 
 def sound_tree():
-    tree = {INTERNAL + f"room_{i}/file.h": function_of(4) for i in range(LIMITS["rooms"])}
+    tree = {INTERNAL + f"room_{i}/file.h": "// A comment.\n" * 2 + function_of(4) for i in range(LIMITS["rooms"])}
     tree[OWN + "door.h"] = "// A comment.\n" * 10 + function_of(5)
     tree["test/test_x.cpp"] = function_of(60)
     return tree
@@ -402,8 +407,9 @@ FAULTS = {
     "long file of a test": ({"test/x.cpp": "int i;\n" * 601}, "601 lines"),
     "long line": ({"demo/x.cpp": "// " + "x" * 117 + "\n// " + "x" * 118 + "\n"}, "demo/x.cpp:2: 121 columns"),
     "no documentation": ({OWN + "door.h": "// A comment.\n" * 3 + function_of(5)}, "27.3 % are comments"),
+    "room without comments": ({INTERNAL + "room_0/file.h": function_of(4)}, "internal/room_0: 0.0 % are comments"),
     "few rooms": ({INTERNAL + "room_0/file.h": None}, "7 rooms"),
-    "large room": ({INTERNAL + "room_0/other.h": "int i;\n" * 40}, "internal/room_0: "),
+    "large room": ({INTERNAL + "room_0/other.h": "int i;\n" * 40}, "internal/room_0: 4"),
 }
 
 

@@ -1,6 +1,6 @@
-// What a C++ program needs for the calls that benchmark_python.py makes from Python. Prints one line, clock times in ms:
-// for building a mesh from arrays of points and triangles and reading it into a solver; for the distances from vertex 0;
-// for paths to random vertices, as points. One thread.
+// What a C++ program needs for the calls that benchmark_python.py makes from Python. Prints one line, clock times in
+// ms: for building a mesh from arrays of points and triangles and reading it into a solver; for the distances from
+// vertex 0; for paths to random vertices, as points. One thread.
 //
 // usage: benchmark_python MESH TARGETS, where TARGETS is a file of numbers of vertices
 

@@ -4,8 +4,8 @@
 usage: benchmark_python.py PROGRAM MESH.off [--targets N] [--repetitions N] [--flags TEXT]
 
 PROGRAM is benchmark_python, which measures the same calls in C++. The two run in turn, each in its own process, with one
-thread. Prints one line of comma separated values: medians in ms, and the medians of the ratios of adjacent runs. The
-module surface_mesh_geodesics must be importable.
+thread. Prints comma separated values, one line for each call: medians in ms, and the median of the ratios of adjacent
+runs. The module surface_mesh_geodesics must be importable.
 """
 
 import argparse
@@ -20,7 +20,6 @@ import time
 TARGETS_AT_A_TIME = 10000
 NUMBER_OF_PROPAGATIONS = 5
 
-COLUMNS = ("building", "distances", "paths")
 
 
 def read_off(file):
@@ -75,7 +74,7 @@ def times_of(command):
 
 def compare(arguments):
     import numpy as np
-    points, _ = read_off(arguments.mesh)
+    points, faces = read_off(arguments.mesh)
     with tempfile.TemporaryDirectory() as folder:
         targets = os.path.join(folder, "targets.txt")
         np.savetxt(targets, np.random.default_rng(2026).integers(0, len(points), arguments.targets), fmt="%d")
@@ -83,15 +82,15 @@ def compare(arguments):
                  times_of([sys.executable, __file__, "--measure", "", arguments.mesh, "--targets-file", targets]))
                 for _ in range(arguments.repetitions)]
     print(f"# Python {sys.version.split()[0]}, NumPy {np.__version__}; flags of the module: {arguments.flags}")
-    print(f"# vertex 0, paths to {arguments.targets} random vertices; clock times in ms, medians of "
+    print(f"# vertex 0, paths to random vertices; one thread; clock times in ms, medians of "
           f"{arguments.repetitions} runs in turn; ratios are Python / C++")
-    print("mesh,import_ms," + ",".join(f"{name}_cpp_ms,{name}_python_ms,{name}_ratio" for name in COLUMNS))
-    cells = [os.path.basename(arguments.mesh), f"{statistics.median(import_time() for _ in range(9)):.1f}"]
-    for i in range(len(COLUMNS)):
-        cells += [f"{statistics.median(cpp[i] for cpp, _ in runs):.2f}",
-                  f"{statistics.median(python[i] for _, python in runs):.2f}",
-                  f"{statistics.median(python[i] / cpp[i] for cpp, python in runs):.3f}"]
-    print(",".join(cells))
+    mesh = os.path.basename(arguments.mesh)
+    print("mesh,subdivisions,faces,call,cpp_ms,python_ms,ratio")
+    for i, call in enumerate(("building and reading", "distances", f"{arguments.targets} paths")):
+        times = (statistics.median(cpp[i] for cpp, _ in runs), statistics.median(python[i] for _, python in runs),
+                 statistics.median(python[i] / cpp[i] for cpp, python in runs))
+        print(mesh, 0, len(faces), call, *(f"{time:.3f}" for time in times), sep=",")
+    print(mesh, 0, len(faces), "import", "", f"{statistics.median(import_time() for _ in range(9)):.1f}", "", sep=",")
 
 
 def main():

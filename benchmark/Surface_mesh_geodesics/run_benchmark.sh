@@ -16,6 +16,7 @@ usage: run_benchmark.sh [options]
   --questions        also run the programs for one question each: growth, anisotropy, sources, reach, rules,
                      schedulers, flat vertices, face queries, threads, phases, matrix; draw plots if python3 has
                      matplotlib
+  --python           also measure what the Python module adds to the time of C++ (needs the module on PYTHONPATH)
   --certify          also certify distances on all meshes of the data, and compare them with the original
   --repetitions N    runs of each method on the standard meshes (5)
   --all-repetitions N  the same for --all (3)
@@ -51,6 +52,7 @@ voronoi_repetitions=3
 heat=no
 heat_repetitions=5
 questions=no
+python=no
 certify=no
 
 while [ $# -gt 0 ]; do
@@ -60,6 +62,7 @@ while [ $# -gt 0 ]; do
     --voronoi) voronoi=yes ;;
     --heat) heat=yes ;;
     --questions) questions=yes ;;
+    --python) python=yes ;;
     --certify) certify=yes ;;
     --no-standard) standard=no ;;
     --repetitions) repetitions="$2"; shift ;;
@@ -98,6 +101,7 @@ if [ -z "$programs" ]; then
   [ "$questions" = no ] || targets+=(benchmark_growth benchmark_anisotropy benchmark_sources benchmark_reach
                                      benchmark_rules benchmark_schedulers benchmark_flat_vertices
                                      benchmark_face_queries benchmark_threads benchmark_phases benchmark_matrix)
+  [ "$python" = no ] || targets+=(benchmark_python)
   [ "$certify" = no ] || targets+=(benchmark_certification)
   [ "${#targets[@]}" -gt 0 ] || { usage >&2; exit 1; }
   cmake --build "$build/programs" --target "${targets[@]}" > "$build/build.log"
@@ -351,6 +355,11 @@ if [ "$questions" = yes ]; then
   ask threads --subdivide 2 "$meshes/bunny00.off"
   ask phases --subdivide 2 "$meshes/bunny00.off"
   ask matrix --rows 64 "$meshes/bunny00.off"
+fi
+
+if [ "$python" = yes ]; then
+  python3 "$here/benchmark_python.py" --repetitions "$questions_repetitions" "$programs/benchmark_python" \
+    "$meshes/bunny00.off" | tee "$build/python.csv" >&2
 fi
 
 if [ "$certify" = yes ]; then

@@ -186,6 +186,10 @@ private:
   std::timed_mutex m_mutex;
 };
 
+// Returns triangles of which some are turned over, such that neighbors have the same orientation. Throws
+// std::invalid_argument if that is not possible.
+py::array_t<std::int64_t> oriented(std::size_t number_of_vertices, const Array<std::int64_t>& faces);
+
 // --- the parts of the module -----------------------------------------------------------------------------------------
 
 using Surface_class = py::class_<Surface, std::shared_ptr<Surface>>;

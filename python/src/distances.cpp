@@ -8,6 +8,7 @@
 #include <boost/property_map/function_property_map.hpp>
 
 #include <algorithm>
+#include <functional>
 
 namespace geodesics_python {
 
@@ -172,10 +173,12 @@ py::tuple sparse_matrix(Surface& surface, const Array<std::int64_t>& vertex, con
   return py::make_tuple(to_array(std::move(pointers)), to_array(std::move(columns)), to_array(std::move(values)));
 }
 
+constexpr unsigned int number_of_reverse_runs = 4;
+
 // Returns (worst violation, list of (condition, violation, vertex or -1, number of checks)).
 py::tuple certify(Surface& surface, const Array<double>& d, const Array<std::int64_t>& vertex,
                   const Array<std::int64_t>& face, const Array<double>& weights, const Array<double>& offsets,
-                  double radius)
+                  double radius, const py::object& progress)
 {
   using Certificate = geodesics::Geodesic_distance_certificate<Mesh>;
   const Places sources(surface.mesh(), vertex, face, weights);
@@ -183,15 +186,17 @@ py::tuple certify(Surface& surface, const Array<double>& d, const Array<std::int
   const double* const numbers = d.data();
   const auto map = boost::make_function_property_map<Vertex>([numbers](Vertex v) { return numbers[std::size_t(v)]; });
   std::unique_ptr<Certificate> certificate;
-  Interruptible visitor{py::none()};
+  Interruptible visitor(progress, 1 + number_of_reverse_runs);
+  const auto np = CGAL::parameters::visitor(std::ref(visitor)).number_of_iterations(number_of_reverse_runs);
   surface.run_alone(visitor, false, [&]()
   {
     certificate = sources.visit([&](const auto& s)
     {
       return std::make_unique<Certificate>(
         surface.has_lengths()
-          ? geodesics::certify_geodesic_distances_from_edge_lengths(surface.mesh(), surface.lengths(), map, s, options)
-          : geodesics::certify_geodesic_distances(surface.mesh(), map, s, options));
+          ? geodesics::certify_geodesic_distances_from_edge_lengths(surface.mesh(), surface.lengths(), map, s, options,
+                                                                    np)
+          : geodesics::certify_geodesic_distances(surface.mesh(), map, s, options, np));
     });
   });
   py::list conditions;

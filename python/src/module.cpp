@@ -2,6 +2,8 @@
 
 #include "Surface.h"
 
+#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
+
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
 #include <tbb/info.h>
@@ -190,6 +192,22 @@ void Surface::add_lengths(const Array<std::int64_t>& faces, const Array<double>&
   }
 }
 
+py::array_t<std::int64_t> oriented(std::size_t number_of_vertices, const Array<std::int64_t>& faces)
+{
+  std::vector<Point> points(number_of_vertices, CGAL::ORIGIN);
+  std::vector<std::vector<std::size_t>> triangles;
+  const auto id = faces.unchecked<2>();
+  for(py::ssize_t f = 0; f < id.shape(0); ++f)
+    triangles.push_back({std::size_t(id(f, 0)), std::size_t(id(f, 1)), std::size_t(id(f, 2))});
+  if(!CGAL::Polygon_mesh_processing::orient_polygon_soup(points, triangles))
+    throw std::invalid_argument("the triangles cannot be oriented: they do not form a surface with two sides");
+  std::vector<std::int64_t> result;
+  for(const std::vector<std::size_t>& triangle : triangles)
+    for(const std::size_t v : triangle)
+      result.push_back(std::int64_t(v));
+  return to_rows(std::move(result), 3);
+}
+
 void Surface::run_alone(Interruptible& visitor, bool is_short, const std::function<void()>& compute)
 {
   visitor.run(is_short, [&]()
@@ -210,6 +228,7 @@ PYBIND11_MODULE(_core, module)
   module.doc() = "The compiled part of surface_mesh_geodesics. Programs use the classes of the package.";
   module.attr("__version__") = SURFACE_MESH_GEODESICS_VERSION;
   module.def("has_threads", &has_threads);
+  module.def("oriented", &oriented);
   Surface_class surface(module, "Surface");
   surface.def(py::init<const Array<double>&, const Array<std::int64_t>&, const Array<double>&>(),
               py::call_guard<py::gil_scoped_release>());

@@ -29,9 +29,9 @@ class Solver:
     vertices, or a pair of arrays (faces, coordinates).
 
     Several threads may use one solver: a computation waits for the one before it. Computations run without the lock of
-    the interpreter. Ctrl-C ends them (but not `certify`); `progress` is called with a number from 0 to 1 some twenty
-    times a second, and never if the call is short. Solvers can be pickled. A process must not be forked while another
-    of its threads computes.
+    the interpreter. Ctrl-C ends them; `progress` is called with a number from 0 to 1 some twenty times a second, and
+    never if the call is short. Solvers can be pickled. A process must not be forked while another of its threads
+    computes.
     """
 
     def __init__(self, V: Any, F: Any) -> None:
@@ -129,7 +129,8 @@ class Solver:
             return values, columns, pointers
         return csr_matrix((values, columns, pointers), shape=(len(places.vertex), len(ids)))
 
-    def certify(self, d: Any, sources: Any, *, offsets: Any = None, radius: float = np.inf) -> Certificate:
+    def certify(self, d: Any, sources: Any, *, offsets: Any = None, radius: float = np.inf,
+                progress: Progress | None = None) -> Certificate:
         """Proves distances right or wrong, no matter who computed them.
 
         d  (n,) the distances of all vertices from the sources, inf where none reaches
@@ -143,7 +144,8 @@ class Solver:
         distances = arguments.values_of("d", d, self.n_vertices)
         worst, conditions = self._surface.certify(distances, *places,
                                                   arguments.offsets_of("offsets", offsets, len(places.vertex)),
-                                                  arguments.radius_of("radius", radius))
+                                                  arguments.radius_of("radius", radius),
+                                                  arguments.progress_of(progress))
         return Certificate(worst, {name: Condition(*rest) for name, *rest in conditions})
 
     # --- paths ---

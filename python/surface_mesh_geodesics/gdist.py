@@ -6,6 +6,8 @@ from typing import Any
 
 import numpy as np
 
+from . import _arguments as arguments
+from . import _core
 from ._solver import Solver
 
 
@@ -14,7 +16,7 @@ def compute_gdist(vertices: Any, triangles: Any, source_indices: Any = None, tar
     """Returns the distances of targets (all vertices by default) from the nearest source (vertex 0 by default).
 
     Distances beyond max_distance, and where no source reaches, are inf. As in gdist, is_one_indexed concerns the
-    triangles only: sources and targets are counted from 0. The triangles must have the same orientation.
+    triangles only: sources and targets are counted from 0. Triangles may have different orientations.
 
     >>> from surface_mesh_geodesics import gdist
     >>> gdist.compute_gdist([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[1, 2, 3]], [1], is_one_indexed=True)
@@ -40,4 +42,10 @@ def local_gdist_matrix(vertices: Any, triangles: Any, max_distance: float = 1e10
 
 
 def _solver(vertices: Any, triangles: Any, is_one_indexed: bool) -> Solver:
-    return Solver(vertices, np.asarray(triangles, dtype=np.int64) - 1 if is_one_indexed else triangles)
+    V = arguments.points_of("vertices", vertices)
+    F = np.asarray(triangles, dtype=np.int64) - 1 if is_one_indexed else triangles
+    F = arguments.triangles_of("triangles", F, len(V))
+    try:
+        return Solver(V, F)
+    except ValueError:
+        return Solver(V, _core.oriented(len(V), F))

@@ -158,6 +158,12 @@ def test_gdist():
     one = gdist.compute_gdist(V, F + 1, np.array([4], np.int32), np.array([1, 2], np.int32), is_one_indexed=True)
     assert np.array_equal(one, smg.Solver(V, F).distances(4, targets=[1, 2]))
     assert np.isinf(gdist.compute_gdist(V, F, max_distance=0.3)).any()
+    mixed = F.copy()
+    mixed[::3] = mixed[::3, ::-1]
+    assert np.allclose(gdist.compute_gdist(V, mixed), d, rtol=1e-12)
+    strip = [[k, (k + 2) % 5, (k + 1) % 5] for k in range(5)]  # a Moebius band
+    with pytest.raises(ValueError, match="two sides"):
+        gdist.compute_gdist(np.random.default_rng(1).random((5, 3)), strip)
     pytest.importorskip("scipy")
     M = gdist.local_gdist_matrix(V, F, 0.4)
     D = smg.Solver(V, F).matrix()
@@ -178,8 +184,21 @@ def largest_distance(mesh):
 def test_dask_processes_give_the_same_numbers():
     dask = pytest.importorskip("dask")
     meshes = [sphere(8), sphere(10), grid(6, 0.2)]
+    expected = [largest_distance(m) for m in meshes]
     found = dask.compute(*[dask.delayed(largest_distance)(m) for m in meshes], scheduler="processes", num_workers=2)
-    assert list(found) == [largest_distance(m) for m in meshes]
+    assert list(found) == expected
+
+
+def test_a_local_cluster_of_dask_gives_the_same_numbers():
+    dask, distributed = pytest.importorskip("dask"), pytest.importorskip("distributed")
+    meshes = [sphere(8), sphere(10), grid(6, 0.2)]
+    s = smg.Solver(*meshes[0])
+    with distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster:
+        with distributed.Client(cluster):
+            largest = dask.compute(*[dask.delayed(largest_distance)(m) for m in meshes])
+            rows = dask.compute(*[dask.delayed(s.distances)(i) for i in range(4)])  # a solver is sent to processes
+    assert list(largest) == [largest_distance(m) for m in meshes]
+    assert all(np.array_equal(row, s.distances(i)) for i, row in enumerate(rows))
 
 
 def test_plot(tmp_path):

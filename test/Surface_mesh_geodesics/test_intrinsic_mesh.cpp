@@ -9,6 +9,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Source_insertion.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/equal_sources.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/mesh_invariants.h>
 
 #include <array>
@@ -94,6 +95,36 @@ void the_checks_find_faults()
   fault_is_found(tm, [](Intrinsic& mesh) { mesh.set_kind(0, Intrinsic::PINCHED); });
 }
 
+// Two vertices with an edge whose length vanishes in rounding. Of the sources at one of them, the nearest decides.
+void least_offset_of_a_vertex_decides_about_equal_sources()
+{
+  test_support::Scope scope("equal sources");
+  Mesh tm = to_face_graph(icosphere(1));
+  tm.point(tm.source(tm.halfedge(vertex(0)))) = tm.point(vertex(0));
+  const Intrinsic mesh = intrinsic_mesh(tm);
+  internal::Halfedge_id shortest = 0;
+  for(internal::Face_id f = 0; f < mesh.number_of_faces(); ++f)
+    for(unsigned int k = 0; k < 3; ++k)
+      if(mesh.length(internal::halfedge_of(f, k)) < mesh.length(shortest))
+        shortest = internal::halfedge_of(f, k);
+  const internal::Vertex_id u = mesh.source(shortest), v = mesh.target(shortest);
+  using Ties = std::vector<std::pair<internal::Vertex_id, internal::Vertex_id>>;
+  const auto ties = [&](const std::vector<internal::Vertex_id>& vertices, const std::vector<double>& offsets)
+  {
+    Ties result;
+    internal::for_each_equal_source(mesh, vertices, offsets, [&](internal::Vertex_id from, internal::Vertex_id to)
+                                    { result.emplace_back(from, to); });
+    return result;
+  };
+  CHECK((ties({u, v}, {0., 0.}) == Ties{{v, u}}));
+  CHECK((ties({v, u}, {0., 0.}) == Ties{{u, v}}));
+  CHECK(ties({u, v}, {0., .5}).empty());
+  CHECK((ties({u, u, v}, {.5, 0., 0.}) == Ties{{v, u}}));
+  CHECK((ties({u, v, u}, {.5, 0., 0.}) == Ties{{v, u}}));
+  CHECK((ties({v, u, v, u}, {.5, .25, .25, .75}) == Ties{{u, v}}));
+  CHECK(ties({u, u, v}, {.5, 0., .5}).empty());
+}
+
 } // namespace
 
 int main()
@@ -108,5 +139,6 @@ int main()
     equal_points_are_one_vertex(tm, random);
   }
   the_checks_find_faults();
+  least_offset_of_a_vertex_decides_about_equal_sources();
   return test_result();
 }

@@ -205,7 +205,8 @@ private:
       return;
     const Bbox_3 mesh = tree.bbox(), all = mesh + p.bbox();
     const bool is_number = p.x() == p.x() && p.y() == p.y() && p.z() == p.z(); // a box drops NaN
-    if(!is_number || !(largest_span(all) <= largest_size) || (largest_span(mesh) > 0 && largest_span(mesh) < 1 / largest_size))
+    if(!is_number || !(largest_span(all) <= largest_size)
+       || (largest_span(mesh) > 0 && largest_span(mesh) < 1 / largest_size))
       throw Invalid_geodesic_input(Invalid_geodesic_input::Reason::NON_FINITE_POINT,
                                    "the mesh is too large or too small to locate points, or the point is too far");
   }

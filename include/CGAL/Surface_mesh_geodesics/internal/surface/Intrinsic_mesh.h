@@ -189,7 +189,7 @@ public:
     return m_faces.capacity() * sizeof(Face) + m_vertex_halfedge.capacity() * sizeof(Halfedge_id)
          + m_vertex_kind.capacity() + m_other_umbrellas.capacity() * sizeof(m_other_umbrellas[0])
          + m_star_begin.capacity() * sizeof(std::uint32_t) + m_star.capacity() * sizeof(Halfedge_id)
-         + m_extents_of_added_faces.capacity() * sizeof(FT);
+         + m_extents_of_added_faces.capacity() * sizeof(FT) + m_edge_components.capacity() * sizeof(Edge_component);
   }
 
   // Returns a number of faces that no shortest path exceeds.
