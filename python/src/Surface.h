@@ -14,11 +14,14 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -61,16 +64,16 @@ py::array_t<double> points_to_array(const std::vector<Point>& points);
 
 // --- interruption ----------------------------------------------------------------------------------------------------
 
-// Runs computations that Python can interrupt. run() computes in a thread of its own, without the interpreter's lock.
-// Twenty times a second, the calling thread takes the lock, asks for signals (Ctrl-C), and calls the progress function
-// with a number from 0 to 1, which never falls. An exception of either one ends the computation and is passed on. The
-// end of the interpreter also ends computations, those of daemon threads (stop_all()).
+// Runs a computation that Python can interrupt, in the calling thread and without the interpreter's lock. Twenty times a
+// second, the computation stops for a moment: it takes the lock, asks for signals (Ctrl-C), and calls the progress
+// function with a number from 0 to 1, which never falls. An exception of either one ends the computation and is passed
+// on. The end of the interpreter also ends computations, those of daemon threads (stop_all()).
 //
-// It is also the visitor of the computation, a model of GeodesicPropagationVisitor. Those functions never touch Python.
+// It is also the visitor of the computation, a model of GeodesicPropagationVisitor.
 class Interruptible
 {
 public:
-  // `progress` may be None. `number_of_runs` is how often a propagation begins.
+  // `progress` may be None. `number_of_runs` is how often a propagation begins. Make it in the thread that computes.
   explicit Interruptible(py::object progress, std::size_t number_of_runs = 1);
   ~Interruptible();
 
@@ -81,14 +84,16 @@ public:
 
   void on_progress(std::size_t number_of_visits, double)
   {
-    if(number_of_visits % 64 == 0)
-      set_part_done(double(m_run) + double(number_of_visits) / double(m_number_of_vertices + 1));
+    if(++m_number_of_calls % 64 != 0)
+      return;
+    set_part_done(double(m_run) + double(number_of_visits) / double(m_number_of_vertices + 1));
+    ask_python();
   }
 
   bool go_further() const { return !m_is_stopped.load(std::memory_order_relaxed); }
   void on_propagation_end() { ++m_run; }
 
-  // `runs` is the number of runs that are done.
+  // `runs` is the number of runs that are done. Any thread may call it.
   void set_part_done(double runs)
   {
     const double part = (std::min)(1., runs / double(m_number_of_runs));
@@ -96,20 +101,29 @@ public:
       m_part_done.store(part, std::memory_order_relaxed);
   }
 
-  // Calls compute(), which must not touch Python, and throws what has interrupted it, or what it throws. Computes in
-  // this thread if that is said to be short: starting a thread takes longer.
-  // Requires: this thread holds the interpreter's lock.
-  void run(bool is_short, const std::function<void()>& compute);
+  // For what is not a propagation: asks Python if it is time to, and returns whether to go on. Any thread may call it;
+  // only the one that computes asks.
+  bool ask_and_go_further()
+  {
+    ask_python();
+    return go_further();
+  }
 
-  // Stops all computations, and waits until their threads have ended. Requires: this thread holds the interpreter's
-  // lock.
+  // Calls compute(), which must not touch Python, and throws what has interrupted it, or what it throws.
+  // Requires: this thread holds the interpreter's lock.
+  void run(const std::function<void()>& compute);
+
+  // Stops all computations, and waits until they have ended. Requires: this thread holds the interpreter's lock.
   static void stop_all();
 
 private:
   void ask_python();
 
+  const std::thread::id m_thread = std::this_thread::get_id();
+  std::chrono::steady_clock::time_point m_next_question;
   py::object m_progress;
-  std::size_t m_number_of_runs, m_run = 0, m_number_of_vertices = 0;
+  std::exception_ptr m_interruption; // what Python has thrown
+  std::size_t m_number_of_runs, m_run = 0, m_number_of_vertices = 0, m_number_of_calls = 0;
   std::atomic<double> m_part_done{0};
   std::atomic<bool> m_is_stopped{false};
 };
@@ -166,11 +180,9 @@ public:
   bool has_lengths() const { return m_has_lengths; }
   auto lengths() const { return m_lengths; }
 
-  // Calls compute() while no other thread computes on this surface, as Interruptible::run() does.
-  void run_alone(Interruptible& visitor, bool is_short, const std::function<void()>& compute);
-
-  // The lock of the surface, if no thread computes on it at the moment.
-  std::unique_lock<std::timed_mutex> try_lock() { return {m_mutex, std::try_to_lock}; }
+  // Calls compute() while no other thread computes on this surface, as Interruptible::run() does. Throws
+  // std::logic_error if this thread computes on it already and Python calls back.
+  void run_alone(Interruptible& visitor, const std::function<void()>& compute);
 
   // Both are used inside run_alone() only.
   std::shared_ptr<Distance_engine> distance_engine;
@@ -184,6 +196,7 @@ private:
   Mesh::Property_map<Mesh::Edge_index, double> m_lengths;
   bool m_has_lengths = false;
   std::timed_mutex m_mutex;
+  std::atomic<std::thread::id> m_owner{std::thread::id()}; // of the mutex
 };
 
 // Returns triangles of which some are turned over, such that neighbors have the same orientation. Throws

@@ -30,12 +30,12 @@ struct Cell_map
 
   friend void put(const Cell_map& map, Face f, std::size_t cell)
   {
-    if(!map.visitor.go_further())
+    if(!map.visitor.ask_and_go_further())
       throw std::runtime_error("interrupted");
     map.cells[f] = cell;
   }
 
-  const Interruptible& visitor;
+  Interruptible& visitor;
   Mesh::Property_map<Face, std::size_t> cells;
 };
 
@@ -59,7 +59,7 @@ public:
         m_voronoi.add_site(range[i], weights.size() == 0 ? 0. : weights.data()[i]);
     });
     Interruptible visitor(progress);
-    visitor.run(false, [&]() { with_threads(threads, [&]() { m_voronoi.build(visitor); }); });
+    visitor.run([&]() { with_threads(threads, [&]() { m_voronoi.build(visitor); }); });
   }
 
   std::size_t number_of_sites() const { return m_voronoi.number_of_sites(); }
@@ -120,7 +120,7 @@ public:
   {
     std::vector<std::vector<Point>> curves;
     Interruptible visitor{py::none()};
-    visitor.run(false, [&]() { find_boundaries(i, tolerance, visitor, curves); });
+    visitor.run([&]() { find_boundaries(i, tolerance, visitor, curves); });
     py::list result;
     for(const std::vector<Point>& curve : curves)
       result.append(points_to_array(curve));
@@ -145,7 +145,7 @@ public:
     Mesh mesh;
     Interruptible visitor{py::none()};
     const Cell_map cell{visitor, mesh.add_property_map<Face, std::size_t>("f:cell", 0).first};
-    visitor.run(false, [&]() { m_voronoi.cut(mesh, cell, tolerance); });
+    visitor.run([&]() { m_voronoi.cut(mesh, cell, tolerance); });
     std::vector<Point> points;
     for(const Vertex v : mesh.vertices())
       points.push_back(mesh.point(v));
@@ -177,7 +177,7 @@ private:
     }
   }
 
-  void find_boundaries(std::size_t i, double tolerance, const Interruptible& visitor,
+  void find_boundaries(std::size_t i, double tolerance, Interruptible& visitor,
                        std::vector<std::vector<Point>>& curves) const
   {
     for(const auto& boundary : m_voronoi.boundary(i))
@@ -185,7 +185,7 @@ private:
       std::vector<Point> points;
       for(const auto& [edge, is_reversed] : boundary.edges)
       {
-        if(!visitor.go_further())
+        if(!visitor.ask_and_go_further())
           return;
         std::vector<Point> part;
         edge.polyline(tolerance, std::back_inserter(part));
@@ -242,7 +242,7 @@ py::tuple sample(Surface& surface, std::size_t n, const Array<std::int64_t>& fir
   std::vector<std::int64_t> samples;
   double covered = 0;
   Interruptible visitor(progress, n + 1);
-  surface.run_alone(visitor, false, [&]()
+  surface.run_alone(visitor, [&]()
   {
     std::vector<Vertex> vertices;
     covered = geodesics::geodesic_farthest_point_sampling(surface.mesh(), n, std::back_inserter(vertices), options,
@@ -259,7 +259,7 @@ py::tuple remesh(Surface& surface, std::size_t n, unsigned int iterations, const
   Mesh coarse;
   bool is_manifold = false;
   Interruptible visitor(progress, n + iterations + 1);
-  surface.run_alone(visitor, false, [&]()
+  surface.run_alone(visitor, [&]()
   {
     is_manifold = geodesics::geodesic_remeshing(
       surface.mesh(), n, coarse,

@@ -88,7 +88,7 @@ py::tuple distances(Surface& surface, const Array<std::int64_t>& vertex, const A
   options.targets = to_vertices(targets);
   Interruptible visitor(progress);
   Answer answer;
-  surface.run_alone(visitor, false, [&]()
+  surface.run_alone(visitor, [&]()
   {
     if(threads <= 1 || !has_threads())
       answer = answer_of(sequential_solver(surface), surface, sources, options, with_nearest, visitor);
@@ -112,14 +112,14 @@ py::array_t<double> matrix(Surface& surface, const Array<std::int64_t>& vertex, 
   py::array_t<double> result({sources.size(), range.size()});
   double* const numbers = result.mutable_data();
   Interruptible visitor(progress, sources.size());
-  surface.run_alone(visitor, false, [&]()
+  surface.run_alone(visitor, [&]()
   {
     std::size_t number_done = 0;
     const auto put_row = [&](std::size_t i, const std::vector<double>& row)
     {
       std::copy(row.begin(), row.end(), numbers + i * range.size());
       visitor.set_part_done(double(++number_done));
-      return visitor.go_further();
+      return visitor.ask_and_go_further();
     };
     with_threads(threads, [&]()
     {
@@ -140,14 +140,14 @@ py::tuple sparse_matrix(Surface& surface, const Array<std::int64_t>& vertex, con
   const std::vector<Vertex> range = to_vertices(targets);
   std::vector<std::vector<std::pair<std::size_t, double>>> rows(sources.size());
   Interruptible visitor(progress, sources.size());
-  surface.run_alone(visitor, false, [&]()
+  surface.run_alone(visitor, [&]()
   {
     std::size_t number_done = 0;
     const auto put_row = [&](std::size_t i, const auto& row)
     {
       rows[i].assign(row.begin(), row.end());
       visitor.set_part_done(double(++number_done));
-      return visitor.go_further();
+      return visitor.ask_and_go_further();
     };
     with_threads(threads, [&]()
     {
@@ -188,7 +188,7 @@ py::tuple certify(Surface& surface, const Array<double>& d, const Array<std::int
   std::unique_ptr<Certificate> certificate;
   Interruptible visitor(progress, 1 + number_of_reverse_runs);
   const auto np = CGAL::parameters::visitor(std::ref(visitor)).number_of_iterations(number_of_reverse_runs);
-  surface.run_alone(visitor, false, [&]()
+  surface.run_alone(visitor, [&]()
   {
     certificate = sources.visit([&](const auto& s)
     {

@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <chrono>
 #include <exception>
-#include <future>
 #include <mutex>
 #include <set>
 #include <stdexcept>
@@ -36,6 +35,15 @@ namespace {
 // The computations that run now.
 std::mutex running_mutex;
 std::set<Interruptible*> running;
+
+// Resets the owner at the end of a scope.
+struct Reset_owner
+{
+  ~Reset_owner() { owner = std::thread::id(); }
+  std::atomic<std::thread::id>& owner;
+};
+
+constexpr std::chrono::milliseconds time_between_questions(50);
 
 } // namespace
 
@@ -64,45 +72,43 @@ void Interruptible::stop_all()
   }
 }
 
-void Interruptible::run(bool is_short, const std::function<void()>& compute)
+void Interruptible::run(const std::function<void()>& compute)
 {
-  if(is_short)
+  m_next_question = std::chrono::steady_clock::now() + time_between_questions;
+  try
   {
     const py::gil_scoped_release release;
-    return compute();
+    compute();
   }
-  std::future<void> result = std::async(std::launch::async, compute);
-  std::exception_ptr interruption;
-  for(bool is_done = false; !is_done;)
+  catch(...)
   {
-    {
-      const py::gil_scoped_release release;
-      is_done = result.wait_for(std::chrono::milliseconds(50)) == std::future_status::ready;
-    }
-    try
-    {
-      if(!is_done && interruption == nullptr)
-        ask_python();
-    }
-    catch(...)
-    {
-      interruption = std::current_exception();
-      m_is_stopped = true;
-    }
+    if(m_interruption == nullptr)
+      throw;
   }
-  if(interruption != nullptr)
-    std::rethrow_exception(interruption);
-  result.get();
+  if(m_interruption != nullptr)
+    std::rethrow_exception(m_interruption);
   if(m_is_stopped)
     throw std::runtime_error("the program ends");
 }
 
 void Interruptible::ask_python()
 {
-  if(PyErr_CheckSignals() != 0)
-    throw py::error_already_set();
-  if(!m_progress.is_none())
-    m_progress(m_part_done.load());
+  if(std::this_thread::get_id() != m_thread || m_is_stopped || std::chrono::steady_clock::now() < m_next_question)
+    return;
+  const py::gil_scoped_acquire acquire;
+  try
+  {
+    if(PyErr_CheckSignals() != 0)
+      throw py::error_already_set();
+    if(!m_progress.is_none())
+      m_progress(m_part_done.load());
+  }
+  catch(...)
+  {
+    m_interruption = std::current_exception();
+    m_is_stopped = true;
+  }
+  m_next_question = std::chrono::steady_clock::now() + time_between_questions;
 }
 
 bool has_threads()
@@ -208,14 +214,20 @@ py::array_t<std::int64_t> oriented(std::size_t number_of_vertices, const Array<s
   return to_rows(std::move(result), 3);
 }
 
-void Surface::run_alone(Interruptible& visitor, bool is_short, const std::function<void()>& compute)
+void Surface::run_alone(Interruptible& visitor, const std::function<void()>& compute)
 {
-  visitor.run(is_short, [&]()
+  if(m_owner.load() == std::this_thread::get_id())
+    throw std::logic_error("the progress function uses the solver that computes");
+  visitor.run([&]()
   {
     std::unique_lock<std::timed_mutex> lock(m_mutex, std::defer_lock);
-    while(visitor.go_further())
-      if(lock.try_lock_for(std::chrono::milliseconds(50)))
-        return compute();
+    while(visitor.ask_and_go_further() && !lock.try_lock_for(time_between_questions))
+      ;
+    if(!lock.owns_lock())
+      return;
+    m_owner = std::this_thread::get_id();
+    const Reset_owner reset{m_owner};
+    compute();
   });
 }
 

@@ -55,8 +55,6 @@ public:
     return m_sources.vertices == sources.vertices && m_sources.locations == sources.locations;
   }
 
-  bool is_ready(bool everywhere) const { return everywhere ? m_is_built_everywhere : m_is_built; }
-
   // Calls use() with the paths.
   template <typename Use>
   auto visit(Use use) const
@@ -67,15 +65,15 @@ public:
   // Returns false if the visitor cancels.
   bool build(bool everywhere, std::size_t threads, Interruptible& visitor)
   {
+    bool is_built = false;
     with_threads(threads, [&]()
     {
       visit([&](auto& paths)
       {
-        m_is_built = everywhere ? paths.build_sequence_tree_for_faces(visitor) : paths.build_sequence_tree(visitor);
+        is_built = everywhere ? paths.build_sequence_tree_for_faces(visitor) : paths.build_sequence_tree(visitor);
       });
     });
-    m_is_built_everywhere = m_is_built && (m_is_built_everywhere || everywhere);
-    return m_is_built;
+    return is_built;
   }
 
 private:
@@ -92,7 +90,6 @@ private:
   const bool m_is_parallel;
   std::unique_ptr<Paths_with<CGAL::Sequential_tag>> m_sequential;
   std::unique_ptr<Paths_with<Threads>> m_parallel;
-  bool m_is_built = false, m_is_built_everywhere = false;
 };
 
 namespace {
@@ -122,14 +119,21 @@ public:
   // The path from the source to the target.
   Path reversed() const
   {
+    const std::size_t n = m_elements.size();
     Path path;
-    for(auto it = m_elements.rbegin(); it != m_elements.rend(); ++it)
+    path.points.resize(3 * n);
+    path.faces.resize(n);
+    path.weights.resize(3 * n);
+    for(std::size_t i = 0; i < n; ++i)
     {
-      const auto& [p, location] = *it;
+      const auto& [p, location] = m_elements[n - 1 - i];
       const auto& [f, b] = location;
-      path.points.insert(path.points.end(), {p.x(), p.y(), p.z()});
-      path.faces.push_back(f == Mesh::null_face() ? -1 : std::int64_t(std::size_t(f)));
-      path.weights.insert(path.weights.end(), b.begin(), b.end());
+      path.faces[i] = f == Mesh::null_face() ? -1 : std::int64_t(std::size_t(f));
+      for(int k = 0; k < 3; ++k)
+      {
+        path.points[3 * i + std::size_t(k)] = p[k];
+        path.weights[3 * i + std::size_t(k)] = b[std::size_t(k)];
+      }
     }
     return path;
   }
@@ -182,14 +186,6 @@ std::shared_ptr<Path_engine> engine_of(Surface& surface, const Places& sources, 
   return surface.path_engine->build(everywhere, threads, visitor) ? surface.path_engine : nullptr;
 }
 
-// Are there paths from these sources already? The answer may be out of date when it is used.
-bool is_ready(Surface& surface, const Places& sources, bool everywhere)
-{
-  const std::unique_lock<std::timed_mutex> lock = surface.try_lock();
-  return lock.owns_lock() && surface.path_engine != nullptr && surface.path_engine->has_sources(sources)
-      && surface.path_engine->is_ready(everywhere);
-}
-
 template <typename Work>
 void for_each_target(std::size_t n, std::size_t threads, const Work& work)
 {
@@ -218,8 +214,7 @@ py::list paths_to(Surface& surface, const Array<std::int64_t>& vertex, const Arr
   const Places targets(surface.mesh(), target_vertex, target_face, target_weights);
   std::vector<Path> paths(targets.size());
   Interruptible visitor(progress, 2);
-  const bool is_short = targets.size() <= 16 && is_ready(surface, sources, !targets.are_vertices());
-  surface.run_alone(visitor, is_short, [&]()
+  surface.run_alone(visitor, [&]()
   {
     const auto engine = engine_of(surface, sources, !targets.are_vertices(), threads, visitor);
     if(engine == nullptr)
@@ -227,7 +222,7 @@ py::list paths_to(Surface& surface, const Array<std::int64_t>& vertex, const Arr
     std::atomic<std::size_t> number_done{0};
     for_each_target(targets.size(), threads, [&](std::size_t i)
     {
-      if(!visitor.go_further())
+      if(!visitor.ask_and_go_further())
         return;
       paths[i] = path_to(surface, *engine, targets, i);
       visitor.set_part_done(1 + double(++number_done) / double(targets.size()));
@@ -248,10 +243,10 @@ py::list isolines(Surface& surface, const Array<std::int64_t>& vertex, const Arr
   std::vector<std::vector<std::vector<Point>>> lines(static_cast<std::size_t>(levels.size()));
   const double* const level = levels.data();
   Interruptible visitor(progress, 1 + lines.size());
-  surface.run_alone(visitor, false, [&]()
+  surface.run_alone(visitor, [&]()
   {
     const auto engine = engine_of(surface, sources, true, threads, visitor);
-    for(std::size_t i = 0; engine != nullptr && i < lines.size() && visitor.go_further(); ++i)
+    for(std::size_t i = 0; engine != nullptr && i < lines.size() && visitor.ask_and_go_further(); ++i)
     {
       engine->visit([&](const auto& paths) { paths.isolines(level[i], std::back_inserter(lines[i])); });
       visitor.set_part_done(double(i + 2));
