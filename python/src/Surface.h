@@ -64,8 +64,8 @@ py::array_t<double> points_to_array(const std::vector<Point>& points);
 
 // --- interruption ----------------------------------------------------------------------------------------------------
 
-// Runs a computation that Python can interrupt, in the calling thread and without the interpreter's lock. Twenty times a
-// second, the computation stops for a moment: it takes the lock, asks for signals (Ctrl-C), and calls the progress
+// Runs a computation that Python can interrupt, in the calling thread and without the interpreter's lock. Twenty times
+// a second, the computation stops for a moment: it takes the lock, asks for signals (Ctrl-C), and calls the progress
 // function with a number from 0 to 1, which never falls. An exception of either one ends the computation and is passed
 // on. The end of the interpreter also ends computations, those of daemon threads (stop_all()).
 //
