@@ -1,5 +1,6 @@
 # Checks of the headers, as CTest tests of the configurations `full` and `long`, with g++ and clang++ if they are there:
 # - each header compiles alone, with warnings as errors, and may be included twice;
+# - all headers compile after macros with short names, such as those of Windows;
 # - two units that both include every header link together into one program (finds a missing `inline`);
 # - each program compiles alone and without warnings with the compiler that does not build them. Templates show their
 #   warnings only when they are instantiated, and programs in groups hide missing includes.
@@ -52,6 +53,8 @@ int main()\n{\n  return second_unit();\n}\n")
 surface_mesh_geodesics_write_unit("second_unit.cpp" "${all_includes}\nint second_unit();\n
 int second_unit()\n{\n  return 0;\n}\n")
 
+surface_mesh_geodesics_write_unit("after_macros.cpp" "#include \"macros_of_other_headers.h\"\n${all_includes}\n")
+
 # --- the tests -------------------------------------------------------------------------------------------------------
 
 # CGAL's targets bring the libraries, but these commands do not use targets.
@@ -83,6 +86,13 @@ foreach(compiler IN ITEMS "${Surface_mesh_geodesics_GCC}" "${Surface_mesh_geodes
   foreach(header IN LISTS headers)
     surface_mesh_geodesics_add_header_test("header_alone/${compiler_name}/${header}" ${compile} -fsyntax-only
                                            "${check_folder}/alone/${header}.cpp")
+  endforeach()
+
+  foreach(definition IN ITEMS -UCGAL_LINKED_WITH_TBB -DCGAL_LINKED_WITH_TBB)
+    surface_mesh_geodesics_add_header_test(
+      "headers_after_macros/${compiler_name}/${definition}" ${compile} ${definition}
+      "-I${CMAKE_CURRENT_SOURCE_DIR}/test/Surface_mesh_geodesics/include" -fsyntax-only
+      "${check_folder}/after_macros.cpp")
   endforeach()
 
   set(program "${check_folder}/two_units_${compiler_name}")

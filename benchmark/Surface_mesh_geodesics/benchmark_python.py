@@ -21,7 +21,6 @@ TARGETS_AT_A_TIME = 10000
 NUMBER_OF_PROPAGATIONS = 15
 
 
-
 def read_off(file):
     import numpy as np
     with open(file, encoding="utf-8") as text:
@@ -81,10 +80,9 @@ def compare(arguments):
         runs = [(times_of([arguments.program, arguments.mesh, targets]),
                  times_of([sys.executable, __file__, "--measure", "", arguments.mesh, "--targets-file", targets]))
                 for _ in range(arguments.repetitions)]
-    print(f"# Python {sys.version.split()[0]}, NumPy {np.__version__}; flags of the module: {arguments.flags}")
-    print("# vertex 0, paths to random vertices; one thread; clock times in ms, medians of "
-          f"{arguments.repetitions} runs "
-          f"in turn (distances: each the least of {NUMBER_OF_PROPAGATIONS}); ratios are Python / C++")
+    print(f"# Python {sys.version.split()[0]}, NumPy {np.__version__}; {arguments.flags}")
+    print(f"# from vertex 0, one thread; clock times in ms, medians of {arguments.repetitions} runs in turn; distances: "
+          f"each the least of {NUMBER_OF_PROPAGATIONS}; ratios are Python / C++")
     mesh = os.path.basename(arguments.mesh)
     print("mesh,subdivisions,faces,call,cpp_ms,python_ms,ratio")
     for i, call in enumerate(("building and reading", "distances", f"{arguments.targets} paths")):
@@ -100,7 +98,7 @@ def main():
     parser.add_argument("mesh")
     parser.add_argument("--targets", type=int, default=100000)
     parser.add_argument("--repetitions", type=int, default=7)
-    parser.add_argument("--flags", default="those of setup.py")
+    parser.add_argument("--flags", default="flags not given")
     parser.add_argument("--measure", action="store_true", help=argparse.SUPPRESS)
     parser.add_argument("--targets-file", help=argparse.SUPPRESS)
     arguments = parser.parse_args()

@@ -16,7 +16,8 @@ usage: run_benchmark.sh [options]
   --questions        also run the programs for one question each: growth, anisotropy, sources, reach, rules,
                      schedulers, flat vertices, face queries, threads, phases, matrix; draw plots if python3 has
                      matplotlib
-  --python           also measure what the Python module adds to the time of C++ (needs the module on PYTHONPATH)
+  --python           also measure what the Python module adds to the time of C++ (needs the module;
+                     the variable PYTHON names the interpreter)
   --certify          also certify distances on all meshes of the data, and compare them with the original
   --repetitions N    runs of each method on the standard meshes (5)
   --all-repetitions N  the same for --all (3)
@@ -358,7 +359,7 @@ if [ "$questions" = yes ]; then
 fi
 
 if [ "$python" = yes ]; then
-  python3 "$here/benchmark_python.py" --repetitions "$questions_repetitions" "$programs/benchmark_python" \
+  "${PYTHON:-python3}" "$here/benchmark_python.py" --flags "module of setup.py" --repetitions "$questions_repetitions" "$programs/benchmark_python" \
     "$meshes/bunny00.off" | tee "$build/python.csv" >&2
 fi
 

@@ -99,10 +99,13 @@ public:
   py::array_t<std::int64_t> adjacency() const
   {
     std::vector<std::int64_t> pairs;
-    for(std::size_t i = 0; i < number_of_sites(); ++i)
-      for(const std::size_t j : m_voronoi.adjacent_sites(i))
-        if(i < j)
-          pairs.insert(pairs.end(), {std::int64_t(i), std::int64_t(j)});
+    without_lock([&]()
+    {
+      for(std::size_t i = 0; i < number_of_sites(); ++i)
+        for(const std::size_t j : m_voronoi.adjacent_sites(i))
+          if(i < j)
+            pairs.insert(pairs.end(), {std::int64_t(i), std::int64_t(j)});
+    });
     return to_rows(std::move(pairs), 2);
   }
 
@@ -110,8 +113,11 @@ public:
   py::array_t<std::int64_t> colors() const
   {
     std::vector<std::int64_t> result;
-    for(const CGAL::IO::Color& c : geodesics::geodesic_Voronoi_cell_colors(m_voronoi))
-      result.insert(result.end(), {c.red(), c.green(), c.blue()});
+    without_lock([&]()
+    {
+      for(const CGAL::IO::Color& c : geodesics::geodesic_Voronoi_cell_colors(m_voronoi))
+        result.insert(result.end(), {c.red(), c.green(), c.blue()});
+    });
     return to_rows(std::move(result), 3);
   }
 
@@ -131,7 +137,7 @@ public:
   py::array_t<std::int64_t> dual() const
   {
     std::vector<std::array<std::size_t, 3>> triples;
-    m_voronoi.dual(std::back_inserter(triples));
+    without_lock([&]() { m_voronoi.dual(std::back_inserter(triples)); });
     std::vector<std::int64_t> numbers;
     for(const auto& triple : triples)
       for(const std::size_t i : triple)

@@ -191,7 +191,7 @@ void Surface::add_lengths(const Array<std::int64_t>& faces, const Array<double>&
     {
       double& length = m_lengths[m_mesh.edge(h)];
       if(length >= 0 && length != l(f, k))
-        throw std::invalid_argument("lengths[" + std::to_string(f) + ", " + std::to_string(k)
+        throw std::invalid_argument("L[" + std::to_string(f) + ", " + std::to_string(k)
                                     + "] differs from the length that another face gives to the same edge");
       length = l(f, k);
     }
@@ -205,7 +205,12 @@ py::array_t<std::int64_t> oriented(std::size_t number_of_vertices, const Array<s
   const auto id = faces.unchecked<2>();
   for(py::ssize_t f = 0; f < id.shape(0); ++f)
     triangles.push_back({std::size_t(id(f, 0)), std::size_t(id(f, 1)), std::size_t(id(f, 2))});
-  if(!CGAL::Polygon_mesh_processing::orient_polygon_soup(points, triangles))
+  bool is_oriented = false;
+  {
+    const py::gil_scoped_release release;
+    is_oriented = CGAL::Polygon_mesh_processing::orient_polygon_soup(points, triangles);
+  }
+  if(!is_oriented)
     throw std::invalid_argument("the triangles cannot be oriented: they do not form a surface with two sides");
   std::vector<std::int64_t> result;
   for(const std::vector<std::size_t>& triangle : triangles)

@@ -12,7 +12,13 @@ class Condition(NamedTuple):
 
 
 class Certificate(NamedTuple):
-    """The result of checking distances, whoever has computed them."""
+    """The result of checking distances, whoever has computed them. Made by `Solver.certify()`.
+
+    >>> import surface_mesh_geodesics as smg
+    >>> c = smg.Solver([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]]).certify([0, 3, 4.5], 0)
+    >>> c.is_certified(), c.conditions["EDGES"].vertex
+    (False, 2)
+    """
 
     worst_violation: float  #: the largest violation of all conditions, relative
     conditions: dict[str, Condition]

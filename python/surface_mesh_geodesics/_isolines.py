@@ -15,7 +15,6 @@ def linear_isolines(points: np.ndarray, faces: np.ndarray, values: np.ndarray, l
 
 def _lines_of_level(points: np.ndarray, faces: np.ndarray, values: np.ndarray, level: float) -> list[np.ndarray]:
     above = values >= level
-    crossings = []  # (segment, edge) pairs: two for each face that is crossed
     mixed = faces[above[faces].any(axis=1) & ~above[faces].all(axis=1)]
     if len(mixed) == 0:
         return []

@@ -10,6 +10,10 @@ class Path:
     """A shortest path from a source to a target; without points if no source reaches the target.
 
     Consecutive points lie in one face. The lengths between them add up to `length`, up to rounding.
+
+    >>> import surface_mesh_geodesics as smg
+    >>> smg.Solver([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]]).path(1, 2)
+    Path(length=5, source=0, 2 points)
     """
 
     length: float  #: in the unit of the points; infinite if there is no path

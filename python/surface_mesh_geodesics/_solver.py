@@ -23,13 +23,20 @@ class Solver:
 
     The mesh is copied; the arrays are never changed. It may have borders, holes, handles, several components and
     isolated vertices, but an edge has at most two faces, of the same orientation, and two closed surfaces must not
-    share a vertex. Raises ValueError or IndexError with the argument, the element and the rule.
+    share a vertex. All calls raise ValueError or IndexError, with the argument, the element and the rule, if an
+    argument is wrong. Samples, remeshing, certificates and `isolines` take one thread, the other calls as many as
+    `threads` says.
+
+    >>> import surface_mesh_geodesics as smg
+    >>> smg.Solver([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]])
+    Solver(3 vertices, 1 faces)
 
     A *source* is a vertex, or a pair (face, barycentric coordinates); several are given as a list, an array of
     vertices, or a pair of arrays (faces, coordinates).
 
-    Several threads may use one solver: a computation waits for the one before it. Computations run without the lock of
-    the interpreter. Ctrl-C ends them; `progress` is called with a number from 0 to 1 some twenty times a second, and
+    Several threads may use one solver; computations of distances and paths wait for the one before. Computations run
+    without the lock of the interpreter. Ctrl-C ends them, except the reading of a mesh and the rows of a matrix that
+    have begun; `progress` is called with a number from 0 to 1 some twenty times a second, and
     never if the call is short. Solvers can be pickled. A process must not be forked while another of its threads
     computes.
     """
@@ -133,7 +140,7 @@ class Solver:
                 progress: Progress | None = None) -> Certificate:
         """Proves distances right or wrong, no matter who computed them.
 
-        d  (n,) the distances of all vertices from the sources, inf where none reaches
+        d  (n,) the distances of all vertices from the sources, inf where none reaches. NaN is wrong, not an error.
 
         >>> import surface_mesh_geodesics as smg
         >>> s = smg.Solver([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]])
@@ -161,10 +168,10 @@ class Solver:
         >>> p.length, p.points.tolist()
         (5.0, [[3.0, 0.0, 0.0], [0.0, 4.0, 0.0]])
         """
-        paths = self.paths(source, target, threads=threads, progress=progress)
-        if len(paths) != 1:
-            raise ValueError(f"target has {len(paths)} places; paths() takes several")
-        return paths[0]
+        start, end = self._places("source", source), self._places("target", target)
+        if len(end.vertex) != 1:
+            raise ValueError(f"target has {len(end.vertex)} places; paths() takes several")
+        return self._paths(start, end, threads, progress)[0]
 
     def paths(self, sources: Any, targets: Any, *, threads: int | None = None,
               progress: Progress | None = None) -> list[Path]:
@@ -175,9 +182,12 @@ class Solver:
         >>> [(p.source, p.length) for p in s.paths([0, 1], [0, 2])]
         [(0, 0.0), (0, 4.0)]
         """
-        places, ends = self._places("sources", sources), self._places("targets", targets)
-        return [Path(*path) for path in self._surface.paths(*places, *ends, arguments.threads_of(threads),
-                                                            arguments.progress_of(progress))]
+        return self._paths(self._places("sources", sources), self._places("targets", targets), threads, progress)
+
+    def _paths(self, sources: arguments.Places, targets: arguments.Places, threads: int | None,
+               progress: Progress | None) -> list[Path]:
+        found = self._surface.paths(*sources, *targets, arguments.threads_of(threads), arguments.progress_of(progress))
+        return [Path(*path) for path in found]
 
     def exact_isolines(self, sources: Any, levels: Any, *, threads: int | None = 1,
                        progress: Progress | None = None) -> list[list[np.ndarray]]:
@@ -205,7 +215,7 @@ class Solver:
         [[2.0, 0.0, 0.0], [0.0, 2.0, 0.0]]
         """
         self._needs_points("isolines")
-        values = arguments.values_of("d", d, self.n_vertices)
+        values = arguments.levels_of("d", arguments.values_of("d", d, self.n_vertices))
         return linear_isolines(self._points, self._faces, values, arguments.levels_of("levels", levels))
 
     # --- diagrams, samples ---
@@ -260,17 +270,19 @@ class Solver:
         ((4, 3), (4, 3))
         """
         self._needs_points("remesh")
-        return self._surface.remesh(arguments.count_of("n", n, 3), arguments.count_of("iterations", iterations, 0),
+        return self._surface.remesh(arguments.count_of("n", n, 3, max(3, self.n_vertices)), arguments.count_of("iterations", iterations, 0),
                                     arguments.progress_of(progress))
 
     # --- the mesh ---
 
     @property
     def n_vertices(self) -> int:
+        """The number of vertices."""
         return len(self._points)
 
     @property
     def n_faces(self) -> int:
+        """The number of faces."""
         return len(self._faces)
 
     def __repr__(self) -> str:

@@ -19,8 +19,10 @@ class Voronoi:
     >>> import surface_mesh_geodesics as smg
     >>> s = smg.Solver([[0, 0, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0]], [[0, 1, 2], [0, 2, 3]])
     >>> v = s.voronoi([0, 1])
-    >>> v.centroids.round(12).tolist(), v.triangles.shape
-    ([[0.5, 1.0, 0.0], [1.5, 1.0, 0.0]], (0, 3))
+    >>> v.labels, v.areas.round(12), v.adjacency
+    (array([0, 1, 1, 0]), array([2., 2.]), array([[0, 1]]))
+    >>> v.centroids.round(12).tolist(), v.triangles.shape, v.colors.shape
+    ([[0.5, 1.0, 0.0], [1.5, 1.0, 0.0]], (0, 3), (2, 3))
     """
 
     def __init__(self, diagram: Diagram, n_sites: int, extent: float, has_points: bool) -> None:
@@ -81,7 +83,7 @@ class Voronoi:
         >>> import surface_mesh_geodesics as smg
         >>> s = smg.Solver([[0, 0, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0]], [[0, 1, 2], [0, 2, 3]])
         >>> V, F, cell = s.voronoi([0, 1]).cut()
-        >>> V[F[cell == 0]][:, :, 0].max().round(12), V[F[cell == 1]][:, :, 0].min().round(12)
+        >>> float(V[F[cell == 0]][:, :, 0].max().round(12)), float(V[F[cell == 1]][:, :, 0].min().round(12))
         (1.0, 1.0)
         """
         self._needs_points("cut")

@@ -21,35 +21,49 @@ THREE_LICENSE = (TEMPLATES / "copyright", pathlib.Path("/usr/share/doc/libjs-thr
 
 
 class Page:
-    """A page that `page()` has made. A notebook shows it."""
+    """A page that `page()` has made. A notebook shows it.
+
+    >>> import surface_mesh_geodesics as smg
+    >>> smg.Page("<!doctype html><p>text").text
+    '<!doctype html><p>text'
+    """
 
     def __init__(self, text: str) -> None:
         self.text = text
 
     def write(self, file: Any) -> None:
-        """Writes the page to a file."""
+        """Writes the page to a file.
+
+        >>> import os, surface_mesh_geodesics as smg
+        >>> smg.Page("<!doctype html><p>text").write(os.devnull)
+        """
         pathlib.Path(file).write_text(self.text, encoding="utf-8")
 
     def _repr_html_(self) -> str:
         return f'<iframe srcdoc="{html.escape(self.text)}" width="100%" height="600"></iframe>'
 
 
-def page(V: Any, F: Any, distances: Any, *, sources: Any = None, paths: Sequence[Path] = (), levels: Any = None,
+def page(V: Any, F: Any, distances: Any, *, sources: Any = None, paths: Path | Sequence[Path] = (), levels: Any = None,
          cells: Any = None, colors: Any = None, title: str = "Geodesic distances", file: Any = None) -> Page:
     """Makes a page that shows distances on a mesh, and writes it to a file if one is named.
 
     distances  (n,) of the vertices; inf where no source reaches
-    sources    (k, 3) points that are drawn
-    paths      shortest paths that are drawn
+    sources    vertices, or (k, 3) points, that are drawn; by default the vertex with the least distance
+    paths      one shortest path, or several, that are drawn
     levels     the distances of isolines: multiples of the first one; by default about ten round numbers
     cells      (m,) the cell of each face, of a mesh that Voronoi.cut() has made; without isolines then
     colors     (k, 3) the color of each cell, as Voronoi.colors has them
 
     Needs three.js (Debian: libjs-three); raises FileNotFoundError if it is not there.
+
+    >>> import surface_mesh_geodesics as smg
+    >>> V, F = [[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]]
+    >>> page = smg.page(V, F, smg.Solver(V, F).distances(0), file="distances.html")  # doctest: +SKIP
     """
     V = arguments.points_of("V", V)
     F = arguments.triangles_of("F", F, len(V))
-    d = arguments.values_of("distances", distances, len(V))
+    d = arguments.levels_of("distances", arguments.values_of("distances", distances, len(V)))
+    paths = [paths] if isinstance(paths, Path) else paths
     if len(F) == 0:
         raise ValueError("F has no faces: there is nothing to show")
     used = V[np.unique(F)]
@@ -62,7 +76,10 @@ def page(V: Any, F: Any, distances: Any, *, sources: Any = None, paths: Sequence
     lines = [_lines("isoline", linear_isolines(V, F, d, levels), center)]
     if len(paths) > 0:
         lines.append(_lines("path", [p.points for p in paths if len(p) > 1], center))
-    shown = V[[int(np.argmin(d))]] if sources is None else arguments.points_of("sources", sources)
+    if sources is None or np.ndim(sources) < 2:
+        shown = V[arguments.row_of_ids("sources", int(np.argmin(d)) if sources is None else sources, len(V))]
+    else:
+        shown = arguments.points_of("sources", sources)
     dots = [{"role": "source", "points": _floats(shown, center)}]
     if len(paths) > 0:
         dots.append({"role": "target", "points": _floats(np.array([p.points[-1] for p in paths if len(p) > 0])

@@ -15,9 +15,14 @@ def plot(V: Any, F: Any, values: Any = None, *, lines: Sequence[np.ndarray] = ()
     """Draws a mesh, and returns the axes.
 
     values  (n,) numbers of the vertices, or else (m,) of the faces, shown as colors; infinite ones are gray
-    lines   arrays of shape (k, 3), paths, or one of these; Matplotlib shows also those behind the surface
+    lines   arrays of shape (k, 3), paths, or one of these
     points  (k, 3), drawn as dots
     axes    three-dimensional axes of Matplotlib to draw in; new ones by default
+
+    Lines and dots are drawn on top of the surface, also those behind it. Raises ImportError without Matplotlib.
+
+    >>> import surface_mesh_geodesics as smg
+    >>> axes = smg.plot([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]], [0, 3, 4])  # doctest: +SKIP
     """
     import matplotlib.pyplot as plt
 
@@ -40,6 +45,8 @@ def plot(V: Any, F: Any, values: Any = None, *, lines: Sequence[np.ndarray] = ()
         axes.figure.colorbar(plt.cm.ScalarMappable(scale, colors), ax=axes, shrink=0.6)
     is_one = isinstance(lines, Path) or isinstance(lines, np.ndarray) and lines.ndim == 2
     lines = [lines] if is_one else lines
+    # (Else Matplotlib hides all of a line behind the surface, or nothing.)
+    axes.computed_zorder = False
     for i, line in enumerate(lines):
         line = arguments.points_of(f"lines[{i}]", line.points if isinstance(line, Path) else line)
         axes.plot(*line.T, color="black", linewidth=1.5, zorder=10)

@@ -52,7 +52,7 @@ def test_ctrl_c(call):
         """)
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=300)
     assert "interrupted after" in done.stdout and "works" in done.stdout, done.stderr
-    # At once; the machine may be busy. (The whole test takes longer than this without an interruption.)
+    # At once; the machine may be busy.
     assert float(re.search("interrupted after (.*)", done.stdout)[1]) < 5
 
 
@@ -130,7 +130,7 @@ def test_memory_does_not_grow():
 
     use(100)
     before = use(100)
-    assert use(500) - before < 20000  # kB
+    assert use(500) - before < 4000  # kB
 
 
 def test_results_are_counted_once():
@@ -146,21 +146,23 @@ def test_examples_in_docstrings():
     modules = [smg] + [importlib.import_module(f"surface_mesh_geodesics.{m.name}")
                        for m in pkgutil.iter_modules(smg.__path__) if m.name != "_core"]
     results = [doctest.testmod(m) for m in modules]
-    assert sum(r.attempted for r in results) > 5 and sum(r.failed for r in results) == 0
+    assert sum(r.attempted for r in results) > 40 and sum(r.failed for r in results) == 0
 
 
 def test_public_names_have_docstrings():
     for name in smg.__all__:
         thing = getattr(smg, name)
         if callable(thing):
-            assert thing.__doc__, name
+            assert ">>>" in thing.__doc__, name
             for member, value in vars(thing).items() if isinstance(thing, type) else []:
-                if not member.startswith("_") and callable(value):
+                if not member.startswith("_") and (callable(value) or isinstance(value, (classmethod, property))):
                     assert value.__doc__, f"{name}.{member}"
+                if not member.startswith("_") and (callable(value) or isinstance(value, classmethod)):
+                    assert ">>>" in value.__doc__, f"{name}.{member}"
 
 
 def test_import_is_light():
-    program = ("import sys, time, numpy; t = time.perf_counter(); import surface_mesh_geodesics; "
+    program = ("import sys, numpy; import surface_mesh_geodesics; "
                "print([m for m in ('scipy', 'matplotlib') if m in sys.modules])")
     assert subprocess.run([sys.executable, "-c", program], capture_output=True, text=True).stdout.strip() == "[]"
 
@@ -276,9 +278,12 @@ def test_page_of_a_diagram():
 PROGRAM = os.environ.get("SURFACE_MESH_GEODESICS_PROGRAM")
 
 
+def run(*arguments):
+    return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, check=True).stdout
+
+
 def table(*arguments):
-    text = subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, check=True).stdout
-    return list(csv.DictReader(text.splitlines()))
+    return list(csv.DictReader(run(*arguments).splitlines()))
 
 
 @pytest.mark.skipif(PROGRAM is None, reason="SURFACE_MESH_GEODESICS_PROGRAM names no program")
@@ -292,9 +297,22 @@ def test_same_numbers_as_the_program(mesh, tmp_path):
     assert [float(r["distance"]) for r in rows] == s.distances(3).tolist()
     rows = table("path", file, "--source", 3, "--target", 70)
     assert float(rows[0]["length"]) == s.path(3, 70).length
-    assert int(rows[0]["points"]) == len(s.path(3, 70))
-    text = subprocess.run([PROGRAM, "matrix", file, "--source", "3", "--source", "8"], capture_output=True, text=True,
-                          check=True).stdout
+    path = s.path(3, 70)
+    assert int(rows[0]["points"]) == len(path)
+    file_of_path = tmp_path / "path.polylines.txt"
+    run("path", file, "--source", 3, "--target", 70, "-o", file_of_path)
+    numbers = [float(x) for x in file_of_path.read_text().split()]
+    assert numbers[0] == len(path) and numbers[1:] in (path.points.ravel().tolist(), path.points[::-1].ravel().tolist())
+    sites = s.sample(7, first=[3])
+    rows = table("sample", file, "--number", 7, "--first", 3, "--quiet")
+    assert [int(r["vertex"]) for r in rows] == sites.tolist()
+    by_vertex = table("voronoi", file, "--site", ",".join(map(str, sites)), "--vertices", "--quiet")
+    rows = table("voronoi", file, "--site", ",".join(map(str, sites)), "--quiet")
+    v = s.voronoi(sites)
+    assert [float(r["area"]) for r in rows] == v.areas.tolist()
+    assert [int(r["site"]) for r in by_vertex] == v.labels.tolist()
+    assert [float(r["distance"]) for r in by_vertex] == v.distances.tolist()
+    text = run("matrix", file, "--source", 3, "--source", 8)
     found = np.array([[float(x) for x in row.split(",")] for row in text.splitlines() if row])
     # Without targets, the matrix is that of the sources, which head the columns. It is computed above the diagonal.
     assert found[0].tolist() == [3, 8] and np.array_equal(np.triu(found[1:]), np.triu(s.matrix([3, 8], [3, 8])))

@@ -27,8 +27,7 @@
 // instruction set, must be the same in all files of a program that include this one.
 
 // The number of lanes of double in the instruction set of the compilation.
-#if !defined(CGAL_SURFACE_MESH_GEODESICS_NO_SIMD) && defined(__GNUC__) && defined(__has_builtin)
-#if __has_builtin(__builtin_shufflevector) && (defined(__SSE2__) || defined(__aarch64__))
+#if !defined(CGAL_SURFACE_MESH_GEODESICS_NO_SIMD) && defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__))
 #ifdef __SSE2__
 #include <immintrin.h>
 #endif
@@ -43,7 +42,6 @@
 #define CGAL_SURFACE_MESH_GEODESICS_COMPILED_NAMESPACE lanes_2
 #endif
 #endif
-#endif
 #ifndef CGAL_SURFACE_MESH_GEODESICS_COMPILED_LANES
 #define CGAL_SURFACE_MESH_GEODESICS_COMPILED_LANES 1
 #define CGAL_SURFACE_MESH_GEODESICS_COMPILED_NAMESPACE one_lane
@@ -53,6 +51,14 @@
 #if CGAL_SURFACE_MESH_GEODESICS_COMPILED_LANES == 2 && defined(__x86_64__) && !defined(_WIN32) \
   && !defined(__EDG__)
 #define CGAL_SURFACE_MESH_GEODESICS_HAS_WIDE_CODE
+#endif
+
+// A vector of some numbers of the vectors a and b, which are counted from the first number of a. (GCC before 12 has
+// another function, whose indices are a vector, a Mask.)
+#if defined(__GNUC__) && !defined(__clang__) && __GNUC__ < 12
+#define CGAL_SURFACE_MESH_GEODESICS_SHUFFLE(a, b, ...) __builtin_shuffle(a, b, Mask{__VA_ARGS__})
+#else
+#define CGAL_SURFACE_MESH_GEODESICS_SHUFFLE(a, b, ...) __builtin_shufflevector(a, b, __VA_ARGS__)
 #endif
 
 #include <cmath>

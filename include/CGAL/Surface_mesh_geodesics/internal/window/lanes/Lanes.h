@@ -76,14 +76,14 @@ struct Lanes<double>
   static double least(Number x)
   {
 #if CGAL_SURFACE_MESH_GEODESICS_LANES == 8
-    x = minimum(x, __builtin_shufflevector(x, x, 4, 5, 6, 7, 0, 1, 2, 3));
-    x = minimum(x, __builtin_shufflevector(x, x, 2, 3, 0, 1, 6, 7, 4, 5));
-    x = minimum(x, __builtin_shufflevector(x, x, 1, 0, 3, 2, 5, 4, 7, 6));
+    x = minimum(x, CGAL_SURFACE_MESH_GEODESICS_SHUFFLE(x, x, 4, 5, 6, 7, 0, 1, 2, 3));
+    x = minimum(x, CGAL_SURFACE_MESH_GEODESICS_SHUFFLE(x, x, 2, 3, 0, 1, 6, 7, 4, 5));
+    x = minimum(x, CGAL_SURFACE_MESH_GEODESICS_SHUFFLE(x, x, 1, 0, 3, 2, 5, 4, 7, 6));
 #elif CGAL_SURFACE_MESH_GEODESICS_LANES == 4
-    x = minimum(x, __builtin_shufflevector(x, x, 2, 3, 0, 1));
-    x = minimum(x, __builtin_shufflevector(x, x, 1, 0, 3, 2));
+    x = minimum(x, CGAL_SURFACE_MESH_GEODESICS_SHUFFLE(x, x, 2, 3, 0, 1));
+    x = minimum(x, CGAL_SURFACE_MESH_GEODESICS_SHUFFLE(x, x, 1, 0, 3, 2));
 #else
-    x = minimum(x, __builtin_shufflevector(x, x, 1, 0));
+    x = minimum(x, CGAL_SURFACE_MESH_GEODESICS_SHUFFLE(x, x, 1, 0));
 #endif
     return x[0];
   }
@@ -91,11 +91,11 @@ struct Lanes<double>
   static Number shift_in(Number previous, Number x)
   {
 #if CGAL_SURFACE_MESH_GEODESICS_LANES == 8
-    return __builtin_shufflevector(previous, x, 7, 8, 9, 10, 11, 12, 13, 14);
+    return CGAL_SURFACE_MESH_GEODESICS_SHUFFLE(previous, x, 7, 8, 9, 10, 11, 12, 13, 14);
 #elif CGAL_SURFACE_MESH_GEODESICS_LANES == 4
-    return __builtin_shufflevector(previous, x, 3, 4, 5, 6);
+    return CGAL_SURFACE_MESH_GEODESICS_SHUFFLE(previous, x, 3, 4, 5, 6);
 #else
-    return __builtin_shufflevector(previous, x, 1, 2);
+    return CGAL_SURFACE_MESH_GEODESICS_SHUFFLE(previous, x, 1, 2);
 #endif
   }
 
@@ -124,9 +124,14 @@ struct Lanes<double>
 #if CGAL_SURFACE_MESH_GEODESICS_LANES == 8
     // (By halves: GCC 12 assumes that the registers of AVX-512's masks are zero behind their eight bits, which they are
     // not.)
-    const int lower = _mm256_movemask_pd((__m256d)__builtin_shufflevector(m, m, 0, 1, 2, 3)),
-              upper = _mm256_movemask_pd((__m256d)__builtin_shufflevector(m, m, 4, 5, 6, 7));
-    return static_cast<unsigned int>(lower | upper << 4);
+#if defined(__GNUC__) && !defined(__clang__) && __GNUC__ < 12
+    const __m256d lower = (__m256d)_mm512_castsi512_si256((__m512i)m),
+                  upper = (__m256d)_mm512_extracti64x4_epi64((__m512i)m, 1);
+#else
+    const __m256d lower = (__m256d)__builtin_shufflevector(m, m, 0, 1, 2, 3),
+                  upper = (__m256d)__builtin_shufflevector(m, m, 4, 5, 6, 7);
+#endif
+    return static_cast<unsigned int>(_mm256_movemask_pd(lower) | _mm256_movemask_pd(upper) << 4);
 #elif CGAL_SURFACE_MESH_GEODESICS_LANES == 4
     return static_cast<unsigned int>(_mm256_movemask_pd((__m256d)m));
 #elif defined(__SSE2__)
