@@ -67,13 +67,15 @@ py::array_t<double> points_to_array(const std::vector<Point>& points);
 // Runs a computation that Python can interrupt, in the calling thread and without the interpreter's lock. Twenty times
 // a second, the computation stops for a moment: it takes the lock, asks for signals (Ctrl-C), and calls the progress
 // function with a number from 0 to 1, which never falls. An exception of either one ends the computation and is passed
-// on. The end of the interpreter also ends computations, those of daemon threads (stop_all()).
+// on. When the interpreter ends, so do the computations of daemon threads (stop_all()), and no new one starts: a thread
+// that returns to an interpreter that has ended would be aborted.
 //
 // It is also the visitor of the computation, a model of GeodesicPropagationVisitor.
 class Interruptible
 {
 public:
   // `progress` may be None. `number_of_runs` is how often a propagation begins. Make it in the thread that computes.
+  // Throws std::runtime_error after stop_all().
   explicit Interruptible(py::object progress, std::size_t number_of_runs = 1);
   ~Interruptible();
 
@@ -113,7 +115,8 @@ public:
   // Requires: this thread holds the interpreter's lock.
   void run(const std::function<void()>& compute);
 
-  // Stops all computations, and waits until they have ended. Requires: this thread holds the interpreter's lock.
+  // Stops all computations, and waits until they have ended, except those whose thread runs Python. A signal ends the
+  // wait. Requires: this thread holds the interpreter's lock.
   static void stop_all();
 
 private:
@@ -125,7 +128,7 @@ private:
   std::exception_ptr m_interruption; // what Python has thrown
   std::size_t m_number_of_runs, m_run = 0, m_number_of_vertices = 0, m_number_of_calls = 0;
   std::atomic<double> m_part_done{0};
-  std::atomic<bool> m_is_stopped{false};
+  std::atomic<bool> m_is_stopped{false}, m_is_in_python{false};
 };
 
 // Calls compute() with at most this number of threads.
@@ -169,8 +172,9 @@ struct Path_engine;
 class Surface
 {
 public:
-  // Makes a mesh of points and triangles; throws std::invalid_argument with the reason if they are no surface. If
-  // `lengths` has rows, entry (f, k) is the length of the edge from corner k of face f to the next corner.
+  // Makes a mesh of points and triangles, without the interpreter's lock. Throws std::invalid_argument with the reason
+  // if they do not form a surface. If `lengths` has rows, entry (f, k) is the length of the edge from corner k of face
+  // f to the next corner.
   Surface(const Array<double>& points, const Array<std::int64_t>& faces, const Array<double>& lengths);
 
   Surface(const Surface&) = delete;
@@ -189,6 +193,7 @@ public:
   std::shared_ptr<Path_engine> path_engine;
 
 private:
+  void build(const Array<double>& points, const Array<std::int64_t>& faces, const Array<double>& lengths);
   void add_faces(const Array<std::int64_t>& faces);
   void add_lengths(const Array<std::int64_t>& faces, const Array<double>& lengths);
 

@@ -169,8 +169,8 @@ private:
   template <typename Compute>
   static void without_lock(const Compute& compute)
   {
-    const py::gil_scoped_release release;
-    compute();
+    Interruptible visitor{py::none()};
+    visitor.run(compute);
   }
 
   void find_at_vertices(std::vector<std::int64_t>& labels, std::vector<double>& distances) const

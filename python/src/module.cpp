@@ -35,6 +35,7 @@ namespace {
 // The computations that run now.
 std::mutex running_mutex;
 std::set<Interruptible*> running;
+bool has_ended = false;
 
 // Resets the owner at the end of a scope.
 struct Reset_owner
@@ -51,6 +52,8 @@ Interruptible::Interruptible(py::object progress, std::size_t number_of_runs)
   : m_progress(std::move(progress)), m_number_of_runs(number_of_runs)
 {
   const std::lock_guard<std::mutex> lock(running_mutex);
+  if(has_ended)
+    throw std::runtime_error("the program ends");
   running.insert(this);
 }
 
@@ -62,13 +65,19 @@ Interruptible::~Interruptible()
 
 void Interruptible::stop_all()
 {
-  const py::gil_scoped_release release;
-  for(bool is_done = false; !is_done; std::this_thread::sleep_for(std::chrono::milliseconds(1)))
+  for(bool is_done = false; !is_done;)
   {
+    if(PyErr_CheckSignals() != 0)
+      throw py::error_already_set();
+    const py::gil_scoped_release release;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
     const std::lock_guard<std::mutex> lock(running_mutex);
+    has_ended = is_done = true;
     for(Interruptible* i : running)
+    {
       i->m_is_stopped = true;
-    is_done = running.empty();
+      is_done = is_done && i->m_is_in_python;
+    }
   }
 }
 
@@ -96,6 +105,7 @@ void Interruptible::ask_python()
   if(std::this_thread::get_id() != m_thread || m_is_stopped || std::chrono::steady_clock::now() < m_next_question)
     return;
   const py::gil_scoped_acquire acquire;
+  m_is_in_python = true;
   try
   {
     if(PyErr_CheckSignals() != 0)
@@ -108,6 +118,7 @@ void Interruptible::ask_python()
     m_interruption = std::current_exception();
     m_is_stopped = true;
   }
+  m_is_in_python = false;
   m_next_question = std::chrono::steady_clock::now() + time_between_questions;
 }
 
@@ -145,6 +156,12 @@ std::vector<Vertex> to_vertices(const Array<std::int64_t>& ids)
 }
 
 Surface::Surface(const Array<double>& points, const Array<std::int64_t>& faces, const Array<double>& lengths)
+{
+  Interruptible visitor{py::none()};
+  visitor.run([&]() { build(points, faces, lengths); });
+}
+
+void Surface::build(const Array<double>& points, const Array<std::int64_t>& faces, const Array<double>& lengths)
 {
   const auto p = points.unchecked<2>();
   const std::size_t n = std::size_t(p.shape(0)), m = std::size_t(faces.shape(0));
@@ -206,10 +223,8 @@ py::array_t<std::int64_t> oriented(std::size_t number_of_vertices, const Array<s
   for(py::ssize_t f = 0; f < id.shape(0); ++f)
     triangles.push_back({std::size_t(id(f, 0)), std::size_t(id(f, 1)), std::size_t(id(f, 2))});
   bool is_oriented = false;
-  {
-    const py::gil_scoped_release release;
-    is_oriented = CGAL::Polygon_mesh_processing::orient_polygon_soup(points, triangles);
-  }
+  Interruptible visitor{py::none()};
+  visitor.run([&]() { is_oriented = CGAL::Polygon_mesh_processing::orient_polygon_soup(points, triangles); });
   if(!is_oriented)
     throw std::invalid_argument("the triangles cannot be oriented: they do not form a surface with two sides");
   std::vector<std::int64_t> result;
@@ -222,7 +237,7 @@ py::array_t<std::int64_t> oriented(std::size_t number_of_vertices, const Array<s
 void Surface::run_alone(Interruptible& visitor, const std::function<void()>& compute)
 {
   if(m_owner.load() == std::this_thread::get_id())
-    throw std::logic_error("the progress function uses the solver that computes");
+    throw std::logic_error("Python code that a computation has called uses the solver that computes");
   visitor.run([&]()
   {
     std::unique_lock<std::timed_mutex> lock(m_mutex, std::defer_lock);
@@ -247,8 +262,7 @@ PYBIND11_MODULE(_core, module)
   module.def("has_threads", &has_threads);
   module.def("oriented", &oriented);
   Surface_class surface(module, "Surface");
-  surface.def(py::init<const Array<double>&, const Array<std::int64_t>&, const Array<double>&>(),
-              py::call_guard<py::gil_scoped_release>());
+  surface.def(py::init<const Array<double>&, const Array<std::int64_t>&, const Array<double>&>());
   bind_distances(surface);
   bind_paths(surface);
   bind_diagrams(module, surface);

@@ -104,11 +104,11 @@ def row_of_numbers(name: str, values: Any) -> np.ndarray:
     return array
 
 
-def values_of(name: str, values: Any, n: int) -> np.ndarray:
-    """Returns a number for each vertex."""
+def values_of(name: str, values: Any, n: int, what: str = "vertices") -> np.ndarray:
+    """Returns a number for each of n elements."""
     array = numbers_of(name, values)
     if array.shape != (n,):
-        raise ValueError(f"{name} has shape {array.shape}, but there are {n} vertices")
+        raise ValueError(f"{name} has shape {array.shape}, but there are {n} {what}")
     return np.ascontiguousarray(array, dtype=np.float64)
 
 

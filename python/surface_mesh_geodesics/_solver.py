@@ -270,8 +270,8 @@ class Solver:
         ((4, 3), (4, 3))
         """
         self._needs_points("remesh")
-        return self._surface.remesh(arguments.count_of("n", n, 3, max(3, self.n_vertices)), arguments.count_of("iterations", iterations, 0),
-                                    arguments.progress_of(progress))
+        return self._surface.remesh(arguments.count_of("n", n, 3, max(3, self.n_vertices)),
+                                    arguments.count_of("iterations", iterations, 0), arguments.progress_of(progress))
 
     # --- the mesh ---
 

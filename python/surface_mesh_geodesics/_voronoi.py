@@ -76,7 +76,8 @@ class Voronoi:
         return self._diagram.boundaries(site, self._tolerance(tolerance))
 
     def cut(self, tolerance: float | None = None) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Returns the mesh cut along the diagram: points (n, 3), faces (m, 3), and the cell of each face (m,).
+        """Returns the mesh cut along the diagram: points (n, 3), faces (m, 3), and the cell of each face (m,), -1 where
+        no site reaches.
 
         `tolerance` as for boundaries(). The first points are the vertices of the mesh.
 

@@ -60,5 +60,7 @@ def _solver(vertices: Any, triangles: Any, is_one_indexed: bool) -> Solver:
         F = arguments.triangles_of("triangles", triangles, len(V))
     try:
         return Solver(V, F)
-    except ValueError:
+    except ValueError as error:
+        if "orientation" not in str(error):
+            raise
         return Solver(V, _core.oriented(len(V), F))

@@ -51,8 +51,8 @@ def page(V: Any, F: Any, distances: Any, *, sources: Any = None, paths: Path | S
     sources    vertices, or (k, 3) points, that are drawn; by default the vertex with the least distance
     paths      one shortest path, or several, that are drawn
     levels     the distances of isolines: multiples of the first one; by default about ten round numbers
-    cells      (m,) the cell of each face, of a mesh that Voronoi.cut() has made; without isolines then
-    colors     (k, 3) the color of each cell, as Voronoi.colors has them
+    cells      (m,) the cell of each face or -1, of a mesh that Voronoi.cut() has made; without isolines then
+    colors     (k, 3) the color of each cell, as Voronoi.colors has them; needed with cells
 
     Needs three.js (Debian: libjs-three); raises FileNotFoundError if it is not there.
 
@@ -72,6 +72,8 @@ def page(V: Any, F: Any, distances: Any, *, sources: Any = None, paths: Path | S
     if levels is None:
         levels = _round_levels(largest) if cells is None else np.zeros(0)
     levels = arguments.levels_of("levels", levels)
+    if np.isinf(levels).any() or largest > np.finfo(np.float32).max:
+        raise ValueError("a page shows finite levels, and distances up to 3e38")
     cell_data = {} if cells is None else _cells(cells, colors, len(F))
     lines = [_lines("isoline", linear_isolines(V, F, d, levels), center)]
     if len(paths) > 0:
@@ -95,7 +97,7 @@ def page(V: Any, F: Any, distances: Any, *, sources: Any = None, paths: Path | S
 
 
 def _round_levels(largest: float) -> np.ndarray:
-    if not largest > 0:
+    if not largest > 1e-300:
         return np.zeros(0)
     power = 10.0 ** np.floor(np.log10(largest / 10))
     step = power * min((f for f in (1, 2, 5, 10) if f * power >= largest / 10), default=10)
@@ -103,10 +105,12 @@ def _round_levels(largest: float) -> np.ndarray:
 
 
 def _cells(cells: Any, colors: Any, n: int) -> dict:
-    shown = arguments.ids_of("colors", [] if colors is None else colors, 256, "shades").reshape(-1, 3)
-    numbers = arguments.ids_of("cells", cells, len(shown), "colors")
-    if numbers.shape != (n,):
-        raise ValueError(f"cells has shape {numbers.shape}, but there are {n} faces")
+    shown = arguments.ids_of("colors", np.zeros((0, 3)) if colors is None else colors, 256, "shades")
+    if shown.ndim != 2 or shown.shape[1] != 3:
+        raise ValueError(f"colors has shape {shown.shape}, but (k, 3) is needed")
+    numbers = arguments.values_of("cells", cells, n, "faces")
+    of_colors = arguments.ids_of("cells", np.where(numbers == -1, 0, numbers), len(shown), "colors")
+    numbers = np.where(numbers == -1, 0xFFFFFFFF, of_colors)
     return {"cells": _base64(numbers.astype("<u4")), "cellColors": ["#%02x%02x%02x" % tuple(c) for c in shown]}
 
 

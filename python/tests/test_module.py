@@ -56,6 +56,31 @@ def test_ctrl_c(call):
     assert float(re.search("interrupted after (.*)", done.stdout)[1]) < 5
 
 
+@pytest.mark.parametrize("call", ["s.distances(0)", "smg.Solver(V, F)", "v.areas", "s.matrix(range(9))", "v.cut()"])
+def test_program_ends_while_daemon_threads_try_again(call):
+    program = textwrap.dedent(f"""
+        import sys, threading, time
+        sys.path.insert(0, {os.path.dirname(__file__)!r})
+        import surface_mesh_geodesics as smg
+        from meshes import sphere
+        V, F = sphere(60)
+        s = smg.Solver(V, F)
+        v = s.voronoi([0, 99])
+        def work():
+            while True:
+                try:
+                    {call}
+                except Exception:
+                    pass
+        for _ in range(2):
+            threading.Thread(target=work, daemon=True).start()
+        time.sleep(.3)
+        print("end")
+        """)
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=100)
+    assert done.returncode == 0 and done.stdout == "end\n", done.stderr
+
+
 def test_program_ends_while_a_daemon_thread_computes():
     program = textwrap.dedent(f"""
         import sys, threading, time
@@ -93,7 +118,7 @@ def test_progress_may_not_use_the_solver_that_computes():
         found.append(other.distances(0).max())  # another one is fine
         s.distances(0)
 
-    with pytest.raises(RuntimeError, match="uses the solver"):
+    with pytest.raises(RuntimeError, match="uses the solver that computes"):
         s.matrix(progress=use, threads=1)
     assert len(found) == 1 and np.isfinite(s.distances(0)).all()
 
@@ -269,6 +294,10 @@ def test_page_of_a_diagram():
     assert data["isolines"] == []
     with pytest.raises(IndexError, match="cells"):
         smg.page(V, F, d, cells=cell, colors=v.colors[:4])
+    with pytest.raises(ValueError, match="colors has shape"):
+        smg.page(V, F, d, cells=cell, colors=np.zeros((3, 4)))
+    unreached = np.where(cell == 0, -1, cell)
+    assert "cells" in smg.page(V, F, d, cells=unreached, colors=v.colors).text
     with pytest.raises(ValueError, match="cells has shape"):
         smg.page(V, F, d, cells=cell[1:], colors=v.colors)
 

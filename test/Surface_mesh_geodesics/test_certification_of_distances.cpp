@@ -436,6 +436,36 @@ void faults_in_small_components_are_found()
   }
 }
 
+// Sources with an offset beyond the radius reach nothing, not even their own vertices.
+void sources_beyond_the_radius_are_certified()
+{
+  test_support::Scope scope("offset beyond the radius");
+  Mesh tm = to_face_graph(noisy_sphere(2, .2, 5));
+  Distance_map map = add_distances(tm);
+  const std::vector<vertex_descriptor> sources{vertex(0), vertex(50)};
+  Options options;
+  options.source_offsets = {0., 3.5};
+  options.maximum_distance = .5;
+  SMG::geodesic_distances(tm, map, sources, options);
+  CHECK(map[vertex(50)] == infinity);
+  check_certified(SMG::certify_geodesic_distances(tm, map, sources, options));
+  options.source_offsets = {0., .25};
+  CHECK(!SMG::certify_geodesic_distances(tm, map, sources, options).is_certified());
+}
+
+// A visitor that is passed by value is copied.
+void visitors_may_be_values()
+{
+  test_support::Scope scope("visitor by value");
+  Mesh tm = to_face_graph(icosphere(1));
+  Distance_map map = add_distances(tm);
+  SMG::Geodesic_default_visitor visitor;
+  SMG::geodesic_distances(tm, map, vertex(0), CGAL::parameters::visitor(SMG::Geodesic_default_visitor()));
+  SMG::geodesic_distances(tm, map, vertex(0), CGAL::parameters::visitor(visitor));
+  SMG::geodesic_distances(tm, map, vertex(0), CGAL::parameters::visitor(std::ref(visitor)));
+  check_certified(SMG::certify_geodesic_distances(tm, map, vertex(0), CGAL::parameters::visitor(visitor)));
+}
+
 // Cancels at its n-th call of go_further().
 struct Canceling_visitor : SMG::Geodesic_default_visitor
 {
@@ -451,6 +481,7 @@ struct Canceling_visitor : SMG::Geodesic_default_visitor
 
   void on_progress(std::size_t v, double d)
   {
+    ++progressed;
     CHECK(v >= visits && d >= distance && d <= largest_distance * (1 + 1e-12));
     visits = v;
     distance = d;
@@ -465,7 +496,7 @@ struct Canceling_visitor : SMG::Geodesic_default_visitor
 
   void on_propagation_end() { ++ended; }
 
-  std::size_t calls_left, calls = 0, begun = 0, ended = 0, visits = 0, number_of_vertices = 0;
+  std::size_t calls_left, calls = 0, progressed = 0, begun = 0, ended = 0, visits = 0, number_of_vertices = 0;
   double distance = 0, largest_distance = infinity;
 };
 
@@ -495,6 +526,7 @@ void canceled_checks_prove_nothing()
     CHECK_EQUAL(visitor.begun, visitor.ended);
     CHECK_EQUAL(c.worst_violation(), infinity);
     CHECK_EQUAL(c.worst_violation(Condition::REVERSE), infinity);
+    CHECK_EQUAL(visitor.progressed, visitor.calls);
     CHECK(c.worst_violation(Condition::EDGES) <= Certificate::default_tolerance);
   }
 }
@@ -549,6 +581,8 @@ int main()
   missing_source_is_found();
   distances_along_edges_are_found();
   faults_in_small_components_are_found();
+  sources_beyond_the_radius_are_certified();
+  visitors_may_be_values();
   canceled_checks_prove_nothing();
   each_vertex_starts_one_reverse_run_at_most();
   invalid_input_throws();

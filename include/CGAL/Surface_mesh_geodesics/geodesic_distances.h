@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Face_shapes.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/distance_functions.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/run_with_visitor.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -164,10 +165,8 @@ bool geodesic_distances(const TriangleMesh& tm, VertexDistanceMap vertex_distanc
                         const Geodesic_distance_options<TriangleMesh, NearestSourceMap>& options,
                         const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter_reference;
-  Geodesic_default_visitor default_visitor;
-  auto& visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
+  internal::Visitor_parameter<CGAL_NP_CLASS> visitor_parameter(np);
+  auto& visitor = visitor_parameter.visitor();
   return internal::compute_geodesic_distances<ConcurrencyTag>(
     tm, vertex_distance_map, sources, options, internal::shape_from_points<double>(tm, np), visitor, np);
 }
@@ -210,10 +209,8 @@ bool geodesic_distances_from_edge_lengths(
   const Sources& sources, const Geodesic_distance_options<TriangleMesh, NearestSourceMap>& options,
   const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter_reference;
-  Geodesic_default_visitor default_visitor;
-  auto& visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
+  internal::Visitor_parameter<CGAL_NP_CLASS> visitor_parameter(np);
+  auto& visitor = visitor_parameter.visitor();
   return internal::compute_geodesic_distances<ConcurrencyTag>(
     tm, vertex_distance_map, sources, options,
     internal::Shape_from_edge_lengths<double, TriangleMesh, EdgeLengthMap>(tm, edge_length_map), visitor, np);

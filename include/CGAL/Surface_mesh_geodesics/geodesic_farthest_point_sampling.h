@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
 #include <CGAL/Surface_mesh_geodesics/internal/applications/Farthest_point_sampling.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/distance_functions.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/run_with_visitor.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -126,12 +127,10 @@ double geodesic_farthest_point_sampling(const TriangleMesh& tm, std::size_t n, O
                                         const Geodesic_sampling_options<TriangleMesh>& options,
                                         const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter_reference;
   auto vim = CGAL::get_initialized_vertex_index_map(tm, np);
   auto fim = CGAL::get_initialized_face_index_map(tm, np);
-  Geodesic_default_visitor default_visitor;
-  auto& visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
+  internal::Visitor_parameter<CGAL_NP_CLASS> visitor_parameter(np);
+  auto& visitor = visitor_parameter.visitor();
   internal::Farthest_point_sampling<TriangleMesh, decltype(vim), decltype(fim)> sampling(tm, vim, fim);
   return sampling.run(internal::shape_from_points<double>(tm, np), n, output, options, visitor);
 }

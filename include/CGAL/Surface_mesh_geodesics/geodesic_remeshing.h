@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_geodesics/geodesic_Lloyd_relaxation.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_farthest_point_sampling.h>
 #include <CGAL/Surface_mesh_geodesics/internal/applications/Remeshing.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/run_with_visitor.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -193,11 +194,10 @@ Geodesic_dual_report geodesic_remeshing(const TriangleMesh& tm, std::size_t n, O
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  using parameters::get_parameter_reference;
   const std::size_t number_of_iterations = static_cast<std::size_t>(
     choose_parameter(get_parameter(np, internal_np::number_of_iterations), 5u));
-  Geodesic_default_visitor default_visitor;
-  auto& visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
+  internal::Visitor_parameter<CGAL_NP_CLASS> visitor_parameter(np);
+  auto& visitor = visitor_parameter.visitor();
   const auto sample = [&](auto samples, const auto& np_with_visitor)
   { geodesic_farthest_point_sampling(tm, n, samples, np_with_visitor); };
   return internal::remesh<Surface_mesh_geodesic_Voronoi_diagram, Geodesic_dual_report>(

@@ -72,11 +72,11 @@ public:
       add_part(sum(p.site), p.integrals, layout, corner);
   }
 
-  // Returns the area of a cell, 0 if it is empty.
+  // Returns the area of a cell, 0 if it is empty. (Rounding may make the sum of a tiny cell negative.)
   double area(Vertex_id site) const
   {
     const auto it = m_sums.find(site);
-    return it == m_sums.end() ? 0 : it->second.area;
+    return it == m_sums.end() ? 0 : (std::max)(it->second.area, 0.);
   }
 
   // Returns the centroid of a cell in space, which need not lie on the surface. It is not finite if the cell has no

@@ -84,11 +84,11 @@ public:
   // --- conditions; `limit` is the radius up to which distances were computed, infinity if all were ---
 
   // No value is greater than the offset of a source at its vertex.
-  Violation check_sources() const
+  Violation check_sources(const FT& limit) const
   {
     Violation worst;
     for(Vertex_id v = 0; v < m_values.size(); ++v)
-      if(m_offsets[v] < infinity())
+      if(m_offsets[v] < infinity() && !is_beyond(v, m_offsets[v], limit))
         record(m_values[v] - m_offsets[v], m_values[v], v, worst);
     return worst;
   }

@@ -20,7 +20,6 @@
 //   lower bounds in check_with_witness(), distances in the opposite direction in check_reverse();
 // - certify_distances() does all of this for the public functions, and makes the certificate.
 
-#include <CGAL/Surface_mesh_geodesics/Geodesic_default_visitor.h>
 #include <CGAL/Surface_mesh_geodesics/internal/certificate/Checked_conditions.h>
 #include <CGAL/Surface_mesh_geodesics/internal/certificate/Distance_checks.h>
 #include <CGAL/Surface_mesh_geodesics/internal/certificate/Lower_bound_check.h>
@@ -113,7 +112,7 @@ public:
 
     Checked_conditions<FT> result;
     result[CHECKED_REACH] = checks.check_reach(limit);
-    result[CHECKED_SOURCES] = checks.check_sources();
+    result[CHECKED_SOURCES] = checks.check_sources(limit);
     result[CHECKED_EDGES] = checks.check_edges(limit);
     result[CHECKED_PAIRS_OF_FACES] = checks.check_pairs_of_faces(limit);
     Visitor_of_several_runs<Visitor> visitor_of_runs(visitor);
@@ -153,6 +152,8 @@ private:
         return false;
       const auto go_on_checking = [&]() { return go_on(visits, reached); };
       result[CHECKED_PATHS] = checks.check_paths(field, limit, go_on_checking);
+      if(visitor.is_canceled())
+        return false;
       result[CHECKED_LOWER_BOUNDS] = checks.check_lower_bounds(field.distance, limit);
       Lower_bound_check<FT> proof(m_surface.mesh(), field.distance, checks.extents(), windows);
       result[CHECKED_PROOF] = proof.run(go_on_checking);
@@ -248,12 +249,11 @@ Certificate certify_distances(const TriangleMesh& tm, VertexDistanceMap vertex_d
   check_numbers(options);
   Distance_certifier<double, TriangleMesh, decltype(vim), decltype(fim)> certifier(tm, vim, fim, make_shape());
   certifier.set_sources(sources, options.source_offsets);
-  Geodesic_default_visitor default_visitor;
-  auto& visitor = parameters::choose_parameter(parameters::get_parameter_reference(np, internal_np::visitor),
-                                               default_visitor);
+  Visitor_parameter<NamedParameters> visitor_parameter(np);
   const auto conditions = certifier.run(
     [&](vertex_descriptor v) { return CGAL::to_double(get(vertex_distance_map, v)); }, options.maximum_distance,
-    static_cast<std::size_t>(choose_parameter(get_parameter(np, internal_np::number_of_iterations), 4)), visitor);
+    static_cast<std::size_t>(choose_parameter(get_parameter(np, internal_np::number_of_iterations), 4)),
+    visitor_parameter.visitor());
   return Private_access::make<Certificate>(
     conditions, [&](Vertex_id v) { return certifier.surface().descriptor_or_null(v); });
 }

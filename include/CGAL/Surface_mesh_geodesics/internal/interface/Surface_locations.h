@@ -208,7 +208,8 @@ private:
     if(!is_number || !(largest_span(all) <= largest_size)
        || (largest_span(mesh) > 0 && largest_span(mesh) < 1 / largest_size))
       throw Invalid_geodesic_input(Invalid_geodesic_input::Reason::NON_FINITE_POINT,
-                                   "the mesh is too large or too small to locate points, or the point is too far");
+                                   "the mesh is too large or too small to locate points, or the point is too far away, "
+                                   "or a coordinate is not a number");
   }
 
   // Returns the longest side of a box.

@@ -13,13 +13,46 @@
 // The order in which the functions of a visitor are called (concept GeodesicPropagationVisitor), and how an object
 // notices that a visitor calls it back.
 
+#include <CGAL/Surface_mesh_geodesics/Geodesic_default_visitor.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+
 #include <atomic>
 #include <cstddef>
 #include <thread>
+#include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
+
+// The visitor among named parameters: the object of the user if it was passed with std::ref(), a copy of it if not, and
+// one that does nothing if there is none.
+template <typename NamedParameters>
+class Visitor_parameter
+{
+  static decltype(auto) chosen(const NamedParameters& np, Geodesic_default_visitor& none)
+  {
+    return parameters::choose_parameter(parameters::get_parameter_reference(np, internal_np::visitor), none);
+  }
+
+  using Chosen = std::remove_reference_t<decltype(chosen(std::declval<const NamedParameters&>(),
+                                                         std::declval<Geodesic_default_visitor&>()))>;
+
+public:
+  explicit Visitor_parameter(const NamedParameters& np) : m_visitor(chosen(np, m_none)) {}
+
+  Visitor_parameter(const Visitor_parameter&) = delete;
+  Visitor_parameter& operator=(const Visitor_parameter&) = delete;
+
+  auto& visitor() { return m_visitor; }
+
+private:
+  Geodesic_default_visitor m_none;
+  std::conditional_t<std::is_const<Chosen>::value, std::remove_const_t<Chosen>, Chosen&> m_visitor;
+};
 
 // Calls run(go_on), a propagation, between the first and the last function of the visitor, and returns its result. The
 // propagation calls go_on(number of visits, distance in the user's unit) at each visit of a vertex, and ends with false

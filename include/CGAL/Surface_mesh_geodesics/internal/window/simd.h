@@ -30,6 +30,8 @@
 #if !defined(CGAL_SURFACE_MESH_GEODESICS_NO_SIMD) && defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__))
 #ifdef __SSE2__
 #include <immintrin.h>
+#else
+#include <arm_neon.h>
 #endif
 #if defined(__AVX512F__)
 #define CGAL_SURFACE_MESH_GEODESICS_COMPILED_LANES 8

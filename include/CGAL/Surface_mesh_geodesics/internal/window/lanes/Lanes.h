@@ -169,9 +169,7 @@ struct Lanes<double>
 #elif defined(__SSE2__)
     return _mm_sqrt_pd(x);
 #else
-    for(std::size_t k = 0; k < size; ++k)
-      x[k] = std::sqrt(x[k]);
-    return x;
+    return (Number)vsqrtq_f64((float64x2_t)x);
 #endif
   }
 
