@@ -20,6 +20,14 @@
 // and the reason for its size. Most are a power of two times epsilon(), so that multiplying by them is exact.
 // "The error of images" is the error that the images of pseudo-sources accumulate from face to face; see distance().
 
+// Flags that take the ground away from all of this.
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0) || defined(_M_FP_FAST)
+#error Surface_mesh_geodesics relies on infinities, NaN and the order of operations: compile without -ffast-math
+#endif
+#if (defined(__GNUC__) && !defined(__EXCEPTIONS)) || (defined(_MSC_VER) && !defined(_CPPUNWIND))
+#error Surface_mesh_geodesics reports invalid input by exceptions: compile without -fno-exceptions
+#endif
+
 #include <cmath>
 #include <limits>
 
