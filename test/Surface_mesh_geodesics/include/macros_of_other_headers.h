@@ -1,5 +1,5 @@
-// Macros with short names that headers of Windows, of X11 and of old C libraries define. The headers of the package must
-// compile after them. The libraries are included first, because some of them do not.
+// Macros with short names that headers of Windows, of X11 and of old C libraries define. The headers of the package
+// must compile after them. The libraries are included first, because some of them do not.
 
 #ifndef MACROS_OF_OTHER_HEADERS_H
 #define MACROS_OF_OTHER_HEADERS_H
