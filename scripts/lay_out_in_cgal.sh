@@ -112,7 +112,7 @@ fi
 manual=$target/doc/$package
 begin='<!-- not in CGAL: begin -->'
 end='<!-- not in CGAL: end -->'
-rm "$manual/Program.txt" "$manual/Python.txt"
+rm "$manual/Program.txt" "$manual/Python.txt" "$manual/Platforms.txt"
 perl -0pi -e "s/$begin(\n.*?$end\n|.*?$end)//gs" "$manual"/*.txt
 for figure in "$target/doc/$package/fig"/*; do
   grep -qF "$(basename "$figure")" "$target/doc/$package"/*.txt || rm "$figure"
