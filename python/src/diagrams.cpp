@@ -20,6 +20,24 @@ namespace geodesics_python {
 
 namespace {
 
+// The faces of a mesh, as rows of three vertices.
+py::array_t<std::int64_t> faces_of(const Mesh& mesh)
+{
+  std::vector<std::int64_t> faces;
+  for(const Face f : mesh.faces())
+    for(const Vertex v : mesh.vertices_around_face(mesh.halfedge(f)))
+      faces.push_back(std::int64_t(std::size_t(v)));
+  return to_rows(std::move(faces), 3);
+}
+
+py::array_t<double> points_of(const Mesh& mesh)
+{
+  std::vector<Point> points;
+  for(const Vertex v : mesh.vertices())
+    points.push_back(mesh.point(v));
+  return points_to_array(points);
+}
+
 // The cell of each face of a mesh that is cut along a diagram. The cut ends with an exception if Python interrupts it.
 struct Cell_map
 {
@@ -152,17 +170,10 @@ public:
     Interruptible visitor{py::none()};
     const Cell_map cell{visitor, mesh.add_property_map<Face, std::size_t>("f:cell", 0).first};
     visitor.run([&]() { m_voronoi.cut(mesh, cell, tolerance); });
-    std::vector<Point> points;
-    for(const Vertex v : mesh.vertices())
-      points.push_back(mesh.point(v));
-    std::vector<std::int64_t> faces, cells;
+    std::vector<std::int64_t> cells;
     for(const Face f : mesh.faces())
-    {
-      for(const Vertex v : mesh.vertices_around_face(mesh.halfedge(f)))
-        faces.push_back(std::int64_t(std::size_t(v)));
       cells.push_back(number(cell.cells[f]));
-    }
-    return py::make_tuple(points_to_array(points), to_rows(std::move(faces), 3), to_array(std::move(cells)));
+    return py::make_tuple(points_of(mesh), faces_of(mesh), to_array(std::move(cells)));
   }
 
 private:
@@ -274,14 +285,7 @@ py::tuple remesh(Surface& surface, std::size_t n, unsigned int iterations, const
   if(!is_manifold)
     throw std::runtime_error("the triangles between " + std::to_string(n)
                              + " vertices form no surface; more vertices help");
-  std::vector<Point> points;
-  for(const Vertex v : coarse.vertices())
-    points.push_back(coarse.point(v));
-  std::vector<std::int64_t> faces;
-  for(const Face f : coarse.faces())
-    for(const Vertex v : coarse.vertices_around_face(coarse.halfedge(f)))
-      faces.push_back(std::int64_t(std::size_t(v)));
-  return py::make_tuple(points_to_array(points), to_rows(std::move(faces), 3));
+  return py::make_tuple(points_of(coarse), faces_of(coarse));
 }
 
 } // namespace

@@ -41,8 +41,7 @@ Places::Places(const Mesh& mesh, const Array<std::int64_t>& vertex, const Array<
 class Path_engine
 {
 public:
-  Path_engine(const Surface& surface, const Places& sources, bool is_parallel)
-    : m_sources(sources), m_is_parallel(is_parallel)
+  Path_engine(const Surface& surface, const Places& sources, bool is_parallel) : m_sources(sources)
   {
     if(is_parallel)
       set_up(surface, m_parallel);
@@ -59,7 +58,7 @@ public:
   template <typename Use>
   auto visit(Use use) const
   {
-    return m_is_parallel ? use(*m_parallel) : use(*m_sequential);
+    return m_parallel != nullptr ? use(*m_parallel) : use(*m_sequential);
   }
 
   // Returns false if the visitor cancels.
@@ -87,7 +86,7 @@ private:
   }
 
   const Places m_sources;
-  const bool m_is_parallel;
+  // One of the two is there.
   std::unique_ptr<Paths_with<CGAL::Sequential_tag>> m_sequential;
   std::unique_ptr<Paths_with<Threads>> m_parallel;
 };

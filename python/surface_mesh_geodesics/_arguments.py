@@ -112,7 +112,7 @@ def values_of(name: str, values: Any, n: int, what: str = "vertices") -> np.ndar
     return np.ascontiguousarray(array, dtype=np.float64)
 
 
-def levels_of(name: str, values: Any) -> np.ndarray:
+def row_without_nan(name: str, values: Any) -> np.ndarray:
     array = row_of_numbers(name, values)
     _check_elements(name, array, np.isnan(array), "not a number")
     return array

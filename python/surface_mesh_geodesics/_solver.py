@@ -201,7 +201,7 @@ class Solver:
         [[[2.0, 0.0, 0.0], [0.0, 2.0, 0.0]]]
         """
         self._needs_points("exact_isolines")
-        return self._surface.isolines(*self._places("sources", sources), arguments.levels_of("levels", levels),
+        return self._surface.isolines(*self._places("sources", sources), arguments.row_without_nan("levels", levels),
                                       arguments.threads_of(threads), arguments.progress_of(progress))
 
     def isolines(self, d: Any, levels: Any) -> list[np.ndarray]:
@@ -215,8 +215,8 @@ class Solver:
         [[2.0, 0.0, 0.0], [0.0, 2.0, 0.0]]
         """
         self._needs_points("isolines")
-        values = arguments.levels_of("d", arguments.values_of("d", d, self.n_vertices))
-        return linear_isolines(self._points, self._faces, values, arguments.levels_of("levels", levels))
+        values = arguments.row_without_nan("d", arguments.values_of("d", d, self.n_vertices))
+        return linear_isolines(self._points, self._faces, values, arguments.row_without_nan("levels", levels))
 
     # --- diagrams, samples ---
 

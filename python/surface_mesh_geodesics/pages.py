@@ -62,7 +62,7 @@ def page(V: Any, F: Any, distances: Any, *, sources: Any = None, paths: Path | S
     """
     V = arguments.points_of("V", V)
     F = arguments.triangles_of("F", F, len(V))
-    d = arguments.levels_of("distances", arguments.values_of("distances", distances, len(V)))
+    d = arguments.row_without_nan("distances", arguments.values_of("distances", distances, len(V)))
     paths = [paths] if isinstance(paths, Path) else paths
     if len(F) == 0:
         raise ValueError("F has no faces: there is nothing to show")
@@ -71,7 +71,7 @@ def page(V: Any, F: Any, distances: Any, *, sources: Any = None, paths: Path | S
     largest = float(d[np.isfinite(d)].max(initial=0.0))
     if levels is None:
         levels = _round_levels(largest) if cells is None else np.zeros(0)
-    levels = arguments.levels_of("levels", levels)
+    levels = arguments.row_without_nan("levels", levels)
     if np.isinf(levels).any() or largest > np.finfo(np.float32).max:
         raise ValueError("a page shows finite levels, and distances up to 3e38")
     cell_data = {} if cells is None else _cells(cells, colors, len(F))

@@ -142,13 +142,13 @@ private:
     {
       std::size_t visits = 0;
       double reached = 0;
-      const auto count = [&](std::size_t number_of_visits, const FT& distance)
+      const auto count = [&](std::size_t number_of_visits, double distance)
       {
         visits = number_of_visits;
-        reached = static_cast<double>(distance * m_surface.unit());
+        reached = distance;
         return go_on(visits, reached);
       };
-      if(!propagation.run(count))
+      if(!run(propagation, count))
         return false;
       const auto go_on_checking = [&]() { return go_on(visits, reached); };
       result[CHECKED_PATHS] = checks.check_paths(field, limit, go_on_checking);
@@ -215,12 +215,18 @@ private:
   template <typename Propagation, typename Visitor>
   bool run_to_sources(Propagation& propagation, Visitor& visitor) const
   {
-    return !visitor.is_canceled() && run_with_visitor(visitor, m_surface.number_of_vertices(), [&](auto go_on)
+    return !visitor.is_canceled()
+        && run_with_visitor(visitor, m_surface.number_of_vertices(),
+                            [&](auto go_on) { return run(propagation, go_on); });
+  }
+
+  // Runs a propagation. It calls go_on(number of visits, distance in the user's unit), and ends if that returns false.
+  template <typename Propagation, typename GoOn>
+  bool run(Propagation& propagation, GoOn go_on) const
+  {
+    return propagation.run([&](std::size_t number_of_visits, const FT& distance)
     {
-      return propagation.run([&](std::size_t number_of_visits, const FT& distance)
-      {
-        return go_on(number_of_visits, static_cast<double>(distance * m_surface.unit()));
-      });
+      return go_on(number_of_visits, static_cast<double>(distance * m_surface.unit()));
     });
   }
 
