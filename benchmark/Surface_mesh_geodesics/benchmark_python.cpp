@@ -127,4 +127,5 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
   measure(soup, {std::istream_iterator<std::size_t>(targets), std::istream_iterator<std::size_t>()});
+  return EXIT_SUCCESS;
 }
