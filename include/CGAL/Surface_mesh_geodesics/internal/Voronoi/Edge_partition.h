@@ -163,26 +163,36 @@ private:
 
   // Goes on to the image that takes over first. Returns false if the current image is nearest up to the end of the
   // edge. Where the interval of the current image ends before, successor() says what follows.
+  //
+  // Windows come nearly in the order of their intervals, in ascending order from one face and in descending order from
+  // the other one. So an image beside the current one is likely to take over: these are tried first, and bound the part
+  // of the edge in which the others have to be nearer. Ties do not depend on the order of the trials.
   bool take_over()
   {
     FT x = m_images[m_current].end;
     std::size_t next = m_current;
     FT next_slope = 0;
-    for(std::size_t j = 0; j < m_images.size(); ++j)
+    Chord chord(m_images[m_current], m_x, x);
+    const auto try_image = [&](std::size_t j)
     {
-      const Image& g = m_images[j];
       FT start;
-      const FT from = has_been_left_here(j) ? FT(m_x + width()) : m_x;
-      if(j == m_current || g.begin > x || g.end <= from || !takes_over(g, m_images[m_current], from, x, start))
-        continue;
-      const FT slope = g.slope_at(start);
-      if(start < x || (start == x && next != m_current && slope < next_slope))
-      {
-        x = start;
-        next = j;
-        next_slope = slope;
-      }
-    }
+      if(!does_take_over(j, chord, start) || start > x || (start == x && next == m_current))
+        return;
+      const FT slope = m_images[j].slope_at(start);
+      if(start == x && !(slope < next_slope || (slope == next_slope && j < next)))
+        return;
+      x = start;
+      next = j;
+      next_slope = slope;
+      chord = Chord(m_images[m_current], m_x, x);
+    };
+    const auto shares_abscissas = [&](const Image& g) { return !(g.begin > chord.last) && g.end > m_x; };
+    for(std::size_t j : {m_current - 1, m_current + 1}) // (-1 wraps around)
+      if(j < m_images.size() && shares_abscissas(m_images[j]))
+        try_image(j);
+    for(std::size_t j = 0; j < m_images.size(); ++j)
+      if(shares_abscissas(m_images[j]) && j + 1 != m_current && j != m_current && j != m_current + 1)
+        try_image(j);
     if(next == m_current)
     {
       if(!(x < m_length))
@@ -201,6 +211,43 @@ private:
     return true;
   }
 
+  // The chord of the distances by an image between two abscissas. These are convex, so that the chord is nowhere below.
+  struct Chord
+  {
+    FT first, last, at_first, slope;
+
+    // Requires: first <= last.
+    Chord(const Image& c, const FT& first, const FT& last)
+      : first(first), last(last), at_first(c.distance_at(first)),
+        slope(first < last ? FT((c.distance_at(last) - at_first) / (last - first)) : FT(0))
+    {
+      CGAL_assertion(first <= last);
+    }
+
+    FT operator()(const FT& x) const { return at_first + slope * (x - first); }
+  };
+
+  // Returns whether image j takes over from the current one, and where, `start`. It need not be found if it does so
+  // behind the chord, which is that of the current image from m_x on.
+  bool does_take_over(std::size_t j, const Chord& chord, FT& start) const
+  {
+    const Image& g = m_images[j];
+    const FT from = has_been_left_here(j) ? FT(m_x + width()) : m_x;
+    return g.end > from && !is_above(g, chord, from) && takes_over(g, m_images[m_current], from, start);
+  }
+
+  // Returns true only if the distances by g from x on are above the chord, as far as both go: a tangent of g is. The
+  // distances by g are convex and not below it. The slopes of g lie between -1 and 1.
+  static bool is_above(const Image& g, const Chord& chord, const FT& x)
+  {
+    const FT first = (std::max)(x, g.begin), last = (std::max)(first, (std::min)(chord.last, g.end));
+    const FT half = (last - first) / 2, middle = first + half;
+    const FT along = middle - g.image_x, n = norm<FT>(along, g.depth);
+    const FT rise = n > 0 ? FT(half * (along / n)) : FT(0);
+    const FT margin = 1 - Tolerance<FT>::nearer();
+    return (g.weight + n - rise) * margin > chord(first) && (g.weight + n + rise) * margin > chord(last);
+  }
+
   // Returns whether an image has been left at the current abscissa. It comes back a bit farther on at the earliest:
   // close to a site, distances are smaller than the rounding of abscissas, and each of two images may seem to be nearer
   // than the other one where it takes over.
@@ -212,8 +259,8 @@ private:
   // Parts of the edge that are not longer come from rounding.
   FT width() const { return Tolerance<FT>::interval() * m_length; }
 
-  // Returns whether g is nearer than c somewhere from `x` on, before c ends and not only behind `until`; `start` is
-  // then the abscissa where that begins. (The test with `until` is a cheap one: both slopes are at most 1.)
+  // Returns whether g is nearer than c somewhere from `x` on, before c ends; `start` is then the abscissa where that
+  // begins.
   //
   // Formula: the points of equal distance divide what both intervals share behind x. On each part, is_nearer() compares
   // both distances at the middle, and at last at the foot of g. Ties: an image that ties does not take over.
@@ -227,12 +274,10 @@ private:
   // Laws: no image takes over from itself. Scaling all lengths by a power of two scales `start` exactly. The mirror
   // image divides the edge at the mirror images, up to rounding. (g and c may each take over from the other,
   // elsewhere.)
-  bool takes_over(const Image& g, const Image& c, const FT& x, const FT& until, FT& start) const
+  bool takes_over(const Image& g, const Image& c, const FT& x, FT& start) const
   {
     const FT first = (std::max)(x, g.begin), last = (std::min)(c.end, g.end);
     if(!(first < last))
-      return false;
-    if(g.distance_at(first) > c.distance_at(first) + 2 * ((std::min)(until, last) - first))
       return false;
     FT from = first;
     for(const FT& abscissa : points_of_change(g, c, last))

@@ -496,12 +496,17 @@ private:
     m_windows.release(h);
     if(o != null_id)
       m_windows.release(o);
+    m_has_interval.assign(m_candidates.size() + 2, false);
+    for(const Edge_interval<FT>& i : m_edge.intervals())
+      if(i.image < m_has_interval.size() && i.begin < i.end)
+        m_has_interval[i.image] = true;
     for(std::size_t i = 0; i < m_candidates.size(); ++i)
-      if(is_nearest_somewhere(i + 2, length))
+      if(m_has_interval[i + 2] || is_nearest_somewhere(i + 2, length))
         m_windows.add(m_candidates[i].first, m_candidates[i].second);
   }
 
-  // Returns whether a window is nearest on a part of its edge. If its image is on the edge itself, it may be nearest
+  // Returns whether a window that has no interval of its own ties with the nearest one on a part of its edge. If its
+  // image is on the edge itself, it may be nearest
   // at the image only.
   bool is_nearest_somewhere(std::size_t window, const FT& length) const
   {
@@ -522,15 +527,14 @@ private:
     return false;
   }
 
-  // Returns whether a window is nearest at x, where the partition has found the image `nearest`, or ties with it.
+  // Returns whether a window ties at x with the image `nearest`, which the partition has found, and has to be kept for
+  // that.
   //
   // A path along the edge may cross it or not, up to rounding, so that a window ties with one that leaves its face.
   // Each of the two is kept for the face that it enters: the other one comes to that face across another edge, where
   // it may have been removed because of this one. Of the windows of one side that tie, one is enough.
   bool is_nearest(std::size_t window, std::size_t nearest, const FT& x) const
   {
-    if(window == nearest)
-      return true;
     if(nearest < 2) // a corner of both faces
       return false;
     if(nearest - 2 < m_candidates.size() && m_candidates[nearest - 2].first == m_candidates[window - 2].first)
@@ -561,6 +565,7 @@ private:
   Edge_partition<FT> m_edge; // the edge that is divided
   // The windows of that edge, and across which halfedge each has come. Image i + 2 of m_edge is candidate i.
   std::vector<std::pair<Halfedge_id, Kept_window<FT>>> m_candidates;
+  std::vector<char> m_has_interval; // whether the partition has given an interval to an image of m_edge
   Divided_face<FT> m_divided_face;
 };
 
