@@ -33,9 +33,14 @@ void entries_leave_when_their_distance_is_reached(test_support::Random& random, 
       was_put_off.push_back(0);
     }
     reached += scale * random.uniform(0., .01) * static_cast<double>(random.index(3));
-    queue.advance(reached, [&](Face_id f, double limit)
+    std::vector<char> rounds(waits_for.size(), 0);
+    const auto approach = [&](Face_id f, std::size_t round_of_face)
+    { rounds[f] = static_cast<char>(10 * rounds[f] + static_cast<char>(round_of_face) + 1); };
+    queue.advance(reached, approach, [&](Face_id f, double limit)
     {
       CHECK(waits_for[f] < reached);
+      CHECK_EQUAL(int(rounds[f]), 12); // each face that leaves is approached twice before, in this order
+      rounds[f] = 0;
       if(was_put_off[f] != 0)
       {
         waits_for[f] = never;
@@ -53,22 +58,23 @@ void entries_leave_when_their_distance_is_reached(test_support::Random& random, 
 
 void reached_infinite_and_cleared_entries_are_handled()
 {
+  const auto nothing = [](Face_id, std::size_t) {};
   internal::Radix_heap queue;
   queue.push(7, 1., 1.);
   queue.clear();
-  queue.advance(2., [](Face_id, double) { CHECK(false); });
+  queue.advance(2., nothing, [](Face_id, double) { CHECK(false); });
   // An entry for a distance that has already been reached leaves as soon as the reached distance grows.
   queue.push(8, 1., 1.);
   std::size_t called = 0;
-  queue.advance(1.5, [&](Face_id, double) { ++called; });
+  queue.advance(1.5, nothing, [&](Face_id, double) { ++called; });
   CHECK_EQUAL(called, std::size_t(0));
-  queue.advance(2.5, [&](Face_id, double) { ++called; });
+  queue.advance(2.5, nothing, [&](Face_id, double) { ++called; });
   CHECK_EQUAL(called, std::size_t(1));
   // Distances beyond single precision never leave.
   const double infinity = std::numeric_limits<double>::infinity();
   queue.push(9, 1e200, infinity);
-  queue.advance(1e100, [&](Face_id, double) { CHECK(false); });
-  queue.advance(infinity, [&](Face_id, double) { CHECK(false); });
+  queue.advance(1e100, nothing, [&](Face_id, double) { CHECK(false); });
+  queue.advance(infinity, nothing, [&](Face_id, double) { CHECK(false); });
 }
 
 } // namespace

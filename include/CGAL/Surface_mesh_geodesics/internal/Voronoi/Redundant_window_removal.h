@@ -41,6 +41,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_table.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Radix_heap.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/prefetch.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/single_precision.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
@@ -160,7 +161,8 @@ public:
   void advance(const FT& reached)
   {
     const FT below = reached * (1 - Tolerance<FT>::succession());
-    m_queue.advance(below, [&](Face_id f, const FT& limit)
+    m_queue.advance(below, [&](Face_id f, std::size_t round) { prefetch_bound(f, round); },
+                    [&](Face_id f, const FT& limit)
     {
       const FT last = (std::min)(limit, bound(f));
       if(last < below)
@@ -296,6 +298,20 @@ private:
   {
     const FT longest = longest_side(m_mesh->face(f));
     m_queue.push(f, FT(nearest + longest / 2), FT(nearest + longest));
+  }
+
+  // Fetches what bound(f) reads: first the face, then the distances of its corners. None of it is in a cache, as the
+  // wavefront has gone on since f was put into the queue.
+  void prefetch_bound(Face_id f, std::size_t round) const
+  {
+    if(round == 0)
+    {
+      prefetch(&m_mesh->face(f));
+      prefetch(&m_faces[f]);
+      return;
+    }
+    for(const Vertex_id corner : m_mesh->face(f).vertex)
+      prefetch(&m_field->distance[corner]);
   }
 
   // Returns a distance that no point of the border of a face exceeds, as known so far: the largest one of its sides,

@@ -58,9 +58,10 @@ public:
   }
 
   // Raises the reached distance; a smaller one than before changes nothing. Calls leave(f, limit), with a limit rounded
-  // up, for the faces that wait for less. leave() may push f again.
-  template <typename FT, typename Leave>
-  void advance(const FT& distance, Leave leave)
+  // up, for the faces that wait for less. leave() may push f again. Of several such faces, approach(f, 0) and then
+  // approach(f, 1) is called for all of them before, so that the caller can fetch what leave() reads.
+  template <typename FT, typename Approach, typename Leave>
+  void advance(const FT& distance, Approach approach, Leave leave)
   {
     const std::uint32_t reached = bits(Single_precision::not_more(distance));
     if(reached <= m_reached)
@@ -76,6 +77,10 @@ public:
         continue;
       m_moved.clear();
       m_moved.swap(m_bucket[i]);
+      for(const std::size_t round : {std::size_t(0), std::size_t(1)})
+        for(const Entry& e : m_moved)
+          if(e.key < reached)
+            approach(e.face, round);
       for(const Entry& e : m_moved)
         if(e.key < reached)
           leave(e.face, FT(e.limit));
