@@ -12,8 +12,13 @@
 
 // What a propagation calls a keeper, for a diagram: it passes lists of windows and the distance reached on to the
 // removal of redundant windows. The parallel propagation logs the lists in each thread, and has one thread at a time
-// pass them on (propagation/parallel/Window_relay.h).
+// pass them on (propagation/parallel/Window_relay.h). The faces that the removal hands over wait for the next batch of
+// visits, in which all threads divide them (Deferred_division).
 
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Divided_face.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Face_partition.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Redundant_window_removal.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Voronoi_complex.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/entering_windows.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
@@ -22,6 +27,7 @@
 
 #include <CGAL/assertions.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -133,8 +139,214 @@ public:
     log.pass_on(first, last, *m_removal);
   }
 
+  // The keeper has no work for several threads: see Dividing_window_keeper.
+  void restart(std::size_t /*number_of_threads*/) {}
+  std::size_t begin_batch() { return 0; }
+  void do_unit(std::size_t /*unit*/, std::size_t /*thread*/) {}
+  std::size_t memory() const { return 0; }
+
 private:
   Removal* m_removal;
+};
+
+// The consumer of a removal whose faces several threads divide. In each batch of visits the faces that were handed over
+// during the batch before are divided, and those that were divided during that one join the complex, in the order in
+// which they were handed over. So the complex does not depend on the threads.
+//
+// Threads: divide() may be called in several threads at once, each with a number of its own, and beside add() and
+// add_divided(), which one thread at a time calls. Nothing else runs beside the other functions.
+template <typename FT>
+class Deferred_division
+{
+public:
+  // Refers to the complex, which has been started.
+  explicit Deferred_division(Voronoi_complex<FT>& complex) : m_complex(&complex) {}
+
+  // Forgets all faces, for a run with this number of threads.
+  void restart(std::size_t number_of_threads)
+  {
+    for(Faces* faces : {&m_handed_over, &m_in_work, &m_divided})
+      faces->size = 0;
+    m_partition.resize(number_of_threads);
+  }
+
+  // Takes a face over from the removal. It is copied.
+  void add(const Divided_face<FT>& divided)
+  {
+    if(m_handed_over.size == m_handed_over.items.size())
+      m_handed_over.items.emplace_back();
+    m_handed_over.items[m_handed_over.size++].divided = divided;
+  }
+
+  // Begins a batch. Returns the number of units of divide(), which have to be done before the next one begins.
+  std::size_t begin_batch()
+  {
+    add_divided();
+    std::swap(m_divided, m_in_work);
+    std::swap(m_in_work, m_handed_over);
+    return (m_in_work.size + faces_per_unit() - 1) / faces_per_unit();
+  }
+
+  // Divides the faces of a unit.
+  void divide(std::size_t unit, std::size_t thread)
+  {
+    const std::size_t first = unit * faces_per_unit();
+    divide(m_in_work, first, (std::min)(first + faces_per_unit(), m_in_work.size), m_partition[thread]);
+  }
+
+  // Lets the faces that have been divided in the batch before join the complex.
+  void add_divided()
+  {
+    for(std::size_t i = 0; i < m_divided.size; ++i)
+      m_complex->add(m_divided.items[i].divided, m_divided.items[i].division);
+    m_divided.size = 0;
+  }
+
+  // Divides all faces that wait, in this thread, and lets them join the complex. Requires: no unit has been done since
+  // begin_batch().
+  void finish()
+  {
+    m_partition.resize((std::max)(m_partition.size(), std::size_t(1)));
+    for(int i = 0; i < 2; ++i) // those in work, then those handed over since
+    {
+      divide(m_in_work, 0, m_in_work.size, m_partition.front());
+      begin_batch();
+    }
+    add_divided();
+  }
+
+  // The memory of the faces that wait, in bytes.
+  std::size_t memory() const
+  {
+    std::size_t n = 0;
+    for(const Faces* faces : {&m_handed_over, &m_in_work, &m_divided})
+      for(const Waiting_face& f : faces->items)
+        n += sizeof(Waiting_face) + f.divided.images.capacity() * sizeof(Site_image<FT>)
+           + f.division.nodes.capacity() * sizeof(Face_node<FT>) + f.division.arcs.capacity() * sizeof(Face_arc<FT>);
+    return n;
+  }
+
+private:
+  struct Waiting_face
+  {
+    Divided_face<FT> divided;
+    Face_division<FT> division; // valid once it has been divided
+  };
+
+  // The first `size` items are faces; the others keep their memory for later ones.
+  struct Faces
+  {
+    std::vector<Waiting_face> items;
+    std::size_t size = 0;
+  };
+
+  // At most a thousand units, however many faces there are.
+  std::size_t faces_per_unit() const { return 1 + m_in_work.size / 1000; }
+
+  void divide(Faces& faces, std::size_t first, std::size_t last, Face_partition<FT>& partition) const
+  {
+    for(std::size_t i = first; i < last; ++i)
+    {
+      m_complex->divide(faces.items[i].divided, partition);
+      faces.items[i].division = partition.division();
+    }
+  }
+
+  Voronoi_complex<FT>* m_complex;
+  Faces m_handed_over, m_in_work, m_divided; // between two batches the faces move on to the next one of these
+  std::vector<Face_partition<FT>> m_partition; // by thread
+};
+
+// The keeper of a parallel propagation whose faces the threads divide. `Removal` has a Deferred_division as consumer.
+template <typename Removal>
+class Dividing_window_keeper : public Diagram_window_keeper<Removal>
+{
+public:
+  using Base = Diagram_window_keeper<Removal>;
+  using FT = typename Base::FT;
+  using Thread_keeper = typename Base::Thread_keeper;
+
+  Dividing_window_keeper(Removal& removal, Deferred_division<FT>& division) : Base(removal), m_division(&division) {}
+
+  void restart(std::size_t number_of_threads) { m_division->restart(number_of_threads); }
+  std::size_t begin_batch() { return m_division->begin_batch(); }
+  void do_unit(std::size_t unit, std::size_t thread) { m_division->divide(unit, thread); }
+  std::size_t memory() const { return m_division->memory(); }
+
+  void advance(const FT& reached)
+  {
+    m_division->add_divided();
+    Base::advance(reached);
+  }
+
+private:
+  Deferred_division<FT>* m_division;
+};
+
+// What makes a complex while distances are propagated: the removal and what divides the faces that it hands over. That
+// is the complex itself, or with several threads a Deferred_division. Use: start(), the propagation with keeper(),
+// finish().
+template <typename FT, bool has_several_threads>
+class Diagram_propagation
+{
+public:
+  using Complex = Voronoi_complex<FT>;
+  using Removal = Redundant_window_removal<FT, Complex>;
+
+  explicit Diagram_propagation(Complex& complex) : m_complex(complex) {}
+
+  // Requires: the mesh is refined by the sites, and the propagation has not begun.
+  void start(const Intrinsic_mesh<FT>& mesh, const Vertex_distance_field<FT>& field)
+  {
+    m_complex.start(mesh);
+    m_removal.reset(mesh, field, m_complex);
+  }
+
+  Removal& removal() { return m_removal; }
+  Diagram_window_keeper<Removal> keeper() { return Diagram_window_keeper<Removal>(m_removal); }
+
+  // Divides the last faces. Then the owners, whose distances are final now, let the complex count elements and link
+  // arcs to chains.
+  void finish()
+  {
+    m_removal.finish();
+    m_complex.finish(m_removal.owners());
+  }
+
+private:
+  Complex& m_complex;
+  Removal m_removal;
+};
+
+template <typename FT>
+class Diagram_propagation<FT, true>
+{
+public:
+  using Complex = Voronoi_complex<FT>;
+  using Removal = Redundant_window_removal<FT, Deferred_division<FT>>;
+
+  explicit Diagram_propagation(Complex& complex) : m_complex(complex), m_division(complex) {}
+
+  void start(const Intrinsic_mesh<FT>& mesh, const Vertex_distance_field<FT>& field)
+  {
+    m_complex.start(mesh);
+    m_removal.reset(mesh, field, m_division);
+  }
+
+  Removal& removal() { return m_removal; }
+  Dividing_window_keeper<Removal> keeper() { return Dividing_window_keeper<Removal>(m_removal, m_division); }
+
+  void finish()
+  {
+    m_removal.finish();
+    m_division.finish();
+    m_complex.finish(m_removal.owners());
+  }
+
+private:
+  Complex& m_complex;
+  Deferred_division<FT> m_division;
+  Removal m_removal;
 };
 
 } // namespace internal

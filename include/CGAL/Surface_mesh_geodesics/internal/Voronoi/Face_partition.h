@@ -55,7 +55,7 @@ namespace Surface_mesh_geodesics {
 namespace internal {
 
 // A piece of the curve between two cells of a face, from `first` to `last` with the cell of left_site on the left: part
-// of the bisector of two images, or a segment. The nodes are indices in nodes().
+// of the bisector of two images, or a segment. The nodes are indices in the nodes of the face.
 template <typename FT>
 struct Face_arc
 {
@@ -64,6 +64,28 @@ struct Face_arc
   Planar_point<FT> first, last;
   std::size_t first_node, last_node;
   bool is_bisector; // otherwise the arc is straight, whatever the two images are
+};
+
+// A point where arcs end. Of a vertex, where three cells meet, the sites are in counterclockwise order; other nodes
+// have two sites, and null_id: the cells on the left and on the right of the front that starts at the node or runs
+// through it.
+template <typename FT>
+struct Face_node
+{
+  Planar_point<FT> p;
+  std::array<Vertex_id, 3> sites;
+  bool is_vertex;
+};
+
+// What a Face_partition finds: a forest. Its first nodes are the breakpoints of the border, in their order.
+template <typename FT>
+struct Face_division
+{
+  std::vector<Face_node<FT>> nodes;
+  std::vector<Face_arc<FT>> arcs;
+
+  // How often fronts were joined or connected although no traced curve leads from one to the other.
+  std::size_t number_of_joints = 0;
 };
 
 // Use: start(), add() for images and breakpoints, build(), then the queries. An object serves many faces.
@@ -87,24 +109,16 @@ public:
   using Breakpoint = Border_breakpoint<FT>;
   using Arc = Face_arc<FT>;
 
-  // A point where arcs end. The breakpoints come first, in their order, then the nodes inside. Of a vertex, where three
-  // cells meet, the sites are in counterclockwise order; other nodes have two sites, and null_id: the cells on the left
-  // and on the right of the front that starts at the node or runs through it.
-  struct Node
-  {
-    Point p;
-    std::array<Vertex_id, 3> sites;
-    bool is_vertex;
-  };
+  using Node = Face_node<FT>;
 
   // Starts a face, given its corners, and removes the results of the one before. Then images are added, and breakpoints
   // in counterclockwise order; then build() is called.
   void start(const std::array<Point, 3>& corner)
   {
     m_tracer.start(corner);
-    m_nodes.clear();
-    m_arcs.clear();
-    m_number_of_joints = 0;
+    m_division.nodes.clear();
+    m_division.arcs.clear();
+    m_division.number_of_joints = 0;
   }
 
   void add(const Image& image) { m_tracer.add(image); }
@@ -120,7 +134,7 @@ public:
     for(std::size_t i = 0; i < m_tracer.breakpoints().size(); ++i)
     {
       const Breakpoint& b = m_tracer.breakpoints()[i];
-      m_nodes.push_back(Node{b.p, {b.left, b.right, null_id}, false});
+      m_division.nodes.push_back(Node{b.p, {b.left, b.right, null_id}, false});
       fronts.emplace_back(b.left, b.right, b.p, i);
     }
     m_waiting.clear();
@@ -134,12 +148,13 @@ public:
     CGAL_expensive_assertion(is_forest());
   }
 
-  const std::vector<Node>& nodes() const { return m_nodes; }
-  const std::vector<Arc>& arcs() const { return m_arcs; }
-  const std::vector<Image>& images() const { return m_tracer.images().all(); }
+  // The result, valid until start().
+  const Face_division<FT>& division() const { return m_division; }
 
-  // Returns how often fronts were joined or connected although no traced curve leads from one to the other.
-  std::size_t number_of_joints() const { return m_number_of_joints; }
+  const std::vector<Node>& nodes() const { return m_division.nodes; }
+  const std::vector<Arc>& arcs() const { return m_division.arcs; }
+  const std::vector<Image>& images() const { return m_tracer.images().all(); }
+  std::size_t number_of_joints() const { return m_division.number_of_joints; }
 
   // Returns how many traces have been made: the cost of the partition.
   std::size_t number_of_traces() const { return m_tracer.number_of_traces(); }
@@ -169,14 +184,14 @@ private:
   // Returns whether one arc ends at each breakpoint, two at each other node of two sites, and three at each vertex.
   bool is_forest() const
   {
-    std::vector<std::size_t> degree(m_nodes.size(), 0);
-    for(const Arc& a : m_arcs)
+    std::vector<std::size_t> degree(m_division.nodes.size(), 0);
+    for(const Arc& a : m_division.arcs)
     {
       ++degree[a.first_node];
       ++degree[a.last_node];
     }
-    for(std::size_t i = 0; i < m_nodes.size(); ++i)
-      if(degree[i] != (m_nodes[i].is_vertex ? 3u : i < m_tracer.breakpoints().size() ? 1u : 2u))
+    for(std::size_t i = 0; i < m_division.nodes.size(); ++i)
+      if(degree[i] != (m_division.nodes[i].is_vertex ? 3u : i < m_tracer.breakpoints().size() ? 1u : 2u))
         return false;
     return true;
   }
@@ -330,7 +345,7 @@ private:
   // tie in a region.
   void join_nearest(std::vector<Front>& fronts)
   {
-    ++m_number_of_joints;
+    ++m_division.number_of_joints;
     const std::size_t n = fronts.size();
     std::size_t best = 0;
     FT gap = std::numeric_limits<FT>::infinity();
@@ -368,8 +383,8 @@ private:
       = do_agree && (distance(f.end, g.end) <= images_of_face().touching() || meeting().is_vertex(f, g, v));
     if(!do_meet)
       v = meeting().best_vertex(f, g);
-    const std::size_t node = m_nodes.size();
-    m_nodes.push_back(Node{v, {f.left, f.right, g.right}, true});
+    const std::size_t node = m_division.nodes.size();
+    m_division.nodes.push_back(Node{v, {f.left, f.right, g.right}, true});
     for(Front* front : {&f, &g})
       if(!front->cut_at(v) && !do_meet)
         completion().lead_to(*front, v);
@@ -406,7 +421,7 @@ private:
     if(!is_touching && trace_to(g, f) <= images_of_face().touching()) // the way back is the better one
       return finish(g, f.p, f.node);
     if(f.stop == Stop::LOST || !(gap <= images_of_face().joining_distance()))
-      ++m_number_of_joints;
+      ++m_division.number_of_joints;
     if(!is_touching && !f.cut_at(g.p))
       completion().lead_to(f, g.p);
     finish(f, g.p, g.node);
@@ -449,21 +464,21 @@ private:
       std::size_t to_node = node;
       if(!is_last)
       {
-        to_node = m_nodes.size();
-        m_nodes.push_back(Node{to, {f.left, f.right, null_id}, false});
+        to_node = m_division.nodes.size();
+        m_division.nodes.push_back(Node{to, {f.left, f.right, null_id}, false});
       }
-      m_arcs.push_back(Arc{f.left, f.right, piece.left, piece.right, from, to, from_node, to_node, i < number_traced});
+      const bool is_bisector = i < number_traced;
+      m_division.arcs.push_back(Arc{f.left, f.right, piece.left, piece.right, from, to, from_node, to_node,
+                                    is_bisector});
       from = to;
       from_node = to_node;
     }
   }
 
   Front_tracer<FT> m_tracer; // owns the images and breakpoints of the face
-  std::vector<Node> m_nodes;
-  std::vector<Arc> m_arcs;
+  Face_division<FT> m_division;
   std::vector<Front> m_fronts; // the list that build() begins with; a member, so that its memory is kept
   std::vector<std::vector<Front>> m_waiting; // parts of the face that are still to be closed
-  std::size_t m_number_of_joints = 0;
 };
 
 } // namespace internal

@@ -18,7 +18,7 @@
 // or along an edge. On symmetric surfaces ties are decided one way or the other, which yields arcs without length;
 // has_length() tells, and readers of the complex leave them out.
 //
-// Steps: add() divides a face and copies its nodes and arcs (add_breakpoints(), Face_partition, add_partition()), and
+// Steps: add() divides a face (divide()) and copies its nodes and arcs (add_breakpoint_nodes(), add_division()), and
 // counts the parts of cells in it. finish() counts the other elements of cells (count_edges_and_faces()), and links
 // arcs to chains (link_chains()).
 
@@ -77,19 +77,34 @@ public:
     m_mesh = &mesh;
   }
 
-  // Adds the curves in a face that lies in several cells. Takes about the time of Face_partition::build().
-  // Requires: the breakpoints of a side are those that the other face at the edge gets; a cell that begins at one
-  // breakpoint ends at the next one.
+  // Adds the curves in a face that lies in several cells. Requires: the breakpoints of a side are those that the other
+  // face at the edge gets; a cell that begins at one breakpoint ends at the next one.
   void add(const Divided_face<FT>& divided)
   {
-    m_breakpoint_nodes.clear();
-    m_partition.start(layout(divided.face));
+    divide(divided, m_partition);
+    add(divided, m_partition.division());
+  }
+
+  // The first step of add(), which takes nearly all of the time: finds the curves. Reads the mesh only, so several
+  // threads may divide faces, each with its own partition, and one may add others meanwhile.
+  void divide(const Divided_face<FT>& divided, Face_partition<FT>& partition) const
+  {
+    partition.start(layout(divided.face));
     for(unsigned int k = 0; k < 3; ++k)
-      add_breakpoints(halfedge_of(divided.face, k), divided.breakpoints[k]);
+      add_breakpoints(halfedge_of(divided.face, k), divided.breakpoints[k], partition);
     for(const Site_image<FT>& image : divided.images)
-      m_partition.add(image);
-    m_partition.build();
-    add_partition(divided.face);
+      partition.add(image);
+    partition.build();
+  }
+
+  // The second step of add(): copies the nodes and arcs into the complex. The first nodes of the division are the
+  // breakpoints, whose nodes may exist already, from the other face at the edge; the others are new.
+  void add(const Divided_face<FT>& divided, const Face_division<FT>& division)
+  {
+    m_breakpoint_nodes.clear();
+    for(unsigned int k = 0; k < 3; ++k)
+      add_breakpoint_nodes(halfedge_of(divided.face, k), divided.breakpoints[k]);
+    add_division(divided.face, division);
   }
 
   // Completes the complex, given the nearest site of each vertex of the mesh, null_id where none arrives. Takes time
@@ -149,10 +164,9 @@ public:
   // Returns the nodes on the edge of h, none if the edge is in one cell. Takes constant time.
   Nodes_on_edge nodes_on_edge(Halfedge_id h) const
   {
-    const Halfedge_id o = m_mesh->opposite(h);
     Nodes_on_edge result;
-    result.is_reversed = o != null_id && o < h;
-    const Index_range* const nodes = m_edge_nodes.find(result.is_reversed ? o : h);
+    result.is_reversed = is_reversed(h);
+    const Index_range* const nodes = m_edge_nodes.find(result.is_reversed ? m_mesh->opposite(h) : h);
     if(nodes != nullptr)
     {
       result.first = nodes->first;
@@ -308,7 +322,7 @@ private:
       node.face = face_of(h);
       node.point = point_on_edge(h, e.x);
       node.abscissa = e.x;
-      node.distance = 0; // add_partition() sets it with the arcs
+      node.distance = 0; // add_division() sets it with the arcs
       node.sites = {e.before, e.after, null_id};
       m_nodes.push_back(node);
     }
@@ -366,50 +380,57 @@ private:
 
   // --- faces ---
 
-  // Adds the breakpoints on the side of h to the partition, from the source of h on. They come in the order of the
-  // halfedge with the smaller index; if that is the opposite of h, they are reversed, and so are the cells before and
-  // after each of them.
-  void add_breakpoints(Halfedge_id h, const std::vector<Edge_breakpoint<FT>>& breakpoints)
+  // Returns whether breakpoints of an edge come against the direction of h: they do in that of the smaller halfedge.
+  bool is_reversed(Halfedge_id h) const
   {
-    if(breakpoints.empty())
-      return;
     const Halfedge_id o = m_mesh->opposite(h);
-    const bool is_reversed = o != null_id && o < h;
-    const std::uint32_t size = static_cast<std::uint32_t>(breakpoints.size());
-    const std::uint32_t first = first_node(is_reversed ? o : h, breakpoints);
-    for(std::uint32_t i = 0; i < size; ++i)
+    return o != null_id && o < h;
+  }
+
+  // Adds the breakpoints on the side of h to the partition, from the source of h on. If they are reversed, so are the
+  // cells before and after each of them.
+  void add_breakpoints(Halfedge_id h, const std::vector<Edge_breakpoint<FT>>& breakpoints,
+                       Face_partition<FT>& partition) const
+  {
+    const bool reversed = is_reversed(h);
+    for(std::size_t i = 0; i < breakpoints.size(); ++i)
     {
-      const std::uint32_t j = is_reversed ? size - 1 - i : i;
-      const Edge_breakpoint<FT>& e = breakpoints[j];
-      typename Face_partition<FT>::Breakpoint b;
-      b.p = point_on_edge(h, is_reversed ? FT(m_mesh->length(h) - e.x) : e.x);
-      b.left = is_reversed ? e.after : e.before;
-      b.right = is_reversed ? e.before : e.after;
-      m_partition.add(b);
-      m_breakpoint_nodes.push_back(first + j);
+      const Edge_breakpoint<FT>& e = breakpoints[reversed ? breakpoints.size() - 1 - i : i];
+      const Point p = point_on_edge(h, reversed ? FT(m_mesh->length(h) - e.x) : e.x);
+      partition.add(Border_breakpoint<FT>{p, reversed ? e.after : e.before, reversed ? e.before : e.after});
     }
   }
 
-  // Copies the nodes and arcs of the partition of face f into the complex. The first nodes of the partition are the
-  // breakpoints, whose nodes exist already; the others are new.
-  void add_partition(Face_id f)
+  // Notes the nodes of the same breakpoints.
+  void add_breakpoint_nodes(Halfedge_id h, const std::vector<Edge_breakpoint<FT>>& breakpoints)
   {
-    m_number_of_joints += m_partition.number_of_joints();
-    const auto& nodes = m_partition.nodes();
+    if(breakpoints.empty())
+      return;
+    const bool reversed = is_reversed(h);
+    const std::uint32_t size = static_cast<std::uint32_t>(breakpoints.size());
+    const std::uint32_t first = first_node(reversed ? m_mesh->opposite(h) : h, breakpoints);
+    for(std::uint32_t i = 0; i < size; ++i)
+      m_breakpoint_nodes.push_back(first + (reversed ? size - 1 - i : i));
+  }
+
+  // Copies the nodes and arcs in face f into the complex, behind those of its breakpoints.
+  void add_division(Face_id f, const Face_division<FT>& division)
+  {
+    m_number_of_joints += division.number_of_joints;
     std::vector<std::uint32_t>& node_of = m_node_of;
-    node_of.assign(m_breakpoint_nodes.begin(), m_breakpoint_nodes.end());
-    for(std::size_t i = node_of.size(); i < nodes.size(); ++i)
+    node_of = m_breakpoint_nodes;
+    for(std::size_t i = node_of.size(); i < division.nodes.size(); ++i)
     {
       node_of.push_back(static_cast<std::uint32_t>(m_nodes.size()));
       Node node;
       node.face = f;
-      node.point = nodes[i].p;
-      node.sites = nodes[i].sites;
+      node.point = division.nodes[i].p;
+      node.sites = division.nodes[i].sites;
       node.distance = 0;
       m_nodes.push_back(node);
     }
     const std::uint32_t first = static_cast<std::uint32_t>(m_arcs.size());
-    for(const Face_arc<FT>& a : m_partition.arcs())
+    for(const Face_arc<FT>& a : division.arcs)
     {
       const std::uint32_t n = static_cast<std::uint32_t>(m_arcs.size());
       m_arcs.push_back(Arc{f, a.left_site, a.right_site, a.left, a.right, a.first, a.last,
@@ -420,7 +441,7 @@ private:
       m_nodes[node_of[a.last_node]].distance = a.left.distance_to(a.last);
     }
     m_arcs_of_face.insert(f, std::make_pair(first, static_cast<std::uint32_t>(m_arcs.size())));
-    count_regions();
+    count_regions(division);
   }
 
   // Notes that an arc ends at a node. Requires: the node has fewer than three arcs, which it has because the complex is
@@ -438,7 +459,7 @@ private:
   // Counts the pieces of cells in the face: walks around each piece once, along the border and the arcs. No piece is
   // missed, since each one touches the border (Face_partition). is_seen[i] tells whether the part of the border behind
   // breakpoint i has been walked along.
-  void count_regions()
+  void count_regions(const Face_division<FT>& division)
   {
     const std::size_t n = m_breakpoint_nodes.size();
     std::vector<char>& is_seen = m_is_seen;
@@ -447,13 +468,13 @@ private:
     {
       if(is_seen[start])
         continue;
-      const Vertex_id site = m_partition.nodes()[start].sites[1];
+      const Vertex_id site = division.nodes[start].sites[1];
       ++elements(site).face_regions;
       std::size_t i = start;
       while(!is_seen[i])
       {
         is_seen[i] = 1;
-        i = follow_in_face((i + 1) % n, site);
+        i = follow_in_face(division.arcs, (i + 1) % n, site);
       }
     }
   }
@@ -461,9 +482,8 @@ private:
   // Follows the arcs from a breakpoint, with the cell of `site` on the left, and returns the breakpoint where they end.
   // At each node one arc leads on, as the other arcs there have `site` on the other side or not at all. Nodes have
   // their numbers in the partition: those below n are breakpoints.
-  std::size_t follow_in_face(std::size_t node, Vertex_id site) const
+  std::size_t follow_in_face(const std::vector<Face_arc<FT>>& arcs, std::size_t node, Vertex_id site) const
   {
-    const std::vector<Face_arc<FT>>& arcs = m_partition.arcs();
     const std::size_t n = m_breakpoint_nodes.size();
     for(std::size_t steps = 0; steps <= arcs.size(); ++steps)
     {

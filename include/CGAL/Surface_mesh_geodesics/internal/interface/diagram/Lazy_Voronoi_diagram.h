@@ -31,7 +31,6 @@
 #include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Cell_locator.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Diagram_window_keeper.h>
-#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Redundant_window_removal.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Voronoi_cell_measures.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Voronoi_complex.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Face_shapes.h>
@@ -41,6 +40,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/interface/run_with_visitor.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/distance_in_space.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/Available_tag.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/face_shape.h>
 
 #include <CGAL/assertions.h>
@@ -57,6 +57,7 @@
 #include <functional>
 #include <limits>
 #include <mutex>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -347,7 +348,8 @@ public:
   }
 
 private:
-  using Removal = Redundant_window_removal<double, Complex>;
+  using Building
+    = Diagram_propagation<double, std::is_same<typename Available_tag<ConcurrencyTag>::type, Parallel_tag>::value>;
   using Measures = Voronoi_cell_measures;
 
   // --- forgetting ---
@@ -458,13 +460,12 @@ private:
   template <typename Run>
   bool propagate(Run run) const
   {
-    Removal removal;
+    Building building(m_complex);
     const auto start = [&]
     {
-      removal.reset(m_solver.mesh(), m_solver.field(), m_complex);
-      m_solver.for_each_equal_source([&](Vertex_id v, Vertex_id first) { removal.unite(v, first); });
-      m_complex.start(m_solver.mesh());
-      return Diagram_window_keeper<Removal>(removal);
+      building.start(m_solver.mesh(), m_solver.field());
+      m_solver.for_each_equal_source([&](Vertex_id v, Vertex_id first) { building.removal().unite(v, first); });
+      return building.keeper();
     };
     const bool is_complete = run([&](auto go_on)
     {
@@ -473,12 +474,9 @@ private:
     });
     if(!is_complete)
       return false;
-    // First the last faces are divided and join the complex. Then the owners, whose distances are final now, let the
-    // complex count elements and link arcs to chains.
-    removal.finish();
-    m_complex.finish(removal.owners());
+    building.finish();
     m_statistics = m_solver.statistics();
-    m_kept_windows = {removal.windows().maximum_size(), removal.number_of_kept_windows()};
+    m_kept_windows = {building.removal().windows().maximum_size(), building.removal().number_of_kept_windows()};
     return true;
   }
 

@@ -327,7 +327,7 @@ private:
     if(Keeper::is_deferred) // the keeper depends on the order of visits
       std::sort(m_batch.begin(), m_batch.end());
     m_visits_per_unit = visits_per_unit(n, m_workers.size());
-    while(number_of_units(n) >= Work_sharing::maximum_number_of_units)
+    while(number_of_units(n) + m_relay.maximum_number_of_own_units >= Work_sharing::maximum_number_of_units)
       m_visits_per_unit *= 2;
     m_relay.begin_batch(number_of_units(n), keepers());
     share(false, m_relay.number_of_own_units() + number_of_units(n), n >= smallest_shared_batch,

@@ -30,7 +30,8 @@ namespace internal {
 //
 // If the keeper is deferred, its Thread_keeper is a log: position() is the end of the log, swap() and clear() are those
 // of a container. keeper.take_over(log, first, last, reached) takes the lists between two positions; distances up to
-// `reached` are final.
+// `reached` are final. It may have units of its own in each batch: keeper.begin_batch() returns their number, at most a
+// thousand, and keeper.do_unit(i, thread) does one of them, in any thread and beside everything else.
 //
 // Invariant: m_last_spans tells where in m_last_logs the windows of the last batch are, which the keeper has not seen.
 //
@@ -50,6 +51,7 @@ public:
   {
     m_spans.clear();
     m_last_spans.clear();
+    m_keeper.restart(number_of_threads);
     while(m_last_logs.size() < number_of_threads)
       m_last_logs.push_back(m_keeper.thread_keeper());
     for(std::size_t i = 0; i < number_of_threads; ++i)
@@ -72,11 +74,14 @@ public:
     }
     m_last_spans.swap(m_spans);
     m_spans.assign(number_of_visit_units, Span());
-    m_number_of_own_units = m_last_spans.empty() ? 0 : 1;
+    m_takes_over = m_last_spans.empty() ? 0 : 1;
+    m_number_of_own_units = m_takes_over + m_keeper.begin_batch();
   }
 
-  // 1 if the keeper has to take over windows during the batch, else 0. That unit comes first, as it may take longest.
+  // The units that are not visits. If the keeper has to take over windows during the batch, that unit comes first, as
+  // it may take longest.
   std::size_t number_of_own_units() const { return m_number_of_own_units; }
+  static constexpr std::size_t maximum_number_of_own_units = 1001;
 
   // In any thread: does a unit of a batch, with the keeper of that thread. visit(i) does unit i of the visits. Each
   // unit notes its part of the log in a span of its own: it may be done by any thread, after any others.
@@ -84,10 +89,15 @@ public:
   template <typename FT, typename Visit>
   void do_unit(std::size_t unit, std::size_t thread, const Log& log, const FT& reached, Visit visit)
   {
-    if(unit < m_number_of_own_units)
+    if(unit < m_takes_over)
     {
       take_over(reached); // first: the keeper may act on a distance only when it has the windows of shorter paths
       m_keeper.advance(reached);
+      return;
+    }
+    if(unit < m_number_of_own_units)
+    {
+      m_keeper.do_unit(unit - m_takes_over, thread);
       return;
     }
     const std::size_t i = unit - m_number_of_own_units;
@@ -108,7 +118,7 @@ public:
 
   std::size_t memory() const
   {
-    std::size_t n = (m_spans.capacity() + m_last_spans.capacity()) * sizeof(Span);
+    std::size_t n = m_keeper.memory() + (m_spans.capacity() + m_last_spans.capacity()) * sizeof(Span);
     for(const Log& log : m_last_logs)
       n += 2 * log.memory(); // the log that the thread writes is about as large
     return n;
@@ -133,6 +143,7 @@ private:
   Keeper m_keeper;
   std::vector<Log> m_last_logs; // by thread
   std::vector<Span> m_spans, m_last_spans; // by unit of visits
+  std::size_t m_takes_over = 0; // 1 or 0: the number of units in which the keeper takes over windows
   std::size_t m_number_of_own_units = 0;
 };
 
@@ -152,6 +163,7 @@ public:
   {}
 
   static constexpr std::size_t number_of_own_units() { return 0; }
+  static constexpr std::size_t maximum_number_of_own_units = 0;
 
   template <typename FT, typename Visit>
   void do_unit(std::size_t unit, std::size_t, const typename Keeper::Thread_keeper&, const FT&, Visit visit) const
