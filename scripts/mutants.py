@@ -45,6 +45,7 @@ UNFOLDING = INTERNAL + "surface/unfolding.h"
 INTRINSIC_FACE = INTERNAL + "surface/Intrinsic_face.h"
 FACE_SHAPE = INTERNAL + "surface/face_shape.h"
 EDGE_PARTITION = INTERNAL + "Voronoi/Edge_partition.h"
+DIAGRAM_KEEPER = INTERNAL + "Voronoi/Diagram_window_keeper.h"
 DIAGRAM_CERTIFICATE = INTERNAL + "applications/Diagram_certifier.h"
 INTRINSIC_MESH = INTERNAL + "surface/Intrinsic_mesh.h"
 EQUAL_SOURCES = INTERNAL + "surface/equal_sources.h"
@@ -76,6 +77,7 @@ INVALID = "test_invalid_input"
 SOLVER = "test_distance_solver"
 PARALLEL_TEST = "test_parallel_propagation"
 PARALLEL_KEEPERS = "test_parallel_keepers"
+PARALLEL_DIAGRAMS = "test_parallel_paths_and_diagrams"
 SAMPLING = "test_farthest_point_sampling"
 PATHS = "test_paths_interface"
 PATHS_BUILDING = "test_paths_building"
@@ -504,6 +506,15 @@ MUTANTS = [
     ("nearer_with_wide_margin", TOLERANCE,
      "static FT nearer() { return 4 * distance(); }", "static FT nearer() { return 4e6 * distance(); }",
      "an image that is nearer does not take over", (FACE_LAWS,)),
+    ("image_above_one_end_of_a_chord", EDGE_PARTITION,
+     "(g.weight + n - rise) * margin > chord(first) && ", "(g.weight + n - rise) * margin > chord(first) || ",
+     "an image that is farther at one end of a part of an edge never takes over in it", (BY_HAND, PLANAR)),
+    ("last_divided_faces_lost", DIAGRAM_KEEPER,
+     "for(int i = 0; i < 2; ++i) // those in work", "for(int i = 0; i < 1; ++i) // those in work",
+     "the faces that are handed over last do not join the complex", (PARALLEL_DIAGRAMS,)),
+    ("divided_faces_join_late", DIAGRAM_KEEPER,
+     "    add_divided();\n    std::swap(m_divided, m_in_work);", "    std::swap(m_divided, m_in_work);",
+     "faces that have been divided are dropped or join the complex out of order", (PARALLEL_DIAGRAMS,)),
     ("edge_divided_at_first_root_only", EDGE_PARTITION,
      "result{root[0], root[1], last, last, last};", "result{root[0], last, last, last, last};",
      "an image that is nearer between two roots is missed", (FACE_LAWS,)),
@@ -519,7 +530,7 @@ MUTANTS = [
      "return a < b * (1 - Tolerance<FT>::nearer());", "return a <= b;",
      "on an edge two sources that tie take turns", (SYMMETRIC, BY_HAND, RANDOM_DIAGRAMS)),
     ("nodes_on_edge_not_reversed", COMPLEX,
-     "result.is_reversed = o != null_id && o < h;\n    const Index_range* const nodes = m_edge_nodes",
+     "result.is_reversed = is_reversed(h);\n    const Index_range* const nodes = m_edge_nodes",
      "result.is_reversed = false;\n    const Index_range* const nodes = m_edge_nodes",
      "the two faces of an edge see its points in the same order", (BY_HAND, CUT)),
     ("locator_wrong_side", LOCATOR,
