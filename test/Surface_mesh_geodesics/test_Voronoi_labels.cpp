@@ -92,7 +92,7 @@ void labels_are_those_of_diagrams(std::uint64_t seed)
 {
   test_support::Random random(seed);
   for(const Indexed_mesh& indexed : small_collection(seed))
-    for(const std::size_t n : {1, 2, 7, 20})
+    for(const std::size_t n : {1u, 2u, 7u, 20u})
       for(const bool has_weights : {false, true})
       {
         const test_support::Scope scope(indexed.name + ", " + std::to_string(n) + " sites");

@@ -13,6 +13,7 @@
 #include <CGAL/license/Surface_mesh_geodesics.h>
 
 #include <CGAL/Surface_mesh_geodesics/Geodesic_default_visitor.h>
+#include <CGAL/Surface_mesh_geodesics/Geodesic_distance_options.h>
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Voronoi_labels.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/run_with_visitor.h>
@@ -100,8 +101,9 @@ bool geodesic_Voronoi_labels(const TriangleMesh& tm, VertexSiteMap vertex_site_m
   using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
   internal::Visitor_parameter<CGAL_NP_CLASS> visitor_parameter(np);
   auto& visitor = visitor_parameter.visitor();
-  return internal::compute_Voronoi_labels<ConcurrencyTag>(tm, vertex_site_map, internal::No_distance_map<Vertex>(),
-                                                          sites, std::vector<double>(), visitor, np);
+  return internal::compute_Voronoi_labels<ConcurrencyTag>(
+    tm, internal::No_distance_map<Vertex>(), sites, std::vector<double>(),
+    make_geodesic_distance_options<TriangleMesh>(vertex_site_map), visitor, np);
 }
 
 /*!
@@ -142,8 +144,9 @@ bool geodesic_Voronoi_labels(const TriangleMesh& tm, VertexSiteMap vertex_site_m
 {
   internal::Visitor_parameter<CGAL_NP_CLASS> visitor_parameter(np);
   auto& visitor = visitor_parameter.visitor();
-  return internal::compute_Voronoi_labels<ConcurrencyTag>(tm, vertex_site_map, vertex_distance_map, sites, weights,
-                                                          visitor, np);
+  return internal::compute_Voronoi_labels<ConcurrencyTag>(
+    tm, vertex_distance_map, sites, weights, make_geodesic_distance_options<TriangleMesh>(vertex_site_map), visitor,
+    np);
 }
 
 } // namespace Surface_mesh_geodesics

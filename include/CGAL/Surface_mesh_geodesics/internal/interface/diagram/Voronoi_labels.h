@@ -16,11 +16,9 @@
 // Formula: as for a diagram (Weighted_site_list.h), a propagation starts at each site with the difference W - w from
 // the largest weight W, and W is subtracted from all distances at the end.
 
-#include <CGAL/Surface_mesh_geodesics/Geodesic_distance_options.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Weighted_site_list.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/distance_functions.h>
 
-#include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <vector>
@@ -86,14 +84,15 @@ private:
 };
 
 // Writes the number of the nearest site of each vertex, and its distance, as geodesic_Voronoi_labels() documents.
-// `weights` is empty or has one weight for each site. Throws, and returns false, before a map has changed.
-template <typename ConcurrencyTag, typename TriangleMesh, typename SiteMap, typename DistanceMap, typename Sites,
+// `weights` is empty or has one weight for each site. `options` are Geodesic_distance_options, which hold the map for
+// the sites, with defaults otherwise. Throws, and returns false, before a map has changed.
+template <typename ConcurrencyTag, typename TriangleMesh, typename DistanceMap, typename Sites, typename Options,
           typename Visitor, typename NamedParameters>
-bool compute_Voronoi_labels(const TriangleMesh& tm, SiteMap site_map, DistanceMap distance_map, const Sites& sites,
-                            const std::vector<double>& weights, Visitor& visitor, const NamedParameters& np)
+bool compute_Voronoi_labels(const TriangleMesh& tm, DistanceMap distance_map, const Sites& sites,
+                            const std::vector<double>& weights, Options options, Visitor& visitor,
+                            const NamedParameters& np)
 {
   const Offsets_of_weights from_weights(weights);
-  auto options = make_geodesic_distance_options<TriangleMesh>(site_map);
   options.source_offsets = from_weights.offsets();
   return compute_geodesic_distances<ConcurrencyTag>(
     tm, Distance_map_less_weight<DistanceMap>{distance_map, from_weights.largest_weight()}, sites, options,
