@@ -16,6 +16,7 @@
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Arc_curve.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Boundary_polylines.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Lazy_Voronoi_diagram.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Voronoi_cut_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Voronoi_handles.h>
@@ -430,6 +431,20 @@ public:
     bool is_closed;
   };
 
+  /// One curve of the boundary of a cell as a polyline, with the cell on its left: for drawing and for cutting.
+  struct Boundary_polyline
+  {
+    /// the points, in order. The last one is the first one again if the polyline is closed. The segment from each point
+    /// to the next one lies in the face of the latter.
+    std::vector<Face_location> locations;
+
+    /// for each point the number of the vertex of the diagram that it is, or `null_site()`.
+    std::vector<std::size_t> vertices;
+
+    /// whether the polyline is closed. Otherwise both ends are at the border of the mesh.
+    bool is_closed;
+  };
+
   /// \name Constructors
   /// They take constant time. Diagrams can neither be copied nor moved.
   /// @{
@@ -728,6 +743,30 @@ public:
   {
     return has_built_cell(i) ? elements().boundary(m_lazy.complex().boundary(m_lazy.vertex_of_site(i)))
                              : std::vector<Boundary>();
+  }
+
+  /// returns the curves around the cell as polylines, with the cell on their left.
+  ///
+  /// Closed along the border of the mesh, the polylines are the whole boundary of the cell, also where the cell is not a
+  /// disk: it has as many loops as holes, and one more. Where the mesh is a domain of the plane, the areas of the loops
+  /// add up to `area(i)`, within the tolerance, as loops around holes run clockwise.
+  ///
+  /// \param i the number of the site
+  /// \param tolerance the largest distance of the polylines from the arcs, in the unit of the mesh, as for
+  ///        `Arc::sample()`
+  /// \param closes_at_border whether polylines go on along the border of the mesh where the cell ends there, and curves
+  ///        of the border that are wholly in the cell are returned, too
+  /// \return the polylines, in no particular order. `point()` gives the points of space. Curves that are no longer than
+  ///         rounding are left out.
+  /// \pre `i < number_of_sites()` and `tolerance > 0`
+  ///
+  /// Takes time linear in the number of points, and in that of faces of the mesh if `closes_at_border` is `true`.
+  std::vector<Boundary_polyline> boundary_polylines(Site_index i, double tolerance, bool closes_at_border = false) const
+  {
+    CGAL_precondition_msg(tolerance > 0, "the tolerance is not positive");
+    using Polylines = Surface_mesh_geodesics::internal::Boundary_polylines<decltype(m_lazy), Boundary_polyline>;
+    return has_built_cell(i) ? Polylines(m_lazy, tolerance).around(m_lazy.vertex_of_site(i), closes_at_border)
+                             : std::vector<Boundary_polyline>();
   }
 
   /// returns the area of the cell, in the square of the unit of the mesh; 0 if the cell is empty.
