@@ -18,6 +18,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Arc_curve.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Boundary_polylines.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Lazy_Voronoi_diagram.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Voronoi_cell_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Voronoi_cut_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Voronoi_handles.h>
 
@@ -747,9 +748,9 @@ public:
 
   /// returns the curves around the cell as polylines, with the cell on their left.
   ///
-  /// Closed along the border of the mesh, the polylines are the whole boundary of the cell, also where the cell is not a
-  /// disk: it has as many loops as holes, and one more. Where the mesh is a domain of the plane, the areas of the loops
-  /// add up to `area(i)`, within the tolerance, as loops around holes run clockwise.
+  /// Closed along the border of the mesh, the polylines are the whole boundary of the cell, also where the cell is not
+  /// a disk: it has as many loops as holes, and one more. Where the mesh is a domain of the plane, the areas of the
+  /// loops add up to `area(i)`, within the tolerance, as loops around holes run clockwise.
   ///
   /// \param i the number of the site
   /// \param tolerance the largest distance of the polylines from the arcs, in the unit of the mesh, as for
@@ -761,7 +762,8 @@ public:
   /// \pre `i < number_of_sites()` and `tolerance > 0`
   ///
   /// Takes time linear in the number of points, and in that of faces of the mesh if `closes_at_border` is `true`.
-  std::vector<Boundary_polyline> boundary_polylines(Site_index i, double tolerance, bool closes_at_border = false) const
+  std::vector<Boundary_polyline> boundary_polylines(Site_index i, double tolerance,
+                                                    bool closes_at_border = false) const
   {
     CGAL_precondition_msg(tolerance > 0, "the tolerance is not positive");
     using Polylines = Surface_mesh_geodesics::internal::Boundary_polylines<decltype(m_lazy), Boundary_polyline>;
@@ -894,6 +896,44 @@ public:
     auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
                                 get_property_map(CGAL::vertex_point, output));
     Surface_mesh_geodesics::internal::add_cut_mesh(m_lazy, tolerance, output, vpm, face_site_map);
+  }
+
+  /*!
+  adds a cell to a mesh: the faces that `cut()` makes in the cell.
+
+  The output has a border where the cell has a boundary. If the mesh is pinched at a vertex in the cell, or if the
+  boundary of the cell touches itself at a point, the output is pinched at one vertex there. Nothing is added if the
+  cell is empty or has no area.
+
+  \tparam OutputMesh as for `cut()`
+  \tparam FaceFaceMap a model of `WritablePropertyMap` with the face descriptor of `OutputMesh` as key type and
+          `face_descriptor` as value type
+  \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+  \param i the number of the site
+  \param output the mesh to which the faces are added
+  \param face_face_map receives, for each new face, the face of the mesh that it lies in
+  \param tolerance the largest distance of the polylines from the arcs, as for `cut()`
+  \param np an optional sequence of \ref bgl_namedparameters "Named Parameters", as for `cut()`
+
+  \pre `i < number_of_sites()` and `tolerance > 0`
+
+  \throws Surface_mesh_geodesics::Invalid_geodesic_input as for `cut()`
+
+  Takes time linear in the number of faces of the mesh, plus the time of `cut()` for the faces that the cell is in.
+  */
+  template <typename OutputMesh, typename FaceFaceMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
+  void cell_mesh(Site_index i, OutputMesh& output, FaceFaceMap face_face_map, double tolerance,
+                 const CGAL_NP_CLASS& np = parameters::default_values()) const
+  {
+    using parameters::choose_parameter;
+    using parameters::get_parameter;
+    CGAL_precondition_msg(tolerance > 0, "the tolerance is not positive");
+    auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
+                                get_property_map(CGAL::vertex_point, output));
+    if(has_built_cell(i))
+      Surface_mesh_geodesics::internal::add_cell_mesh(m_lazy, m_lazy.vertex_of_site(i), tolerance, output, vpm,
+                                                      face_face_map);
   }
 
   /// @}

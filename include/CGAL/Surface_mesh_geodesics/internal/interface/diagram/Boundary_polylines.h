@@ -12,11 +12,12 @@
 
 // The loops around a cell as polylines of locations, ready to draw or to cut, with the vertices of the diagram on them.
 //
-// Users see no arcs without length. Where one is left out, its neighbors differ by rounding; the first of the two points
-// is written. The same holds for parts of border edges that are no longer than rounding: where a curve ends at a vertex
-// of the mesh, the polyline has one point there.
+// Users see no arcs without length. Where one is left out, its neighbors differ by rounding; the first of the two
+// points is written. The same holds for parts of border edges that are no longer than rounding: where a curve ends at a
+// vertex of the mesh, the polyline has one point there.
 
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Arc_curve.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/coordinates_in_layout.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Cell_loops.h>
 
 #include <CGAL/assertions.h>
@@ -162,9 +163,8 @@ private:
   // Returns the location on h at a fraction of its length, from its source.
   typename Diagram::Face_location location_on(Halfedge_id h, double t) const
   {
-    const auto corner = m_diagram.complex().layout(face_of(h));
-    const Point a = corner[index_in_face(h)], b = corner[next_corner(index_in_face(h))];
-    return m_diagram.location(face_of(h), Point{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)});
+    return m_diagram.location(face_of(h),
+                              point_on_side(m_diagram.complex().layout(face_of(h)), index_in_face(h), t));
   }
 
   const Diagram& m_diagram;

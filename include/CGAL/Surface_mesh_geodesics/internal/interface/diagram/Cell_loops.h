@@ -15,8 +15,8 @@
 //
 // The way along the border: the cell is on the left, and so is the mesh. Where a chain of the cell ends at the border,
 // the part of the border behind that node belongs to the cell; it ends at the next node, where another chain of the
-// cell begins, or the same one. At a vertex of the mesh the way stays in one umbrella: it takes the other border edge of
-// the umbrella that it comes from. So at a pinched vertex a loop does not change from one umbrella to another.
+// cell begins, or the same one. At a vertex of the mesh the way stays in one umbrella: it takes the other border edge
+// of the umbrella that it comes from. So at a pinched vertex a loop does not change from one umbrella to another.
 
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Voronoi_complex.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
@@ -102,8 +102,8 @@ public:
     return result;
   }
 
-  // Returns the loops that consist of border edges alone: whole curves of the border of the mesh in the cell. Takes time
-  // linear in the number of faces of the mesh.
+  // Returns the loops that consist of border edges alone: whole curves of the border of the mesh in the cell. Takes
+  // time linear in the number of faces of the mesh.
   std::vector<Cell_loop> of_border(Vertex_id site) const
   {
     std::vector<Cell_loop> result;
