@@ -4,6 +4,8 @@
 #include "test_meshes.h"
 #include "test_support.h"
 
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Polygon_mesh_processing/manifoldness.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Polyhedron_items_with_id_3.h>
@@ -15,6 +17,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <map>
 #include <string>
 #include <vector>
@@ -107,15 +110,26 @@ void check_against_cut(const Voronoi& voronoi, double tolerance)
   }
 }
 
-void check_cells(const Mesh& mesh, const Voronoi& voronoi, bool is_generic)
+// Whether a mesh is a disk, as CGAL sees it.
+bool is_disk(Mesh& mesh)
+{
+  auto component = mesh.add_property_map<face_descriptor, std::size_t>("f:component").first;
+  std::vector<boost::graph_traits<Mesh>::halfedge_descriptor> pinched;
+  PMP::non_manifold_vertices(mesh, std::back_inserter(pinched));
+  return PMP::connected_components(mesh, component) == 1 && pinched.empty() && Euler_characteristic(mesh) == 1;
+}
+
+// Returns how many cells of characteristic 1 are not disks.
+std::size_t check_cells(const Mesh& mesh, const Voronoi& voronoi, bool is_generic)
 {
   const double size = size_of(mesh), tolerance = 1e-5 * size;
+  std::size_t number_of_special_cells = 0;
   double length = 0;
   for(const Voronoi::Arc& a : voronoi.arcs())
     length += a.length();
   for(std::size_t i = 0; i < voronoi.number_of_sites(); ++i)
   {
-    const Cell cell = cell_of(voronoi, i, tolerance);
+    Cell cell = cell_of(voronoi, i, tolerance);
     CHECK(CGAL::is_triangle_mesh(cell.mesh));
     CHECK(CGAL::is_valid_polygon_mesh(cell.mesh));
     CHECK_NEAR(CGAL::to_double(PMP::area(cell.mesh)), voronoi.area(i), 2 * tolerance * length + 1e-12 * size * size);
@@ -123,8 +137,16 @@ void check_cells(const Mesh& mesh, const Voronoi& voronoi, bool is_generic)
     CHECK_EQUAL(num_faces(cell.mesh) == 0, voronoi.is_empty(i));
     if(is_generic)
       CHECK_EQUAL(Euler_characteristic(cell.mesh), voronoi.Euler_characteristic(i));
+    // The mesh of a cell does not tell whether two curves touch inside a face.
+    if(is_generic)
+      CHECK_EQUAL(is_disk(cell.mesh), voronoi.is_disk(i));
+    else
+      CHECK(is_disk(cell.mesh) || !voronoi.is_disk(i));
+    if(voronoi.Euler_characteristic(i) == 1 && !voronoi.is_disk(i))
+      ++number_of_special_cells;
   }
   check_against_cut(voronoi, 10 * tolerance);
+  return number_of_special_cells;
 }
 
 void random_cells_are_right(std::uint64_t seed)
@@ -144,7 +166,8 @@ void random_cells_are_right(std::uint64_t seed)
           voronoi.add_site(Voronoi::Face_location(f, {a * (1 - b), b, (1 - a) * (1 - b)}),
                            random.uniform(0., weight) * size_of(mesh));
         }
-        check_cells(mesh, voronoi, true);
+        const std::size_t number_of_special_cells = check_cells(mesh, voronoi, true);
+        CHECK(number_of_special_cells == 0 || indexed.name.find("random cuts") != std::string::npos);
       }
 }
 
@@ -189,7 +212,85 @@ void known_cells_are_right()
   Voronoi squares(pinched);
   squares.add_site(vertex_descriptor(1));
   squares.add_site(vertex_descriptor(5));
-  check_cells(pinched, squares, true);
+  CHECK_EQUAL(check_cells(pinched, squares, true), std::size_t(1)); // the first cell passes through the shared vertex
+  CHECK(!squares.is_disk(0) && squares.is_disk(1));
+}
+
+// A tube of four faces of width 1, and a corner of a cell at the middle of a face or on an edge.
+Indexed_mesh square_tube(double first_z, double last_z)
+{
+  Indexed_mesh mesh;
+  mesh.name = "square tube from " + std::to_string(first_z);
+  for(double z = first_z; z <= last_z; z += 1)
+    for(const auto& p : {std::array<double, 2>{0, 0}, {1, 0}, {1, 1}, {0, 1}})
+      mesh.points.push_back({p[0], p[1], z});
+  for(std::size_t i = 0; i + 4 < mesh.points.size(); i += 4)
+    for(std::size_t k = 0; k < 4; ++k)
+      add_quadrilateral(mesh, i + k, i + (k + 1) % 4, i + 4 + (k + 1) % 4, i + 4 + k);
+  return mesh;
+}
+
+// Returns the location at height z, at a fraction of the width of side k of a square tube.
+Voronoi::Face_location on_tube(const Mesh& mesh, std::size_t k, double fraction, double z)
+{
+  const std::array<std::array<double, 2>, 5> corner{{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}}};
+  const Kernel::Point_3 p(corner[k][0] + fraction * (corner[k + 1][0] - corner[k][0]),
+                          corner[k][1] + fraction * (corner[k + 1][1] - corner[k][1]), z);
+  for(const face_descriptor f : faces(mesh))
+  {
+    const std::array<Kernel::Point_3, 3> q = corners(mesh, f);
+    if(CGAL::squared_distance(p, Kernel::Triangle_3(q[0], q[1], q[2])) > 0)
+      continue;
+    const auto part = [&](std::size_t a, std::size_t b)
+    { return std::sqrt(CGAL::squared_area(p, q[a], q[b]) / CGAL::squared_area(q[0], q[1], q[2])); };
+    return {f, {part(1, 2), part(2, 0), part(0, 1)}};
+  }
+  return {};
+}
+
+// A site on one side of the tube and two on the other side, above and below: the first cell is a diamond with two
+// corners at one point, where four parts of cells meet. That point is a vertex, on an edge, or inside a face.
+void a_cell_that_touches_itself_is_no_disk()
+{
+  for(const double first_z : {-5., -5.5})
+    for(const double fraction : {0., .5, .25})
+    {
+      const Indexed_mesh tube = square_tube(first_z, -first_z);
+      const test_support::Scope scope(tube.name + ", at " + std::to_string(fraction));
+      const Mesh mesh = to_face_graph(tube);
+      Voronoi voronoi(mesh);
+      voronoi.add_site(on_tube(mesh, 0, fraction, 0));
+      voronoi.add_site(on_tube(mesh, 2, fraction, 2));
+      voronoi.add_site(on_tube(mesh, 2, fraction, -2));
+      check_cells(mesh, voronoi, false);
+      for(std::size_t i = 0; i < 3; ++i)
+        CHECK(!voronoi.is_disk(i));
+      // Without the tie, the first cell is a disk.
+      Voronoi generic(mesh);
+      generic.add_site(on_tube(mesh, 0, fraction, 0));
+      generic.add_site(on_tube(mesh, 2, fraction, 1.75));
+      generic.add_site(on_tube(mesh, 2, fraction, -1.75));
+      check_cells(mesh, generic, true);
+      CHECK(generic.is_disk(0));
+    }
+}
+
+// Two parts that share a vertex, and a vertex without faces.
+void pinched_vertices_are_no_disks()
+{
+  Indexed_mesh parts;
+  parts.points = {{0, 0, 0}, {1, 0, -1}, {0, 1, -1}, {-1, -1, -1}, {1, 0, 1}, {0, 1, 1}, {-1, -1, 1}, {9, 9, 9}};
+  parts.faces = {{0, 1, 2}, {0, 2, 3}, {0, 5, 4}, {0, 6, 5}};
+  const Mesh mesh = to_face_graph(parts);
+  Voronoi voronoi(mesh);
+  voronoi.add_site(vertex_descriptor(0), .1);
+  voronoi.add_site(vertex_descriptor(7));
+  voronoi.add_site(vertex_descriptor(4));
+  CHECK_EQUAL(voronoi.Euler_characteristic(0), 1);
+  CHECK_EQUAL(voronoi.Euler_characteristic(1), 1);
+  CHECK(!voronoi.is_disk(0));
+  CHECK(!voronoi.is_disk(1));
+  CHECK(voronoi.is_disk(2));
 }
 
 // A Polyhedron_3 with a point map, behind other faces.
@@ -217,6 +318,8 @@ int main()
   const std::uint64_t seed = test_support::announce_seed(20261125);
   known_cells_are_right();
   a_cell_is_added_to_a_polyhedron();
+  a_cell_that_touches_itself_is_no_disk();
+  pinched_vertices_are_no_disks();
   symmetric_cells_are_right();
   random_cells_are_right(seed);
   return test_result();

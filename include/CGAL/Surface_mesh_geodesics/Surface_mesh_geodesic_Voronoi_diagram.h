@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Arc_curve.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Boundary_polylines.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Cell_topology.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Lazy_Voronoi_diagram.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Voronoi_cell_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Voronoi_cut_mesh.h>
@@ -817,13 +818,18 @@ public:
     return has_built_cell(i) ? m_lazy.complex().Euler_characteristic(m_lazy.vertex_of_site(i)) : 0;
   }
 
-  /// returns whether the cell is a topological disk, that is, whether its Euler characteristic is 1; `false` if the
-  /// cell is empty. (A cell with a pinched vertex of the mesh, and a cell that is a vertex without faces, may have the
-  /// characteristic 1 without being a disk.)
+  /// returns whether the cell, with its boundary, is a topological disk; `false` if the cell is empty, or a vertex
+  /// without faces. A cell is not a disk either if the mesh is pinched at a vertex in it, or if its boundary touches
+  /// itself at a point, up to rounding. Where that is possible, as curves run through vertices of the mesh or four
+  /// cells meet, the function takes the time of `cell_mesh()`.
   ///
   /// \param i the number of the site
   /// \pre `i < number_of_sites()`
-  bool is_disk(Site_index i) const { return Euler_characteristic(i) == 1; }
+  bool is_disk(Site_index i) const
+  {
+    using Topology = Surface_mesh_geodesics::internal::Cell_topology;
+    return has_built_cell(i) && Topology(m_lazy.refined_mesh(), m_lazy.complex()).is_disk(m_lazy.vertex_of_site(i));
+  }
 
   /// writes the triangles of the dual: one for each vertex of the diagram where three cells meet, and `n - 2` where `n`
   /// cells meet. They are oriented like the faces of the mesh. They need not form a manifold if a cell is not a disk,
