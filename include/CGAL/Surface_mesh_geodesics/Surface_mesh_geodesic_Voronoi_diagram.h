@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Arc_curve.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Boundary_polylines.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Cell_energy.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Cell_topology.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Lazy_Voronoi_diagram.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Voronoi_cell_mesh.h>
@@ -794,6 +795,18 @@ public:
   {
     check(i);
     return m_lazy.centroid(i);
+  }
+
+  /// returns the sum over all cells of the integral of the squared distance in space from the site:
+  /// \f$ \sum_i \int_{C_i} |p - s_i|^2 \, dA \f$ for the cells \f$ C_i \f$ of the sites \f$ s_i \f$, in the fourth
+  /// power of the unit of the mesh. For given cells, a site has the smallest energy at the centroid of its cell, and
+  /// among the vertices in the cell at `central_vertex()`. Weights count for the cells only. The sum may be infinite if
+  /// the points have very large coordinates. Takes time linear in the size of the mesh and of the diagram.
+  double energy() const
+  {
+    build();
+    using Energy = Surface_mesh_geodesics::internal::Cell_energy<decltype(m_lazy)>;
+    return number_of_sites() == 0 ? 0. : Energy(m_lazy).sum();
   }
 
   /// returns the vertex of the mesh in the cell that is nearest in space to the centroid of the cell. Of equally near

@@ -42,6 +42,10 @@ namespace Surface_mesh_geodesics {
 namespace internal {
 
 // The mesh and the complex are referred to. Requires: the complex is finished.
+//
+// What "touches" means is a matter of rounding. The rule is that of the cut and of the vertices that users see: points
+// that rounding may have made from one point are one point (Voronoi_complex::rounding_at()). So a cell that nearly
+// touches itself, closer than that, is not a disk either.
 class Cell_topology
 {
 public:
