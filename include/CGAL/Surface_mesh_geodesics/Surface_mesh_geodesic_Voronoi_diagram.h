@@ -797,11 +797,11 @@ public:
     return m_lazy.centroid(i);
   }
 
-  /// returns the sum over all cells of the integral of the squared distance in space from the site:
-  /// \f$ \sum_i \int_{C_i} |p - s_i|^2 \, dA \f$ for the cells \f$ C_i \f$ of the sites \f$ s_i \f$, in the fourth
-  /// power of the unit of the mesh. For given cells, a site has the smallest energy at the centroid of its cell, and
-  /// among the vertices in the cell at `central_vertex()`. Weights count for the cells only. The sum may be infinite if
-  /// the points have very large coordinates. Takes time linear in the size of the mesh and of the diagram.
+  /// returns the sum over all cells of the integral of \f$ |p - s|^2 \f$ over the points \f$ p \f$ of the cell, where
+  /// \f$ s \f$ is the site and the distance is that in space; in the fourth power of the unit of the mesh. For given
+  /// cells, a site has the smallest energy at the centroid of its cell, and among the vertices in the cell at
+  /// `central_vertex()`. Weights count for the cells only. The sum may be infinite if the points have very large
+  /// coordinates. Takes time linear in the size of the mesh and of the diagram.
   double energy() const
   {
     build();

@@ -44,11 +44,12 @@ The relaxation ends when no site moves, or no site moves farther than a given di
 given number of iterations. Without such a distance it may not end by itself: a site may go back and forth between
 vertices that are about equally good.
 
-<b>Energy.</b> The method lowers \f$ E = \sum_i \int_{C_i} |p - s_i|^2 \, dA \f$ for the cells \f$ C_i \f$ of the sites
-\f$ s_i \f$, with distances in space (`Surface_mesh_geodesic_Voronoi_diagram::energy()`). For the cells of an
-iteration, the move of the sites never raises it: no vertex of a cell has a smaller integral than the one that is
-nearest to the centroid. The next cells minimize geodesic distances instead, so they may raise it by a little. A visitor
-that is a model of `GeodesicRelaxationVisitor` receives the energy of each iteration.
+<b>Energy.</b> The method lowers the sum over all cells of the integral of \f$ |p - s|^2 \f$ over the points
+\f$ p \f$ of the cell of the site \f$ s \f$, with distances in space
+(`Surface_mesh_geodesic_Voronoi_diagram::energy()`). For the cells of an iteration, the move of the sites never raises
+it: no vertex of a cell has a smaller integral than the one that is nearest to the centroid. The next cells minimize
+geodesic distances instead, so they may raise it by a little. A visitor that is a model of `GeodesicRelaxationVisitor`
+receives the energy of each iteration.
 
 <b>Complexity.</b> The mesh is read once. Each iteration takes the time and the memory of one diagram, and time linear
 in the size of the mesh.
