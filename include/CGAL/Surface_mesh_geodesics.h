@@ -27,6 +27,7 @@
 #include <CGAL/Surface_mesh_geodesics/certify_geodesic_distances.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_Lloyd_relaxation.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_Voronoi_cell_colors.h>
+#include <CGAL/Surface_mesh_geodesics/geodesic_Voronoi_labels.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_distance_matrix.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_distances.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_farthest_point_sampling.h>

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <string>
 #include <vector>
@@ -79,6 +80,7 @@ void remeshing_keeps_topology_and_volume(std::uint64_t seed)
     Mesh output;
     const Geodesics::Geodesic_dual_report report = Geodesics::geodesic_remeshing(mesh, 150, output);
     CHECK(report.is_manifold());
+    CHECK(report.is_triangulation());
     CHECK_EQUAL(num_vertices(output), std::size_t(150));
     CHECK(CGAL::is_triangle_mesh(output));
     CHECK(CGAL::is_valid_polygon_mesh(output));
@@ -170,6 +172,41 @@ void edges_from_border_to_border_are_reported()
   CHECK(r.cells_with_several_boundaries == std::vector<std::size_t>{1});
 }
 
+// Cells on a thin tube are rings; the two at its ends have one boundary curve inside, the others two.
+void rings_of_a_tube_are_reported()
+{
+  const Mesh tube = to_face_graph(prism_tube(6, 12, .2, 10.));
+  Voronoi voronoi(tube);
+  for(const std::size_t i : {std::size_t(0), std::size_t(num_vertices(tube) / 2), std::size_t(num_vertices(tube) - 1)})
+    voronoi.add_site(vertex_descriptor(static_cast<Mesh::size_type>(i)));
+  const Geodesics::Geodesic_dual_report r = Geodesics::check_geodesic_dual(voronoi);
+  CHECK(!r.is_triangulation());
+  CHECK((r.cells_that_are_not_disks == std::vector<std::size_t>{0, 1, 2}));
+  CHECK((r.pairs_without_triangle == Pairs{{0, 1}, {1, 2}}));
+}
+
+// Four sites at the corners of a square: four cells meet in the middle, and the two triangles are one choice of two.
+// If a site moves, three cells meet at each vertex.
+void vertices_of_four_cells_are_reported()
+{
+  const Mesh mesh = to_face_graph(flat_patch(4, 4, 0., false, 1));
+  for(const bool is_moved : {false, true})
+  {
+    const auto& last = mesh.point(*std::prev(vertices(mesh).end()));
+    Voronoi voronoi(mesh);
+    voronoi.add_site(nearest_vertex(mesh, is_moved ? Kernel::Point_3(last.x() / 4, last.y() / 4, 0)
+                                                   : Kernel::Point_3(0, 0, 0)));
+    voronoi.add_site(nearest_vertex(mesh, Kernel::Point_3(last.x(), 0, 0)));
+    voronoi.add_site(nearest_vertex(mesh, Kernel::Point_3(last.x(), last.y(), 0)));
+    voronoi.add_site(nearest_vertex(mesh, Kernel::Point_3(0, last.y(), 0)));
+    const Geodesics::Geodesic_dual_report r = Geodesics::check_geodesic_dual(voronoi);
+    CHECK(r.is_manifold());
+    CHECK_EQUAL(r.is_triangulation(), is_moved);
+    const std::vector<std::vector<std::size_t>> all{{0, 1, 2, 3}};
+    CHECK(is_moved ? r.vertices_of_many_cells.empty() : r.vertices_of_many_cells == all);
+  }
+}
+
 // Without an iteration, the sites are neither moved nor checked.
 void no_iteration_moves_no_site()
 {
@@ -205,6 +242,107 @@ void an_isolated_site_stays()
   }
 }
 
+// The energy by its definition: the exact integral of |p - s|^2 over each triangle of the cut mesh.
+double energy_of_cut(const Voronoi& voronoi, double tolerance)
+{
+  Mesh cut;
+  auto site = cut.add_property_map<face_descriptor, std::size_t>("f:site").first;
+  voronoi.cut(cut, site, tolerance);
+  double sum = 0;
+  for(const face_descriptor f : faces(cut))
+  {
+    const auto s = voronoi.point(voronoi.site(site[f]));
+    const auto h = halfedge(f, cut);
+    const auto a = cut.point(source(h, cut)) - s, b = cut.point(target(h, cut)) - s,
+               c = cut.point(target(next(h, cut), cut)) - s;
+    const double area = CGAL::to_double(CGAL::Polygon_mesh_processing::face_area(f, cut));
+    sum += area / 12 * (a * a + b * b + c * c + (a + b + c) * (a + b + c));
+  }
+  return sum;
+}
+
+void energies_are_those_of_the_cut_mesh(std::uint64_t seed)
+{
+  test_support::Random random(seed);
+  for(const Indexed_mesh& indexed : {noisy_sphere(2, .1, seed), rough_terrain(8, 1., seed), torus(1., .4, 12, 8)})
+    for(const double scale : {1., 1e50, 1e-50})
+      for(const double weight : {0., .3})
+      {
+        const test_support::Scope scope(indexed.name);
+        const Mesh mesh = to_face_graph(scaled(indexed, scale));
+        Voronoi voronoi(mesh);
+        for(int i = 0; i < 8; ++i)
+          voronoi.add_site(vertex_descriptor(static_cast<Mesh::size_type>(random.index(num_vertices(mesh)))),
+                           random.uniform(0., weight) * scale);
+        CHECK_CLOSE(voronoi.energy(), energy_of_cut(voronoi, 1e-5 * scale), weight == 0. ? 1e-5 : 1e-4);
+      }
+  // One site in the middle of a square of side 2: the integral of x^2 + y^2.
+  Mesh square;
+  const auto a = square.add_vertex({-1, -1, 0}), b = square.add_vertex({1, -1, 0}), c = square.add_vertex({1, 1, 0}),
+             d = square.add_vertex({-1, 1, 0}), m = square.add_vertex({0, 0, 0});
+  square.add_face(a, b, m);
+  square.add_face(b, c, m);
+  square.add_face(c, d, m);
+  square.add_face(d, a, m);
+  Voronoi voronoi(square);
+  CHECK_EQUAL(voronoi.energy(), 0.);
+  voronoi.add_site(m);
+  CHECK_CLOSE(voronoi.energy(), 8. / 3, 1e-14);
+  voronoi.add_site(a); // the cells are a triangle at the corner and the rest
+  CHECK_CLOSE(voronoi.energy(), energy_of_cut(voronoi, 1e-9), 1e-12);
+}
+
+struct Iterations : Geodesics::Geodesic_default_visitor
+{
+  std::vector<double> moves, energies;
+
+  void on_iteration(std::size_t iteration, double largest_move, double energy)
+  {
+    CHECK_EQUAL(iteration, moves.size() + 1);
+    moves.push_back(largest_move);
+    energies.push_back(energy);
+  }
+};
+
+void visitors_see_the_energy_fall(std::uint64_t seed)
+{
+  test_support::Random random(seed);
+  for(const Indexed_mesh& indexed : {noisy_sphere(3, .02, seed), torus(1., .4, 40, 20), rough_terrain(20, .5, seed)})
+  {
+    const test_support::Scope scope(indexed.name);
+    const Mesh mesh = to_face_graph(indexed);
+    std::vector<vertex_descriptor> sites, moved, stopped, expected;
+    for(int i = 0; i < 20; ++i)
+      sites.push_back(vertex_descriptor(static_cast<Mesh::size_type>(random.index(num_vertices(mesh)))));
+    Iterations all;
+    const std::size_t n = Geodesics::geodesic_Lloyd_relaxation(mesh, sites, 50, std::back_inserter(moved),
+                                                               CGAL::parameters::visitor(std::ref(all)));
+    CHECK_EQUAL(all.moves.size(), n + (n < 50 ? 1 : 0));
+    if(n < 50)
+      CHECK_EQUAL(all.moves.back(), 0.);
+    CHECK(all.energies.back() < .8 * all.energies.front());
+    for(std::size_t i = 1; i < all.energies.size(); ++i)
+      CHECK(all.energies[i] < 1.02 * all.energies[i - 1]);
+
+    // The sites of the first iteration that moves them by at most a threshold.
+    const double threshold = 1.0001 * *std::min_element(all.moves.begin(), all.moves.begin() + 4);
+    Iterations some;
+    const std::size_t k = Geodesics::geodesic_Lloyd_relaxation(
+      mesh, sites, 50, std::back_inserter(stopped),
+      CGAL::parameters::visitor(std::ref(some)).threshold_distance(threshold));
+    CHECK(k >= 1 && k <= 4 && some.moves.back() <= threshold);
+    CHECK(std::equal(some.energies.begin(), some.energies.end(), all.energies.begin()));
+    CHECK_EQUAL(Geodesics::geodesic_Lloyd_relaxation(mesh, sites, k, std::back_inserter(expected)), k);
+    CHECK(stopped == expected);
+
+    Iterations of_remeshing;
+    Mesh output;
+    Geodesics::geodesic_remeshing(mesh, 60, output,
+                                  CGAL::parameters::visitor(std::ref(of_remeshing)).number_of_iterations(3u));
+    CHECK(!of_remeshing.moves.empty() && of_remeshing.moves.size() <= 3);
+  }
+}
+
 } // namespace
 
 int main()
@@ -214,8 +352,12 @@ int main()
   ring_cells_are_reported();
   cells_with_two_common_vertices_are_reported();
   edges_from_border_to_border_are_reported();
+  rings_of_a_tube_are_reported();
+  vertices_of_four_cells_are_reported();
   no_iteration_moves_no_site();
   an_isolated_site_stays();
+  energies_are_those_of_the_cut_mesh(seed);
+  visitors_see_the_energy_fall(seed);
   relaxation_makes_cells_even(seed);
   remeshing_keeps_topology_and_volume(seed);
   return test_result();

@@ -16,7 +16,11 @@
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Arc_curve.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Boundary_polylines.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Cell_energy.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Cell_topology.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Lazy_Voronoi_diagram.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Voronoi_cell_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Voronoi_cut_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Voronoi_handles.h>
 
@@ -430,6 +434,20 @@ public:
     bool is_closed;
   };
 
+  /// One curve of the boundary of a cell as a polyline, with the cell on its left: for drawing and for cutting.
+  struct Boundary_polyline
+  {
+    /// the points, in order. The last one is the first one again if the polyline is closed. The segment from each point
+    /// to the next one lies in the face of the latter.
+    std::vector<Face_location> locations;
+
+    /// for each point the number of the vertex of the diagram that it is, or `null_site()`.
+    std::vector<std::size_t> vertices;
+
+    /// whether the polyline is closed. Otherwise both ends are at the border of the mesh.
+    bool is_closed;
+  };
+
   /// \name Constructors
   /// They take constant time. Diagrams can neither be copied nor moved.
   /// @{
@@ -730,6 +748,31 @@ public:
                              : std::vector<Boundary>();
   }
 
+  /// returns the curves around the cell as polylines, with the cell on their left.
+  ///
+  /// Closed along the border of the mesh, the polylines are the whole boundary of the cell, also where the cell is not
+  /// a disk: it has as many loops as holes, and one more. Where the mesh is a domain of the plane, the areas of the
+  /// loops add up to `area(i)`, within the tolerance, as loops around holes run clockwise.
+  ///
+  /// \param i the number of the site
+  /// \param tolerance the largest distance of the polylines from the arcs, in the unit of the mesh, as for
+  ///        `Arc::sample()`
+  /// \param closes_at_border whether polylines go on along the border of the mesh where the cell ends there, and curves
+  ///        of the border that are wholly in the cell are returned, too
+  /// \return the polylines, in no particular order. `point()` gives the points of space. Curves that are no longer than
+  ///         rounding are left out.
+  /// \pre `i < number_of_sites()` and `tolerance > 0`
+  ///
+  /// Takes time linear in the number of points, and in that of faces of the mesh if `closes_at_border` is `true`.
+  std::vector<Boundary_polyline> boundary_polylines(Site_index i, double tolerance,
+                                                    bool closes_at_border = false) const
+  {
+    CGAL_precondition_msg(tolerance > 0, "the tolerance is not positive");
+    using Polylines = Surface_mesh_geodesics::internal::Boundary_polylines<decltype(m_lazy), Boundary_polyline>;
+    return has_built_cell(i) ? Polylines(m_lazy, tolerance).around(m_lazy.vertex_of_site(i), closes_at_border)
+                             : std::vector<Boundary_polyline>();
+  }
+
   /// returns the area of the cell, in the square of the unit of the mesh; 0 if the cell is empty.
   ///
   /// The first call of this function or of `centroid()` measures all cells, in time linear in the size of the mesh and
@@ -754,6 +797,18 @@ public:
     return m_lazy.centroid(i);
   }
 
+  /// returns the sum over all cells of the integral of \f$ |p - s|^2 \f$ over the points \f$ p \f$ of the cell, where
+  /// \f$ s \f$ is the site and the distance is that in space; in the fourth power of the unit of the mesh. For given
+  /// cells, a site has the smallest energy at the centroid of its cell, and among the vertices in the cell at
+  /// `central_vertex()`. Weights count for the cells only. The sum may be infinite if the points have very large
+  /// coordinates. Takes time linear in the size of the mesh and of the diagram.
+  double energy() const
+  {
+    build();
+    using Energy = Surface_mesh_geodesics::internal::Cell_energy<decltype(m_lazy)>;
+    return number_of_sites() == 0 ? 0. : Energy(m_lazy).sum();
+  }
+
   /// returns the vertex of the mesh in the cell that is nearest in space to the centroid of the cell. Of equally near
   /// vertices it is the first one in the order of `vertices(tm)`; it is the null vertex if the cell holds no vertex.
   /// Takes time linear in the number of vertices of the mesh.
@@ -776,13 +831,18 @@ public:
     return has_built_cell(i) ? m_lazy.complex().Euler_characteristic(m_lazy.vertex_of_site(i)) : 0;
   }
 
-  /// returns whether the cell is a topological disk, that is, whether its Euler characteristic is 1; `false` if the
-  /// cell is empty. (A cell with a pinched vertex of the mesh, and a cell that is a vertex without faces, may have the
-  /// characteristic 1 without being a disk.)
+  /// returns whether the cell, with its boundary, is a topological disk; `false` if the cell is empty, or a vertex
+  /// without faces. A cell is not a disk either if the mesh is pinched at a vertex in it, or if its boundary touches
+  /// itself at a point, up to rounding. Where that is possible, as curves run through vertices of the mesh or four
+  /// cells meet, the function takes the time of `cell_mesh()`.
   ///
   /// \param i the number of the site
   /// \pre `i < number_of_sites()`
-  bool is_disk(Site_index i) const { return Euler_characteristic(i) == 1; }
+  bool is_disk(Site_index i) const
+  {
+    using Topology = Surface_mesh_geodesics::internal::Cell_topology;
+    return has_built_cell(i) && Topology(m_lazy.refined_mesh(), m_lazy.complex()).is_disk(m_lazy.vertex_of_site(i));
+  }
 
   /// writes the triangles of the dual: one for each vertex of the diagram where three cells meet, and `n - 2` where `n`
   /// cells meet. They are oriented like the faces of the mesh. They need not form a manifold if a cell is not a disk,
@@ -855,6 +915,44 @@ public:
     auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
                                 get_property_map(CGAL::vertex_point, output));
     Surface_mesh_geodesics::internal::add_cut_mesh(m_lazy, tolerance, output, vpm, face_site_map);
+  }
+
+  /*!
+  adds a cell to a mesh: the faces that `cut()` makes in the cell.
+
+  The output has a border where the cell has a boundary. If the mesh is pinched at a vertex in the cell, or if the
+  boundary of the cell touches itself at a point, the output is pinched at one vertex there. Nothing is added if the
+  cell is empty or has no area.
+
+  \tparam OutputMesh as for `cut()`
+  \tparam FaceFaceMap a model of `WritablePropertyMap` with the face descriptor of `OutputMesh` as key type and
+          `face_descriptor` as value type
+  \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+  \param i the number of the site
+  \param output the mesh to which the faces are added
+  \param face_face_map receives, for each new face, the face of the mesh that it lies in
+  \param tolerance the largest distance of the polylines from the arcs, as for `cut()`
+  \param np an optional sequence of \ref bgl_namedparameters "Named Parameters", as for `cut()`
+
+  \pre `i < number_of_sites()` and `tolerance > 0`
+
+  \throws Surface_mesh_geodesics::Invalid_geodesic_input as for `cut()`
+
+  Takes time linear in the number of faces of the mesh, plus the time of `cut()` for the faces that the cell is in.
+  */
+  template <typename OutputMesh, typename FaceFaceMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
+  void cell_mesh(Site_index i, OutputMesh& output, FaceFaceMap face_face_map, double tolerance,
+                 const CGAL_NP_CLASS& np = parameters::default_values()) const
+  {
+    using parameters::choose_parameter;
+    using parameters::get_parameter;
+    CGAL_precondition_msg(tolerance > 0, "the tolerance is not positive");
+    auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
+                                get_property_map(CGAL::vertex_point, output));
+    if(has_built_cell(i))
+      Surface_mesh_geodesics::internal::add_cell_mesh(m_lazy, m_lazy.vertex_of_site(i), tolerance, output, vpm,
+                                                      face_face_map);
   }
 
   /// @}

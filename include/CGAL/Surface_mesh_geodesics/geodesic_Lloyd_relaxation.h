@@ -40,8 +40,16 @@ is nearest in space to the centroid of the cell; of equally near vertices to the
 `vertices(tm)`. This is `Surface_mesh_geodesic_Voronoi_diagram::central_vertex()`. All sites move at once. A site stays
 where it is if its cell is empty or holds no vertex. No site leaves its component.
 
-The relaxation ends when no site moves, and at the latest after the given number of iterations. It may not end by
-itself: a site may go back and forth between vertices that are about equally good.
+The relaxation ends when no site moves, or no site moves farther than a given distance, and at the latest after the
+given number of iterations. Without such a distance it may not end by itself: a site may go back and forth between
+vertices that are about equally good.
+
+<b>Energy.</b> The method lowers the sum over all cells of the integral of \f$ |p - s|^2 \f$ over the points
+\f$ p \f$ of the cell of the site \f$ s \f$, with distances in space
+(`Surface_mesh_geodesic_Voronoi_diagram::energy()`). For the cells of an iteration, the move of the sites never raises
+it: no vertex of a cell has a smaller integral than the one that is nearest to the centroid. The next cells minimize
+geodesic distances instead, so they may raise it by a little. A visitor that is a model of `GeodesicRelaxationVisitor`
+receives the energy of each iteration.
 
 <b>Complexity.</b> The mesh is read once. Each iteration takes the time and the memory of one diagram, and time linear
 in the size of the mesh.
@@ -86,14 +94,21 @@ The method serves remeshing (thesis, section 5.4.4), see `geodesic_remeshing()`.
   \cgalParamNBegin{visitor}
     \cgalParamDescription{a visitor that follows one propagation for each iteration. If it cancels one, the relaxation
                           ends with the sites of the previous iteration.}
-    \cgalParamType{a class model of `GeodesicPropagationVisitor`}
+    \cgalParamType{a class model of `GeodesicPropagationVisitor`. If it is also a model of
+                   `GeodesicRelaxationVisitor`, it is told of each iteration.}
     \cgalParamDefault{`Geodesic_default_visitor`}
     \cgalParamExtra{The visitor is not copied if it is passed with `std::ref()`.}
+  \cgalParamNEnd
+  \cgalParamNBegin{threshold_distance}
+    \cgalParamDescription{the relaxation ends after an iteration that moves no site farther in space than this
+                          distance, in the unit of the mesh}
+    \cgalParamType{double}
+    \cgalParamDefault{`0`: it ends when no site moves}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \return the number of iterations that moved a site. It is less than `number_of_iterations` if no site moves any more, or
-        if the visitor cancels.
+        none farther than `threshold_distance`, or if the visitor cancels.
 
 \throws Invalid_geodesic_input if the mesh or a site is invalid. Nothing has been written then. (If
         `number_of_iterations` is 0, nothing is checked, and the sites are written as they are.)

@@ -37,6 +37,11 @@ The class `Geodesic_dual_report` tells whether the triangles of the dual of a ge
 mesh of the topology of the surface, and what prevents it. Cells are given by the numbers of their sites. A finding
 disappears if there are more sites nearby, as the cells become smaller. Lists of single cells are in ascending order.
 
+<b>The closed-ball property.</b> The dual is the intrinsic Delaunay triangulation of the sites if each part of the
+diagram is a ball of its dimension, and meets the border of the mesh in one piece at most: each cell is a disk, any two
+cells have one edge in common at most, any three one vertex, and at each vertex exactly three cells meet.
+`is_triangulation()` tells whether that is so, and each list has the parts that violate one of the conditions.
+
 \sa `check_geodesic_dual()`
 */
 struct Geodesic_dual_report
@@ -44,8 +49,8 @@ struct Geodesic_dual_report
   /// the nonempty cells that are not topological disks.
   std::vector<std::size_t> cells_that_are_not_disks;
 
-  /// the cells that are disks, but whose boundary has several curves, without the border of the mesh. The
-  /// triangles around such a site would form several fans.
+  /// the cells that are disks, but meet the border of the mesh in several pieces: their boundary without the border of
+  /// the mesh has several curves. The triangles around such a site would form several fans.
   std::vector<std::size_t> cells_with_several_boundaries;
 
   /// the nonempty cells whose sites are in no triangle.
@@ -60,17 +65,27 @@ struct Geodesic_dual_report
   /// the triples of cells, in ascending order, that meet at several vertices of the diagram.
   std::vector<std::array<std::size_t, 3>> triples_with_several_vertices;
 
+  /// the sites of each vertex of the diagram where more than three cells meet, in ascending order, as in symmetric
+  /// diagrams. The dual has a polygon there, which is divided into triangles in one of several ways. So the triangles
+  /// may form a manifold mesh nevertheless.
+  std::vector<std::vector<std::size_t>> vertices_of_many_cells;
+
   /// whether the triangles form a polygon mesh at all, as
   /// `Polygon_mesh_processing::is_polygon_soup_a_polygon_mesh()` tells. This may fail for a reason that no list shows.
   bool is_polygon_mesh = false;
 
-  /// returns whether the triangles form a manifold mesh: there are no findings. Takes constant time.
+  /// returns whether the triangles form a manifold mesh: there are no findings except vertices of many cells. Takes
+  /// constant time.
   bool is_manifold() const
   {
     return is_polygon_mesh && cells_that_are_not_disks.empty() && cells_with_several_boundaries.empty()
         && cells_without_triangle.empty() && pairs_with_several_edges.empty() && pairs_without_triangle.empty()
         && triples_with_several_vertices.empty();
   }
+
+  /// returns whether the diagram has the closed-ball property, so that its dual is the intrinsic Delaunay triangulation
+  /// of the sites, and the only one: there are no findings. Takes constant time.
+  bool is_triangulation() const { return is_manifold() && vertices_of_many_cells.empty(); }
 };
 
 /*!
@@ -172,7 +187,8 @@ each call writes to an output of its own; see `geodesic_distances()`.
   \cgalParamNBegin{visitor}
     \cgalParamDescription{a visitor that follows one propagation for each sample, one for each iteration, and one for
     the final diagram. If it cancels one, nothing is added to `output`.}
-    \cgalParamType{a class model of `GeodesicPropagationVisitor`}
+    \cgalParamType{a class model of `GeodesicPropagationVisitor`. If it is also a model of
+                   `GeodesicRelaxationVisitor`, it is told of each iteration.}
     \cgalParamDefault{`Geodesic_default_visitor`}
     \cgalParamExtra{The visitor is not copied if it is passed with `std::ref()`.}
   \cgalParamNEnd
@@ -180,6 +196,12 @@ each call writes to an output of its own; see `geodesic_distances()`.
     \cgalParamDescription{the largest number of iterations of the relaxation}
     \cgalParamType{unsigned int}
     \cgalParamDefault{`5`}
+  \cgalParamNEnd
+  \cgalParamNBegin{threshold_distance}
+    \cgalParamDescription{the relaxation ends after an iteration that moves no site farther in space than this
+                          distance, in the unit of the mesh}
+    \cgalParamType{double}
+    \cgalParamDefault{`0`: it ends when no site moves}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 

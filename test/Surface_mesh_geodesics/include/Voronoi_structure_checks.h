@@ -211,7 +211,8 @@ public:
     }
     for(std::size_t i = 0; i < m_sites.size(); ++i)
     {
-      CHECK_EQUAL(m_diagram.is_disk(i), m_diagram.Euler_characteristic(i) == 1);
+      // A cell with the characteristic 1 may still touch itself at a point.
+      CHECK(!m_diagram.is_disk(i) || m_diagram.Euler_characteristic(i) == 1);
     }
   }
 

@@ -54,6 +54,27 @@ inline Border_integrals segment_integrals(const Planar_point<double>& p, const P
   return Border_integrals{cross / 2, cross * (p.x + q.x) / 6, cross * (p.y + q.y) / 6};
 }
 
+// The same for the integrals of x^2, xy and y^2: 1/4 of the integrals of these times (x dy - y dx).
+struct Second_integrals
+{
+  double xx = 0, xy = 0, yy = 0;
+
+  void add(const Second_integrals& other, double factor = 1)
+  {
+    xx += factor * other.xx;
+    xy += factor * other.xy;
+    yy += factor * other.yy;
+  }
+};
+
+inline Second_integrals second_segment_integrals(const Planar_point<double>& p, const Planar_point<double>& q)
+{
+  const double cross = (p.x * q.y - p.y * q.x) / 12;
+  return Second_integrals{cross * (p.x * p.x + p.x * q.x + q.x * q.x),
+                          cross * (p.x * p.y + (p.x * q.y + q.x * p.y) / 2 + q.x * q.y),
+                          cross * (p.y * p.y + p.y * q.y + q.y * q.y)};
+}
+
 // A part of a bisector from its first to its last point, or a segment. Face_partition decides which one an arc is
 // meant to be; the constructor may still choose the segment, where rounding hides the bisector.
 //
@@ -123,6 +144,20 @@ public:
     result.x += x + area * m_first.x;
     result.y += y + area * m_first.y;
     return result;
+  }
+
+  // Returns the integrals of x^2, xy and y^2 along the arc.
+  Second_integrals second_integrals() const
+  {
+    if(m_is_segment)
+      return second_segment_integrals(m_first, m_last);
+    const double size = norm(m_first.x, m_first.y) + distance(m_first, m_last), scale = size * size * size * size;
+    const Values<3> moments = integrals_of<3>([](const Point& p, const Point& d)
+    {
+      const double cross = (p.x * d.y - p.y * d.x) / 4;
+      return Values<3>{p.x * p.x * cross, p.x * p.y * cross, p.y * p.y * cross};
+    }, {scale, scale, scale});
+    return Second_integrals{moments[0], moments[1], moments[2]};
   }
 
   // Calls visit(point) for points of the curve in their order, without the first point and including the last one. The

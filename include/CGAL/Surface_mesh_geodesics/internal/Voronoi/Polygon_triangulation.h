@@ -13,8 +13,8 @@
 // Triangulates a small polygon whose sides and vertices must be kept, even if rounding has made it overlap itself, by
 // dynamic programming over the diagonals (G. T. Klincsek, Minimal triangulations of polygonal domains, 1980).
 //
-// All triangulations of the cyclic sequence of vertices are candidates. The result has as few triangles as possible
-// that are not counterclockwise, and among these candidates the best shapes. In a simple polygon all triangles are
+// All triangulations of the cyclic sequence of vertices are candidates. The result has as few clockwise triangles as
+// possible, then as few without area, and among these candidates the best shapes. In a simple polygon all triangles are
 // counterclockwise, so that they do not overlap; for any other polygon the result still has the right combinatorics.
 //
 // The cost of a candidate is the pair of its badness (an integer, so that it is exact) and the sum of the shapes of its
@@ -85,6 +85,9 @@ private:
   // does not overflow.
   static constexpr std::uint64_t FORBIDDEN = std::uint64_t(1) << 32;
 
+  // The badness of a clockwise triangle, which lies on others. A triangle without area does no harm: its badness is 1.
+  static constexpr std::uint64_t CLOCKWISE = std::uint64_t(1) << 10;
+
   struct Cost
   {
     std::uint64_t badness = 0;
@@ -138,7 +141,7 @@ private:
     if(area > Tolerance<double>::area() * squares)
       result.shape = squares / area;
     else
-      result.badness = 1;
+      result.badness = area < -Tolerance<double>::area() * squares ? CLOCKWISE : 1;
     return result;
   }
 

@@ -114,9 +114,13 @@ public:
   {
     CGAL_precondition(owners.size() == m_mesh->number_of_vertices());
     m_owner = std::move(owners);
-    for(const Vertex_id site : m_owner)
-      if(site != null_id)
-        ++elements(site).vertices;
+    for(Vertex_id v = 0; v < m_owner.size(); ++v)
+    {
+      if(m_owner[v] == null_id)
+        continue;
+      ++elements(m_owner[v]).vertices;
+      elements(m_owner[v]).pinched_vertices += m_mesh->has(v, Mesh::PINCHED) ? 1 : 0;
+    }
     count_edges_and_faces();
     link_chains();
   }

@@ -91,10 +91,10 @@ struct Voronoi_boundary_part
 };
 
 // The numbers of mesh vertices, of parts of mesh edges, and of parts of faces in a cell, without those on its boundary.
-// They give its Euler characteristic.
+// They give its Euler characteristic. Pinched vertices are among the vertices.
 struct Voronoi_cell_elements
 {
-  std::size_t vertices = 0, edge_intervals = 0, face_regions = 0;
+  std::size_t vertices = 0, edge_intervals = 0, face_regions = 0, pinched_vertices = 0;
 };
 
 } // namespace internal

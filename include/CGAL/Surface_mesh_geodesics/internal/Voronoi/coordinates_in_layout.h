@@ -10,8 +10,8 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_COORDINATES_IN_LAYOUT_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_COORDINATES_IN_LAYOUT_H
 
-// The barycentric coordinates of a point that is given in the layout of a face. A diagram needs them to put nodes and
-// arcs into space.
+// The barycentric coordinates of a point that is given in the layout of a face, and the points of its sides. A diagram
+// needs them to put nodes and arcs into space.
 //
 // Frame: the layout of the face (corners 0, 1 and 2 at (0,0), (length[0],0) and (apex_x,apex_y)).
 
@@ -79,6 +79,14 @@ std::array<FT, 3> coordinates_in_layout(const Intrinsic_face<FT>& face, const Pl
   b[1] = (p.x - b[2] * face.apex_x) / face.length[0];
   b[0] = 1 - b[1] - b[2];
   return b[0] >= 0 && b[1] >= 0 && b[2] >= 0 ? b : coordinates_on_border(face, p);
+}
+
+// Returns the point of side k of a face at a fraction of its length, from its source, given the corners in the layout.
+template <typename FT>
+Planar_point<FT> point_on_side(const std::array<Planar_point<FT>, 3>& corner, unsigned int k, const FT& fraction)
+{
+  const Planar_point<FT> a = corner[k], b = corner[next_corner(k)];
+  return Planar_point<FT>{FT(a.x + fraction * (b.x - a.x)), FT(a.y + fraction * (b.y - a.y))};
 }
 
 } // namespace internal

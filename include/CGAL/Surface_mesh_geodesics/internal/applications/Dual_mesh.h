@@ -38,9 +38,9 @@ namespace internal {
 // them meet in one piece at most, the dual is homeomorphic to the surface (Edelsbrunner and Shah, Triangulating
 // topological spaces, 1997).
 //
-// report() takes three steps: check_triangles() counts what the others look up, check_cells() looks at each cell, and
-// check_edges() at each edge of the diagram. `Diagram` is the public class. It is referred to, and must outlive the
-// object; cells are named by the numbers of their sites.
+// report() takes four steps: check_triangles() counts what the others look up, check_cells() looks at each cell,
+// check_edges() at each edge and check_vertices() at each vertex of the diagram. `Diagram` is the public class. It is
+// referred to, and must outlive the object; cells are named by the numbers of their sites.
 template <typename Diagram, typename Report>
 class Dual_check
 {
@@ -60,6 +60,7 @@ public:
     check_triangles(r);
     check_cells(r);
     check_edges(r);
+    check_vertices(r);
     // CGAL takes no triangles at all for a polygon mesh; the dual of a diagram without vertices is not one.
     r.is_polygon_mesh = !m_triangles.empty() && Polygon_mesh_processing::is_polygon_soup_a_polygon_mesh(m_triangles);
     return r;
@@ -123,6 +124,14 @@ private:
         r.pairs_without_triangle.push_back(pair);
     }
     r.pairs_with_several_edges.assign(m_pairs_with_several_edges.begin(), m_pairs_with_several_edges.end());
+  }
+
+  // Finds the vertices where more than three cells meet, whose triangles are one choice of several.
+  void check_vertices(Report& r) const
+  {
+    for(const auto& v : m_diagram.vertices())
+      if(v.sites().size() > 3)
+        r.vertices_of_many_cells.push_back(v.sites());
   }
 
   const Diagram& m_diagram;

@@ -16,6 +16,7 @@
 //
 // relax_sites() is the loop. Vertex_site_diagram holds the diagram, which all iterations share.
 
+#include <CGAL/Surface_mesh_geodesics/internal/interface/run_with_visitor.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/distance_in_space.h>
 
 #include <CGAL/Kernel_traits.h>
@@ -27,6 +28,7 @@
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -98,6 +100,16 @@ public:
     return sites != before;
   }
 
+  // Returns the largest distance in space between a vertex and the one at the same position of the other range.
+  double largest_move(const std::vector<vertex_descriptor>& before, const std::vector<vertex_descriptor>& after) const
+  {
+    double largest = 0;
+    for(std::size_t i = 0; i < before.size(); ++i)
+      if(before[i] != after[i])
+        largest = (std::max)(largest, distance_in_space<Point>(get(m_vpm, before[i]), get(m_vpm, after[i])));
+    return largest;
+  }
+
 private:
   const TriangleMesh& m_tm;
   VertexPointMap m_vpm;
@@ -119,24 +131,39 @@ auto make_vertex_site_diagram(const TriangleMesh& tm, const NamedParameters& np)
     tm, vim, him, fim, vpm);
 }
 
-// Moves sites to the centers of their cells until no site moves, the visitor cancels, or the largest number of
-// iterations is reached. Returns the number of iterations that moved a site. If the visitor cancels, the sites are
-// those of the iteration before. Throws Invalid_geodesic_input from the first iteration, before a site has moved.
+// Moves sites to the centers of their cells until no site moves farther than a threshold, the visitor cancels, or the
+// largest number of iterations is reached. Returns the number of iterations that moved a site. If the visitor cancels,
+// the sites are those of the iteration before. Throws Invalid_geodesic_input from the first iteration, before a site
+// has moved.
 //
-// The loop need not end by itself, as a site may go back and forth between two vertices; so the number of iterations is
-// bounded. Each one takes the time of a diagram.
+// With the threshold 0 the loop need not end by itself, as a site may go back and forth between two vertices; so the
+// number of iterations is bounded. Each one takes the time of a diagram. The step never raises the energy for the cells
+// that it starts from: among the vertices of a cell, the nearest one to the centroid has the smallest integral of
+// squared distances, because that is the integral for the centroid plus the area times the squared distance from the
+// centroid. The next cells may raise it, as they are those of geodesic distances.
 template <template <typename...> class Diagram, typename TriangleMesh, typename vertex_descriptor, typename Visitor,
           typename NamedParameters>
 std::size_t relax_sites(const TriangleMesh& tm, std::vector<vertex_descriptor>& sites,
                         std::size_t number_of_iterations, Visitor& visitor, const NamedParameters& np)
 {
+  const double threshold
+    = parameters::choose_parameter(parameters::get_parameter(np, internal_np::threshold_distance), 0.);
   auto diagram = make_vertex_site_diagram<Diagram>(tm, np);
   std::size_t i = 0;
   for(; i < number_of_iterations; ++i)
   {
     diagram.set_sites(sites);
-    if(!diagram.diagram().build(visitor) || !diagram.move_to_centers(sites))
+    if(!diagram.diagram().build(visitor))
       break;
+    const std::vector<vertex_descriptor> before = sites;
+    const bool has_moved = diagram.move_to_centers(sites);
+    const double largest_move = diagram.largest_move(before, sites);
+    if constexpr(Follows_iterations<Visitor>::value)
+      visitor.on_iteration(i + 1, largest_move, diagram.diagram().energy());
+    if(!has_moved)
+      break;
+    if(largest_move <= threshold && threshold > 0)
+      return i + 1;
   }
   return i;
 }

@@ -73,6 +73,19 @@ bool run_with_visitor(Visitor& visitor, std::size_t number_of_vertices, Run run)
   return is_complete;
 }
 
+// True for a visitor that follows the iterations of a relaxation (concept GeodesicRelaxationVisitor). The default
+// visitor does not, and a user's visitor that derives from it need not: the energies, which take time, are computed
+// only for a visitor that has the function.
+template <typename Visitor, typename = void>
+struct Follows_iterations
+  : std::false_type
+{};
+
+template <typename Visitor>
+struct Follows_iterations<Visitor, std::void_t<decltype(std::declval<Visitor&>().on_iteration(std::size_t(), 0., 0.))>>
+  : std::true_type
+{};
+
 // The visitor of a function that propagates several times. Once the user's visitor has canceled, go_further() returns
 // false without asking it again. A run that starts nevertheless ends at its first visit.
 template <typename Visitor>
@@ -84,6 +97,13 @@ public:
   void on_propagation_begin(std::size_t number_of_vertices) { m_visitor.on_propagation_begin(number_of_vertices); }
   void on_progress(std::size_t number_of_visits, double distance) { m_visitor.on_progress(number_of_visits, distance); }
   void on_propagation_end() { m_visitor.on_propagation_end(); }
+
+  // It has this function if the visitor of the user has it.
+  template <typename V = Visitor>
+  std::enable_if_t<Follows_iterations<V>::value> on_iteration(std::size_t i, double largest_move, double energy)
+  {
+    m_visitor.on_iteration(i, largest_move, energy);
+  }
 
   bool go_further()
   {

@@ -13,17 +13,14 @@
 // Adds the surface, cut along the arcs of a Voronoi complex, to a mesh of the user. The connectivity is that of the
 // refined intrinsic mesh: each of its edges becomes a chain of edges that both faces share, and each face is filled
 // with the triangles that Voronoi_face_cut makes of it.
-//
-// Halfedges are linked one by one, without Euler operations: these reject pinched vertices and two edges with the same
-// ends, both of which a surface may have.
 
-#include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Voronoi_complex.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Voronoi_face_cut.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/coordinates_in_layout.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Output_triangles.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 
 #include <CGAL/assertions.h>
-#include <CGAL/boost/graph/properties.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -66,7 +63,7 @@ class Voronoi_cut_mesh
 
 public:
   Voronoi_cut_mesh(const Mesh& mesh, const Complex& complex, OutputMesh& output, VertexPointMap vpm)
-    : m_mesh(mesh), m_complex(complex), m_output(output), m_vpm(vpm)
+    : m_mesh(mesh), m_complex(complex), m_output(output), m_triangles(output, vpm)
   {}
 
   // Adds the cut surface to the output. `point_of_vertex(v)` gives the point of a vertex of the refined mesh,
@@ -77,7 +74,7 @@ public:
   void build(double tolerance, PointOfVertex point_of_vertex, PointInFace point_in_face, SetSite set_site)
   {
     for(Vertex_id v = 0; v < m_mesh.number_of_vertices(); ++v)
-      m_vertices.push_back(new_vertex(point_of_vertex(v)));
+      m_vertices.push_back(m_triangles.new_vertex(point_of_vertex(v)));
     m_first_piece.assign(4 * m_mesh.number_of_faces(), null_id);
     for(Face_id f = 0; f < m_mesh.number_of_faces(); ++f)
       for(unsigned int k = 0; k < 3; ++k)
@@ -103,27 +100,6 @@ private:
     return o == null_id || h < o;
   }
 
-  // Adds an isolated vertex to the output.
-  template <typename Point>
-  vertex_descriptor new_vertex(const Point& p)
-  {
-    const vertex_descriptor v = add_vertex(m_output);
-    put(m_vpm, v, p);
-    set_halfedge(v, Graph_traits::null_halfedge(), m_output);
-    return v;
-  }
-
-  // Adds an edge with both halfedges on the border and not linked yet; returns the halfedge that leads to `to`.
-  halfedge_descriptor new_edge(vertex_descriptor from, vertex_descriptor to)
-  {
-    const halfedge_descriptor h = halfedge(add_edge(m_output), m_output), o = opposite(h, m_output);
-    set_target(h, to, m_output);
-    set_target(o, from, m_output);
-    set_face(h, Graph_traits::null_face(), m_output);
-    set_face(o, Graph_traits::null_face(), m_output);
-    return h;
-  }
-
   // Divides the edge of h where arcs end on it, and adds the pieces from its source to its target. The cut of both
   // faces divides the edge in the same way (Edge_contraction). Requires: is_first(h). Takes time linear in the number
   // of nodes on the edge.
@@ -132,19 +108,15 @@ private:
   {
     const Edge_contraction edge(m_mesh, m_complex, h);
     const auto corner = m_complex.layout(face_of(h));
-    const Planar_point<double> a = corner[index_in_face(h)], b = corner[next_corner(index_in_face(h))];
     vertex_descriptor from = m_vertices[m_mesh.source(h)];
     m_first_piece[h] = static_cast<std::uint32_t>(m_pieces.size());
     for(std::uint32_t i = 1; i <= edge.last(); ++i)
     {
       vertex_descriptor to = m_vertices[m_mesh.target(h)];
       if(i < edge.last())
-      {
-        const double t = edge.fraction(i);
-        to = new_vertex(point_in_face(face_of(h),
-                                      Planar_point<double>{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)}));
-      }
-      m_pieces.push_back(new_edge(from, to));
+        to = m_triangles.new_vertex(
+          point_in_face(face_of(h), point_on_side(corner, index_in_face(h), edge.fraction(i))));
+      m_pieces.push_back(m_triangles.new_edge(from, to));
       from = to;
     }
     m_pieces.push_back(Graph_traits::null_halfedge()); // ends the pieces of this edge
@@ -183,7 +155,7 @@ private:
       m_open[std::make_pair(i, (i + 1) % n)] = m_border[i];
     }
     for(std::size_t i = n; i < cut.points().size(); ++i)
-      m_local.push_back(new_vertex(point_in_face(f, cut.points()[i])));
+      m_local.push_back(m_triangles.new_vertex(point_in_face(f, cut.points()[i])));
     for(const Voronoi_face_cut::Triangle& t : cut.triangles())
       set_site(add_triangle(t.vertex), t.site);
     CGAL_assertion_msg(m_open.empty(), "a face is not filled");
@@ -200,7 +172,7 @@ private:
       m_open.erase(it);
       return h;
     }
-    const halfedge_descriptor h = new_edge(m_local[from], m_local[to]);
+    const halfedge_descriptor h = m_triangles.new_edge(m_local[from], m_local[to]);
     const bool is_new = m_open.emplace(std::make_pair(to, from), opposite(h, m_output)).second;
     CGAL_assertion_msg(is_new, "two edges of a face have the same vertices");
     static_cast<void>(is_new);
@@ -210,19 +182,10 @@ private:
   // Adds a triangle, given its vertices in m_local counterclockwise, and links its halfedges.
   face_descriptor add_triangle(const std::array<std::uint32_t, 3>& vertex)
   {
-    const face_descriptor f = add_face(m_output);
     std::array<halfedge_descriptor, 3> h;
     for(unsigned int k = 0; k < 3; ++k)
       h[k] = take_halfedge(vertex[k], vertex[next_corner(k)]);
-    for(unsigned int k = 0; k < 3; ++k)
-    {
-      set_face(h[k], f, m_output);
-      set_next(h[k], h[next_corner(k)], m_output);
-      // Any halfedge will do inside; at the border, a border halfedge replaces it when that is linked.
-      set_halfedge(target(h[k], m_output), h[k], m_output);
-    }
-    set_halfedge(f, h[0], m_output);
-    return f;
+    return m_triangles.new_triangle(h);
   }
 
   // Return the first and the last piece along h. Requires: is_first(h), which holds on the border of the mesh.
@@ -281,7 +244,7 @@ private:
   const Mesh& m_mesh;
   const Complex& m_complex;
   OutputMesh& m_output;
-  VertexPointMap m_vpm;
+  Output_triangles<OutputMesh, VertexPointMap> m_triangles;
   std::vector<vertex_descriptor> m_vertices;   // of the output, by vertex of the refined mesh
   std::vector<std::uint32_t> m_first_piece;    // index in m_pieces, by halfedge; null_id if it is not the first one
   std::vector<halfedge_descriptor> m_pieces;   // of each edge, from its source on, then the null halfedge
@@ -292,18 +255,15 @@ private:
 };
 
 // Adds the cut surface of a lazy diagram to a mesh; the tolerance is in the user's unit. `face_site_map` receives the
-// number of the site of each new face. Requires: the diagram is built. Points are made in the number type of the traits
-// and converted to double. A face that no site reaches gets Diagram::no_site.
+// number of the site of each new face. Requires: the diagram is built. A face that no site reaches gets
+// Diagram::no_site.
 template <typename Diagram, typename OutputMesh, typename VertexPointMap, typename FaceSiteMap>
 void add_cut_mesh(const Diagram& diagram, double tolerance, OutputMesh& output, VertexPointMap vpm,
                   FaceSiteMap face_site_map)
 {
-  using Output_point = typename boost::property_traits<VertexPointMap>::value_type;
-  const auto output_point = [](const typename Diagram::Point_3& p)
-  { return Output_point(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())); };
-  const auto point_of_vertex = [&](Vertex_id v) { return output_point(diagram.point_of_vertex(v)); };
-  const auto point_in_face = [&](Face_id f, const Planar_point<double>& p)
-  { return output_point(diagram.point(diagram.location(f, p))); };
+  const Output_points<Diagram, typename boost::property_traits<VertexPointMap>::value_type> points(diagram);
+  const auto point_of_vertex = [&](Vertex_id v) { return points.of_vertex(v); };
+  const auto point_in_face = [&](Face_id f, const Planar_point<double>& p) { return points.in_face(f, p); };
   const auto set_site = [&](typename boost::graph_traits<OutputMesh>::face_descriptor f, Vertex_id s)
   { put(face_site_map, f, diagram.site_at(s)); };
   Voronoi_cut_mesh<OutputMesh, VertexPointMap> cut_mesh(diagram.refined_mesh(), diagram.complex(), output, vpm);

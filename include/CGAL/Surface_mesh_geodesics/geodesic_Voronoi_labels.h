@@ -1,0 +1,155 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_GEODESIC_VORONOI_LABELS_H
+#define CGAL_SURFACE_MESH_GEODESICS_GEODESIC_VORONOI_LABELS_H
+
+#include <CGAL/license/Surface_mesh_geodesics.h>
+
+#include <CGAL/Surface_mesh_geodesics/Geodesic_default_visitor.h>
+#include <CGAL/Surface_mesh_geodesics/Geodesic_distance_options.h>
+#include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Voronoi_labels.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/run_with_visitor.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/tags.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+
+/*!
+\ingroup PkgSurfaceMeshGeodesicsFunctions
+
+finds, for each vertex of a triangle mesh, the site in whose geodesic Voronoi cell it is.
+
+The function writes to `vertex_site_map`, for each vertex of `tm`, the number of the nearest site: its position in the
+range `sites`, counted from 0. These are the answers of `Surface_mesh_geodesic_Voronoi_diagram::nearest_site()` for
+vertices, at the price of `geodesic_distances()`: there is one propagation from all sites, and no curves between cells
+are computed. Use the diagram if you need these curves, or the sites of points that are not vertices.
+
+A vertex that no site reaches gets the largest number of type `std::size_t`; so do all vertices if the range of sites is
+empty. If several sites are equally near, a vertex gets one of them; of several sites at one point, the first.
+
+\tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`, as for `geodesic_distances()`
+\tparam TriangleMesh a model of `FaceListGraph`
+\tparam VertexSiteMap a model of `WritablePropertyMap` with the vertex descriptor of `TriangleMesh` as key type and
+        `std::size_t` as value type
+\tparam Sites a site or a range of sites: vertex descriptors, or locations in faces. These are the types that
+        `geodesic_distances()` takes for sources.
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tm the triangle mesh
+\param vertex_site_map receives the number of the nearest site of each vertex
+\param sites the site or sites
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{a property map associating points to the vertices of `tm`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with the vertex descriptor of `TriangleMesh`
+                   as key type and a 3D point type with the members `x()`, `y()`, `z()` as value type}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_index_map}
+    \cgalParamDescription{a property map associating to each vertex of `tm` a unique index between `0`
+                          and `num_vertices(tm) - 1`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with the vertex descriptor of `TriangleMesh`
+                   as key type and `std::size_t` as value type}
+    \cgalParamDefault{an automatically indexed internal map}
+  \cgalParamNEnd
+  \cgalParamNBegin{face_index_map}
+    \cgalParamDescription{a property map associating to each face of `tm` a unique index between `0`
+                          and `num_faces(tm) - 1`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with the face descriptor of `TriangleMesh`
+                   as key type and `std::size_t` as value type}
+    \cgalParamDefault{an automatically indexed internal map}
+  \cgalParamNEnd
+  \cgalParamNBegin{visitor}
+    \cgalParamDescription{a visitor that follows the progress and may cancel the computation}
+    \cgalParamType{a class model of `GeodesicPropagationVisitor`}
+    \cgalParamDefault{`Geodesic_default_visitor`}
+    \cgalParamExtra{The visitor is not copied if it is passed with `std::ref()`.}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return `true`, or `false` if the visitor canceled the computation; the map is unchanged then.
+
+\throws Invalid_geodesic_input if the mesh or a site is invalid, as for `geodesic_distances()`. The map is unchanged
+        then.
+
+Complexity and thread safety are those of `geodesic_distances()`.
+
+\sa `Surface_mesh_geodesic_Voronoi_diagram`
+*/
+template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename VertexSiteMap, typename Sites,
+          typename CGAL_NP_TEMPLATE_PARAMETERS>
+bool geodesic_Voronoi_labels(const TriangleMesh& tm, VertexSiteMap vertex_site_map, const Sites& sites,
+                             const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  internal::Visitor_parameter<CGAL_NP_CLASS> visitor_parameter(np);
+  auto& visitor = visitor_parameter.visitor();
+  return internal::compute_Voronoi_labels<ConcurrencyTag>(
+    tm, internal::No_distance_map<Vertex>(), sites, std::vector<double>(),
+    make_geodesic_distance_options<TriangleMesh>(vertex_site_map), visitor, np);
+}
+
+/*!
+\ingroup PkgSurfaceMeshGeodesicsFunctions
+
+finds the nearest site of each vertex as the function above does, and its distance, for sites with weights.
+
+The distance of a vertex from a site is the geodesic distance minus the weight of the site, as in
+`Surface_mesh_geodesic_Voronoi_diagram`. It may be negative.
+
+\tparam ConcurrencyTag as above
+\tparam TriangleMesh as above
+\tparam VertexSiteMap as above
+\tparam VertexDistanceMap a model of `WritablePropertyMap` with the vertex descriptor of `TriangleMesh` as key type and
+        a floating point type as value type
+\tparam Sites as above
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tm the triangle mesh
+\param vertex_site_map receives the number of the nearest site of each vertex
+\param vertex_distance_map receives the distance of each vertex from its nearest site, in the unit of the points;
+       infinity where no site reaches it
+\param sites the site or sites
+\param weights empty, or the weight of each site, in the unit of the points. Without weights, all are 0.
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among those of the function above
+
+\return `true`, or `false` if the visitor canceled the computation; the maps are unchanged then.
+
+\throws Invalid_geodesic_input also if a weight is not finite or differs too much from the largest one, or if there is
+        not one weight for each site. The maps are unchanged then.
+*/
+template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename VertexSiteMap,
+          typename VertexDistanceMap, typename Sites, typename CGAL_NP_TEMPLATE_PARAMETERS>
+bool geodesic_Voronoi_labels(const TriangleMesh& tm, VertexSiteMap vertex_site_map,
+                             VertexDistanceMap vertex_distance_map, const Sites& sites,
+                             const std::vector<double>& weights,
+                             const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  internal::Visitor_parameter<CGAL_NP_CLASS> visitor_parameter(np);
+  auto& visitor = visitor_parameter.visitor();
+  return internal::compute_Voronoi_labels<ConcurrencyTag>(
+    tm, vertex_distance_map, sites, weights, make_geodesic_distance_options<TriangleMesh>(vertex_site_map), visitor,
+    np);
+}
+
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_GEODESIC_VORONOI_LABELS_H

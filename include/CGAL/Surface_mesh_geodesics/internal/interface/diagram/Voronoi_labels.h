@@ -1,0 +1,106 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_DIAGRAM_VORONOI_LABELS_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_DIAGRAM_VORONOI_LABELS_H
+
+// The nearest site of each vertex without a diagram: one propagation of distances, which keeps no windows and makes no
+// arcs. The nearest site is found along the shortest path: each vertex knows the vertex where its path bends last.
+//
+// Formula: as for a diagram (Weighted_site_list.h), a propagation starts at each site with the difference W - w from
+// the largest weight W, and W is subtracted from all distances at the end.
+
+#include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Weighted_site_list.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/distance_functions.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+// A map of distances that nobody has asked for: put() does nothing.
+template <typename Key>
+struct No_distance_map
+{
+  using key_type = Key;
+  using value_type = double;
+  using reference = double;
+  using category = boost::writable_property_map_tag;
+
+  friend void put(const No_distance_map&, const Key&, double) {}
+};
+
+// Writes distances less the largest weight to the map of the user. Infinity stays infinity. A smaller type of the user
+// is rounded to after the subtraction.
+template <typename Map>
+struct Distance_map_less_weight
+{
+  using key_type = typename boost::property_traits<Map>::key_type;
+  using value_type = double;
+  using reference = double;
+  using category = boost::writable_property_map_tag;
+
+  Map map;
+  double largest_weight;
+
+  friend void put(const Distance_map_less_weight& m, const key_type& key, double distance)
+  {
+    put(m.map, key, static_cast<typename boost::property_traits<Map>::value_type>(distance - m.largest_weight));
+  }
+};
+
+// The weights of sites as offsets. Both functions take linear time. The list of sites is used without its places, for
+// its checks and its messages.
+class Offsets_of_weights
+{
+public:
+  // Throws Invalid_geodesic_input if a weight, or its difference from the largest one, is not finite.
+  explicit Offsets_of_weights(const std::vector<double>& weights)
+  {
+    for(const double w : weights)
+      m_sites.add({false, No_place(), No_place(), w});
+    const double unit_of_user = 1; // the solver checks the offsets in the unit of the mesh
+    m_sites.for_each_offset(unit_of_user, [this](const auto&, double offset) { m_offsets.push_back(offset); });
+  }
+
+  const std::vector<double>& offsets() const { return m_offsets; }
+  double largest_weight() const { return m_sites.largest_weight(); }
+
+private:
+  struct No_place
+  {};
+
+  Weighted_site_list<No_place, No_place, double> m_sites;
+  std::vector<double> m_offsets;
+};
+
+// Writes the number of the nearest site of each vertex, and its distance, as geodesic_Voronoi_labels() documents.
+// `weights` is empty or has one weight for each site. `options` are Geodesic_distance_options, which hold the map for
+// the sites, with defaults otherwise. Throws, and returns false, before a map has changed.
+template <typename ConcurrencyTag, typename TriangleMesh, typename DistanceMap, typename Sites, typename Options,
+          typename Visitor, typename NamedParameters>
+bool compute_Voronoi_labels(const TriangleMesh& tm, DistanceMap distance_map, const Sites& sites,
+                            const std::vector<double>& weights, Options options, Visitor& visitor,
+                            const NamedParameters& np)
+{
+  const Offsets_of_weights from_weights(weights);
+  options.source_offsets = from_weights.offsets();
+  return compute_geodesic_distances<ConcurrencyTag>(
+    tm, Distance_map_less_weight<DistanceMap>{distance_map, from_weights.largest_weight()}, sites, options,
+    shape_from_points<double>(tm, np), visitor, np);
+}
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_DIAGRAM_VORONOI_LABELS_H
