@@ -77,7 +77,6 @@ INVALID = "test_invalid_input"
 SOLVER = "test_distance_solver"
 PARALLEL_TEST = "test_parallel_propagation"
 PARALLEL_KEEPERS = "test_parallel_keepers"
-PARALLEL_DIAGRAMS = "test_parallel_paths_and_diagrams"
 SAMPLING = "test_farthest_point_sampling"
 PATHS = "test_paths_interface"
 PATHS_BUILDING = "test_paths_building"
@@ -511,10 +510,10 @@ MUTANTS = [
      "an image that is farther at one end of a part of an edge never takes over in it", (BY_HAND, PLANAR)),
     ("last_divided_faces_lost", DIAGRAM_KEEPER,
      "for(int i = 0; i < 2; ++i) // those in work", "for(int i = 0; i < 1; ++i) // those in work",
-     "the faces that are handed over last do not join the complex", (PARALLEL_DIAGRAMS,)),
+     "the faces that are handed over last do not join the complex", (PARALLEL_KEEPERS,)),
     ("divided_faces_join_late", DIAGRAM_KEEPER,
      "    add_divided();\n    std::swap(m_divided, m_in_work);", "    std::swap(m_divided, m_in_work);",
-     "faces that have been divided are dropped or join the complex out of order", (PARALLEL_DIAGRAMS,)),
+     "faces that have been divided are dropped or join the complex out of order", (PARALLEL_KEEPERS,)),
     ("edge_divided_at_first_root_only", EDGE_PARTITION,
      "result{root[0], root[1], last, last, last};", "result{root[0], last, last, last, last};",
      "an image that is nearer between two roots is missed", (FACE_LAWS,)),

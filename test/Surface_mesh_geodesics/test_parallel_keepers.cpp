@@ -19,6 +19,7 @@
 #include <iostream>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -291,6 +292,79 @@ void all_windows_are_kept(const Intrinsic_mesh& mesh, const Sources& sources)
   }
 }
 
+// --- faces that the threads divide ---
+
+using Complex = internal::Voronoi_complex<double>;
+
+std::vector<double> numbers_of(const Complex& complex)
+{
+  std::vector<double> numbers;
+  for(const auto& a : complex.arcs())
+  {
+    numbers.insert(numbers.end(), {static_cast<double>(a.face), a.first.x, a.first.y, a.last.x, a.last.y,
+                                   a.left.weight, a.right.weight, static_cast<double>(a.left_site),
+                                   static_cast<double>(a.right_site), static_cast<double>(a.first_node),
+                                   static_cast<double>(a.last_node)});
+  }
+  for(const auto& n : complex.nodes())
+  {
+    numbers.insert(numbers.end(), {n.point.x, n.point.y, n.abscissa, n.distance});
+  }
+  numbers.push_back(static_cast<double>(complex.chains().size()));
+  numbers.push_back(static_cast<double>(complex.number_of_joints()));
+  return numbers;
+}
+
+// A consumer that remembers the faces, and divides them when all are there.
+struct Face_list
+{
+  std::vector<internal::Divided_face<double>> faces;
+
+  void add(const internal::Divided_face<double>& face) { faces.push_back(face); }
+};
+
+// The complex has the faces in the order in which the removal has handed them over, whoever has divided them.
+void threads_do_not_change_the_complex(const Intrinsic_mesh& mesh, const Sources& sources)
+{
+  test_support::Scope scope("complex");
+  using List_removal = internal::Redundant_window_removal<double, Face_list>;
+  using List_keeper = internal::Diagram_window_keeper<List_removal>;
+  Field field;
+  field.keeps_images = true;
+  Face_list list;
+  List_removal removal;
+  removal.reset(mesh, field, list);
+  Parallel<List_keeper> propagation(mesh, field, 16, Thread_team(1), List_keeper(removal));
+  run(propagation, sources);
+  removal.finish();
+  Complex expected;
+  expected.start(mesh);
+  for(const auto& face : list.faces)
+  {
+    expected.add(face);
+  }
+  expected.finish(removal.owners());
+
+  using Diagram = internal::Diagram_propagation<double, true>;
+  for(const std::size_t number : numbers_of_threads)
+  {
+    test_support::Scope scope_of_threads(std::to_string(number) + " threads");
+    Field found_field;
+    found_field.keeps_images = true;
+    Complex found;
+    Diagram diagram(found);
+    diagram.start(mesh, found_field);
+    const auto keeper = diagram.keeper();
+    Parallel<std::decay_t<decltype(keeper)>> run_of_diagram(mesh, found_field, std::size_t(16), Thread_team(number),
+                                                            keeper);
+    run(run_of_diagram, sources);
+    diagram.finish();
+    CHECK(numbers_of(found) == numbers_of(expected));
+    CHECK(list.faces.empty() || !found.arcs().empty());
+    CHECK_EQUAL(keeper.memory() > 0, !list.faces.empty());
+  }
+}
+
 // --- runs that end early ---
 
 // Runs of one object: some are canceled or end by an exception, and those after them are like the first.
@@ -365,6 +439,7 @@ int main()
       const Sources sources = random_sources(mesh, number, random);
       threads_do_not_change_the_windows_of_edges(mesh, sources, random);
       threads_do_not_change_the_divided_faces(mesh, sources);
+      threads_do_not_change_the_complex(mesh, sources);
       all_windows_are_kept(mesh, sources);
     }
   }
