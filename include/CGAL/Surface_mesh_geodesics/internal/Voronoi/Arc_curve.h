@@ -75,7 +75,7 @@ public:
     const double d = a.left.distance_to(a.first);
     m_is_segment = !a.is_bisector || !m_curve.is_curved()
                 || abs(a.left.weight - a.right.weight) <= Tolerance<double>::curvature() * d;
-    m_end = m_is_segment ? 0 : m_curve.angle(a.last);
+    m_end = m_is_segment ? 0 : m_curve.angle_near(a.last);
     m_is_segment = m_is_segment || !(m_end > 0) || !is_better_than_segment(a);
   }
 
