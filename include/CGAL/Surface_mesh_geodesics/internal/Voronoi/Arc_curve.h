@@ -138,13 +138,15 @@ public:
 
 private:
   // Returns whether the curve is closer than the segment to the points of equal distance. Where the two images are so
-  // close to each other that rounding moves the curve as a whole, the curve may end before the last point of the arc.
-  // Three points of both are compared only if it does; a curve that leaves the surroundings of the arc is not better.
+  // close to each other that rounding moves the curve as a whole, the curve may miss the last point of the arc. Three
+  // points of both are compared only if it does; a curve that leaves the surroundings of the arc is not better. Ties:
+  // the segment, if the difference of its distances is rounding; it leads to the last point.
   bool is_better_than_segment(const Arc& a) const
   {
     const double chord = distance(m_first, m_last);
     if(distance(m_curve.point_at_angle(m_end), m_last) <= Tolerance<double>::touching() * chord)
       return true;
+    const double rounding = Tolerance<double>::tie() * a.left.distance_to(m_first);
     double of_curve = 0, of_segment = 0;
     for(const double t : {0.125, 0.5, 0.875})
     {
@@ -155,7 +157,7 @@ private:
       of_segment = (std::max)(of_segment,
                               std::abs(a.left.distance_to(on_segment) - a.right.distance_to(on_segment)));
     }
-    return of_curve < of_segment;
+    return of_curve < of_segment && of_segment > rounding;
   }
 
   Point point_of_segment(double t) const

@@ -124,19 +124,6 @@ struct Cell_front
     }
     return none;
   }
-
-  // Ends the front at v if a piece leads through v, and returns whether it does. (Where two sites nearly tie, a trace
-  // may have met a third cell behind the vertex v.) Drops the pieces behind that one.
-  bool cut_at(const Point& v)
-  {
-    const std::size_t i = piece_through(v);
-    if(i == none)
-      return false;
-    pieces.resize(i + 1);
-    pieces.back().end = v;
-    stop = Front_stop::OUTSIDE; // the way is known up to v, so that the front is not lost
-    return true;
-  }
 };
 
 } // namespace internal
