@@ -28,6 +28,35 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
+// Which sources give their cells to which others, each one once at most, and to one that still has its cell then. So
+// they form no circles.
+class Given_cells
+{
+public:
+  void give(Vertex_id from, Vertex_id to)
+  {
+    m_receiver.emplace(from, to);
+    m_givers.push_back(from);
+  }
+
+  // Calls visit(v, u) in the order of the calls of give(): u is the one that has the cell of v in the end.
+  template <typename Visit>
+  void for_each(Visit visit) const
+  {
+    for(const Vertex_id v : m_givers)
+    {
+      Vertex_id u = v;
+      for(auto it = m_receiver.find(u); it != m_receiver.end(); it = m_receiver.find(u))
+        u = it->second;
+      visit(v, u);
+    }
+  }
+
+private:
+  std::unordered_map<Vertex_id, Vertex_id> m_receiver;
+  std::vector<Vertex_id> m_givers;
+};
+
 // Calls visit(v, u) for each source at a vertex v that gives its cell to the one at u.
 //
 // Formula: let l be the length of an edge from v to u, and o(v), o(u) the offsets. Each point x has d(u, x) + o(u) <=
@@ -55,15 +84,8 @@ void for_each_equal_source(const Intrinsic_mesh<FT>& mesh, const std::vector<Ver
     FT& least = least_offset.emplace(vertex[i], offset[i]).first->second;
     least = (std::min)(least, offset[i]);
   }
-  std::unordered_map<Vertex_id, FT> offset_of;       // of the vertices so far that keep their cells
-  std::unordered_map<Vertex_id, Vertex_id> receiver; // of the cells of the others
-  std::vector<Vertex_id> givers;                     // these others, in their order
-  const auto give = [&](Vertex_id v, Vertex_id u)
-  {
-    receiver.emplace(v, u);
-    givers.push_back(v);
-    offset_of.erase(v);
-  };
+  std::unordered_map<Vertex_id, FT> offset_of; // of the vertices so far that keep their cells
+  Given_cells cells;
   for(const Vertex_id v : vertex)
   {
     const auto found = least_offset.find(v);
@@ -93,21 +115,17 @@ void for_each_equal_source(const Intrinsic_mesh<FT>& mesh, const std::vector<Ver
           around.push_back(u);
       }
     });
-    offset_of.emplace(v, own_offset);
     if(equal != null_id)
-      give(v, equal);
-    else
-      for(const Vertex_id u : around)
-        if(offset_of.count(u) != 0) // both faces at an edge find its end
-          give(u, v);
+    {
+      cells.give(v, equal);
+      continue;
+    }
+    offset_of.emplace(v, own_offset);
+    for(const Vertex_id u : around)
+      if(offset_of.erase(u) != 0) // both faces at an edge find its end
+        cells.give(u, v);
   }
-  for(const Vertex_id v : givers)
-  {
-    Vertex_id u = receiver[v];
-    for(auto it = receiver.find(u); it != receiver.end(); it = receiver.find(u))
-      u = it->second;
-    visit(v, u);
-  }
+  cells.for_each(visit);
 }
 
 } // namespace internal

@@ -14,7 +14,7 @@
 // vertex of the diagram inside, and advances into the face until it meets the cell of a third site or another front.
 //
 // Life of a front: Face_partition makes it at a node. Front_tracer::trace() fills in the result, and does so again if
-// the cell that the front has met does not count any more. When it is known where the front ends, cut_at() or
+// the cell that the front has met does not count any more. When it is known where the front ends,
 // Front_completion shortens or extends the pieces to that point, and Face_partition::finish() makes arcs of them.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>

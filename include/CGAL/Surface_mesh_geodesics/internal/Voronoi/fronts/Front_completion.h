@@ -64,10 +64,10 @@ public:
     f.stop = Front_stop::OUTSIDE;
   }
 
-  // Ends the front at v if a piece leads through v and its images are still the nearest ones there; returns whether that
-  // is so. (Where two sites nearly tie, a trace may have met a third cell behind the vertex v. Two images that nearly
-  // coincide are equally far from points at some distance from their curve, too, which other paths may reach first.)
-  // Drops the pieces behind that one.
+  // Ends the front at v if a piece leads through v and its images are still the nearest ones there; returns whether
+  // that is so. (Where two sites nearly tie, a trace may have met a third cell behind the vertex v. Two images that
+  // nearly coincide are equally far from points at some distance from their curve, too, which other paths may reach
+  // first.) Drops the pieces behind that one.
   bool cut_at(Front& f, const Point& v) const
   {
     const std::size_t i = f.piece_through(v);

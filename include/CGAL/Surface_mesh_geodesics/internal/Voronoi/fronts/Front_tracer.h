@@ -316,8 +316,8 @@ private:
     return polished_intersection(left, right, event.line, p, m_images.size());
   }
 
-  // Returns where another image g of one of the two sites takes over, close to p: on the curve of `left` and `right`. If
-  // these two are close to each other, rounding may move the point across the curve so far that g is not as near as
+  // Returns where another image g of one of the two sites takes over, close to p: on the curve of `left` and `right`.
+  // If these two are close to each other, rounding may move the point across the curve so far that g is not as near as
   // they are; then the point is refined once more, along the curve.
   Point equidistant_point(const Additively_weighted_point<FT>& left, const Additively_weighted_point<FT>& right,
                           const Additively_weighted_point<FT>& g, const Point& p) const
