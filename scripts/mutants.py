@@ -59,6 +59,7 @@ BLOCK_TEAM = INTERNAL + "propagation/Block_team.h"
 BUILDER = INTERNAL + "surface/Intrinsic_mesh_builder.h"
 LOWER_BOUND = INTERNAL + "certificate/Lower_bound_check.h"
 EDGE_FUNCTION = INTERNAL + "certificate/Edge_distance_function.h"
+FRONT_EVENT = INTERNAL + "Voronoi/fronts/Front_event.h"
 
 WINDOWS = "test_window_pruning"
 LAWS = "test_predicate_laws"
@@ -91,6 +92,7 @@ CROWDED = "test_crowded_faces"
 HOSTILE_DIAGRAMS = "test_Voronoi_on_hostile_meshes"
 RANDOM_DIAGRAMS = "test_Voronoi_random"
 CUT = "test_Voronoi_cut"
+NEAR_SITES = "test_Voronoi_nearly_equal_sites"
 CERTIFICATE_CHECKS = "test_certificate_checks"
 CERTIFICATION = "test_certification_of_distances"
 DIAGRAM_CERTIFICATION = "test_certification_of_Voronoi_diagrams"
@@ -490,6 +492,22 @@ MUTANTS = [
      "             <= Tolerance<FT>::equal_sources() * mesh.extent_around(face_of(e));\n",
      "             <= Tolerance<FT>::equal_sources();\n",
      "sites of a small component are one site if the rounding of the largest component is larger", (SMALL,)),
+    ("superfluous_source_keeps_its_cell", EQUAL_SOURCES,
+     "else if(is_superfluous(e, it->second, own_offset))", "else if(is_superfluous(e, own_offset, it->second))",
+     "of two sites that tie, one of which is nowhere nearer, the later one never gets the cell", (NEAR_SITES,)),
+    ("far_points_by_direction_only", BISECTOR,
+     "if(!(smallest > Tolerance<FT>::interval() * radius))", "if(smallest >= 0)",
+     "arcs between sites that are very near to each other end somewhere else", (NEAR_SITES,)),
+    ("tiny_cells_in_the_layout", MEASURES,
+     "(std::max)(area < Tolerance<double>::tiny_area() ? it->second.local_area : area, 0.)", "(std::max)(area, 0.)",
+     "areas of tiny cells have no digits", (NEAR_SITES,)),
+    ("cell_without_origin", MEASURES,
+     "s.moment[k] += moment[k] + p.local.area * (origin[k] - s.origin[k]);", "s.moment[k] += moment[k];",
+     "centroids forget where the parts of a cell are", (NEAR_SITES, BY_HAND)),
+    ("image_never_returns", FRONT_EVENT,
+     "if(is_taken_over_between(from, to, left, g, c))",
+     "if((from > 0 || !has_been_left) && is_taken_over_between(from, to, left, g, c))",
+     "an image that rounding has left at a point stays away, although it is nearer farther on", (CROWDED,)),
     ("extent_of_divided_face_unknown", INTRINSIC_MESH,
      "if(f >= number_built)", "if(f >= m_faces.size())",
      "a part of a divided face is taken for a face of the last component", (SMALL,)),
@@ -537,7 +555,7 @@ MUTANTS = [
      "return a.left.distance_to(y) > a.right.distance_to(y) ? a.left_site : a.right_site;",
      "points are located in the cell on the other side of a curve", (SYMMETRIC,)),
     ("area_on_both_sides", MEASURES,
-     "part(arc.right_site).add(i, -1);", "part(arc.right_site).add(i);",
+     "const double factor = is_left ? 1 : -1;", "const double factor = 1;",
      "what one cell gains at a curve the other one does not lose", (BY_HAND, PLANAR)),
     ("cut_too_coarse", FACE_CUT,
      "if(best == i || (!is_forced && largest <= tolerance))",

@@ -474,6 +474,22 @@ void points_are_located_or_rejected(std::uint64_t seed)
   {
     CHECK(throws_reason(Reason::NON_FINITE_POINT, [&] { paths.locate<AABB_traits>(p); }));
   }
+  // Rays, whose directions have to be numbers as well.
+  const double infinity = std::numeric_limits<double>::infinity();
+  const Kernel::Point_3 above(2.2, 2.3, 10.);
+  for(const double down : {-1e-60, -1., -1e60})
+  {
+    const Face_location location = paths.locate<AABB_traits>(Kernel::Ray_3(above, Kernel::Vector_3(0, 0, down)));
+    CHECK(location.first != Mesh::null_face());
+  }
+  for(const double bad : {nan, infinity, -infinity, 1e200})
+  {
+    for(const Kernel::Vector_3& v : {Kernel::Vector_3(bad, 0, -1), Kernel::Vector_3(0, 0, bad)})
+    {
+      const Kernel::Ray_3 ray(above, v);
+      CHECK(throws_reason(Reason::NON_FINITE_POINT, [&] { paths.locate<AABB_traits>(ray); }));
+    }
+  }
 }
 
 } // namespace

@@ -75,12 +75,14 @@ these: a very large weight in one component costs digits in the others. The diff
 also as multiples of the extent of the mesh.
 
 <b>Ties.</b> Of several sites at one point with the same weight, the first one owns the cell, and the cells of the
-others are empty. The same may happen if the distance of two sites plus the difference of their weights is less than
-about \f$ 6 \cdot 10^{-14} \f$ times the extent of their component, as no distance tells which of them is nearer. If two
-sites are equally far from a vertex at which shortest paths bend, whole regions may be equally far from both. Such a
-region belongs to one of the two, which is decided at that vertex; its boundary consists of the points beyond which the
-paths from the other site are longer. Where the diagram is symmetric, arcs may run along edges and through vertices of
-the mesh, and more than three cells may meet.
+others are empty. The same may happen to two sites whose distance, plus the difference of their weights, is less than
+about \f$ 6 \cdot 10^{-14} \f$ times the extent of their component, as no distance tells which of them is nearer: the
+site with the lower index owns the cell. If the distance, less the advantage in weight of one site, is as small, the
+other site is nowhere nearer beyond rounding, and its cell may be empty, too. If two sites are equally far from a vertex
+at which shortest paths bend, whole regions may be equally far from both. Such a region belongs to one of the two, which
+is decided at that vertex; its boundary consists of the points beyond which the paths from the other site are longer.
+Where the diagram is symmetric, arcs may run along edges and through vertices of the mesh, and more than three cells may
+meet.
 
 <b>When things are computed.</b> The diagram is computed by `build()` or by the first query that needs it. Every
 function that computes it throws what `build()` throws. If computing ends early, the next query or `build()` begins
@@ -96,9 +98,9 @@ same time as any other function of the object.
 
 <b>Parallel propagation.</b> With `Parallel_tag` as `ConcurrencyTag`, the propagation runs in the threads of the task
 arena of the calling thread, as in `Surface_mesh_geodesics::geodesic_distances()`. They also cut the faces that curves
-cross, while one of them at a time removes redundant windows and divides edges. So a diagram gains less from many threads
-than distances do. Queries are answered in the calling thread. Vertices, arcs and edges and their order do not depend on
-the number of threads, down to the last bit. From those with `Sequential_tag` they may differ by rounding and in their
+cross, while one of them at a time removes redundant windows and divides edges. So a diagram gains less from many
+threads than distances do. Queries are answered in the calling thread. Vertices, arcs and edges and their order do not
+depend on the number of threads, down to the last bit. From those with `Sequential_tag` they may differ by rounding and in their
 order. The calling thread calls the functions of a visitor, less often than with `Sequential_tag`. `Parallel_tag` needs
 TBB.
 

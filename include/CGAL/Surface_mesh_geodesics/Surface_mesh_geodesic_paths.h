@@ -124,9 +124,9 @@ number that stands for "no source point" is the constant `no_source`; for "no si
   constructed with the traits. For a face whose height is lost in rounding, `locate()` returns a point of the longest
   side instead of coordinates that are not numbers. `locate()` computes with the trees and the kernel of \cgal, which
   multiply four lengths. Therefore it needs a mesh whose size is between \f$ 10^{-75} \f$ and \f$ 10^{75} \f$, and a
-  point that is not farther away. If the number type of the kernel is a floating point type, it throws
-  `Surface_mesh_geodesics::Invalid_geodesic_input` otherwise. Scale such a mesh by a power of two; no bit of a location
-  changes.
+  point that is not farther away; a ray needs a direction that is not larger. If the number type of the kernel is a
+  floating point type, it throws `Surface_mesh_geodesics::Invalid_geodesic_input` otherwise. Scale such a mesh by a
+  power of two; no bit of a location changes.
 - <em>Iterators to source points</em> stay valid when the structure is built again, unless their point has been
   removed. Their types `pointer` and `reference` are those of constants, as the operators return them, and there is a
   `difference_type`. `add_source_points()` takes input iterators, and returns `source_points_end()` for an empty

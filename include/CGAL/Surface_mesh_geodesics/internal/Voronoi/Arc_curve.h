@@ -96,7 +96,7 @@ public:
     const double d = a.left.distance_to(a.first);
     m_is_segment = !a.is_bisector || !m_curve.is_curved()
                 || abs(a.left.weight - a.right.weight) <= Tolerance<double>::curvature() * d;
-    m_end = m_is_segment ? 0 : m_curve.angle(a.last);
+    m_end = m_is_segment ? 0 : m_curve.angle_near(a.last);
     m_is_segment = m_is_segment || !(m_end > 0) || !is_better_than_segment(a);
   }
 
@@ -124,25 +124,31 @@ public:
                            {distance(m_first, m_last)})[0];
   }
 
-  // Returns the integrals along the arc: those of the chord, plus those between chord and curve. The latter are taken
-  // relative to the first point, so that no digits are lost. With that origin, x dy - y dx vanishes along the chord,
-  // and the integrals along the curve alone are those over the region between both. A shift of the origin adds the area
-  // times the first point to the integrals of x and y.
-  Border_integrals integrals() const
+  // Returns the integrals over the region between the arc and its chord, relative to the first point; zero for a
+  // segment. Nothing is lost where the arc is short, since with that origin x dy - y dx vanishes along the chord, and
+  // the integrals along the curve alone are those over the region.
+  Border_integrals bulge() const
   {
     if(m_is_segment)
-      return segment_integrals(m_first, m_last);
-    Border_integrals result = segment_integrals(m_first, m_last);
+      return Border_integrals();
     const double chord = distance(m_first, m_last);
     const Values<3> moments = integrals_of<3>([this](const Point& p, const Point& d)
     {
       const double x = p.x - m_first.x, y = p.y - m_first.y, cross = x * d.y - y * d.x;
       return Values<3>{0.5 * cross, x / 3 * cross, y / 3 * cross};
     }, {chord * chord, chord * chord * chord, chord * chord * chord});
-    const double area = moments[0], x = moments[1], y = moments[2];
-    result.area += area;
-    result.x += x + area * m_first.x;
-    result.y += y + area * m_first.y;
+    return Border_integrals{moments[0], moments[1], moments[2]};
+  }
+
+  // Returns the integrals along the arc relative to `origin`: those of the chord, plus the bulge, which is bulge(). A
+  // shift of the origin adds the area times the first point to the integrals of x and y.
+  Border_integrals integrals(const Border_integrals& bulge, const Point& origin) const
+  {
+    const Point first{m_first.x - origin.x, m_first.y - origin.y}, last{m_last.x - origin.x, m_last.y - origin.y};
+    Border_integrals result = segment_integrals(first, last);
+    result.area += bulge.area;
+    result.x += bulge.x + bulge.area * first.x;
+    result.y += bulge.y + bulge.area * first.y;
     return result;
   }
 
@@ -173,13 +179,15 @@ public:
 
 private:
   // Returns whether the curve is closer than the segment to the points of equal distance. Where the two images are so
-  // close to each other that rounding moves the curve as a whole, the curve may end before the last point of the arc.
-  // Three points of both are compared only if it does; a curve that leaves the surroundings of the arc is not better.
+  // close to each other that rounding moves the curve as a whole, the curve may miss the last point of the arc. Three
+  // points of both are compared only if it does; a curve that leaves the surroundings of the arc is not better. Ties:
+  // the segment, if the difference of its distances is rounding; it leads to the last point.
   bool is_better_than_segment(const Arc& a) const
   {
     const double chord = distance(m_first, m_last);
     if(distance(m_curve.point_at_angle(m_end), m_last) <= Tolerance<double>::touching() * chord)
       return true;
+    const double rounding = Tolerance<double>::tie() * a.left.distance_to(m_first);
     double of_curve = 0, of_segment = 0;
     for(const double t : {0.125, 0.5, 0.875})
     {
@@ -190,7 +198,7 @@ private:
       of_segment = (std::max)(of_segment,
                               std::abs(a.left.distance_to(on_segment) - a.right.distance_to(on_segment)));
     }
-    return of_curve < of_segment;
+    return of_curve < of_segment && of_segment > rounding;
   }
 
   Point point_of_segment(double t) const

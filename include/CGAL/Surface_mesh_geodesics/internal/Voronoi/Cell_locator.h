@@ -120,16 +120,16 @@ private:
   }
 
   // Returns the distance of x from a point of an arc, which is the nearest one if x is close to the arc: an end, or the
-  // point in the direction of x from the focus. So the result is never too small: a clearance may be overrated, but no
-  // point is taken for one of an arc that it is not on.
+  // point that Weighted_bisector::angle_near() finds. So the result is never too small: a clearance may be overrated,
+  // but no point is taken for one of an arc that it is not on.
   FT distance_from_arc(const Point& x, const Arc& a) const
   {
     const FT to_ends = (std::min)(distance(x, a.first), distance(x, a.last));
     const Weighted_bisector<FT> curve(a.left, a.right, a.first);
     if(!is_curved(a, curve))
       return (std::min)(to_ends, distance_from_segment(x, a.first, a.last));
-    const FT t = curve.angle(x);
-    return t > 0 && t < curve.angle(a.last) ? (std::min)(to_ends, distance(x, curve.point_at_angle(t))) : to_ends;
+    const FT t = curve.angle_near(x);
+    return t > 0 && t < curve.angle_near(a.last) ? (std::min)(to_ends, distance(x, curve.point_at_angle(t))) : to_ends;
   }
 
   // Returns the best anchor of the first kind in which one has a clearance: corners, points of the border, points of
@@ -160,7 +160,7 @@ private:
   void add_anchor_on_arc(const Arc& a, const FT& t, Anchor& best) const
   {
     const Weighted_bisector<FT> curve(a.left, a.right, a.first);
-    const Point q = is_curved(a, curve) ? curve.point_at_angle(t * curve.angle(a.last))
+    const Point q = is_curved(a, curve) ? curve.point_at_angle(t * curve.angle_near(a.last))
                                         : Point{FT(a.first.x + t * (a.last.x - a.first.x)),
                                                 FT(a.first.y + t * (a.last.y - a.first.y))};
     add_anchor(q, site_toward_p(a, curve, q), &a, best);
@@ -228,7 +228,7 @@ private:
       return;
     }
     using std::atan;
-    const FT end = curve.angle(a.last);
+    const FT end = curve.angle_near(a.last);
     for(const FT& t : curve.side(way).positive_roots())
       if(t < std::numeric_limits<FT>::infinity() && atan(t) <= end)
         meet(curve.point(t));
@@ -253,15 +253,14 @@ private:
          * (std::max)({distance(corner[0], corner[1]), distance(corner[1], corner[2]), distance(corner[2], corner[0])});
   }
 
-  // Returns whether an arc differs from the segment between its ends. The parameters of a hyperbola that is
-  // nearly a ray are too small to tell its ends, and if its images are nearly one point, rounding moves it away from
-  // its ends.
+  // Returns whether an arc differs from the segment between its ends. If its images are nearly one point, rounding
+  // moves the hyperbola away from its ends.
   bool is_curved(const Arc& a, const Weighted_bisector<FT>& curve) const
   {
     using std::abs;
     if(!a.is_bisector || !curve.is_curved())
       return false;
-    const FT end = curve.angle(a.last), chord = distance(a.first, a.last);
+    const FT end = curve.angle_near(a.last), chord = distance(a.first, a.last);
     if(!(distance(curve.point_at_angle(end), a.last) <= Tolerance<FT>::touching() * chord))
       return false;
     const Point middle = curve.point_at_angle(end / 2);

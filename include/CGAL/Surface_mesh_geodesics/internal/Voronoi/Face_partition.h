@@ -386,7 +386,7 @@ private:
     const std::size_t node = m_division.nodes.size();
     m_division.nodes.push_back(Node{v, {f.left, f.right, g.right}, true});
     for(Front* front : {&f, &g})
-      if(!front->cut_at(v) && !do_meet)
+      if(!completion().cut_at(*front, v) && !do_meet)
         completion().lead_to(*front, v);
     finish(f, v, node);
     finish(g, v, node);
@@ -422,7 +422,7 @@ private:
       return finish(g, f.p, f.node);
     if(f.stop == Stop::LOST || !(gap <= images_of_face().joining_distance()))
       ++m_division.number_of_joints;
-    if(!is_touching && !f.cut_at(g.p))
+    if(!is_touching && !completion().cut_at(f, g.p))
       completion().lead_to(f, g.p);
     finish(f, g.p, g.node);
   }

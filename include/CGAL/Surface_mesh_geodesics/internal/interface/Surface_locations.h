@@ -174,6 +174,7 @@ struct Surface_locations
                               VertexPointMap vertex_point_map, const Traits& traits)
   {
     check_size(tree, ray.source());
+    check_direction(ray);
     using Intersection = typename AABB_tree<AABBTraits>::template Intersection_and_primitive_id<Ray_3>::Type;
     std::vector<Intersection> intersections;
     tree.all_intersections(ray, std::back_inserter(intersections));
@@ -210,6 +211,18 @@ private:
       throw Invalid_geodesic_input(Invalid_geodesic_input::Reason::NON_FINITE_POINT,
                                    "the mesh is too large or too small to locate points, or the point is too far away, "
                                    "or a coordinate is not a number");
+  }
+
+  // Throws if the direction of a ray is not a vector of numbers that CGAL's kernels can compute with.
+  static void check_direction(const Ray_3& ray)
+  {
+    if(!std::is_floating_point<FT>::value)
+      return;
+    const auto v = ray.to_vector();
+    for(const double c : {CGAL::to_double(v.x()), CGAL::to_double(v.y()), CGAL::to_double(v.z())})
+      if(!(-largest_size <= c && c <= largest_size)) // also if it is NaN
+        throw Invalid_geodesic_input(Invalid_geodesic_input::Reason::NON_FINITE_POINT,
+                                     "the direction of the ray is too large, or not a number");
   }
 
   // Returns the longest side of a box.

@@ -19,6 +19,7 @@
 
 #include <CGAL/assertions.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -28,7 +29,9 @@ namespace internal {
 
 // Improves a solution p of f(p) = g(p) = 0 by at most four steps of Newton's method, and returns the last point at
 // which |f| + |g| became smaller. residuals(p) returns f, g, and their gradients as (f, g, fx, fy, gx, gy). `size` is
-// the size of the face; a step longer than Tolerance::newton_step() of it is not made.
+// the size of the face; a step longer than Tolerance::newton_step() of it is not made. Neither is one longer than
+// radius(p), the distance from p to the nearest point that distances are measured from: beyond it, the gradients point
+// elsewhere.
 // Requires: both sizes are not negative.
 //
 // f is the difference of the distances from two points. If these are close to each other, the gradient of f vanishes:
@@ -40,8 +43,9 @@ namespace internal {
 //
 // Error: where the method converges, |f| + |g| is at most the rounding of the distances (`precision`). No bound is
 // known for the position, since the two curves may touch.
-template <typename FT, typename Residuals>
-Planar_point<FT> polished_point(Planar_point<FT> p, const FT& size_of_distances, const FT& size, Residuals residuals)
+template <typename FT, typename Residuals, typename Radius>
+Planar_point<FT> polished_point(Planar_point<FT> p, const FT& size_of_distances, const FT& size, Residuals residuals,
+                                Radius radius)
 {
   using std::abs;
   CGAL_assertion(size_of_distances >= 0 && size >= 0);
@@ -60,7 +64,8 @@ Planar_point<FT> polished_point(Planar_point<FT> p, const FT& size_of_distances,
     const FT y = -(r[1] + x * (r[4] * across.x + r[5] * across.y)) / slope;
     const Planar_point<FT> q{FT(p.x + x * across.x + y * along.x), FT(p.y + x * across.y + y * along.y)};
     const std::array<FT, 6> s = residuals(q);
-    if(!(abs(s[0]) + abs(s[1]) < abs(r[0]) + abs(r[1])) || distance(p, q) > Tolerance<FT>::newton_step() * size)
+    const FT longest = (std::min)(FT(Tolerance<FT>::newton_step() * size), FT(radius(p)));
+    if(!(abs(s[0]) + abs(s[1]) < abs(r[0]) + abs(r[1])) || distance(p, q) > longest)
       return p;
     p = q;
     r = s;
@@ -76,6 +81,13 @@ Planar_point<FT> direction_from(const Additively_weighted_point<FT>& from, const
   return n > 0 ? Planar_point<FT>{FT(dx / n), FT(dy / n)} : Planar_point<FT>();
 }
 
+// Returns the distance in the plane, without the weight.
+template <typename FT>
+FT planar_distance(const Additively_weighted_point<FT>& a, const Planar_point<FT>& p)
+{
+  return norm<FT>(p.x - a.x, p.y - a.y);
+}
+
 // Returns the point close to p that is as far from a as from b and from c.
 template <typename FT>
 Planar_point<FT> polished_vertex(const Additively_weighted_point<FT>& a, const Additively_weighted_point<FT>& b,
@@ -87,7 +99,8 @@ Planar_point<FT> polished_vertex(const Additively_weighted_point<FT>& a, const A
     const FT d = a.distance_to(q);
     return std::array<FT, 6>{FT(d - b.distance_to(q)), FT(d - c.distance_to(q)), FT(ua.x - ub.x),
                              FT(ua.y - ub.y), FT(ua.x - uc.x), FT(ua.y - uc.y)};
-  });
+  }, [&](const Planar_point<FT>& q)
+  { return (std::min)({planar_distance(a, q), planar_distance(b, q), planar_distance(c, q)}); });
 }
 
 // Returns the point close to p at which the bisector of a and b intersects the line of h.
@@ -100,7 +113,7 @@ Planar_point<FT> polished_intersection(const Additively_weighted_point<FT>& a, c
     const Planar_point<FT> ua = direction_from(a, q), ub = direction_from(b, q);
     return std::array<FT, 6>{FT(a.distance_to(q) - b.distance_to(q)), h(q), FT(ua.x - ub.x),
                              FT(ua.y - ub.y), h.a, h.b};
-  });
+  }, [&](const Planar_point<FT>& q) { return (std::min)(planar_distance(a, q), planar_distance(b, q)); });
 }
 
 // Returns the line through p perpendicular to the bisector of a and b: its direction is the gradient of the difference

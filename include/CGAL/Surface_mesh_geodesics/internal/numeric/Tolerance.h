@@ -256,6 +256,10 @@ struct Tolerance
   // Relative to the sum of the squares of the sides: a triangle with a smaller area has none.
   static FT area() { return 4 * epsilon(); }
 
+  // Relative to the square of the extent of the mesh: the sum of a smaller area has lost 20 bits in the layouts of
+  // faces, and is taken relative to a point of the cell.
+  static FT tiny_area() { return FT(1) / (1 << 20); }
+
   // Relative to what is integrated along a curve, if its chord were all of it: if halving an interval changes less, it
   // is not halved any more.
   static FT quadrature() { return 512 * epsilon(); }

@@ -284,6 +284,35 @@ public:
     return atan2(across, FT(norm(along, across) + along));
   }
 
+  // Returns half the angle of the point of the curve that is in the direction of p from F, or as far from F as p is:
+  // of the one nearer to p. For p on the curve, both are p. But where the two foci are close to each other and p is far
+  // away, the curve runs nearly toward F: all of it has nearly one direction, and only the distance tells where p is.
+  // (At d from each other and r from p, an angle that errs by epsilon() moves the point by epsilon() r^2 / d.)
+  // Formula: 1 + t^2 - |p - F| w(t) = 0, where the constant term is (r - |p - F|) / r. Ties: the direction, also
+  // if its point is p up to Tolerance::interval(). Requires: is_curved().
+  FT angle_near(const Point& p) const
+  {
+    using std::atan;
+    using std::tan;
+    FT best = angle(p);
+    FT smallest = distance(p, point(tan(best)));
+    const FT radius = distance(p, Point{m_focus.x, m_focus.y});
+    if(!(smallest > Tolerance<FT>::interval() * radius))
+      return best;
+    const Quadratic<FT>& w = m_denominator;
+    for(const FT& t : Quadratic<FT>{FT((m_radius - radius) / m_radius), FT(-radius * w.c1), FT(1 - radius * w.c2)}
+                        .positive_roots())
+    {
+      const FT d = t < std::numeric_limits<FT>::infinity() ? distance(p, point(t)) : smallest;
+      if(d < smallest)
+      {
+        best = atan(t);
+        smallest = d;
+      }
+    }
+    return best;
+  }
+
   // Returns the point at half an angle, the inverse of angle().
   Point point_at_angle(const FT& angle) const
   {

@@ -14,7 +14,7 @@
 // vertex of the diagram inside, and advances into the face until it meets the cell of a third site or another front.
 //
 // Life of a front: Face_partition makes it at a node. Front_tracer::trace() fills in the result, and does so again if
-// the cell that the front has met does not count any more. When it is known where the front ends, cut_at() or
+// the cell that the front has met does not count any more. When it is known where the front ends,
 // Front_completion shortens or extends the pieces to that point, and Face_partition::finish() makes arcs of them.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
@@ -123,19 +123,6 @@ struct Cell_front
       from = piece.end;
     }
     return none;
-  }
-
-  // Ends the front at v if a piece leads through v, and returns whether it does. (Where two sites nearly tie, a trace
-  // may have met a third cell behind the vertex v.) Drops the pieces behind that one.
-  bool cut_at(const Point& v)
-  {
-    const std::size_t i = piece_through(v);
-    if(i == none)
-      return false;
-    pieces.resize(i + 1);
-    pieces.back().end = v;
-    stop = Front_stop::OUTSIDE; // the way is known up to v, so that the front is not lost
-    return true;
   }
 };
 

@@ -64,6 +64,21 @@ public:
     f.stop = Front_stop::OUTSIDE;
   }
 
+  // Ends the front at v if a piece leads through v and its images are still the nearest ones there; returns whether
+  // that is so. (Where two sites nearly tie, a trace may have met a third cell behind the vertex v. Two images that
+  // nearly coincide are equally far from points at some distance from their curve, too, which other paths may reach
+  // first.) Drops the pieces behind that one.
+  bool cut_at(Front& f, const Point& v) const
+  {
+    const std::size_t i = f.piece_through(v);
+    if(i == Front::none || !(is_nearest_at(f, f.pieces[i].left, v) && is_nearest_at(f, f.pieces[i].right, v)))
+      return false;
+    f.pieces.resize(i + 1);
+    f.pieces.back().end = v;
+    f.stop = Front_stop::OUTSIDE; // the way is known up to v, so that the front is not lost
+    return true;
+  }
+
   // Lets a front that has not found its way to v go straight to it, from where it has been closest: drops the pieces
   // behind that point. If the point touches v, the last piece may be drawn on to v; otherwise segments have to be
   // added.

@@ -152,7 +152,8 @@ public:
   // Finds where the image g, of index `index`, becomes nearer than `left`, one of the two images of the curve, at
   // points that g sees. `at_start` is the distance by `left` at the start of the curve. g has to be nearer beyond
   // rounding (Tolerance::nearer()), on a part of the curve longer than `width`. If `has_been_left` is set, g does not
-  // become nearer at the start of the curve: otherwise rounding could lead from one image to the other and back.
+  // become nearer at the start of the curve, but farther on (first_clear_parameter()): otherwise rounding could lead
+  // from one image to the other and back.
   //
   // The roots of the polynomials of g (Challenge) divide the curve up to the event; g takes over at the start of the
   // first part that is_taken_over_between() accepts. Takes constant time; most images are rejected by may_take_over()
@@ -169,10 +170,11 @@ public:
     for(const FT& to : m_roots)
       if(from < to)
       {
-        if((from > 0 || !has_been_left) && is_taken_over_between(from, to, left, g, c))
+        if(is_taken_over_between(from, to, left, g, c))
         {
-          set(Event::NEARER, from, index, m_event.line);
-          m_event.reach = m_curve->reach(from);
+          const FT t = from > 0 || !has_been_left ? from : first_clear_parameter(to, left, g);
+          set(Event::NEARER, t, index, m_event.line);
+          m_event.reach = m_curve->reach(t);
           return;
         }
         from = to;
@@ -261,6 +263,18 @@ private:
     return c.nearer(middle) > 0 && (!g.has_cone || (c.in_left(middle) > 0 && c.in_right(middle) > 0))
         && is_nearer(g.point, left.point, m_curve->point(middle))
         && distance(m_curve->point(from), m_curve->point(to)) > m_width;
+  }
+
+  // Returns a parameter between the start of the curve and `to` at which g is nearer than `left` beyond rounding, while
+  // at half of it g is not, or has not moved from the start. So the images err by little more than rounding where they
+  // are used up to there. Requires: is_taken_over_between() holds from 0 to `to`.
+  FT first_clear_parameter(const FT& to, const Image& left, const Image& g) const
+  {
+    FT t = to / 2;
+    for(Point p = m_curve->point(t / 2);
+        distance(p, m_curve->start()) > m_width && is_nearer(g.point, left.point, p); p = m_curve->point(t / 2))
+      t = t / 2;
+    return t;
   }
 
   const Bisector* m_curve = nullptr;

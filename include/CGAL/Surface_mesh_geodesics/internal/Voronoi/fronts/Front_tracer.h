@@ -41,6 +41,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -308,9 +309,26 @@ private:
     }
     // Two images of one site may be so close to each other that the position along the curve is not well known: then
     // the point moves only across the curve.
-    if(event.kind == Event::NEARER || event.kind == Event::IMPRECISE)
+    if(event.kind == Event::IMPRECISE)
       return polished_intersection(left, right, line_across(left, right, p), p, m_images.size());
+    if(event.kind == Event::NEARER)
+      return equidistant_point(left, right, image(event.index).point, p);
     return polished_intersection(left, right, event.line, p, m_images.size());
+  }
+
+  // Returns where another image g of one of the two sites takes over, close to p: on the curve of `left` and `right`.
+  // If these two are close to each other, rounding may move the point across the curve so far that g is not as near as
+  // they are; then the point is refined once more, along the curve.
+  Point equidistant_point(const Additively_weighted_point<FT>& left, const Additively_weighted_point<FT>& right,
+                          const Additively_weighted_point<FT>& g, const Point& p) const
+  {
+    using std::abs;
+    const Point q = polished_intersection(left, right, line_across(left, right, p), p, m_images.size());
+    const auto gap = [&](const Point& x) { return FT(abs(FT(g.distance_to(x) - left.distance_to(x)))); };
+    if(!(gap(q) > Tolerance<FT>::bisector() * left.distance_to(q)))
+      return q;
+    const Point v = polished_vertex(left, right, g, q, m_images.size());
+    return m_images.is_in_face(v) && gap(v) < gap(q) ? v : q;
   }
 
   // Changes f to what follows the event at its end: another image of one of its sites, or the end of the trace.
