@@ -100,9 +100,9 @@ same time as any other function of the object.
 arena of the calling thread, as in `Surface_mesh_geodesics::geodesic_distances()`. They also cut the faces that curves
 cross, while one of them at a time removes redundant windows and divides edges. So a diagram gains less from many
 threads than distances do. Queries are answered in the calling thread. Vertices, arcs and edges and their order do not
-depend on the number of threads, down to the last bit. From those with `Sequential_tag` they may differ by rounding and in their
-order. The calling thread calls the functions of a visitor, less often than with `Sequential_tag`. `Parallel_tag` needs
-TBB.
+depend on the number of threads, down to the last bit. From those with `Sequential_tag` they may differ by rounding and
+in their order. The calling thread calls the functions of a visitor, less often than with `Sequential_tag`.
+`Parallel_tag` needs TBB.
 
 <b>Differences from `Surface_mesh_geodesic_paths`.</b> Both classes follow the rule above. The other class keeps to the
 interface of `Surface_mesh_shortest_path`; its reference page lists where it therefore differs from a diagram.

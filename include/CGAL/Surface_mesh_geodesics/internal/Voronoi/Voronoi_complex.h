@@ -322,13 +322,8 @@ private:
       return m_edge_nodes.find(h)->first;
     for(const Edge_breakpoint<FT>& e : breakpoints)
     {
-      Node node;
-      node.face = face_of(h);
-      node.point = point_on_edge(h, e.x);
-      node.abscissa = e.x;
-      node.distance = 0; // add_division() sets it with the arcs
-      node.sites = {e.before, e.after, null_id};
-      m_nodes.push_back(node);
+      m_nodes.emplace_back(face_of(h), point_on_edge(h, e.x), std::array<Vertex_id, 3>{e.before, e.after, null_id});
+      m_nodes.back().abscissa = e.x;
     }
     return first;
   }
@@ -426,12 +421,7 @@ private:
     for(std::size_t i = node_of.size(); i < division.nodes.size(); ++i)
     {
       node_of.push_back(static_cast<std::uint32_t>(m_nodes.size()));
-      Node node;
-      node.face = f;
-      node.point = division.nodes[i].p;
-      node.sites = division.nodes[i].sites;
-      node.distance = 0;
-      m_nodes.push_back(node);
+      m_nodes.emplace_back(f, division.nodes[i].p, division.nodes[i].sites);
     }
     const std::uint32_t first = static_cast<std::uint32_t>(m_arcs.size());
     for(const Face_arc<FT>& a : division.arcs)

@@ -59,13 +59,17 @@ struct Voronoi_node
   Face_id face; // a face that the node is in, and its point in the layout of that face
   Planar_point<FT> point;
   FT abscissa = 0; // on its edge if it is on one, from the source of the halfedge with the smaller index
-  FT distance;     // from the nearest sites
+  FT distance = 0; // from the nearest sites; set with the arcs
   // Counterclockwise; the last one is null_id unless three cells meet. On an edge: the site before the node and the one
   // behind it, along the halfedge with the smaller index.
   std::array<Vertex_id, 3> sites;
   // The arcs that end here, in the order in which they were added; null_id follows the last one. A node with one arc is
   // at the border of the mesh, once all faces have been added.
   std::array<std::uint32_t, 3> arc{null_id, null_id, null_id};
+
+  Voronoi_node(Face_id face, const Planar_point<FT>& point, const std::array<Vertex_id, 3>& sites)
+    : face(face), point(point), sites(sites)
+  {}
 
   bool is_vertex() const { return sites[2] != null_id; }
 };

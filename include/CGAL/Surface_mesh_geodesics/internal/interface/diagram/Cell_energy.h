@@ -113,7 +113,7 @@ private:
     {
       const auto& arc = complex.arcs()[a];
       const Arc_curve curve(arc);
-      const Border_integrals first = curve.integrals();
+      const Border_integrals first = curve.integrals(curve.bulge(), Point());
       const Second_integrals second = curve.second_integrals();
       part(arc.left_site).first.add(first);
       part(arc.left_site).second.add(second);

@@ -348,6 +348,7 @@ public:
   }
 
 private:
+  // What propagates and makes the complex: with Parallel_tag, all threads divide the faces.
   using Building
     = Diagram_propagation<double, std::is_same<typename Available_tag<ConcurrencyTag>::type, Parallel_tag>::value>;
   using Measures = Voronoi_cell_measures;
