@@ -20,7 +20,7 @@ CSV_FILES = {
     "paths": "paths_against_shortest_path.csv", "heat_method": "against_heat_method.csv",
     "Voronoi_diagram": "voronoi.csv"} | {name: name + ".csv" for name in (
     "face_queries", "certified_meshes", "growth", "anisotropy", "sources", "reach", "rules", "schedulers",
-    "flat_vertices", "threads", "phases", "matrix", "python")}
+    "flat_vertices", "threads", "phases", "matrix", "uses_of_diagrams", "python")}
 
 # The picture in the manual -> the results that it shows; draw_plots.py draws it.
 PLOTS = {"plot_ratios.svg": "all_meshes", "plot_growth.svg": "growth"}
@@ -229,6 +229,11 @@ TABLES = {
     "phases": table("phases", MESH, FACES, "run, ms: run_ms ~", "serial share: serial_share .2",
         "2 threads: predicted_2 ~", "4: predicted_4 ~", "8: predicted_8 ~", "16: predicted_16 ~",
         "64: predicted_64 ~"),
+    "uses_of_diagrams": table("uses_of_diagrams", MESH, FACES, "sites: sites", "distances, ms: distances_ms",
+        "labels, ms: labels_ms", "diagram, ms: diagram_ms", "two threads, ms: two_threads_ms",
+        "ten iterations, ms: relaxation_ms", "certificate, ms: certificate_ms",
+        "diagram / distances: diagram_over_distances .1", "two threads: speedup .1",
+        "ten iterations / diagram: relaxation_over_diagram .1", "certificate / diagram: certificate_over_diagram .1"),
     "python": table("python", MESH, FACES, "call: call $", "C++, ms: cpp_ms ~", "Python, ms: python_ms ~",
         "Python / C++: ratio .2"),
     "matrix": table("matrix", "matrix: matrix $", "rows: rows $", "threads: threads $", "ms per row: ms_per_row ~",

@@ -1,8 +1,9 @@
 // What a diagram costs beside the distances, and what costs as much as some diagrams: labels, a diagram by two threads,
 // ten iterations of the relaxation, a certificate. Prints one line of comma separated values per mesh and number of
 // sites. Times are elapsed times of the whole calls, with reading the mesh: the machine must be idle. The calls of one
-// row alternate, and ratios are medians of the ratios of adjacent calls. The sites are random vertices. Without TBB
-// (CGAL_LINKED_WITH_TBB), the columns of two threads are empty.
+// row alternate, and ratios are medians of the ratios of adjacent calls. The sites are random vertices. With
+// --short yes, the relaxation and the certificate are left out. Without TBB (CGAL_LINKED_WITH_TBB), the columns of two
+// threads are empty.
 
 #include "runs_in_process.h"
 #include "thread_counts.h"
@@ -100,7 +101,8 @@ private:
   Benchmark_mesh::Property_map<Benchmark_vertex, std::size_t> m_labels;
 };
 
-void print_row(const Settings& settings, const std::string& file, Benchmark_mesh& mesh, std::size_t sites)
+void print_row(const Settings& settings, const std::string& file, Benchmark_mesh& mesh, std::size_t sites,
+               bool is_short)
 {
   Calls calls(mesh, sites);
   std::array<std::vector<double>, number_of_calls> times;
@@ -108,7 +110,8 @@ void print_row(const Settings& settings, const std::string& file, Benchmark_mesh
   {
     for(std::size_t c = 0; c < number_of_calls; ++c)
     {
-      times[c].push_back(calls.time(static_cast<Call>(c)));
+      const bool is_left_out = is_short && (c == RELAXATION || c == CERTIFICATE);
+      times[c].push_back(is_left_out ? std::numeric_limits<double>::quiet_NaN() : calls.time(static_cast<Call>(c)));
     }
   }
   const auto ratio = [&](Call a, Call b) { return cell(median_ratio(times[a], times[b]), 2); };
@@ -128,7 +131,13 @@ int main(int argc, char* argv[])
 {
   Settings settings;
   std::vector<std::size_t> numbers_of_sites{30, 1000, 2000};
+  bool is_short = false;
   const auto read_option = [&](const std::string& option, const std::string& value) {
+    if(option == "--short")
+    {
+      is_short = value == "yes";
+      return is_short || value == "no";
+    }
     if(option != "--sites")
     {
       return false;
@@ -138,7 +147,7 @@ int main(int argc, char* argv[])
   };
   if(!read_settings(argc, argv, settings, read_option))
   {
-    return usage(argv[0], " mesh...   (--sites N: 30, 1000 and 2000 if not given; --subdivide K)");
+    return usage(argv[0], " mesh...   (--sites N: 30, 1000 and 2000 if not given; --short yes; --subdivide K)");
   }
   print_head(settings, "diagrams and what uses them, elapsed times of whole calls",
              "mesh,subdivisions,faces,sites,distances_ms,labels_ms,diagram_ms,two_threads_ms,relaxation_ms,"
@@ -153,7 +162,7 @@ int main(int argc, char* argv[])
     }
     for(const std::size_t sites : numbers_of_sites)
     {
-      print_row(settings, file, mesh, sites);
+      print_row(settings, file, mesh, sites, is_short);
     }
   }
   return EXIT_SUCCESS;

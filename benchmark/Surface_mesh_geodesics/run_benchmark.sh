@@ -101,7 +101,8 @@ if [ -z "$programs" ]; then
   [ "$heat" = no ] || targets+=(benchmark_against_heat_method)
   [ "$questions" = no ] || targets+=(benchmark_growth benchmark_anisotropy benchmark_sources benchmark_reach
                                      benchmark_rules benchmark_schedulers benchmark_flat_vertices
-                                     benchmark_face_queries benchmark_threads benchmark_phases benchmark_matrix)
+                                     benchmark_face_queries benchmark_threads benchmark_phases benchmark_matrix
+                                     benchmark_uses_of_diagrams)
   [ "$python" = no ] || targets+=(benchmark_python)
   [ "$certify" = no ] || targets+=(benchmark_certification)
   [ "${#targets[@]}" -gt 0 ] || { usage >&2; exit 1; }
@@ -355,6 +356,9 @@ if [ "$questions" = yes ]; then
   # These measure wall-clock time: the machine must be idle.
   ask threads --subdivide 2 "$meshes/bunny00.off"
   ask phases --subdivide 2 "$meshes/bunny00.off"
+  ask uses_of_diagrams "$meshes/bunny00.off" "$meshes/armadillo.off" "$meshes/refined_elephant.off"
+  "$programs/benchmark_uses_of_diagrams" --repetitions 3 --no-header --short yes --subdivide 2 "$meshes/bunny00.off" \
+    | tee -a "$build/uses_of_diagrams.csv" >&2
   ask matrix --rows 64 "$meshes/bunny00.off"
 fi
 
