@@ -477,7 +477,7 @@ void points_are_located_or_rejected(std::uint64_t seed)
   // Rays, whose directions have to be numbers as well.
   const double infinity = std::numeric_limits<double>::infinity();
   const Kernel::Point_3 above(2.2, 2.3, 10.);
-  for(const double down : {-1e-60, -1., -1e60})
+  for(const double down : {-1e-6, -1., -1e60})
   {
     const Face_location location = paths.locate<AABB_traits>(Kernel::Ray_3(above, Kernel::Vector_3(0, 0, down)));
     CHECK(location.first != Mesh::null_face());
