@@ -358,8 +358,6 @@ if [ "$questions" = yes ]; then
   ask phases --subdivide 2 "$meshes/bunny00.off"
   "$programs/benchmark_uses_of_diagrams" --repetitions 5 --flags "$flags" "$meshes/bunny00.off" \
     "$meshes/armadillo.off" "$meshes/refined_elephant.off" | tee "$build/uses_of_diagrams.csv" >&2
-  "$programs/benchmark_uses_of_diagrams" --repetitions 3 --no-header --short yes --subdivide 2 "$meshes/bunny00.off" \
-    | tee -a "$build/uses_of_diagrams.csv" >&2
   ask matrix --rows 64 "$meshes/bunny00.off"
 fi
 
