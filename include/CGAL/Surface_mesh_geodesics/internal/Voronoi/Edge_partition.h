@@ -217,9 +217,9 @@ private:
     FT first, last, at_first, slope;
 
     // Requires: first <= last.
-    Chord(const Image& c, const FT& first, const FT& last)
-      : first(first), last(last), at_first(c.distance_at(first)),
-        slope(first < last ? FT((c.distance_at(last) - at_first) / (last - first)) : FT(0))
+    Chord(const Image& c, const FT& from, const FT& to)
+      : first(from), last(to), at_first(c.distance_at(from)),
+        slope(from < to ? FT((c.distance_at(to) - at_first) / (to - from)) : FT(0))
     {
       CGAL_assertion(first <= last);
     }

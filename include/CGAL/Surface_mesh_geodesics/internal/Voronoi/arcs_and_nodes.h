@@ -67,8 +67,8 @@ struct Voronoi_node
   // at the border of the mesh, once all faces have been added.
   std::array<std::uint32_t, 3> arc{null_id, null_id, null_id};
 
-  Voronoi_node(Face_id face, const Planar_point<FT>& point, const std::array<Vertex_id, 3>& sites)
-    : face(face), point(point), sites(sites)
+  Voronoi_node(Face_id f, const Planar_point<FT>& p, const std::array<Vertex_id, 3>& its_sites)
+    : face(f), point(p), sites(its_sites)
   {}
 
   bool is_vertex() const { return sites[2] != null_id; }
