@@ -19,14 +19,33 @@ fail()
   exit 1
 }
 
+# A tree of CGAL has a list of named parameters: that of the installed CGAL.
+parameters=STL_Extension/include/CGAL/STL_Extension/internal/parameters_interface.h
+installed=$(echo '#include <CGAL/Named_function_parameters.h>' | "${CXX:-g++}" -std=c++17 -M -x c++ - \
+  | tr ' ' '\n' | grep 'STL_Extension/internal/parameters_interface\.h$' | head -n 1)
+[ -f "$installed" ] || fail "the compiler does not find the list of named parameters of CGAL"
+mkdir -p "$tree/$(dirname "$parameters")"
+cp "$installed" "$tree/$parameters"
+
 # Lays it out twice, because a second call must replace the first one.
-options=(--owner "A & B | C (Utopia)" --since 9.9)
+options=(--owner "A & B | C (Utopia)" --maintainer "M & N <m@example.org>" --since 9.9)
 bash "$root/scripts/lay_out_in_cgal.sh" "$tree" > "$work/first.txt"
 bash "$root/scripts/lay_out_in_cgal.sh" "${options[@]}" "$tree" > "$work/second.txt"
 diff <(grep -v '^Missing: ' "$work/first.txt") "$work/second.txt"
-[ "$(grep -c '^Missing: ' "$work/first.txt")" = 2 ] || fail "the script does not name the missing options"
+empty=$(grep -cE '^[a-z]+: *$' "$root/doc/submission/placeholders.txt" || true)
+[ "$(grep -c '^Missing: ' "$work/first.txt")" = "$empty" ] || fail "the script does not name the missing options"
 [ "$(grep -c "^$package " "$tree/Installation/include/CGAL/license/gpl_package_list.txt")" = 1 ] \
   || fail "the list of licenses does not have exactly one line for the package"
+
+# Each named parameter is in the list once, behind the lines that were there. An empty tree gets the lines as well.
+list=$root/include/CGAL/$package/internal/interface/parameters/geodesic_parameters_interface.h
+names_of() { sed -nE 's/^CGAL_add_\w+\(.*, *(\w+) *\)$/\1/p' "$1"; }
+bash "$root/scripts/lay_out_in_cgal.sh" "$work/empty" > /dev/null
+diff <(names_of "$list") <(names_of "$work/empty/$parameters")
+for name in $(names_of "$list"); do
+  [ "$(names_of "$tree/$parameters" | grep -cx "$name")" = 1 ] || fail "$parameters does not have $name exactly once"
+done
+diff "$installed" <(head -n "$(wc -l < "$installed")" "$tree/$parameters")
 
 # A clone of this repository is not replaced, although it has the name of the package.
 clone=$work/above/$package
@@ -37,7 +56,8 @@ bash "$root/scripts/lay_out_in_cgal.sh" "$work/above" > /dev/null 2> "$work/reje
 
 # All headers are there, and are marked as a part of CGAL.
 headers_below() { (cd "$1" && find . -name '*.h' | LC_ALL=C sort); }
-diff <(headers_below "$root/include") \
+stand_ins='/(Parameter_sequence|geodesic_parameters(_interface)?)\.h$'
+diff <(headers_below "$root/include" | grep -vE "$stand_ins") \
   <(cat <(headers_below "$tree/$package/include") <(headers_below "$tree/Installation/include") | LC_ALL=C sort)
 mark='This file is part of CGAL (www.cgal.org).'
 grep -rL --include='*.h' "$mark" "$tree/$package/include" "$tree/Installation" > "$work/unmarked.txt" || true
@@ -48,6 +68,8 @@ owner='^// Copyright (c) [0-9-]*  A & B | C (Utopia)\.$'
 grep -rL --include='*.h' "$owner" "$tree/$package/include" "$tree/Installation" > "$work/others.txt" || true
 [ ! -s "$work/others.txt" ] || fail "another owner: $(cat "$work/others.txt")"
 grep -qxF 'A & B | C (Utopia)' "$tree/$package/package_info/$package/copyright" || fail "package_info: another owner"
+grep -qxF 'M & N <m@example.org>' "$tree/$package/package_info/$package/maintainer" \
+  || fail "package_info: another maintainer"
 grep -qxF '\cgalPkgSince{9.9}' "$tree/$package/doc/$package/PackageDescription.txt" || fail "another first version"
 
 # No file mentions what only this repository has: its scripts, its build folder, its folder of the program.
@@ -74,9 +96,14 @@ for header in "$tree/$package/include/CGAL/$package"/*.h; do
     || fail "doc/submission/specification.md does not name $(basename "$header")"
 done
 
-# An example, as a user of that CGAL has it.
+# No file mentions what stands in for CGAL's list.
+! grep -rnE 'Parameter_sequence|Sequence_end|geodesic_parameters' "$tree/$package" > "$work/stand_ins.txt" \
+  || fail "mentions of stand-ins: $(cat "$work/stand_ins.txt")"
+
+# An example, as a user of that CGAL has it, and the test of named parameters.
 example=$tree/$package/examples/$package
-"${CXX:-g++}" -std=c++17 -O0 -frounding-math -I"$tree/$package/include" -I"$tree/Installation/include" \
+includes=(-I"$tree/$package/include" -I"$tree/Installation/include" -I"$tree/STL_Extension/include")
+"${CXX:-g++}" -std=c++17 -O0 -frounding-math "${includes[@]}" \
   "$example/several_sources.cpp" -o "$work/several_sources" -lgmp -lmpfr -pthread
 (cd "$example" && "$work/several_sources") > "$work/several_sources.txt"
 grep -q '^source 0 is the nearest one of [1-9]' "$work/several_sources.txt" || fail "the example prints something else"

@@ -127,6 +127,8 @@ libraries=(-- -lgmp -lmpfr)
 printf '| platform | headers | answers |\n|---|---|---|\n'
 row "g++ $(g++ -dumpfullversion)" direct g++ -frounding-math "${libraries[@]}"
 row "g++-11" direct g++-11 -frounding-math "${libraries[@]}"
+row "g++, one instruction set" direct g++ -frounding-math -DCGAL_SURFACE_MESH_GEODESICS_ONE_INSTRUCTION_SET \
+  "${libraries[@]}"
 row "g++, one lane" direct g++ -frounding-math -DCGAL_SURFACE_MESH_GEODESICS_NO_SIMD "${libraries[@]}"
 row "g++, -march=native" direct g++ -frounding-math -march=native -ffp-contract=off "${libraries[@]}"
 row "clang++-14" direct clang++-14 "${libraries[@]}"

@@ -348,7 +348,87 @@ def rooms():
     return picture
 
 
-FIGURES = (window, pairs_of_windows, rule_1, wavefront, redundant_windows, arc_in_face, rooms)
+def is_blocked(x, y):
+    """The squares of the floor of the example paths_around_obstacles."""
+    return ((x == 9 and y not in (3, 4)) or (x == 19 and y != 15) or (x == 4 and 8 <= y <= 11)
+            or (13 <= x <= 15 and 9 <= y <= 10) or (x == 24 and y in (6, 12)))
+
+
+def shortest_way(nodes, start, end, neighbors):
+    """The shortest way in a graph of points, by Dijkstra's method without a queue."""
+    length, before, waiting = {start: 0}, {}, set(nodes) | {start, end}
+    while waiting:
+        p = min(waiting, key=lambda q: (length.get(q, math.inf), q))
+        waiting.remove(p)
+        if p == end:
+            break
+        for q in neighbors(p):
+            if q in waiting and length[p] + math.dist(p, q) < length.get(q, math.inf) - 1e-9:
+                length[q], before[q] = length[p] + math.dist(p, q), p
+    way = [end]
+    while way[-1] != start:
+        way.append(before[way[-1]])
+    return way[::-1]
+
+
+def obstacles():
+    """The exact way around walls and pillars, and the way through the centers of edges."""
+    columns, rows = 30, 20
+    squares = [(x, y) for x in range(columns) for y in range(rows)]
+    blocked = [s for s in squares if is_blocked(*s)]
+    picture = Picture(-0.6, -0.6, columns + 0.6, rows + 0.6, 24)
+
+    def crosses(p, q, square):
+        """Whether a segment meets the inside of a square, which goes on beyond the border of the floor."""
+        first, last = 0.0, 1.0
+        for a, b, place, size in ((p[0], q[0], square[0], columns), (p[1], q[1], square[1], rows)):
+            low, high = place - (place == 0) + 1e-9, place + 1 + (place + 1 == size) - 1e-9
+            if a == b:
+                if not low < a < high:
+                    return False
+                continue
+            ends = sorted(((low - a) / (b - a), (high - a) / (b - a)))
+            first, last = max(first, ends[0]), min(last, ends[1])
+        return first < last
+
+    corners = sorted({(x + i, y + j) for x, y in blocked for i in (0, 1) for j in (0, 1)})
+    corners = [c for c in corners if sum(is_blocked(c[0] - i, c[1] - j) for i in (0, 1) for j in (0, 1)) == 1
+               and 0 < c[0] < columns and 0 < c[1] < rows]
+
+    def visible_from(p):
+        return [q for q in corners + ends if q != p and not any(crosses(p, q, s) for s in blocked)]
+
+    # The graph of the centers of edges: those of one triangle are neighbors.
+    around = {}
+    for x, y in squares:
+        if not is_blocked(x, y):
+            for triangle in (((x, y), (x + 1, y), (x + 1, y + 1)), ((x, y), (x + 1, y + 1), (x, y + 1))):
+                middles = [between(triangle[k], triangle[(k + 1) % 3], 0.5) for k in range(3)]
+                for place in middles + list(triangle):
+                    around.setdefault(place, set()).update(middles)
+    for end in ((columns, 0), (columns, rows)):
+        for place in sorted(around[end]):
+            around[place] = around[place] | {end}
+
+    picture.polygon([(0, 0), (columns, 0), (columns, rows), (0, rows)], "none", "black", 1.5)
+    for x, y in blocked:
+        picture.polygon([(x, y), (x + 1, y), (x + 1, y + 1), (x, y + 1)], GRAY, GRAY, 1)
+    for x, y in squares:
+        if not is_blocked(x, y):
+            picture.polygon([(x, y), (x + 1, y), (x + 1, y + 1)], "none", LIGHT_GRAY, 0.7)
+            picture.polygon([(x, y), (x + 1, y + 1), (x, y + 1)], "none", LIGHT_GRAY, 0.7)
+    start = (0, 0)
+    for end in ((columns, 0), (columns, rows)):
+        ends = [start, end]
+        centers = [place for place in around if place[0] % 1 or place[1] % 1]
+        picture.curve(shortest_way(centers, start, end, lambda p: sorted(around[p])), ORANGE, 2, dashes="6,4")
+        picture.curve(shortest_way(corners, start, end, visible_from), BLUE, 3)
+        picture.dot(end)
+    picture.dot(start)
+    return picture
+
+
+FIGURES = (window, pairs_of_windows, rule_1, wavefront, redundant_windows, arc_in_face, rooms, obstacles)
 
 
 def main(arguments):

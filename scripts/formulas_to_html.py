@@ -20,9 +20,10 @@ TOKEN = re.compile(r"\s*(\\[A-Za-z]+|\d+(?:\.\d+)?|.)", re.DOTALL)
 RELATIONS = {"=": "=", "<": "&lt;", ">": "&gt;", "\\le": "≤", "\\leq": "≤", "\\ge": "≥", "\\geq": "≥", "\\in": "∈",
              "\\approx": "≈"}
 OPERATORS = {"+": "+", "-": "−", "\\cdot": "·", "\\pm": "±"}
-SYMBOLS = {"\\pi": "π", "\\epsilon": "ε", "\\sigma": "σ", "\\delta": "δ", "\\mu": "μ", "\\ldots": "…", "\\log": "log ",
+SYMBOLS = {"\\pi": "π", "\\epsilon": "ε", "\\sigma": "σ", "\\delta": "δ", "\\mu": "μ",
+           "\\alpha": "α", "\\Theta": "Θ", "\\ldots": "…", "\\log": "log ",
            "\\left": "", "\\right": "", ",": ", "}
-PLAIN = set("()|/'.")
+PLAIN = set("()[]|/'.")
 
 
 class Formula:

@@ -3,10 +3,12 @@
 # demo, benchmark, doc and package_info in TREE/Surface_mesh_geodesics. The script makes all necessary changes, so that
 # nobody renames or edits files by hand, and leaves out what CGAL has no place for. The tree may be a clone of CGAL or
 # an empty folder; a second call replaces what the first one has laid out.
-# usage: lay_out_in_cgal.sh [--owner "NAME (COUNTRY)"] [--since VERSION] TREE
+# usage: lay_out_in_cgal.sh [--owner "NAME (COUNTRY)"] [--maintainer "NAME <ADDRESS>"] [--since VERSION] TREE
 #        lay_out_in_cgal.sh --list    prints the files of the package, relative to the tree
 #   --owner    the owner of the copyright, in the form of CGAL's headers; goes into them and into package_info/
+#   --maintainer    goes into package_info/
 #   --since    the first version of CGAL with the package; goes into the package description
+# Without an option, its value in doc/submission/placeholders.txt is used.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 package=Surface_mesh_geodesics
@@ -17,11 +19,18 @@ usage()
   sed -n '/^# usage/,/^[^#]/s/^# \?//p' "${BASH_SOURCE[0]}"
 }
 
-owner=
-since=
+# placeholder NAME: its value in the list of placeholders, which may be empty
+placeholder()
+{
+  sed -nE "s/^$1: *(.*[^ ]) *\$/\1/p" "$root/doc/submission/placeholders.txt"
+}
+owner=$(placeholder owner)
+maintainer=$(placeholder maintainer)
+since=$(placeholder since)
 while [ $# -gt 1 ]; do
   case "$1" in
     --owner) owner=$2 ;;
+    --maintainer) maintainer=$2 ;;
     --since) since=$2 ;;
     *) break ;;
   esac
@@ -88,9 +97,31 @@ if ! grep -qs "^$package " "$list"; then
   echo "$package $title" >> "$list"
 fi
 
+# The named parameters become lines of CGAL's list, each once; some versions of CGAL have one of them. The files that
+# stand in for that list are left out, with the lines that include them.
+parameters=$target/include/CGAL/$package/internal/interface/parameters
+cgal_list=$tree/STL_Extension/include/CGAL/STL_Extension/internal/parameters_interface.h
+mkdir -p "$(dirname "$cgal_list")"
+[ -e "$cgal_list" ] || touch "$cgal_list"
+mark="// List of named parameters used in the package '$package'"
+sed -nE 's/^CGAL_add_named_parameter(_of_newer_CGAL)?(\(.*\))$/CGAL_add_named_parameter\2/p' \
+  "$parameters/geodesic_parameters_interface.h" | while read -r line; do
+  # the name of the function, which is the last word
+  name=$(sed -E 's/.*, *(\w+)\)$/\1/' <<< "$line")
+  grep -qE "^ *CGAL_add_\w*\(.*, *$name *\)" "$cgal_list" && continue
+  grep -qxF "$mark" "$cgal_list" || printf '\n%s\n' "$mark" >> "$cgal_list"
+  echo "$line" >> "$cgal_list"
+done
+rm "$parameters/geodesic_parameters_interface.h" "$parameters/Parameter_sequence.h" \
+  "$target/include/CGAL/$package/geodesic_parameters.h"
+gone='(Parameter_sequence|geodesic_parameters(_interface)?)\.h'
+find "$target" -type f \( -name '*.h' -o -name '*.cpp' \) -exec sed -Ei "/^#include <CGAL\/$package\/.*$gone>\$/d" {} +
+sed -Ei "/^\| .$gone. \|/d; /^In CGAL's tree/,/^\$/d" "$parameters/README.md"
+sed -i 's/Sequence_end_tag, //' "$parameters/parameter_checks.h"
+
 # These tests concern only this repository: the installed package, the program for the command line, the same bits
-# from several compilers, CGAL's own examples, runs of minutes.
-for part in consumer program determinism run_cgal_examples.sh; do
+# from several compilers, CGAL's own examples, runs of minutes, programs that must not compile.
+for part in consumer program determinism rejected run_cgal_examples.sh; do
   rm -r "$target/test/${package:?}/$part"
 done
 rm "$target/test/$package"/fuzz_*.cpp
@@ -106,6 +137,7 @@ if [ -n "$owner" ]; then
     sed -i "s|^\(// Copyright (c) [0-9-]*\)  .*|\1  $(sed 's/[&|\\]/\\&/g' <<< "$owner").|" {} +
   echo "$owner" > "$target/package_info/$package/copyright"
 fi
+[ -z "$maintainer" ] || echo "$maintainer" > "$target/package_info/$package/maintainer"
 
 # Text about things that only this repository has is between marks, within a line or around lines. The pages about the
 # program for the command line and about Python are left out.
@@ -192,7 +224,9 @@ END
 
 echo "The package is in $target"
 [ -n "$owner" ] || echo "Missing: the owner of the copyright with a country (--owner)"
+[ -n "$maintainer" ] || echo "Missing: the maintainer with an address (--maintainer)"
 [ -n "$since" ] || echo "Missing: the version of CGAL in \\cgalPkgSince (--since)"
+echo "The named parameters are in $cgal_list"
 echo "Left to do in CGAL's own files, as doc/submission/specification.md says:"
 echo "  Documentation/doc/Documentation/packages.txt: \\package_listing{$package}"
 echo "  Documentation/doc/biblio/cgal_manual.bib: the entries of Documentation/doc/biblio/$package.bib"

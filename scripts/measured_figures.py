@@ -20,7 +20,8 @@ CSV_FILES = {
     "paths": "paths_against_shortest_path.csv", "heat_method": "against_heat_method.csv",
     "Voronoi_diagram": "voronoi.csv"} | {name: name + ".csv" for name in (
     "face_queries", "certified_meshes", "growth", "anisotropy", "sources", "reach", "rules", "schedulers",
-    "flat_vertices", "threads", "phases", "matrix", "uses_of_diagrams", "python")}
+    "flat_vertices", "threads", "phases", "matrix", "matrix_store", "uses_of_diagrams", "python",
+    "remeshing")}
 
 # The picture in the manual -> the results that it shows; draw_plots.py draws it.
 PLOTS = {"plot_ratios.svg": "all_meshes", "plot_growth.svg": "growth"}
@@ -160,6 +161,31 @@ def thesis_tables(results):
                    for v, _ in variants] for mesh, rows in meshes.items()])
 
 
+def matrix_plan(results):
+    """All pairs of larger meshes: a power of the number of vertices between and beyond the measured meshes."""
+    points = sorted((float(row["vertices"]), float(row["ms_per_row"])) for row in results.rows("matrix_store"))
+
+    def milliseconds(n):
+        k = max(1, min(len(points) - 1, sum(size < n for size, _ in points)))
+        (n0, t0), (n1, t1) = points[k - 1], points[k]
+        return t1 * (n / n1) ** (math.log(t1 / t0) / math.log(n1 / n0))
+
+    def duration(hours):
+        if hours < 1 / 60:
+            return f"{rounded(max(0.01, 3600 * hours))} s"
+        return f"{rounded(60 * hours)} min" if hours < 1 else f"{rounded(hours)} h" if hours < 48 else (
+            f"{rounded(hours / 24)} days" if hours < 24 * 730 else f"{rounded(hours / 8766)} years")
+
+    rows = []
+    for n in MATRIX_PLAN_SIZES:
+        hours = n * milliseconds(n) / 3.6e6
+        rows.append([f"{n:,}", rounded(milliseconds(n)), rounded(4 * n * n / 1e9), rounded(2 * n * (n - 1) / 1e9)]
+                    + [duration(hours / cores) for cores in (1, 100, 1000)])
+    return markdown(["vertices", "ms per row", "all pairs, GB", "each pair once, GB", "1 core", "100 cores",
+                     "1,000 cores"], rows)
+
+
+MATRIX_PLAN_SIZES = (5_000, 38_000, 164_000, 1_000_000)
 THESIS_VARIANTS = {"VTP-Exhaustive": "4.1", "VTP-Trimming": "4.2", "VTP-CH": "4.3", "VTP-MMP": "4.3", "FTP": "4.4",
                    "OPVTP": "4.5"}
 THESIS_RATIOS = ("time_over_VTP", "windows_over_VTP", "peak_over_VTP")
@@ -236,6 +262,10 @@ TABLES = {
         "ten iterations / diagram: relaxation_over_diagram .1", "certificate / diagram: certificate_over_diagram .1"),
     "python": table("python", MESH, FACES, "call: call $", "C++, ms: cpp_ms ~", "Python, ms: python_ms ~",
         "Python / C++: ratio .2"),
+    "matrix_plan": matrix_plan,
+    "matrix_store": table("matrix_store", MESH, "vertices: vertices", "ms per row: ms_per_row ~",
+        ("rows per second", lambda row: rounded(1000 / float(row["ms_per_row"]))),
+        "storing adds, %: storing_percent .1", "elapsed, %: storing_elapsed_percent .1", "memory, MB: memory_mb"),
     "matrix": table("matrix", "matrix: matrix $", "rows: rows $", "threads: threads $", "ms per row: ms_per_row ~",
         "speedup: speedup ~"),
 }
@@ -289,7 +319,23 @@ def figures(results):
             add_range(f"flat_{name}_{ratio}", values("flat_vertices", ratio, subdivisions=subdivisions), "{:.2f}".format)
     radii = values("heat_method", "position_of_largest_error_percent")
     found["heat_radius_percent"] = f"{math.ceil(10 * max(radii)) / 10:.1f}"
-    return {name: str(number) for name, number in (found | certificates(rows("certified_meshes"))).items()}
+    return {name: str(number) for name, number in (found | certificates(rows("certified_meshes")) | remeshing(rows("remeshing"))).items()}
+
+
+def remeshing(rows):
+    added = [int(row["added_samples"]) for row in rows if row["rounds"] != "0"]
+    found = {"remeshed_runs": len(rows),
+             "remeshed_same": sum(row["is_manifold"] == row["same_topology"] == "yes" for row in rows),
+             "remeshed_degenerate": sum(int(row["new_degenerate_faces"]) > int(row["degenerate_faces"]) for row in rows),
+             "remeshed_without": added.count(0), "remeshed_whole": len(rows) - len(added),
+             "remeshed_more": len(added) - added.count(0),
+             "remeshed_added_median": round(statistics.median(n for n in added if n > 0)),
+             "remeshed_kept": sum(row["kept_components"] != "0" for row in rows),
+             "remeshed_rounds": max(int(row["rounds"]) for row in rows)}
+    for n in ("200", "1000"):
+        distances = [float(row["distance_percent"]) for row in rows if row["samples"] == n and row["rounds"] != "0"]
+        found["remeshed_distance_" + n] = f"{statistics.median(distances):.1f}"
+    return found
 
 
 def certificates(rows):

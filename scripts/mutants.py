@@ -54,12 +54,26 @@ MEASURES = INTERNAL + "Voronoi/Voronoi_cell_measures.h"
 FACE_CUT = INTERNAL + "Voronoi/Voronoi_face_cut.h"
 CHECKS = INTERNAL + "certificate/Distance_checks.h"
 VIOLATION = INTERNAL + "certificate/Worst_violation.h"
+MATRIX = INTERNAL + "propagation/Distance_matrix.h"
 READER = INTERNAL + "interface/Face_graph_reader.h"
+SURFACE = INTERNAL + "interface/Intrinsic_surface.h"
+DEPARTURE = INTERNAL + "paths/Departure.h"
+WALK = INTERNAL + "interface/tracing/Straightest_walk.h"
+FAN = INTERNAL + "interface/tracing/Vertex_fan.h"
 BLOCK_TEAM = INTERNAL + "propagation/Block_team.h"
 BUILDER = INTERNAL + "surface/Intrinsic_mesh_builder.h"
 LOWER_BOUND = INTERNAL + "certificate/Lower_bound_check.h"
 EDGE_FUNCTION = INTERNAL + "certificate/Edge_distance_function.h"
+SAMPLE_PLACEMENT = INTERNAL + "applications/Sample_placement.h"
+REMESHING = INTERNAL + "applications/Remeshing.h"
+REMESHING_INPUT = INTERNAL + "applications/Remeshing_input.h"
 FRONT_EVENT = INTERNAL + "Voronoi/fronts/Front_event.h"
+NPY = INTERNAL + "numeric/files/Npy_file.h"
+LOCK = INTERNAL + "numeric/files/Lock_file.h"
+JSON = INTERNAL + "numeric/files/Json_value.h"
+STORE_FOLDER = INTERNAL + "applications/matrix_store/Store_folder.h"
+STORE_LAYOUT = INTERNAL + "applications/matrix_store/Store_layout.h"
+STORE_ROWS = INTERNAL + "applications/matrix_store/Store_computation.h"
 
 WINDOWS = "test_window_pruning"
 LAWS = "test_predicate_laws"
@@ -74,16 +88,22 @@ RULES = "test_pruning_rules"
 LANES = "test_numbers_of_lanes"
 NEEDLES = "test_needles_and_caps"
 OPTIONS = "test_options"
+STORE = "test_distance_matrix_store"
+KILLS = "test_distance_matrix_store_kills"
 INVALID = "test_invalid_input"
 SOLVER = "test_distance_solver"
 PARALLEL_TEST = "test_parallel_propagation"
 PARALLEL_KEEPERS = "test_parallel_keepers"
+REMESHING_TEST = "test_remeshing_topology"
 SAMPLING = "test_farthest_point_sampling"
 PATHS = "test_paths_interface"
 PATHS_BUILDING = "test_paths_building"
 HOSTILE_PATHS = "test_paths_on_hostile_meshes"
 ISOLINE_TEST = "test_isolines"
 BY_HAND = "test_Voronoi_by_hand"
+TRACE = "test_trace_geodesic"
+LOGARITHM = "test_logarithmic_map"
+OBSTACLES = "test_obstacles"
 BOUNDS = "test_radix_heap"
 KEPT_WINDOWS = "test_face_windows"
 PLANAR = "test_Voronoi_planar"
@@ -95,6 +115,7 @@ CUT = "test_Voronoi_cut"
 NEAR_SITES = "test_Voronoi_nearly_equal_sites"
 CERTIFICATE_CHECKS = "test_certificate_checks"
 CERTIFICATION = "test_certification_of_distances"
+MATRICES = "test_distance_matrix"
 DIAGRAM_CERTIFICATION = "test_certification_of_Voronoi_diagrams"
 SMALL = "test_small_components"
 BLOCKS = "test_reading_in_blocks"
@@ -547,7 +568,7 @@ MUTANTS = [
      "return a < b * (1 - Tolerance<FT>::nearer());", "return a <= b;",
      "on an edge two sources that tie take turns", (SYMMETRIC, BY_HAND, RANDOM_DIAGRAMS)),
     ("nodes_on_edge_not_reversed", COMPLEX,
-     "result.is_reversed = is_reversed(h);\n    const Index_range* const nodes = m_edge_nodes",
+     "result.is_reversed = !m_mesh->is_first_of_edge(h);\n    const Index_range* const nodes = m_edge_nodes",
      "result.is_reversed = false;\n    const Index_range* const nodes = m_edge_nodes",
      "the two faces of an edge see its points in the same order", (BY_HAND, CUT)),
     ("locator_wrong_side", LOCATOR,
@@ -561,6 +582,37 @@ MUTANTS = [
      "if(best == i || (!is_forced && largest <= tolerance))",
      "if(best == i || (!is_forced && largest <= 64 * tolerance))",
      "cut meshes are farther from the arcs than is asked for", (CUT,)),
+
+    # --- matrices ---
+    ("matrix_asks_between_rows_only", MATRIX,
+     "return !stop.load(std::memory_order_relaxed) && wants_more(output);",
+     "return !stop.load(std::memory_order_relaxed);",
+     "rows that have begun do not end", (MATRICES,)),
+    ("matrix_passes_ended_rows_on", MATRIX,
+     "  if(!wants_more(output))\n    return false;\n", "",
+     "a row that has ended early is passed on without distances", (MATRICES,)),
+
+    # --- remeshing ---
+    ("tips_not_treated_apart", SAMPLE_PLACEMENT,
+     "m_far_vertex[i].distance == 0 && is_tip(", "m_far_vertex[i].distance == 0 && !is_tip(",
+     "samples approach a tip without an end", (REMESHING_TEST,)),
+    ("holes_not_first", SAMPLE_PLACEMENT,
+     "if(m_far_border_vertex[i].distance > 0)", "if(m_far_border_vertex[i].distance < 0)",
+     "samples approach a hole in a cell instead of surrounding it", (REMESHING_TEST,)),
+    ("border_samples_move", REMESHING,
+     "return bool(CGAL::is_border(v, m_mesh));", "return bool(v == Vertex());",
+     "the new mesh shrinks away from the border", (REMESHING_TEST,)),
+    ("meshes_of_samples_are_remeshed", REMESHING,
+     "if(m_number_of_samples[c] >= m_input.components()[c].number_of_vertices)",
+     "if(m_number_of_samples[c] > m_input.components()[c].number_of_vertices)",
+     "a mesh without vertices to leave out loses its shape", (REMESHING_TEST,)),
+    ("double_edges_in_a_soup", REMESHING,
+     "if(Polygon_mesh_processing::is_polygon_soup_a_polygon_mesh(faces))", "if(!faces.empty())",
+     "edges with the same ends are taken for one", (REMESHING_TEST,)),
+    ("pinched_vertices_stay", REMESHING_INPUT,
+     "m_number_of_splits = Polygon_mesh_processing::duplicate_non_manifold_vertices(m_mesh);",
+     "m_number_of_splits = 0;",
+     "cells around a pinched vertex are never disks", (REMESHING_TEST,)),
 
     # --- certification ---
     ("certificate_ignores_edges", CHECKS,
@@ -582,4 +634,74 @@ MUTANTS = [
      "const FT t = (x * other_depth - other_x * depth) / (other_depth - depth);",
      "const FT t = (x * other_depth + other_x * depth) / (other_depth + depth);",
      "distances along an edge are compared at the wrong abscissas", (CERTIFICATE_CHECKS, CERTIFICATION)),
+
+    # --- directions and obstacles ---
+    ("walk_turns_wrong_at_edge", WALK,
+     "const double x = -(m_d.x * side.x + m_d.y * side.y), y = m_d.x * side.y - m_d.y * side.x;",
+     "const double x = m_d.x * side.x + m_d.y * side.y, y = m_d.x * side.y - m_d.y * side.x;",
+     "a geodesic is reflected at each edge", (TRACE,)),
+    ("walk_uneven_at_vertex", WALK,
+     "leave_vertex(fan, reduced_angle(back + fan.total_angle() / 2, fan.total_angle()));",
+     "leave_vertex(fan, reduced_angle(back + half_turn, fan.total_angle()));",
+     "behind a vertex, only one side has half of the angle", (TRACE,)),
+    ("direction_not_scaled", FAN,
+     "return m_is_closed ? reduced_angle(angle / m_total_angle * full_turn, full_turn) : angle;",
+     "return angle;",
+     "directions at a vertex do not end at a full turn", (LOGARITHM, TRACE)),
+    ("departure_mirrored", DEPARTURE,
+     "result.angle = atan2(FT(c.apex_y * x), FT(c.apex_x * (c.apex_x - x) + c.apex_y * c.apex_y));",
+     "result.angle = corner_angle(mesh, result.halfedge)"
+     " - atan2(FT(c.apex_y * x), FT(c.apex_x * (c.apex_x - x) + c.apex_y * c.apex_y));",
+     "the angle in the first face counts from its other side", (LOGARITHM,)),
+    ("side_of_part_by_first_corner", DEPARTURE,
+     "const FT s = (-vj - vi) / area, t = (ui + uj) / area;",
+     "const FT s = (vj - vi) / area, t = (ui + uj) / area;",
+     "directions at sources in faces count from a line that is no side", (LOGARITHM,)),
+    ("avoided_faces_shift_positions", READER,
+     "m_indices_are_positions = m_indices_are_positions && !result;", "",
+     "faces behind a face to avoid get wrong neighbors", (OBSTACLES,)),
+    ("rim_from_inside_rejected", SURFACE,
+     "if(c[k] != 0 && c[next_corner(k)] != 0 && c[previous_corner(k)] == 0 && is_open(opposite(h, m_tm)))",
+     "if(c[k] != 0 && c[next_corner(k)] != 0 && c[previous_corner(k)] != 0 && is_open(opposite(h, m_tm)))",
+     "a source on the rim is rejected, and one inside moves to the rim", (OBSTACLES,)),
+    # --- stored matrices ---
+    ("damage_unseen", NPY,
+     "  return sum.text() == checksum;", "  return true;",
+     "a damaged shard counts as done", (STORE,)),
+    ("header_unseen", NPY,
+     "if(!is || header.compare(0, header.size(), buffer.data(), npy_header_size) != 0)", "if(!is)",
+     "a shard with a damaged header counts as done", (STORE,)),
+    ("npy_header_unaligned", NPY,
+     "constexpr std::size_t npy_header_size = 128;", "constexpr std::size_t npy_header_size = 132;",
+     "elements do not begin at a multiple of 64", (STORE,)),
+    ("other_mesh_accepted", STORE_FOLDER,
+     "if(other.mesh_hash != m_description.mesh_hash)", "if(false)",
+     "rows of two meshes are mixed in one folder", (STORE,)),
+    ("other_options_accepted", STORE_FOLDER,
+     "if(other.hash() != m_description.hash())", "if(false)",
+     "rows of two kinds are mixed in one folder", (STORE,)),
+    ("records_unread", STORE_FOLDER,
+     "if(!record.empty())", "if(false)",
+     "a shard that another process has just finished is computed again", (STORE,)),
+    ("triangle_offsets", STORE_LAYOUT,
+     "return number * (columns - 1) - (number * (first + row - 1)) / 2;", "return number * (columns - 1);",
+     "rows of an upper triangle are read from wrong places", (STORE,)),
+    ("half_a_row_stored", STORE_ROWS,
+     "      if(m_stop) // the row may be incomplete\n        return;\n", "",
+     "a computation that ends stores rows without their distances", (STORE,)),
+    ("locks_of_dead_processes", LOCK,
+     "return !(parse_owner(text, owner) && is_dead(owner)) && clock.age(path) < patience;",
+     "return clock.age(path) < patience;",
+     "what a killed process had locked is not computed for ten minutes", (KILLS,)),
+    ("locks_without_end", LOCK,
+     "return !(parse_owner(text, owner) && is_dead(owner)) && clock.age(path) < patience;",
+     "return !(parse_owner(text, owner) && is_dead(owner));",
+     "what a dead host had locked is never computed", (KILLS,)),
+    ("locks_of_living_processes", LOCK,
+     "return !(parse_owner(text, owner) && is_dead(owner)) && clock.age(path) < patience;",
+     "return false;",
+     "two processes compute the same shard", (KILLS,)),
+    ("members_twice", JSON,
+     "      if(object.find(name) != nullptr)\n        complain(\"there are two members '\" + name + \"'\");\n", "",
+     "a manifest that was written twice into one file is believed", (STORE,)),
 ]

@@ -35,6 +35,7 @@ fuzz()
 }
 
 install_needs_of_tests
+"$root/scripts/install_needs.sh" libboost-mpi-dev openmpi-bin
 "$root/scripts/install_needs.sh" pybind11-dev python3-dask python3-dev python3-distributed python3-joblib python3-matplotlib python3-numpy \
   python3-pip python3-pybind11 python3-pytest python3-scipy python3-setuptools python3-wheel
 for part in "${parts[@]}"; do

@@ -73,13 +73,11 @@ void measure_ours(Mesh& mesh, typename Mesh::Vertex_index source, std::vector<do
                   Report& report)
 {
   Geodesics::Propagation_statistics statistics;
-  Geodesics::Geodesic_distance_options<Mesh> options;
-  options.statistics = &statistics;
   auto distance_map = mesh.template add_property_map<typename Mesh::Vertex_index, double>("v:distance", 0).first;
 
   const std::uint64_t resident = start_of_memory_measurement();
   const double start = milliseconds_now(clock);
-  Geodesics::geodesic_distances(mesh, distance_map, source, options);
+  Geodesics::geodesic_distances(mesh, distance_map, source, CGAL::parameters::statistics(&statistics));
   report.milliseconds = milliseconds_now(clock) - start;
   report.added_memory_kb = added_memory(resident);
   report.windows_propagated = statistics.windows_propagated;

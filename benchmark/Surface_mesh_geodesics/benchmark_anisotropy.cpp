@@ -55,9 +55,7 @@ int main(int argc, char* argv[])
     Geodesics::Propagation_statistics statistics;
     const Spread run = repeated(settings, settings.clock_id(), [&]() {
       statistics = Geodesics::Propagation_statistics();
-      Geodesics::Geodesic_distance_options<Benchmark_mesh> options;
-      options.statistics = &statistics;
-      solver.compute_distances(*mesh.vertices().begin(), options);
+      solver.compute_distances(*mesh.vertices().begin(), CGAL::parameters::statistics(&statistics));
     });
     std::cout << stretch << ',' << mesh.number_of_faces() << ',' << run << ',' << statistics.windows_propagated << ','
               << statistics.window_lists << ','

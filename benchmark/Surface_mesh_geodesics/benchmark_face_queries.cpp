@@ -131,13 +131,10 @@ public:
 
   double distance(const Face_location& q)
   {
-    Solver::Options options;
-    options.maximum_distance = bound(q) * (1 + 1e-12); // more than rounding
-    if(m_sources.size() == 1) // (of several sources, some may be out of reach)
-    {
-      options.targets = m_sources;
-    }
-    m_solver.compute_distances(q, options);
+    // Of several sources, some may be out of reach: then they are no targets.
+    const std::vector<Benchmark_vertex> targets = m_sources.size() == 1 ? m_sources : std::vector<Benchmark_vertex>();
+    const double radius = bound(q) * (1 + 1e-12); // more than rounding
+    m_solver.compute_distances(q, CGAL::parameters::maximum_distance(radius).targets(targets));
     double nearest = std::numeric_limits<double>::infinity();
     for(const Benchmark_vertex v : m_sources)
     {

@@ -8,6 +8,7 @@
 #include <CGAL/Surface_mesh_geodesics/Geodesic_distance_solver.h>
 
 #include <iterator>
+#include <vector>
 
 namespace Geodesics = CGAL::Surface_mesh_geodesics;
 
@@ -21,15 +22,17 @@ Benchmark_vertex vertex_at(const Benchmark_mesh& mesh, const std::vector<double>
   });
 }
 
+// `limits` are the named parameters that end a computation early.
+template <class NamedParameters>
 void print_reach(const Settings& settings, const std::string& name, Solver& solver, const Benchmark_mesh& mesh,
-                 Benchmark_vertex source, const std::string& kind, double part, Solver::Options options)
+                 Benchmark_vertex source, const std::string& kind, double part, const NamedParameters& limits)
 {
   Geodesics::Propagation_statistics statistics;
-  options.statistics = &statistics;
-  solver.compute_distances(source, options); // clears the results of a run with another reach
+  const auto np = limits.statistics(&statistics);
+  solver.compute_distances(source, np); // clears the results of a run with another reach
   const Spread run = repeated(settings, settings.clock_id(), [&]() {
     statistics = Geodesics::Propagation_statistics();
-    solver.compute_distances(source, options);
+    solver.compute_distances(source, np);
   });
   std::vector<Benchmark_vertex> reached;
   solver.vertices_reached(std::back_inserter(reached));
@@ -70,11 +73,10 @@ int main(int argc, char* argv[])
       }
       for(const double part : {0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.})
       {
-        Solver::Options radius, target;
-        radius.maximum_distance = part * largest;
-        print_reach(settings, file_name(file), solver, mesh, source, "radius", part, radius);
-        target.targets = {vertex_at(mesh, distances, part * largest)};
-        print_reach(settings, file_name(file), solver, mesh, source, "target", part, target);
+        print_reach(settings, file_name(file), solver, mesh, source, "radius", part,
+                    CGAL::parameters::maximum_distance(part * largest));
+        const std::vector<Benchmark_vertex> target = {vertex_at(mesh, distances, part * largest)};
+        print_reach(settings, file_name(file), solver, mesh, source, "target", part, CGAL::parameters::targets(target));
       }
     }
   }

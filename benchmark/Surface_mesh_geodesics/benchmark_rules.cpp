@@ -47,7 +47,7 @@ void print_row(const Settings& settings, const std::string& file, Benchmark_mesh
   Geodesics::Propagation_statistics statistics;
   const Spread run = repeated(settings, settings.clock_id(), [&]() {
     statistics = Geodesics::Propagation_statistics();
-    Geodesics::Geodesic_distance_options<Benchmark_mesh> options;
+    Geodesics::internal::Distance_options<Benchmark_mesh> options;
     options.statistics = &statistics;
     const auto np = CGAL::parameters::default_values();
     Geodesics::Geodesic_default_visitor visitor;

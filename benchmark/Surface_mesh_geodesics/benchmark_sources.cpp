@@ -30,9 +30,7 @@ int main(int argc, char* argv[])
       Geodesics::Propagation_statistics statistics;
       const Spread run = repeated(settings, settings.clock_id(), [&]() {
         statistics = Geodesics::Propagation_statistics();
-        Geodesics::Geodesic_distance_options<Benchmark_mesh> options;
-        options.statistics = &statistics;
-        solver.compute_distances(sources, options);
+        solver.compute_distances(sources, CGAL::parameters::statistics(&statistics));
       });
       std::cout << file_name(file) << ',' << mesh.number_of_faces() << ',' << number << ',' << run << ','
                 << statistics.windows_propagated << ','

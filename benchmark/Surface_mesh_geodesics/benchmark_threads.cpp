@@ -35,12 +35,11 @@ int main(int argc, char* argv[])
       std::size_t windows[2] = {0, 0}; // of the sequential and the parallel runs
       const Scaling scaling(settings, [&](std::size_t threads) {
         Geodesics::Propagation_statistics statistics;
-        Geodesics::Geodesic_distance_options<Benchmark_mesh> options;
-        options.statistics = &statistics;
+        const auto np = CGAL::parameters::statistics(&statistics);
         if(threads == 0)
-          Geodesics::geodesic_distances(mesh, distances, source, options);
+          Geodesics::geodesic_distances(mesh, distances, source, np);
         else
-          Geodesics::geodesic_distances<Parallel>(mesh, distances, source, options);
+          Geodesics::geodesic_distances<Parallel>(mesh, distances, source, np);
         windows[threads == 0 ? 0 : 1] = statistics.windows_propagated;
       });
       for(const auto& entry : scaling.entries())

@@ -1,9 +1,8 @@
 // What a diagram costs beside the distances, and what costs as much as some diagrams: labels, a diagram by two threads,
 // ten iterations of the relaxation, a certificate. Prints one line of comma separated values per mesh and number of
 // sites. Times are elapsed times of the whole calls, with reading the mesh: the machine must be idle. The calls of one
-// row alternate, and ratios are medians of the ratios of adjacent calls. The sites are random vertices. With
-// --short yes, the relaxation and the certificate are left out; so is the certificate with more than 100 sites. Without
-// TBB (CGAL_LINKED_WITH_TBB), the columns of two threads are empty.
+// row alternate, and ratios are medians of the ratios of adjacent calls. The sites are random vertices. The certificate
+// is left out with more than 100 sites. Without TBB (CGAL_LINKED_WITH_TBB), the columns of two threads are empty.
 
 #include "runs_in_process.h"
 #include "thread_counts.h"
@@ -102,8 +101,7 @@ private:
   Benchmark_mesh::Property_map<Benchmark_vertex, std::size_t> m_labels;
 };
 
-void print_row(const Settings& settings, const std::string& file, Benchmark_mesh& mesh, std::size_t sites,
-               bool is_short)
+void print_row(const Settings& settings, const std::string& file, Benchmark_mesh& mesh, std::size_t sites)
 {
   Calls calls(mesh, sites);
   std::array<std::vector<double>, number_of_calls> times;
@@ -111,8 +109,7 @@ void print_row(const Settings& settings, const std::string& file, Benchmark_mesh
   {
     for(std::size_t c = 0; c < number_of_calls; ++c)
     {
-      const bool is_left_out
-        = (is_short && (c == RELAXATION || c == CERTIFICATE)) || (c == CERTIFICATE && sites > most_certified_sites);
+      const bool is_left_out = c == CERTIFICATE && sites > most_certified_sites;
       times[c].push_back(is_left_out ? std::numeric_limits<double>::quiet_NaN() : calls.time(static_cast<Call>(c)));
     }
   }
@@ -133,13 +130,7 @@ int main(int argc, char* argv[])
 {
   Settings settings;
   std::vector<std::size_t> numbers_of_sites{30, 1000, 2000};
-  bool is_short = false;
   const auto read_option = [&](const std::string& option, const std::string& value) {
-    if(option == "--short")
-    {
-      is_short = value == "yes";
-      return is_short || value == "no";
-    }
     if(option != "--sites")
     {
       return false;
@@ -149,7 +140,7 @@ int main(int argc, char* argv[])
   };
   if(!read_settings(argc, argv, settings, read_option))
   {
-    return usage(argv[0], " mesh...   (--sites N: 30, 1000 and 2000 if not given; --short yes; --subdivide K)");
+    return usage(argv[0], " mesh...   (--sites N: 30, 1000 and 2000 if not given; --subdivide K)");
   }
   print_head(settings, "diagrams and what uses them, elapsed times of whole calls",
              "mesh,subdivisions,faces,sites,distances_ms,labels_ms,diagram_ms,two_threads_ms,relaxation_ms,"
@@ -164,7 +155,7 @@ int main(int argc, char* argv[])
     }
     for(const std::size_t sites : numbers_of_sites)
     {
-      print_row(settings, file, mesh, sites, is_short);
+      print_row(settings, file, mesh, sites);
     }
   }
   return EXIT_SUCCESS;

@@ -14,11 +14,12 @@ usage: run_benchmark.sh [options]
   --voronoi          also measure Surface_mesh_geodesic_Voronoi_diagram with 1 to 1000 sites
   --heat             also measure Heat_method_3: times and errors (needs Eigen)
   --questions        also run the programs for one question each: growth, anisotropy, sources, reach, rules,
-                     schedulers, flat vertices, face queries, threads, phases, matrix; draw plots if python3 has
-                     matplotlib
+                     schedulers, flat vertices, face queries, threads, phases, matrix, matrix_store; draw plots if
+                     python3 has matplotlib
   --python           also measure what the Python module adds to the time of C++ (needs the module;
                      the variable PYTHON names the interpreter)
   --certify          also certify distances on all meshes of the data, and compare them with the original
+  --remesh           also remesh all meshes of the data with 200, 1000 and 4000 samples
   --repetitions N    runs of each method on the standard meshes (5)
   --all-repetitions N  the same for --all (3)
   --paths-repetitions N  the same for --paths (5)
@@ -55,6 +56,7 @@ heat_repetitions=5
 questions=no
 python=no
 certify=no
+remesh=no
 
 while [ $# -gt 0 ]; do
   case "$1" in
@@ -65,6 +67,7 @@ while [ $# -gt 0 ]; do
     --questions) questions=yes ;;
     --python) python=yes ;;
     --certify) certify=yes ;;
+    --remesh) remesh=yes ;;
     --no-standard) standard=no ;;
     --repetitions) repetitions="$2"; shift ;;
     --all-repetitions) all_repetitions="$2"; shift ;;
@@ -102,9 +105,10 @@ if [ -z "$programs" ]; then
   [ "$questions" = no ] || targets+=(benchmark_growth benchmark_anisotropy benchmark_sources benchmark_reach
                                      benchmark_rules benchmark_schedulers benchmark_flat_vertices
                                      benchmark_face_queries benchmark_threads benchmark_phases benchmark_matrix
-                                     benchmark_uses_of_diagrams)
+                                     benchmark_matrix_store benchmark_uses_of_diagrams)
   [ "$python" = no ] || targets+=(benchmark_python)
   [ "$certify" = no ] || targets+=(benchmark_certification)
+  [ "$remesh" = no ] || targets+=(benchmark_remeshing)
   [ "${#targets[@]}" -gt 0 ] || { usage >&2; exit 1; }
   cmake --build "$build/programs" --target "${targets[@]}" > "$build/build.log"
   programs="$(dirname "$(find "$build/programs" -type f -name "${targets[0]}" | head -n 1)")"
@@ -359,6 +363,8 @@ if [ "$questions" = yes ]; then
   "$programs/benchmark_uses_of_diagrams" --repetitions 5 --flags "$flags" "$meshes/bunny00.off" \
     "$meshes/armadillo.off" "$meshes/refined_elephant.off" | tee "$build/uses_of_diagrams.csv" >&2
   ask matrix --rows 64 "$meshes/bunny00.off"
+  "$programs/benchmark_matrix_store" --repetitions 5 --flags "$flags" --rows 16 --folder "$build/matrix_store" \
+    --subdivide 1 "$meshes/elephant.off" "$meshes/bunny00.off" | tee "$build/matrix_store.csv" >&2
 fi
 
 if [ "$python" = yes ]; then
@@ -371,6 +377,13 @@ if [ "$certify" = yes ]; then
     | LC_ALL=C sort > "$build/list.txt"
   "$programs/benchmark_certification" --flags "$flags" --memory-limit 8192 --list "$build/list.txt" \
     | tee "$build/certified_meshes.csv" || echo "some meshes are not certified, see $build/certified_meshes.csv" >&2
+fi
+
+if [ "$remesh" = yes ]; then
+  find "$meshes" -maxdepth 1 -type f \( -name '*.off' -o -name '*.ply' -o -name '*.stl' \) \
+    | LC_ALL=C sort > "$build/list.txt"
+  "$programs/benchmark_remeshing" --flags "$flags" --list "$build/list.txt" 2> "$build/remeshing.log" \
+    | tee "$build/remeshing.csv" || echo "some meshes are not remeshed, see $build/remeshing.csv" >&2
 fi
 
 # Only these two groups have plots.

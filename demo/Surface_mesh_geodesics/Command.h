@@ -24,15 +24,16 @@ struct Command
   const char* examples;    // --help prints them below the options
   void (*declare)(Option_descriptions& options);
   void (*run)(const Arguments& arguments, const Console& console); // throws a Command_error on failure
+  bool (*needs_mesh)(const Arguments& arguments) = nullptr; // null: always
 };
 
 extern const Command distances_command, path_command, voronoi_command, sample_command, remesh_command, matrix_command,
   check_command, info_command;
 
-// Common to all subcommands. The name of the mesh is the only argument that is not an option.
+// Common to all subcommands. The name of the mesh is the only argument that is not an option; empty if there is none.
 inline std::string mesh_argument(const Arguments& arguments)
 {
-  return arguments["mesh"].as<std::string>();
+  return arguments.count("mesh") > 0 ? arguments["mesh"].as<std::string>() : std::string();
 }
 
 inline bool has(const Arguments& arguments, const std::string& option)

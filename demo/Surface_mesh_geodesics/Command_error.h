@@ -1,6 +1,7 @@
 #ifndef SURFACE_MESH_GEODESICS_DEMO_COMMAND_ERROR_H
 #define SURFACE_MESH_GEODESICS_DEMO_COMMAND_ERROR_H
 
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 
@@ -28,6 +29,18 @@ public:
 private:
   Exit_code m_code;
 };
+
+// Ends the program because of a file, or of a line of a file.
+[[noreturn]] inline void reject_file(const std::string& file_name, const std::string& what)
+{
+  throw Command_error(Exit_code::BAD_INPUT, (file_name == "-" ? "standard input" : file_name) + ": " + what);
+}
+
+[[noreturn]] inline void reject_line(const std::string& file_name, std::size_t line, const std::string& what)
+{
+  throw Command_error(Exit_code::BAD_INPUT, (file_name == "-" ? "standard input" : file_name) + ", line "
+                                              + std::to_string(line) + ": " + what);
+}
 
 } // namespace geodesics_demo
 

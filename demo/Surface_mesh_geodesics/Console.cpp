@@ -17,7 +17,7 @@ void Console::note(const std::string& text) const
 
 Progress_bar::Progress_bar(const Console& console, const std::string& what, unsigned int calls_per_look)
   : m_what(what), m_is_on(console.shows_progress()), m_calls_per_look(calls_per_look),
-    m_next_drawing(Clock::now() + std::chrono::milliseconds(500))
+    m_start(Clock::now()), m_next_drawing(m_start + std::chrono::milliseconds(500))
 {}
 
 Progress_bar::~Progress_bar()
@@ -35,10 +35,14 @@ void Progress_bar::show(double fraction)
     return;
   m_next_drawing = now + std::chrono::milliseconds(100);
   m_has_drawn = true;
+  const double seconds = std::chrono::duration<double>(now - m_start).count();
+  const double rest = fraction > .02 ? seconds * (1 - fraction) / fraction : -1;
   const int width = 40, percent = static_cast<int>(100 * (std::min)((std::max)(fraction, 0.), 1.));
   const std::string done(static_cast<std::size_t>(percent * width / 100), '#');
   std::cerr << '\r' << m_what << " [" << done << std::string(static_cast<std::size_t>(width) - done.size(), '.')
-            << "] " << percent << " %" << std::flush;
+            << "] " << percent << " %"
+            << (rest >= 0 ? ", about " + std::to_string(static_cast<long>(rest) + 1) + " s left" : std::string())
+            << "\033[K" << std::flush;
 }
 
 Work_sign::Work_sign(const Console& console, const std::string& what) : m_what(what)

@@ -21,6 +21,9 @@ public:
   // Prints a remark on the input or the result, unless `--quiet` suppresses it.
   void note(const std::string& text) const;
 
+  // Whether note() prints anything.
+  bool shows_notes() const { return !m_is_quiet; }
+
   // Progress is shown on a terminal only, since it would fill a log file.
   bool shows_progress() const { return m_shows_progress; }
 
@@ -28,7 +31,8 @@ private:
   bool m_is_quiet, m_shows_progress;
 };
 
-// A progress bar that appears when the work takes longer than half a second, and disappears when it is done.
+// A progress bar that appears when the work takes longer than half a second, and disappears when it is done. It tells
+// how long the rest takes at the pace so far.
 class Progress_bar
 {
 public:
@@ -48,7 +52,7 @@ private:
   std::string m_what;
   bool m_is_on, m_has_drawn = false;
   unsigned int m_calls_per_look, m_number_of_calls = 0;
-  Clock::time_point m_next_drawing;
+  Clock::time_point m_start, m_next_drawing;
 };
 
 // A sign for work of unknown length: after half a second a terminal shows what is being done and for how long, until

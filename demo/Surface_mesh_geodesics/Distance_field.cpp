@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <iterator>
 #include <limits>
 
@@ -26,14 +27,13 @@ Distance_field distances_from(const Mesh& mesh, const std::vector<Location>& sou
 {
   using Solver = CGAL::Surface_mesh_geodesics::Geodesic_distance_solver<Mesh>;
   Solver solver(mesh);
-  Solver::Options options;
-  options.maximum_distance = radius;
   Progress_visitor visitor(console, "distances");
+  const auto np = CGAL::parameters::maximum_distance(radius).visitor(std::ref(visitor));
   const std::vector<Vertex> vertices = as_vertices(sources);
   if(!vertices.empty())
-    solver.compute_distances(vertices, options, visitor);
+    solver.compute_distances(vertices, np);
   else
-    solver.compute_distances(as_face_locations(sources, mesh), options, visitor);
+    solver.compute_distances(as_face_locations(sources, mesh), np);
   Distance_field field;
   for(const Vertex v : mesh.vertices())
   {
@@ -43,25 +43,37 @@ Distance_field distances_from(const Mesh& mesh, const std::vector<Location>& sou
   return field;
 }
 
-std::vector<Isoline> isolines_around(const Mesh& mesh, const std::vector<Location>& sources,
-                                     const std::vector<double>& distances, const Console& console)
+Distance_run::~Distance_run() = default;
+
+Distance_run::Distance_run(const Mesh& mesh, const std::vector<Location>& sources, double radius,
+                           const Console& console)
+  : m_mesh(mesh), m_console(console), m_paths(new Paths(mesh))
+{
+  Path_finder& finder = m_paths->finder;
+  add_sources(finder, sources);
+  {
+    Progress_visitor visitor(console, "distances");
+    finder.build_sequence_tree_for_faces(visitor);
+  }
+  for(const Vertex v : mesh.vertices())
+  {
+    const double d = finder.shortest_distance_to_source_points(v).first;
+    const bool is_reached = d >= 0 && d <= radius; // -1: no source reaches the vertex
+    m_field.distance.push_back(is_reached ? d : std::numeric_limits<double>::infinity());
+    m_field.source.push_back(is_reached ? finder.nearest_source_point(v) : Distance_field::no_source);
+  }
+}
+
+std::vector<Isoline> Distance_run::isolines(const std::vector<double>& distances) const
 {
   std::vector<Isoline> result;
-  if(distances.empty())
-    return result;
-  Path_finder paths(mesh);
-  add_sources(paths, sources);
-  {
-    Progress_visitor visitor(console, "distances in faces");
-    paths.build_sequence_tree_for_faces(visitor);
-  }
-  Progress_bar bar(console, "isolines", 1);
+  Progress_bar bar(m_console, "isolines", 1);
   for(std::size_t i = 0; i < distances.size(); ++i)
   {
     const double d = distances[i];
     bar.show(static_cast<double>(i) / static_cast<double>(distances.size()));
     std::vector<std::vector<Point>> lines;
-    paths.isolines(d, std::back_inserter(lines));
+    m_paths->finder.isolines(d, std::back_inserter(lines));
     for(std::vector<Point>& line : lines)
       result.push_back(Isoline{d, std::move(line)});
   }
@@ -76,41 +88,49 @@ std::vector<double> evenly_spaced(std::size_t n, double largest)
   return result;
 }
 
-Html_surface surface_with_distances(const Mesh& mesh, const std::vector<Location>& sources, const Distance_field& field)
+std::vector<double> at_round_distances(std::size_t n, double largest)
+{
+  std::vector<double> result;
+  if(!(largest > 0) || n == 0)
+    return result;
+  const double wanted = largest / static_cast<double>(n + 1), power = std::pow(10., std::floor(std::log10(wanted)));
+  const double digits = wanted / power, step = power * (digits < 1.5 ? 1 : digits < 3.5 ? 2 : digits < 7.5 ? 5 : 10);
+  for(int i = 1; i * step < largest && i < 1000; ++i)
+    result.push_back(i * step);
+  return result;
+}
+
+Html_surface Distance_run::surface() const
 {
   Html_surface surface;
-  for(const Vertex v : mesh.vertices())
-    surface.points.push_back(mesh.point(v));
-  surface.distances = field.distance;
-  for(const Face f : mesh.faces())
+  for(const Vertex v : m_mesh.vertices())
+    surface.points.push_back(m_mesh.point(v));
+  surface.distances = m_field.distance;
+  for(const Face f : m_mesh.faces())
   {
-    const Mesh::Halfedge_index h = mesh.halfedge(f);
-    surface.triangles.push_back({mesh.source(h).idx(), mesh.target(h).idx(), mesh.target(mesh.next(h)).idx()});
+    const Mesh::Halfedge_index h = m_mesh.halfedge(f);
+    surface.triangles.push_back({m_mesh.source(h).idx(), m_mesh.target(h).idx(), m_mesh.target(m_mesh.next(h)).idx()});
   }
   if(!is_refined(surface.triangles.size()))
     return surface;
-  Path_finder paths(mesh);
-  add_sources(paths, sources);
-  paths.build_sequence_tree_for_faces();
   return refined(surface, [&](std::size_t t, const std::array<double, 3>& b)
   {
     const Face f(static_cast<Mesh::size_type>(t));
-    const double d = paths.shortest_distance_to_source_points(f, b).first;
+    const double d = m_paths->finder.shortest_distance_to_source_points(f, b).first;
     // beyond --radius, or no source reaches it
-    const auto is_missing = [&](std::size_t v) { return !std::isfinite(field.distance[v]); };
+    const auto is_missing = [&](std::size_t v) { return !std::isfinite(m_field.distance[v]); };
     const std::array<std::size_t, 3>& corners = surface.triangles[t];
     return std::any_of(corners.begin(), corners.end(), is_missing) ? std::numeric_limits<double>::infinity() : d;
   });
 }
 
-Html_lines lines_on(const Html_surface& surface, const Mesh& mesh, const std::vector<Location>& sources,
-                    const std::vector<double>& distances, const Console& console)
+Html_lines Distance_run::lines_on(const Html_surface& surface, const std::vector<double>& distances) const
 {
   // isolines are curved inside large faces, but files hold segments
-  if(is_refined(mesh.number_of_faces()))
+  if(is_refined(m_mesh.number_of_faces()))
     return lines_between_bands(surface, distances);
   Html_lines result{"isoline", {}};
-  for(const Isoline& line : isolines_around(mesh, sources, distances, console))
+  for(const Isoline& line : isolines(distances))
     result.lines.push_back(line.points);
   return result;
 }
@@ -118,6 +138,11 @@ Html_lines lines_on(const Html_surface& surface, const Mesh& mesh, const std::ve
 double source_number(std::size_t source)
 {
   return source == Distance_field::no_source ? -1. : static_cast<double>(source);
+}
+
+std::string source_text(std::size_t source)
+{
+  return source == Distance_field::no_source ? "-1" : std::to_string(source);
 }
 
 } // namespace geodesics_demo

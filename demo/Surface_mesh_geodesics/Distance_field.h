@@ -8,6 +8,8 @@
 
 #include <cstddef>
 #include <limits>
+#include <memory>
+#include <string>
 #include <vector>
 
 namespace geodesics_demo {
@@ -36,21 +38,46 @@ struct Isoline
   std::vector<Point> points; // the first point is repeated at the end of a closed line
 };
 
-// The lines at the given distances, in the same order.
-std::vector<Isoline> isolines_around(const Mesh& mesh, const std::vector<Location>& sources,
-                                     const std::vector<double>& distances, const Console& console);
+// One propagation that answers for all points of the surface, and not for vertices only: distances, isolines, and what
+// pages need. It keeps the windows on all edges, which takes several times the memory of distances_from().
+class Distance_run
+{
+public:
+  Distance_run(const Mesh& mesh, const std::vector<Location>& sources, double radius, const Console& console);
+  ~Distance_run();
+
+  Distance_run(const Distance_run&) = delete;
+  Distance_run& operator=(const Distance_run&) = delete;
+
+  const Distance_field& field() const { return m_field; }
+
+  // The lines at the given distances, in the same order.
+  std::vector<Isoline> isolines(const std::vector<double>& distances) const;
+
+  // For pages: the surface, refined if it has few triangles, and its isolines at the given distances.
+  Html_surface surface() const;
+  Html_lines lines_on(const Html_surface& surface, const std::vector<double>& distances) const;
+
+  // The paths of this propagation. The class is in Path_finder.h.
+  struct Paths;
+  const Paths& paths() const { return *m_paths; }
+
+private:
+  const Mesh& m_mesh;
+  const Console& m_console;
+  std::unique_ptr<Paths> m_paths; // hides the headers of paths from the files that use this class
+  Distance_field m_field;
+};
 
 // n distances strictly between 0 and the largest one; none if the largest is 0.
 std::vector<double> evenly_spaced(std::size_t n, double largest);
 
-// For pages: the surface, and its isolines at the given distances.
-Html_surface surface_with_distances(const Mesh& mesh, const std::vector<Location>& sources,
-                                    const Distance_field& field);
-Html_lines lines_on(const Html_surface& surface, const Mesh& mesh, const std::vector<Location>& sources,
-                    const std::vector<double>& distances, const Console& console);
+// About n distances strictly between 0 and the largest one: the multiples of a number with one digit, 1, 2 or 5.
+std::vector<double> at_round_distances(std::size_t n, double largest);
 
-// A column of numbers for files; -1 for no source.
+// The index of a source for files and tables; -1 for no source.
 double source_number(std::size_t source);
+std::string source_text(std::size_t source);
 
 } // namespace geodesics_demo
 

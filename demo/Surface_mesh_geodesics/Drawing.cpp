@@ -1,56 +1,37 @@
 #include "Drawing.h"
 
+#include "Byte_writer.h"
+#include "VTU_writer.h"
+
 #include <cmath>
 #include <cstdint>
-#include <cstring>
+#include <limits>
 
 namespace geodesics_demo {
 
 namespace {
 
-double finite_or_minus_one(double x)
+// Whole numbers have no NaN: -1 stands for none.
+std::int32_t whole(double x)
 {
-  return std::isfinite(x) ? x : -1;
+  return std::isfinite(x) ? static_cast<std::int32_t>(x) : -1;
+}
+
+double finite_or_nan(double x)
+{
+  return std::isfinite(x) ? x : std::numeric_limits<double>::quiet_NaN();
 }
 
 // --- PLY ------------------------------------------------------------------------------------------------------------
 
-// Numbers with the lowest byte first, on any machine.
-template <typename Unsigned>
-void write_bytes(std::ostream& os, Unsigned x)
-{
-  char bytes[sizeof(Unsigned)];
-  for(std::size_t i = 0; i < sizeof(Unsigned); ++i)
-    bytes[i] = static_cast<char>(static_cast<unsigned char>(x >> (8 * i)));
-  os.write(bytes, sizeof(Unsigned));
-}
-
-void write_double(std::ostream& os, double x)
-{
-  std::uint64_t bits;
-  std::memcpy(&bits, &x, sizeof(x));
-  write_bytes(os, bits);
-}
-
-void write_integer(std::ostream& os, std::int64_t x)
-{
-  write_bytes(os, static_cast<std::uint32_t>(static_cast<std::int32_t>(x)));
-}
-
-void write_index(std::ostream& os, std::size_t i)
-{
-  write_integer(os, static_cast<std::int64_t>(i));
-}
-
-void write_columns(std::ostream& os, const std::vector<Drawing_column>& columns, std::size_t i)
+void write_columns(Byte_writer& out, const std::vector<Drawing_column>& columns, std::size_t i)
 {
   for(const Drawing_column& column : columns)
   {
-    const double x = finite_or_minus_one(column.values[i]);
     if(column.is_integer)
-      write_integer(os, static_cast<std::int64_t>(x));
+      out.add(whole(column.values[i]));
     else
-      write_double(os, x);
+      out.add(finite_or_nan(column.values[i]));
   }
 }
 
@@ -82,74 +63,104 @@ void write_PLY_header(std::ostream& os, const Drawing& drawing)
 void write_PLY(std::ostream& os, const Drawing& drawing)
 {
   write_PLY_header(os, drawing);
+  Byte_writer out(os, Byte_order::LOWEST_FIRST);
   for(std::size_t i = 0; i < drawing.points.size(); ++i)
   {
     for(int k = 0; k < 3; ++k)
-      write_double(os, drawing.points[i][k]);
+      out.add(drawing.points[i][k]);
     if(!drawing.colors.empty())
       for(const unsigned char c : drawing.colors[i])
-        os.put(static_cast<char>(c));
-    write_columns(os, drawing.point_columns, i);
+        out.add(c);
+    write_columns(out, drawing.point_columns, i);
   }
   for(const std::array<std::size_t, 3>& t : drawing.triangles)
   {
-    os.put(3);
+    out.add(std::uint8_t(3));
     for(const std::size_t v : t)
-      write_index(os, v);
+      out.add(static_cast<std::uint32_t>(v));
   }
   for(std::size_t l = 0; l < drawing.lines.size(); ++l)
     for(std::size_t i = 1; i < drawing.lines[l].size(); ++i)
     {
-      write_index(os, drawing.lines[l][i - 1]);
-      write_index(os, drawing.lines[l][i]);
-      write_columns(os, drawing.line_columns, l);
+      out.add(static_cast<std::uint32_t>(drawing.lines[l][i - 1]));
+      out.add(static_cast<std::uint32_t>(drawing.lines[l][i]));
+      write_columns(out, drawing.line_columns, l);
     }
 }
 
 // --- VTK ------------------------------------------------------------------------------------------------------------
 
-void write_scalars(std::ostream& os, const Drawing_column& column, std::size_t number_of_other_cells)
+// Writes the numbers of a section: a line of text precedes them, and an end of line follows.
+template <typename Write>
+void write_section(std::ostream& os, const Write& write)
+{
+  Byte_writer out(os, Byte_order::HIGHEST_FIRST); // as legacy files of VTK have it
+  write(out);
+  out.flush();
+  os << '\n';
+}
+
+// Triangles have no value of a line.
+void write_scalars(std::ostream& os, const Drawing_column& column, std::size_t number_of_triangles)
 {
   os << "SCALARS " << column.name << (column.is_integer ? " int 1" : " double 1") << "\nLOOKUP_TABLE default\n";
-  for(const double x : column.values)
-    os << finite_or_minus_one(x) << '\n';
-  for(std::size_t i = 0; i < number_of_other_cells; ++i)
-    os << "-1\n";
+  write_section(os, [&](Byte_writer& out)
+  {
+    const auto add = [&](double x)
+    {
+      if(column.is_integer)
+        out.add(whole(x));
+      else
+        out.add(finite_or_nan(x));
+    };
+    for(const double x : column.values)
+      add(x);
+    for(std::size_t i = 0; i < number_of_triangles; ++i)
+      add(std::numeric_limits<double>::infinity());
+  });
+}
+
+// Cells as the number of their points, and the points.
+template <typename Cells>
+void write_cells(std::ostream& os, const char* name, const Cells& cells)
+{
+  std::size_t size = cells.size();
+  for(const auto& cell : cells)
+    size += cell.size();
+  os << name << ' ' << cells.size() << ' ' << size << '\n';
+  write_section(os, [&](Byte_writer& out)
+  {
+    for(const auto& cell : cells)
+    {
+      out.add(static_cast<std::uint32_t>(cell.size()));
+      for(const std::size_t v : cell)
+        out.add(static_cast<std::uint32_t>(v));
+    }
+  });
 }
 
 // The cells of a drawing: lines, then triangles; its points if it has neither.
 void write_VTK(std::ostream& os, const Drawing& drawing)
 {
-  os << "# vtk DataFile Version 3.0\nsurface_mesh_geodesics\nASCII\nDATASET POLYDATA\nPOINTS " << drawing.points.size()
-     << " double\n";
-  for(const Point& p : drawing.points)
-    os << p << '\n';
+  os << "# vtk DataFile Version 3.0\nsurface_mesh_geodesics\nBINARY\nDATASET POLYDATA\nPOINTS "
+     << drawing.points.size() << " double\n";
+  write_section(os, [&](Byte_writer& out)
+  {
+    for(const Point& p : drawing.points)
+      for(int k = 0; k < 3; ++k)
+        out.add(p[k]);
+  });
   if(drawing.lines.empty() && drawing.triangles.empty())
   {
-    os << "VERTICES " << drawing.points.size() << ' ' << 2 * drawing.points.size() << '\n';
+    std::vector<std::array<std::size_t, 1>> points;
     for(std::size_t i = 0; i < drawing.points.size(); ++i)
-      os << "1 " << i << '\n';
+      points.push_back({i});
+    write_cells(os, "VERTICES", points);
   }
   if(!drawing.lines.empty())
-  {
-    std::size_t size = drawing.lines.size();
-    for(const std::vector<std::size_t>& line : drawing.lines)
-      size += line.size();
-    os << "LINES " << drawing.lines.size() << ' ' << size << '\n';
-    for(const std::vector<std::size_t>& line : drawing.lines)
-    {
-      os << line.size();
-      for(const std::size_t v : line)
-        os << ' ' << v;
-      os << '\n';
-    }
-  }
+    write_cells(os, "LINES", drawing.lines);
   if(!drawing.triangles.empty())
-  {
-    os << "POLYGONS " << drawing.triangles.size() << ' ' << 4 * drawing.triangles.size() << '\n';
-    for(const std::array<std::size_t, 3>& t : drawing.triangles)
-      os << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << '\n';
-  }
+    write_cells(os, "POLYGONS", drawing.triangles);
   if(!drawing.line_columns.empty() && !drawing.lines.empty())
   {
     os << "CELL_DATA " << drawing.lines.size() + drawing.triangles.size() << '\n';
@@ -203,6 +214,11 @@ void Drawing::add_mesh(const Mesh& mesh)
   }
 }
 
+void Drawing::add_quality(const std::vector<double>& values)
+{
+  point_columns.push_back({"quality", false, values});
+}
+
 void Drawing::add_line(const std::vector<Point>& line)
 {
   lines.emplace_back();
@@ -219,6 +235,8 @@ void write_drawing(std::ostream& os, const std::string& format, const Drawing& d
     write_PLY(os, drawing);
   else if(format == "vtk")
     write_VTK(os, drawing);
+  else if(format == "vtu")
+    write_VTU(os, drawing);
   else
     write_OBJ(os, drawing);
 }

@@ -33,12 +33,16 @@ struct Drawing
   // Adds all vertices and faces. Call it first, so that vertices keep their indices.
   void add_mesh(const Mesh& mesh);
 
+  // Adds a column `quality` to the points, the name under which MeshLab expects the numbers to show.
+  void add_quality(const std::vector<double>& values);
+
   // Adds points and a line through them. The caller adds the columns.
   void add_line(const std::vector<Point>& line);
 };
 
-// Formats: "ply" (binary, with the elements vertex, face and edge), "vtk" (legacy, text) and "obj" (with colors after
-// the coordinates, as many programs read them, but without numbers). Infinite numbers are written as -1.
+// Formats: "ply" (binary, with the elements vertex, face and edge), "vtk" (legacy, binary), "vtu" (XML, binary) and
+// "obj" (with colors after the coordinates, as many programs read them, but without numbers). Infinite numbers are
+// written as NaN: viewers show them in a color of their own, and do not count them as the smallest number.
 void write_drawing(std::ostream& os, const std::string& format, const Drawing& drawing);
 
 } // namespace geodesics_demo

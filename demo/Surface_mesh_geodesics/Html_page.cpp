@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <limits>
 #include <map>
+#include <sstream>
 #include <utility>
 
 namespace geodesics_demo {
@@ -17,8 +18,10 @@ namespace geodesics_demo {
 namespace po = boost::program_options;
 
 // Embedded by embed_page.cmake. Without three.js, the script and its license are empty.
-extern const unsigned char page_template[], page_script[], page_three[], page_license[];
-extern const std::size_t page_template_size, page_script_size, page_three_size, page_license_size;
+extern const unsigned char page_template[], page_script[], page_three[], page_license[], page_solver[],
+  page_drawing[];
+extern const std::size_t page_template_size, page_script_size, page_three_size, page_license_size, page_solver_size,
+  page_drawing_size;
 
 namespace {
 
@@ -127,6 +130,13 @@ std::string escaped(const std::string& text)
   return result;
 }
 
+// With quotes where a shell needs them.
+std::string& command_line()
+{
+  static std::string line;
+  return line;
+}
+
 // --- the data of a page ----------------------------------------------------------------------------------------------
 
 // Coordinates are relative to the center of the surface, so that `float` is precise enough far from the origin.
@@ -150,7 +160,10 @@ public:
     write_string(m_os, m_page.subtitle);
     m_os << ",\"center\":[" << m_center.x() << ',' << m_center.y() << ',' << m_center.z()
          << "],\"radius\":" << m_radius;
+    m_os << ",\"command\":";
+    write_string(m_os, command_line());
     write_surface();
+    write_mesh();
     write_groups();
     m_os << '}';
   }
@@ -198,6 +211,32 @@ private:
     m_os << ']';
   }
 
+  // Left out if it is what is drawn.
+  void write_mesh()
+  {
+    const Html_surface& surface = m_page.surface;
+    if(m_page.mesh == nullptr
+       || (surface.cells.empty() && surface.points.size() == m_page.mesh->number_of_vertices()
+           && surface.triangles.size() == m_page.mesh->number_of_faces()))
+      return;
+    std::vector<Point> points;
+    for(const Vertex v : m_page.mesh->vertices())
+      points.push_back(m_page.mesh->point(v));
+    std::vector<std::size_t> corners;
+    for(const Face f : m_page.mesh->faces())
+    {
+      const Mesh::Halfedge_index h = m_page.mesh->halfedge(f);
+      for(const Vertex v : {m_page.mesh->source(h), m_page.mesh->target(h),
+                            m_page.mesh->target(m_page.mesh->next(h))})
+        corners.push_back(v.idx());
+    }
+    m_os << ",\"mesh\":{\"points\":";
+    write_points(points);
+    m_os << ",\"triangles\":";
+    write_indices(m_os, corners);
+    m_os << '}';
+  }
+
   void write_groups()
   {
     m_os << ",\"lines\":[";
@@ -231,6 +270,9 @@ private:
   Point m_center;
   double m_radius;
 };
+
+// Bytes; a scan with half a million faces has a smaller page.
+constexpr std::size_t largest_silent_page = 50000000;
 
 // A surface with fewer triangles is refined.
 constexpr std::size_t triangles_wanted = 40000;
@@ -353,7 +395,17 @@ std::vector<std::string> html_names(const Arguments& arguments)
   return names;
 }
 
-void write_html_page(std::ostream& os, const Html_page& page)
+void set_command_line(const std::vector<std::string>& words)
+{
+  static const char* const letters
+    = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_=+.,:/@%";
+  std::string line = "surface_mesh_geodesics";
+  for(const std::string& word : words)
+    line += word.empty() || word.find_first_not_of(letters) != std::string::npos ? " '" + word + "'" : " " + word;
+  command_line() = line;
+}
+
+void write_html_page(std::ostream& os, const Html_page& page, const Console& console)
 {
   check_pages_are_available(); // -o x.html requests a page, too
   const auto embedded = [](const unsigned char* bytes, std::size_t size)
@@ -372,8 +424,19 @@ void write_html_page(std::ostream& os, const Html_page& page)
   os << escaped(embedded(page_license, page_license_size));
   write_up_to("@THREE@");
   os << embedded(page_three, page_three_size);
+  write_up_to("@SOLVER@");
+  os << embedded(page_solver, page_solver_size);
+  write_up_to("@DRAWING@");
+  os << embedded(page_drawing, page_drawing_size);
   write_up_to("@DATA@");
-  Page_data_writer(os, page).write();
+  std::ostringstream numbers;
+  numbers.precision(os.precision());
+  Page_data_writer(numbers, page).write();
+  const std::string text = numbers.str();
+  os << text;
+  if(text.size() > largest_silent_page)
+    console.note("the page has " + std::to_string(text.size() / 1000000)
+                 + " MB, which many browsers show slowly; fewer paths, isolines or faces make it smaller");
   write_up_to("@SCRIPT@");
   os << embedded(page_script, page_script_size) << rest;
 }

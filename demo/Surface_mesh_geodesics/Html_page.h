@@ -42,6 +42,7 @@ struct Html_dots
 struct Html_page
 {
   std::string title, subtitle;
+  const Mesh* mesh = nullptr; // of the file: clicks have its numbers of faces and vertices, and paths run on it
   Html_surface surface;
   std::vector<double> band_limits; // multiples of the first one
   std::vector<CGAL::IO::Color> cell_colors; // by site, for a Voronoi diagram; else empty
@@ -67,7 +68,11 @@ bool is_refined(std::size_t number_of_triangles);
 // The isolines of a refined surface, by linear interpolation in its triangles. Each segment is a line of its own.
 Html_lines lines_between_bands(const Html_surface& surface, const std::vector<double>& limits);
 
-void write_html_page(std::ostream& os, const Html_page& page);
+// Remarks on a page that is too large for many browsers.
+void write_html_page(std::ostream& os, const Html_page& page, const Console& console);
+
+// The words of the command line, which pages show. main.cpp sets them.
+void set_command_line(const std::vector<std::string>& words);
 
 // The option --html of a command, and its values. Throws a Command_error if the program was built without three.js.
 void declare_html(Option_descriptions& options);

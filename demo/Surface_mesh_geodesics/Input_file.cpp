@@ -17,11 +17,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-[[noreturn]] void complain(const std::string& file_name, const std::string& what)
-{
-  throw Command_error(Exit_code::BAD_INPUT, file_name + ": " + what);
-}
-
 // The files that the options name, and the mesh.
 std::vector<std::string> names_of_inputs(const Arguments& arguments)
 {
@@ -44,11 +39,11 @@ void check_is_readable(const std::string& file_name)
   std::error_code error;
   const fs::file_status status = fs::status(file_name, error);
   if(status.type() == fs::file_type::not_found)
-    complain(file_name, "the file does not exist");
+    reject_file(file_name, "the file does not exist");
   if(fs::is_directory(status))
-    complain(file_name, "is a folder, not a file");
+    reject_file(file_name, "is a folder, not a file");
   if(access(file_name.c_str(), R_OK) != 0)
-    complain(file_name, std::string("cannot be read: ") + std::strerror(errno));
+    reject_file(file_name, std::string("cannot be read: ") + std::strerror(errno));
 }
 
 std::ifstream opened_text_file(const std::string& file_name)
@@ -56,16 +51,19 @@ std::ifstream opened_text_file(const std::string& file_name)
   check_is_readable(file_name);
   std::ifstream is(file_name);
   if(!is)
-    complain(file_name, "cannot be opened");
+    reject_file(file_name, "cannot be opened");
   return is;
 }
 
 void check_inputs_are_kept(const Arguments& arguments)
 {
   std::vector<std::string> outputs = all_values(arguments, "output");
-  const std::vector<std::string> pages = all_values(arguments, "html");
-  outputs.insert(outputs.end(), pages.begin(), pages.end());
-  for(const std::string& input : names_of_inputs(arguments))
+  for(const char* option : {"html", "lines"})
+  {
+    const std::vector<std::string> names = all_values(arguments, option);
+    outputs.insert(outputs.end(), names.begin(), names.end());
+  }
+  for(const std::string& input : names_of_inputs(arguments)) // (an empty name is equivalent to no file)
     for(const std::string& output : outputs)
     {
       std::error_code error;

@@ -3,6 +3,7 @@
 #include "Command_error.h"
 #include "Face_tree.h"
 #include "Input_file.h"
+#include "Location_table.h"
 #include "number_arguments.h"
 
 #include <CGAL/boost/graph/helpers.h>
@@ -13,7 +14,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <fstream>
-#include <iterator>
 #include <memory>
 #include <random>
 #include <sstream>
@@ -43,6 +43,18 @@ bool parse_point(const std::vector<std::string>& coordinates, std::array<double,
   return is_point;
 }
 
+// The parts of a value between commas, without the blanks around them.
+std::vector<std::string> values_of(const std::string& value)
+{
+  std::vector<std::string> parts = split(value, ',');
+  for(std::string& part : parts)
+  {
+    const std::size_t first = part.find_first_not_of(" \t");
+    part = first == std::string::npos ? std::string() : part.substr(first, part.find_last_not_of(" \t") - first + 1);
+  }
+  return parts;
+}
+
 [[noreturn]] void complain_of_vertex(const std::string& text, const std::string& where, Exit_code code)
 {
   throw Command_error(code, where + ": '" + text + "' is not a vertex index");
@@ -58,7 +70,7 @@ void check_vertices(const std::vector<std::string>& values, const std::string& o
 {
   std::size_t v = 0;
   for(const std::string& value : values)
-    for(const std::string& text : split(value, ','))
+    for(const std::string& text : values_of(value))
       if(text != "all" && !parse_index(text, v))
         complain_of_vertex(text, option, Exit_code::BAD_USAGE);
 }
@@ -67,7 +79,7 @@ void check_points(const std::vector<std::string>& values, const std::string& opt
 {
   std::array<double, 3> x{};
   for(const std::string& value : values)
-    if(!parse_point(split(value, ','), x))
+    if(!parse_point(values_of(value), x))
       complain_of_point(std::string(option).append(" ").append(value), Exit_code::BAD_USAGE);
 }
 
@@ -85,7 +97,9 @@ std::string list_of_vertices(const std::vector<Location>& locations, std::size_t
 class Location_reader
 {
 public:
-  Location_reader(const Mesh& mesh, Location_options::Kind kind) : m_mesh(mesh), m_kind(kind) {}
+  Location_reader(const Mesh& mesh, Location_options::Kind kind, bool may_snap, const Console& console)
+    : m_mesh(mesh), m_kind(kind), m_may_snap(may_snap), m_console(console)
+  {}
 
   std::vector<Location> locations;
 
@@ -114,26 +128,39 @@ public:
     check_is_near(x, where, code);
     if(m_tree == nullptr)
       m_tree.reset(new Face_tree(m_mesh));
-    locations.push_back(at_face_location(m_tree->nearest_location(Point(x[0], x[1], x[2]))));
+    const Point p(x[0], x[1], x[2]);
+    locations.push_back(at_face_location(m_tree->nearest_location(p)));
+    check_snap(p, where, code);
+  }
+
+  // Remarks on the point that was farthest from the surface, if that was more than a rounding of its digits.
+  void remark_on_snaps() const
+  {
+    if(!(m_farthest_snap > largest_silent_snap))
+      return;
+    std::ostringstream text;
+    text << m_where_farthest << ": the point was moved to the surface, by " << m_farthest_snap
+         << " times the extent of the mesh";
+    if(m_number_of_snaps > 1)
+      text << "; the farthest of " << m_number_of_snaps << " points";
+    m_console.note(text.str());
   }
 
   // Reads one location per line: a vertex (one number), a point (three numbers), or a face with barycentric coordinates
-  // (four numbers). A # begins a comment.
-  void add_file(const std::string& file_name)
+  // (four numbers). A # begins a comment. A table that a command has written is such a file, too: its first line has
+  // the names of its columns.
+  void add_file(const std::string& file_name, const std::string& role)
   {
     std::ifstream is = opened_text_file(file_name);
     const std::size_t number_before = locations.size();
+    Location_table table(role);
     std::string line;
     for(std::size_t number = 1; std::getline(is, line); ++number)
     {
-      for(char& c : line)
-        if(c == ',' || c == ';')
-          c = ' ';
-      std::istringstream words_of_line(line.substr(0, line.find('#')));
-      const std::vector<std::string> words{std::istream_iterator<std::string>(words_of_line),
-                                           std::istream_iterator<std::string>()};
+      const std::string where = file_name + ", line " + std::to_string(number);
+      const std::vector<std::string> words = table.words_of(line, where);
       if(!words.empty())
-        add_line(words, file_name + ", line " + std::to_string(number));
+        add_line(words, where);
     }
     if(is.bad())
       throw Command_error(Exit_code::BAD_INPUT, file_name + ": the file cannot be read");
@@ -205,8 +232,37 @@ private:
     locations.push_back(at_face_location(Face_location(Face(static_cast<Mesh::size_type>(f)), b)));
   }
 
+  // Rejects a point that is so far from the surface that it was probably not meant to be on it.
+  void check_snap(const Point& p, const std::string& where, Exit_code code)
+  {
+    if(m_extent < 0)
+      m_extent = extent(m_mesh);
+    const auto v = p - point_of(locations.back(), m_mesh);
+    const double distance = std::hypot(v.x(), v.y(), v.z()), part = m_extent > 0 ? distance / m_extent : 0;
+    if(part > largest_snap && !m_may_snap)
+    {
+      std::ostringstream text;
+      text << where << ": the point is " << distance << " from the surface, " << part
+           << " times the extent of the mesh; --snap moves it to the surface all the same";
+      throw Command_error(code, text.str());
+    }
+    ++m_number_of_snaps;
+    if(!(part > m_farthest_snap))
+      return;
+    m_farthest_snap = part;
+    m_where_farthest = where;
+  }
+
+  // Parts of the extent of the mesh. Points with five digits are silent.
+  static constexpr double largest_silent_snap = 1e-4, largest_snap = 0.01;
+
   const Mesh& m_mesh;
   Location_options::Kind m_kind;
+  bool m_may_snap;
+  const Console& m_console;
+  std::size_t m_number_of_snaps = 0;
+  double m_farthest_snap = 0, m_extent = -1; // negative until it is computed
+  std::string m_where_farthest;
   double m_limit = -1; // of the distances of points; negative until it is computed
   std::unique_ptr<Face_tree> m_tree;
 };
@@ -229,10 +285,13 @@ void Location_options::declare(Option_descriptions& options) const
        po::value<Texts>()->value_name("X,Y,Z")->composing()->notifier(
          [option = "--" + point](const Texts& values) { check_points(values, option); }),
        "the location on the surface that is nearest to a point");
+  if(!are_vertices && options.find_nothrow("snap", false) == nullptr) // the roles of a command share it
+    options.add_options()("snap", "points may be farther from the surface than 1 % of the extent of the mesh");
   options.add_options()
     (file.c_str(), po::value<Texts>()->value_name("FILE")->composing(),
-     are_vertices ? "a file with one vertex index per line"
-                  : "a file with one location per line: V, or X Y Z, or FACE B0 B1 B2 with barycentric coordinates")
+     are_vertices ? "a file with one vertex index per line, or a table of this program"
+                  : "a file with one location per line: V, or X Y Z, or FACE B0 B1 B2 with barycentric coordinates; or "
+                    "a table of this program")
     (random.c_str(), count_value(random, 1)->value_name("N"), "N different random vertices");
 }
 
@@ -260,9 +319,9 @@ bool Location_options::are_given(const Arguments& arguments) const
 std::vector<Location> Location_options::locations(const Arguments& arguments, const Mesh& mesh,
                                                   const Console& console) const
 {
-  Location_reader reader(mesh, m_kind);
+  Location_reader reader(mesh, m_kind, has(arguments, "snap"), console);
   for(const std::string& value : all_values(arguments, m_role))
-    for(const std::string& text : split(value, ','))
+    for(const std::string& text : values_of(value))
     {
       if(text == "all")
         reader.add_all_vertices();
@@ -270,9 +329,10 @@ std::vector<Location> Location_options::locations(const Arguments& arguments, co
         reader.add_vertex(text, "--" + m_role, Exit_code::BAD_USAGE);
     }
   for(const std::string& value : all_values(arguments, m_role + "-point"))
-    reader.add_nearest_location(split(value, ','), "--" + m_role + "-point " + value, Exit_code::BAD_USAGE);
+    reader.add_nearest_location(values_of(value), "--" + m_role + "-point " + value, Exit_code::BAD_USAGE);
   for(const std::string& file_name : all_values(arguments, m_role + "-file"))
-    reader.add_file(file_name);
+    reader.add_file(file_name, m_role);
+  reader.remark_on_snaps();
   if(has(arguments, m_role + "-random"))
   {
     const std::size_t n = count_argument_or(arguments, m_role + "-random", 1);

@@ -1,6 +1,7 @@
 #ifndef SURFACE_MESH_GEODESICS_DEMO_PATH_FINDER_H
 #define SURFACE_MESH_GEODESICS_DEMO_PATH_FINDER_H
 
+#include "Distance_field.h"
 #include "Location_options.h"
 #include "Program_mesh.h"
 
@@ -11,6 +12,13 @@
 namespace geodesics_demo {
 
 using Path_finder = CGAL::Surface_mesh_geodesic_paths<CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>>;
+
+struct Distance_run::Paths
+{
+  explicit Paths(const Mesh& mesh) : finder(mesh) {}
+
+  Path_finder finder;
+};
 
 inline void add_sources(Path_finder& paths, const std::vector<Location>& sources)
 {

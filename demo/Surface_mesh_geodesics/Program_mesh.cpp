@@ -1,11 +1,14 @@
 #include "Program_mesh.h"
 
 #include "Command_error.h"
+#include "File_bytes.h"
 #include "Input_file.h"
-#include "PLY_check.h"
+#include "Mesh_readers.h"
 #include "Polygon_soup.h"
+#include "Surface_builder.h"
+#include "Surface_repair.h"
+#include "Text_scanner.h"
 
-#include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -14,19 +17,12 @@
 #include <cctype>
 #include <cmath>
 #include <cstddef>
-#include <exception>
 #include <filesystem>
-#include <system_error>
 #include <vector>
 
 namespace geodesics_demo {
 
 namespace {
-
-[[noreturn]] void complain(const std::string& file_name, const std::string& what)
-{
-  throw Command_error(Exit_code::BAD_INPUT, file_name + ": " + what);
-}
 
 // The ending of a name, in lower case.
 std::string ending_of(const std::string& file_name)
@@ -37,44 +33,46 @@ std::string ending_of(const std::string& file_name)
   return ending;
 }
 
-// Readers report failure without a reason. These checks name the reasons that can be found beforehand.
-void check_file(const std::string& file_name)
+// Throws unless the file can be read, and has one of the formats by its name.
+void check_name(const std::string& file_name)
 {
-  namespace fs = std::filesystem;
-  check_is_readable(file_name);
-  std::error_code error;
-  if(fs::is_regular_file(file_name, error) && fs::file_size(file_name, error) == 0)
-    complain(file_name, "the file is empty");
+  if(file_name != "-")
+    check_is_readable(file_name);
   const std::string ending = ending_of(file_name);
   static const std::vector<std::string> known{".off", ".obj", ".ply", ".stl", ".ts"};
-  if(std::find(known.begin(), known.end(), ending) == known.end())
-    complain(file_name, "the name must end with one of .off, .obj, .ply, .stl, .ts");
+  if(file_name != "-" && std::find(known.begin(), known.end(), ending) == known.end())
+    reject_file(file_name, "the name must end with one of .off, .obj, .ply, .stl, .ts");
 }
 
-Polygon_soup read_soup(const std::string& file_name)
+// The format of bytes without a name, by their first word: that of OBJ may be any.
+std::string format_of(const std::string& file_name, std::string_view bytes)
 {
-  Polygon_soup soup;
-  bool is_read = false;
-  try
-  {
-    const std::string ending = ending_of(file_name);
-    if(ending == ".off")
-      is_read = read_OFF(file_name, soup);
-    else
-      is_read = (ending != ".ply" || may_read_PLY(file_name))
-             && CGAL::IO::read_polygon_soup(file_name, soup.points, soup.faces);
-  }
-  catch(const std::bad_alloc&)
-  {
-    throw;
-  }
-  catch(const std::exception&) // some readers throw for invalid numbers
-  {}
-  if(!is_read)
-    complain(file_name, "the file is damaged, incomplete, or not in the format of its name");
-  if(soup.faces.empty())
-    complain(file_name, "the file contains no faces");
-  return soup;
+  const std::string_view text = without_mark_of_byte_order(file_name, bytes);
+  const std::size_t first = (std::min)(text.find_first_not_of(" \t\r\n"), text.size());
+  const std::string_view word
+    = text.substr(first, (std::min)(text.find_first_of(" \t\r\n", first), text.size()) - first);
+  if(word == "ply")
+    return ".ply";
+  if(word == "GOCAD")
+    return ".ts";
+  if(word.size() >= 3 && (word.substr(word.size() - 3) == "OFF" || word == "SKEL"))
+    return ".off";
+  const bool is_binary = text.substr(0, 1000).find('\0') != std::string_view::npos;
+  return is_binary || word == "solid" ? ".stl" : ".obj";
+}
+
+Polygon_soup read_soup(const std::string& file_name, const Console& console)
+{
+  const Work_sign sign(console, "reading");
+  const std::string bytes = bytes_of(file_name);
+  const std::string format = file_name == "-" ? format_of(file_name, bytes) : ending_of(file_name);
+  if(format == ".off")
+    return read_OFF(file_name, bytes);
+  if(format == ".obj")
+    return read_OBJ(file_name, bytes, console);
+  if(format == ".ply")
+    return read_PLY(file_name, bytes);
+  return format == ".stl" ? read_STL(file_name, bytes) : read_TS(file_name, bytes);
 }
 
 void check_points(const std::string& file_name, const Polygon_soup& soup)
@@ -83,48 +81,8 @@ void check_points(const std::string& file_name, const Polygon_soup& soup)
   {
     const Point& p = soup.points[v];
     if(!std::isfinite(p.x()) || !std::isfinite(p.y()) || !std::isfinite(p.z()))
-      complain(file_name, "a coordinate of vertex " + std::to_string(v) + " is not a finite number");
+      reject_file(file_name, "a coordinate of vertex " + std::to_string(v) + " is not a finite number");
   }
-}
-
-void check_face(const std::string& file_name, const Polygon_soup& soup, std::size_t f)
-{
-  const std::string face = "face " + std::to_string(f);
-  std::vector<std::size_t> polygon = soup.faces[f];
-  if(polygon.size() < 3)
-    complain(file_name, face + " has fewer than three vertices");
-  std::sort(polygon.begin(), polygon.end());
-  if(polygon.back() >= soup.points.size())
-    complain(file_name, face + " has the vertex " + std::to_string(polygon.back()) + ", but there are only "
-                          + std::to_string(soup.points.size()) + " vertices");
-  if(std::adjacent_find(polygon.begin(), polygon.end()) != polygon.end())
-    complain(file_name, face + " has a vertex twice");
-}
-
-Mesh connect(const std::string& file_name, const Polygon_soup& soup)
-{
-  Mesh mesh;
-  mesh.reserve(static_cast<Mesh::size_type>(soup.points.size()), static_cast<Mesh::size_type>(3 * soup.faces.size()),
-               static_cast<Mesh::size_type>(soup.faces.size()));
-  for(const Point& p : soup.points)
-    mesh.add_vertex(p);
-  std::vector<Vertex> corners;
-  for(std::size_t f = 0; f < soup.faces.size(); ++f)
-  {
-    check_face(file_name, soup, f);
-    corners.clear();
-    for(const std::size_t v : soup.faces[f])
-      corners.push_back(Vertex(static_cast<Mesh::size_type>(v)));
-    const Face face = mesh.add_face(corners);
-    if(face == Mesh::null_face())
-      complain(file_name, "face " + std::to_string(f)
-                            + " does not fit the faces before it: an edge has more than two faces, or two faces of "
-                              "opposite orientation, or too many parts of the surface meet at a vertex");
-    // Barycentric coordinates belong to the corners in the order of the file.
-    while(mesh.source(mesh.halfedge(face)) != corners[0])
-      mesh.set_halfedge(face, mesh.next(mesh.halfedge(face)));
-  }
-  return mesh;
 }
 
 void triangulate(const std::string& file_name, Mesh& mesh, const Console& console)
@@ -133,7 +91,7 @@ void triangulate(const std::string& file_name, Mesh& mesh, const Console& consol
     return;
   const std::size_t before = mesh.number_of_faces();
   if(!CGAL::Polygon_mesh_processing::triangulate_faces(mesh) || !CGAL::is_triangle_mesh(mesh))
-    complain(file_name, "a face with more than three edges cannot be cut into triangles");
+    reject_file(file_name, "a face with more than three edges cannot be cut into triangles");
   if(mesh.has_garbage())
     mesh.collect_garbage();
   console.note(file_name + ": not all faces are triangles; cut " + counted_faces(before) + " into "
@@ -147,14 +105,53 @@ std::string counted_faces(std::size_t n)
   return std::to_string(n) + (n == 1 ? " face" : " faces");
 }
 
-Mesh read_mesh(const std::string& file_name, const Console& console)
+std::string counted_vertices(std::size_t n)
 {
-  check_file(file_name);
-  const Polygon_soup soup = read_soup(file_name);
+  return std::to_string(n) + (n == 1 ? " vertex" : " vertices");
+}
+
+void declare_repair(Option_descriptions& options)
+{
+  options.add_options()("repair",
+                        "mend a mesh that is not a surface: merge vertices at one place, leave out degenerate and "
+                        "repeated faces, orient the others, and split edges and vertices");
+}
+
+Polygon_soup read_polygons(const std::string& file_name, const Console& console)
+{
+  check_name(file_name);
+  Polygon_soup soup = read_soup(file_name, console);
+  if(soup.ends.empty())
+    reject_file(file_name, "the file contains no faces");
   check_points(file_name, soup);
-  Mesh mesh = connect(file_name, soup);
+  return soup;
+}
+
+Mesh mesh_of_polygons(const std::string& file_name, const Polygon_soup& soup, const Console& console)
+{
+  Mesh mesh = connected(file_name, soup);
   triangulate(file_name, mesh, console);
   return mesh;
+}
+
+Mesh read_mesh(const std::string& file_name, const Console& console)
+{
+  return mesh_of_polygons(file_name, read_polygons(file_name, console), console);
+}
+
+Mesh read_mesh(const Arguments& arguments, const Console& console)
+{
+  const std::string file_name = mesh_argument(arguments);
+  Polygon_soup soup = read_polygons(file_name, console);
+  if(has(arguments, "repair"))
+  {
+    const std::string changes = repair(soup).text();
+    console.note(file_name + ": " + (changes.empty() ? "there is nothing to repair"
+                                                     : changes + "; vertices and faces may have new indices"));
+    if(soup.ends.empty())
+      reject_file(file_name, "the repaired mesh contains no faces");
+  }
+  return mesh_of_polygons(file_name, soup, console);
 }
 
 double extent(const Mesh& mesh)

@@ -1,6 +1,7 @@
 #ifndef SURFACE_MESH_GEODESICS_DEMO_PROGRAM_MESH_H
 #define SURFACE_MESH_GEODESICS_DEMO_PROGRAM_MESH_H
 
+#include "Command.h"
 #include "Console.h"
 
 #include <CGAL/Simple_cartesian.h>
@@ -20,12 +21,21 @@ using Vertex = Mesh::Vertex_index;
 using Face = Mesh::Face_index;
 using Face_location = std::pair<Face, std::array<double, 3>>; // with barycentric coordinates
 
-// Reads a surface in any format that CGAL reads, and cuts faces with more than three edges into triangles. Vertices
-// keep the indices of the file; so do faces if all of them are triangles. Throws a Command_error with the reason if the
-// file is not a surface.
+// Reads the surface of a command from a file, or from the standard input if the name is `-`, and cuts faces with more
+// than three edges into triangles. The option --repair mends what is not a surface. Vertices keep the indices of the
+// file unless --repair changes them; so do faces if all of them are triangles. Throws a Command_error with the reason
+// if the file is not a surface.
+Mesh read_mesh(const Arguments& arguments, const Console& console);
+
+// The same for the file with this name, without --repair.
 Mesh read_mesh(const std::string& file_name, const Console& console);
 
-// "1 face", "2 faces", and so on.
+// The option --repair, which all commands have.
+void declare_repair(Option_descriptions& options);
+
+// "1 face", "2 faces"; "1 vertex", "2 vertices".
+std::string counted_vertices(std::size_t n);
+
 std::string counted_faces(std::size_t n);
 
 // The length of the diagonal of the bounding box.

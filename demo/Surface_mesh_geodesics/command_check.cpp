@@ -131,13 +131,11 @@ Certificate certificate_of(Mesh& mesh, const std::vector<double>& distances, con
   const auto map = mesh.add_property_map<Vertex, double>("v:checked_distance", 0).first;
   for(const Vertex v : mesh.vertices())
     map[v] = distances[v];
-  CGAL::Surface_mesh_geodesics::Geodesic_distance_options<Mesh> options;
-  options.maximum_distance = radius;
+  const auto np = CGAL::parameters::maximum_distance(radius);
   const std::vector<Vertex> vertices = as_vertices(sources);
   return vertices.empty()
-           ? CGAL::Surface_mesh_geodesics::certify_geodesic_distances(mesh, map, as_face_locations(sources, mesh),
-                                                                      options)
-           : CGAL::Surface_mesh_geodesics::certify_geodesic_distances(mesh, map, vertices, options);
+           ? CGAL::Surface_mesh_geodesics::certify_geodesic_distances(mesh, map, as_face_locations(sources, mesh), np)
+           : CGAL::Surface_mesh_geodesics::certify_geodesic_distances(mesh, map, vertices, np);
 }
 
 void write_table(std::ostream& os, const Certificate& certificate)
@@ -201,7 +199,7 @@ void run(const Arguments& arguments, const Console& console)
   const double radius = positive_argument_or(arguments, "radius", std::numeric_limits<double>::infinity());
   const double tolerance = positive_argument_or(arguments, "tolerance", Certificate::default_tolerance);
   Output_files files(output_names(arguments), {"csv"});
-  Mesh mesh = read_mesh(mesh_argument(arguments), console);
+  Mesh mesh = read_mesh(arguments, console);
   const std::vector<Location> sources = source_options.required_locations(arguments, mesh, console);
   const std::vector<double> distances
     = has(arguments, "distances")

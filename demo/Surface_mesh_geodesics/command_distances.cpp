@@ -5,15 +5,20 @@
 #include "Distance_field.h"
 #include "Drawing.h"
 #include "Html_page.h"
-#include "Output_files.h"
+#include "Location_columns.h"
 #include "Location_options.h"
+#include "Number_text.h"
+#include "Output_files.h"
+#include "Reachability.h"
 #include "number_arguments.h"
 
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <ostream>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace geodesics_demo {
@@ -32,19 +37,22 @@ void declare(Option_descriptions& options)
   options.add_options()
     ("radius", positive_value("radius")->value_name("R"), "only distances up to R")
     ("isolines", count_value("isolines", 0, largest_number_of_isolines)->value_name("N"),
-     "N isolines in files with geometry, evenly spaced up to the largest distance (default: 20; at "
-     "most 1000)")
+     "N isolines in files of --lines and pages, evenly spaced up to the largest distance (at most 1000; "
+     "default: about 20, at round distances)")
     ("spacing", positive_value("spacing")->value_name("D"),
-     "isolines at the distances D, 2 D, 3 D, ... instead; at most 1000");
+     "isolines at the distances D, 2 D, 3 D, ... instead; at most 1000")
+    ("lines", boost::program_options::value<std::vector<std::string>>()->value_name("FILE")->composing(),
+     "the isolines in a file of their own: .obj, .ply, .vtk, .vtu; takes several times the memory");
   declare_html(options);
-  declare_output(options, "a table .csv (default: to standard output); the surface with colors and isolines .ply, "
-                          ".vtk, .obj");
+  declare_output(options, "a table .csv (default: to standard output); the surface with colors and distances .ply, "
+                          ".vtu, .vtk, .obj");
 }
 
 std::vector<double> isoline_distances(const Arguments& arguments, double largest)
 {
   if(!has(arguments, "spacing"))
-    return evenly_spaced(count_argument_or(arguments, "isolines", 20), largest);
+    return has(arguments, "isolines") ? evenly_spaced(count_argument_or(arguments, "isolines", 20), largest)
+                                      : at_round_distances(20, largest);
   const double spacing = positive_argument_or(arguments, "spacing", largest);
   if(largest / spacing > static_cast<double>(largest_number_of_isolines))
   {
@@ -59,48 +67,54 @@ std::vector<double> isoline_distances(const Arguments& arguments, double largest
   return result;
 }
 
-void write_table(std::ostream& os, const Distance_field& field)
+void write_table(std::ostream& os, const Distance_field& field, const std::vector<Location>& sources)
 {
-  os << "vertex,distance,source\n";
+  const Location_columns columns("source_", sources);
+  os << "vertex,distance,source" << columns.names() << '\n';
   for(std::size_t v = 0; v < field.distance.size(); ++v)
-    os << v << ',' << field.distance[v] << ',' << source_number(field.source[v]) << '\n';
+    os << v << ',' << Number_text(field.distance[v]) << ',' << source_text(field.source[v])
+       << columns.cells(field.source[v]) << '\n';
 }
 
-// The surface with its distances, followed by the isolines.
-Drawing drawing_of(const Mesh& mesh, const Distance_field& field, const std::vector<Isoline>& isolines)
+Drawing drawing_of_surface(const Mesh& mesh, const Distance_field& field)
 {
   Drawing drawing;
   drawing.add_mesh(mesh);
-  Drawing_column distance{"distance", false, field.distance}, source{"source", true, {}};
-  Drawing_column line_distance{"distance", false, {}};
+  Drawing_column source{"source", true, {}};
+  source.values.reserve(field.source.size());
   for(const std::size_t s : field.source)
     source.values.push_back(source_number(s));
   const double largest = field.largest();
+  drawing.colors.reserve(field.distance.size());
   for(const double d : field.distance)
     drawing.colors.push_back(color_of_distance(d, largest));
+  drawing.point_columns = {Drawing_column{"distance", false, field.distance}, std::move(source)};
+  return drawing;
+}
+
+Drawing drawing_of_lines(const std::vector<Isoline>& isolines)
+{
+  Drawing drawing;
+  Drawing_column distance{"distance", false, {}};
   for(const Isoline& line : isolines)
   {
     drawing.add_line(line.points);
-    line_distance.values.push_back(line.distance);
+    distance.values.push_back(line.distance);
   }
-  for(const Isoline& line : isolines)
-    distance.values.insert(distance.values.end(), line.points.size(), line.distance);
-  drawing.colors.resize(drawing.points.size(), Color{0, 0, 0});
-  source.values.resize(drawing.points.size(), -1);
-  drawing.point_columns = {distance, source};
-  drawing.line_columns = {line_distance};
+  drawing.line_columns = {distance};
   return drawing;
 }
 
 Html_page page_of(const std::string& file_name, const Mesh& mesh, const std::vector<Location>& sources,
-                  const Distance_field& field, const std::vector<double>& limits, const Console& console)
+                  const Distance_run& run, const std::vector<double>& limits)
 {
   Html_page page;
   page.title = "Geodesic distances";
   page.subtitle = description_of(file_name, mesh);
-  page.surface = surface_with_distances(mesh, sources, field);
+  page.mesh = &mesh;
+  page.surface = run.surface();
   page.band_limits = limits;
-  page.lines = {lines_on(page.surface, mesh, sources, limits, console)};
+  page.lines = {run.lines_on(page.surface, limits)};
   page.dots = {dots_at("source", sources, mesh)};
   return page;
 }
@@ -110,24 +124,45 @@ void run(const Arguments& arguments, const Console& console)
   const double radius = positive_argument_or(arguments, "radius", std::numeric_limits<double>::infinity());
   if(has(arguments, "isolines") && has(arguments, "spacing"))
     throw Command_error(Exit_code::BAD_USAGE, "--isolines and --spacing cannot be combined");
-  Output_files files(output_names(arguments, html_names(arguments)), {"csv", "ply", "vtk", "obj", "html"});
+  const std::vector<std::string> line_names = all_values(arguments, "lines");
+  const std::vector<std::string> pages = html_names(arguments);
+  const bool has_output = has(arguments, "output") || !pages.empty() || line_names.empty();
+  Output_files files(has_output ? output_names(arguments, pages) : std::vector<std::string>(),
+                     {"csv", "ply", "vtu", "vtk", "obj", "html"});
+  Output_files line_files(line_names, {"obj", "ply", "vtk", "vtu"});
+  const bool has_lines = !line_names.empty() || files.have({"html"});
   for(const char* option : {"isolines", "spacing"})
-    files.remark_on_unused(arguments, option, {"ply", "vtk", "obj", "html"}, console);
-  const Mesh mesh = read_mesh(mesh_argument(arguments), console);
+    if(has(arguments, option) && !has_lines)
+      console.note(std::string("--") + option + " has no effect without --lines or a page .html");
+  const Mesh mesh = read_mesh(arguments, console);
   const std::vector<Location> sources = source_options.required_locations(arguments, mesh, console);
-  const Distance_field field = distances_from(mesh, sources, radius, console);
-  const std::vector<double> limits = isoline_distances(arguments, field.largest());
-  Drawing drawing;
-  if(files.have({"ply", "vtk", "obj"}))
-    drawing = drawing_of(mesh, field, isolines_around(mesh, sources, limits, console));
+  // One propagation: without lines, the one that keeps distances only.
+  std::unique_ptr<Distance_run> run;
+  if(has_lines)
+    run.reset(new Distance_run(mesh, sources, radius, console));
+  const Distance_field field = has_lines ? run->field() : distances_from(mesh, sources, radius, console);
+  if(!has(arguments, "radius"))
+    remark_on_unreached(mesh, field, console);
+  const std::vector<double> limits
+    = has_lines ? isoline_distances(arguments, field.largest()) : std::vector<double>();
+  if(!line_names.empty())
+  {
+    const Drawing lines = drawing_of_lines(run->isolines(limits));
+    line_files.write([&](std::ostream& os, const std::string& format) { write_drawing(os, format, lines); });
+  }
   files.write([&](std::ostream& os, const std::string& format)
   {
     if(format == "csv")
-      write_table(os, field);
+      write_table(os, field, sources);
     else if(format == "html")
-      write_html_page(os, page_of(mesh_argument(arguments), mesh, sources, field, limits, console));
+      write_html_page(os, page_of(mesh_argument(arguments), mesh, sources, *run, limits), console);
     else
+    {
+      Drawing drawing = drawing_of_surface(mesh, field);
+      if(format == "ply")
+        drawing.add_quality(field.distance);
       write_drawing(os, format, drawing);
+    }
   });
 }
 
@@ -137,10 +172,10 @@ const Command distances_command{
   "distances",
   "distances of all vertices from the nearest source",
   "The table has a line for each vertex: its index, its distance in the unit of the mesh ('inf' if no source reaches\n"
-  "it), and the index of the source, counted from 0 in the order of the options below; -1 for none. Files with\n"
-  "geometry have the same numbers for each vertex; -1 replaces 'inf' there.",
+  "it), the index of the source, counted from 0 in the order of the options below (-1 for none), and the vertex of\n"
+  "the source, or its face and barycentric coordinates. Files with geometry have the distances, too; unreached is NaN.",
   "  surface_mesh_geodesics distances bunny.off --source 0 > distances.csv\n"
-  "  surface_mesh_geodesics distances bunny.off --source-point -0.1,0.1,0 -o colors.ply -o colors.vtk --isolines 30\n"
+  "  surface_mesh_geodesics distances bunny.off --source-point -0.1,0.1,0 --snap -o colors.ply --lines lines.obj\n"
   "  surface_mesh_geodesics distances bunny.off --source-random 10 --seed 7 --radius 0.2 -o near.csv\n"
   "  surface_mesh_geodesics distances bunny.off --source 0 --html distances.html\n",
   declare, run};

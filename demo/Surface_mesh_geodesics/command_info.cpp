@@ -99,7 +99,7 @@ void add_measures(Table& table, const Mesh& mesh)
 void run(const Arguments& arguments, const Console& console)
 {
   Output_files files(output_names(arguments), {"csv"});
-  Mesh mesh = read_mesh(mesh_argument(arguments), console);
+  Mesh mesh = read_mesh(arguments, console);
   // Reject what the other subcommands reject.
   const CGAL::Surface_mesh_geodesics::Geodesic_distance_solver<Mesh> solver(mesh);
   Table table;

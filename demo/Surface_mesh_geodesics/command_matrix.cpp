@@ -2,14 +2,19 @@
 
 #include "Command.h"
 #include "Command_error.h"
-#include "Output_files.h"
+#include "Location_columns.h"
 #include "Location_options.h"
+#include "Matrix_store.h"
+#include "Number_text.h"
+#include "Output_files.h"
+#include "Reachability.h"
 #include "number_arguments.h"
 
 #include <CGAL/Surface_mesh_geodesics/Geodesic_distance_solver.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_distance_matrix.h>
 #include <CGAL/tags.h>
 
+#include <cstddef>
 #include <limits>
 #include <string>
 #include <utility>
@@ -33,6 +38,7 @@ void declare(Option_descriptions& options)
                         "only distances up to R: the table has a line for each, with the index of the source, "
                         "counted from 0, the target vertex, and the distance");
   declare_output(options, "a table .csv (default: to standard output)");
+  declare_matrix_store(options);
 }
 
 // Targets are vertices. Without targets, the sources are the targets.
@@ -47,17 +53,30 @@ std::vector<Vertex> targets(const Arguments& arguments, const Mesh& mesh, const 
   return result;
 }
 
-template <typename Sources>
-void write_matrix(std::ostream& os, const Solver& solver, const Sources& sources, const std::vector<Vertex>& targets,
-                  Progress_bar& bar)
+// Counts the entries without a path, for a remark.
+struct Unreached_pairs
 {
-  for(std::size_t j = 0; j < targets.size(); ++j)
-    os << (j == 0 ? "" : ",") << targets[j].idx();
+  std::size_t number = 0;
+};
+
+// The first row has the target vertices, and the first column the sources.
+template <typename Sources>
+void write_matrix(std::ostream& os, const Solver& solver, const Sources& sources,
+                  const std::vector<Location>& locations, const std::vector<Vertex>& targets,
+                  Unreached_pairs& unreached, Progress_bar& bar)
+{
+  os << "source";
+  for(const Vertex v : targets)
+    os << ',' << v.idx();
   os << '\n';
   const auto write_row = [&](std::size_t i, const std::vector<double>& row)
   {
-    for(std::size_t j = 0; j < row.size(); ++j)
-      os << (j == 0 ? "" : ",") << row[j];
+    os << name_of(locations[i]);
+    for(const double d : row)
+    {
+      os << ',' << Number_text(d);
+      unreached.number += d < std::numeric_limits<double>::infinity() ? 0 : 1;
+    }
     os << '\n';
     bar.show(static_cast<double>(i + 1) / static_cast<double>(sources.size()));
     return static_cast<bool>(os); // stops when the disk is full
@@ -67,13 +86,16 @@ void write_matrix(std::ostream& os, const Solver& solver, const Sources& sources
 
 template <typename Sources>
 void write_near_pairs(std::ostream& os, const Solver& solver, const Sources& sources,
-                      const std::vector<Vertex>& targets, double radius, Progress_bar& bar)
+                      const std::vector<Location>& locations, const std::vector<Vertex>& targets, double radius,
+                      Progress_bar& bar)
 {
-  os << "source,target,distance\n";
+  const Location_columns columns("source_", locations);
+  os << "source,target,distance" << columns.names() << '\n';
   const auto write_row = [&](std::size_t i, const std::vector<std::pair<std::size_t, double>>& row)
   {
     for(const std::pair<std::size_t, double>& entry : row)
-      os << i << ',' << targets[entry.first].idx() << ',' << entry.second << '\n';
+      os << i << ',' << targets[entry.first].idx() << ',' << Number_text(entry.second) << columns.cells(i)
+         << '\n';
     bar.show(static_cast<double>(i + 1) / static_cast<double>(sources.size()));
     return static_cast<bool>(os);
   };
@@ -81,32 +103,53 @@ void write_near_pairs(std::ostream& os, const Solver& solver, const Sources& sou
 }
 
 template <typename Sources>
-void write(const Arguments& arguments, const Mesh& mesh, const Sources& sources, const std::vector<Vertex>& targets,
-           Output_files& files, const Console& console)
+void write(const Arguments& arguments, const Mesh& mesh, const Sources& sources, const std::vector<Location>& locations,
+           const std::vector<Vertex>& targets, Output_files& files, const Console& console)
 {
+  Unreached_pairs unreached;
   const double radius = positive_argument_or(arguments, "radius", std::numeric_limits<double>::infinity());
   const Solver solver(mesh);
   files.write([&](std::ostream& os, const std::string&)
   {
     Progress_bar bar(console, "rows", 1);
     if(radius < std::numeric_limits<double>::infinity())
-      write_near_pairs(os, solver, sources, targets, radius, bar);
+      write_near_pairs(os, solver, sources, locations, targets, radius, bar);
     else
-      write_matrix(os, solver, sources, targets, bar);
+      write_matrix(os, solver, sources, locations, targets, unreached = Unreached_pairs(), bar);
   });
+  if(unreached.number > 0)
+    console.note(std::to_string(unreached.number) + " of " + std::to_string(sources.size() * targets.size())
+                 + " pairs have no path" + reason_for_unreached(mesh));
+}
+
+bool needs_mesh(const Arguments& arguments)
+{
+  return !has(arguments, "meshes") && !has(arguments, "status") && !has(arguments, "verify");
 }
 
 void run(const Arguments& arguments, const Console& console)
 {
+  check_matrix_store_options(arguments);
+  if(works_on_stored_matrix(arguments))
+  {
+    run_on_stored_matrix(arguments, [&](const Mesh& mesh)
+    {
+      Matrix_places places;
+      places.sources = source_options.required_locations(arguments, mesh, console);
+      places.targets = targets(arguments, mesh, places.sources, console);
+      return places;
+    }, console);
+    return;
+  }
   Output_files files(output_names(arguments), {"csv"});
-  const Mesh mesh = read_mesh(mesh_argument(arguments), console);
+  const Mesh mesh = read_mesh(arguments, console);
   const std::vector<Location> sources = source_options.required_locations(arguments, mesh, console);
   const std::vector<Vertex> target_vertices = targets(arguments, mesh, sources, console);
   const std::vector<Vertex> source_vertices = as_vertices(sources);
   if(!source_vertices.empty())
-    write(arguments, mesh, source_vertices, target_vertices, files, console);
+    write(arguments, mesh, source_vertices, sources, target_vertices, files, console);
   else
-    write(arguments, mesh, as_face_locations(sources, mesh), target_vertices, files, console);
+    write(arguments, mesh, as_face_locations(sources, mesh), sources, target_vertices, files, console);
 }
 
 } // namespace
@@ -114,11 +157,16 @@ void run(const Arguments& arguments, const Console& console)
 const Command matrix_command{
   "matrix",
   "distances between all sources and all targets",
-  "The first line has the indices of the target vertices, and each further line the distances from one source ('inf'\n"
-  "if there is no path), in the order of the options below. Without targets, the sources are the targets.",
+  "The first line has the indices of the target vertices. Each further line begins with a source: a vertex, or a face\n"
+  "and barycentric coordinates. The distances from it follow ('inf' if there is no path). Sources and targets are in\n"
+  "the order of the options below. Without targets, the sources are the targets.\n\n"
+  "--store writes rows into a folder instead, as NumPy files in which other calls and other machines compute what is\n"
+  "missing: after Ctrl-C, in array jobs, and with mpirun. The manual (Planning Bigger) describes the folder.",
   "  surface_mesh_geodesics matrix bunny.off --source 0,100,200 > matrix.csv\n"
   "  surface_mesh_geodesics matrix bunny.off --source-random 50 --target all -o matrix.csv\n"
-  "  surface_mesh_geodesics matrix bunny.off --source all --radius 0.03 -o neighbors.csv\n",
-  declare, run};
+  "  surface_mesh_geodesics matrix bunny.off --source all --radius 0.03 -o neighbors.csv\n"
+  "  surface_mesh_geodesics matrix bunny.off --source all --store distances --float32\n"
+  "  surface_mesh_geodesics matrix --status distances\n",
+  declare, run, needs_mesh};
 
 } // namespace geodesics_demo

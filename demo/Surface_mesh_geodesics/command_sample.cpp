@@ -3,14 +3,16 @@
 #include "Command.h"
 #include "Command_error.h"
 #include "Drawing.h"
-#include "Output_files.h"
 #include "Location_options.h"
+#include "Output_files.h"
+#include "Reachability.h"
 #include "number_arguments.h"
 
 #include <CGAL/Surface_mesh_geodesics/geodesic_farthest_point_sampling.h>
 
 #include <boost/iterator/function_output_iterator.hpp>
 
+#include <cmath>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -29,7 +31,7 @@ void declare(Option_descriptions& options)
      "stop when no vertex is farther than R from its nearest sample");
   first_options.declare(options);
   declare_seed(options);
-  declare_output(options, "a table .csv (default: to standard output); points .ply, .vtk, .obj");
+  declare_output(options, "a table .csv (default: to standard output); points .ply, .vtu, .vtk, .obj");
 }
 
 void write_table(std::ostream& os, const Mesh& mesh, const std::vector<Vertex>& samples)
@@ -59,9 +61,6 @@ Drawing drawing_of(const Mesh& mesh, const std::vector<Vertex>& samples)
 std::vector<Vertex> samples_of(const Mesh& mesh, std::size_t n, double radius, const std::vector<Vertex>& first,
                                const Console& console)
 {
-  CGAL::Surface_mesh_geodesics::Geodesic_sampling_options<Mesh> options;
-  options.first_samples = first;
-  options.covering_radius = radius;
   std::vector<Vertex> samples = first;
   double covering_radius = 0;
   {
@@ -71,10 +70,17 @@ std::vector<Vertex> samples_of(const Mesh& mesh, std::size_t n, double radius, c
       samples.push_back(v);
       bar.show(static_cast<double>(samples.size()) / static_cast<double>(n));
     });
-    covering_radius = CGAL::Surface_mesh_geodesics::geodesic_farthest_point_sampling(mesh, n, output, options);
+    covering_radius = CGAL::Surface_mesh_geodesics::geodesic_farthest_point_sampling(
+      mesh, n, output, CGAL::parameters::first_samples(first).covering_radius(radius));
   }
+  if(samples.size() < n && !(radius > 0))
+    console.note("--number: there are only " + counted_vertices(samples.size()));
   std::ostringstream text;
-  text << samples.size() << " samples; the farthest vertex is " << covering_radius << " from its nearest one";
+  text << samples.size() << (samples.size() == 1 ? " sample" : " samples");
+  if(std::isfinite(covering_radius))
+    text << "; the farthest vertex is " << covering_radius << " from its nearest one";
+  else
+    text << (samples.size() == 1 ? " does" : " do") << " not reach all vertices" << reason_for_unreached(mesh);
   console.note(text.str());
   return samples;
 }
@@ -84,8 +90,8 @@ void run(const Arguments& arguments, const Console& console)
   if(!has(arguments, "number") && !has(arguments, "radius"))
     throw Command_error(Exit_code::BAD_USAGE, "neither --number nor --radius is given");
   const double radius = positive_argument_or(arguments, "radius", 0);
-  Output_files files(output_names(arguments), {"csv", "ply", "vtk", "obj"});
-  const Mesh mesh = read_mesh(mesh_argument(arguments), console);
+  Output_files files(output_names(arguments), {"csv", "ply", "vtu", "vtk", "obj"});
+  const Mesh mesh = read_mesh(arguments, console);
   const std::size_t n = count_argument_or(arguments, "number", mesh.number_of_vertices());
   const std::vector<Vertex> first = first_options.vertices(arguments, mesh, console);
   if(first.size() > n)
@@ -107,7 +113,8 @@ const Command sample_command{
   "sample",
   "vertices spread evenly over the surface",
   "Each sample is the vertex that is farthest from all samples before it. The table has a line for each sample: its\n"
-  "index, its vertex, and its point. The error stream shows the distance of the farthest vertex.",
+  "index, its vertex, and its point; options such as --source-file accept it. The error stream shows the distance of\n"
+  "the farthest vertex.",
   "  surface_mesh_geodesics sample bunny.off --number 100 > samples.csv\n"
   "  surface_mesh_geodesics sample bunny.off --radius 0.1 --first 0 -o samples.ply\n",
   declare, run};

@@ -5,20 +5,27 @@
 #include "Distance_field.h"
 #include "Face_tree.h"
 #include "Html_page.h"
-#include "Output_files.h"
+#include "Location_columns.h"
 #include "Location_options.h"
+#include "Output_files.h"
 #include "Program_mesh.h"
+#include "Reachability.h"
 #include "number_arguments.h"
 
+#include <CGAL/IO/OFF.h>
 #include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_Voronoi_diagram.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_Voronoi_cell_colors.h>
+#include <CGAL/Surface_mesh_geodesics/geodesic_Voronoi_labels.h>
 #include <CGAL/Surface_mesh_geodesics/write_geodesic_Voronoi_diagram.h>
 #include <CGAL/Surface_mesh_shortest_path/Surface_mesh_shortest_path_traits.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <iterator>
 #include <limits>
+#include <optional>
 #include <ostream>
 #include <sstream>
 #include <string>
@@ -42,10 +49,13 @@ void declare(Option_descriptions& options)
     ("vertices", "the table has a line for each vertex of the mesh, with its site")
     ("tolerance", positive_value("tolerance")->value_name("T"),
      "the largest distance between lines in files and the curves (default: 1e-4 times the diagonal of the bounding "
-     "box; at least 1e-9 times)");
+     "box; at least 1e-9 times)")
+    ("cell", count_value("cell", 0)->value_name("I"), "files .off and .polylines.txt hold the cell of this site alone")
+    ("along-border", "boundaries in files .polylines.txt go on along the border of the mesh");
   declare_html(options);
   declare_output(options, "a table .csv (default: to standard output); cells with colors and their boundaries .ply, "
-                          ".vtk; boundaries alone .obj");
+                          ".vtk; boundaries alone .obj; the mesh cut along them .off; boundaries of one cell after "
+                          "the other .polylines.txt");
 }
 
 std::vector<double> weights(const Arguments& arguments, std::size_t number_of_sites)
@@ -71,12 +81,13 @@ void add_sites(Diagram& diagram, const std::vector<Location>& sites, const std::
 
 void write_cells_table(std::ostream& os, const Mesh& mesh, const std::vector<Location>& sites, const Diagram& diagram)
 {
-  os << "site,x,y,z,weight,area,is_disk,neighbors\n";
+  const Location_columns columns("", sites);
+  os << "site" << columns.names() << ",x,y,z,weight,area,is_disk,neighbors\n";
   for(std::size_t i = 0; i < diagram.number_of_sites(); ++i)
   {
     const Point p = point_of(sites[i], mesh);
-    os << i << ',' << p.x() << ',' << p.y() << ',' << p.z() << ',' << diagram.weight(i) << ',' << diagram.area(i)
-       << ',' << (diagram.is_disk(i) ? 1 : 0) << ',';
+    os << i << columns.cells(i) << ',' << p.x() << ',' << p.y() << ',' << p.z() << ',' << diagram.weight(i)
+       << ',' << diagram.area(i) << ',' << (diagram.is_disk(i) ? 1 : 0) << ',';
     const char* separator = "";
     for(const std::size_t j : diagram.adjacent_sites(i))
     {
@@ -87,18 +98,62 @@ void write_cells_table(std::ostream& os, const Mesh& mesh, const std::vector<Loc
   }
 }
 
-void write_vertices_table(std::ostream& os, const Mesh& mesh, const Diagram& diagram)
+void write_vertices_table(std::ostream& os, const Mesh& mesh, const std::vector<Location>& sites,
+                          const Diagram& diagram)
 {
-  os << "vertex,site,distance\n";
+  const Location_columns columns("site_", sites);
+  os << "vertex,site,distance" << columns.names() << '\n';
   for(const Vertex v : mesh.vertices())
   {
     const std::size_t site = diagram.nearest_site(v);
     os << v.idx() << ',';
     if(site == Diagram::null_site())
-      os << "-1,inf\n";
+      os << "-1,inf" << columns.cells(sites.size()) << '\n';
     else
-      os << site << ',' << diagram.distance_to_nearest_site(v) << '\n';
+      os << site << ',' << diagram.distance_to_nearest_site(v) << columns.cells(site) << '\n';
   }
+}
+
+// The same table.
+void write_labels_table(std::ostream& os, const Mesh& mesh, const std::vector<Location>& sites,
+                        const std::vector<std::size_t>& labels, const std::vector<double>& distances)
+{
+  const Location_columns columns("site_", sites);
+  os << "vertex,site,distance" << columns.names() << '\n';
+  for(const Vertex v : mesh.vertices())
+  {
+    os << v.idx() << ',';
+    if(labels[v] == Diagram::null_site())
+      os << "-1,inf" << columns.cells(sites.size()) << '\n';
+    else
+      os << labels[v] << ',' << distances[v] << columns.cells(labels[v]) << '\n';
+  }
+}
+
+// The cell of a site, or all of them, as a mesh.
+void write_cells_mesh(std::ostream& os, const Diagram& diagram, const std::optional<std::size_t>& cell,
+                      double tolerance)
+{
+  Mesh mesh;
+  if(cell)
+    diagram.cell_mesh(*cell, mesh, mesh.add_property_map<Face, Face>("f:face").first, tolerance);
+  else
+    diagram.cut(mesh, mesh.add_property_map<Face, std::size_t>("f:site").first, tolerance);
+  CGAL::IO::write_OFF(os, mesh, CGAL::parameters::stream_precision(17));
+}
+
+// CGAL's format: one line per curve, with the number of points and the points.
+void write_polylines(std::ostream& os, const Diagram& diagram, const std::optional<std::size_t>& cell, double tolerance,
+                     bool along_border)
+{
+  for(std::size_t i = cell.value_or(0); i < (cell ? *cell + 1 : diagram.number_of_sites()); ++i)
+    for(const Diagram::Boundary_polyline& line : diagram.boundary_polylines(i, tolerance, along_border))
+    {
+      os << line.locations.size();
+      for(const Diagram::Face_location& location : line.locations)
+        os << ' ' << diagram.point(location);
+      os << '\n';
+    }
 }
 
 void write_geometry(std::ostream& os, const std::string& format, const Diagram& diagram, double tolerance)
@@ -153,11 +208,12 @@ Html_page page_of(const std::string& file_name, const Mesh& mesh, const std::vec
   Html_page page;
   page.title = "Geodesic Voronoi diagram";
   page.subtitle = description_of(file_name, mesh);
+  page.mesh = &mesh;
   page.surface = cut_surface(mesh, diagram, tolerance);
   page.cell_colors = CGAL::Surface_mesh_geodesics::geodesic_Voronoi_cell_colors(diagram);
   Distance_field field;
   field.distance = page.surface.distances;
-  page.band_limits = evenly_spaced(9, field.largest());
+  page.band_limits = at_round_distances(9, field.largest());
   Html_lines arcs{"arc", {}};
   for(const Diagram::Edge& edge : diagram.edges())
   {
@@ -184,29 +240,83 @@ double tolerance_of(const Arguments& arguments, const Mesh& mesh)
   return result;
 }
 
+// The number of a site that is given, if one is.
+std::optional<std::size_t> cell_of(const Arguments& arguments, std::size_t number_of_sites)
+{
+  if(!has(arguments, "cell"))
+    return std::nullopt;
+  const std::size_t cell = count_argument_or(arguments, "cell", 0);
+  if(cell >= number_of_sites)
+    throw Command_error(Exit_code::BAD_USAGE, "--cell: there is no site " + std::to_string(cell) + ", but "
+                                                + std::to_string(number_of_sites) + ", counted from 0");
+  return cell;
+}
+
+// Writes the table of vertices without a diagram, which would take longer.
+void write_labels(const Mesh& mesh, const std::vector<Location>& sites, const std::vector<double>& weights,
+                  Output_files& files, const Console& console)
+{
+  std::vector<std::size_t> labels(mesh.number_of_vertices());
+  std::vector<double> distances(mesh.number_of_vertices());
+  const auto index = get(boost::vertex_index, mesh);
+  const auto label_map = boost::make_iterator_property_map(labels.begin(), index);
+  const auto distance_map = boost::make_iterator_property_map(distances.begin(), index);
+  const std::vector<Vertex> vertices = as_vertices(sites);
+  Progress_visitor visitor(console, "distances");
+  const auto np = CGAL::parameters::vertex_distance_map(distance_map).site_weights(weights).visitor(std::ref(visitor));
+  if(!vertices.empty())
+    CGAL::Surface_mesh_geodesics::geodesic_Voronoi_labels(mesh, label_map, vertices, np);
+  else
+    CGAL::Surface_mesh_geodesics::geodesic_Voronoi_labels(mesh, label_map, as_face_locations(sites, mesh), np);
+  files.write([&](std::ostream& os, const std::string&) { write_labels_table(os, mesh, sites, labels, distances); });
+  const std::size_t n = static_cast<std::size_t>(std::count(labels.begin(), labels.end(), Diagram::null_site()));
+  remark_on_unreached(mesh, n, console);
+}
+
+std::size_t number_of_unreached(const Mesh& mesh, const Diagram& diagram)
+{
+  std::size_t n = 0;
+  for(const Vertex v : mesh.vertices())
+    n += diagram.nearest_site(v) == Diagram::null_site() ? 1 : 0;
+  return n;
+}
+
 void run(const Arguments& arguments, const Console& console)
 {
-  Output_files files(output_names(arguments, html_names(arguments)), {"csv", "ply", "vtk", "obj", "html"});
-  files.remark_on_unused(arguments, "tolerance", {"ply", "vtk", "obj", "html"}, console);
+  const std::vector<std::string> formats_with_curves{"ply", "vtk", "obj", "off", "polylines.txt", "html"};
+  Output_files files(output_names(arguments, html_names(arguments)),
+                     {"csv", "ply", "vtk", "obj", "off", "polylines.txt", "html"});
+  files.remark_on_unused(arguments, "tolerance", formats_with_curves, console);
   files.remark_on_unused(arguments, "vertices", {"csv"}, console);
-  const Mesh mesh = read_mesh(mesh_argument(arguments), console);
+  files.remark_on_unused(arguments, "cell", {"off", "polylines.txt"}, console);
+  files.remark_on_unused(arguments, "along-border", {"polylines.txt"}, console);
+  const Mesh mesh = read_mesh(arguments, console);
   const double tolerance = tolerance_of(arguments, mesh);
   const std::vector<Location> sites = site_options.required_locations(arguments, mesh, console);
+  const std::optional<std::size_t> cell = cell_of(arguments, sites.size());
+  const std::vector<double> weights_of_sites = weights(arguments, sites.size());
+  if(has(arguments, "vertices") && !files.have(formats_with_curves))
+    return write_labels(mesh, sites, weights_of_sites, files, console);
   Diagram diagram(mesh);
-  add_sites(diagram, sites, weights(arguments, sites.size()));
+  add_sites(diagram, sites, weights_of_sites);
   {
     Progress_visitor visitor(console, "diagram");
     diagram.build(visitor);
   }
+  remark_on_unreached(mesh, number_of_unreached(mesh, diagram), console);
   const Work_sign sign(console, "output");
   files.write([&](std::ostream& os, const std::string& format)
   {
     if(format == "html")
-      write_html_page(os, page_of(mesh_argument(arguments), mesh, sites, diagram, tolerance));
+      write_html_page(os, page_of(mesh_argument(arguments), mesh, sites, diagram, tolerance), console);
+    else if(format == "off")
+      write_cells_mesh(os, diagram, cell, tolerance);
+    else if(format == "polylines.txt")
+      write_polylines(os, diagram, cell, tolerance, has(arguments, "along-border"));
     else if(format != "csv")
       write_geometry(os, format, diagram, tolerance);
     else if(has(arguments, "vertices"))
-      write_vertices_table(os, mesh, diagram);
+      write_vertices_table(os, mesh, sites, diagram);
     else
       write_cells_table(os, mesh, sites, diagram);
   });
@@ -217,12 +327,14 @@ void run(const Arguments& arguments, const Console& console)
 const Command voronoi_command{
   "voronoi",
   "the geodesic Voronoi diagram of sites",
-  "The table has a line for each site, counted from 0 in the order of the options below: its point, its weight, the\n"
-  "area of its cell, whether the cell is a disk (1) or not (0), and the sites of the neighboring cells. With\n"
-  "--vertices, it lists the nearest site of each vertex and the distance from that site minus the weight.",
+  "The table has a line for each site, counted from 0 in the order of the options below: its vertex (or its face\n"
+  "and barycentric coordinates), its point, its weight, the area of its cell, whether the cell is a disk (1) or not\n"
+  "(0), and the sites of the neighboring cells. With --vertices, it lists the nearest site of each vertex and the\n"
+  "distance from that site minus the weight.",
   "  surface_mesh_geodesics voronoi bunny.off --site-random 30 -o cells.ply -o cells.csv\n"
   "  surface_mesh_geodesics voronoi bunny.off --site 0,100,200 --weight 0,0.01,0.02 --vertices\n"
   "  surface_mesh_geodesics voronoi bunny.off --site-file locations.txt -o boundaries.obj\n"
+  "  surface_mesh_geodesics voronoi bunny.off --site-random 30 --cell 7 -o cell.off -o boundary.polylines.txt\n"
   "  surface_mesh_geodesics voronoi bunny.off --site-random 30 --html cells.html\n",
   declare, run};
 

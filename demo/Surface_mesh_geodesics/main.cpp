@@ -2,8 +2,10 @@
 
 #include "Command.h"
 #include "Command_error.h"
+#include "Html_page.h"
 #include "Input_file.h"
 #include "Location_options.h"
+#include "Program_mesh.h"
 
 #include <fcntl.h>
 
@@ -45,7 +47,7 @@ void print_help(std::ostream& os)
         "       surface_mesh_geodesics SUBCOMMAND --help\n\nsubcommands:\n";
   for(const Command* command : commands())
     os << "  " << command->name << std::string(11 - std::string(command->name).size(), ' ') << command->summary << '\n';
-  os << "\nMESH is a file with a surface, in the format .off, .obj, .ply, .stl or .ts.\n\n"
+  os << "\nMESH is a file with a surface, in the format .off, .obj, .ply, .stl or .ts; - is the standard input.\n\n"
         "examples:\n"
         "  surface_mesh_geodesics info bunny.off\n"
         "  surface_mesh_geodesics distances bunny.off --source 0 -o distances.csv -o colors.ply\n"
@@ -56,6 +58,7 @@ Option_descriptions all_options(const Command& command)
 {
   Option_descriptions options("options", 100, 60);
   command.declare(options);
+  declare_repair(options);
   options.add_options()
     ("quiet,q", "no remarks and no progress on the error stream")
     ("help,h", "print this text");
@@ -109,12 +112,16 @@ Arguments parse(const Command& command, const std::vector<std::string>& words)
 void run(const Command& command, const std::vector<std::string>& words)
 {
   const Arguments arguments = parse(command, words);
+  std::vector<std::string> line = words;
+  line.insert(line.begin(), command.name);
+  set_command_line(line);
   if(has(arguments, "help"))
   {
     print_help(command, std::cout);
     return;
   }
-  if(!has(arguments, "mesh"))
+  const bool needs_mesh = command.needs_mesh == nullptr || command.needs_mesh(arguments);
+  if(needs_mesh && !has(arguments, "mesh"))
     throw Command_error(Exit_code::BAD_USAGE, "no mesh is given");
   check_inputs_are_kept(arguments);
   const Console console(has(arguments, "quiet"));
@@ -126,7 +133,8 @@ void run(const Command& command, const std::vector<std::string>& words)
   }
   catch(const CGAL::Surface_mesh_geodesics::Invalid_geodesic_input& error)
   {
-    throw Command_error(Exit_code::BAD_INPUT, mesh_argument(arguments) + ": " + error.what());
+    const std::string mesh = mesh_argument(arguments);
+    throw Command_error(Exit_code::BAD_INPUT, (mesh.empty() ? "a mesh" : mesh) + ": " + error.what());
   }
 }
 

@@ -47,7 +47,8 @@ int main(int argc, char* argv[])
   std::vector<double> weights(sites.size(), 0.);
   weights[0] = 0.5;
   auto distance = mesh.add_property_map<vertex_descriptor, double>("v:distance").first;
-  Geodesics::geodesic_Voronoi_labels(mesh, label, distance, sites, weights);
+  Geodesics::geodesic_Voronoi_labels(mesh, label, sites,
+                                     CGAL::parameters::site_weights(weights).vertex_distance_map(distance));
   std::cout << "with a weight:";
   for(std::size_t i = 0; i < sites.size(); ++i)
   {

@@ -40,25 +40,20 @@ int main(int argc, char* argv[])
 
   // Each sample is the vertex farthest from all samples before it. More samples make the gaps between them smaller.
   std::vector<vertex_descriptor> samples;
-  Geodesics::Geodesic_sampling_options<Mesh> options;
   for(std::size_t k = 10; k <= n; k *= 2)
   {
-    options.first_samples = samples; // continue with the samples found so far
-    const double radius = Geodesics::geodesic_farthest_point_sampling(mesh, k, std::back_inserter(samples), options);
+    // Continue with the samples found so far. The parameters hold a copy of them.
+    const double radius = Geodesics::geodesic_farthest_point_sampling(mesh, k, std::back_inserter(samples),
+                                                                      CGAL::parameters::first_samples(samples));
     std::cout << samples.size() << " samples: no vertex is farther from them than " << radius << std::endl;
   }
 
   // Samples, moved to the centers of their cells, are the vertices of a coarse mesh.
   Mesh coarse;
-  const Geodesics::Geodesic_dual_report report =
+  const Geodesics::Geodesic_remeshing_report report =
       Geodesics::geodesic_remeshing(mesh, n, coarse, CGAL::parameters::number_of_iterations(10));
-  if(!report.is_manifold())
-  {
-    std::cout << "The dual of " << n << " cells is no manifold mesh: " << report.cells_that_are_not_disks.size()
-              << " cells are not disks, " << report.pairs_with_several_edges.size()
-              << " pairs of cells have several edges in common. Try more vertices." << std::endl;
-    return EXIT_SUCCESS;
-  }
+  if(report.number_of_added_samples > 0)
+    std::cout << "added " << report.number_of_added_samples << " samples, as the shape needs more" << std::endl;
   std::cout << "from " << mesh.number_of_vertices() << " to " << coarse.number_of_vertices() << " vertices, "
             << coarse.number_of_faces() << " faces" << std::endl;
   if(!CGAL::IO::write_polygon_mesh("remeshed.off", coarse, CGAL::parameters::stream_precision(17)))

@@ -43,13 +43,13 @@ int main(int argc, char* argv[])
   // The map of nearest sources receives, for each vertex, an index into the vector of sources.
   auto distance = mesh.add_property_map<vertex_descriptor, double>("v:distance").first;
   auto nearest = mesh.add_property_map<vertex_descriptor, std::size_t>("v:nearest_source").first;
-  auto options = Geodesics::make_geodesic_distance_options<Mesh>(nearest);
 
   // An offset is added to all distances from its source, as if every path began with an extra piece of that length. The
   // offset of the last source is so large that no vertex is nearest to it.
-  options.source_offsets = {0., 0.1, 0., 100.};
+  const std::vector<double> offsets = {0., 0.1, 0., 100.};
 
-  Geodesics::geodesic_distances(mesh, distance, sources, options);
+  Geodesics::geodesic_distances(mesh, distance, sources,
+                                CGAL::parameters::nearest_source_map(nearest).source_offsets(offsets));
 
   std::vector<std::size_t> number_of_vertices(sources.size(), 0);
   std::vector<double> farthest(sources.size(), 0.);

@@ -17,8 +17,10 @@
 #include <CGAL/Surface_mesh_geodesics/Geodesic_Voronoi_certificate.h>
 #include <CGAL/Surface_mesh_geodesics/Geodesic_default_visitor.h>
 #include <CGAL/Surface_mesh_geodesics/Geodesic_distance_certificate.h>
-#include <CGAL/Surface_mesh_geodesics/Geodesic_distance_options.h>
 #include <CGAL/Surface_mesh_geodesics/Geodesic_distance_solver.h>
+#include <CGAL/Surface_mesh_geodesics/Geodesic_matrix_store_error.h>
+#include <CGAL/Surface_mesh_geodesics/Geodesic_matrix_store_options.h>
+#include <CGAL/Surface_mesh_geodesics/Geodesic_matrix_store_status.h>
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
 #include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_Voronoi_diagram.h>
@@ -29,9 +31,13 @@
 #include <CGAL/Surface_mesh_geodesics/geodesic_Voronoi_cell_colors.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_Voronoi_labels.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_distance_matrix.h>
+#include <CGAL/Surface_mesh_geodesics/geodesic_distance_matrix_mpi.h>
+#include <CGAL/Surface_mesh_geodesics/geodesic_distance_matrix_store.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_distances.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_farthest_point_sampling.h>
+#include <CGAL/Surface_mesh_geodesics/geodesic_parameters.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_remeshing.h>
+#include <CGAL/Surface_mesh_geodesics/trace_geodesic.h>
 #include <CGAL/Surface_mesh_geodesics/write_geodesic_Voronoi_diagram.h>
 
 #endif // CGAL_SURFACE_MESH_GEODESICS_H

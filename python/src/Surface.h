@@ -62,6 +62,10 @@ py::array_t<T> to_rows(std::vector<T>&& values, std::size_t columns)
 
 py::array_t<double> points_to_array(const std::vector<Point>& points);
 
+// The points of a mesh, and its faces as rows of three vertices.
+py::array_t<double> points_of(const Mesh& mesh);
+py::array_t<std::int64_t> faces_of(const Mesh& mesh);
+
 // --- interruption ----------------------------------------------------------------------------------------------------
 
 // Runs a computation that Python can interrupt, in the calling thread and without the interpreter's lock. Twenty times
@@ -111,6 +115,13 @@ public:
     return go_further();
   }
 
+  // The same for loops with short steps: looks at the clock at every 64th call only.
+  bool ask_sometimes_and_go_further()
+  {
+    thread_local unsigned int number_of_calls = 0;
+    return ++number_of_calls % 64 != 0 ? go_further() : ask_and_go_further();
+  }
+
   // Calls compute(), which must not touch Python, and throws what has interrupted it, or what it throws.
   // Requires: this thread holds the interpreter's lock.
   void run(const std::function<void()>& compute);
@@ -118,6 +129,10 @@ public:
   // Stops all computations, and waits until they have ended, except those whose thread runs Python. A signal ends the
   // wait. Requires: this thread holds the interpreter's lock.
   static void stop_all();
+
+protected:
+  // Calls Python code in the thread that computes. Its exception ends the computation.
+  void call_python(const std::function<void()>& call);
 
 private:
   void ask_python();
@@ -161,6 +176,7 @@ struct Places
 };
 
 std::vector<Vertex> to_vertices(const Array<std::int64_t>& ids);
+py::array_t<std::int64_t> to_ids(const std::vector<Vertex>& vertices);
 
 // --- the surface -----------------------------------------------------------------------------------------------------
 
@@ -193,9 +209,11 @@ public:
   std::shared_ptr<Path_engine> path_engine;
 
 private:
-  void build(const Array<double>& points, const Array<std::int64_t>& faces, const Array<double>& lengths);
-  void add_faces(const Array<std::int64_t>& faces);
-  void add_lengths(const Array<std::int64_t>& faces, const Array<double>& lengths);
+  // They return early if Python interrupts.
+  void build(const Array<double>& points, const Array<std::int64_t>& faces, const Array<double>& lengths,
+             Interruptible& visitor);
+  void add_faces(const Array<std::int64_t>& faces, Interruptible& visitor);
+  void add_lengths(const Array<std::int64_t>& faces, const Array<double>& lengths, Interruptible& visitor);
 
   Mesh m_mesh;
   Mesh::Property_map<Mesh::Edge_index, double> m_lengths;

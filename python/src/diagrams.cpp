@@ -1,60 +1,48 @@
-// Geodesic Voronoi diagrams, and what the package makes with them: samples and remeshing. (One file, because compiling
-// the diagram takes longer than everything else.)
+// Geodesic Voronoi diagrams, built by one thread or by several, and what the package makes with them in one thread:
+// samples, relaxation, remeshing. (One file, as diagrams take long to compile.)
 
 #include "Engines.h"
 
 #include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_Voronoi_diagram.h>
+#include <CGAL/Surface_mesh_geodesics/geodesic_Lloyd_relaxation.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_Voronoi_cell_colors.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_farthest_point_sampling.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_remeshing.h>
 
-#include <algorithm>
+#include <pybind11/stl.h>
+
 #include <array>
+#include <cstddef>
 #include <functional>
 #include <iterator>
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace geodesics_python {
 
 namespace {
 
-// The faces of a mesh, as rows of three vertices.
-py::array_t<std::int64_t> faces_of(const Mesh& mesh)
-{
-  std::vector<std::int64_t> faces;
-  for(const Face f : mesh.faces())
-    for(const Vertex v : mesh.vertices_around_face(mesh.halfedge(f)))
-      faces.push_back(std::int64_t(std::size_t(v)));
-  return to_rows(std::move(faces), 3);
-}
-
-py::array_t<double> points_of(const Mesh& mesh)
-{
-  std::vector<Point> points;
-  for(const Vertex v : mesh.vertices())
-    points.push_back(mesh.point(v));
-  return points_to_array(points);
-}
-
-// The cell of each face of a mesh that is cut along a diagram. The cut ends with an exception if Python interrupts it.
-struct Cell_map
+// A property of the faces of a mesh that is cut along a diagram. The cut ends with an exception if Python interrupts.
+template <typename T>
+struct Interruptible_face_map
 {
   using key_type = Face;
-  using value_type = std::size_t;
-  using reference = std::size_t;
+  using value_type = T;
+  using reference = T;
   using category = boost::writable_property_map_tag;
 
-  friend void put(const Cell_map& map, Face f, std::size_t cell)
+  friend void put(const Interruptible_face_map& map, Face f, const T& value)
   {
     if(!map.visitor.ask_and_go_further())
       throw std::runtime_error("interrupted");
-    map.cells[f] = cell;
+    map.values[f] = value;
   }
 
   Interruptible& visitor;
-  Mesh::Property_map<Face, std::size_t> cells;
+  Mesh::Property_map<Face, T> values;
 };
 
 // A diagram that is built, and the surface that it refers to.
@@ -139,16 +127,66 @@ public:
     return to_rows(std::move(result), 3);
   }
 
-  // The curves around a cell; a closed one ends with its first point.
-  py::list boundaries(std::size_t i, double tolerance) const
+  // The curves around a cell: for each its points, their faces, their coordinates there, the vertices of the diagram
+  // that they are, or -1, and whether it is closed.
+  py::list boundary_polylines(std::size_t i, double tolerance, bool closes_at_border) const
   {
-    std::vector<std::vector<Point>> curves;
-    Interruptible visitor{py::none()};
-    visitor.run([&]() { find_boundaries(i, tolerance, visitor, curves); });
+    std::vector<typename Voronoi::Boundary_polyline> lines;
+    without_lock([&]() { lines = m_voronoi.boundary_polylines(i, tolerance, closes_at_border); });
     py::list result;
-    for(const std::vector<Point>& curve : curves)
-      result.append(points_to_array(curve));
+    for(const auto& line : lines)
+    {
+      std::vector<Point> points;
+      std::vector<std::int64_t> faces, vertices;
+      std::vector<double> weights;
+      for(const auto& [f, b] : line.locations)
+      {
+        points.push_back(m_voronoi.point({f, b}));
+        faces.push_back(std::int64_t(std::size_t(f)));
+        weights.insert(weights.end(), b.begin(), b.end());
+      }
+      for(const std::size_t v : line.vertices)
+        vertices.push_back(number(v));
+      result.append(py::make_tuple(points_to_array(points), to_array(std::move(faces)), to_rows(std::move(weights), 3),
+                                   to_array(std::move(vertices)), line.is_closed));
+    }
     return result;
+  }
+
+  // What is 1 for the cells that are disks.
+  py::array_t<bool> are_disks() const
+  {
+    py::array_t<bool> result(static_cast<py::ssize_t>(number_of_sites()));
+    bool* const is_disk = result.mutable_data();
+    without_lock([&]()
+    {
+      for(std::size_t i = 0; i < number_of_sites(); ++i)
+        is_disk[i] = m_voronoi.is_disk(i);
+    });
+    return result;
+  }
+
+  double energy() const
+  {
+    double result = 0;
+    without_lock([&]() { result = m_voronoi.energy(); });
+    return result;
+  }
+
+  // The findings about the dual, by name.
+  py::dict check_dual() const
+  {
+    geodesics::Geodesic_dual_report r;
+    without_lock([&]() { r = geodesics::check_geodesic_dual(m_voronoi); });
+    using namespace py::literals;
+    return py::dict("is_manifold"_a = r.is_manifold(), "is_triangulation"_a = r.is_triangulation(),
+                    "is_polygon_mesh"_a = r.is_polygon_mesh, "cells_that_are_not_disks"_a = r.cells_that_are_not_disks,
+                    "cells_with_several_boundaries"_a = r.cells_with_several_boundaries,
+                    "cells_without_triangle"_a = r.cells_without_triangle,
+                    "pairs_with_several_edges"_a = r.pairs_with_several_edges,
+                    "pairs_without_triangle"_a = r.pairs_without_triangle,
+                    "triples_with_several_vertices"_a = r.triples_with_several_vertices,
+                    "vertices_of_many_cells"_a = r.vertices_of_many_cells);
   }
 
   // The triples of sites around the vertices of the diagram.
@@ -166,14 +204,15 @@ public:
   // The mesh cut along the diagram: points, faces, the cell of each face.
   py::tuple cut(double tolerance) const
   {
-    Mesh mesh;
-    Interruptible visitor{py::none()};
-    const Cell_map cell{visitor, mesh.add_property_map<Face, std::size_t>("f:cell", 0).first};
-    visitor.run([&]() { m_voronoi.cut(mesh, cell, tolerance); });
-    std::vector<std::int64_t> cells;
-    for(const Face f : mesh.faces())
-      cells.push_back(number(cell.cells[f]));
-    return py::make_tuple(points_of(mesh), faces_of(mesh), to_array(std::move(cells)));
+    return mesh_with_numbers<std::size_t>(
+      [&](Mesh& mesh, const auto& map) { m_voronoi.cut(mesh, map, tolerance); }, number);
+  }
+
+  // One cell: points, faces, the face of the surface that each face lies in.
+  py::tuple cell_mesh(std::size_t i, double tolerance) const
+  {
+    return mesh_with_numbers<Face>([&](Mesh& mesh, const auto& map) { m_voronoi.cell_mesh(i, mesh, map, tolerance); },
+                                   [](Face f) { return std::int64_t(std::size_t(f)); });
   }
 
 private:
@@ -184,6 +223,20 @@ private:
     visitor.run(compute);
   }
 
+  // Returns a mesh that make(mesh, map) fills, with the number of what the map has for each face.
+  template <typename T, typename Make, typename Number>
+  static py::tuple mesh_with_numbers(const Make& make, const Number& number_of)
+  {
+    Mesh mesh;
+    Interruptible visitor{py::none()};
+    const Interruptible_face_map<T> map{visitor, mesh.add_property_map<Face, T>("f:value").first};
+    visitor.run([&]() { make(mesh, map); });
+    std::vector<std::int64_t> numbers;
+    for(const Face f : mesh.faces())
+      numbers.push_back(number_of(map.values[f]));
+    return py::make_tuple(points_of(mesh), faces_of(mesh), to_array(std::move(numbers)));
+  }
+
   void find_at_vertices(std::vector<std::int64_t>& labels, std::vector<double>& distances) const
   {
     for(const Vertex v : m_surface->mesh().vertices())
@@ -191,30 +244,6 @@ private:
       labels.push_back(number(m_voronoi.nearest_site(v)));
       const double d = m_voronoi.distance_to_nearest_site(v);
       distances.push_back(labels.back() < 0 ? std::numeric_limits<double>::infinity() : d);
-    }
-  }
-
-  void find_boundaries(std::size_t i, double tolerance, Interruptible& visitor,
-                       std::vector<std::vector<Point>>& curves) const
-  {
-    for(const auto& boundary : m_voronoi.boundary(i))
-    {
-      std::vector<Point> points;
-      for(const auto& [edge, is_reversed] : boundary.edges)
-      {
-        if(!visitor.ask_and_go_further())
-          return;
-        std::vector<Point> part;
-        edge.polyline(tolerance, std::back_inserter(part));
-        if(is_reversed)
-          std::reverse(part.begin(), part.end());
-        // (An edge begins where the one before it ends.)
-        points.insert(points.end(), part.begin() + (points.empty() || part.empty() ? 0 : 1), part.end());
-      }
-      // (Rounding may have moved the end, which comes from another face.)
-      if(boundary.is_closed && !points.empty())
-        points.back() = points.front();
-      curves.push_back(std::move(points));
     }
   }
 
@@ -234,9 +263,13 @@ void bind_diagram(py::module_& module, const char* name)
     .def("centroids", &Class::centroids)
     .def("adjacency", &Class::adjacency)
     .def("colors", &Class::colors)
-    .def("boundaries", &Class::boundaries)
+    .def("boundary_polylines", &Class::boundary_polylines)
+    .def("are_disks", &Class::are_disks)
+    .def("energy", &Class::energy)
     .def("dual", &Class::dual)
-    .def("cut", &Class::cut);
+    .def("check_dual", &Class::check_dual)
+    .def("cut", &Class::cut)
+    .def("cell_mesh", &Class::cell_mesh);
 }
 
 py::object diagram(const std::shared_ptr<Surface>& surface, const Array<std::int64_t>& vertex,
@@ -249,42 +282,66 @@ py::object diagram(const std::shared_ptr<Surface>& surface, const Array<std::int
   return py::cast(std::make_unique<Diagram<CGAL::Sequential_tag>>(surface, sites, site_weights, threads, progress));
 }
 
+// Calls a Python function after each iteration of a relaxation. (A model of GeodesicRelaxationVisitor.)
+class Relaxation_visitor : public Interruptible
+{
+public:
+  // `on_iteration` may be None.
+  Relaxation_visitor(py::object progress, std::size_t number_of_runs, py::object on_iteration)
+    : Interruptible(std::move(progress), number_of_runs), m_on_iteration(std::move(on_iteration))
+  {}
+
+  void on_iteration(std::size_t iteration, double largest_move, double energy)
+  {
+    if(go_further() && !m_on_iteration.is_none())
+      call_python([&]() { m_on_iteration(iteration, largest_move, energy); });
+  }
+
+private:
+  py::object m_on_iteration;
+};
+
 // Returns the samples, without the first ones, and the covering radius.
 py::tuple sample(Surface& surface, std::size_t n, const Array<std::int64_t>& first, double radius,
                  const py::object& progress)
 {
-  geodesics::Geodesic_sampling_options<Mesh> options;
-  options.first_samples = to_vertices(first);
-  options.covering_radius = radius;
-  std::vector<std::int64_t> samples;
+  std::vector<Vertex> samples;
   double covered = 0;
   Interruptible visitor(progress, n + 1);
+  const auto np
+    = CGAL::parameters::first_samples(to_vertices(first)).covering_radius(radius).visitor(std::ref(visitor));
+  surface.run_alone(visitor, [&]()
+  { covered = geodesics::geodesic_farthest_point_sampling(surface.mesh(), n, std::back_inserter(samples), np); });
+  return py::make_tuple(to_ids(samples), covered);
+}
+
+py::array_t<std::int64_t> relax(Surface& surface, const Array<std::int64_t>& sites, std::size_t iterations,
+                                double threshold, const py::object& on_iteration, const py::object& progress)
+{
+  const std::vector<Vertex> before = to_vertices(sites);
+  std::vector<Vertex> after;
+  Relaxation_visitor visitor(progress, iterations + 1, on_iteration);
   surface.run_alone(visitor, [&]()
   {
-    std::vector<Vertex> vertices;
-    covered = geodesics::geodesic_farthest_point_sampling(surface.mesh(), n, std::back_inserter(vertices), options,
-                                                          CGAL::parameters::visitor(std::ref(visitor)));
-    for(const Vertex v : vertices)
-      samples.push_back(std::int64_t(std::size_t(v)));
+    geodesics::geodesic_Lloyd_relaxation(
+      surface.mesh(), before, iterations, std::back_inserter(after),
+      CGAL::parameters::visitor(std::ref(visitor)).threshold_distance(threshold));
   });
-  return py::make_tuple(to_array(std::move(samples)), covered);
+  return to_ids(after);
 }
 
 // Returns the points and the faces of a coarser mesh.
-py::tuple remesh(Surface& surface, std::size_t n, unsigned int iterations, const py::object& progress)
+py::tuple remesh(Surface& surface, std::size_t n, unsigned int iterations, double threshold,
+                 const py::object& on_iteration, const py::object& progress)
 {
   Mesh coarse;
-  bool is_manifold = false;
-  Interruptible visitor(progress, n + iterations + 1);
+  Relaxation_visitor visitor(progress, n + iterations + 1, on_iteration);
   surface.run_alone(visitor, [&]()
   {
-    is_manifold = geodesics::geodesic_remeshing(
-      surface.mesh(), n, coarse,
-      CGAL::parameters::number_of_iterations(iterations).visitor(std::ref(visitor))).is_manifold();
+    const auto np = CGAL::parameters::visitor(std::ref(visitor)).number_of_iterations(iterations)
+                      .threshold_distance(threshold);
+    geodesics::geodesic_remeshing(surface.mesh(), n, coarse, np);
   });
-  if(!is_manifold)
-    throw std::runtime_error("the triangles between " + std::to_string(n)
-                             + " vertices form no surface; more vertices help");
   return py::make_tuple(points_of(coarse), faces_of(coarse));
 }
 
@@ -295,7 +352,7 @@ void bind_diagrams(py::module_& module, Surface_class& surface)
   bind_diagram<CGAL::Sequential_tag>(module, "Diagram");
   if(has_threads())
     bind_diagram<Threads>(module, "Parallel_diagram");
-  surface.def("diagram", &diagram).def("sample", &sample).def("remesh", &remesh);
+  surface.def("diagram", &diagram).def("sample", &sample).def("relax", &relax).def("remesh", &remesh);
 }
 
 } // namespace geodesics_python

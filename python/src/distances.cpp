@@ -8,7 +8,10 @@
 #include <boost/property_map/function_property_map.hpp>
 
 #include <algorithm>
+#include <cstdint>
 #include <functional>
+#include <memory>
+#include <vector>
 
 namespace geodesics_python {
 
@@ -19,8 +22,6 @@ struct Distance_engine
 };
 
 namespace {
-
-using Options = geodesics::Geodesic_distance_options<Mesh>;
 
 // Returns a solver of the surface; makes it if it is not there. Call it inside Surface::run_alone().
 template <typename Solver>
@@ -37,12 +38,11 @@ Solver& solver_of(Surface& surface, std::unique_ptr<Solver> Distance_engine::*me
 
 Sequential_solver& sequential_solver(Surface& surface) { return solver_of(surface, &Distance_engine::sequential); }
 
-Options options_of(const Array<double>& offsets, double radius)
+// The named parameters that distances and their certificate have in common.
+auto parameters_of(const Array<double>& offsets, double radius)
 {
-  Options options;
-  options.source_offsets.assign(offsets.data(), offsets.data() + offsets.size());
-  options.maximum_distance = radius;
-  return options;
+  return CGAL::parameters::maximum_distance(radius).source_offsets(
+    std::vector<double>(offsets.data(), offsets.data() + offsets.size()));
 }
 
 struct Answer
@@ -52,57 +52,85 @@ struct Answer
 };
 
 // Computes the distances of all vertices, or of the targets if there are some.
-template <typename Solver>
-Answer answer_of(Solver& solver, const Surface& surface, const Places& sources, const Options& options,
-                 bool with_nearest, Interruptible& visitor)
+template <typename Solver, typename NamedParameters>
+Answer answer_of(Solver& solver, const Surface& surface, const Places& sources, const std::vector<Vertex>& targets,
+                 bool with_nearest, const NamedParameters& np)
 {
   Answer answer;
   const bool is_complete
-    = sources.visit([&](const auto& range) { return solver.compute_distances(range, options, visitor); });
+    = sources.visit([&](const auto& range) { return solver.compute_distances(range, np.targets(targets)); });
   if(!is_complete)
     return answer;
+  const std::size_t n = targets.empty() ? surface.mesh().number_of_vertices() : targets.size();
+  answer.distance.reserve(n);
+  answer.nearest.reserve(with_nearest ? n : 0);
   const auto add = [&](Vertex v)
   {
     answer.distance.push_back(solver.distance(v));
     if(with_nearest)
     {
       const std::size_t i = solver.nearest_source(v);
-      answer.nearest.push_back(i == Options::no_source ? -1 : static_cast<std::int64_t>(i));
+      answer.nearest.push_back(i == Solver::no_source ? -1 : static_cast<std::int64_t>(i));
     }
   };
-  if(options.targets.empty())
+  if(targets.empty())
     for(const Vertex v : surface.mesh().vertices())
       add(v);
   else
-    for(const Vertex v : options.targets)
+    for(const Vertex v : targets)
       add(v);
   return answer;
 }
 
 py::tuple distances(Surface& surface, const Array<std::int64_t>& vertex, const Array<std::int64_t>& face,
-                    const Array<double>& weights, const Array<double>& offsets, const Array<std::int64_t>& targets,
+                    const Array<double>& weights, const Array<double>& offsets, const Array<std::int64_t>& target,
                     double radius, bool with_nearest, std::size_t threads, const py::object& progress)
 {
   const Places sources(surface.mesh(), vertex, face, weights);
-  Options options = options_of(offsets, radius);
-  options.targets = to_vertices(targets);
+  const std::vector<Vertex> targets = to_vertices(target);
   Interruptible visitor(progress);
+  const auto np = parameters_of(offsets, radius).visitor(std::ref(visitor));
   Answer answer;
   surface.run_alone(visitor, [&]()
   {
     if(threads <= 1 || !has_threads())
-      answer = answer_of(sequential_solver(surface), surface, sources, options, with_nearest, visitor);
+      answer = answer_of(sequential_solver(surface), surface, sources, targets, with_nearest, np);
     else
       with_threads(threads, [&]()
       {
         Parallel_solver& solver = solver_of(surface, &Distance_engine::parallel);
-        answer = answer_of(solver, surface, sources, options, with_nearest, visitor);
+        answer = answer_of(solver, surface, sources, targets, with_nearest, np);
       });
   });
   return py::make_tuple(to_array(std::move(answer.distance)), to_array(std::move(answer.nearest)));
 }
 
-// Writes the rows of a matrix into an array, one after the other in any order.
+// Receives the rows of a matrix, one at a time, and lets Python end those that have begun.
+template <typename Put>
+struct Row_output
+{
+  template <typename Row>
+  bool operator()(std::size_t i, const Row& row)
+  {
+    put(i, row);
+    visitor.set_part_done(double(++number_done));
+    return visitor.ask_and_go_further();
+  }
+
+  bool go_further() const { return visitor.ask_sometimes_and_go_further(); }
+
+  Interruptible& visitor;
+  Put put;
+  std::size_t number_done = 0;
+};
+
+template <typename Put>
+Row_output<Put> row_output(Interruptible& visitor, const Put& put)
+{
+  return {visitor, put};
+}
+
+// Writes the rows of a matrix into an array.
 py::array_t<double> matrix(Surface& surface, const Array<std::int64_t>& vertex, const Array<std::int64_t>& face,
                            const Array<double>& weights, const Array<std::int64_t>& targets, std::size_t threads,
                            const py::object& progress)
@@ -114,24 +142,18 @@ py::array_t<double> matrix(Surface& surface, const Array<std::int64_t>& vertex, 
   Interruptible visitor(progress, sources.size());
   surface.run_alone(visitor, [&]()
   {
-    std::size_t number_done = 0;
-    const auto put_row = [&](std::size_t i, const std::vector<double>& row)
-    {
-      std::copy(row.begin(), row.end(), numbers + i * range.size());
-      visitor.set_part_done(double(++number_done));
-      return visitor.ask_and_go_further();
-    };
+    const auto output = row_output(visitor, [&](std::size_t i, const std::vector<double>& row)
+    { std::copy(row.begin(), row.end(), numbers + i * range.size()); });
     with_threads(threads, [&]()
     {
       sources.visit([&](const auto& s)
-      { return geodesics::geodesic_distance_matrix<Threads>(sequential_solver(surface), s, range, put_row); });
+      { return geodesics::geodesic_distance_matrix<Threads>(sequential_solver(surface), s, range, output); });
     });
   });
   return result;
 }
 
-// Returns the arrays of a matrix of compressed sparse rows: pointers to rows, columns, distances. Rows come in any
-// order, so they are joined at the end.
+// Returns the arrays of a matrix of compressed sparse rows: pointers to rows, columns, distances.
 py::tuple sparse_matrix(Surface& surface, const Array<std::int64_t>& vertex, const Array<std::int64_t>& face,
                         const Array<double>& weights, const Array<std::int64_t>& targets, double radius,
                         std::size_t threads, const py::object& progress)
@@ -142,19 +164,14 @@ py::tuple sparse_matrix(Surface& surface, const Array<std::int64_t>& vertex, con
   Interruptible visitor(progress, sources.size());
   surface.run_alone(visitor, [&]()
   {
-    std::size_t number_done = 0;
-    const auto put_row = [&](std::size_t i, const auto& row)
-    {
-      rows[i].assign(row.begin(), row.end());
-      visitor.set_part_done(double(++number_done));
-      return visitor.ask_and_go_further();
-    };
+    const auto output
+      = row_output(visitor, [&](std::size_t i, const auto& row) { rows[i].assign(row.begin(), row.end()); });
     with_threads(threads, [&]()
     {
       sources.visit([&](const auto& s)
       {
         return geodesics::sparse_geodesic_distance_matrix<Threads>(sequential_solver(surface), s, range, radius,
-                                                                   put_row);
+                                                                   output);
       });
     });
   });
@@ -182,21 +199,20 @@ py::tuple certify(Surface& surface, const Array<double>& d, const Array<std::int
 {
   using Certificate = geodesics::Geodesic_distance_certificate<Mesh>;
   const Places sources(surface.mesh(), vertex, face, weights);
-  const Options options = options_of(offsets, radius);
   const double* const numbers = d.data();
   const auto map = boost::make_function_property_map<Vertex>([numbers](Vertex v) { return numbers[std::size_t(v)]; });
   std::unique_ptr<Certificate> certificate;
   Interruptible visitor(progress, 1 + number_of_reverse_runs);
-  const auto np = CGAL::parameters::visitor(std::ref(visitor)).number_of_iterations(number_of_reverse_runs);
+  const auto np
+    = parameters_of(offsets, radius).visitor(std::ref(visitor)).number_of_iterations(number_of_reverse_runs);
   surface.run_alone(visitor, [&]()
   {
     certificate = sources.visit([&](const auto& s)
     {
       return std::make_unique<Certificate>(
         surface.has_lengths()
-          ? geodesics::certify_geodesic_distances_from_edge_lengths(surface.mesh(), surface.lengths(), map, s, options,
-                                                                    np)
-          : geodesics::certify_geodesic_distances(surface.mesh(), map, s, options, np));
+          ? geodesics::certify_geodesic_distances_from_edge_lengths(surface.mesh(), surface.lengths(), map, s, np)
+          : geodesics::certify_geodesic_distances(surface.mesh(), map, s, np));
     });
   });
   py::list conditions;

@@ -30,6 +30,23 @@ py::array_t<double> points_to_array(const std::vector<Point>& points)
   return to_rows(std::move(numbers), 3);
 }
 
+py::array_t<double> points_of(const Mesh& mesh)
+{
+  std::vector<Point> points;
+  for(const Vertex v : mesh.vertices())
+    points.push_back(mesh.point(v));
+  return points_to_array(points);
+}
+
+py::array_t<std::int64_t> faces_of(const Mesh& mesh)
+{
+  std::vector<std::int64_t> faces;
+  for(const Face f : mesh.faces())
+    for(const Vertex v : mesh.vertices_around_face(mesh.halfedge(f)))
+      faces.push_back(std::int64_t(std::size_t(v)));
+  return to_rows(std::move(faces), 3);
+}
+
 namespace {
 
 // The computations that run now.
@@ -104,14 +121,23 @@ void Interruptible::ask_python()
 {
   if(std::this_thread::get_id() != m_thread || m_is_stopped || std::chrono::steady_clock::now() < m_next_question)
     return;
-  const py::gil_scoped_acquire acquire;
-  m_is_in_python = true;
-  try
+  call_python([this]()
   {
     if(PyErr_CheckSignals() != 0)
       throw py::error_already_set();
     if(!m_progress.is_none())
       m_progress(m_part_done.load());
+  });
+  m_next_question = std::chrono::steady_clock::now() + time_between_questions;
+}
+
+void Interruptible::call_python(const std::function<void()>& call)
+{
+  const py::gil_scoped_acquire acquire;
+  m_is_in_python = true;
+  try
+  {
+    call();
   }
   catch(...)
   {
@@ -119,7 +145,6 @@ void Interruptible::ask_python()
     m_is_stopped = true;
   }
   m_is_in_python = false;
-  m_next_question = std::chrono::steady_clock::now() + time_between_questions;
 }
 
 bool has_threads()
@@ -155,31 +180,40 @@ std::vector<Vertex> to_vertices(const Array<std::int64_t>& ids)
   return result;
 }
 
+py::array_t<std::int64_t> to_ids(const std::vector<Vertex>& vertices)
+{
+  std::vector<std::int64_t> ids;
+  for(const Vertex v : vertices)
+    ids.push_back(std::int64_t(std::size_t(v)));
+  return to_array(std::move(ids));
+}
+
 Surface::Surface(const Array<double>& points, const Array<std::int64_t>& faces, const Array<double>& lengths)
 {
   Interruptible visitor{py::none()};
-  visitor.run([&]() { build(points, faces, lengths); });
+  visitor.run([&]() { build(points, faces, lengths, visitor); });
 }
 
-void Surface::build(const Array<double>& points, const Array<std::int64_t>& faces, const Array<double>& lengths)
+void Surface::build(const Array<double>& points, const Array<std::int64_t>& faces, const Array<double>& lengths,
+                    Interruptible& visitor)
 {
   const auto p = points.unchecked<2>();
   const std::size_t n = std::size_t(p.shape(0)), m = std::size_t(faces.shape(0));
   if(n >= (std::size_t(1) << 31) || m >= (std::size_t(1) << 30))
     throw std::invalid_argument("the mesh is too large: at most 2**31 - 1 vertices and 2**30 - 1 faces");
   m_mesh.reserve(Mesh::size_type(n), Mesh::size_type(3 * m / 2 + 16), Mesh::size_type(m));
-  for(py::ssize_t v = 0; v < p.shape(0); ++v)
+  for(py::ssize_t v = 0; v < p.shape(0) && visitor.ask_sometimes_and_go_further(); ++v)
     m_mesh.add_vertex(Point(p(v, 0), p(v, 1), p(v, 2)));
-  add_faces(faces);
+  add_faces(faces, visitor);
   if(lengths.shape(0) > 0)
-    add_lengths(faces, lengths);
+    add_lengths(faces, lengths, visitor);
 }
 
-void Surface::add_faces(const Array<std::int64_t>& faces)
+void Surface::add_faces(const Array<std::int64_t>& faces, Interruptible& visitor)
 {
   const auto id = faces.unchecked<2>();
   std::array<Vertex, 3> corners;
-  for(py::ssize_t f = 0; f < id.shape(0); ++f)
+  for(py::ssize_t f = 0; f < id.shape(0) && visitor.ask_sometimes_and_go_further(); ++f)
   {
     for(std::size_t k = 0; k < 3; ++k)
       corners[k] = Vertex(static_cast<Mesh::size_type>(id(f, py::ssize_t(k))));
@@ -196,12 +230,12 @@ void Surface::add_faces(const Array<std::int64_t>& faces)
   }
 }
 
-void Surface::add_lengths(const Array<std::int64_t>& faces, const Array<double>& lengths)
+void Surface::add_lengths(const Array<std::int64_t>& faces, const Array<double>& lengths, Interruptible& visitor)
 {
   const auto l = lengths.unchecked<2>();
   m_lengths = m_mesh.add_property_map<Mesh::Edge_index, double>("e:length", -1.).first;
   m_has_lengths = true;
-  for(py::ssize_t f = 0; f < faces.shape(0); ++f)
+  for(py::ssize_t f = 0; f < faces.shape(0) && visitor.ask_sometimes_and_go_further(); ++f)
   {
     auto h = m_mesh.halfedge(Face(static_cast<Mesh::size_type>(f)));
     for(py::ssize_t k = 0; k < 3; ++k, h = m_mesh.next(h))

@@ -17,8 +17,8 @@ from ._core import __version__
 from ._certificate import Certificate
 from ._path import Path
 from ._solver import Solver
-from ._voronoi import Voronoi
+from ._voronoi import Boundary, DualReport, Voronoi
 from .pages import Page, page
 from .pictures import plot
 
-__all__ = ["Certificate", "Page", "Path", "Solver", "Voronoi", "page", "plot", "__version__"]
+__all__ = ["Boundary", "Certificate", "DualReport", "Page", "Path", "Solver", "Voronoi", "page", "plot", "__version__"]

@@ -145,8 +145,13 @@ def threads_of(value: int | None) -> int:
 
 
 def progress_of(value: Any) -> Any:
+    return function_of("progress", value)
+
+
+def function_of(name: str, value: Any) -> Any:
+    """Returns a function, or None."""
     if value is not None and not callable(value):
-        raise ValueError(f"progress is {value!r}, but a function is needed")
+        raise ValueError(f"{name} is {value!r}, but a function is needed")
     return value
 
 

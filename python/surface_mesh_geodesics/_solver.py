@@ -12,6 +12,7 @@ from ._path import Path
 from ._voronoi import Voronoi
 
 Progress = Callable[[float], Any]
+OnIteration = Callable[[int, float, float], Any]
 NO_IDS = np.zeros(0, dtype=np.int64)
 
 
@@ -24,8 +25,7 @@ class Solver:
     The mesh is copied; the arrays are never changed. It may have borders, holes, handles, several components and
     isolated vertices, but an edge has at most two faces, of the same orientation, and two closed surfaces must not
     share a vertex. All calls raise ValueError or IndexError, with the argument, the element and the rule, if an
-    argument is wrong. Samples, remeshing, certificates and `isolines` take one thread, the other calls as many as
-    `threads` says.
+    argument is wrong. A call without the argument `threads` takes one thread, the others as many as that says.
 
     >>> import surface_mesh_geodesics as smg
     >>> smg.Solver([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]])
@@ -35,10 +35,10 @@ class Solver:
     vertices, or a pair of arrays (faces, coordinates).
 
     Several threads may use one solver; computations of distances and paths wait for the one before. Computations run
-    without the lock of the interpreter. Ctrl-C ends them, except the reading of a mesh and the rows of a matrix that
-    have begun; `progress` is called with a number from 0 to 1 some twenty times a second, and
-    never if the call is short. Solvers can be pickled. A process must not be forked while another of its threads
-    computes.
+    without the lock of the interpreter. Ctrl-C ends them, except that the first one prepares the mesh before it listens
+    (about 0.3 s for a million faces). `progress` is called with a number from 0 to 1 some twenty times a second, and
+    never if the call is short. Solvers can be pickled, as those of derived classes with their attributes; the mesh is
+    read again then. A process must not be forked while another of its threads computes.
     """
 
     def __init__(self, V: Any, F: Any) -> None:
@@ -142,6 +142,8 @@ class Solver:
 
         d  (n,) the distances of all vertices from the sources, inf where none reaches. NaN is wrong, not an error.
 
+        Takes one thread.
+
         >>> import surface_mesh_geodesics as smg
         >>> s = smg.Solver([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]])
         >>> s.certify([3, 0, 5], 1).is_certified(), s.certify([3, 0, 5.1], 1).is_certified()
@@ -209,6 +211,8 @@ class Solver:
 
         d  (n,) values at the vertices, such as distances; linear in each face. Faces with infinite values have none.
 
+        Takes one thread.
+
         >>> import surface_mesh_geodesics as smg
         >>> s = smg.Solver([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]])
         >>> s.isolines(s.distances(0), 2)[0].tolist()
@@ -238,13 +242,38 @@ class Solver:
                                         arguments.threads_of(threads), arguments.progress_of(progress))
         return Voronoi(diagram, n, self._extent(), self._lengths is None)
 
-    def sample(self, n: int, *, first: Any = None, covering_radius: float = 0.0,
-               progress: Progress | None = None) -> np.ndarray:
+    def labels(self, sites: Any, weights: Any = None, *, threads: int | None = 1,
+               progress: Progress | None = None) -> tuple[np.ndarray, np.ndarray]:
+        """Returns the nearest site of each vertex, (n,), -1 where none reaches, and the distance from it, (n,).
+
+        These are `labels` and `distances` of the diagram of `voronoi()`, at the price of `distances()`. Sites and
+        `weights` as there, threads as in `distances()`.
+
+        >>> import surface_mesh_geodesics as smg
+        >>> smg.Solver([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]]).labels([1, 2], weights=[0, 3])
+        (array([1, 0, 1]), array([ 1.,  0., -3.]))
+        """
+        places = self._places("sites", sites)
+        given = arguments.weights_of("weights", weights, len(places.vertex))
+        largest = float(given.max()) if len(given) > 0 else 0.0
+        with np.errstate(over="ignore"):
+            offsets = largest - given
+        if np.isinf(offsets).any():
+            raise ValueError(f"weights[{np.argmax(offsets)}] differs too much from the largest one")
+        d, nearest = self._surface.distances(*places, offsets, NO_IDS, np.inf, True, arguments.threads_of(threads),
+                                             arguments.progress_of(progress))
+        return nearest, d - largest
+
+    def sample(self, n: int, *, first: Any = None, covering_radius: float = 0.0, return_radius: bool = False,
+               progress: Progress | None = None) -> Any:
         """Returns vertices that are spread evenly over the surface, each the farthest from those before it.
 
         first            vertices that are samples already; they count among the n and come first in the result, all of
                          them even if there are more than n
         covering_radius  sampling ends when no vertex is farther from its nearest sample
+        return_radius    return a pair: the samples, and the largest distance of a vertex from its nearest sample
+
+        Takes one thread.
 
         >>> import surface_mesh_geodesics as smg
         >>> smg.Solver([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]]).sample(2, first=[1])
@@ -252,16 +281,43 @@ class Solver:
         """
         self._needs_points("sample")
         given = NO_IDS if first is None else self._vertices("first", first)
-        samples, _ = self._surface.sample(arguments.count_of("n", n, 0), given,
-                                          arguments.radius_of("covering_radius", covering_radius),
-                                          arguments.progress_of(progress))
-        return np.concatenate([given, samples])
+        found, radius = self._surface.sample(arguments.count_of("n", n, 0), given,
+                                             arguments.radius_of("covering_radius", covering_radius),
+                                             arguments.progress_of(progress))
+        samples = np.concatenate([given, found])
+        return (samples, radius) if return_radius else samples
 
-    def remesh(self, n: int, *, iterations: int = 10,
+    def relax(self, sites: Any, *, iterations: int = 10, threshold: float = 0.0,
+              on_iteration: OnIteration | None = None, progress: Progress | None = None) -> np.ndarray:
+        """Moves sites, which are vertices, to the centers of their cells again and again (Lloyd); returns where they
+        end, in their order.
+
+        iterations    at most so many diagrams are computed
+        threshold     the relaxation ends when no site moves farther than this in space
+        on_iteration  a function that is called after each iteration, with its number from 1, the largest move of a
+                      site, and the energy before: the sum over the cells of the integrals of squared distances in space
+
+        Takes one thread.
+
+        >>> import surface_mesh_geodesics as smg
+        >>> V = [[x, y, 0] for x in range(5) for y in range(2)]
+        >>> F = [f for i in (0, 2, 4, 6) for f in ([i, i + 2, i + 3], [i, i + 3, i + 1])]
+        >>> smg.Solver(V, F).relax([0, 1], on_iteration=lambda i, move, energy: print(i, round(move, 6)))
+        1 2.0
+        2 0.0
+        array([4, 5])
+        """
+        self._needs_points("relax")
+        return self._surface.relax(self._vertices("sites", sites), *self._relaxation(iterations, threshold,
+                                                                                     on_iteration, progress))
+
+    def remesh(self, n: int, *, iterations: int = 10, threshold: float = 0.0, on_iteration: OnIteration | None = None,
                progress: Progress | None = None) -> tuple[np.ndarray, np.ndarray]:
         """Returns points (n, 3) and faces (m, 3) of a coarser mesh with even triangles.
 
-        Raises RuntimeError if the triangles form no surface: more vertices help.
+        The vertices are samples that are relaxed; `iterations`, `threshold` and `on_iteration` as in `relax()`. The
+        result has the handles and borders of the surface, and more than n vertices where it needs them. A component
+        with few vertices stays as it is. Takes one thread.
 
         >>> import surface_mesh_geodesics as smg
         >>> V = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
@@ -271,30 +327,42 @@ class Solver:
         """
         self._needs_points("remesh")
         return self._surface.remesh(arguments.count_of("n", n, 3, max(3, self.n_vertices)),
-                                    arguments.count_of("iterations", iterations, 0), arguments.progress_of(progress))
+                                    *self._relaxation(iterations, threshold, on_iteration, progress))
 
     # --- the mesh ---
 
     @property
     def n_vertices(self) -> int:
-        """The number of vertices."""
+        """The number of vertices.
+
+        >>> import surface_mesh_geodesics as smg
+        >>> smg.Solver([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]]).n_vertices
+        3
+        """
         return len(self._points)
 
     @property
     def n_faces(self) -> int:
-        """The number of faces."""
+        """The number of faces.
+
+        >>> import surface_mesh_geodesics as smg
+        >>> smg.Solver([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]]).n_faces
+        1
+        """
         return len(self._faces)
 
     def __repr__(self) -> str:
         return f"Solver({self.n_vertices} vertices, {self.n_faces} faces)"
 
-    def __reduce__(self) -> tuple:
-        if self._lengths is None:
-            return type(self), (self._points, self._faces)
-        return type(self).from_edge_lengths, (self.n_vertices, self._faces, self._lengths)
+    def __getstate__(self) -> dict:
+        return {name: value for name, value in self.__dict__.items() if name != "_surface"}
+
+    def __setstate__(self, state: dict) -> None:
+        self.__dict__.update(state)
+        self._surface = _surface_of(self._points, self._faces, self._lengths)
 
     def _set_up(self, points: np.ndarray, faces: np.ndarray, lengths: np.ndarray | None) -> None:
-        self._surface = _core.Surface(points, faces, np.zeros((0, 3)) if lengths is None else lengths)
+        self._surface = _surface_of(points, faces, lengths)
         # Copies: the arrays of the caller may change.
         self._points, self._faces = points.copy(), faces.copy()
         self._lengths = None if lengths is None else lengths.copy()
@@ -310,6 +378,11 @@ class Solver:
         places = self._places("sources", every if sources is None else sources)
         return places, every if targets is None else self._vertices("targets", targets)
 
+    @staticmethod
+    def _relaxation(iterations: int, threshold: float, on_iteration: Any, progress: Any) -> tuple:
+        return (arguments.count_of("iterations", iterations, 0), arguments.radius_of("threshold", threshold),
+                arguments.function_of("on_iteration", on_iteration), arguments.progress_of(progress))
+
     def _needs_points(self, name: str) -> None:
         if self._lengths is not None:
             raise ValueError(f"{name}() needs points, but this surface is given by edge lengths")
@@ -320,3 +393,7 @@ class Solver:
         if self.n_vertices == 0:
             return 0.0
         return float(np.linalg.norm(self._points.max(axis=0) - self._points.min(axis=0)))
+
+
+def _surface_of(points: np.ndarray, faces: np.ndarray, lengths: np.ndarray | None) -> _core.Surface:
+    return _core.Surface(points, faces, np.zeros((0, 3)) if lengths is None else lengths)

@@ -1,5 +1,6 @@
 """What is accepted, what is rejected, and how."""
 
+import copy
 import pickle
 
 import numpy as np
@@ -156,7 +157,12 @@ def test_bad_calls():
                           (lambda: s.exact_isolines(0, np.nan), "levels"), (lambda: s.certify(["1"] * 25, 0), "d has"),
                           (lambda: v.cut("0.1"), "tolerance"), (lambda: v.cut(1e-9), "tolerance"),
                           (lambda: v.boundaries([0]), "site"), (lambda: s.sample(np.nan), "n is"),
-                          (lambda: s.remesh(5, iterations=2**40), "iterations"), (lambda: smg.Solver(V, None), "F has"),
+                          (lambda: s.remesh(5, iterations=2**40), "iterations"),
+                          (lambda: s.relax([0], threshold=-1), "threshold"),
+                          (lambda: s.relax([0], on_iteration=1), "on_iteration"),
+                          (lambda: s.relax((0, [1, 0, 0])), "sites"), (lambda: s.labels([0], [1, 2]), "weights"),
+                          (lambda: v.cell_mesh([0]), "site"), (lambda: v.boundary_polylines(0, -1), "tolerance"),
+                          (lambda: smg.Solver(V, None), "F has"),
                           (lambda: smg.Solver.from_edge_lengths(3, [[0, 1, 2]], [[1, 1], [1]]), "L "),
                           (lambda: s.isolines(EXPECTED * np.nan, 1), "d"), (lambda: s.remesh(26), "n is 26"),
                           (lambda: smg.page(V, F, EXPECTED * np.nan), "distances"),
@@ -208,3 +214,24 @@ def test_repr_version_and_pickle():
     L = np.ones((1, 3))
     t = pickle.loads(pickle.dumps(smg.Solver.from_edge_lengths(3, [[0, 1, 2]], L)))
     assert np.allclose(t.distances(0), [0, 1, 1])
+
+
+class Named_solver(smg.Solver):
+    """A class of a user, with another constructor and an attribute of its own."""
+
+    def __init__(self, name, mesh):
+        super().__init__(*mesh)
+        self.name = name
+        self.values = {"a": np.arange(3)}
+
+
+@pytest.mark.parametrize("protocol", range(pickle.HIGHEST_PROTOCOL + 1))
+def test_classes_that_derive_from_solvers_are_pickled(protocol):
+    s = Named_solver("square", (V, F))
+    t = pickle.loads(pickle.dumps(s, protocol))
+    assert type(t) is Named_solver and t.name == "square" and t.values["a"].tolist() == [0, 1, 2]
+    assert np.array_equal(t.distances(3), EXPECTED) and repr(t) == repr(s)
+    for copied in (copy.copy(s), copy.deepcopy(s)):
+        assert copied.name == "square" and np.array_equal(copied.distances(3), EXPECTED)
+    flat = pickle.loads(pickle.dumps(Named_solver.from_edge_lengths(3, [[0, 1, 2]], np.ones((1, 3))), protocol))
+    assert type(flat) is Named_solver and np.allclose(flat.distances(0), [0, 1, 1])

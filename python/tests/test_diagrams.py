@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 import surface_mesh_geodesics as smg
-from meshes import grid, sphere
+from meshes import grid, sphere, two_components
 
 
 def area(V, F):
@@ -70,6 +70,110 @@ def test_samples_and_remeshing():
     edges = {tuple(sorted(e)) for f in F2.tolist() for e in zip(f, f[1:] + f[:1])}
     assert len(V2) - len(edges) + len(F2) == 2
     t = smg.Solver.from_edge_lengths(3, [[0, 1, 2]], [[1, 1, 1]])
-    for name in ("sample", "remesh"):
+    for name in ("sample", "remesh", "relax"):
         with pytest.raises(ValueError, match="needs points"):
             getattr(t, name)(3)
+    flat = t.voronoi([0, 1])
+    for call in (lambda: flat.cell_mesh(0), lambda: flat.energy):
+        with pytest.raises(ValueError, match="needs points"):
+            call()
+    (line,) = flat.boundary_polylines(0)
+    assert (line.points == 0).all() and np.allclose(line.barycentric.sum(axis=1), 1)
+
+
+def enclosed(lines):
+    """The area inside closed curves in the plane; curves around holes run clockwise."""
+    return sum(0.5 * np.sum(p[:-1, 0] * p[1:, 1] - p[1:, 0] * p[:-1, 1]) for p in lines)
+
+
+def test_boundary_polylines_enclose_the_cells():
+    V, F = grid(12)
+    sites = [0, 40, 100, 160, 84]
+    v = smg.Solver(V, F).voronoi(sites, weights=[0, 0, 0.05, 0, 0.1])
+    for i in range(5):
+        lines = v.boundary_polylines(i, 1e-5, along_border=True)
+        assert all(line.is_closed and np.array_equal(line.points[0], line.points[-1]) for line in lines)
+        assert enclosed([line.points for line in lines]) == pytest.approx(v.areas[i], rel=1e-3)
+        for line in lines + v.boundary_polylines(i):
+            from_coordinates = np.einsum("kj,kjd->kd", line.barycentric, V[F[line.faces]])
+            assert np.allclose(from_coordinates, line.points, atol=1e-13)
+            assert line.vertices.min() >= -1 and line.vertices.max() < len(v.triangles)
+        for points, line in zip(v.boundaries(i), v.boundary_polylines(i)):
+            assert np.array_equal(points, line.points)
+
+
+def test_cell_meshes_are_the_faces_of_the_cut():
+    V, F = sphere(16)
+    s = smg.Solver(V, F)
+    v = s.voronoi(s.sample(7))
+    assert v.is_disk.tolist() == [True] * 7
+    V2, F2, cell = v.cut()
+    for i in range(7):
+        Vi, Fi, face = v.cell_mesh(i)
+        assert len(Fi) == (cell == i).sum() and 0 <= face.min() and face.max() < len(F)
+        assert area(Vi, Fi).sum() == pytest.approx(area(V2, F2[cell == i]).sum(), rel=1e-12)
+        # Each triangle lies in the plane of its face.
+        n = np.cross(V[F[face, 1]] - V[F[face, 0]], V[F[face, 2]] - V[F[face, 0]])
+        assert np.abs(np.einsum("md,mkd->mk", n, Vi[Fi] - V[F[face, 0]][:, None])).max() < 1e-12
+    assert s.voronoi([3]).is_disk.tolist() == [False]  # a sphere
+
+
+def test_labels_are_those_of_the_diagram():
+    V, F = sphere(24)
+    for s in (smg.Solver(V, F), smg.Solver.from_edge_lengths(
+            len(V), F, np.linalg.norm(V[np.roll(F, -1, axis=1)] - V[F], axis=2))):
+        for sites, weights in (([3, 200, 411], None), ([3, 200, 411], [0.1, 0, -0.2]),
+                               ([3, (40, [0.2, 0.3, 0.5])], [1, 2])):
+            v = s.voronoi(sites, weights)
+            labels, d = s.labels(sites, weights)
+            assert np.array_equal(labels, v.labels) and np.allclose(d, v.distances, rtol=1e-13, atol=1e-14)
+            by_two, by_three = s.labels(sites, weights, threads=2), s.labels(sites, weights, threads=3)
+            assert np.array_equal(by_two[1], by_three[1]) and np.allclose(by_two[1], d, rtol=1e-13, atol=1e-14)
+    V, F = two_components()
+    labels, d = smg.Solver(V, F).labels([0])
+    assert (labels[16:] == -1).all() and np.isinf(d[16:]).all()
+    with pytest.raises(ValueError, match=r"weights\[1\] differs too much"):
+        smg.Solver(V, F).labels([0, 1], weights=[1e308, -1e308])
+
+
+def test_relaxation():
+    V, F = sphere(20)
+    s = smg.Solver(V, F)
+    sites = np.arange(6)
+    steps = []
+    end = s.relax(sites, iterations=30, on_iteration=lambda *step: steps.append(step))
+    assert [i for i, _, _ in steps] == list(range(1, len(steps) + 1))
+    assert steps[0][2] == pytest.approx(s.voronoi(sites).energy, rel=1e-12)
+    assert s.voronoi(end).energy < 0.5 * steps[0][2]
+    assert s.voronoi(end).areas.min() > 0.5 * s.voronoi(end).areas.max()
+    assert s.relax(sites, iterations=0).tolist() == sites.tolist()
+    # It ends after the first move that is short enough.
+    early = []
+    s.relax(sites, iterations=30, threshold=0.3, on_iteration=lambda *step: early.append(step))
+    assert early == steps[:len(early)] and early[-1][1] <= 0.3 and all(move > 0.3 for _, move, _ in early[:-1])
+    seen = []
+    s.remesh(60, iterations=3, on_iteration=lambda i, move, energy: seen.append((i, energy)))
+    assert [i for i, _ in seen] == list(range(1, len(seen) + 1)) and all(energy > 0 for _, energy in seen)
+
+    def stop(i, move, energy):
+        raise KeyError(i)
+
+    for call in (lambda: s.relax(sites, on_iteration=stop), lambda: s.relax(sites, iterations=1, on_iteration=stop),
+                 lambda: s.remesh(60, on_iteration=stop)):
+        with pytest.raises(KeyError, match="1"):
+            call()
+    samples, radius = s.sample(9, return_radius=True)
+    assert radius == s.distances(samples).max()
+
+
+def test_reports_on_duals():
+    V, F = sphere(16)
+    s = smg.Solver(V, F)
+    few = s.voronoi([0, 1]).check_dual()
+    assert not few.is_manifold and few.cells_without_triangle == [0, 1]
+    many = s.voronoi(s.sample(40)).check_dual()
+    assert many.is_manifold and many.is_triangulation == (many.vertices_of_many_cells == [])
+    # Four cells meet in the middle of a square.
+    V, F = grid(2)
+    square = smg.Solver(V, F).voronoi([0, 2, 6, 8]).check_dual()
+    assert square.vertices_of_many_cells == [[0, 1, 2, 3]] and not square.is_triangulation

@@ -28,14 +28,16 @@ from meshes import grid, sphere, write_off
 @pytest.mark.parametrize("call", ["s.distances(0)", "s.distances(0, threads=2)", "s.voronoi(list(range(0, n, 97)))",
                                   "s.matrix()", "s.paths(0, np.arange(n))", "s.sample(n)", "s.remesh(500)",
                                   "v.cut()", "s.exact_isolines(0, np.linspace(.1, 3, 1000))", "s.certify(d, 0)",
-                                  "s.path(np.arange(0, n, 7), 5, threads=2)", "s.voronoi([0, 99], threads=2)"])
+                                  "s.path(np.arange(0, n, 7), 5, threads=2)", "s.voronoi([0, 99], threads=2)",
+                                  "s.labels([0, 99])", "s.relax([0, 99])", "smg.Solver(V, F)", "v.cell_mesh(0)"])
 def test_ctrl_c(call):
     program = textwrap.dedent(f"""
         import numpy as np, os, signal, sys, threading, time
         sys.path.insert(0, {os.path.dirname(__file__)!r})
         import surface_mesh_geodesics as smg
         from meshes import sphere
-        s = smg.Solver(*sphere(150))
+        V, F = sphere(150)
+        s = smg.Solver(V, F)
         n = s.n_vertices
         d, v = s.distances(0), s.voronoi([0, 99])
         sent = []
@@ -110,6 +112,24 @@ def test_progress_is_called_and_may_raise():
     assert np.isfinite(s.distances(0)).all()
 
 
+def test_rows_that_have_begun_are_interrupted():
+    s = smg.Solver(*grid(300, 0.001))
+    s.distances(0, radius=0)
+
+    def stop(part):
+        parts.append(part)
+        raise RuntimeError("enough")
+
+    for call in (lambda: s.matrix([0], threads=1, progress=stop), lambda: s.matrix([0, 1], threads=2, progress=stop),
+                 lambda: s.matrix([(0, [0.2, 0.3, 0.5])], threads=1, progress=stop),
+                 lambda: s.sparse_matrix(9, [0, 1], progress=stop)):
+        parts = []
+        with pytest.raises(RuntimeError, match="enough"):
+            call()
+        assert parts == [0]
+    assert np.isfinite(s.matrix([0], [5])).all()
+
+
 def test_progress_may_not_use_the_solver_that_computes():
     s, other = smg.Solver(*sphere(60)), smg.Solver(*sphere(8))
     found = []
@@ -174,15 +194,16 @@ def test_examples_in_docstrings():
     assert sum(r.attempted for r in results) > 40 and sum(r.failed for r in results) == 0
 
 
-def test_public_names_have_docstrings():
-    for name in smg.__all__:
-        thing = getattr(smg, name)
-        if callable(thing):
+def test_each_docstring_has_an_example():
+    assert ">>>" in smg.__doc__
+    for module in (smg, gdist):
+        for name in getattr(module, "__all__", ("compute_gdist", "local_gdist_matrix")):
+            thing = getattr(module, name)
+            if not callable(thing):
+                continue
             assert ">>>" in thing.__doc__, name
             for member, value in vars(thing).items() if isinstance(thing, type) else []:
                 if not member.startswith("_") and (callable(value) or isinstance(value, (classmethod, property))):
-                    assert value.__doc__, f"{name}.{member}"
-                if not member.startswith("_") and (callable(value) or isinstance(value, classmethod)):
                     assert ">>>" in value.__doc__, f"{name}.{member}"
 
 

@@ -1,6 +1,7 @@
 // The boundaries of cells as polylines: they are closed, as long as their arcs, and know the vertices of the diagram;
 // in the plane they enclose the areas of the cells.
 
+#include "cell_test_helpers.h"
 #include "mesh_operations.h"
 #include "test_meshes.h"
 #include "test_support.h"
@@ -17,8 +18,7 @@
 namespace {
 
 using namespace test_meshes;
-using Traits = CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>;
-using Voronoi = CGAL::Surface_mesh_geodesic_Voronoi_diagram<Traits>;
+using Voronoi = Diagram_of_cells;
 using Polyline = Voronoi::Boundary_polyline;
 
 double length_of(const Voronoi& voronoi, const Polyline& p)
@@ -50,14 +50,6 @@ double length_of_border(const Mesh& mesh)
   return sum;
 }
 
-double size_of(const Mesh& mesh)
-{
-  double result = 0;
-  for(const vertex_descriptor v : vertices(mesh))
-    result = (std::max)(result, std::sqrt(CGAL::squared_distance(mesh.point(*vertices(mesh).begin()), mesh.point(v))));
-  return result;
-}
-
 Kernel::Triangle_3 triangle(const Mesh& mesh, face_descriptor f)
 {
   const auto h = halfedge(f, mesh);
@@ -68,7 +60,7 @@ Kernel::Triangle_3 triangle(const Mesh& mesh, face_descriptor f)
 // Each segment is in the face of its second point, and each vertex at its place and one of the cell.
 void check_points(const Mesh& mesh, const Voronoi& voronoi, std::size_t site, const Polyline& p)
 {
-  const double rounding = 1e-9 * size_of(mesh);
+  const double rounding = 1e-9 * extent_from_first_vertex(mesh);
   CHECK_EQUAL(p.locations.size(), p.vertices.size());
   for(std::size_t k = 0; k < p.locations.size(); ++k)
   {
@@ -100,7 +92,7 @@ void count_vertices(const Polyline& p, std::map<std::size_t, std::size_t>& uses)
 // Checks the polylines of all cells, with the border of the mesh and without. Returns how many loops there are.
 std::size_t check_polylines(const Mesh& mesh, const Voronoi& voronoi, bool is_generic)
 {
-  const double size = size_of(mesh), tolerance = 1e-6 * size;
+  const double size = extent_from_first_vertex(mesh), tolerance = 1e-6 * size;
   double all = 0;
   std::size_t number_of_loops = 0;
   std::map<std::size_t, std::size_t> uses, uses_with_border;
@@ -163,7 +155,7 @@ void polylines_of_random_diagrams_are_right(std::uint64_t seed)
         if(!CGAL::is_closed(mesh) && indexed.name.find("component") != std::string::npos)
           continue; // components that no site reaches have a border, too
         Voronoi voronoi(mesh);
-        add_random_sites(mesh, n, weight * size_of(mesh), random, voronoi);
+        add_random_sites(mesh, n, weight * extent_from_first_vertex(mesh), random, voronoi);
         check_polylines(mesh, voronoi, false);
       }
 }
@@ -180,7 +172,7 @@ void loops_in_the_plane_enclose_the_cells(std::uint64_t seed)
       {
         const test_support::Scope scope(indexed.name + ", " + std::to_string(n) + " sites");
         const Mesh mesh = to_face_graph(indexed);
-        const double size = size_of(mesh), tolerance = 1e-6 * size;
+        const double size = extent_from_first_vertex(mesh), tolerance = 1e-6 * size;
         Voronoi voronoi(mesh);
         add_random_sites(mesh, n, weight * size, random, voronoi);
         check_polylines(mesh, voronoi, true);
@@ -200,20 +192,9 @@ void loops_in_the_plane_enclose_the_cells(std::uint64_t seed)
   CHECK(number_with_holes > 10);
 }
 
-// Vertices as sites on symmetric meshes: curves run along edges and through vertices, four cells meet.
 void polylines_of_symmetric_diagrams_are_right()
 {
-  for(const Indexed_mesh& indexed : {flat_patch(4, 4, 0., false, 1), cube_grid(3), octahedron(), icosphere(1),
-                                     cone_fan(8), saddle_fan(4), torus(1., .4, 8, 8), genus_2_polycube()})
-    for(std::size_t step = 1; step < 6; ++step)
-    {
-      const test_support::Scope scope(indexed.name + ", every " + std::to_string(step) + "th vertex");
-      const Mesh mesh = to_face_graph(indexed);
-      Voronoi voronoi(mesh);
-      for(std::size_t i = 0; i < num_vertices(mesh); i += step)
-        voronoi.add_site(vertex_descriptor(static_cast<Mesh::size_type>(i)));
-      check_polylines(mesh, voronoi, false);
-    }
+  for_each_symmetric_diagram([](const Mesh& mesh, const Voronoi& voronoi) { check_polylines(mesh, voronoi, false); });
 }
 
 // Known numbers of loops: none on a sphere with one cell, the border of a patch, the rings of a tube, and two squares
@@ -236,14 +217,10 @@ void known_loops_are_found()
   const std::size_t last = prism_tube(6, 9, 1., 20.).points.size() - 1;
   CHECK_EQUAL(loops(prism_tube(6, 9, 1., 20.), {0, last / 2, last}), std::size_t(6));
 
-  Indexed_mesh bow_tie;
-  bow_tie.name = "bow tie";
-  bow_tie.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {-1, 0, 0}, {-1, -1, 0}, {0, -1, 0}};
-  bow_tie.faces = {{0, 1, 2}, {0, 2, 3}, {0, 4, 5}, {0, 5, 6}};
-  CHECK_EQUAL(loops(bow_tie, {0}), std::size_t(2));
-  CHECK_EQUAL(loops(bow_tie, {2}), std::size_t(2));
-  CHECK_EQUAL(loops(bow_tie, {2, 5}), std::size_t(2));
-  CHECK_EQUAL(loops(bow_tie, {1, 5}), std::size_t(3)); // the cell of the first site passes through the shared vertex
+  CHECK_EQUAL(loops(bow_tie(), {0}), std::size_t(2));
+  CHECK_EQUAL(loops(bow_tie(), {2}), std::size_t(2));
+  CHECK_EQUAL(loops(bow_tie(), {2, 5}), std::size_t(2));
+  CHECK_EQUAL(loops(bow_tie(), {1, 5}), std::size_t(3)); // the cell of the first site passes through the shared vertex
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 // Single cells as meshes: valid, with the area and the topology of the cell, and with the faces that cut() makes.
 
+#include "cell_test_helpers.h"
 #include "mesh_operations.h"
 #include "test_meshes.h"
 #include "test_support.h"
@@ -26,8 +27,7 @@ namespace {
 
 using namespace test_meshes;
 namespace PMP = CGAL::Polygon_mesh_processing;
-using Traits = CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>;
-using Voronoi = CGAL::Surface_mesh_geodesic_Voronoi_diagram<Traits>;
+using Voronoi = Diagram_of_cells;
 
 struct Cell
 {
@@ -48,14 +48,6 @@ int Euler_characteristic(const Mesh& mesh)
   return static_cast<int>(num_vertices(mesh)) - static_cast<int>(num_edges(mesh)) + static_cast<int>(num_faces(mesh));
 }
 
-double size_of(const Mesh& mesh)
-{
-  double result = 0;
-  for(const vertex_descriptor v : vertices(mesh))
-    result = (std::max)(result, std::sqrt(CGAL::squared_distance(mesh.point(*vertices(mesh).begin()), mesh.point(v))));
-  return result;
-}
-
 std::array<Kernel::Point_3, 3> corners(const Mesh& mesh, face_descriptor f)
 {
   const auto h = halfedge(f, mesh);
@@ -65,7 +57,7 @@ std::array<Kernel::Point_3, 3> corners(const Mesh& mesh, face_descriptor f)
 // Each new face lies in the face that the map names, and is oriented like it.
 void check_faces(const Mesh& mesh, const Cell& cell)
 {
-  const double rounding = 1e-9 * size_of(mesh);
+  const double rounding = 1e-9 * extent_from_first_vertex(mesh);
   for(const face_descriptor f : faces(cell.mesh))
   {
     const std::array<Kernel::Point_3, 3> p = corners(cell.mesh, f), q = corners(mesh, cell.face[f]);
@@ -122,7 +114,7 @@ bool is_disk(Mesh& mesh)
 // Returns how many cells of characteristic 1 are not disks.
 std::size_t check_cells(const Mesh& mesh, const Voronoi& voronoi, bool is_generic)
 {
-  const double size = size_of(mesh), tolerance = 1e-5 * size;
+  const double size = extent_from_first_vertex(mesh), tolerance = 1e-5 * size;
   std::size_t number_of_special_cells = 0;
   double length = 0;
   for(const Voronoi::Arc& a : voronoi.arcs())
@@ -164,27 +156,17 @@ void random_cells_are_right(std::uint64_t seed)
           const face_descriptor f(static_cast<Mesh::size_type>(random.index(num_faces(mesh))));
           const double a = i % 3 == 2 ? 0. : random.uniform(), b = i % 3 != 0 ? 0. : random.uniform();
           voronoi.add_site(Voronoi::Face_location(f, {a * (1 - b), b, (1 - a) * (1 - b)}),
-                           random.uniform(0., weight) * size_of(mesh));
+                           random.uniform(0., weight) * extent_from_first_vertex(mesh));
         }
         const std::size_t number_of_special_cells = check_cells(mesh, voronoi, true);
         CHECK(number_of_special_cells == 0 || indexed.name.find("random cuts") != std::string::npos);
       }
 }
 
-// Vertices as sites on symmetric meshes. A cell that touches itself has a pinched vertex.
+// A cell that touches itself has a pinched vertex.
 void symmetric_cells_are_right()
 {
-  for(const Indexed_mesh& indexed : {flat_patch(4, 4, 0., false, 1), cube_grid(3), octahedron(), icosphere(1),
-                                     cone_fan(8), saddle_fan(4), torus(1., .4, 8, 8), genus_2_polycube()})
-    for(std::size_t step = 1; step < 6; ++step)
-    {
-      const test_support::Scope scope(indexed.name + ", every " + std::to_string(step) + "th vertex");
-      const Mesh mesh = to_face_graph(indexed);
-      Voronoi voronoi(mesh);
-      for(std::size_t i = 0; i < num_vertices(mesh); i += step)
-        voronoi.add_site(vertex_descriptor(static_cast<Mesh::size_type>(i)));
-      check_cells(mesh, voronoi, false);
-    }
+  for_each_symmetric_diagram([](const Mesh& mesh, const Voronoi& voronoi) { check_cells(mesh, voronoi, false); });
 }
 
 // Rings on a tube, a whole sphere, an empty cell, and two squares that share a vertex.
@@ -205,10 +187,7 @@ void known_cells_are_right()
   check_cells(sphere, whole, true);
   CHECK_EQUAL(Euler_characteristic(cell_of(whole, 0, 1e-3).mesh), 2);
 
-  Indexed_mesh bow_tie;
-  bow_tie.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {-1, 0, 0}, {-1, -1, 0}, {0, -1, 0}};
-  bow_tie.faces = {{0, 1, 2}, {0, 2, 3}, {0, 4, 5}, {0, 5, 6}};
-  const Mesh pinched = to_face_graph(bow_tie);
+  const Mesh pinched = to_face_graph(bow_tie());
   Voronoi squares(pinched);
   squares.add_site(vertex_descriptor(1));
   squares.add_site(vertex_descriptor(5));

@@ -14,6 +14,7 @@
 #include <CGAL/boost/graph/copy_face_graph.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <iterator>
@@ -61,7 +62,8 @@ std::vector<Location> random_sites(const Mesh& mesh, std::size_t n, test_support
 void check_labels(Mesh& mesh, const std::vector<Location>& sites, const std::vector<double>& weights)
 {
   Maps labels(mesh), alone(mesh);
-  CHECK(Geodesics::geodesic_Voronoi_labels(mesh, labels.site, labels.distance, sites, weights));
+  const auto np = CGAL::parameters::vertex_distance_map(labels.distance).site_weights(weights);
+  CHECK(Geodesics::geodesic_Voronoi_labels(mesh, labels.site, sites, np));
   Voronoi voronoi(mesh);
   for(std::size_t i = 0; i < sites.size(); ++i)
     voronoi.add_site(sites[i], weights.empty() ? 0. : weights[i]);
@@ -130,7 +132,8 @@ void unreached_vertices_have_no_site()
   Mesh mesh = to_face_graph(two_components_and_an_isolated_vertex());
   const Maps labels(mesh);
   const std::vector<vertex_descriptor> none;
-  CHECK(Geodesics::geodesic_Voronoi_labels(mesh, labels.site, labels.distance, none, {}));
+  CHECK(Geodesics::geodesic_Voronoi_labels(mesh, labels.site, none,
+                                           CGAL::parameters::vertex_distance_map(labels.distance)));
   for(const vertex_descriptor v : vertices(mesh))
   {
     CHECK_EQUAL(labels.site[v], Voronoi::null_site());
@@ -154,8 +157,9 @@ void weights_are_subtracted()
   };
   const double right = mesh.point(*std::prev(vertices(mesh).end())).x();
   const std::vector<vertex_descriptor> sites = {at(0), at(right)};
-  CHECK(Geodesics::geodesic_Voronoi_labels(mesh, labels.site, labels.distance, sites, {right / 2, 0.}));
-  CHECK(Geodesics::geodesic_Voronoi_labels(mesh, labels.site, rounded, sites, {right / 2, 0.}));
+  const auto weights = CGAL::parameters::site_weights(std::array<double, 2>{{right / 2, 0.}});
+  CHECK(Geodesics::geodesic_Voronoi_labels(mesh, labels.site, sites, weights.vertex_distance_map(labels.distance)));
+  CHECK(Geodesics::geodesic_Voronoi_labels(mesh, labels.site, sites, weights.vertex_distance_map(rounded)));
   for(const vertex_descriptor v : vertices(mesh))
   {
     const double x = mesh.point(v).x();
@@ -174,8 +178,8 @@ void invalid_weights_are_rejected()
   const std::vector<vertex_descriptor> sites = {vertex_descriptor(0), vertex_descriptor(5)};
   const auto rejects = [&](const std::vector<double>& weights)
   {
-    return throws<Invalid_input>(
-      [&] { Geodesics::geodesic_Voronoi_labels(mesh, labels.site, labels.distance, sites, weights); });
+    const auto np = CGAL::parameters::vertex_distance_map(labels.distance).site_weights(weights);
+    return throws<Invalid_input>([&] { Geodesics::geodesic_Voronoi_labels(mesh, labels.site, sites, np); });
   };
   CHECK(rejects({0., infinity}));
   CHECK(rejects({0., std::numeric_limits<double>::quiet_NaN()}));
@@ -215,7 +219,8 @@ void a_polyhedron_is_accepted()
   std::map<Vertex, double> distance;
   const std::vector<Vertex> sites = {*vertices(polyhedron).begin(), *std::prev(vertices(polyhedron).end())};
   CHECK(Geodesics::geodesic_Voronoi_labels<CGAL::Parallel_if_available_tag>(
-    polyhedron, boost::make_assoc_property_map(site), boost::make_assoc_property_map(distance), sites, {}));
+    polyhedron, boost::make_assoc_property_map(site), sites,
+    CGAL::parameters::vertex_distance_map(boost::make_assoc_property_map(distance))));
   CHECK_EQUAL(site.size(), num_vertices(polyhedron));
   CHECK_EQUAL(site[sites[1]], std::size_t(1));
   CHECK_EQUAL(distance[sites[0]], 0.);

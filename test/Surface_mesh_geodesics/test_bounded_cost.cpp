@@ -11,7 +11,6 @@
 #include "test_meshes.h"
 #include "test_support.h"
 
-#include <CGAL/Surface_mesh_geodesics/Geodesic_distance_options.h>
 #include <CGAL/convex_hull_3.h>
 
 #include <algorithm>
@@ -36,7 +35,7 @@ struct Cost
 Cost cost_of(const Mesh& tm, const std::vector<vertex_descriptor>& sources)
 {
   SMG::Propagation_statistics statistics;
-  SMG::Geodesic_distance_options<Mesh> options;
+  Distance_options<Mesh> options;
   options.statistics = &statistics;
   const std::vector<double> d = distances_with_options(tm, sources, options);
   for(const double x : d)

@@ -29,7 +29,7 @@ namespace {
 
 using Certificate = SMG::Geodesic_distance_certificate<Mesh>;
 using Condition = Certificate::Condition;
-using Options = SMG::Geodesic_distance_options<Mesh>;
+using Options = Distance_options<Mesh>;
 using Distance_map = Mesh::Property_map<vertex_descriptor, double>;
 
 // Only a check makes a certificate.
@@ -61,8 +61,8 @@ template <class Sources>
 Certificate certificate_of_right_distances(Mesh& tm, const Sources& sources, const Options& options = Options())
 {
   Distance_map map = add_distances(tm);
-  SMG::geodesic_distances(tm, map, sources, options);
-  return SMG::certify_geodesic_distances(tm, map, sources, options);
+  SMG::geodesic_distances(tm, map, sources, parameters_of(options));
+  return SMG::certify_geodesic_distances(tm, map, sources, certificate_parameters_of(options));
 }
 
 // Returns the number of vertices with a finite distance.
@@ -135,21 +135,21 @@ void distances_up_to_a_radius_are_certified()
   Options options;
   options.maximum_distance = 1.;
   Distance_map map = add_distances(tm);
-  SMG::geodesic_distances(tm, map, vertex(0), options);
+  SMG::geodesic_distances(tm, map, vertex(0), parameters_of(options));
   CHECK(number_reached(tm, map) < num_vertices(tm));
-  check_certified(SMG::certify_geodesic_distances(tm, map, vertex(0), options));
+  check_certified(SMG::certify_geodesic_distances(tm, map, vertex(0), certificate_parameters_of(options)));
   const Certificate without_radius = SMG::certify_geodesic_distances(tm, map, vertex(0));
   CHECK(without_radius.worst_violation(Condition::REACH) == infinity);
   // A distance that exceeds the radius is wrong, and so is a missing distance within it.
   SMG::geodesic_distances(tm, map, vertex(0));
   CHECK(SMG::certify_geodesic_distances(tm, map, vertex(0)).is_certified());
-  CHECK(!SMG::certify_geodesic_distances(tm, map, vertex(0), options).is_certified());
-  SMG::geodesic_distances(tm, map, vertex(0), options);
+  CHECK(!SMG::certify_geodesic_distances(tm, map, vertex(0), certificate_parameters_of(options)).is_certified());
+  SMG::geodesic_distances(tm, map, vertex(0), parameters_of(options));
   const auto nearest = *std::min_element(vertices(tm).begin(), vertices(tm).end(),
                                          [&](vertex_descriptor a, vertex_descriptor b)
   { return (map[a] > 0 ? map[a] : infinity) < (map[b] > 0 ? map[b] : infinity); });
   map[nearest] = infinity;
-  const Certificate missing = SMG::certify_geodesic_distances(tm, map, vertex(0), options);
+  const Certificate missing = SMG::certify_geodesic_distances(tm, map, vertex(0), certificate_parameters_of(options));
   CHECK(missing.worst_violation(Condition::PATHS) == infinity);
   CHECK(missing.worst_vertex(Condition::PATHS) == nearest);
 }
@@ -446,11 +446,11 @@ void sources_beyond_the_radius_are_certified()
   Options options;
   options.source_offsets = {0., 3.5};
   options.maximum_distance = .5;
-  SMG::geodesic_distances(tm, map, sources, options);
+  SMG::geodesic_distances(tm, map, sources, parameters_of(options));
   CHECK(map[vertex(50)] == infinity);
-  check_certified(SMG::certify_geodesic_distances(tm, map, sources, options));
+  check_certified(SMG::certify_geodesic_distances(tm, map, sources, certificate_parameters_of(options)));
   options.source_offsets = {0., .25};
-  CHECK(!SMG::certify_geodesic_distances(tm, map, sources, options).is_certified());
+  CHECK(!SMG::certify_geodesic_distances(tm, map, sources, certificate_parameters_of(options)).is_certified());
 }
 
 // A visitor that is passed by value is copied.
@@ -558,8 +558,8 @@ void invalid_input_throws()
   CHECK(throws_reason(Reason::INVALID_DESCRIPTOR, [&] { SMG::certify_geodesic_distances(tm, map, vertex(100)); }));
   Options options;
   options.source_offsets = {1., 2.};
-  CHECK(throws_reason(Reason::INVALID_OFFSET,
-                      [&] { SMG::certify_geodesic_distances(tm, map, vertex(0), options); }));
+  const auto np = certificate_parameters_of(options);
+  CHECK(throws_reason(Reason::INVALID_OFFSET, [&] { SMG::certify_geodesic_distances(tm, map, vertex(0), np); }));
   tm.point(vertex(3)) = Kernel::Point_3(0, 0, infinity);
   CHECK(throws_reason(Reason::NON_FINITE_POINT, [&] { SMG::certify_geodesic_distances(tm, map, vertex(0)); }));
 }

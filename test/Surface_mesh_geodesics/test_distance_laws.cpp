@@ -159,7 +159,7 @@ void scaling_by_a_power_of_two_is_exact(const Indexed_mesh& indexed, test_suppor
   const std::vector<double> from_vertex = distances(tm, s);
   const double size = largest_finite(from_vertex);
 
-  SMG::Geodesic_distance_options<Mesh> options;
+  Distance_options<Mesh> options;
   options.maximum_distance = .4 * size;
   options.source_offsets = {.1 * size, .03 * size};
   const std::vector<double> from_locations = distances_with_options(tm, locations, options);
@@ -175,7 +175,7 @@ void scaling_by_a_power_of_two_is_exact(const Indexed_mesh& indexed, test_suppor
     }
     CHECK(distances(scaled_tm, s) == expected);
 
-    SMG::Geodesic_distance_options<Mesh> scaled_options;
+    Distance_options<Mesh> scaled_options;
     scaled_options.maximum_distance = factor * options.maximum_distance;
     scaled_options.source_offsets = {factor * options.source_offsets[0], factor * options.source_offsets[1]};
     expected = from_locations;

@@ -266,6 +266,65 @@ void rows_may_end_early()
     });
 }
 
+// An output that ends the computation when all threads together have asked it so often.
+struct Ending_output
+{
+  bool go_further() { return ++number_of_questions <= most; }
+
+  template <class Row>
+  void operator()(std::size_t, const Row& row)
+  {
+    ++number_of_rows;
+    for(const auto& element : row)
+      CHECK(is_finite(element));
+  }
+
+  static bool is_finite(double d) { return std::isfinite(d); }
+  static bool is_finite(const std::pair<std::size_t, double>& element) { return std::isfinite(element.second); }
+
+  std::atomic<std::size_t>& number_of_questions;
+  std::size_t most;
+  std::size_t& number_of_rows;
+};
+
+// An output that has go_further() ends rows that have begun: those are not passed on, and the others are complete.
+void rows_that_have_begun_end()
+{
+  test_support::Scope scope("rows that have begun");
+  const Mesh tm = to_face_graph(icosphere(4));
+  const std::vector<vertex_descriptor> sources{vertex(3), vertex(99), vertex(500), vertex(501)};
+  const auto end_after = [&](std::size_t most, const auto& compute)
+  {
+    std::atomic<std::size_t> number_of_questions{0};
+    std::size_t number_of_rows = 0;
+    const bool is_complete = compute(Ending_output{number_of_questions, most, number_of_rows});
+    CHECK_EQUAL(is_complete, number_of_questions <= most);
+    return number_of_rows;
+  };
+  with_all_tags(
+    [&](auto tag)
+    {
+      using Tag = decltype(tag);
+      const auto dense = [&](Ending_output output)
+      { return SMG::geodesic_distance_matrix<Tag>(tm, sources, vertices(tm), output); };
+      const auto sparse = [&](Ending_output output)
+      { return SMG::sparse_geodesic_distance_matrix<Tag>(tm, sources, vertices(tm), 9., output); };
+      const auto symmetric
+        = [&](Ending_output output) { return SMG::symmetric_geodesic_distance_matrix<Tag>(tm, sources, output); };
+      const std::size_t never = std::size_t(-1);
+      CHECK_EQUAL(end_after(never, dense), 4u);
+      CHECK_EQUAL(end_after(never, sparse), 4u);
+      CHECK_EQUAL(end_after(never, symmetric), 4u);
+      // A run from one source asks at each of more than a thousand visits.
+      for(const std::size_t most : {0u, 1u, 100u, 1000u})
+      {
+        CHECK_EQUAL(end_after(most, dense), 0u);
+        CHECK_EQUAL(end_after(most, sparse), 0u);
+      }
+      CHECK(end_after(5000, dense) < 4u);
+    });
+}
+
 template <class Call>
 void expect_rejection(Reason reason, std::size_t element, const Call& call)
 {
@@ -345,6 +404,7 @@ int main()
     rows_are_those_of_single_runs(indexed, random);
   }
   rows_may_end_early();
+  rows_that_have_begun_end();
   invalid_input_is_rejected();
   parameters_are_used();
   return test_result();

@@ -26,7 +26,7 @@ using namespace test_meshes;
 namespace {
 
 using Solver = SMG::Geodesic_distance_solver<Mesh>;
-using Options = Solver::Options;
+using Options = Distance_options<Mesh>;
 
 template <class Any_solver, class TriangleMesh>
 std::vector<double> results(const Any_solver& solver, const TriangleMesh& tm)
@@ -49,17 +49,17 @@ void check_vertices_reached(const Solver& solver, const Mesh& tm)
   for(const vertex_descriptor v : vertices(tm))
   {
     CHECK_EQUAL(as_set.count(v) == 1, solver.distance(v) < infinity);
-    CHECK_EQUAL(solver.nearest_source(v) == Options::no_source, solver.distance(v) == infinity);
+    CHECK_EQUAL(solver.nearest_source(v) == Solver::no_source, solver.distance(v) == infinity);
   }
 }
 
 template <class Sources>
 void check_against_function(Solver& solver, const Mesh& tm, const Sources& sources, const Options& options)
 {
-  solver.compute_distances(sources, options);
+  solver.compute_distances(sources, parameters_of(options));
   CHECK(results(solver, tm) == distances_with_options(tm, sources, options));
   auto nearest = get(CGAL::dynamic_vertex_property_t<std::size_t>(), tm);
-  auto with_map = SMG::make_geodesic_distance_options<Mesh>(nearest);
+  auto with_map = options_with_map<Mesh>(nearest);
   with_map.maximum_distance = options.maximum_distance;
   with_map.targets = options.targets;
   with_map.source_offsets = options.source_offsets;
@@ -119,12 +119,13 @@ void visitors_throw_before_and_after_the_run()
         solver.compute_distances(vertex(3));
       }
       Visitor_that_throws_at_an_end visitor(is_first);
-      CHECK(throws<std::runtime_error>([&] { solver.compute_distances(vertex(0), Options(), visitor); }));
+      const auto np = CGAL::parameters::visitor(std::ref(visitor));
+      CHECK(throws<std::runtime_error>([&] { solver.compute_distances(vertex(0), np); }));
       CHECK(results(solver, tm) == std::vector<double>(num_vertices(tm), infinity));
       check_vertices_reached(solver, tm);
       for(const vertex_descriptor v : vertices(tm))
       {
-        CHECK_EQUAL(solver.nearest_source(v), Options::no_source);
+        CHECK_EQUAL(solver.nearest_source(v), Solver::no_source);
       }
       solver.compute_distances(vertex(1));
       CHECK_EQUAL(solver.distance(vertex(1)), 0.);
@@ -138,12 +139,13 @@ void check_canceled_computations(Solver& solver, const Mesh& tm, test_support::R
 {
   const Face_location location = random_location(tm, random);
   Canceling_visitor canceling;
-  CHECK(!solver.compute_distances(location, Options(), canceling));
+  CHECK(!solver.compute_distances(location, CGAL::parameters::visitor(std::ref(canceling))));
   CHECK(results(solver, tm) == std::vector<double>(num_vertices(tm), infinity));
   check_vertices_reached(solver, tm);
 
   Throwing_visitor throwing;
-  CHECK(throws<std::runtime_error>([&] { solver.compute_distances(location, Options(), throwing); }));
+  const auto np = CGAL::parameters::visitor(std::ref(throwing));
+  CHECK(throws<std::runtime_error>([&] { solver.compute_distances(location, np); }));
   CHECK(results(solver, tm) == std::vector<double>(num_vertices(tm), infinity));
 }
 
@@ -156,10 +158,8 @@ void check_rejected_computations(Solver& solver, const Mesh& tm)
 
   solver.compute_distances(vertex(0));
   const std::vector<double> before = results(solver, tm);
-  Options wrong_number;
-  wrong_number.source_offsets = {0., 0.};
-  Options negative_radius;
-  negative_radius.maximum_distance = -1.;
+  const auto wrong_number = CGAL::parameters::source_offsets(std::vector<double>{0., 0.});
+  const auto negative_radius = CGAL::parameters::maximum_distance(-1.);
   const std::vector<std::function<void()>> invalid = {[&] { solver.compute_distances(foreign); },
                                                       [&] { solver.compute_distance(vertex(1), foreign); },
                                                       [&] { solver.compute_distances(vertex(1), wrong_number); },
@@ -223,10 +223,10 @@ void work_depends_on_the_area_reached()
   SMG::Propagation_statistics near;
   Options options;
   options.statistics = &all;
-  solver.compute_distances(vertex(0), options);
+  solver.compute_distances(vertex(0), parameters_of(options));
   options.statistics = &near;
   options.targets = {*vertices_around_target(halfedge(vertex(0), tm), tm).first};
-  solver.compute_distances(vertex(0), options);
+  solver.compute_distances(vertex(0), parameters_of(options));
   CHECK(near.vertices_visited * 500 < all.vertices_visited);
   CHECK(near.windows_propagated * 500 < all.windows_propagated);
   std::vector<vertex_descriptor> reached;

@@ -130,7 +130,7 @@ void several_sources_give_the_minimum(const Mesh& tm, const std::vector<Source>&
   }
 
   auto nearest = get(CGAL::dynamic_vertex_property_t<std::size_t>(), tm);
-  auto options = SMG::make_geodesic_distance_options<Mesh>(nearest);
+  auto options = options_with_map<Mesh>(nearest);
   options.source_offsets = offsets;
   const std::vector<double> result = distances_with_options(tm, sources, options);
   CHECK_FIELDS_CLOSE(result, expected, tolerance);

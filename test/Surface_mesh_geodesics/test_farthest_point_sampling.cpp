@@ -18,7 +18,6 @@ namespace {
 
 using namespace test_meshes;
 namespace Geodesics = CGAL::Surface_mesh_geodesics;
-using Options = Geodesics::Geodesic_sampling_options<Mesh>;
 
 std::vector<double> distances_from(const Mesh& mesh, const std::vector<vertex_descriptor>& sources)
 {
@@ -92,33 +91,30 @@ void many_samples_cost_few_windows()
 {
   const Mesh mesh = to_face_graph(noisy_sphere(4, .02, 5));
   Geodesics::Propagation_statistics one, many;
-  Options options;
   std::vector<vertex_descriptor> samples;
-  options.statistics = &one;
-  Geodesics::geodesic_farthest_point_sampling(mesh, 1, std::back_inserter(samples), options);
+  Geodesics::geodesic_farthest_point_sampling(mesh, 1, std::back_inserter(samples), CGAL::parameters::statistics(&one));
   // The statistics are assigned, not added.
   const std::size_t windows = one.windows_propagated;
-  Geodesics::geodesic_farthest_point_sampling(mesh, 1, std::back_inserter(samples), options);
+  Geodesics::geodesic_farthest_point_sampling(mesh, 1, std::back_inserter(samples), CGAL::parameters::statistics(&one));
   CHECK(windows > 0 && one.windows_propagated == windows);
   samples.clear();
-  options.statistics = &many;
-  Geodesics::geodesic_farthest_point_sampling(mesh, 50, std::back_inserter(samples), options);
+  Geodesics::geodesic_farthest_point_sampling(mesh, 50, std::back_inserter(samples),
+                                              CGAL::parameters::statistics(&many));
   std::cout << "windows propagated: " << one.windows_propagated << " for one sample, " << many.windows_propagated
             << " for 50" << std::endl;
   CHECK(many.windows_propagated < 5 * one.windows_propagated);
 }
 
-void options_are_obeyed()
+void parameters_are_obeyed()
 {
   const Mesh mesh = to_face_graph(icosphere(3));
   std::vector<vertex_descriptor> samples;
-  Options options;
-  options.first_samples = {vertex_descriptor(7), vertex_descriptor(11)};
-  options.covering_radius = .5;
-  const double radius = Geodesics::geodesic_farthest_point_sampling(mesh, 1000, std::back_inserter(samples), options);
+  const std::vector<vertex_descriptor> first = {vertex_descriptor(7), vertex_descriptor(11)};
+  const auto np = CGAL::parameters::first_samples(first).covering_radius(.5);
+  const double radius = Geodesics::geodesic_farthest_point_sampling(mesh, 1000, std::back_inserter(samples), np);
   CHECK(radius <= .5);
   CHECK(samples.size() > 10 && samples.size() < 100);
-  std::vector<vertex_descriptor> all = options.first_samples;
+  std::vector<vertex_descriptor> all = first;
   all.insert(all.end(), samples.begin(), samples.end());
   const std::vector<double> d = distances_from(mesh, all);
   CHECK_CLOSE(*std::max_element(d.begin(), d.end()), radius, 1e-12);
@@ -128,16 +124,16 @@ void options_are_obeyed()
   CHECK(*std::max_element(without.begin(), without.end()) > .5);
 
   samples.clear();
-  const std::vector<double> from_first = distances_from(mesh, options.first_samples);
-  CHECK_EQUAL(Geodesics::geodesic_farthest_point_sampling(mesh, 2, std::back_inserter(samples), options),
+  const std::vector<double> from_first = distances_from(mesh, first);
+  CHECK_EQUAL(Geodesics::geodesic_farthest_point_sampling(mesh, 2, std::back_inserter(samples), np),
               *std::max_element(from_first.begin(), from_first.end()));
   CHECK(samples.empty());
 
   for(const double bad : {-1., std::numeric_limits<double>::quiet_NaN()})
   {
-    options.covering_radius = bad;
     CHECK(throws_reason(Reason::INVALID_RADIUS, [&] {
-      Geodesics::geodesic_farthest_point_sampling(mesh, 2, std::back_inserter(samples), options);
+      Geodesics::geodesic_farthest_point_sampling(mesh, 2, std::back_inserter(samples),
+                                                  CGAL::parameters::covering_radius(bad));
     }));
     CHECK(samples.empty());
   }
@@ -167,7 +163,7 @@ int main()
 {
   const std::uint64_t seed = test_support::announce_seed(20260401);
   each_component_gets_a_sample();
-  options_are_obeyed();
+  parameters_are_obeyed();
   many_samples_cost_few_windows();
   continued_propagations_equal_new_ones(seed);
   each_sample_is_the_farthest_vertex(seed);

@@ -78,9 +78,9 @@ void remeshing_keeps_topology_and_volume(std::uint64_t seed)
     const test_support::Scope scope(indexed.name);
     const Mesh mesh = to_face_graph(indexed);
     Mesh output;
-    const Geodesics::Geodesic_dual_report report = Geodesics::geodesic_remeshing(mesh, 150, output);
+    const Geodesics::Geodesic_remeshing_report report = Geodesics::geodesic_remeshing(mesh, 150, output);
     CHECK(report.is_manifold());
-    CHECK(report.is_triangulation());
+    CHECK_EQUAL(report.number_of_added_samples, std::size_t(0));
     CHECK_EQUAL(num_vertices(output), std::size_t(150));
     CHECK(CGAL::is_triangle_mesh(output));
     CHECK(CGAL::is_valid_polygon_mesh(output));
@@ -92,11 +92,11 @@ void remeshing_keeps_topology_and_volume(std::uint64_t seed)
   }
   const Mesh patch = to_face_graph(rough_terrain(24, .3, seed));
   CGAL::Polyhedron_3<CGAL::Simple_cartesian<double>> polyhedron;
-  const Geodesics::Geodesic_dual_report report
+  const Geodesics::Geodesic_remeshing_report report
     = Geodesics::geodesic_remeshing(patch, 60, polyhedron, CGAL::parameters::number_of_iterations(2u));
   CHECK(report.is_manifold());
   CHECK(polyhedron.is_valid() && !polyhedron.is_closed());
-  CHECK_EQUAL(polyhedron.size_of_vertices(), std::size_t(60));
+  CHECK_EQUAL(polyhedron.size_of_vertices(), 60 + report.number_of_added_samples);
 }
 
 // One cell that is the whole sphere; two cells with a closed edge.
@@ -104,10 +104,13 @@ void one_or_two_cells_have_no_dual()
 {
   const Mesh sphere = to_face_graph(icosphere(2));
   Mesh output;
-  Geodesics::Geodesic_dual_report r = Geodesics::geodesic_remeshing(sphere, 1, output);
+  Voronoi voronoi(sphere);
+  voronoi.add_site(vertex_descriptor(0));
+  Geodesics::Geodesic_dual_report r = Geodesics::geodesic_dual_mesh(voronoi, output);
   CHECK(!r.is_manifold());
   CHECK(r.cells_that_are_not_disks == std::vector<std::size_t>{0});
-  r = Geodesics::geodesic_remeshing(sphere, 2, output);
+  voronoi.add_site(vertex_descriptor(3));
+  r = Geodesics::geodesic_dual_mesh(voronoi, output);
   CHECK(!r.is_manifold());
   CHECK(r.cells_that_are_not_disks.empty());
   CHECK((r.pairs_without_triangle == Pairs{{0, 1}}));

@@ -26,7 +26,7 @@ using namespace test_meshes;
 namespace {
 
 using Reason = SMG::Invalid_geodesic_input::Reason;
-using Options = SMG::Geodesic_distance_options<Mesh>;
+using Options = Distance_options<Mesh>;
 
 static_assert(std::is_base_of<std::invalid_argument, SMG::Invalid_geodesic_input>::value,
               "the exception can be caught as std::invalid_argument");
@@ -87,9 +87,9 @@ void expect_rejection_of_sources(const Mesh& tm, Reason reason, std::size_t elem
                                const Sources& sources)
 {
   expect_rejection(tm, reason, element, what_is_wrong, [&](auto distance_map, auto nearest_map) {
-    SMG::geodesic_distances(tm, distance_map, sources, SMG::make_geodesic_distance_options<Mesh>(nearest_map));
+    SMG::geodesic_distances(tm, distance_map, sources, CGAL::parameters::nearest_source_map(nearest_map));
   });
-  expect_rejection(tm, reason, element, what_is_wrong + ", without options", [&](auto distance_map, auto) {
+  expect_rejection(tm, reason, element, what_is_wrong + ", without parameters", [&](auto distance_map, auto) {
     SMG::geodesic_distances(tm, distance_map, sources);
   });
 }
@@ -209,7 +209,7 @@ void invalid_edge_lengths_are_rejected()
     changed[e] = value;
     expect_rejection(tm, reason, element, what_is_wrong, [&](auto distance_map, auto nearest_map) {
       SMG::geodesic_distances_from_edge_lengths(tm, changed, distance_map, vertex(0),
-                                                SMG::make_geodesic_distance_options<Mesh>(nearest_map));
+                                                CGAL::parameters::nearest_source_map(nearest_map));
     });
     changed[e] = good;
   };
@@ -252,7 +252,7 @@ void components_that_are_too_small_are_rejected()
     }
     expect_rejection(tm, Reason::TOO_SMALL, large.faces.size(), "lengths", [&](auto distance_map, auto nearest_map) {
       SMG::geodesic_distances_from_edge_lengths(tm, lengths, distance_map, vertex(0),
-                                                SMG::make_geodesic_distance_options<Mesh>(nearest_map));
+                                                CGAL::parameters::nearest_source_map(nearest_map));
     });
   }
 }
@@ -357,7 +357,7 @@ void null_and_foreign_descriptors_are_rejected()
     expect_rejection(tm, Reason::INVALID_DESCRIPTOR, any_element, "bad target", [&](auto distance_map, auto) {
       Options options;
       options.targets = {vertex(0), bad};
-      SMG::geodesic_distances(tm, distance_map, vertex(0), options);
+      SMG::geodesic_distances(tm, distance_map, vertex(0), parameters_of(options));
     });
   }
 
@@ -382,9 +382,9 @@ void invalid_offsets_are_rejected()
   const std::vector<vertex_descriptor> sources{vertex(0), vertex(3), vertex(7)};
   auto reject = [&](const std::vector<double>& offsets, std::size_t element, const std::string& what_is_wrong) {
     expect_rejection(tm, Reason::INVALID_OFFSET, element, what_is_wrong, [&](auto distance_map, auto nearest_map) {
-      auto options = SMG::make_geodesic_distance_options<Mesh>(nearest_map);
+      auto options = options_with_map<Mesh>(nearest_map);
       options.source_offsets = offsets;
-      SMG::geodesic_distances(tm, distance_map, sources, options);
+      SMG::geodesic_distances(tm, distance_map, sources, parameters_of(options));
     });
   };
   reject({0., 1., -1.}, 2, "negative offset");
@@ -399,12 +399,12 @@ void invalid_offsets_are_rejected()
                  [&](auto distance_map, auto) {
     Options options;
     options.source_offsets = {0., 1e300, 1.};
-    SMG::geodesic_distances(tiny, distance_map, sources, options);
+    SMG::geodesic_distances(tiny, distance_map, sources, parameters_of(options));
   });
   expect_rejection(tm, Reason::INVALID_OFFSET, any_element, "offset of an empty range", [&](auto distance_map, auto) {
     Options options;
     options.source_offsets = {1.};
-    SMG::geodesic_distances(tm, distance_map, std::vector<vertex_descriptor>(), options);
+    SMG::geodesic_distances(tm, distance_map, std::vector<vertex_descriptor>(), parameters_of(options));
   });
 }
 
@@ -415,9 +415,9 @@ void invalid_radii_are_rejected()
   {
     expect_rejection(tm, Reason::INVALID_RADIUS, any_element, "radius " + std::to_string(radius),
                    [&](auto distance_map, auto nearest_map) {
-                     auto options = SMG::make_geodesic_distance_options<Mesh>(nearest_map);
+                     auto options = options_with_map<Mesh>(nearest_map);
                      options.maximum_distance = radius;
-                     SMG::geodesic_distances(tm, distance_map, vertex(0), options);
+                     SMG::geodesic_distances(tm, distance_map, vertex(0), parameters_of(options));
                    });
   }
 }

@@ -21,7 +21,7 @@ std::vector<long double> distances_in_long_double(const Mesh& tm, vertex_descrip
 {
   auto map = get(CGAL::dynamic_vertex_property_t<long double>(), tm);
   distances_with_rules<SMG::internal::All_pruning_rules, long double>(tm, map, source,
-                                                                      SMG::Geodesic_distance_options<Mesh>());
+                                                                      Distance_options<Mesh>());
   std::vector<long double> result;
   for(const vertex_descriptor v : vertices(tm))
   {

@@ -1,4 +1,5 @@
-// The members of Geodesic_distance_options, the visitor and the statistics. Sets of sources: test_sets_of_sources.cpp.
+// What the named parameters of geodesic_distances() do, the visitor and the statistics. Sets of sources:
+// test_sets_of_sources.cpp. Sequences of parameters and types of values: test_named_parameters.cpp.
 
 #include "distance_test_helpers.h"
 #include "path_test_helpers.h"
@@ -19,7 +20,7 @@ namespace {
 
 const double tolerance = 1e-12;
 
-using Options = SMG::Geodesic_distance_options<Mesh>;
+using Options = Distance_options<Mesh>;
 
 std::vector<double> sorted_finite(const std::vector<double>& field)
 {
@@ -289,8 +290,8 @@ void a_canceled_run_writes_nothing(const Mesh& tm, test_support::Random& random)
       put(nearest, v, std::size_t(77));
     }
     const bool is_complete =
-      SMG::geodesic_distances(tm, map, s, SMG::make_geodesic_distance_options<Mesh>(nearest),
-                              CGAL::parameters::visitor(std::ref(visitor)));
+      SMG::geodesic_distances(tm, map, s,
+                              CGAL::parameters::nearest_source_map(nearest).visitor(std::ref(visitor)));
     CHECK(!is_complete);
     CHECK_EQUAL(visitor.questions, allowed + 1);
     for(const vertex_descriptor v : vertices(tm))
@@ -353,7 +354,7 @@ void a_beaten_source_owns_nothing(const Mesh& tm, test_support::Random& random)
     fields.push_back(distances(tm, s));
   }
   auto nearest = get(CGAL::dynamic_vertex_property_t<std::size_t>(), tm);
-  auto options = SMG::make_geodesic_distance_options<Mesh>(nearest);
+  auto options = options_with_map<Mesh>(nearest);
   // If the wave of the first source reaches the middle source, it does so before the middle source starts.
   const double way = fields[0][std::size_t(sources[1])];
   const double delay = way == infinity ? 0. : 1.5 * way + 1e-3;
@@ -406,7 +407,7 @@ void a_source_inside_a_face_may_be_beaten()
   const std::vector<Face_location> sources{Face_location(face(4), {.2, .3, .5}), Face_location(face(4), {.5, .3, .2}),
                                            Face_location(face(9), {.1, .1, .8})};
   auto nearest = get(CGAL::dynamic_vertex_property_t<std::size_t>(), tm);
-  auto options = SMG::make_geodesic_distance_options<Mesh>(nearest);
+  auto options = options_with_map<Mesh>(nearest);
   options.source_offsets = {0., 5., 0.};
   const std::vector<double> result = distances_with_options(tm, sources, options);
   std::set<std::size_t> owners;
@@ -431,17 +432,17 @@ void options_work_with_edge_lengths_too()
   const auto lengths = add_edge_lengths(tm);
   const std::vector<vertex_descriptor> sources{vertex(0), vertex(5)};
   auto nearest = get(CGAL::dynamic_vertex_property_t<std::size_t>(), tm);
-  auto options = SMG::make_geodesic_distance_options<Mesh>(nearest);
+  auto options = options_with_map<Mesh>(nearest);
   options.maximum_distance = 1.;
   options.source_offsets = {0., .2};
   const std::vector<double> expected = distances_with_options(tm, sources, options);
   auto map = get(CGAL::dynamic_vertex_property_t<double>(), tm);
-  CHECK(SMG::geodesic_distances_from_edge_lengths(tm, lengths, map, sources, options));
+  CHECK(SMG::geodesic_distances_from_edge_lengths(tm, lengths, map, sources, parameters_of(options)));
   CHECK_FIELDS_CLOSE(values_at_vertices(tm, map), expected, tolerance);
   Recording_visitor visitor;
   visitor.questions_until_stop = 0;
-  CHECK(!SMG::geodesic_distances_from_edge_lengths(tm, lengths, map, sources, options,
-                                                   CGAL::parameters::visitor(std::ref(visitor))));
+  CHECK(!SMG::geodesic_distances_from_edge_lengths(tm, lengths, map, sources,
+                                                   parameters_of(options).visitor(std::ref(visitor))));
 }
 
 } // namespace

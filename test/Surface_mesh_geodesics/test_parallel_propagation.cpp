@@ -27,13 +27,13 @@ using namespace test_meshes;
 
 namespace {
 
-using Options = SMG::Geodesic_distance_options<Mesh>;
+using Options = Distance_options<Mesh>;
 
 template <class Tag, class Sources>
 std::vector<double> tagged_distances(const Mesh& tm, const Sources& sources, const Options& options = Options())
 {
   auto map = get(CGAL::dynamic_vertex_property_t<double>(), tm);
-  CHECK(SMG::geodesic_distances<Tag>(tm, map, sources, options));
+  CHECK(SMG::geodesic_distances<Tag>(tm, map, sources, parameters_of(options)));
   return values_at_vertices(tm, map);
 }
 

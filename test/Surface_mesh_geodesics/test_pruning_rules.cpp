@@ -45,7 +45,7 @@ std::vector<double> distances_with_rules(const Mesh& tm, const Sources& sources)
 {
   auto map = get(CGAL::dynamic_vertex_property_t<double>(), tm);
   SMG::Propagation_statistics statistics;
-  SMG::Geodesic_distance_options<Mesh> options;
+  Distance_options<Mesh> options;
   options.statistics = &statistics;
   CHECK((test_meshes::distances_with_rules<Rules, NumberType>(tm, map, sources, options)));
   windows_propagated<Rules, NumberType> += statistics.windows_propagated;

@@ -35,7 +35,7 @@ std::size_t compare_with_solver(Mesh& tm, const Sources& sources)
 {
   const Distances distances = tm.add_property_map<vertex_descriptor, double>("v:distance", -1.).first;
   const Numbers numbers = tm.add_property_map<vertex_descriptor, std::size_t>("v:source", 0).first;
-  CHECK(SMG::geodesic_distances(tm, distances, sources, SMG::make_geodesic_distance_options<Mesh>(numbers)));
+  CHECK(SMG::geodesic_distances(tm, distances, sources, CGAL::parameters::nearest_source_map(numbers)));
   SMG::Geodesic_distance_solver<Mesh> solver(tm);
   solver.compute_distances(sources);
   std::size_t number_reached = 0;
@@ -43,7 +43,7 @@ std::size_t compare_with_solver(Mesh& tm, const Sources& sources)
   {
     const double expected = solver.distance(v);
     CHECK((distances[v] == infinity) == (expected == infinity));
-    CHECK((numbers[v] == SMG::Geodesic_distance_options<Mesh>::no_source) == (expected == infinity));
+    CHECK((numbers[v] == no_source) == (expected == infinity));
     if(expected < infinity)
     {
       CHECK_CLOSE(distances[v], expected, 1e-13 * (1 + expected));
@@ -123,9 +123,9 @@ void targets_may_be_in_other_components()
 {
   Mesh tm = to_face_graph(two_components_and_an_isolated_vertex());
   const Distances distances = tm.add_property_map<vertex_descriptor, double>("v:distance", -1.).first;
-  SMG::Geodesic_distance_options<Mesh> options;
+  Distance_options<Mesh> options;
   options.targets = {vertex(num_vertices(tm) - 2)};
-  CHECK(SMG::geodesic_distances(tm, distances, vertex(0), options));
+  CHECK(SMG::geodesic_distances(tm, distances, vertex(0), parameters_of(options)));
   std::size_t number_reached = 0;
   for(const vertex_descriptor v : vertices(tm))
   {

@@ -61,7 +61,7 @@ template <class Rules>
 std::vector<Hundred_digits> propagated(const Mesh& tm, vertex_descriptor source)
 {
   auto map = get(CGAL::dynamic_vertex_property_t<Hundred_digits>(), tm);
-  const SMG::Geodesic_distance_options<Mesh> options;
+  const Distance_options<Mesh> options;
   CHECK((distances_with_rules<Rules, Hundred_digits>(tm, map, source, options)));
   std::vector<Hundred_digits> result;
   for(const auto v : vertices(tm))

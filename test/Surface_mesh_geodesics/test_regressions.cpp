@@ -118,7 +118,7 @@ void sources_inside_a_face_have_exact_distances()
   const std::vector<Face_location> sources{location_in_plane(.75, .125, split_tm),
                                            location_in_plane(.625, .125, split_tm)};
   const std::vector<double> result =
-    distances_with_options(split_tm, sources, SMG::make_geodesic_distance_options<Mesh>(nearest));
+    distances_with_options(split_tm, sources, options_with_map<Mesh>(nearest));
   CHECK_CLOSE(result.back(), .375, tolerance);
   CHECK_EQUAL(get(nearest, vertex(result.size() - 1)), 1u);
 }
@@ -355,7 +355,7 @@ void distances_on_polyhedra_are_exact()
       same.push_back(location_of_vertex(vertex(0), f, tm));
     }
     auto nearest = get(CGAL::dynamic_vertex_property_t<std::size_t>(), tm);
-    CHECK(distances_with_options(tm, same, SMG::make_geodesic_distance_options<Mesh>(nearest)) == single);
+    CHECK(distances_with_options(tm, same, options_with_map<Mesh>(nearest)) == single);
     for(const vertex_descriptor v : vertices(tm))
     {
       CHECK(get(nearest, v) < same.size());
@@ -382,7 +382,7 @@ void vertices_of_a_strip_know_their_nearest_source()
   const std::vector<vertex_descriptor> sources{vertex(0), vertex(8)};
   auto nearest = get(CGAL::dynamic_vertex_property_t<std::size_t>(), tm);
   const std::vector<double> result =
-    distances_with_options(tm, sources, SMG::make_geodesic_distance_options<Mesh>(nearest));
+    distances_with_options(tm, sources, options_with_map<Mesh>(nearest));
   CHECK_FIELDS_CLOSE(result, (std::vector<double>{0, 1, 1, r2, 2, std::sqrt(5.), 1, r2, 0, 1}), tolerance);
   for(std::size_t v = 0; v < 10; ++v)
   {

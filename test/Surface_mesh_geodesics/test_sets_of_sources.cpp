@@ -25,7 +25,7 @@ void an_empty_range_leaves_all_at_infinity(const Mesh& tm)
     CHECK_EQUAL(d, infinity);
   }
   auto nearest = get(CGAL::dynamic_vertex_property_t<std::size_t>(), tm);
-  auto options = SMG::make_geodesic_distance_options<Mesh>(nearest);
+  auto options = options_with_map<Mesh>(nearest);
   options.targets.push_back(vertex(0));
   for(const double d : distances_with_options(tm, std::vector<Face_location>(), options))
   {
@@ -80,7 +80,7 @@ void duplicate_and_adjacent_sources_are_harmless(const Mesh& tm, test_support::R
   const std::vector<double> other = distances(tm, neighbor);
   auto nearest = get(CGAL::dynamic_vertex_property_t<std::size_t>(), tm);
   const std::vector<double> both = distances_with_options(tm, std::vector<vertex_descriptor>{s, neighbor, s},
-                                                          SMG::make_geodesic_distance_options<Mesh>(nearest));
+                                                          options_with_map<Mesh>(nearest));
   for(std::size_t i = 0; i < both.size(); ++i)
   {
     CHECK_CLOSE(both[i], (std::min)(single[i], other[i]), tolerance);
@@ -115,7 +115,7 @@ void several_sources_in_one_face_and_on_one_edge_are_all_found(const Mesh& tm, t
   }
   auto nearest = get(CGAL::dynamic_vertex_property_t<std::size_t>(), tm);
   const std::vector<double> result =
-    distances_with_options(tm, sources, SMG::make_geodesic_distance_options<Mesh>(nearest));
+    distances_with_options(tm, sources, options_with_map<Mesh>(nearest));
   CHECK_FIELDS_CLOSE(result, expected, tolerance);
   for(std::size_t i = 0; i < expected.size(); ++i)
   {

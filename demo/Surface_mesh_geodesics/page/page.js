@@ -1,298 +1,13 @@
-// Draws the surface of the page, and answers clicks. Requires three.js only.
+// Draws the surface of the page, and answers clicks. Requires three.js, drawing.js and exact_path.js.
 (function () {
   "use strict";
-
-  // Dark violet to light yellow, with increasing lightness: the order is visible without distinguishing red from green.
-  const RAMP = [[76, 40, 140], [56, 96, 174], [30, 138, 160], [62, 178, 122], [168, 208, 70], [252, 232, 92]];
-  const UNREACHED = "#9a9a9a";
-  const ROLES = {
-    isoline: { color: "#1a1a1a", width: 1.2, text: "lines of equal distance" },
-    path: { color: "#d55e00", width: 3, outline: 5.5, text: "shortest paths" },
-    arc: { color: "#000000", width: 2.2, text: "boundaries of the cells" },
-    source: { color: "#ffffff", text: "sources" },
-    target: { color: "#d55e00", text: "targets" },
-    site: { color: "#ffffff", text: "sites" }
-  };
-  const NO_CELL = 0xffffffff;
-  const MOST_NUMBERS = 200; // more would hide the surface
 
   const data = JSON.parse(document.getElementById("data").textContent);
   const canvas = document.getElementById("surface");
   const answer = document.getElementById("answer");
-
-  // --- numbers -------------------------------------------------------------------------------------------------------
-
-  function decode(text, Type) {
-    const bytes = atob(text);
-    const array = new Uint8Array(bytes.length);
-    for (let i = 0; i < bytes.length; ++i) array[i] = bytes.charCodeAt(i);
-    return new Type(array.buffer); // lowest byte first, as on all machines with browsers
-  }
-
-  function rounded(x) {
-    return String(Number(x.toPrecision(5)));
-  }
-
-  function ramp(t) {
-    const s = Math.min(Math.max(t, 0), 1) * (RAMP.length - 1);
-    const i = Math.min(Math.floor(s), RAMP.length - 2);
-    return RAMP[i].map((c, k) => c + (s - i) * (RAMP[i + 1][k] - c));
-  }
-
-  function css(rgb) {
-    return "rgb(" + rgb.map(Math.round).join(",") + ")";
-  }
-
-  // Band i lies between the isolines i - 1 and i.
-  const limits = data.isolines;
-  function bandColor(i) {
-    return ramp(limits.length > 0 ? i / limits.length : 0);
-  }
-
-  // --- the surface ---------------------------------------------------------------------------------------------------
-
-  const points = decode(data.points, Float32Array);
-  const triangles = decode(data.triangles, Uint32Array);
-  const distances = decode(data.distances, Float32Array);
-  const cells = data.cells ? decode(data.cells, Uint32Array) : null;
-
-  // The sum of the normals of the faces around each point, weighted by area.
-  function smoothNormals() {
-    const normals = new Float32Array(points.length);
-    const a = new THREE.Vector3(), b = new THREE.Vector3(), c = new THREE.Vector3();
-    for (let i = 0; i < triangles.length; i += 3) {
-      a.fromArray(points, 3 * triangles[i]);
-      b.fromArray(points, 3 * triangles[i + 1]).sub(a);
-      c.fromArray(points, 3 * triangles[i + 2]).sub(a);
-      b.cross(c);
-      for (let k = 0; k < 3; ++k) {
-        const v = 3 * triangles[i + k];
-        normals[v] += b.x;
-        normals[v + 1] += b.y;
-        normals[v + 2] += b.z;
-      }
-    }
-    return normals;
-  }
-  const normals = smoothNormals();
-
-  // Each triangle has its own corners, because its color is that of its cell, or gray if a corner is not reached.
-  function surfaceGeometry() {
-    const n = triangles.length;
-    const position = new Float32Array(3 * n), normal = new Float32Array(3 * n);
-    const distance = new Float32Array(n), color = new Float32Array(3 * n);
-    const shade = new THREE.Color();
-    for (let i = 0; i < n; i += 3) {
-      const corners = [triangles[i], triangles[i + 1], triangles[i + 2]];
-      const isReached = corners.every((v) => isFinite(distances[v]));
-      if (cells) shade.set(cells[i / 3] === NO_CELL ? UNREACHED : cellColor(cells[i / 3]));
-      corners.forEach((v, k) => {
-        for (let j = 0; j < 3; ++j) {
-          position[3 * (i + k) + j] = points[3 * v + j];
-          normal[3 * (i + k) + j] = normals[3 * v + j];
-        }
-        shade.toArray(color, 3 * (i + k));
-        distance[i + k] = isReached ? distances[v] : -1;
-      });
-    }
-    const geometry = new THREE.BufferGeometry();
-    geometry.setAttribute("position", new THREE.BufferAttribute(position, 3));
-    geometry.setAttribute("normal", new THREE.BufferAttribute(normal, 3));
-    geometry.setAttribute("distance", new THREE.BufferAttribute(distance, 1));
-    geometry.setAttribute("cellColor", new THREE.BufferAttribute(color, 3));
-    return geometry;
-  }
-
-  function cellColor(cell) {
-    return data.cellColors[cell];
-  }
-
-  // A texture with the colors of all bands in a row, indexed by the number of the band.
-  function bandTexture() {
-    const n = limits.length + 1, texels = new Uint8Array(3 * n);
-    for (let i = 0; i < n; ++i) texels.set(bandColor(i).map(Math.round), 3 * i);
-    const texture = new THREE.DataTexture(texels, n, 1, THREE.RGBFormat);
-    texture.unpackAlignment = 1; // rows of three bytes
-    texture.needsUpdate = true;
-    return texture;
-  }
-
-  function surfaceMaterial() {
-    return new THREE.ShaderMaterial({
-      uniforms: {
-        bands: { value: bandTexture() },
-        numberOfBands: { value: limits.length + 1 },
-        spacing: { value: limits.length > 0 ? limits[0] : 1 },
-        hasCells: { value: cells !== null }
-      },
-      vertexShader: `
-        attribute float distance;
-        attribute vec3 cellColor;
-        varying float vDistance;
-        varying vec3 vNormal, vCellColor;
-        void main() {
-          vDistance = distance;
-          vCellColor = cellColor;
-          vNormal = normalMatrix * normal;
-          gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
-        }`,
-      fragmentShader: `
-        uniform sampler2D bands;
-        uniform float numberOfBands, spacing;
-        uniform bool hasCells;
-        varying float vDistance;
-        varying vec3 vNormal, vCellColor;
-        void main() {
-          float band = clamp(floor(vDistance / spacing), 0.0, numberOfBands - 1.0);
-          vec3 color = texture2D(bands, vec2((band + 0.5) / numberOfBands, 0.5)).rgb;
-          if(hasCells)
-            color = vCellColor * (mod(band, 2.0) < 0.5 ? 1.0 : 0.88);
-          else if(vDistance < 0.0)
-            color = vec3(0.6);
-          // light from the eye, a little from above; the same on both sides
-          float light = abs(dot(normalize(vNormal), normalize(vec3(0.2, 0.35, 1.0))));
-          gl_FragColor = vec4(color * (0.6 + 0.4 * light), 1.0);
-        }`,
-      side: THREE.DoubleSide,
-      polygonOffset: true, // behind the lines on the surface
-      polygonOffsetFactor: 1,
-      polygonOffsetUnits: 1
-    });
-  }
-
-  // --- lines and dots ------------------------------------------------------------------------------------------------
-
-  const resolution = { value: new THREE.Vector2(1, 1) }; // of the canvas, in pixels
-
-  let numberOfLayers = 0;
-  function inOrder(object) {
-    object.renderOrder = ++numberOfLayers;
-    object.frustumCulled = false;
-    return object;
-  }
-
-  // Lines some pixels wide: each segment is a rectangle that the vertex shader turns to the eye.
-  function lineMesh(group, color, width) {
-    const xyz = decode(group.points, Float32Array), lengths = decode(group.lengths, Uint32Array);
-    let segments = 0;
-    lengths.forEach((n) => { segments += n - 1; });
-    const position = new Float32Array(12 * segments), other = new Float32Array(12 * segments);
-    const side = new Float32Array(4 * segments), index = new Uint32Array(6 * segments);
-    let s = 0, first = 0;
-    lengths.forEach((n) => {
-      for (let i = first; i + 1 < first + n; ++i, ++s)
-        for (let k = 0; k < 4; ++k) {
-          const here = k < 2 ? i : i + 1, there = k < 2 ? i + 1 : i;
-          for (let j = 0; j < 3; ++j) {
-            position[12 * s + 3 * k + j] = xyz[3 * here + j];
-            other[12 * s + 3 * k + j] = xyz[3 * there + j];
-          }
-          side[4 * s + k] = k === 0 || k === 3 ? 1 : -1; // seen from the other end, left and right change
-        }
-      first += n;
-    });
-    for (let i = 0; i < segments; ++i)
-      index.set([0, 1, 2, 2, 1, 3].map((k) => 4 * i + k), 6 * i);
-    const geometry = new THREE.BufferGeometry();
-    geometry.setAttribute("position", new THREE.BufferAttribute(position, 3));
-    geometry.setAttribute("other", new THREE.BufferAttribute(other, 3));
-    geometry.setAttribute("side", new THREE.BufferAttribute(side, 1));
-    geometry.setIndex(new THREE.BufferAttribute(index, 1));
-    const material = new THREE.ShaderMaterial({
-      uniforms: { resolution: resolution, color: { value: new THREE.Color(color) },
-        width: { value: width * window.devicePixelRatio } },
-      vertexShader: `
-        attribute vec3 other;
-        attribute float side;
-        uniform vec2 resolution;
-        uniform float width;
-        void main() {
-          vec4 p = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
-          vec4 q = projectionMatrix * modelViewMatrix * vec4(other, 1.0);
-          vec2 along = (q.xy / q.w - p.xy / p.w) * resolution;
-          float size = length(along);
-          along = size > 0.0 ? along / size : vec2(1.0, 0.0);
-          vec2 offset = side * vec2(-along.y, along.x) - 0.4 * along; // a little longer, so that bends have no gaps
-          p.xy += offset * width / resolution * p.w;
-          p.z -= 0.001 * p.w; // in front of the surface
-          gl_Position = p;
-        }`,
-      fragmentShader: "uniform vec3 color; void main() { gl_FragColor = vec4(color, 1.0); }",
-      side: THREE.DoubleSide,
-      depthWrite: false // lines hide each other in the order in which they are drawn
-    });
-    return inOrder(new THREE.Mesh(geometry, material));
-  }
-
-  function dots(xyz, color, size) {
-    const geometry = new THREE.BufferGeometry();
-    geometry.setAttribute("position", new THREE.BufferAttribute(xyz, 3));
-    const material = new THREE.ShaderMaterial({
-      uniforms: {
-        color: { value: new THREE.Color(color) },
-        size: { value: size * window.devicePixelRatio },
-        lift: { value: 0.0015 * size } // about the radius of a dot, so that no surface cuts it off
-      },
-      vertexShader: `
-        uniform float size, lift;
-        void main() {
-          vec4 p = modelViewMatrix * vec4(position, 1.0);
-          gl_Position = projectionMatrix * p;
-          p.xyz *= 1.0 - min(lift / length(p.xyz), 0.5);
-          vec4 q = projectionMatrix * p;
-          gl_Position.z = q.z / q.w * gl_Position.w;
-          gl_PointSize = size;
-        }`,
-      fragmentShader: `
-        uniform vec3 color;
-        void main() {
-          float r = 2.0 * length(gl_PointCoord - vec2(0.5));
-          if(r > 1.0)
-            discard;
-          gl_FragColor = vec4(r > 0.65 ? vec3(0.0) : color, 1.0);
-        }`
-    });
-    material.depthWrite = false;
-    return inOrder(new THREE.Points(geometry, material));
-  }
-
-  // Dots with their indices, from 0, drawn from one texture with all of them.
-  function numberedDots(xyz, color, size) {
-    const n = xyz.length / 3, columns = Math.ceil(Math.sqrt(n)), side = 64;
-    const picture = document.createElement("canvas");
-    picture.width = picture.height = columns * side;
-    const context = picture.getContext("2d");
-    context.textAlign = "center";
-    context.textBaseline = "middle";
-    const cell = new Float32Array(2 * n);
-    for (let i = 0; i < n; ++i) {
-      cell.set([i % columns, Math.floor(i / columns)], 2 * i);
-      context.font = "bold " + [44, 38, 28][String(i).length - 1] + "px sans-serif";
-      context.fillText(String(i), (cell[2 * i] + 0.5) * side, (cell[2 * i + 1] + 0.53) * side);
-    }
-    const texture = new THREE.CanvasTexture(picture);
-    texture.flipY = false;
-    texture.generateMipmaps = false;
-    texture.minFilter = THREE.LinearFilter;
-    const object = dots(xyz, color, size), material = object.material;
-    object.geometry.setAttribute("cell", new THREE.BufferAttribute(cell, 2));
-    Object.assign(material.uniforms, { numbers: { value: texture }, columns: { value: columns } });
-    material.vertexShader = "attribute vec2 cell; varying vec2 vCell;"
-      + material.vertexShader.replace("void main() {", "void main() { vCell = cell;");
-    material.fragmentShader = `
-      uniform vec3 color;
-      uniform sampler2D numbers;
-      uniform float columns;
-      varying vec2 vCell;
-      void main() {
-        float r = 2.0 * length(gl_PointCoord - vec2(0.5));
-        if(r > 1.0)
-          discard;
-        float ink = texture2D(numbers, (vCell + gl_PointCoord) / columns).a;
-        gl_FragColor = vec4(color * (1.0 - max(ink, smoothstep(0.82, 0.92, r))), 1.0);
-      }`;
-    return object;
-  }
+  const { ROLES, UNREACHED, NO_CELL, MOST_NUMBERS, limits, points, triangles, distances, cells, normals, resolution,
+    decode, rounded, css, bandColor, cellColor, surfaceGeometry, surfaceMaterial, lineMesh, lineMeshOf, dots,
+    numberedDots } = PageDrawing(data);
 
   // --- the scene -----------------------------------------------------------------------------------------------------
 
@@ -305,7 +20,6 @@
     return;
   }
   renderer.setPixelRatio(window.devicePixelRatio);
-  renderer.setClearColor(0xf4f4f2);
 
   const scene = new THREE.Scene();
   const camera = new THREE.PerspectiveCamera(30, 1, 0.01, 100);
@@ -323,9 +37,11 @@
     turned.add(group.role === "site" && xyz.length <= 3 * MOST_NUMBERS ? numberedDots(xyz, color, 22)
       : dots(xyz, color, 11));
   });
-  const picked = dots(new Float32Array(3), "#ff2fd6", 13);
-  picked.visible = false;
-  turned.add(picked);
+  const pickedDots = [0, 1].map(() => dots(new Float32Array(3), "#ff2fd6", 13));
+  pickedDots.forEach((marker) => {
+    marker.visible = false;
+    turned.add(marker);
+  });
 
   const radius = data.radius || 1;
   turned.scale.setScalar(1 / radius);
@@ -369,11 +85,13 @@
     return normal.normalize();
   }
 
-  // The rotation that turns a direction to the viewer, with y upward as far as possible.
+  let up = 1; // the axis that points upward: x, y or z
+
+  // The rotation that turns a direction to the viewer, with the axis `up` upward as far as possible.
   function turnTo(direction) {
-    const up = Math.abs(direction.y) < 0.99 ? new THREE.Vector3(0, 1, 0)
-      : new THREE.Vector3(0, 0, -Math.sign(direction.y));
-    const axes = new THREE.Matrix4().lookAt(direction, new THREE.Vector3(), up);
+    const axis = new THREE.Vector3().setComponent(up, 1), along = direction.clone().normalize().dot(axis);
+    if (Math.abs(along) > 0.99) axis.set(0, 0, 0).setComponent((up + 1) % 3, -Math.sign(along));
+    const axes = new THREE.Matrix4().lookAt(direction, new THREE.Vector3(), axis);
     return new THREE.Quaternion().setFromRotationMatrix(axes).conjugate();
   }
 
@@ -402,13 +120,43 @@
     return turns;
   }
 
-  // Turns the surface so that a point faces the viewer, with the whole surface in the window.
+  // The whole surface in the window, as large as possible.
+  function fill() {
+    const slope = Math.tan(camera.fov * Math.PI / 360), p = new THREE.Vector3();
+    const box = new THREE.Box3();
+    const each = (use) => {
+      for (let i = 0; i < points.length; i += 3)
+        use(p.fromArray(points, i).multiplyScalar(1 / radius).applyQuaternion(turned.quaternion));
+    };
+    each(() => box.expandByPoint(p));
+    const middle = box.getCenter(new THREE.Vector3());
+    let wanted = 0;
+    each(() => {
+      const half = Math.max(Math.abs(p.y - middle.y), Math.abs(p.x - middle.x) / camera.aspect);
+      wanted = Math.max(wanted, p.z + half / slope);
+    });
+    Object.assign(view, { distance: Math.max(1.06 * wanted, 0.05), x: middle.x, y: middle.y });
+    drawSoon();
+  }
+
+  // Turns the surface so that a point faces the viewer.
   function show(point) {
-    const wanted = 1.02 / Math.sin(camera.fov * Math.PI / 360);
-    Object.assign(view, { distance: wanted / Math.min(camera.aspect, 1), x: 0, y: 0 });
+    view.distance = 4;
     const turns = turnsFor(point);
     turned.quaternion.copy(turns.find((turn) => isSeen(point, turn)) || turns[0]);
-    drawSoon();
+    fill();
+  }
+
+  // The view along an axis, from its positive end or from its negative one.
+  function showAlong(axis, sign) {
+    turned.quaternion.copy(turnTo(new THREE.Vector3().setComponent(axis, sign)));
+    fill();
+  }
+
+  function nextUp() {
+    up = (up + 1) % 3;
+    document.getElementById("up").textContent = "xyz"[up] + " up";
+    reset();
   }
 
   // The first view shows the first source or site.
@@ -462,7 +210,10 @@
     hasMoved = true;
     const oldSpread = pointers.size === 2 ? spread() : 0;
     pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
-    if (pointers.size === 2) zoom(oldSpread / Math.max(spread(), 1));
+    if (pointers.size === 2) { // two fingers: each moves the middle between them by half its way
+      zoom(oldSpread / Math.max(spread(), 1));
+      move(dx / 2, dy / 2);
+    }
     else if (event.buttons === 2 || event.shiftKey) move(dx, dy);
     else turn(dx * 0.008, dy * 0.008);
   });
@@ -481,12 +232,15 @@
     event.preventDefault();
     zoom(Math.exp(Math.sign(event.deltaY) * 0.12));
   }, { passive: false });
-  canvas.addEventListener("keydown", (event) => {
+  document.addEventListener("keydown", (event) => {
+    if (event.target.tagName === "INPUT" || event.ctrlKey || event.metaKey || event.altKey) return;
     const keys = { ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, -0.1], ArrowDown: [0, 0.1] };
+    const actions = { "+": () => zoom(0.9), "-": () => zoom(1.1), Home: reset, r: reset, u: nextUp, s: savePicture,
+      d: switchTheme, l: () => legend.toggleAttribute("open"), h: toggleHelp, "?": toggleHelp, Escape: forget };
+    const axis = "xyz".indexOf(event.key.toLowerCase());
     if (keys[event.key]) turn(keys[event.key][0], keys[event.key][1]);
-    else if (event.key === "+") zoom(0.9);
-    else if (event.key === "-") zoom(1.1);
-    else if (event.key === "Home") reset();
+    else if (event.key.length === 1 && axis >= 0) showAlong(axis, event.shiftKey ? -1 : 1);
+    else if (actions[event.key]) actions[event.key]();
     else return;
     event.preventDefault();
   });
@@ -494,37 +248,193 @@
 
   // --- clicks --------------------------------------------------------------------------------------------------------
 
-  function pick(x, y) {
+  // The mesh of the file, with its numbers of vertices and faces; the surface that is drawn may have smaller triangles.
+  const mesh = data.mesh
+    ? { points: decode(data.mesh.points, Float32Array), triangles: decode(data.mesh.triangles, Uint32Array) }
+    : { points: points, triangles: triangles };
+
+  function rayAt(x, y) {
     const box = canvas.getBoundingClientRect();
     const point = new THREE.Vector2(2 * (x - box.left) / box.width - 1, 1 - 2 * (y - box.top) / box.height);
     draw(); // updates all matrices to the current view
     const ray = new THREE.Raycaster();
     ray.setFromCamera(point, camera);
-    const hit = ray.intersectObject(surface)[0];
-    picked.visible = Boolean(hit);
-    if (hit) {
-      const local = surface.worldToLocal(hit.point.clone());
-      local.toArray(picked.geometry.attributes.position.array);
-      picked.geometry.attributes.position.needsUpdate = true;
-      tell(hit.face.a / 3, local);
-    } else {
-      answer.textContent = "There is no surface here.";
+    const origin = turned.worldToLocal(ray.ray.origin.clone());
+    const direction = turned.worldToLocal(ray.ray.origin.clone().add(ray.ray.direction)).sub(origin);
+    return new THREE.Ray(origin, direction.normalize());
+  }
+
+  // The first triangle that a ray meets, and the barycentric coordinates there; null if it meets none.
+  function firstHit(ray, xyz, corners) {
+    const [ox, oy, oz] = ray.origin.toArray(), [dx, dy, dz] = ray.direction.toArray();
+    let nearest = Infinity, result = null;
+    for (let i = 0; i < corners.length; i += 3) {
+      const a = 3 * corners[i], b = 3 * corners[i + 1], c = 3 * corners[i + 2];
+      const ux = xyz[b] - xyz[a], uy = xyz[b + 1] - xyz[a + 1], uz = xyz[b + 2] - xyz[a + 2];
+      const vx = xyz[c] - xyz[a], vy = xyz[c + 1] - xyz[a + 1], vz = xyz[c + 2] - xyz[a + 2];
+      const px = dy * vz - dz * vy, py = dz * vx - dx * vz, pz = dx * vy - dy * vx;
+      const divisor = ux * px + uy * py + uz * pz;
+      if (divisor === 0) continue;
+      const sx = ox - xyz[a], sy = oy - xyz[a + 1], sz = oz - xyz[a + 2];
+      const s = (sx * px + sy * py + sz * pz) / divisor;
+      if (s < 0 || s > 1) continue;
+      const qx = sy * uz - sz * uy, qy = sz * ux - sx * uz, qz = sx * uy - sy * ux;
+      const t = (dx * qx + dy * qy + dz * qz) / divisor;
+      if (t < 0 || s + t > 1) continue;
+      const way = (vx * qx + vy * qy + vz * qz) / divisor;
+      if (way > 0 && way < nearest) {
+        nearest = way;
+        result = { face: i / 3, b: [1 - s - t, s, t] };
+      }
     }
+    if (result) result.point = ray.at(nearest, new THREE.Vector3());
+    return result;
+  }
+
+  function pick(x, y) {
+    const ray = rayAt(x, y), drawn = firstHit(ray, points, triangles);
+    const place = data.mesh ? firstHit(ray, mesh.points, mesh.triangles) : drawn;
+    if (!drawn || !place) {
+      answer.textContent = "There is no surface here.";
+      return;
+    }
+    if (clicks.length === 2) forget();
+    clicks.push(place);
+    const marker = pickedDots[clicks.length - 1];
+    place.point.toArray(marker.geometry.attributes.position.array);
+    marker.geometry.attributes.position.needsUpdate = true;
+    marker.visible = true;
+    tell(drawn, place);
+    drawSoon();
+    if (clicks.length === 2) findPath();
+  }
+
+  function tell(drawn, place) {
+    const lines = [];
+    if (cells)
+      lines.push(cells[drawn.face] === NO_CELL ? "in no cell" : "in the cell of site " + cells[drawn.face]);
+    const d = [0, 1, 2].reduce((sum, k) => sum + drawn.b[k] * distances[triangles[3 * drawn.face + k]], 0);
+    lines.push(isFinite(d) ? "distance " + rounded(d) : "not reached");
+    const isRounding = (x) => Math.abs(x) < 1e-7 * radius; // by the matrices of the view
+    const coordinates = place.point.toArray().map((x, k) => x + data.center[k])
+      .map((x) => (isRounding(x) ? "0" : rounded(x)));
+    lines.push("at (" + coordinates.join(", ") + ")");
+    const nearest = place.b.indexOf(Math.max(...place.b));
+    lines.push("face " + place.face + ", near vertex " + mesh.triangles[3 * place.face + nearest]);
+    if (clicks.length === 1) lines.push("A second click shows the exact path to it.");
+    answer.innerText = lines.join("\n");
+  }
+
+  // --- the path between two clicks -----------------------------------------------------------------------------------
+
+  const clicks = [];
+  let pathMeshes = [], connections = null, search = null;
+
+  function forget() {
+    clicks.length = 0;
+    search = null;
+    pickedDots.forEach((marker) => { marker.visible = false; });
+    pathMeshes.forEach((object) => turned.remove(object));
+    pathMeshes = [];
+    delete document.body.dataset.path;
     drawSoon();
   }
 
-  function tell(triangle, p) {
-    const corners = [0, 1, 2].map((k) => triangles[3 * triangle + k]);
-    const [a, b, c] = corners.map((v) => new THREE.Vector3().fromArray(points, 3 * v));
-    const weights = THREE.Triangle.getBarycoord(p, a, b, c, new THREE.Vector3()).toArray();
-    const d = corners.reduce((sum, v, k) => sum + weights[k] * distances[v], 0);
-    const lines = [];
-    if (cells) lines.push(cells[triangle] === NO_CELL ? "in no cell" : "in the cell of site " + cells[triangle]);
-    lines.push(isFinite(d) ? "distance " + rounded(d) : "not reached");
-    const isRounding = (x) => Math.abs(x) < 1e-7 * radius; // by the matrices of the view
-    const coordinates = p.toArray().map((x, k) => x + data.center[k]).map((x) => (isRounding(x) ? "0" : rounded(x)));
-    lines.push("at (" + coordinates.join(", ") + ")");
-    answer.innerText = lines.join("\n");
+  // Works in slices, so that the page stays alive.
+  function findPath() {
+    const line = element("div", answer, "looking for the path ...");
+    const mine = {};
+    search = mine;
+    window.setTimeout(() => {
+      connections = connections || new ExactPath.Surface(mesh.points, mesh.triangles);
+      const work = new ExactPath.Search(connections, clicks[0], clicks[1]);
+      const go = () => {
+        if (search !== mine) return;
+        if (work.step(40)) finish(work.result(), line);
+        else window.setTimeout(go, 0);
+      };
+      go();
+    }, 20);
+  }
+
+  function finish(path, line) {
+    line.textContent = path ? "exact path between the two clicks: " + rounded(path.length)
+      : "no path joins the two clicks";
+    document.body.dataset.path = path ? path.length : "none";
+    document.body.dataset.ends = clicks.map((c) => c.face + " " + c.b.join(" ")).join("|");
+    if (!path) return;
+    const role = ROLES.clicked, xyz = new Float32Array(path.points.flat());
+    pathMeshes = [["#000000", role.outline], [role.color, role.width]]
+      .map(([color, width]) => lineMeshOf(xyz, new Uint32Array([path.points.length]), color, width));
+    pathMeshes.forEach((object) => turned.add(object));
+    drawSoon();
+  }
+
+  // --- cells under the mouse -----------------------------------------------------------------------------------------
+
+  const hint = document.getElementById("hint");
+  let isLooking = false;
+  function choose(cell) {
+    surface.material.uniforms.chosenCell.value = cell;
+    drawSoon();
+  }
+  canvas.addEventListener("pointermove", (event) => {
+    if (!cells || event.pointerType !== "mouse" || event.buttons !== 0 || isLooking || triangles.length > 2e6) return;
+    isLooking = true;
+    window.requestAnimationFrame(() => {
+      isLooking = false;
+      const hit = firstHit(rayAt(event.clientX, event.clientY), points, triangles);
+      const cell = hit && cells[hit.face] !== NO_CELL ? cells[hit.face] : -2;
+      hint.hidden = cell < 0;
+      hint.textContent = "site " + cell;
+      hint.style.left = event.clientX + 14 + "px";
+      hint.style.top = event.clientY + 10 + "px";
+      choose(cell);
+    });
+  });
+
+  // --- buttons -------------------------------------------------------------------------------------------------------
+
+  const legend = document.getElementById("legend"), help = document.getElementById("help");
+
+  function toggleHelp() {
+    if (help.open) help.close(); else help.showModal();
+  }
+
+  function savePicture() {
+    draw();
+    canvas.toBlob((blob) => {
+      const link = document.createElement("a");
+      link.href = URL.createObjectURL(blob);
+      link.download = "surface.png";
+      link.click();
+      window.setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+    });
+  }
+
+  function applyTheme() {
+    const color = getComputedStyle(document.documentElement).getPropertyValue("--ground").trim();
+    renderer.setClearColor(new THREE.Color(color));
+    drawSoon();
+  }
+
+  function switchTheme() {
+    const isDark = document.documentElement.dataset.theme
+      ? document.documentElement.dataset.theme === "dark" : window.matchMedia("(prefers-color-scheme: dark)").matches;
+    document.documentElement.dataset.theme = isDark ? "light" : "dark";
+    applyTheme();
+  }
+
+  function connectButtons() {
+    const actions = { reset: reset, up: nextUp, picture: savePicture, theme: switchTheme, "show-help": toggleHelp,
+      along: () => { showAlong(nextAxis, 1); nextAxis = (nextAxis + 1) % 3; } };
+    let nextAxis = 0;
+    Object.keys(actions).forEach((id) => document.getElementById(id).addEventListener("click", actions[id]));
+    document.getElementById("close-help").addEventListener("click", () => help.close());
+    document.getElementById("copy").addEventListener("click", () => {
+      if (navigator.clipboard) navigator.clipboard.writeText(data.command);
+    });
+    window.matchMedia("(prefers-color-scheme: dark)").addEventListener("change", applyTheme);
   }
 
   // --- title and legend ----------------------------------------------------------------------------------------------
@@ -537,53 +447,63 @@
     return e;
   }
 
-  function key(parent, kind, color, text, tag) {
-    const line = element(tag || "div", parent);
+  function key(parent, kind, color, text) {
+    const line = element("div", parent);
     line.className = "key";
     const sign = element("span", line, "", kind === "line" ? { borderColor: color } : { background: color });
     sign.className = kind;
-    element(tag ? "b" : "div", line, text);
-    return line;
+    element("div", line, text);
   }
 
-  function drawRamp(legend) {
-    element("b", legend, "distance");
-    const list = element("div", legend);
+  // Values stand at the borders of the bands; the lowest one is 0.
+  function drawRamp(keys) {
+    element("b", keys, "distance");
+    element("div", keys, "in the unit of the mesh").className = "unit";
+    const list = element("div", keys);
     list.className = "ramp";
     const step = Math.ceil((limits.length + 1) / 12); // labels that fit
+    element("small", list, "largest " + Number(data.largest.toPrecision(4)));
     for (let i = limits.length; i >= 0; --i) {
       const row = element("div", list);
       element("span", row, "", { background: css(bandColor(i)) });
-      const limit = i === limits.length ? data.largest : limits[i];
-      element("small", row, i === limits.length || (i + 1) % step === 0 ? "≤ " + rounded(limit) : "");
+      const value = i === 0 ? 0 : limits[i - 1];
+      element("small", row, i % step === 0 ? rounded(value) : "");
     }
   }
 
-  function drawCells(legend) {
-    element("b", legend, "cells, with the indices of their sites");
-    const list = element("div", legend);
-    list.id = "cells";
-    const sites = decode(firstDots.points, Float32Array);
-    data.cellColors.slice(0, MOST_NUMBERS).forEach((_, i) => {
-      const entry = key(list, "", cellColor(i), String(i), "button");
-      entry.title = "show site " + i;
-      entry.addEventListener("click", () => show(new THREE.Vector3().fromArray(sites, 3 * i)));
+  function drawCells(keys) {
+    const n = data.cellColors.length, sites = decode(firstDots.points, Float32Array);
+    element("b", keys, n + (n === 1 ? " cell" : " cells"));
+    const label = element("label", element("div", keys), "site ");
+    const input = element("input", label);
+    Object.assign(input, { id: "site", type: "number", min: 0, max: n - 1, placeholder: "0 to " + (n - 1) });
+    input.addEventListener("input", () => {
+      const i = Number(input.value);
+      if (input.value === "" || !(i >= 0 && i < n)) return choose(-2);
+      choose(i);
+      show(new THREE.Vector3().fromArray(sites, 3 * i));
     });
-    if (data.cellColors.length > MOST_NUMBERS) element("div", list, "…");
-    element("p", legend, "Click on a number to turn its cell to the front.", { margin: "4px 0 0" });
-    if (limits.length > 0) element("p", legend, "shaded in bands of " + rounded(limits[0]), { margin: "4px 0 0" });
+    element("p", keys, "Point at a cell to see its site.", { margin: "4px 0 0" });
+    if (limits.length > 0) element("p", keys, "shaded in bands of " + rounded(limits[0]), { margin: "4px 0 0" });
   }
 
   function write() {
     document.querySelector("#title h1").textContent = data.title;
     document.querySelector("#title p").textContent = data.subtitle;
-    const legend = document.getElementById("legend");
-    if (cells) drawCells(legend); else drawRamp(legend);
-    data.lines.forEach((group) => key(legend, "line", ROLES[group.role].color, ROLES[group.role].text));
-    data.dots.forEach((group) => key(legend, "dot", ROLES[group.role].color, ROLES[group.role].text));
-    if (distances.some((d) => !isFinite(d))) key(legend, "", UNREACHED, "not reached");
+    document.getElementById("command").textContent = data.command;
+    const keys = document.getElementById("keys");
+    if (cells) drawCells(keys); else drawRamp(keys);
+    data.lines.forEach((group) => key(keys, "line", ROLES[group.role].color, ROLES[group.role].text));
+    data.dots.forEach((group) => key(keys, "dot", ROLES[group.role].color, ROLES[group.role].text));
+    if (distances.some((d) => !isFinite(d))) key(keys, "", UNREACHED, "not reached");
+    if (window.matchMedia("(max-width: 700px)").matches) legend.open = false;
+    if (window.matchMedia("(pointer: coarse)").matches)
+      answer.textContent = "Tap the surface for the distance there, and a second time for the exact path between both "
+        + "points. One finger turns, two move and zoom.";
   }
 
+  connectButtons();
+  applyTheme();
   write();
   fit();
   reset();

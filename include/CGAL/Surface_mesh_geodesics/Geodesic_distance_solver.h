@@ -13,12 +13,14 @@
 #include <CGAL/license/Surface_mesh_geodesics.h>
 
 #include <CGAL/Surface_mesh_geodesics/Geodesic_default_visitor.h>
-#include <CGAL/Surface_mesh_geodesics/Geodesic_distance_options.h>
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
+#include <CGAL/Surface_mesh_geodesics/geodesic_parameters.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Distance_solver.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Face_shapes.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Intrinsic_surface.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Private_access.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_checks.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/source_range.h>
 
 #include <CGAL/Default.h>
 #include <CGAL/Named_function_parameters.h>
@@ -28,8 +30,11 @@
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <array>
 #include <cstddef>
+#include <limits>
 #include <memory>
+#include <type_traits>
 #include <utility>
 
 namespace CGAL {
@@ -48,11 +53,9 @@ none for the rest of the mesh.
 
 \code
 Geodesic_distance_solver<Mesh> solver(tm);
-std::cout << solver.compute_distance(v, w) << "\n";         // one to one
+std::cout << solver.compute_distance(v, w) << "\n";                   // one to one
 
-Geodesic_distance_options<Mesh> options;
-options.maximum_distance = 0.1;
-solver.compute_distances(v, options);                       // one to all within a radius
+solver.compute_distances(v, CGAL::parameters::maximum_distance(0.1)); // one to all within a radius
 solver.vertices_reached(std::back_inserter(nearby));
 \endcode
 
@@ -91,8 +94,8 @@ public:
   /// the vertex descriptor type.
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
 
-  /// the options of a computation.
-  using Options = Geodesic_distance_options<TriangleMesh>;
+  /// what `nearest_source()` returns if no source reaches a vertex: the largest `std::size_t`.
+  static constexpr std::size_t no_source = (std::numeric_limits<std::size_t>::max)();
 
 #ifndef DOXYGEN_RUNNING
   using Vertex_index_map = typename Default::Get<
@@ -159,6 +162,27 @@ public:
                                                                                             vertex_point_map)))
   {}
 
+  /// returns a solver that leaves faces out: no path leads through them, as with the parameter `faces_to_avoid` of
+  /// `geodesic_distances()`.
+  ///
+  /// \tparam Faces a range of face descriptors, or a model of `ReadablePropertyMap` with the face descriptor as
+  ///         key type and `bool` as value type
+  ///
+  /// \param tm the triangle mesh
+  /// \param faces_to_avoid the faces
+  ///
+  /// \throws Invalid_geodesic_input also if a face of the range is not one of the mesh
+  template <typename Faces>
+  static Geodesic_distance_solver avoiding_faces(const TriangleMesh& tm, const Faces& faces_to_avoid)
+  {
+    const auto points = get_const_property_map(CGAL::vertex_point, tm);
+    const auto faces = CGAL::get_initialized_face_index_map(tm, parameters::default_values());
+    return Geodesic_distance_solver(std::unique_ptr<Solver>(
+      new Solver(tm, CGAL::get_initialized_vertex_index_map(tm, parameters::default_values()), faces,
+                 internal::Shape_from_points<double, TriangleMesh, std::decay_t<decltype(points)>>(tm, points),
+                 internal::flags_of_avoided_faces(tm, faces, faces_to_avoid))));
+  }
+
   /// returns a solver for a surface that is given by the lengths of its edges.
   ///
   /// \tparam EdgeLengthMap a model of `ReadablePropertyMap` with the edge descriptor as key type and a number
@@ -203,36 +227,22 @@ public:
   /// computes the distances from a source or from the nearest of several sources.
   ///
   /// \tparam Sources a source or a range of sources
-  /// \tparam Visitor a model of `GeodesicPropagationVisitor`
+  /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
   ///
   /// \param sources the source or sources, as for `geodesic_distances()`
-  /// \param options the options
-  /// \param visitor follows the progress. What it throws is passed on; no vertex has been reached then.
+  /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `maximum_distance`, `targets`,
+  ///        `source_offsets`, `statistics` and `visitor`, as for `geodesic_distances()`. What the visitor throws is
+  ///        passed on; no vertex has been reached then.
   ///
   /// \return `true`, or `false` if the visitor canceled: no vertex has been reached then
   ///
   /// \throws Invalid_geodesic_input for a source, a target or a number that `geodesic_distances()` rejects. The
   ///         results of the computation before are unchanged then.
-  template <typename Sources, typename Visitor>
-  bool compute_distances(const Sources& sources, const Options& options, Visitor& visitor)
+  template <typename Sources, typename CGAL_NP_TEMPLATE_PARAMETERS>
+  bool compute_distances(const Sources& sources, const CGAL_NP_CLASS& np = parameters::default_values())
   {
-    internal::check_numbers(options);
-    return m_solver->run(sources, options, visitor);
-  }
-
-  /// computes the distances without a visitor.
-  ///
-  /// \tparam Sources a source or a range of sources
-  ///
-  /// \param sources the source or sources, as for `geodesic_distances()`
-  /// \param options the options
-  ///
-  /// \throws Invalid_geodesic_input as above
-  template <typename Sources>
-  void compute_distances(const Sources& sources, const Options& options = Options())
-  {
-    Geodesic_default_visitor visitor;
-    compute_distances(sources, options, visitor);
+    internal::check_parameters<internal::Solver_parameters>(np);
+    return m_solver->run_with_parameters(sources, np);
   }
 
   /// computes the distances up to that of a vertex.
@@ -248,9 +258,7 @@ public:
   template <typename Sources>
   double compute_distance(const Sources& sources, vertex_descriptor target)
   {
-    Options options;
-    options.targets.push_back(target);
-    compute_distances(sources, options);
+    compute_distances(sources, parameters::targets(std::array<vertex_descriptor, 1>{{target}}));
     return distance(target);
   }
 
@@ -268,7 +276,7 @@ public:
   double distance(vertex_descriptor v) const { return m_solver->distance(v); }
 
   /// returns the position in the range of sources of a source from which the distance of `v` is measured,
-  /// counted from 0, or `Options::no_source` if the distance is infinity. Takes time logarithmic in the number of
+  /// counted from 0, or `no_source` if the distance is infinity. Takes time logarithmic in the number of
   /// sources, and linear in the number of vertices at which the path bends.
   ///
   /// \param v a vertex

@@ -63,7 +63,8 @@ public:
     INVALID_INDEX_MAP,   ///< an index map has values out of range, or equal values
     NON_MANIFOLD,        ///< a face has a vertex twice, or two faces disagree about the ends of their edge
     TOO_LARGE,           ///< the mesh has more than 2<sup>30</sup> - 2 faces
-    TOO_SMALL            ///< one component is smaller than the mesh by a factor of more than 10<sup>60</sup>
+    TOO_SMALL,           ///< one component is smaller than the mesh by a factor of more than 10<sup>60</sup>
+    INVALID_DIRECTION    ///< the direction or the length of a traced geodesic is not finite, or the length is negative
   };
 
   /// the value of `element()` if the fault is not that of a single element.

@@ -23,17 +23,15 @@ namespace Surface_mesh_geodesics {
 
 The class `Propagation_statistics` counts the work of one propagation or of several.
 
-- `geodesic_distances()`, `geodesic_distances_from_edge_lengths()` and `Geodesic_distance_solver` <em>add</em> to an
-  object that `Geodesic_distance_options::statistics` points to, so that it may serve for several runs; see `add()`.
-  The other functions that take these options ignore the pointer.
-- `geodesic_farthest_point_sampling()` <em>assigns</em> its counts to an object that
-  `Geodesic_sampling_options::statistics` points to.
+- `geodesic_distances()`, `geodesic_distances_from_edge_lengths()` and `Geodesic_distance_solver` <em>add</em> to the
+  object to which the named parameter `statistics` points, so that it may serve for several runs; see `add()`.
+- `geodesic_farthest_point_sampling()` <em>assigns</em> its counts to the object to which `statistics` points.
 - `Surface_mesh_geodesic_paths::statistics()` and `Surface_mesh_geodesic_Voronoi_diagram::statistics()` return those of
   the last propagation alone.
 
 A propagation that a visitor canceled counts up to that point. One that an exception ended does not count.
 
-\sa `Geodesic_distance_options`
+\sa `geodesic_distances()`
 */
 struct Propagation_statistics
 {

@@ -23,6 +23,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Voronoi_cell_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Voronoi_cut_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Voronoi_handles.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_checks.h>
 
 #include <CGAL/Default.h>
 #include <CGAL/Named_function_parameters.h>
@@ -556,6 +557,24 @@ public:
   /// takes the lengths of the edges from the points of the vertices, which is the default. Sites are kept.
   void use_points() { m_lazy.use_points(); }
 
+  /// leaves faces out: no path leads through them, as if they were not in the mesh. They are in no cell. Sites may be
+  /// at their rim, also if their location is given in a face to avoid; a site inside is rejected by the next build.
+  /// Sites are kept, and the faces stay left out until the next call.
+  ///
+  /// Queries inside of these faces are rejected. So `certify_geodesic_Voronoi_diagram()`, which samples all faces of
+  /// the mesh, throws for a diagram with faces to avoid.
+  ///
+  /// \tparam Faces a range of face descriptors, or a model of `ReadablePropertyMap` with the face descriptor as
+  ///         key type and `bool` as value type
+  /// \param faces_to_avoid the faces, in place of those of the last call; none if the range is empty
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if a face of the range is not one of the mesh; nothing
+  ///         changes then
+  template <typename Faces>
+  void avoid_faces(const Faces& faces_to_avoid)
+  {
+    m_lazy.avoid_faces(faces_to_avoid);
+  }
+
   /// returns the number of sites.
   std::size_t number_of_sites() const { return m_lazy.sites().size(); }
 
@@ -912,6 +931,7 @@ public:
   {
     using parameters::choose_parameter;
     using parameters::get_parameter;
+    Surface_mesh_geodesics::internal::check_parameters<Surface_mesh_geodesics::internal::Output_mesh_parameters>(np);
     CGAL_precondition_msg(tolerance > 0, "the tolerance is not positive");
     build();
     auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
@@ -949,6 +969,7 @@ public:
   {
     using parameters::choose_parameter;
     using parameters::get_parameter;
+    Surface_mesh_geodesics::internal::check_parameters<Surface_mesh_geodesics::internal::Output_mesh_parameters>(np);
     CGAL_precondition_msg(tolerance > 0, "the tolerance is not positive");
     auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
                                 get_property_map(CGAL::vertex_point, output));

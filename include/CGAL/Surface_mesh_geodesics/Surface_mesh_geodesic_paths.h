@@ -402,6 +402,24 @@ public:
     m_structure.use_edge_lengths(edge_length_map);
   }
 
+  /// leaves faces out: paths may run along the rim of these faces, not through them, as if the faces were not in the
+  /// mesh. Distances are infinite (that is, -1 in queries) where no way leads around them. All else keeps its
+  /// descriptors and indices. Source points stay. They and queries may be at the rim, also if their location is given
+  /// in a face to avoid; a point inside is rejected.
+  ///
+  /// Call this function before `use_edge_lengths()`: it takes the lengths from the points again.
+  ///
+  /// \tparam Faces a range of face descriptors, or a model of `ReadablePropertyMap` with the face descriptor as
+  ///         key type and `bool` as value type
+  /// \param faces_to_avoid the faces, in place of those of the last call; none if the range is empty
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if a face of the range is not one of the mesh; nothing
+  ///         changes then
+  template <typename Faces>
+  void avoid_faces(const Faces& faces_to_avoid)
+  {
+    m_structure.avoid_faces(faces_to_avoid);
+  }
+
   /// removes all source points and drops all results; the object is as it was after construction. Call it if the mesh
   /// has changed. All iterators to source points become invalid. Edge lengths are taken from the points again.
   ///
@@ -672,6 +690,53 @@ public:
     return std::as_const(*this).shortest_path_points_to_source_points(f, location, output);
   }
 #endif
+
+  /// \name Directions at the Source
+  /// With the distance, the direction is the logarithmic map. Directions are those of
+  /// `Surface_mesh_geodesics::trace_geodesic()`, which documents them. At the border an angle of \f$ 2\pi \f$ or more
+  /// is reduced. At a pinched vertex each umbrella has a frame of its own, and the direction is that in the umbrella
+  /// into which the path leaves. Tracing from the source in that direction, by the distance, leads back to the point if
+  /// the path bends nowhere; a path that bends at a vertex is left there.
+  /// @{
+
+  /// returns the direction in which the shortest path from a vertex to its source point arrives there, seen from the
+  /// source: the direction in which the path leaves the source. The time is that of the straight piece of the path that
+  /// begins at the source.
+  ///
+  /// \param v a vertex of the mesh
+  /// \return the angle, in \f$ [0, 2\pi) \f$; 0 at the source itself, and not a number (NaN) if no source point
+  ///         reaches `v`
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if `v`, the mesh or a source point is invalid
+  /// \throws std::runtime_error if rounding hides the path
+  double direction_at_source(vertex_descriptor v) const { return m_structure.direction_at_source(v); }
+
+  /// returns the same for the shortest path from a point of a face.
+  ///
+  /// \param f a face of the mesh
+  /// \param location the coordinates of the point in `f`
+  /// \return the angle, as above
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the location, the mesh or a source point is invalid
+  /// \throws std::runtime_error if rounding hides the path
+  double direction_at_source(face_descriptor f, const Barycentric_coordinates& location) const
+  {
+    return m_structure.direction_at_source(f, location);
+  }
+
+  /// writes the direction at the source for each vertex of the mesh: the same values as one call for each vertex. The
+  /// time is that of the straight pieces that begin at sources: all other paths share one of these.
+  ///
+  /// \tparam VertexDirectionMap a model of `WritablePropertyMap` with `vertex_descriptor` as key type and a floating
+  ///         point type as value type
+  /// \param vertex_direction_map gets the directions
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the mesh or a source point is invalid
+  /// \throws std::runtime_error if rounding hides a path
+  template <typename VertexDirectionMap>
+  void directions_at_source(VertexDirectionMap vertex_direction_map) const
+  {
+    m_structure.write_directions(vertex_direction_map);
+  }
+
+  /// @}
 
   /// \name Lines of Equal Distance
   /// @{

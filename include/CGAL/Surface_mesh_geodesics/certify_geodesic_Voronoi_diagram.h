@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_paths.h>
 #include <CGAL/Surface_mesh_geodesics/internal/applications/Diagram_certifier.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Private_access.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_checks.h>
 
 #include <CGAL/Named_function_parameters.h>
 
@@ -96,6 +97,7 @@ Geodesic_Voronoi_certificate certify_geodesic_Voronoi_diagram(
   const Surface_mesh_geodesic_Voronoi_diagram<Traits, VIM, HIM, FIM, VPM, ConcurrencyTag>& diagram,
   const CGAL_NP_CLASS& np = parameters::default_values())
 {
+  internal::check_parameters<internal::Mesh_parameters>(np);
   return internal::Private_access::make<Geodesic_Voronoi_certificate>(
     internal::certify_diagram_with_points<Surface_mesh_geodesic_paths, Traits>(diagram, np));
 }
@@ -124,6 +126,7 @@ Geodesic_Voronoi_certificate certify_geodesic_Voronoi_diagram_from_edge_lengths(
   const Surface_mesh_geodesic_Voronoi_diagram<Traits, VIM, HIM, FIM, VPM, ConcurrencyTag>& diagram,
   EdgeLengthMap edge_length_map, const CGAL_NP_CLASS& np = parameters::default_values())
 {
+  internal::check_parameters<internal::Mesh_parameters>(np);
   return internal::Private_access::make<Geodesic_Voronoi_certificate>(
     internal::certify_diagram_with_edge_lengths<Surface_mesh_geodesic_paths, Traits>(diagram, edge_length_map, np));
 }

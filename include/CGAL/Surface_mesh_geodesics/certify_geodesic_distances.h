@@ -13,10 +13,12 @@
 #include <CGAL/license/Surface_mesh_geodesics.h>
 
 #include <CGAL/Surface_mesh_geodesics/Geodesic_distance_certificate.h>
-#include <CGAL/Surface_mesh_geodesics/Geodesic_distance_options.h>
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
+#include <CGAL/Surface_mesh_geodesics/geodesic_parameters.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Distance_certifier.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Face_shapes.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/distance_functions.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_checks.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -102,11 +104,26 @@ no thread modifies them; see `geodesic_distances()`.
     \cgalParamDefault{`Geodesic_default_visitor`}
     \cgalParamExtra{The visitor is not copied if it is passed with `std::ref()`.}
   \cgalParamNEnd
+  \cgalParamNBegin{maximum_distance}
+    \cgalParamDescription{the radius with which the distances were computed, in the unit of the mesh; not negative.
+                          Vertices beyond it must have an infinite distance.}
+    \cgalParamType{a number that converts to `double`}
+    \cgalParamDefault{infinity}
+  \cgalParamNEnd
+  \cgalParamNBegin{source_offsets}
+    \cgalParamDescription{empty, or the offset of each source with which the distances were computed; see
+                          `geodesic_distances()`}
+    \cgalParamType{a range of numbers that convert to `double`}
+    \cgalParamDefault{an empty range: all offsets are 0}
+  \cgalParamNEnd
 \cgalNamedParamsEnd
+
+How to write sequences of parameters: \ref Surface_mesh_geodesics_named_parameters.
 
 \return for each condition, how far it is violated and where. The function does not throw because distances are wrong.
 
-\throws Invalid_geodesic_input if the mesh or a source is invalid, as `geodesic_distances()` does
+\throws Invalid_geodesic_input if the mesh, a source, the radius or an offset is invalid, as `geodesic_distances()`
+        does
 \throws std::bad_alloc if there is not enough memory for the windows
 */
 template <typename TriangleMesh, typename VertexDistanceMap, typename Sources, typename CGAL_NP_TEMPLATE_PARAMETERS>
@@ -114,58 +131,20 @@ Geodesic_distance_certificate<TriangleMesh>
 certify_geodesic_distances(const TriangleMesh& tm, VertexDistanceMap vertex_distance_map, const Sources& sources,
                            const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return certify_geodesic_distances(tm, vertex_distance_map, sources, Geodesic_distance_options<TriangleMesh>(), np);
-}
-
-/*!
-\ingroup PkgSurfaceMeshGeodesicsFunctions
-
-checks distances that have been computed with options. The function uses the offsets and the radius: vertices beyond the
-radius must have an infinite distance. It ignores the targets, the map of nearest sources and the statistics. Otherwise
-it is the same as the function above.
-
-\tparam TriangleMesh a model of `FaceListGraph`
-\tparam VertexDistanceMap as above
-\tparam Sources as for `geodesic_distances()`
-\tparam NearestSourceMap see `Geodesic_distance_options`
-\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
-
-\param tm the triangle mesh
-\param vertex_distance_map the distances
-\param sources the source or sources
-\param options the options
-\param np an optional sequence of \ref bgl_namedparameters "Named Parameters", as above
-
-\return for each condition, how far it is violated and where
-
-\throws Invalid_geodesic_input if the mesh, a source, the radius or an offset is invalid
-*/
-template <typename TriangleMesh, typename VertexDistanceMap, typename Sources, typename NearestSourceMap,
-          typename CGAL_NP_TEMPLATE_PARAMETERS>
-Geodesic_distance_certificate<TriangleMesh>
-certify_geodesic_distances(const TriangleMesh& tm, VertexDistanceMap vertex_distance_map, const Sources& sources,
-                           const Geodesic_distance_options<TriangleMesh, NearestSourceMap>& options,
-                           const CGAL_NP_CLASS& np = parameters::default_values())
-{
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
-                              get_const_property_map(CGAL::vertex_point, tm));
+  internal::check_parameters<internal::Distance_certificate_parameters>(np);
   return internal::certify_distances<Geodesic_distance_certificate<TriangleMesh>>(
-    tm, vertex_distance_map, sources, options,
-    [&]() { return internal::Shape_from_points<double, TriangleMesh, decltype(vpm)>(tm, vpm); }, np);
+    tm, vertex_distance_map, sources, [&]() { return internal::shape_from_points<double>(tm, np); }, np);
 }
 
 /*!
 \ingroup PkgSurfaceMeshGeodesicsFunctions
 
-checks distances on a surface that is given by its edge lengths, with options. Complexity and thread safety are those of
+checks distances on a surface that is given by its edge lengths. Complexity and thread safety are those of
 `certify_geodesic_distances()`.
 
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam VertexDistanceMap as for `certify_geodesic_distances()`
 \tparam Sources as for `geodesic_distances()`
-\tparam NearestSourceMap see `Geodesic_distance_options`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 \tparam EdgeLengthMap see `geodesic_distances_from_edge_lengths()`
 
@@ -173,7 +152,6 @@ checks distances on a surface that is given by its edge lengths, with options. C
 \param edge_length_map the lengths
 \param vertex_distance_map the distances
 \param sources the source or sources
-\param options the options, of which the offsets and the radius are used
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among those of
        `certify_geodesic_distances()`, except `vertex_point_map`
 
@@ -182,53 +160,20 @@ checks distances on a surface that is given by its edge lengths, with options. C
 \throws Invalid_geodesic_input as `geodesic_distances_from_edge_lengths()` does
 */
 template <typename TriangleMesh, typename EdgeLengthMap, typename VertexDistanceMap, typename Sources,
-          typename NearestSourceMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
-Geodesic_distance_certificate<TriangleMesh>
-certify_geodesic_distances_from_edge_lengths(
-  const TriangleMesh& tm, EdgeLengthMap edge_length_map, VertexDistanceMap vertex_distance_map, const Sources& sources,
-  const Geodesic_distance_options<TriangleMesh, NearestSourceMap>& options,
-  const CGAL_NP_CLASS& np = parameters::default_values())
-{
-  return internal::certify_distances<Geodesic_distance_certificate<TriangleMesh>>(
-    tm, vertex_distance_map, sources, options,
-    [&]()
-    {
-      return internal::Shape_from_edge_lengths<double, TriangleMesh, EdgeLengthMap>(tm, edge_length_map);
-    },
-    np);
-}
-
-/*!
-\ingroup PkgSurfaceMeshGeodesicsFunctions
-
-checks distances on a surface that is given by its edge lengths, with the default options. Everything else is as for the
-overload with options.
-
-\tparam TriangleMesh a model of `FaceListGraph`
-\tparam EdgeLengthMap see `geodesic_distances_from_edge_lengths()`
-\tparam VertexDistanceMap as for `certify_geodesic_distances()`
-\tparam Sources as for `geodesic_distances()`
-\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
-
-\param tm the triangle mesh
-\param edge_length_map the lengths
-\param vertex_distance_map the distances
-\param sources the source or sources
-\param np an optional sequence of \ref bgl_namedparameters "Named Parameters", as above
-
-\return for each condition, how far it is violated and where
-
-\throws Invalid_geodesic_input as above
-*/
-template <typename TriangleMesh, typename EdgeLengthMap, typename VertexDistanceMap, typename Sources,
           typename CGAL_NP_TEMPLATE_PARAMETERS>
 Geodesic_distance_certificate<TriangleMesh>
 certify_geodesic_distances_from_edge_lengths(const TriangleMesh& tm, EdgeLengthMap edge_length_map,
                                              VertexDistanceMap vertex_distance_map, const Sources& sources,
                                              const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return certify_geodesic_distances_from_edge_lengths(tm, edge_length_map, vertex_distance_map, sources,
-                                                      Geodesic_distance_options<TriangleMesh>(), np);
+  internal::check_parameters<internal::Edge_length_certificate_parameters>(np);
+  return internal::certify_distances<Geodesic_distance_certificate<TriangleMesh>>(
+    tm, vertex_distance_map, sources,
+    [&]()
+    {
+      return internal::Shape_from_edge_lengths<double, TriangleMesh, EdgeLengthMap>(tm, edge_length_map);
+    },
+    np);
 }
 
 } // namespace Surface_mesh_geodesics

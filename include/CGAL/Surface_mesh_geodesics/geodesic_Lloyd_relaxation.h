@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_geodesics/Geodesic_default_visitor.h>
 #include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_Voronoi_diagram.h>
 #include <CGAL/Surface_mesh_geodesics/internal/applications/Lloyd_relaxation.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_checks.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/run_with_visitor.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -118,11 +119,13 @@ std::size_t geodesic_Lloyd_relaxation(const TriangleMesh& tm, const VertexRange&
                                       std::size_t number_of_iterations, OutputIterator output,
                                       const CGAL_NP_CLASS& np = parameters::default_values())
 {
+  internal::check_parameters<internal::Relaxation_parameters>(np);
   internal::Visitor_parameter<CGAL_NP_CLASS> visitor_parameter(np);
   auto& visitor = visitor_parameter.visitor();
   std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> moved(sites.begin(), sites.end());
   const std::size_t n
-    = internal::relax_sites<Surface_mesh_geodesic_Voronoi_diagram>(tm, moved, number_of_iterations, visitor, np);
+    = internal::relax_sites<Surface_mesh_geodesic_Voronoi_diagram>(tm, moved, number_of_iterations, visitor, np,
+                                                                    [](auto) { return false; });
   std::copy(moved.begin(), moved.end(), output);
   return n;
 }

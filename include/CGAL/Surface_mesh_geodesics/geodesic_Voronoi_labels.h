@@ -13,18 +13,13 @@
 #include <CGAL/license/Surface_mesh_geodesics.h>
 
 #include <CGAL/Surface_mesh_geodesics/Geodesic_default_visitor.h>
-#include <CGAL/Surface_mesh_geodesics/Geodesic_distance_options.h>
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
+#include <CGAL/Surface_mesh_geodesics/geodesic_parameters.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Voronoi_labels.h>
-#include <CGAL/Surface_mesh_geodesics/internal/interface/run_with_visitor.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/tags.h>
-
-#include <boost/graph/graph_traits.hpp>
-
-#include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_geodesics {
@@ -82,12 +77,35 @@ empty. If several sites are equally near, a vertex gets one of them; of several 
     \cgalParamDefault{`Geodesic_default_visitor`}
     \cgalParamExtra{The visitor is not copied if it is passed with `std::ref()`.}
   \cgalParamNEnd
+  \cgalParamNBegin{vertex_distance_map}
+    \cgalParamDescription{a property map that receives the distance of each vertex from its nearest site, in the unit of
+                          the points; infinity where no site reaches it}
+    \cgalParamType{a class model of `WritablePropertyMap` with the vertex descriptor of `TriangleMesh` as key type and
+                   a floating point type as value type, passed by value}
+    \cgalParamDefault{none: distances are not written}
+  \cgalParamNEnd
+  \cgalParamNBegin{site_weights}
+    \cgalParamDescription{empty, or the weight of each site, in the unit of the points. The distance of a vertex from a
+                          site is the geodesic distance minus the weight of the site, as in
+                          `Surface_mesh_geodesic_Voronoi_diagram`. It may be negative.}
+    \cgalParamType{a range of numbers that convert to `double`}
+    \cgalParamDefault{an empty range: all weights are 0}
+  \cgalParamNEnd
+  \cgalParamNBegin{faces_to_avoid}
+    \cgalParamDescription{the faces through which no path may lead, as for `geodesic_distances()`}
+    \cgalParamType{a range of face descriptors of `TriangleMesh`, or a class model of `ReadablePropertyMap` with the
+                   face descriptor as key type and `bool` as value type}
+    \cgalParamDefault{an empty range: none}
+  \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return `true`, or `false` if the visitor canceled the computation; the map is unchanged then.
+How to write sequences of parameters: \ref Surface_mesh_geodesics_named_parameters.
 
-\throws Invalid_geodesic_input if the mesh or a site is invalid, as for `geodesic_distances()`. The map is unchanged
-        then.
+\return `true`, or `false` if the visitor canceled the computation; the maps are unchanged then.
+
+\throws Invalid_geodesic_input if the mesh or a site is invalid, as for `geodesic_distances()`, if a weight is not
+        finite or differs too much from the largest one, or if there is not one weight for each site. The maps are
+        unchanged then.
 
 Complexity and thread safety are those of `geodesic_distances()`.
 
@@ -98,55 +116,8 @@ template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typen
 bool geodesic_Voronoi_labels(const TriangleMesh& tm, VertexSiteMap vertex_site_map, const Sites& sites,
                              const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
-  internal::Visitor_parameter<CGAL_NP_CLASS> visitor_parameter(np);
-  auto& visitor = visitor_parameter.visitor();
-  return internal::compute_Voronoi_labels<ConcurrencyTag>(
-    tm, internal::No_distance_map<Vertex>(), sites, std::vector<double>(),
-    make_geodesic_distance_options<TriangleMesh>(vertex_site_map), visitor, np);
-}
-
-/*!
-\ingroup PkgSurfaceMeshGeodesicsFunctions
-
-finds the nearest site of each vertex as the function above does, and its distance, for sites with weights.
-
-The distance of a vertex from a site is the geodesic distance minus the weight of the site, as in
-`Surface_mesh_geodesic_Voronoi_diagram`. It may be negative.
-
-\tparam ConcurrencyTag as above
-\tparam TriangleMesh as above
-\tparam VertexSiteMap as above
-\tparam VertexDistanceMap a model of `WritablePropertyMap` with the vertex descriptor of `TriangleMesh` as key type and
-        a floating point type as value type
-\tparam Sites as above
-\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
-
-\param tm the triangle mesh
-\param vertex_site_map receives the number of the nearest site of each vertex
-\param vertex_distance_map receives the distance of each vertex from its nearest site, in the unit of the points;
-       infinity where no site reaches it
-\param sites the site or sites
-\param weights empty, or the weight of each site, in the unit of the points. Without weights, all are 0.
-\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among those of the function above
-
-\return `true`, or `false` if the visitor canceled the computation; the maps are unchanged then.
-
-\throws Invalid_geodesic_input also if a weight is not finite or differs too much from the largest one, or if there is
-        not one weight for each site. The maps are unchanged then.
-*/
-template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename VertexSiteMap,
-          typename VertexDistanceMap, typename Sites, typename CGAL_NP_TEMPLATE_PARAMETERS>
-bool geodesic_Voronoi_labels(const TriangleMesh& tm, VertexSiteMap vertex_site_map,
-                             VertexDistanceMap vertex_distance_map, const Sites& sites,
-                             const std::vector<double>& weights,
-                             const CGAL_NP_CLASS& np = parameters::default_values())
-{
-  internal::Visitor_parameter<CGAL_NP_CLASS> visitor_parameter(np);
-  auto& visitor = visitor_parameter.visitor();
-  return internal::compute_Voronoi_labels<ConcurrencyTag>(
-    tm, vertex_distance_map, sites, weights, make_geodesic_distance_options<TriangleMesh>(vertex_site_map), visitor,
-    np);
+  internal::check_parameters<internal::Label_parameters>(np);
+  return internal::compute_Voronoi_labels<ConcurrencyTag>(tm, vertex_site_map, sites, np);
 }
 
 } // namespace Surface_mesh_geodesics

@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Intrinsic_surface.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Private_access.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/distance_functions.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_checks.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/tags.h>
@@ -50,6 +51,9 @@ effects of those before. `row_output` must not change the mesh.
 \tparam Targets a range of vertex descriptors of `TriangleMesh`; it may contain a vertex several times
 \tparam RowOutput a function object that takes a `std::size_t` and a `const std::vector<double>&`, which is valid during
         the call only. If it returns a value, the value is converted to `bool`, and `false` ends the computation.
+        If it also has a member function `go_further()` without parameters, all threads call it while they compute
+        rows, several at a time. As soon as it returns `false`, which it has to go on doing, the computation ends, and
+        rows that have begun are not passed on.
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tm the triangle mesh
@@ -80,6 +84,12 @@ effects of those before. `row_output` must not change the mesh.
                    as key type and `std::size_t` as value type}
     \cgalParamDefault{an automatically indexed internal map}
   \cgalParamNEnd
+  \cgalParamNBegin{faces_to_avoid}
+    \cgalParamDescription{the faces through which no path may lead, as for `geodesic_distances()`}
+    \cgalParamType{a range of face descriptors of `TriangleMesh`, or a class model of `ReadablePropertyMap` with the
+                   face descriptor as key type and `bool` as value type}
+    \cgalParamDefault{an empty range: none}
+  \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \return `true`, or `false` if `row_output` ended the computation
@@ -92,6 +102,7 @@ template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typen
 bool geodesic_distance_matrix(const TriangleMesh& tm, const Sources& sources, const Targets& targets,
                               RowOutput row_output, const CGAL_NP_CLASS& np = parameters::default_values())
 {
+  internal::check_parameters<internal::Matrix_parameters>(np);
   return internal::with_surface<ConcurrencyTag>(tm, np, [&](const auto& surface)
   {
     return internal::put_distance_matrix<ConcurrencyTag>(surface, sources, targets, row_output);
@@ -161,6 +172,7 @@ template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typen
 bool symmetric_geodesic_distance_matrix(const TriangleMesh& tm, const Vertices& vertices, RowOutput row_output,
                                         const CGAL_NP_CLASS& np = parameters::default_values())
 {
+  internal::check_parameters<internal::Matrix_parameters>(np);
   return internal::with_surface<ConcurrencyTag>(tm, np, [&](const auto& surface)
   {
     return internal::put_symmetric_distance_matrix<ConcurrencyTag>(surface, vertices, row_output);
@@ -231,6 +243,7 @@ bool sparse_geodesic_distance_matrix(const TriangleMesh& tm, const Sources& sour
                                      const CGAL_NP_CLASS& np = parameters::default_values())
 {
   internal::check_maximum_distance(maximum_distance);
+  internal::check_parameters<internal::Matrix_parameters>(np);
   return internal::with_surface<ConcurrencyTag>(tm, np, [&](const auto& surface)
   {
     return internal::put_sparse_distance_matrix<ConcurrencyTag>(surface, sources, targets, maximum_distance,

@@ -13,11 +13,11 @@
 #include <CGAL/license/Surface_mesh_geodesics.h>
 
 #include <CGAL/Surface_mesh_geodesics/Geodesic_default_visitor.h>
-#include <CGAL/Surface_mesh_geodesics/Geodesic_distance_options.h>
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
+#include <CGAL/Surface_mesh_geodesics/geodesic_parameters.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Face_shapes.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/distance_functions.h>
-#include <CGAL/Surface_mesh_geodesics/internal/interface/run_with_visitor.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_checks.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -47,7 +47,9 @@ The algorithm is VTP \cgalCite{qin2016fast}: a wavefront of vertices, nearest fi
 windows from edge to edge, and prunes them in each triangle. In the worst case it takes
 \cgalBigO{n^2} time and memory for \f$ n \f$ vertices (thesis, section 4.4). The memory holds the mesh, the
 distances and the windows on the wavefront. Usual meshes take far less of both: see \ref
-Surface_mesh_geodesics_performance.
+Surface_mesh_geodesics_performance. With a radius or with targets, the propagation takes time proportional to the
+number of windows in the area that it reaches. Each call still reads the whole mesh, in linear time; a
+`Geodesic_distance_solver` reads it once for many computations.
 
 With `Parallel_tag`, several threads prepare the mesh, and visit vertices of the wavefront at the same time. The
 distances do not depend on the number of threads; they may differ from those of `Sequential_tag` in the last digits. The
@@ -70,7 +72,8 @@ those of `Polyhedron_items_with_id_3`) must be set before, as the first call wou
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tm the triangle mesh
-\param vertex_distance_map receives the distance of each vertex
+\param vertex_distance_map receives the distance of each vertex; infinity beyond the radius, and for vertices whose
+       distances are not final when the computation stops at the targets
 \param sources the source or sources. Barycentric coordinates are those of
        `source(halfedge(f,tm),tm)`, `target(halfedge(f,tm),tm)` and
        `target(next(halfedge(f,tm),tm),tm)`, in this order, for a face `f`. Coordinates up to
@@ -106,17 +109,66 @@ those of `Polyhedron_items_with_id_3`) must be set before, as the first call wou
     \cgalParamDefault{`Geodesic_default_visitor`}
     \cgalParamExtra{The visitor is not copied if it is passed with `std::ref()`.}
   \cgalParamNEnd
+  \cgalParamNBegin{maximum_distance}
+    \cgalParamDescription{the radius, in the unit of the mesh; not negative. Vertices that are farther away get
+                          infinity. Faces that are farther away cost nothing in the propagation.}
+    \cgalParamType{a number that converts to `double`}
+    \cgalParamDefault{infinity}
+  \cgalParamNEnd
+  \cgalParamNBegin{targets}
+    \cgalParamDescription{if not empty, the computation stops as soon as the distances of all these vertices are final.
+                          Vertices whose distances are not final then get infinity. If no source reaches one of the
+                          targets, all distances are computed.}
+    \cgalParamType{a range of vertex descriptors of `TriangleMesh`}
+    \cgalParamDefault{an empty range: all vertices}
+  \cgalParamNEnd
+  \cgalParamNBegin{source_offsets}
+    \cgalParamDescription{empty, or one number for each source, which is added to all distances from that source. In
+                          the unit of the mesh, not negative, and finite, also as a multiple of the extent of the mesh.
+                          A source that another source reaches with a smaller distance than its offset is the nearest
+                          source of no vertex.}
+    \cgalParamType{a range of numbers that convert to `double`}
+    \cgalParamDefault{an empty range: all offsets are 0}
+  \cgalParamNEnd
+  \cgalParamNBegin{nearest_source_map}
+    \cgalParamDescription{a property map that receives, for each vertex, the position in the range of sources, counted
+                          from 0, of a source from which its distance is measured, or the largest `std::size_t` where
+                          no source reaches. If several sources have this distance, it is the position of one of them;
+                          of those at the same point with the same offset, the first. The map is unchanged if the
+                          visitor cancels or the input is invalid.}
+    \cgalParamType{a class model of `WritablePropertyMap` with the vertex descriptor of `TriangleMesh` as key type and
+                   `std::size_t` as value type, passed by value}
+    \cgalParamDefault{none: the nearest sources are not computed}
+  \cgalParamNEnd
+  \cgalParamNBegin{statistics}
+    \cgalParamDescription{if not null, the computation <em>adds</em> its counts to the object, also if the visitor
+                          canceled it. Computations that run at the same time must not share an object.}
+    \cgalParamType{a pointer to `Propagation_statistics`}
+    \cgalParamDefault{`nullptr`}
+  \cgalParamNEnd
+  \cgalParamNBegin{faces_to_avoid}
+    \cgalParamDescription{the faces through which no path may lead, as if they were not in the mesh. Paths may run along
+                          their rim. Vertices that no way around reaches get infinity. Sources may be at the rim, also
+                          if their location is given in a face to avoid; a source inside is rejected.}
+    \cgalParamType{a range of face descriptors of `TriangleMesh`, or a class model of `ReadablePropertyMap` with the
+                   face descriptor as key type and `bool` as value type}
+    \cgalParamDefault{an empty range: none}
+    \cgalParamExtra{Where `Invalid_geodesic_input::element()` is a face, faces to avoid do not count.}
+  \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return `true`, or `false` if the visitor canceled the computation; the map is unchanged then.
+How to write sequences of parameters: \ref Surface_mesh_geodesics_named_parameters.
+
+\return `true`, or `false` if the visitor canceled the computation; only the statistics have changed then.
 
 \throws Invalid_geodesic_input if a face is not a triangle or has a vertex twice, if two faces disagree about the ends
         of their edge, if a coordinate is not finite or the extent of the points exceeds \f$ 2^{960} \f$, if one of
         several components that sources can reach is smaller than the others by a factor of more than
         \f$ 10^{60} \f$, if a location is not in its face or has a null face, if a descriptor is not one of `tm`
         according to the index maps, if an index map has values that are out of range or equal, or if the mesh has too
-        many faces. The map is unchanged then.
-\throws std::bad_alloc if there is not enough memory. The map is unchanged then, and also if the visitor throws; its
+        many faces; also if a target is not a vertex of `tm`, if the radius is negative or not a number, if an offset is
+        negative or not finite, or if there is not one offset for each source. The maps are unchanged then.
+\throws std::bad_alloc if there is not enough memory. The maps are unchanged then, and also if the visitor throws; its
         exception is passed on.
 */
 template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename VertexDistanceMap,
@@ -125,63 +177,21 @@ bool geodesic_distances(const TriangleMesh& tm, VertexDistanceMap vertex_distanc
                         const Sources& sources,
                         const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return geodesic_distances<ConcurrencyTag>(tm, vertex_distance_map, sources, Geodesic_distance_options<TriangleMesh>(),
-                                            np);
+  internal::check_parameters<internal::Distance_parameters>(np);
+  return internal::compute_distances_with_parameters<ConcurrencyTag>(
+    tm, vertex_distance_map, sources, internal::shape_from_points<double>(tm, np), np);
 }
 
 /*!
 \ingroup PkgSurfaceMeshGeodesicsFunctions
 
-computes geodesic distances as the function above does, with options: a radius, targets, an offset for
-each source, the nearest source of each vertex, statistics.
-
-With a radius or with targets, the propagation takes time proportional to the number of windows in the area that it
-reaches. Each call still reads the whole mesh, in linear time; a `Geodesic_distance_solver` reads it once for many
-computations.
-
-\tparam ConcurrencyTag as above
-\tparam TriangleMesh a model of `FaceListGraph`
-\tparam VertexDistanceMap as above
-\tparam Sources as above
-\tparam NearestSourceMap see `Geodesic_distance_options`
-\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
-
-\param tm the triangle mesh
-\param vertex_distance_map receives the distance of each vertex, in the unit of the points; infinity beyond the radius,
-       and for vertices whose distances are not final when the computation stops at the targets
-\param sources the source or sources, as above
-\param options the options
-\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among those of the function above
-
-\return `true`, or `false` if the visitor canceled the computation; only the statistics have changed then.
-
-\throws Invalid_geodesic_input also if a target is not a vertex of `tm`, if the radius is negative or not a number, if
-        an offset is negative or not finite, or if there is not one offset for each source
-*/
-template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename VertexDistanceMap,
-          typename Sources, typename NearestSourceMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
-bool geodesic_distances(const TriangleMesh& tm, VertexDistanceMap vertex_distance_map,
-                        const Sources& sources,
-                        const Geodesic_distance_options<TriangleMesh, NearestSourceMap>& options,
-                        const CGAL_NP_CLASS& np = parameters::default_values())
-{
-  internal::Visitor_parameter<CGAL_NP_CLASS> visitor_parameter(np);
-  auto& visitor = visitor_parameter.visitor();
-  return internal::compute_geodesic_distances<ConcurrencyTag>(
-    tm, vertex_distance_map, sources, options, internal::shape_from_points<double>(tm, np), visitor, np);
-}
-
-/*!
-\ingroup PkgSurfaceMeshGeodesicsFunctions
-
-computes geodesic distances, with options, on a surface that is given by the lengths of its edges. The
-surface need not be embedded in space. Complexity and thread safety are those of `geodesic_distances()`.
+computes geodesic distances on a surface that is given by the lengths of its edges. The surface need
+not be embedded in space. Complexity and thread safety are those of `geodesic_distances()`.
 
 \tparam ConcurrencyTag as for `geodesic_distances()`
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam VertexDistanceMap as for `geodesic_distances()`
 \tparam Sources as for `geodesic_distances()`
-\tparam NearestSourceMap see `Geodesic_distance_options`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 \tparam EdgeLengthMap a model of `ReadablePropertyMap` with the edge descriptor of `TriangleMesh` as key
         type and a number type that `CGAL::to_double()` takes as value type
@@ -191,9 +201,8 @@ surface need not be embedded in space. Complexity and thread safety are those of
        others of a face (beyond rounding)
 \param vertex_distance_map receives the distance of each vertex, in the unit of the lengths
 \param sources the source or sources, as for `geodesic_distances()`
-\param options the options, as for `geodesic_distances()`
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among those of
-       `geodesic_distances()`, except `vertex_point_map`, which is not used
+       `geodesic_distances()`, except `vertex_point_map`
 
 \return `true`, or `false` if the visitor canceled the computation; only the statistics have changed then.
 
@@ -202,52 +211,15 @@ surface need not be embedded in space. Complexity and thread safety are those of
         edge
 */
 template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename EdgeLengthMap,
-          typename VertexDistanceMap, typename Sources, typename NearestSourceMap,
-          typename CGAL_NP_TEMPLATE_PARAMETERS>
-bool geodesic_distances_from_edge_lengths(
-  const TriangleMesh& tm, EdgeLengthMap edge_length_map, VertexDistanceMap vertex_distance_map,
-  const Sources& sources, const Geodesic_distance_options<TriangleMesh, NearestSourceMap>& options,
-  const CGAL_NP_CLASS& np = parameters::default_values())
-{
-  internal::Visitor_parameter<CGAL_NP_CLASS> visitor_parameter(np);
-  auto& visitor = visitor_parameter.visitor();
-  return internal::compute_geodesic_distances<ConcurrencyTag>(
-    tm, vertex_distance_map, sources, options,
-    internal::Shape_from_edge_lengths<double, TriangleMesh, EdgeLengthMap>(tm, edge_length_map), visitor, np);
-}
-
-/*!
-\ingroup PkgSurfaceMeshGeodesicsFunctions
-
-computes geodesic distances on a surface that is given by the lengths of its edges, with the default
-options. All else is as for the function above.
-
-\tparam ConcurrencyTag as for `geodesic_distances()`
-\tparam TriangleMesh a model of `FaceListGraph`
-\tparam EdgeLengthMap as above
-\tparam VertexDistanceMap as for `geodesic_distances()`
-\tparam Sources as for `geodesic_distances()`
-\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
-
-\param tm the triangle mesh
-\param edge_length_map the lengths, as above
-\param vertex_distance_map receives the distance of each vertex, in the unit of the lengths
-\param sources the source or sources, as for `geodesic_distances()`
-\param np an optional sequence of \ref bgl_namedparameters "Named Parameters", as above
-
-\return `true`, or `false` if the visitor canceled the computation; the map is unchanged then.
-
-\throws Invalid_geodesic_input as above
-*/
-template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename EdgeLengthMap,
           typename VertexDistanceMap, typename Sources, typename CGAL_NP_TEMPLATE_PARAMETERS>
 bool geodesic_distances_from_edge_lengths(const TriangleMesh& tm, EdgeLengthMap edge_length_map,
-                                          VertexDistanceMap vertex_distance_map,
-                                          const Sources& sources,
+                                          VertexDistanceMap vertex_distance_map, const Sources& sources,
                                           const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return geodesic_distances_from_edge_lengths<ConcurrencyTag>(tm, edge_length_map, vertex_distance_map, sources,
-                                                              Geodesic_distance_options<TriangleMesh>(), np);
+  internal::check_parameters<internal::Edge_length_distance_parameters>(np);
+  return internal::compute_distances_with_parameters<ConcurrencyTag>(
+    tm, vertex_distance_map, sources,
+    internal::Shape_from_edge_lengths<double, TriangleMesh, EdgeLengthMap>(tm, edge_length_map), np);
 }
 
 } // namespace Surface_mesh_geodesics

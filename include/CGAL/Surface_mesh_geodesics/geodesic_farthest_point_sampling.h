@@ -15,47 +15,18 @@
 #include <CGAL/Surface_mesh_geodesics/Geodesic_default_visitor.h>
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
+#include <CGAL/Surface_mesh_geodesics/geodesic_parameters.h>
 #include <CGAL/Surface_mesh_geodesics/internal/applications/Farthest_point_sampling.h>
-#include <CGAL/Surface_mesh_geodesics/internal/interface/distance_functions.h>
-#include <CGAL/Surface_mesh_geodesics/internal/interface/run_with_visitor.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_checks.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_values.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
-#include <boost/graph/graph_traits.hpp>
-
 #include <cstddef>
-#include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_geodesics {
-
-/*!
-\ingroup PkgSurfaceMeshGeodesicsClasses
-
-The class `Geodesic_sampling_options` holds the options of `geodesic_farthest_point_sampling()` for which \cgal has no
-named parameter.
-
-\tparam TriangleMesh a model of `FaceListGraph`
-*/
-template <typename TriangleMesh>
-struct Geodesic_sampling_options
-{
-  /// the type of the samples.
-  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
-
-  /// vertices that are samples already. The function does not write them, but counts them among the samples. If the
-  /// vector is empty, the first vertex of the mesh that has a face becomes the first sample.
-  std::vector<vertex_descriptor> first_samples;
-
-  /// the sampling ends as soon as no vertex is farther from its nearest sample than this, in the unit of the mesh. Not
-  /// negative; 0 by default.
-  double covering_radius = 0;
-
-  /// if not null, the function <em>assigns</em> the counts of the propagation to `*statistics`. The object is not
-  /// owned.
-  Propagation_statistics* statistics = nullptr;
-};
 
 /*!
 \ingroup PkgSurfaceMeshGeodesicsFunctions
@@ -78,10 +49,9 @@ call writes to an output of its own; see `geodesic_distances()`.
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tm the triangle mesh
-\param n the number of samples, including those in the options
+\param n the number of samples, including the first samples among the parameters
 \param output receives the samples, in the order in which they are found; fewer than `n` if every vertex is a sample, or
-       has one within the radius of the options
-\param options vertices to begin with, a radius, statistics
+       has one within the covering radius among the parameters
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 
 \cgalNamedParamsBegin
@@ -106,58 +76,48 @@ call writes to an output of its own; see `geodesic_distances()`.
     \cgalParamDefault{an automatically indexed internal map}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
-    \cgalParamDescription{a visitor that follows one propagation for each sample, and one for all samples in the
-                          options. Distances start from 0 in each, and the number of visits continues. If the visitor
+    \cgalParamDescription{a visitor that follows one propagation for each sample, and one for all first samples.
+                          Distances start from 0 in each, and the number of visits continues. If the visitor
                           cancels one, the function writes no more samples.}
     \cgalParamType{a class model of `GeodesicPropagationVisitor`}
     \cgalParamDefault{`Geodesic_default_visitor`}
     \cgalParamExtra{The visitor is not copied if it is passed with `std::ref()`.}
   \cgalParamNEnd
+  \cgalParamNBegin{first_samples}
+    \cgalParamDescription{vertices that are samples already. The function does not write them, but counts them among the
+                          samples. If there are none, the first vertex of the mesh that has a face becomes the first
+                          sample.}
+    \cgalParamType{a range of vertex descriptors of `TriangleMesh`}
+    \cgalParamDefault{an empty range}
+  \cgalParamNEnd
+  \cgalParamNBegin{covering_radius}
+    \cgalParamDescription{the sampling ends as soon as no vertex is farther from its nearest sample than this, in the
+                          unit of the mesh; not negative}
+    \cgalParamType{a number that converts to `double`}
+    \cgalParamDefault{`0`}
+  \cgalParamNEnd
+  \cgalParamNBegin{statistics}
+    \cgalParamDescription{if not null, the function <em>assigns</em> the counts of the propagation to the object.}
+    \cgalParamType{a pointer to `Propagation_statistics`}
+    \cgalParamDefault{`nullptr`}
+  \cgalParamNEnd
 \cgalNamedParamsEnd
+
+How to write sequences of parameters: \ref Surface_mesh_geodesics_named_parameters.
 
 \return the covering radius: the largest distance of a vertex from its nearest sample, in the unit of the mesh. It is
         infinite if no sample reaches some vertex that has a face. If the visitor canceled a propagation, the function
         returns the radius of the samples before that one, infinity if it was the first.
 
-\throws Invalid_geodesic_input if the mesh is invalid, as for `geodesic_distances()`, if a vertex in the options is not
-        one of `tm`, or if the radius is negative or not a number. Nothing has been written then.
-*/
-template <typename TriangleMesh, typename OutputIterator, typename CGAL_NP_TEMPLATE_PARAMETERS>
-double geodesic_farthest_point_sampling(const TriangleMesh& tm, std::size_t n, OutputIterator output,
-                                        const Geodesic_sampling_options<TriangleMesh>& options,
-                                        const CGAL_NP_CLASS& np = parameters::default_values())
-{
-  auto vim = CGAL::get_initialized_vertex_index_map(tm, np);
-  auto fim = CGAL::get_initialized_face_index_map(tm, np);
-  internal::Visitor_parameter<CGAL_NP_CLASS> visitor_parameter(np);
-  auto& visitor = visitor_parameter.visitor();
-  internal::Farthest_point_sampling<TriangleMesh, decltype(vim), decltype(fim)> sampling(tm, vim, fim);
-  return sampling.run(internal::shape_from_points<double>(tm, np), n, output, options, visitor);
-}
-
-/*!
-\ingroup PkgSurfaceMeshGeodesicsFunctions
-
-writes vertices that are spread over a triangle mesh, with the default options. Otherwise as the function above.
-
-\tparam TriangleMesh a model of `FaceListGraph`
-\tparam OutputIterator a model of `OutputIterator` that holds vertex descriptors of `TriangleMesh`
-\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
-
-\param tm the triangle mesh
-\param n the number of samples
-\param output receives the samples, in the order in which they are found
-\param np an optional sequence of \ref bgl_namedparameters "Named Parameters", as above
-
-\return the covering radius, in the unit of the mesh, as above
-
-\throws Invalid_geodesic_input if the mesh is invalid. Nothing has been written then.
+\throws Invalid_geodesic_input if the mesh is invalid, as for `geodesic_distances()`, if a first sample is not a
+        vertex of `tm`, or if the radius is negative or not a number. Nothing has been written then.
 */
 template <typename TriangleMesh, typename OutputIterator, typename CGAL_NP_TEMPLATE_PARAMETERS>
 double geodesic_farthest_point_sampling(const TriangleMesh& tm, std::size_t n, OutputIterator output,
                                         const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return geodesic_farthest_point_sampling(tm, n, output, Geodesic_sampling_options<TriangleMesh>(), np);
+  internal::check_parameters<internal::Sampling_parameters>(np);
+  return internal::sample_farthest_points(tm, n, output, internal::sampling_options<TriangleMesh>(np), np);
 }
 
 } // namespace Surface_mesh_geodesics

@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_geodesics/geodesic_Lloyd_relaxation.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_farthest_point_sampling.h>
 #include <CGAL/Surface_mesh_geodesics/internal/applications/Remeshing.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_checks.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/run_with_visitor.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -89,6 +90,63 @@ struct Geodesic_dual_report
 };
 
 /*!
+\ingroup PkgSurfaceMeshGeodesicsClasses
+
+The class `Geodesic_remeshing_report` tells how `geodesic_remeshing()` came to its result: how many samples it added,
+and which components of the mesh it left as they are.
+*/
+struct Geodesic_remeshing_report
+{
+#ifndef DOXYGEN_RUNNING
+  using Dual_report = Geodesic_dual_report;
+#endif
+
+  /// A component of the mesh that kept its faces.
+  struct Kept_component
+  {
+    /// the coordinates of one of its vertices.
+    std::array<double, 3> point;
+
+    /// the number of its vertices.
+    std::size_t number_of_vertices;
+
+    /// the number of its faces.
+    std::size_t number_of_faces;
+  };
+
+  /// whether the new mesh was added to the output. It is `false` only if the visitor canceled.
+  bool is_complete = false;
+
+  /// the number of samples that `geodesic_farthest_point_sampling()` chose: at most what was asked for.
+  std::size_t number_of_samples = 0;
+
+  /// the number of samples that were added so that the dual is manifold.
+  std::size_t number_of_added_samples = 0;
+
+  /// the number of vertices of the new mesh.
+  std::size_t number_of_vertices = 0;
+
+  /// the number of vertices that the new mesh has more because the given one is pinched: a vertex with several
+  /// umbrellas of faces counts as several vertices.
+  std::size_t number_of_split_vertices = 0;
+
+  /// the number of components of the mesh.
+  std::size_t number_of_components = 0;
+
+  /// the number of components that stay as they are because each of their vertices became a sample at once.
+  std::size_t number_of_components_of_samples = 0;
+
+  /// the components that stay as they are because their dual would need as many samples as they have vertices.
+  std::vector<Kept_component> kept_components;
+
+  /// the number of diagrams that were computed after the relaxation.
+  std::size_t number_of_rounds = 0;
+
+  /// returns whether the output received a manifold mesh; the same as `is_complete`.
+  bool is_manifold() const { return is_complete; }
+};
+
+/*!
 \ingroup PkgSurfaceMeshGeodesicsFunctions
 
 checks whether the triangles of the dual of a diagram form a manifold mesh, and finds what prevents it: cells that are
@@ -142,13 +200,28 @@ Geodesic_dual_report geodesic_dual_mesh(const Diagram& diagram, OutputMesh& outp
 /*!
 \ingroup PkgSurfaceMeshGeodesicsFunctions
 
-approximates a triangle mesh by a mesh with at most `n` vertices (thesis, section 5.4.4).
+approximates a triangle mesh by a mesh with about `n` vertices (thesis, section 5.4.4).
 
-The function chooses `n` vertices with `geodesic_farthest_point_sampling()`, moves them with
-`geodesic_Lloyd_relaxation()`, and adds the dual of their geodesic Voronoi diagram to the output if it is manifold.
+The function chooses `n` vertices with `geodesic_farthest_point_sampling()`, and moves them with
+`geodesic_Lloyd_relaxation()`. Samples on the border of the mesh stay where they are. The dual of their geodesic Voronoi
+diagram is the new mesh.
 
-<b>Complexity.</b> Takes the time of the sampling, of the relaxation, and of one more diagram. The memory is that of one
-diagram.
+<b>Added samples.</b> Where the dual is not manifold (`Geodesic_dual_report`), or has a triangle without area, the
+function adds samples: in a cell that is not a disk the vertex farthest from its sample, along a hole first; between two
+cells with several common edges a vertex near the farthest point of these edges. Where no vertex is left, a point of a
+face becomes a sample. Then it checks the diagram of all samples again, until the dual of each component is manifold.
+
+<b>Topology.</b> Each component of the new mesh is manifold and has the Euler characteristic and the number of borders
+of a component of `tm`. It has no triangle without area, unless the component stays as it is. (If `tm` has vertices with
+several umbrellas of faces, it counts as a mesh with a vertex for each umbrella.)
+
+<b>Components that stay as they are.</b> If each vertex of a component would be a sample, its faces are copied. That
+holds for components with few vertices, and for each mesh if `n` is at least the number of its vertices. The report
+tells where a component stays as it is although fewer samples were asked for.
+
+<b>Complexity.</b> Takes the time of the sampling, of the relaxation, and of a diagram for each round; the report has
+the number of rounds. No component gets more samples than vertices, and there are at most 100 rounds. Often one to ten
+are enough. The memory is that of one diagram and of a copy of the mesh.
 
 <b>Thread safety.</b> The function uses one thread. Several threads may call it at once, on the same mesh as well, if
 each call writes to an output of its own; see `geodesic_distances()`.
@@ -159,8 +232,8 @@ each call writes to an output of its own; see `geodesic_distances()`.
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tm the triangle mesh
-\param n the number of sites, which is the largest number of vertices of the result
-\param output the mesh to which the result is added. It is not changed if the dual is not manifold.
+\param n the number of samples before others are added. A component gets as many as it needs, whatever `n` is.
+\param output the mesh to which the result is added
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 
 \cgalNamedParamsBegin
@@ -185,8 +258,8 @@ each call writes to an output of its own; see `geodesic_distances()`.
     \cgalParamDefault{an automatically indexed internal map}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
-    \cgalParamDescription{a visitor that follows one propagation for each sample, one for each iteration, and one for
-    the final diagram. If it cancels one, nothing is added to `output`.}
+    \cgalParamDescription{a visitor that follows one propagation for each of the `n` samples, one for each iteration,
+    and one for each round. If it cancels one, nothing is added to `output`.}
     \cgalParamType{a class model of `GeodesicPropagationVisitor`. If it is also a model of
                    `GeodesicRelaxationVisitor`, it is told of each iteration.}
     \cgalParamDefault{`Geodesic_default_visitor`}
@@ -205,25 +278,19 @@ each call writes to an output of its own; see `geodesic_distances()`.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the findings of `check_geodesic_dual()`. If the dual is not manifold, try a larger `n`. If the visitor cancels,
-the result is a `Geodesic_dual_report()` without findings, which is not manifold.
+\return the numbers of samples and of rounds, and the components that stay as they are. If the visitor cancels, the
+result is a `Geodesic_remeshing_report()`, which is not complete.
 
 \throws Invalid_geodesic_input if the mesh is invalid; nothing has been added to `output` then
 */
 template <typename TriangleMesh, typename OutputMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>
-Geodesic_dual_report geodesic_remeshing(const TriangleMesh& tm, std::size_t n, OutputMesh& output,
-                                        const CGAL_NP_CLASS& np = parameters::default_values())
+Geodesic_remeshing_report geodesic_remeshing(const TriangleMesh& tm, std::size_t n, OutputMesh& output,
+                                             const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  const std::size_t number_of_iterations = static_cast<std::size_t>(
-    choose_parameter(get_parameter(np, internal_np::number_of_iterations), 5u));
-  internal::Visitor_parameter<CGAL_NP_CLASS> visitor_parameter(np);
-  auto& visitor = visitor_parameter.visitor();
-  const auto sample = [&](auto samples, const auto& np_with_visitor)
-  { geodesic_farthest_point_sampling(tm, n, samples, np_with_visitor); };
-  return internal::remesh<Surface_mesh_geodesic_Voronoi_diagram, Geodesic_dual_report>(
-    tm, number_of_iterations, output, visitor, np, sample);
+  internal::check_parameters<internal::Remeshing_parameters>(np);
+  internal::Visitor_parameter<CGAL_NP_CLASS> visitor(np);
+  return internal::remesh<Surface_mesh_geodesic_Voronoi_diagram, Geodesic_remeshing_report>(
+    tm, n, output, visitor.visitor(), np);
 }
 
 } // namespace Surface_mesh_geodesics

@@ -39,7 +39,7 @@ using namespace test_meshes;
 
 using Fifty_digits
   = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
-using Options = SMG::Geodesic_distance_options<Mesh, Mesh::Property_map<vertex_descriptor, std::size_t>>;
+using Options = Distance_options<Mesh, Mesh::Property_map<vertex_descriptor, std::size_t>>;
 using Certificate = SMG::Geodesic_distance_certificate<Mesh>;
 using Condition = Certificate::Condition;
 using Lengths = Mesh::Property_map<Mesh::Edge_index, double>;
@@ -111,8 +111,9 @@ struct Input
   {
     with_sources([&](const auto& sources)
     {
-      return has_points ? SMG::geodesic_distances(tm, distance, sources, options)
-                        : SMG::geodesic_distances_from_edge_lengths(tm, lengths, distance, sources, options);
+      const auto np = parameters_of(options);
+      return has_points ? SMG::geodesic_distances(tm, distance, sources, np)
+                        : SMG::geodesic_distances_from_edge_lengths(tm, lengths, distance, sources, np);
     });
   }
 
@@ -120,8 +121,9 @@ struct Input
   {
     return with_sources([&](const auto& sources)
     {
-      return has_points ? SMG::certify_geodesic_distances(tm, distance, sources, options)
-                        : SMG::certify_geodesic_distances_from_edge_lengths(tm, lengths, distance, sources, options);
+      const auto np = certificate_parameters_of(options);
+      return has_points ? SMG::certify_geodesic_distances(tm, distance, sources, np)
+                        : SMG::certify_geodesic_distances_from_edge_lengths(tm, lengths, distance, sources, np);
     });
   }
 
@@ -305,7 +307,7 @@ double error_against_referee(const Distance_case& c, const Input& input)
     const std::size_t nearest = input.options.nearest_source_map[vertex(v)];
     if(!std::isfinite(r))
     {
-      worst = nearest != input.options.no_source ? infinity : worst;
+      worst = nearest != no_source ? infinity : worst;
     }
     else if(!may_be_shorter)
     {

@@ -4,10 +4,10 @@
 // Functions that compute distances and return them in the order of vertices(tm), the meshes of the folder data/, and
 // locations at vertices, on edges and in faces.
 
+#include "distance_options.h"
 #include "test_meshes.h"
 #include "test_support.h"
 
-#include <CGAL/Surface_mesh_geodesics/Geodesic_distance_options.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_distances.h>
 
 #include <CGAL/Surface_mesh/IO/OFF.h>
@@ -84,7 +84,7 @@ template <class TriangleMesh, class Sources, class Options>
 std::vector<double> distances_with_options(const TriangleMesh& tm, const Sources& sources, const Options& options)
 {
   auto map = get(CGAL::dynamic_vertex_property_t<double>(), tm);
-  CHECK(SMG::geodesic_distances(tm, map, sources, options));
+  CHECK(SMG::geodesic_distances(tm, map, sources, parameters_of(options)));
   return values_at_vertices(tm, map);
 }
 

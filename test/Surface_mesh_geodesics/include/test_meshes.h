@@ -292,6 +292,16 @@ inline Indexed_mesh saddle_fan(std::size_t n)
   return fan("saddle fan", n, .7, -.7);
 }
 
+// Two squares of the plane that share vertex 0 only.
+inline Indexed_mesh bow_tie()
+{
+  Indexed_mesh mesh;
+  mesh.name = "bow tie";
+  mesh.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {-1, 0, 0}, {-1, -1, 0}, {0, -1, 0}};
+  mesh.faces = {{0, 1, 2}, {0, 2, 3}, {0, 4, 5}, {0, 5, 6}};
+  return mesh;
+}
+
 // Two apices of degree n, above and below a regular polygon.
 inline Indexed_mesh bipyramid(std::size_t n, double height)
 {

@@ -5,7 +5,7 @@ grid=$data/grid4.off # the unit square, 16 vertices, 18 faces; vertex 4 i + j is
 
 # The table, on the standard output and in a file.
 is_silent distances "$grid" --source 0 > table.csv
-equals "$(line table.csv 1)" vertex,distance,source
+equals "$(line table.csv 1)" vertex,distance,source,source_vertex
 equals "$(wc -l < table.csv)" 17
 is_near "$(column table.csv distance | line /dev/stdin 16)" 1.4142135623730951
 is_near "$(column table.csv distance | line /dev/stdin 10)" 0.74535599249992990
@@ -18,7 +18,7 @@ cmp table.csv out
 
 # Several sources, specified in all ways, in this order.
 printf '# corners\n3\n1 0 0\n\n17 0 0 1 # the last corner of the last face, vertex 14\n' > locations.txt
-is_silent distances "$grid" --source 0 --source-point 0.5,0.5,0.3 --source-file locations.txt -o several.csv
+is_silent distances "$grid" --source 0 --source-point 0.5,0.5,0.3 --snap --source-file locations.txt --quiet -o several.csv
 equals "$(column several.csv source | line /dev/stdin 1)" 0
 equals "$(column several.csv source | line /dev/stdin 4)" 2
 equals "$(column several.csv source | line /dev/stdin 13)" 3
@@ -26,7 +26,8 @@ is_near "$(column several.csv distance | line /dev/stdin 6)" 0.23570226039551584
 equals "$(column several.csv source | line /dev/stdin 6)" 1
 is_near "$(column several.csv distance | line /dev/stdin 15)" 0
 equals "$(column several.csv source | line /dev/stdin 15)" 4
-is_silent distances "$grid" --source-point -3,0,0 -o negative.csv
+remarks "--source-point -3,0,0: the point was moved to the surface, by 2.12132 times the extent" \
+  distances "$grid" --source-point -3,0,0 --snap -o negative.csv
 cmp <(cut -d, -f1,2 table.csv) <(cut -d, -f1,2 negative.csv)
 
 # Random sources depend on the seed only.
@@ -40,40 +41,50 @@ equals "$(column first.csv distance | grep -c '^0$')" 3
 remarks "--source-random: vertices " distances "$grid" --source-random 3 --seed 5
 cmp remarks.out first.csv
 chosen=$(sed 's/.*vertices //; s/,//g' remarks.err)
-equals "$(for v in $chosen; do line first.csv $((v + 2)); done)" "$(i=0; for v in $chosen; do echo "$v,0,$((i++))"; done)"
+equals "$(for v in $chosen; do line first.csv $((v + 2)); done)" "$(i=0; for v in $chosen; do echo "$v,0,$((i++)),$v"; done)"
 
 # A radius, and a surface in two parts.
 is_silent distances "$grid" --source 0 --radius 0.5 > near.csv
 equals "$(column near.csv distance | grep -vc inf)" 4
 equals "$(column near.csv source | grep -c -- -1)" 12
-is_silent distances "$data/two_components.off" --source 0 > parts.csv
+remarks "3 of 6 vertices are not reached; the mesh has 2 components" distances "$data/two_components.off" --source 0
+mv remarks.out parts.csv
 [ "$(column parts.csv distance | grep -c inf)" -gt 0 ]
 equals "$(column parts.csv distance | grep -c inf)" "$(column parts.csv source | grep -c -- -1)"
 
-# Files for viewers: the mesh, a color for each point, isolines at the requested distances.
-is_silent distances "$grid" --source 0 --spacing 0.5 -o d.vtk -o d.obj -o d.ply
+# Files for viewers: the mesh, a color for each point, and nothing else.
+is_silent distances "$grid" --source 0 -o d.vtk -o d.obj -o d.ply -o d.vtu
 contains d.vtk "POLYGONS 18 72"
-contains d.vtk "LINES 2 "
+contains d.vtk "POINT_DATA 16"
 contains d.vtk "SCALARS distance double 1"
-number_of_points=$(awk '$1 == "POINTS" { print $2 }' d.vtk)
-awk -v n="$number_of_points" '
-  $1 == "POINTS" { for(i = 0; i < n; ++i) { getline; x[i] = $1; y[i] = $2 } }
-  $1 == "POINT_DATA" { is_point = 1 }
-  $2 == "distance" && is_point { getline; for(i = 0; i < n; ++i) { getline; ++checked;
-    if(($1 - sqrt(x[i]^2 + y[i]^2))^2 > 1e-20) exit 1 } }
-  END { if(checked != n) exit 1 }' d.vtk
-equals "$(grep -c '^v ' d.obj)" "$number_of_points"
+equals "$(grep --text -c "^LINES\|^CELL_DATA" d.vtk)" 0
+contains d.vtu 'NumberOfPoints="16" NumberOfCells="18"'
+equals "$(grep -c '^v ' d.obj)" 16
 equals "$(grep -c '^f ' d.obj)" 18
-equals "$(grep -c '^l ' d.obj)" 2
 equals "$(awk '$1 == "v" { print NF }' d.obj | sort -u)" 7
 contains d.ply "format binary_little_endian 1.0"
-contains d.ply "element vertex $number_of_points"
-contains d.ply "element edge $((number_of_points - 16 - 2))"
-is_silent distances "$grid" --source 0 --isolines 0 -o read_again.ply
-is_silent distances read_again.ply --source 0 > again.csv
+contains d.ply "element vertex 16"
+contains d.ply "property double quality"
+equals "$(grep --text -c "element edge" d.ply)" 0
+is_silent distances d.ply --source 0 > again.csv
 cmp table.csv again.csv
-is_silent distances "$grid" --source 0 --isolines 3 -o three.vtk
+
+# The isolines at the requested distances, in files of their own, from the same propagation.
+is_silent distances "$grid" --source 0 --spacing 0.5 --lines l.obj --lines l.ply --lines l.vtk --lines l.vtu -o l.csv
+cmp table.csv l.csv
+equals "$(grep -c '^l ' l.obj)" 2
+awk '$1 == "v" { r = sqrt($2^2 + $3^2); if((r - 0.5)^2 > 1e-20 && (r - 1)^2 > 1e-20) exit 1; ++n } END { exit !n }' l.obj
+number_of_points=$(grep -c '^v ' l.obj)
+contains l.ply "element vertex $number_of_points"
+contains l.ply "element edge $((number_of_points - 2))"
+contains l.vtk "LINES 2 "
+contains l.vtk "CELL_DATA 2"
+contains l.vtu "NumberOfPoints=\"$number_of_points\" NumberOfCells=\"2\""
+is_silent distances "$grid" --source 0 --isolines 3 --lines three.vtk > out
 contains three.vtk "LINES 3 "
+[ ! -s out ]
+rejects 2 "lines.csv: the name must end with one of .obj, .ply, .vtk, .vtu" \
+  distances "$grid" --source 0 --lines lines.csv
 
 # An existing file is replaced, also through a link; other files stay.
 echo old > old.csv
@@ -98,16 +109,22 @@ rejects 2 "'-1' is not a vertex index" distances "$grid" --source -1
 rejects 2 "'1.5' is not a vertex index" distances "$grid" --source 1.5
 rejects 2 "three finite numbers" distances "$grid" --source-point 1,2
 rejects 2 "three finite numbers" distances "$grid" --source-point nan,0,0
-rejects 2 "--source-point 0,1e7,0: the distance of the point from the mesh is more than a million times the size of the mesh" \
+rejects 2 "--source-point 0,1e7,0: the distance of the point from the mesh is more than a million times the size" \
   distances "$grid" --source-point 0,1e7,0
-rejects 2 "more than a million times" distances "$grid" --source-point -1e308,1e308,1e308
-is_silent distances "$grid" --source-point -1e6,-1e6,0 -o far.csv
+rejects 2 "more than a million times" distances "$grid" --source-point -1e308,1e308,1e308 --snap
+rejects 2 "--source-point 0,0,0.02: the point is 0.02 from the surface, 0.0141421 times the extent of the mesh; --snap" \
+  distances "$grid" --source-point 0,0,0.02
+is_silent distances "$grid" --source-point 0,0,0.0001 > near_point.csv
+remarks "--source-point 0,0,0.01: the point was moved to the surface, by 0.00707107 times the extent of the mesh" \
+  distances "$grid" --source-point 0,0,0.01
+remarks "by 707107 times" distances "$grid" --source-point -1e6,0,0 --snap -o far.csv
 cmp <(cut -d, -f1,2 table.csv) <(cut -d, -f1,2 far.csv)
+equals "$(line far.csv 1)" vertex,distance,source,source_vertex,source_face,source_b0,source_b1,source_b2
 rejects 2 "only 16 vertices" distances "$grid" --source-random 17
 rejects 2 "'inf' is not a positive number" distances "$grid" --source 0 --radius inf
-rejects 2 "cannot be combined" distances "$grid" --source 0 --isolines 3 --spacing 1 -o x.vtk
+rejects 2 "cannot be combined" distances "$grid" --source 0 --isolines 3 --spacing 1 --lines x.vtk
 rejects 2 "--spacing: more than 1000 lines up to the largest distance, 1.41421; give 0.00141421 or more" \
-  distances "$grid" --source 0 --spacing 1e-9 -o x.vtk
+  distances "$grid" --source 0 --spacing 1e-9 --lines x.vtk
 for number in 1001 99999999999999999999 -1 2.5 1e3 abc ""; do
   rejects 2 "--isolines: '$number' is not a whole number from 0 to 1000" \
     distances none.off --source 0 --isolines "$number" -o x.vtk
@@ -123,20 +140,20 @@ rejects 2 "--source: '' is not a vertex index" distances none.off --source 0,
 rejects 2 "only 16 vertices" distances "$grid" --source-random 99999999999
 remarks "--seed has no effect: no random locations are requested" distances "$grid" --source 0 --seed 1
 is_silent distances "$grid" --source 0 --seed 1 --quiet
-remarks "--isolines has no effect without an output .ply, .vtk, .obj, .html" distances "$grid" --source 0 --isolines 3
-remarks "--spacing has no effect without an output" distances "$grid" --source 0 --spacing 1 -o x.csv
-is_silent distances "$grid" --source 0 --isolines 1000 -o most.vtk
-equals "$(awk '$1 == "LINES" { print ($2 >= 1000) }' most.vtk)" 1
+remarks "--isolines has no effect without --lines or a page .html" distances "$grid" --source 0 --isolines 3
+remarks "--spacing has no effect without --lines or a page" distances "$grid" --source 0 --spacing 1 -o x.csv
+is_silent distances "$grid" --source 0 --isolines 1000 --lines most.vtk
+[ "$(grep --text "^LINES" most.vtk | cut -d " " -f 2)" -ge 1000 ]
 
 # Endings of names may be in upper case.
 is_silent distances "$grid" --source 0 -o A.CSV -o A.Obj -o A.PLY
 cmp table.csv A.CSV
 is_silent distances A.PLY --source 0 -o B.CSV
-cmp <(head -n 17 B.CSV) table.csv
+cmp B.CSV table.csv
 "$program" remesh "$grid" --number 16 --quiet -o C.OBJ
 is_silent info C.OBJ > info.csv
 contains info.csv vertices,16
-rejects 2 "the name must end with one of .csv, .ply, .vtk, .obj" distances "$grid" --source 0 -o x.txt
+rejects 2 "the name must end with one of .csv, .ply, .vtu, .vtk, .obj" distances "$grid" --source 0 -o x.txt
 rejects 2 "--nonsense" distances "$grid" --source 0 --nonsense
 [ ! -e x.vtk ]
 no_remains

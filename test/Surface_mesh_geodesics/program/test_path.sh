@@ -5,7 +5,9 @@ grid=$data/grid4.off # the unit square, 16 vertices, 18 faces; vertex 4 i + j is
 
 # The table of lengths.
 is_silent path "$grid" --source 0,12 --target 15,4 --target-point 0.5,1,0 > paths.csv
-equals "$(line paths.csv 1)" target,source,length,points
+equals "$(line paths.csv 1)" target,source,length,points,target_vertex,target_face,target_b0,target_b1,target_b2,source_vertex
+equals "$(column paths.csv target_vertex | paste -sd ' ')" "15 4 "
+equals "$(column paths.csv source_vertex | paste -sd ' ')" "12 0 12"
 equals "$(column paths.csv target | paste -sd ' ')" "0 1 2"
 is_near "$(column paths.csv length | line /dev/stdin 1)" 1
 is_near "$(column paths.csv length | line /dev/stdin 2)" 0.33333333333333331
@@ -15,7 +17,7 @@ equals "$(column paths.csv source | line /dev/stdin 2)" 0
 
 # The points of a path: on the straight line, from the target to the source, with the length of the table.
 is_silent path "$grid" --source 0 --target-point 1,0.2,0 --points > points.csv
-equals "$(line points.csv 1)" target,source,point,x,y,z
+equals "$(line points.csv 1 | cut -d, -f1-6)" target,source,point,x,y,z
 awk -F, 'NR == 2 && ($4 - 1)^2 + ($5 - 0.2)^2 > 1e-24 { exit 1 }
   NR > 1 && (($5 - 0.2 * $4)^2 > 1e-24 || $6 != 0) { exit 1 }
   END { if($4^2 + $5^2 > 1e-24) exit 1 }' points.csv
@@ -42,8 +44,12 @@ awk '{ s = 0; for(i = 5; i < NF; i += 3) s += sqrt(($i - $(i-3))^2 + ($(i+1) - $
   if((s - length_in_table)^2 > 1e-24 || NF != 3 * $1 + 1) exit 1 }' all.polylines.txt
 
 # A target that no source reaches.
-is_silent path "$data/two_components.off" --source 0 --target all > parts.csv
-contains parts.csv ",-1,inf,0"
+remarks "no source reaches 3 of 6 targets; the first one is vertex 3; the mesh has 2 components" \
+  path "$data/two_components.off" --source 0 --target all
+contains remarks.out "3,-1,inf,0,3,"
+rejects 1 "no source reaches vertex 4; the mesh has 2 components" \
+  path "$data/two_components.off" --source 0 --target 4 -o none.obj
+[ ! -e none.obj ]
 
 rejects 2 "no source is given" path "$grid" --target 0
 rejects 2 "no target is given" path "$grid" --source 0

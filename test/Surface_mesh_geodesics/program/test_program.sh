@@ -71,7 +71,7 @@ for subcommand in $subcommands; do
   rejects 2 "no mesh is given" "$subcommand" "${arguments[@]}"
   rejects 3 "none.off: the file does not exist" "$subcommand" none.off "${arguments[@]}"
   rejects 3 "empty.off: the file is empty" "$subcommand" empty.off "${arguments[@]}"
-  rejects 3 "no_last_faces.off: the file is damaged, incomplete" "$subcommand" no_last_faces.off "${arguments[@]}"
+  rejects 3 "no_last_faces.off, line 21: the file ends after 2 of 18 faces" "$subcommand" no_last_faces.off "${arguments[@]}"
   rejects 2 "more than one mesh is given" "$subcommand" "$grid" "${arguments[@]}" another.off
 done
 rejects 3 ".: is a folder, not a file" info .
@@ -89,19 +89,19 @@ is_silent distances point.off --source-point 0,0,0 > point.csv
 # but the program finds no nearest location to a point if CGAL's trees cannot distinguish the mesh from a point
 rejects 3 "tiny.off: the mesh is too large or too small to locate points, or the point is too far" \
   distances tiny.off --source-point 0,0,0
-rejects 3 "text.off: the file is damaged" info text.off
-rejects 3 "no_last_points.off: the file is damaged" info no_last_points.off
-rejects 3 "not_a_number.off: " info not_a_number.off
-rejects 3 "too_large.off: " info too_large.off
+rejects 3 "text.off, line 1: 'this' is not the beginning of an OFF file" info text.off
+rejects 3 "no_last_points.off, line " info no_last_points.off
+rejects 3 "not_a_number.off, line 3: 'nan' is not a finite number: a coordinate is needed" info not_a_number.off
+rejects 3 "too_large.off, line 3: '1e999' is not a finite number" info too_large.off
 rejects 3 "no_faces.off: the file contains no faces" info no_faces.off
-rejects 3 "vertex_twice.off: " info vertex_twice.off
-rejects 3 "two_corners.off: " info two_corners.off
-rejects 3 "no_vertex.obj: " info no_vertex.obj
-rejects 3 "half.ply: " info half.ply
-rejects 3 "half.stl: " info half.stl
+rejects 3 "vertex_twice.off: face 0 (line 6) has the vertex 1 twice; --repair may mend it" info vertex_twice.off
+rejects 3 "two_corners.off: face 0 (line 6) has fewer than three vertices" info two_corners.off
+rejects 3 "no_vertex.obj, line 4: there is no vertex 7; the file has 3" info no_vertex.obj
+rejects 3 "half.ply: the file ends too early" info half.ply
+rejects 3 "half.stl, line 6: the file ends, but the word 'vertex' is needed" info half.stl
 rejects 3 "nan.ply: a coordinate of vertex" info nan.ply
-rejects 3 "$data/edge_three_faces.off: face 1 does not fit" info "$data/edge_three_faces.off"
-rejects 3 "moebius.off: face 4 does not fit" info moebius.off
+rejects 3 " has 3 faces: face 0 " info "$data/edge_three_faces.off"
+rejects 3 "moebius.off: the orientations of face 0 (line 8) and face 4 (line 12) differ: both lead from vertex 0" info moebius.off
 rejects 3 "must end with one of .off, .obj, .ply, .stl, .ts" info "$man_page"
 
 # --- output -----------------------------------------------------------------------------------------------------------

@@ -40,6 +40,18 @@ contains s.vtk "SCALARS vertex int 1"
 contains s.ply "element vertex 5"
 equals "$(grep -c '^p ' s.obj)" 5
 
+
+# Each option for files takes the table.
+for options in "distances --source-file" "path --source 0 --target-file" "voronoi --site-file" \
+  "sample --number 5 --first-file" "matrix --source 0 --target-file"; do
+  is_silent ${options%% *} "$grid" ${options#* } corners.csv --quiet > with_samples.csv
+done
+equals "$(line with_samples.csv 1)" "source,$(column corners.csv vertex | paste -sd ,)"
+"$program" sample "$grid" --number 100 --first 0 > all.csv 2> note
+contains note "--number: there are only 16 vertices"
+"$program" sample "$data/two_components.off" --number 1 > one.csv 2> note
+contains note "1 sample does not reach all vertices; the mesh has 2 components"
+
 rejects 2 "neither --number nor --radius is given" sample "$grid"
 rejects 2 "--number: '0' is not a whole number of 1 or more" sample none.off --number 0
 rejects 2 "--number: 'abc' is not a whole number of 1 or more" sample none.off --number abc

@@ -2,10 +2,11 @@
 # surface_mesh_geodesics voronoi
 source "$(dirname "${BASH_SOURCE[0]}")/support.sh" "$@"
 grid=$data/grid4.off # the unit square, 16 vertices, 18 faces; vertex 4 i + j is (i, j) / 3
+sphere=$data/../../../examples/Surface_mesh_geodesics/data/bumpy_sphere.off
 
 # The corners of the square: four quarters of it.
 is_silent voronoi "$grid" --site 0,3,15,12 > cells.csv
-equals "$(line cells.csv 1)" site,x,y,z,weight,area,is_disk,neighbors
+equals "$(line cells.csv 1)" site,vertex,x,y,z,weight,area,is_disk,neighbors
 for i in 1 2 3 4; do
   is_near "$(column cells.csv area | line /dev/stdin $i)" 0.25
   equals "$(column cells.csv is_disk | line /dev/stdin $i)" 1
@@ -19,7 +20,7 @@ equals "$(column two.csv neighbors | paste -sd ' ')" "1 0"
 awk '$1 == "v" { if(($2 - 0.5)^2 > 1e-24) exit 1; ++n } END { exit !(n > 1) }' two.obj
 contains two.ply "property int site"
 contains two.vtk "SCALARS site int 1"
-is_silent distances two.ply --source 0 > of_cut_mesh.csv # the cut mesh is a mesh
+is_silent distances two.ply --source 0 --quiet > of_cut_mesh.csv # the cut mesh is a mesh; its lines are no faces
 [ "$(wc -l < of_cut_mesh.csv)" -gt 17 ]
 is_silent voronoi "$grid" --site-point 0,0.5,0 --site-point 1,0.5,0 --weight 0.2,0 -o weighted.csv -o weighted.obj
 awk -v a="$(column weighted.csv area | line /dev/stdin 1)" -v b="$(column weighted.csv area | line /dev/stdin 2)" \
@@ -30,11 +31,12 @@ awk '$1 == "v" { d = sqrt($2^2 + ($3 - 0.5)^2) - sqrt((1 - $2)^2 + ($3 - 0.5)^2)
 
 # Sites and distances of the vertices.
 is_silent voronoi "$grid" --site 0,15 --vertices > vertices.csv
-equals "$(line vertices.csv 1)" vertex,site,distance
+equals "$(line vertices.csv 1)" vertex,site,distance,site_vertex
 equals "$(column vertices.csv site | line /dev/stdin 2)" 0
 equals "$(column vertices.csv site | line /dev/stdin 15)" 1
 is_near "$(column vertices.csv distance | line /dev/stdin 5)" 0.33333333333333331
-is_silent voronoi "$data/two_components.off" --site 0 --vertices > parts.csv
+"$program" voronoi "$data/two_components.off" --site 0 --vertices > parts.csv 2> note
+contains note "3 of 6 vertices are not reached; the mesh has 2 components"
 contains parts.csv ",-1,inf"
 
 # A smaller tolerance gives more points.
@@ -42,14 +44,41 @@ is_silent voronoi "$grid" --site 0,6,15 --weight 0,0.1,0 --tolerance 1e-2 -o coa
 is_silent voronoi "$grid" --site 0,6,15 --weight 0,0.1,0 --tolerance 1e-7 -o fine.obj
 [ "$(grep -c '^v ' fine.obj)" -gt "$(grep -c '^v ' coarse.obj)" ]
 
+# The same table beside other files comes from the diagram.
+is_silent voronoi "$sphere" --site-random 40 --quiet --vertices > labels.csv
+is_silent voronoi "$sphere" --site-random 40 --quiet --vertices -o from_diagram.csv -o x.obj
+cmp labels.csv from_diagram.csv
+weighted=(--site-point 0,0.5,0 --site-point 1,0.4,0 --weight 0.2,0)
+is_silent voronoi "$grid" "${weighted[@]}" --vertices > labels.csv
+is_silent voronoi "$grid" "${weighted[@]}" --vertices -o from_diagram.csv -o x.obj
+# All vertices of the grid are flat: labels are computed on larger triangles, and differ in last digits.
+paste -d, labels.csv from_diagram.csv | awk -F, 'NR > 1 {
+  d = $3 - $(NF / 2 + 3); if($1 != $(NF / 2 + 1) || $2 != $(NF / 2 + 2) || d > 1e-12 || d < -1e-12) exit 1 }'
+
+# Cells as meshes, and their boundaries as polylines: the cell of two sites at the sides of the square is its half.
+sides=(--site-point 0,0.5,0 --site-point 1,0.5,0)
+is_silent voronoi "$grid" "${sides[@]}" --cell 1 -o cell.off -o open.polylines.txt
+is_silent voronoi "$grid" "${sides[@]}" --cell 1 --along-border -o closed.polylines.txt
+is_silent voronoi "$grid" "${sides[@]}" -o all.off -o all.polylines.txt
+is_silent info cell.off > cell.csv
+is_near "$(grep '^area,' cell.csv | cut -d, -f2)" 0.5
+is_silent info all.off > all.csv
+is_near "$(grep '^area,' all.csv | cut -d, -f2)" 1
+equals "$(wc -l < open.polylines.txt) $(wc -l < all.polylines.txt) $(wc -l < closed.polylines.txt)" "1 2 1"
+awk '{ for(i = 2; i < NF; i += 3) if(($i - 0.5)^2 > 1e-24) exit 1; exit NF != 3 * $1 + 1 }' open.polylines.txt
+# closed: the last point is the first one; the area by the formula for polygons is that of the cell, negative because
+# the faces of this mesh run clockwise
+awk '{ n = NF; if($2 != $(n - 2) || $3 != $(n - 1)) exit 1
+  for(i = 2; i + 4 < NF; i += 3) a += ($i * $(i + 4) - $(i + 3) * $(i + 1)) / 2
+  exit !((a + 0.5)^2 < 1e-24) }' closed.polylines.txt
+
 # Colors: one for each cell, as in the header of the file. Adjacent cells have different colors.
-sphere=$data/../../../examples/Surface_mesh_geodesics/data/bumpy_sphere.off
 is_silent voronoi "$sphere" --site-random 40 --quiet -o colors.ply -o neighbors.csv
 tr -d '\r' < colors.ply | awk '
   FNR == NR { if($1 == "comment") color[$3] = $5 " " $6 " " $7
     if($1 == "3" && NF == 8) { if($5 " " $6 " " $7 != color[$8]) exit 1; ++faces }
     next }
-  { split($0, field, ","); split(field[8], neighbor, " ")
+  { split($0, field, ","); split(field[9], neighbor, " ")
     for(i in neighbor) { ++pairs; if(color[field[1]] == color[neighbor[i]]) exit 1 } }
   END { exit !(faces > 1000 && pairs > 150) }' - <(tail -n +2 neighbors.csv)
 
@@ -64,7 +93,12 @@ rejects 2 "--tolerance: 1e-30 is too small for a mesh of this size; give 1.41421
   voronoi "$grid" --site 0,15 --tolerance 1e-30 -o x.ply
 is_silent voronoi "$grid" --site 0,6,15 --weight 0,0.1,0 --tolerance 1.5e-9 -o finest.obj # almost too small
 [ "$(wc -c < finest.obj)" -lt 10000000 ]
-remarks "--tolerance has no effect without an output .ply, .vtk, .obj, .html" voronoi "$grid" --site 0 --tolerance 1
+remarks "--tolerance has no effect without an output .ply, .vtk, .obj, .off, .polylines.txt, .html" \
+  voronoi "$grid" --site 0 --tolerance 1
 remarks "--vertices has no effect without an output .csv" voronoi "$grid" --site 0,15 --vertices -o x.obj
+remarks "--cell has no effect without an output .off, .polylines.txt" voronoi "$grid" --site 0,15 --cell 1
+remarks "--along-border has no effect without an output .polylines.txt" voronoi "$grid" --site 0,15 --along-border
+rejects 2 "--cell: there is no site 2, but 2, counted from 0" voronoi "$grid" --site 0,15 --cell 2 -o x.off
+rejects 2 "'x'" voronoi none.off --site 0 --cell x
 rejects 2 "the name must end with one of" voronoi "$grid" --site 0 -o x.stl
 no_remains

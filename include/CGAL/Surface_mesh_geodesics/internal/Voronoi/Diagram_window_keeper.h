@@ -29,6 +29,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -266,7 +267,7 @@ public:
   using FT = typename Base::FT;
   using Thread_keeper = typename Base::Thread_keeper;
 
-  Dividing_window_keeper(Removal& removal, Deferred_division<FT>& division) : Base(removal), m_division(&division) {}
+  explicit Dividing_window_keeper(Removal& removal) : Base(removal), m_division(&removal.consumer()) {}
 
   void restart(std::size_t number_of_threads) { m_division->restart(number_of_threads); }
   std::size_t begin_batch() { return m_division->begin_batch(); }
@@ -283,50 +284,35 @@ private:
   Deferred_division<FT>* m_division;
 };
 
-// What makes a complex while distances are propagated: the removal and what divides the faces that it hands over. That
-// is the complex itself, or with several threads a Deferred_division. Use: start(), the propagation with keeper(),
-// finish().
+// The consumer of a removal in one thread: divides each face when it is handed over.
+template <typename FT>
+class Immediate_division
+{
+public:
+  explicit Immediate_division(Voronoi_complex<FT>& complex) : m_complex(&complex) {}
+
+  void add(const Divided_face<FT>& divided) { m_complex->add(divided); }
+  void finish() {}
+
+private:
+  Voronoi_complex<FT>* m_complex;
+};
+
+// What makes a complex while distances are propagated: the removal, and what divides the faces that it hands over. Use:
+// start(), the propagation with keeper(), finish().
 template <typename FT, bool has_several_threads>
 class Diagram_propagation
 {
 public:
   using Complex = Voronoi_complex<FT>;
-  using Removal = Redundant_window_removal<FT, Complex>;
-
-  explicit Diagram_propagation(Complex& complex) : m_complex(complex) {}
-
-  // Requires: the mesh is refined by the sites, and the propagation has not begun.
-  void start(const Intrinsic_mesh<FT>& mesh, const Vertex_distance_field<FT>& field)
-  {
-    m_complex.start(mesh);
-    m_removal.reset(mesh, field, m_complex);
-  }
-
-  Removal& removal() { return m_removal; }
-  Diagram_window_keeper<Removal> keeper() { return Diagram_window_keeper<Removal>(m_removal); }
-
-  // Divides the last faces. Then the owners, whose distances are final now, let the complex count elements and link
-  // arcs to chains.
-  void finish()
-  {
-    m_removal.finish();
-    m_complex.finish(m_removal.owners());
-  }
-
-private:
-  Complex& m_complex;
-  Removal m_removal;
-};
-
-template <typename FT>
-class Diagram_propagation<FT, true>
-{
-public:
-  using Complex = Voronoi_complex<FT>;
-  using Removal = Redundant_window_removal<FT, Deferred_division<FT>>;
+  using Division = std::conditional_t<has_several_threads, Deferred_division<FT>, Immediate_division<FT>>;
+  using Removal = Redundant_window_removal<FT, Division>;
+  using Keeper
+    = std::conditional_t<has_several_threads, Dividing_window_keeper<Removal>, Diagram_window_keeper<Removal>>;
 
   explicit Diagram_propagation(Complex& complex) : m_complex(complex), m_division(complex) {}
 
+  // Requires: the mesh is refined by the sites, and the propagation has not begun.
   void start(const Intrinsic_mesh<FT>& mesh, const Vertex_distance_field<FT>& field)
   {
     m_complex.start(mesh);
@@ -334,8 +320,10 @@ public:
   }
 
   Removal& removal() { return m_removal; }
-  Dividing_window_keeper<Removal> keeper() { return Dividing_window_keeper<Removal>(m_removal, m_division); }
+  Keeper keeper() { return Keeper(m_removal); }
 
+  // Divides the last faces. Then the owners, whose distances are final now, let the complex count elements and link
+  // arcs to chains.
   void finish()
   {
     m_removal.finish();
@@ -345,7 +333,7 @@ public:
 
 private:
   Complex& m_complex;
-  Deferred_division<FT> m_division;
+  Division m_division;
   Removal m_removal;
 };
 

@@ -204,6 +204,7 @@ public:
   }
 
   const Mesh& mesh() const { return *m_mesh; }
+  Consumer& consumer() { return *m_consumer; }
   const Field& field() const { return *m_field; }
   const Face_windows<FT>& windows() const { return m_windows; }
   std::size_t number_of_kept_windows() const { return m_number_of_kept; }
@@ -382,7 +383,7 @@ private:
   // Divides the edge of h, whose opposite is o or null_id: no face at it will get windows any more.
   void close_edge(Halfedge_id h, Halfedge_id o)
   {
-    if(o != null_id && o < h) // a face that has this edge twice comes here for both halfedges
+    if(!m_mesh->is_first_of_edge(h)) // a face that has this edge twice comes here for both halfedges
       return;
     const Face_id f = face_of(h), g = o == null_id ? f : face_of(o);
     if(m_faces[f].state == INACTIVE && m_faces[g].state == INACTIVE) // otherwise the edge is in one cell
@@ -433,8 +434,7 @@ private:
   // Returns where the breakpoints of the edge of h are, in the order of its halfedge with the smaller index.
   Index_range range_of_edge(Halfedge_id h) const
   {
-    const Halfedge_id o = m_mesh->opposite(h);
-    const Index_range* const range = m_range_of_edge.find(o != null_id && o < h ? o : h);
+    const Index_range* const range = m_range_of_edge.find(m_mesh->is_first_of_edge(h) ? h : m_mesh->opposite(h));
     return range == nullptr ? Index_range{0, 0} : *range;
   }
 

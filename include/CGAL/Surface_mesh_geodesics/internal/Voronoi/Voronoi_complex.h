@@ -169,7 +169,7 @@ public:
   Nodes_on_edge nodes_on_edge(Halfedge_id h) const
   {
     Nodes_on_edge result;
-    result.is_reversed = is_reversed(h);
+    result.is_reversed = !m_mesh->is_first_of_edge(h);
     const Index_range* const nodes = m_edge_nodes.find(result.is_reversed ? m_mesh->opposite(h) : h);
     if(nodes != nullptr)
     {
@@ -221,6 +221,17 @@ public:
       }
       visit(site, from, corner[next_corner(k)]);
     }
+  }
+
+  // Return the nodes where an oriented chain starts and ends.
+  std::uint32_t start_of(const Oriented_index& c) const
+  {
+    return c.second ? m_chains[c.first].last_node : m_chains[c.first].first_node;
+  }
+
+  std::uint32_t end_of(const Oriented_index& c) const
+  {
+    return c.second ? m_chains[c.first].first_node : m_chains[c.first].last_node;
   }
 
   // Returns the parts of the boundary of a cell; none if the cell is empty, or if it is all that its site reaches. The
@@ -298,17 +309,6 @@ private:
     }
   }
 
-  // Return the nodes where an oriented chain starts and ends.
-  std::uint32_t start_of(const Oriented_index& c) const
-  {
-    return c.second ? m_chains[c.first].last_node : m_chains[c.first].first_node;
-  }
-
-  std::uint32_t end_of(const Oriented_index& c) const
-  {
-    return c.second ? m_chains[c.first].first_node : m_chains[c.first].last_node;
-  }
-
   // --- edges ---
 
   // Returns the index of the first node on an edge; the nodes of an edge are consecutive, in the order of h. Makes them
@@ -364,8 +364,8 @@ private:
         ++elements(m_owner[face.vertex[0]]).face_regions;
       for(unsigned int k = 0; k < 3; ++k)
       {
-        const Halfedge_id h = halfedge_of(f, k), o = face.opposite[k];
-        if(o != null_id && o < h)
+        const Halfedge_id h = halfedge_of(f, k);
+        if(!m_mesh->is_first_of_edge(h))
           continue;
         ++elements(m_owner[face.vertex[k]]).edge_intervals;
         if(is_whole)
@@ -379,24 +379,17 @@ private:
 
   // --- faces ---
 
-  // Returns whether breakpoints of an edge come against the direction of h: they do in that of the smaller halfedge.
-  bool is_reversed(Halfedge_id h) const
-  {
-    const Halfedge_id o = m_mesh->opposite(h);
-    return o != null_id && o < h;
-  }
-
-  // Adds the breakpoints on the side of h to the partition, from the source of h on. If they are reversed, so are the
-  // cells before and after each of them.
+  // Adds the breakpoints on the side of h to the partition, from the source of h on. They come in the order of the
+  // first halfedge of the edge; if that is the opposite of h, they are reversed, and so are the cells on both sides.
   void add_breakpoints(Halfedge_id h, const std::vector<Edge_breakpoint<FT>>& breakpoints,
                        Face_partition<FT>& partition) const
   {
-    const bool reversed = is_reversed(h);
+    const bool is_reversed = !m_mesh->is_first_of_edge(h);
     for(std::size_t i = 0; i < breakpoints.size(); ++i)
     {
-      const Edge_breakpoint<FT>& e = breakpoints[reversed ? breakpoints.size() - 1 - i : i];
-      const Point p = point_on_edge(h, reversed ? FT(m_mesh->length(h) - e.x) : e.x);
-      partition.add(Border_breakpoint<FT>{p, reversed ? e.after : e.before, reversed ? e.before : e.after});
+      const Edge_breakpoint<FT>& e = breakpoints[is_reversed ? breakpoints.size() - 1 - i : i];
+      const Point p = point_on_edge(h, is_reversed ? FT(m_mesh->length(h) - e.x) : e.x);
+      partition.add(Border_breakpoint<FT>{p, is_reversed ? e.after : e.before, is_reversed ? e.before : e.after});
     }
   }
 
@@ -405,11 +398,11 @@ private:
   {
     if(breakpoints.empty())
       return;
-    const bool reversed = is_reversed(h);
+    const bool is_reversed = !m_mesh->is_first_of_edge(h);
     const std::uint32_t size = static_cast<std::uint32_t>(breakpoints.size());
-    const std::uint32_t first = first_node(reversed ? m_mesh->opposite(h) : h, breakpoints);
+    const std::uint32_t first = first_node(is_reversed ? m_mesh->opposite(h) : h, breakpoints);
     for(std::uint32_t i = 0; i < size; ++i)
-      m_breakpoint_nodes.push_back(first + (reversed ? size - 1 - i : i));
+      m_breakpoint_nodes.push_back(first + (is_reversed ? size - 1 - i : i));
   }
 
   // Copies the nodes and arcs in face f into the complex, behind those of its breakpoints.

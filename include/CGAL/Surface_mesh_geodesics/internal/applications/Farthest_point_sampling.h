@@ -18,11 +18,14 @@
 
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Intrinsic_surface.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/distance_functions.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/run_with_visitor.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_propagation.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Farthest_vertex_queue.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
+
+#include <CGAL/boost/graph/named_params_helper.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -57,7 +60,7 @@ public:
   // Writes samples until there are n, with those in the options, or the covering radius of the options is reached.
   // Returns the covering radius in the user's unit: the distance of the farthest vertex from its nearest sample. It is
   // infinity if no sample reaches some vertex that has a face, or if the visitor cancels the first propagation; if the
-  // visitor cancels a later one, it is that of the samples before. Options is Geodesic_sampling_options. Shape is
+  // visitor cancels a later one, it is that of the samples before. Options is Sampling_options. Shape is
   // described in Face_shapes.h. Throws Invalid_geodesic_input, before anything is written.
   //
   // Each pass of the loop asks for the farthest vertex first: its distance is the covering radius of the samples so
@@ -144,6 +147,19 @@ private:
   Vertex_distance_field<double> m_field;
   std::vector<Vertex_id> m_rank;
 };
+
+// Samples a mesh with the maps and the visitor among the named parameters. See run() above.
+template <typename TriangleMesh, typename OutputIterator, typename Options, typename NamedParameters>
+double sample_farthest_points(const TriangleMesh& tm, std::size_t n, OutputIterator output, const Options& options,
+                              const NamedParameters& np)
+{
+  auto vim = CGAL::get_initialized_vertex_index_map(tm, np);
+  auto fim = CGAL::get_initialized_face_index_map(tm, np);
+  Visitor_parameter<NamedParameters> visitor_parameter(np);
+  auto& visitor = visitor_parameter.visitor();
+  Farthest_point_sampling<TriangleMesh, decltype(vim), decltype(fim)> sampling(tm, vim, fim);
+  return sampling.run(shape_from_points<double>(tm, np), n, output, options, visitor);
+}
 
 } // namespace internal
 } // namespace Surface_mesh_geodesics

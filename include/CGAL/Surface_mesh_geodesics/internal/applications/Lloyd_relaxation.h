@@ -67,17 +67,25 @@ public:
     m_diagram.add_sites(sites);
   }
 
+  // Adds points of faces to the sites. Only diagrams that are not relaxed have such sites.
+  template <typename Locations>
+  void add_points(const Locations& locations)
+  {
+    m_diagram.add_sites(locations);
+  }
+
   const Diagram& diagram() const { return m_diagram; }
 
   // Moves each site to the vertex in its cell that is nearest in space to the centroid of the cell; of equally near
   // ones to the first vertex of the mesh. A site whose cell has no vertex stays. Returns whether a site has moved.
   //
   // The result is that of central_vertex() for each site, in one pass over the mesh instead of one for each site.
-  // Requires: `sites` are the sites of the diagram.
+  // Sites with is_fixed(v) stay. Requires: `sites` are the sites of the diagram.
   //
   // All sites move at once: the cells are those of the sites before, whatever is written to `sites` meanwhile. Builds
   // the diagram if that is not done. Takes time linear in the size of the mesh and of the diagram.
-  bool move_to_centers(std::vector<vertex_descriptor>& sites) const
+  template <typename IsFixed>
+  bool move_to_centers(std::vector<vertex_descriptor>& sites, IsFixed is_fixed) const
   {
     CGAL_assertion(sites.size() == m_diagram.number_of_sites());
     std::vector<Point> center;
@@ -88,7 +96,7 @@ public:
     for(vertex_descriptor v : vertices(m_tm))
     {
       const std::size_t i = m_diagram.nearest_site(v);
-      if(i == Diagram::null_site())
+      if(i == Diagram::null_site() || is_fixed(before[i]))
         continue;
       const double d = distance_in_space<Point>(center[i], get(m_vpm, v));
       if(d < smallest[i])
@@ -141,10 +149,12 @@ auto make_vertex_site_diagram(const TriangleMesh& tm, const NamedParameters& np)
 // that it starts from: among the vertices of a cell, the nearest one to the centroid has the smallest integral of
 // squared distances, because that is the integral for the centroid plus the area times the squared distance from the
 // centroid. The next cells may raise it, as they are those of geodesic distances.
+//
+// Sites with is_fixed(v) do not move, as if they were central.
 template <template <typename...> class Diagram, typename TriangleMesh, typename vertex_descriptor, typename Visitor,
-          typename NamedParameters>
+          typename NamedParameters, typename IsFixed>
 std::size_t relax_sites(const TriangleMesh& tm, std::vector<vertex_descriptor>& sites,
-                        std::size_t number_of_iterations, Visitor& visitor, const NamedParameters& np)
+                        std::size_t number_of_iterations, Visitor& visitor, const NamedParameters& np, IsFixed is_fixed)
 {
   const double threshold
     = parameters::choose_parameter(parameters::get_parameter(np, internal_np::threshold_distance), 0.);
@@ -156,7 +166,7 @@ std::size_t relax_sites(const TriangleMesh& tm, std::vector<vertex_descriptor>& 
     if(!diagram.diagram().build(visitor))
       break;
     const std::vector<vertex_descriptor> before = sites;
-    const bool has_moved = diagram.move_to_centers(sites);
+    const bool has_moved = diagram.move_to_centers(sites, is_fixed);
     const double largest_move = diagram.largest_move(before, sites);
     if constexpr(Follows_iterations<Visitor>::value)
       visitor.on_iteration(i + 1, largest_move, diagram.diagram().energy());

@@ -125,9 +125,6 @@ private:
 
   // --- the functions on the edges ---
 
-  // The function of an edge is stored along one of its halfedges: the one with the smaller index, or the only one.
-  bool is_first_of_edge(Halfedge_id h) const { return m_mesh.opposite(h) == null_id || h < m_mesh.opposite(h); }
-
   static bool is_finite(const FT& d) { return d < std::numeric_limits<FT>::infinity(); }
 
   // Makes u on all edges: on each one the minimum over the paths that reach it through its two faces, along the
@@ -143,7 +140,7 @@ private:
       if(!go_on())
         return false;
       for(unsigned int k = 0; k < 3; ++k)
-        if(is_first_of_edge(halfedge_of(f, k)))
+        if(m_mesh.is_first_of_edge(halfedge_of(f, k)))
           make_function(halfedge_of(f, k), function);
     }
     return true;
@@ -258,7 +255,7 @@ private:
   void read_function(Halfedge_id h, bool is_backward, std::vector<Piece>& pieces) const
   {
     pieces.clear();
-    const bool is_first = is_first_of_edge(h);
+    const bool is_first = m_mesh.is_first_of_edge(h);
     const std::size_t e = dense_index(is_first ? h : m_mesh.opposite(h));
     const auto first = m_pieces.begin() + static_cast<std::ptrdiff_t>(m_begin[e]);
     pieces.assign(first, first + static_cast<std::ptrdiff_t>(m_size[e]));

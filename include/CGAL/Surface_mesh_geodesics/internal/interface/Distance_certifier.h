@@ -26,6 +26,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/certificate/Worst_violation.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Intrinsic_surface.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Private_access.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_values.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/run_with_visitor.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_propagation.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Source_insertion.h>
@@ -236,15 +237,15 @@ private:
 };
 
 // Checks distances and returns a Certificate, which is Geodesic_distance_certificate<TriangleMesh>. `make_shape()`
-// tells where the lengths of edges come from (Face_shapes.h). Options and named parameters are those of the public
-// functions. Of the options, it uses offsets and radius only. The parameter number_of_iterations is the number of
-// reverse runs, `visitor` follows all runs.
-// Throws Invalid_geodesic_input for invalid input, never because a distance is wrong. Numbers in the options are
+// tells where the lengths of edges come from (Face_shapes.h). The named parameters are those of the public functions:
+// number_of_iterations is the number of reverse runs, and the visitor follows all runs. The radius and the offsets are
+// those with which the distances were computed; targets would make distances incomplete, and are not accepted.
+// Throws Invalid_geodesic_input for invalid input, never because a distance is wrong. Numbers among the parameters are
 // checked before the mesh is read.
-template <typename Certificate, typename TriangleMesh, typename VertexDistanceMap, typename Sources, typename Options,
+template <typename Certificate, typename TriangleMesh, typename VertexDistanceMap, typename Sources,
           typename MakeShape, typename NamedParameters>
 Certificate certify_distances(const TriangleMesh& tm, VertexDistanceMap vertex_distance_map, const Sources& sources,
-                              const Options& options, MakeShape make_shape, const NamedParameters& np)
+                              MakeShape make_shape, const NamedParameters& np)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -252,6 +253,7 @@ Certificate certify_distances(const TriangleMesh& tm, VertexDistanceMap vertex_d
 
   auto vim = CGAL::get_initialized_vertex_index_map(tm, np);
   auto fim = CGAL::get_initialized_face_index_map(tm, np);
+  const auto options = distance_options<TriangleMesh>(np);
   check_numbers(options);
   Distance_certifier<double, TriangleMesh, decltype(vim), decltype(fim)> certifier(tm, vim, fim, make_shape());
   certifier.set_sources(sources, options.source_offsets);

@@ -16,6 +16,7 @@
 
 #include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Intrinsic_surface.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_values.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/run_with_visitor.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Available_tag.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Repeated_propagation.h>
@@ -59,10 +60,13 @@ public:
 
   static constexpr std::size_t no_source = Source_numbers::none;
 
+  // `is_avoided` are the faces that are left out (Intrinsic_surface).
+
   // Reads the whole mesh, for runs from any sources; throws Invalid_geodesic_input. Takes linear time.
   template <typename Shape>
-  Distance_solver(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim, Shape shape)
-    : m_surface(tm, vim, fim, std::move(shape), Blocks()), m_insertion(m_surface.mesh()),
+  Distance_solver(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim, Shape shape,
+                  std::vector<char> is_avoided = {})
+    : m_surface(tm, vim, fim, std::move(shape), Blocks(), std::move(is_avoided)), m_insertion(m_surface.mesh()),
       m_runner(m_surface.mesh(), m_insertion)
   {}
 
@@ -70,9 +74,10 @@ public:
   // the components that these reach. Invalid sources are ignored here, and rejected by run(). The range may be read
   // twice, here and by run(), so it must allow several passes.
   template <typename Shape, typename Sources>
-  Distance_solver(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim, Shape shape, const Sources& sources)
-    : m_surface(tm, vim, fim, std::move(shape), sources, Blocks()), m_insertion(m_surface.mesh()),
-      m_runner(m_surface.mesh(), m_insertion)
+  Distance_solver(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim, Shape shape, const Sources& sources,
+                  std::vector<char> is_avoided)
+    : m_surface(tm, vim, fim, std::move(shape), sources, Blocks(), std::move(is_avoided)),
+      m_insertion(m_surface.mesh()), m_runner(m_surface.mesh(), m_insertion)
   {}
 
   Distance_solver(const Distance_solver&) = delete;
@@ -82,8 +87,8 @@ public:
 
   // Propagates from the sources. Returns false if the visitor canceled: no vertex has been reached then. Throws
   // Invalid_geodesic_input, before anything changes, if a source, a target or the number of offsets is invalid.
-  // `options` are those of the public functions, in the user's unit. Requires: check_numbers(options) does not throw.
-  // Takes time for the area that the run reaches, if there are limits.
+  // `options` are Distance_options, in the user's unit (parameter_values.h). Requires: check_numbers(options) does not
+  // throw. Takes time for the area that the run reaches, if there are limits.
   //
   // If the visitor or the propagation throws, no vertex is reached, and the next run is right. Statistics count a run
   // that was canceled, but none that has thrown.
@@ -116,6 +121,18 @@ public:
     m_numbers.assign(set);
     unfinished.runner = nullptr;
     return is_complete;
+  }
+
+  // Does the same with the options and the visitor among the named parameters of a user, whose ranges are copied.
+  // Checks the numbers first, so that it throws Invalid_geodesic_input before it asks the mesh for anything.
+  template <typename Sources, typename NamedParameters>
+  bool run_with_parameters(const Sources& sources, const NamedParameters& np)
+  {
+    const Distance_options<TriangleMesh> options = distance_options<TriangleMesh>(np);
+    check_numbers(options);
+    Visitor_parameter<NamedParameters> visitor_parameter(np);
+    auto& visitor = visitor_parameter.visitor();
+    return run(sources, options, visitor);
   }
 
   // Returns the distance of a vertex of the mesh in the user's unit, infinity if it was not reached. Requires: v is a

@@ -99,7 +99,11 @@ class Face_graph_reader
   using Reason = Invalid_geodesic_input::Reason;
 
 public:
-  Face_graph_reader(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim) : m_tm(tm), m_vim(vim), m_fim(fim) {}
+  // `is_avoided` has a flag for each index of a face, or is empty: faces that are marked are left out, as if they were
+  // not in faces(tm). It is referred to.
+  Face_graph_reader(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim, const std::vector<char>& is_avoided)
+    : m_tm(tm), m_vim(vim), m_fim(fim), m_is_avoided(is_avoided)
+  {}
 
   // Builds the mesh and the tables; throws Invalid_geodesic_input. Both are incomplete then, so Intrinsic_surface
   // passes new ones. Shape is described in Face_shapes.h. Takes linear time.
@@ -155,6 +159,8 @@ private:
     m_connected_faces.reserve(range_of_indices);
     for(face_descriptor f : faces(m_tm))
     {
+      if(is_left_out(f))
+        continue;
       const halfedge_descriptor h0 = halfedge(f, m_tm), h1 = next(h0, m_tm), h2 = next(h1, m_tm);
       if(next(h2, m_tm) != h0 || h1 == h0 || h2 == h0)
         throw_for_face(Reason::NOT_A_TRIANGLE, " is not a triangle");
@@ -170,6 +176,21 @@ private:
         for(std::uint32_t& neighbor : face.neighbor)
           // An index that no face has becomes null_id, the border.
           neighbor = neighbor < m_position_of_index.size() ? m_position_of_index[neighbor] : null_id;
+  }
+
+  // A mesh with faces to avoid is read as if they had been removed: the others are met in the same order, so all
+  // numbers of the intrinsic mesh are those of a filtered graph, and so are the bits of all results.
+  //
+  // Leaves out a face to avoid. Its neighbors find an index that no face has, so their edges become borders. The faces
+  // behind it have other positions than indices. (An index that is out of range is rejected like that of any face.)
+  bool is_left_out(face_descriptor f)
+  {
+    if(m_is_avoided.empty())
+      return false;
+    const std::size_t index = index_of(f);
+    const bool result = index < m_is_avoided.size() && m_is_avoided[index] != 0;
+    m_indices_are_positions = m_indices_are_positions && !result;
+    return result;
   }
 
   // Throw for the face at position m_faces.size(), which is being read.
@@ -286,6 +307,7 @@ private:
   const TriangleMesh& m_tm;
   VertexIndexMap m_vim;
   FaceIndexMap m_fim;
+  const std::vector<char>& m_is_avoided; // by the index of the user's map, or empty
   std::vector<face_descriptor> m_faces;          // by position
   std::vector<Connected_face> m_connected_faces; // by position; corners are indices of the user's map
   // By the index of the user's map; null_id for an index that no face has.

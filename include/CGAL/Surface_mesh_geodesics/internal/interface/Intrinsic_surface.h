@@ -29,6 +29,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 
 #include <CGAL/assertions.h>
+#include <CGAL/boost/graph/iterator.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -62,8 +63,8 @@ inline void check_offsets(const std::vector<double>& offsets)
                                      + " is negative or not finite", i);
 }
 
-// Throws unless the numbers in the options of a public function are valid. Needs no mesh: each public function calls
-// this once, before it reads a mesh.
+// Throws unless the numbers among the parameters of a public function are valid. Needs no mesh: each public function
+// calls this once, before it reads a mesh.
 template <typename Options>
 void check_numbers(const Options& options)
 {
@@ -93,14 +94,18 @@ public:
 
   // --- reading ---
 
-  // A surface that has not been read.
-  Intrinsic_surface(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim) : m_tm(tm), m_vim(vim), m_fim(fim) {}
+  // A surface that has not been read. `is_avoided` has a flag for each index of a face, or is empty: the faces that are
+  // marked are left out (flags_of_avoided_faces()).
+  Intrinsic_surface(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim, std::vector<char> is_avoided = {})
+    : m_tm(tm), m_vim(vim), m_fim(fim), m_is_avoided(std::move(is_avoided))
+  {}
 
   // Reads the mesh; throws Invalid_geodesic_input. Shape is described in Face_shapes.h, Blocks in One_block.h. Takes
   // linear time.
   template <typename Shape, typename Blocks = One_block>
-  Intrinsic_surface(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim, Shape shape, Blocks blocks = Blocks())
-    : Intrinsic_surface(tm, vim, fim)
+  Intrinsic_surface(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim, Shape shape, Blocks blocks = Blocks(),
+                    std::vector<char> is_avoided = {})
+    : Intrinsic_surface(tm, vim, fim, std::move(is_avoided))
   {
     read(std::move(shape), blocks);
   }
@@ -111,8 +116,8 @@ public:
   // source_set(), so it must allow several passes.
   template <typename Shape, typename Sources, typename Blocks>
   Intrinsic_surface(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim, Shape shape, const Sources& sources,
-                    Blocks blocks)
-    : Intrinsic_surface(tm, vim, fim)
+                    Blocks blocks, std::vector<char> is_avoided = {})
+    : Intrinsic_surface(tm, vim, fim, std::move(is_avoided))
   {
     read_components(std::move(shape), blocks,
                     [&]() { return Shape::has_points ? marked_sources(sources) : std::vector<char>(); });
@@ -127,6 +132,9 @@ public:
   }
 
   bool is_read() const { return m_is_read; }
+
+  // Leaves other faces out when the mesh is read the next time: flags as in the constructor.
+  void avoid(std::vector<char> is_avoided) { m_is_avoided = std::move(is_avoided); }
 
   // Frees the memory of mesh and tables. read() may follow.
   void forget()
@@ -213,6 +221,28 @@ public:
     reject_face(what, position);
   }
 
+  // Returns the halfedge of the intrinsic mesh that is halfedge(f, tm). Requires: f is a face of the mesh as it was
+  // read.
+  Halfedge_id first_halfedge(face_descriptor f) const
+  {
+    return m_table.halfedge_of_face_index[static_cast<std::size_t>(get(m_fim, f))];
+  }
+
+  // Returns the halfedge of the intrinsic mesh, as it was read, from which directions at a vertex of the user count: it
+  // is opposite(halfedge(v, tm), tm). Returns null_id if that one has no face.
+  Halfedge_id halfedge_of_frame(Vertex_id v) const
+  {
+    const halfedge_descriptor into = halfedge(descriptor(v), m_tm);
+    const halfedge_descriptor h = into == Graph_traits::null_halfedge() ? into : opposite(into, m_tm);
+    if(h == Graph_traits::null_halfedge() || is_border(h, m_tm))
+      return null_id;
+    const face_descriptor f = face(h, m_tm);
+    Halfedge_id result = first_halfedge(f);
+    for(halfedge_descriptor g = halfedge(f, m_tm); g != h; g = next(g, m_tm))
+      result = next_halfedge(result);
+    return result;
+  }
+
   // Returns the user's halfedge that is h. Walks around the face from halfedge(f, tm), as only that one is in a table.
   halfedge_descriptor descriptor_of_halfedge(Halfedge_id h) const
   {
@@ -273,14 +303,53 @@ public:
   {
     const std::size_t position = set.size();
     if constexpr(Is_vertex<TriangleMesh, Source>::value)
-      set.vertices.push_back(checked_id(source, what, position));
+    {
+      const Vertex_id v = checked_id(source, what, position);
+      // A vertex that had faces and has none left is inside of what is avoided.
+      if(!m_is_avoided.empty() && m_mesh.halfedge(v) == null_id
+         && halfedge(vertex_descriptor(source), m_tm) != Graph_traits::null_halfedge())
+        reject_avoided(what, position);
+      set.vertices.push_back(v);
+    }
     else
     {
-      const Halfedge_id h = checked_halfedge(source.first, what, position);
-      set.located.push_back(Located_source<FT>{
-        face_of(h), intrinsic_coordinates<FT>(h, source.second, what, position), position});
+      const auto at = location_beside_avoided_faces(source.first, source.second, what, position);
+      set.located.push_back(Located_source<FT>{face_of(at.first), at.second, position});
       set.vertices.push_back(null_id);
     }
+  }
+
+  // Sources and queries both come here, so the rim has one meaning. Where faces around a vertex of the rim are left on
+  // several sides, the first one counts: the vertex is pinched then, and belongs to all of them.
+  //
+  // Returns a location of the user: the halfedge of the intrinsic mesh that is halfedge(f, tm), and the coordinates in
+  // the order of the intrinsic face. A location in a face to avoid is given in a neighbor that is not avoided: an edge
+  // or a vertex at the rim belongs to both. Throws Invalid_geodesic_input for a location that is not on the mesh, or
+  // inside of what is avoided. Linear in the degree for a vertex at the rim, else constant.
+  template <typename BarycentricCoordinates>
+  std::pair<Halfedge_id, Coordinates> location_beside_avoided_faces(face_descriptor f, const BarycentricCoordinates& b,
+                                                                    const char* what, std::size_t position) const
+  {
+    if(m_is_avoided.empty() || f == Graph_traits::null_face() || !is_face_of(f, m_tm, m_fim)
+       || m_is_avoided[static_cast<std::size_t>(get(m_fim, f))] == 0)
+    {
+      const Halfedge_id h = checked_halfedge(f, what, position);
+      return {h, intrinsic_coordinates<FT>(h, b, what, position)};
+    }
+    // In the order of the user's corners: those of a face whose first halfedge is halfedge 0.
+    Coordinates c = intrinsic_coordinates<FT>(halfedge_of(0, 0), b, what, position);
+    snap_coordinates(c);
+    halfedge_descriptor h = halfedge(f, m_tm);
+    for(unsigned int k = 0; k < 3; ++k, h = next(h, m_tm))
+    {
+      if(c[k] == 1)
+        for(const halfedge_descriptor g : halfedges_around_source(h, m_tm))
+          if(is_open(g))
+            return location_on_halfedge(g, FT(1), FT(0));
+      if(c[k] != 0 && c[next_corner(k)] != 0 && c[previous_corner(k)] == 0 && is_open(opposite(h, m_tm)))
+        return location_on_halfedge(opposite(h, m_tm), c[next_corner(k)], c[k]);
+    }
+    reject_avoided(what, position);
   }
 
   // Appends the offset of the source with the number set.offsets.size(). Throws if it is infinite in the unit of the
@@ -327,7 +396,7 @@ private:
   {
     Intrinsic_mesh<FT> mesh;
     Face_graph_correspondence<TriangleMesh> table;
-    Face_graph_reader<FT, TriangleMesh, VertexIndexMap, FaceIndexMap>(m_tm, m_vim, m_fim)
+    Face_graph_reader<FT, TriangleMesh, VertexIndexMap, FaceIndexMap>(m_tm, m_vim, m_fim, m_is_avoided)
       .read(shape, mesh, table, wanted_vertices, blocks);
     m_mesh = std::move(mesh);
     m_table = std::move(table);
@@ -358,11 +427,31 @@ private:
         is_marked[static_cast<std::size_t>(get(m_vim, target(h, m_tm)))] = 1;
   }
 
-  // Returns the halfedge of the intrinsic mesh that is halfedge(f, tm). Requires: f is a face of the mesh as it was
-  // read.
-  Halfedge_id first_halfedge(face_descriptor f) const
+  // Has a halfedge a face that is not avoided? Only then has that face a number in the intrinsic mesh. Requires: there
+  // are flags.
+  bool is_open(halfedge_descriptor h) const
   {
-    return m_table.halfedge_of_face_index[static_cast<std::size_t>(get(m_fim, f))];
+    return !is_border(h, m_tm) && m_is_avoided[static_cast<std::size_t>(get(m_fim, face(h, m_tm)))] == 0;
+  }
+
+  // The location on a halfedge with a face, by the coordinates of its source and its target. The third coordinate is an
+  // exact zero, so that the location stays on the edge, or at the vertex, when it is inserted or asked for.
+  std::pair<Halfedge_id, Coordinates> location_on_halfedge(halfedge_descriptor h, const FT& a, const FT& b) const
+  {
+    const Halfedge_id first = first_halfedge(face(h, m_tm));
+    Halfedge_id i = first;
+    for(halfedge_descriptor g = halfedge(face(h, m_tm), m_tm); g != h; g = next(g, m_tm))
+      i = next_halfedge(i);
+    Coordinates c{};
+    c[index_in_face(i)] = a;
+    c[next_corner(index_in_face(i))] = b;
+    return {first, c};
+  }
+
+  [[noreturn]] static void reject_avoided(const char* what, std::size_t position)
+  {
+    reject_descriptor(Invalid_geodesic_input::Reason::INVALID_LOCATION, what, position,
+                      " is inside of the faces to avoid");
   }
 
   const TriangleMesh& m_tm;
@@ -371,6 +460,7 @@ private:
   Intrinsic_mesh<FT> m_mesh;
   Face_graph_correspondence<TriangleMesh> m_table;
   bool m_is_read = false;
+  std::vector<char> m_is_avoided; // by the index of the user's map, or empty
 };
 
 } // namespace internal

@@ -47,6 +47,7 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <atomic>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <limits>
@@ -100,8 +101,8 @@ public:
 
   Lazy_path_structure(const Triangle_mesh& tm, VertexIndexMap vertex_index_map, FaceIndexMap face_index_map,
                       VertexPointMap vertex_point_map, const Traits& traits)
-    : m_traits(traits), m_tm(tm), m_vertex_index_map(vertex_index_map), m_vertex_point_map(vertex_point_map),
-      m_solver(tm, vertex_index_map, face_index_map)
+    : m_traits(traits), m_tm(tm), m_vertex_index_map(vertex_index_map), m_face_index_map(face_index_map),
+      m_vertex_point_map(vertex_point_map),      m_solver(tm, vertex_index_map, face_index_map)
   {}
 
   Lazy_path_structure(const Lazy_path_structure&) = delete;
@@ -199,12 +200,27 @@ public:
       set_ready(Stage::EVERYWHERE);
   }
 
+  // The flags are made first, as the range may hold invalid faces, or be very large.
+  //
+  // Leaves faces out from now on. Forgets the results, and the mesh with its lengths: the next build reads points,
+  // unless lengths are given again. Throws Invalid_geodesic_input; then nothing changes. Takes linear time.
+  template <typename Faces>
+  void avoid_faces(const Faces& avoided)
+  {
+    std::vector<char> flags = flags_of_avoided_faces(m_tm, m_face_index_map, avoided);
+    m_solver.forget();
+    m_solver.avoid(std::move(flags));
+    if(m_sources.size() > 0)
+      set_changed();
+  }
+
   // Forgets sources, results, mesh and edge lengths. The next build reads points, also if lengths have been in use. The
   // object is ready, as without sources there is nothing to compute.
   void clear()
   {
     m_sources.clear();
     m_solver.forget();
+    m_solver.avoid({});
     set_ready(Stage::EVERYWHERE);
   }
 
@@ -251,6 +267,37 @@ public:
   Result sequence(face_descriptor f, const Barycentric_coordinates& location, Visitor& visitor) const
   {
     return sequence(query(f, location), visitor, [&] { visitor(f, location); });
+  }
+
+  // Returns the direction in which the shortest path leaves its source; not a number if no source reaches the point.
+  // Throws std::runtime_error if rounding hides the path.
+  double direction_at_source(vertex_descriptor v) const { return direction_at_source(query(v)); }
+
+  double direction_at_source(face_descriptor f, const Barycentric_coordinates& location) const
+  {
+    return direction_at_source(query(f, location));
+  }
+
+  // Writes the directions of all vertices, not a number for those that no source reaches. All vertices behind a bend
+  // have the direction of the path to the bend, which is traced once: that is what makes this cheap.
+  template <typename VertexDirectionMap>
+  void write_directions(VertexDirectionMap vertex_direction_map) const
+  {
+    using Value = typename boost::property_traits<VertexDirectionMap>::value_type;
+    prepare(Stage::AT_VERTICES);
+    std::vector<double> known(has_results() ? m_solver.mesh().number_of_vertices() : 0, -1.);
+    for(const vertex_descriptor v : vertices(m_tm))
+    {
+      double direction = std::numeric_limits<double>::quiet_NaN();
+      const Query q = query(v);
+      if(has_results() && is_reached(m_solver.arrival(q)))
+      {
+        double& d = known[m_solver.end_of_first_piece(q.vertex)];
+        d = d < 0 ? direction_at_source(q) : d;
+        direction = d;
+      }
+      put(vertex_direction_map, v, static_cast<Value>(direction));
+    }
   }
 
   // Writes the distances of all vertices; -1 for those that no source reaches. (-1 as in the queries, since the value
@@ -306,6 +353,8 @@ public:
 private:
   using Query = typename Solver::Query;
   using Arrival = typename Solver::Arrival;
+
+  static constexpr double full_circle = 6.283185307179586;
 
   // For build(): a propagation without a visitor.
   struct Run_to_the_end
@@ -448,6 +497,26 @@ private:
     return is_reached(a) ? m_solver.source_number(a) : no_source;
   }
 
+  // Traces the first straight piece of the path only, the one at the source. Its end is a vertex, whose own path is
+  // this piece. A location whose path is straight has no such vertex, and is traced by itself.
+  double direction_at_source(Query q) const
+  {
+    if(!has_results())
+      return std::numeric_limits<double>::quiet_NaN();
+    Arrival a = m_solver.arrival(q);
+    if(!is_reached(a))
+      return std::numeric_limits<double>::quiet_NaN();
+    if(q.vertex != null_id || !m_solver.field().is_source(a.root))
+    {
+      q = Query();
+      q.vertex = m_solver.end_of_first_piece(a.root);
+      a = m_solver.arrival(q);
+    }
+    const face_descriptor f = m_sources.by_number(m_solver.source_number(a))->first;
+    const double direction = std::remainder(m_solver.direction_at_source(q, m_solver.path(q, a), f), full_circle);
+    return direction < 0 ? direction + full_circle : direction;
+  }
+
   // Traces the path before it calls the visitor, because tracing may throw.
   template <typename Visitor, typename ReportQuery>
   Result sequence(const Query& q, Visitor& visitor, ReportQuery report_query) const
@@ -468,6 +537,7 @@ private:
   const Traits m_traits;
   const Triangle_mesh& m_tm;
   VertexIndexMap m_vertex_index_map;
+  FaceIndexMap m_face_index_map;
   VertexPointMap m_vertex_point_map;
   // What const queries may compute, under the mutex. m_ready says what readers may read without it.
   mutable std::mutex m_mutex;

@@ -98,6 +98,10 @@ public:
     m_has_run = false;
   }
 
+  // Leaves faces out when the mesh is read the next time (Intrinsic_surface). The mesh that has been read, if any, does
+  // not change: the caller forgets it first. Requires: !has_mesh().
+  void avoid(std::vector<char> is_avoided) { m_surface.avoid(std::move(is_avoided)); }
+
   // Forgets the mesh, the sources and all results.
   void forget()
   {
@@ -265,6 +269,31 @@ public:
     if(!is_found)
       throw std::runtime_error("Surface_mesh_geodesic_paths: the path cannot be traced: rounding error");
     return steps;
+  }
+
+  // Returns the first vertex behind the source at which the path to a vertex bends, or the vertex itself if the path is
+  // straight. The paths to both leave the source in the same direction, as the first piece of a shortest path is one,
+  // too. Requires: v is reached. Takes time linear in the number of bends.
+  Vertex_id end_of_first_piece(Vertex_id v) const
+  {
+    while(!m_field.is_source(v) && !m_field.is_source(m_field.arrival[v].root))
+      v = m_field.arrival[v].root;
+    return v;
+  }
+
+  // Returns the direction in which a path leaves its source, in the tangent frame of the source; 0 for a path without
+  // length. `steps` is path(q, a), and f the face of the user in which the source lies. The face does not matter if the
+  // source is a vertex of the mesh. Linear in the degree of the source.
+  double direction_at_source(const Query& q, const Path_steps<double>& steps, face_descriptor f) const
+  {
+    // (A path from a location in a face begins behind the location.)
+    const Departure<double> d = steps.size() == 1 && q.vertex == null_id
+                                  ? departure_to_point(mesh(), steps.back().vertex, q.face, q.coordinates)
+                                  : departure(mesh(), steps);
+    if(d.halfedge == null_id)
+      return 0;
+    return mesh().source(d.halfedge) < user_surface().number_of_vertices() ? m_surface.direction_at_vertex(d)
+                                                                           : m_surface.direction_in_face(d, f);
   }
 
   // Reports the path from a point to a sink, without the point itself if it is a location. Calls

@@ -17,6 +17,8 @@
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Intrinsic_surface.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/source_range.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
+#include <CGAL/Surface_mesh_geodesics/internal/paths/Departure.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Face_parts.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Source_insertion.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Source_set.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/barycentric_coordinates.h>
@@ -74,6 +76,10 @@ public:
   const Intrinsic_mesh<double>& mesh() const { return m_surface.mesh(); }
 
   // --- building ---
+
+  // Leaves faces out when the mesh is read the next time (Intrinsic_surface). Sources and the mesh that has been read
+  // stay as they are until then.
+  void avoid(std::vector<char> is_avoided) { m_surface.avoid(std::move(is_avoided)); }
 
   // Reads the user's mesh, and removes all sources. Throws Invalid_geodesic_input; then nothing changes.
   template <typename Shape, typename Blocks>
@@ -147,6 +153,47 @@ public:
 
   const Face_parts<double>& parts() const { return m_insertion.parts(); }
 
+  // --- the tangent frame of a source; trace_geodesic.h documents it ---
+
+  // Returns the direction of a departure from a source that is a vertex of the user: the angle from
+  // opposite(halfedge(v, tm), tm), scaled to a full turn, or at the border the angle from the first halfedge. Linear in
+  // the degree.
+  double direction_at_vertex(const Departure<double>& d) const
+  {
+    const Halfedge_id wanted = m_surface.halfedge_of_frame(mesh().source(d.halfedge));
+    const Angle_around<double> a = angle_around(mesh(), d, [&](Halfedge_id h)
+    {
+      double t = 0;
+      return wanted != null_id && parts().find_on_whole_edge(h, t) && h == wanted;
+    });
+    return a.is_closed && a.total > 0 ? a.angle / a.total * full_circle() : a.angle;
+  }
+
+  // Returns the direction of a departure from a source in the face f of the user, or on an edge of it: the angle from
+  // halfedge(f, tm). Of the parts of the face around the source, the largest one knows best where that halfedge is.
+  // Linear in the degree.
+  double direction_in_face(const Departure<double>& d, face_descriptor f) const
+  {
+    const Halfedge_id first = m_surface.first_halfedge(f);
+    Halfedge_id reference = null_id;
+    double angle = 0, largest = 0;
+    mesh().for_each_halfedge_around(mesh().source(d.halfedge), [&](Halfedge_id h)
+    {
+      const Face_part<double>* const part = parts().find_part_of(face_of(h));
+      if(part == nullptr || part->whole != face_of(first))
+        return;
+      const auto a = angle_to_side_of_part(mesh().face(face_of(h)), part->corner, index_in_face(h),
+                                           index_in_face(first));
+      if(a[1] > largest)
+      {
+        reference = h;
+        angle = a[0];
+        largest = a[1];
+      }
+    });
+    return angle + angle_around(mesh(), d, [&](Halfedge_id h) { return h == reference; }).angle;
+  }
+
   // --- queries: they throw Invalid_geodesic_input ---
 
   Query query(vertex_descriptor v) const
@@ -162,8 +209,9 @@ public:
   Query query(face_descriptor f, const BarycentricCoordinates& b) const
   {
     const std::size_t no_element = Invalid_geodesic_input::no_element;
-    const Halfedge_id h = m_surface.checked_halfedge(f, "the query", no_element);
-    Coordinates c = intrinsic_coordinates<double>(h, b, "the query", no_element);
+    const auto at = m_surface.location_beside_avoided_faces(f, b, "the query", no_element);
+    const Halfedge_id h = at.first;
+    Coordinates c = at.second;
     snap_coordinates(c);
     Query q;
     q.is_location = true;
@@ -184,6 +232,8 @@ public:
   }
 
 private:
+  static constexpr double full_circle() { return 6.283185307179586; }
+
   // Returns the vertex at corner k of a face of the mesh as it was before sources were inserted. After insertions, f is
   // the number of one of the parts of that face, whose corners may be others.
   Vertex_id corner_vertex(Face_id f, unsigned int k) const

@@ -11,11 +11,15 @@
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_DISTANCE_FUNCTIONS_H
 
 // What the free functions for distances and for matrices of distances do behind their documentation: read the named
-// parameters, read the mesh, compute, and write to the user's maps.
+// parameters, read the mesh, compute, and write to the user's maps. The room parameters/ knows which parameters there
+// are; here their values are used.
 
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Distance_solver.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Face_shapes.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Intrinsic_surface.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_checks.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_values.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/run_with_visitor.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/source_range.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Available_tag.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_matrix.h>
@@ -25,10 +29,13 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/tags.h>
 
+#include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <limits>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_geodesics {
@@ -61,7 +68,28 @@ template <typename TriangleMesh, typename Solver>
 void write_nearest_sources(const TriangleMesh&, const Solver&, No_nearest_source_map)
 {}
 
-// Computes the distances from sources for all functions of geodesic_distances.h. `shape` tells where the lengths come
+// The value is a range, or a map that is read at each face; either may be in std::ref() or std::cref(). A value of
+// another type does not compile.
+//
+// Returns the flags of the faces to avoid among the named parameters; none if the parameter is not there, at no cost.
+// Throws Invalid_geodesic_input. Takes linear time.
+template <typename TriangleMesh, typename FaceIndexMap, typename NamedParameters>
+std::vector<char> avoided_faces(const TriangleMesh& tm, const FaceIndexMap& fim, const NamedParameters& np)
+{
+  if constexpr(Has_parameter<NamedParameters, internal_np::faces_to_avoid_t>::value)
+  {
+    using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor;
+    const auto& avoided = parameters::get_parameter_reference(np, internal_np::faces_to_avoid);
+    using Value = std::remove_const_t<std::remove_reference_t<decltype(avoided)>>;
+    static_assert(Is_property_map<Value>::value || Is_range_of<Value, face_descriptor>::value,
+                  "the value of the named parameter faces_to_avoid is neither a range of faces nor a property map");
+    return flags_of_avoided_faces(tm, fim, avoided);
+  }
+  else
+    return {};
+}
+
+// Computes the distances from sources with given options (parameter_values.h). `shape` tells where the lengths come
 // from (Face_shapes.h), `visitor` is told of the progress. Rules and FT, the pruning rules and the number type of the
 // computation, are the defaults except in tests and measurements. Checks the numbers in the options before it reads the
 // mesh. Returns false if the visitor cancels.
@@ -78,7 +106,7 @@ bool compute_geodesic_distances(const TriangleMesh& tm, VertexDistanceMap vertex
   auto fim = CGAL::get_initialized_face_index_map(tm, np);
   check_numbers(options);
   Distance_solver<ConcurrencyTag, FT, TriangleMesh, decltype(vim), decltype(fim), Rules> solver(
-    tm, vim, fim, std::move(shape), sources);
+    tm, vim, fim, std::move(shape), sources, avoided_faces(tm, fim, np));
   if(!solver.run(sources, options, visitor))
     return false;
   write_distances(tm, solver, vertex_distance_map);
@@ -86,8 +114,21 @@ bool compute_geodesic_distances(const TriangleMesh& tm, VertexDistanceMap vertex
   return true;
 }
 
-// Returns the shape of the faces from the point map among the named parameters. The map is copied, and the mesh
-// referred to.
+// Does the same for the functions of geodesic_distances.h, with the options and the visitor among the named parameters
+// of a user. The values of ranges are copied once, which takes linear time; the maps are those of the user.
+template <typename ConcurrencyTag, typename TriangleMesh, typename VertexDistanceMap, typename Sources, typename Shape,
+          typename NamedParameters>
+bool compute_distances_with_parameters(const TriangleMesh& tm, VertexDistanceMap vertex_distance_map,
+                                       const Sources& sources, Shape shape, const NamedParameters& np)
+{
+  Visitor_parameter<NamedParameters> visitor_parameter(np);
+  auto& visitor = visitor_parameter.visitor();
+  return compute_geodesic_distances<ConcurrencyTag>(tm, vertex_distance_map, sources,
+                                                    distance_options<TriangleMesh>(np), std::move(shape), visitor, np);
+}
+
+// Returns the shape of the faces from the point map among the named parameters, or from the points of the mesh if there
+// is none. The map is copied, and the mesh referred to. Takes constant time: points are read when the mesh is.
 template <typename FT, typename TriangleMesh, typename NamedParameters>
 auto shape_from_points(const TriangleMesh& tm, const NamedParameters& np)
 {
@@ -109,7 +150,7 @@ bool with_surface(const TriangleMesh& tm, const NamedParameters& np, Use use)
   auto vim = CGAL::get_initialized_vertex_index_map(tm, np);
   auto fim = CGAL::get_initialized_face_index_map(tm, np);
   const Intrinsic_surface<double, TriangleMesh, decltype(vim), decltype(fim)> surface(
-    tm, vim, fim, shape_from_points<double>(tm, np), Blocks());
+    tm, vim, fim, shape_from_points<double>(tm, np), Blocks(), avoided_faces(tm, fim, np));
   return use(surface);
 }
 

@@ -30,19 +30,39 @@ namespace internal {
 
 // The visitor among named parameters: the object of the user if it was passed with std::ref(), a copy of it if not, and
 // one that does nothing if there is none.
+//
+// CGAL returns a reference to what was passed with std::ref(), and a value or a reference to a constant object for
+// anything else. (choose_parameter() would return a reference to that value, which ends with the expression.)
 template <typename NamedParameters>
 class Visitor_parameter
 {
-  static decltype(auto) chosen(const NamedParameters& np, Geodesic_default_visitor& none)
+  static decltype(auto) found(const NamedParameters& np)
   {
-    return parameters::choose_parameter(parameters::get_parameter_reference(np, internal_np::visitor), none);
+    return parameters::get_parameter_reference(np, internal_np::visitor);
   }
 
-  using Chosen = std::remove_reference_t<decltype(chosen(std::declval<const NamedParameters&>(),
-                                                         std::declval<Geodesic_default_visitor&>()))>;
+  using Found = decltype(found(std::declval<const NamedParameters&>()));
+  using Value = std::remove_cv_t<std::remove_reference_t<Found>>;
+  static constexpr bool is_default = std::is_same<Value, CGAL::internal_np::Param_not_found>::value;
+  static constexpr bool is_referred_to
+    = std::is_lvalue_reference<Found>::value && !std::is_const<std::remove_reference_t<Found>>::value;
+  using Copy_or_reference = std::conditional_t<is_referred_to, Found, Value>;
+  using Visitor = std::conditional_t<is_default, Geodesic_default_visitor, Copy_or_reference>;
+
+  // A default visitor is made of nothing.
+  static Visitor chosen(const NamedParameters& np)
+  {
+    if constexpr(is_default)
+    {
+      static_cast<void>(np);
+      return Visitor();
+    }
+    else
+      return found(np);
+  }
 
 public:
-  explicit Visitor_parameter(const NamedParameters& np) : m_visitor(chosen(np, m_none)) {}
+  explicit Visitor_parameter(const NamedParameters& np) : m_visitor(chosen(np)) {}
 
   Visitor_parameter(const Visitor_parameter&) = delete;
   Visitor_parameter& operator=(const Visitor_parameter&) = delete;
@@ -50,8 +70,7 @@ public:
   auto& visitor() { return m_visitor; }
 
 private:
-  Geodesic_default_visitor m_none;
-  std::conditional_t<std::is_const<Chosen>::value, std::remove_const_t<Chosen>, Chosen&> m_visitor;
+  Visitor m_visitor;
 };
 
 // Calls run(go_on), a propagation, between the first and the last function of the visitor, and returns its result. The

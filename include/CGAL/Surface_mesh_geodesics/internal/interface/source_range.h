@@ -26,6 +26,7 @@
 #include <string>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_geodesics {
@@ -77,11 +78,6 @@ void for_each_source(const Sources& sources, Visit visit)
       visit(source);
     }
 }
-
-// The default of Geodesic_distance_options::nearest_source_map: the nearest sources are not requested.
-// write_nearest_sources() does nothing for it.
-struct No_nearest_source_map
-{};
 
 // --- validity of descriptors, before the mesh is read ---
 
@@ -153,6 +149,58 @@ bool is_face_of(typename boost::graph_traits<TriangleMesh>::face_descriptor f, c
 [[noreturn]] inline void reject_null_face(const char* what, std::size_t position)
 {
   reject_descriptor(Invalid_geodesic_input::Reason::INVALID_LOCATION, what, position, " has a null face");
+}
+
+// --- faces to avoid ---
+
+// They are given to the reader as flags by the index of a face: the reader meets each face once, and asks with its
+// index at hand. So faces to avoid cost one array of bytes, and a mesh without them costs one test in all.
+
+// True for a property map: such types name their category. All other types are ranges. (Both may have begin().)
+template <typename T, typename = void>
+struct Is_property_map
+  : std::false_type
+{};
+
+template <typename T>
+struct Is_property_map<T, std::void_t<typename T::category>>
+  : std::true_type
+{};
+
+// An index that is out of range marks nothing here: the reader, which sees every face, rejects it with its position.
+// Faces that have been removed from the mesh are not among its faces, and are rejected in a range.
+//
+// Returns a flag for each index of a face, set for the faces to avoid; empty if there are none. These are the faces of
+// a range, or those for which a property map is true. Throws Invalid_geodesic_input if a face of the range is not one
+// of the mesh; its position is that in the range. Takes linear time.
+template <typename TriangleMesh, typename FaceIndexMap, typename Faces>
+std::vector<char> flags_of_avoided_faces(const TriangleMesh& tm, const FaceIndexMap& fim, const Faces& avoided)
+{
+  using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor;
+  std::vector<char> flags;
+  const auto mark = [&](face_descriptor f)
+  {
+    flags.resize(num_faces(tm), 0);
+    flags[static_cast<std::size_t>(get(fim, f))] = 1;
+  };
+  if constexpr(Is_property_map<Faces>::value)
+  {
+    for(const face_descriptor f : faces(tm))
+      if(get(avoided, f) && is_face_of(f, tm, fim)) // an index out of range is rejected when the mesh is read
+        mark(f);
+  }
+  else
+  {
+    std::size_t position = 0;
+    for(const face_descriptor f : avoided)
+    {
+      if(f == boost::graph_traits<TriangleMesh>::null_face() || !is_face_of(f, tm, fim))
+        reject_face("the face to avoid", position);
+      mark(f);
+      ++position;
+    }
+  }
+  return flags;
 }
 
 // Returns the barycentric coordinates of a location in the order of the corners of the intrinsic face. The user's order

@@ -81,13 +81,6 @@ Planar_point<FT> direction_from(const Additively_weighted_point<FT>& from, const
   return n > 0 ? Planar_point<FT>{FT(dx / n), FT(dy / n)} : Planar_point<FT>();
 }
 
-// Returns the distance in the plane, without the weight.
-template <typename FT>
-FT planar_distance(const Additively_weighted_point<FT>& a, const Planar_point<FT>& p)
-{
-  return norm<FT>(p.x - a.x, p.y - a.y);
-}
-
 // Returns the point close to p that is as far from a as from b and from c.
 template <typename FT>
 Planar_point<FT> polished_vertex(const Additively_weighted_point<FT>& a, const Additively_weighted_point<FT>& b,
@@ -100,7 +93,7 @@ Planar_point<FT> polished_vertex(const Additively_weighted_point<FT>& a, const A
     return std::array<FT, 6>{FT(d - b.distance_to(q)), FT(d - c.distance_to(q)), FT(ua.x - ub.x),
                              FT(ua.y - ub.y), FT(ua.x - uc.x), FT(ua.y - uc.y)};
   }, [&](const Planar_point<FT>& q)
-  { return (std::min)({planar_distance(a, q), planar_distance(b, q), planar_distance(c, q)}); });
+  { return (std::min)({a.planar_distance_to(q), b.planar_distance_to(q), c.planar_distance_to(q)}); });
 }
 
 // Returns the point close to p at which the bisector of a and b intersects the line of h.
@@ -113,7 +106,7 @@ Planar_point<FT> polished_intersection(const Additively_weighted_point<FT>& a, c
     const Planar_point<FT> ua = direction_from(a, q), ub = direction_from(b, q);
     return std::array<FT, 6>{FT(a.distance_to(q) - b.distance_to(q)), h(q), FT(ua.x - ub.x),
                              FT(ua.y - ub.y), h.a, h.b};
-  }, [&](const Planar_point<FT>& q) { return (std::min)(planar_distance(a, q), planar_distance(b, q)); });
+  }, [&](const Planar_point<FT>& q) { return (std::min)(a.planar_distance_to(q), b.planar_distance_to(q)); });
 }
 
 // Returns the line through p perpendicular to the bisector of a and b: its direction is the gradient of the difference

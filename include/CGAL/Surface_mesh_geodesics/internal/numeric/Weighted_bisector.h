@@ -77,7 +77,8 @@ struct Additively_weighted_point
 {
   FT x = 0, y = 0, weight = 0;
 
-  FT distance_to(const Planar_point<FT>& p) const { return weight + norm<FT>(p.x - x, p.y - y); }
+  FT planar_distance_to(const Planar_point<FT>& p) const { return norm<FT>(p.x - x, p.y - y); }
+  FT distance_to(const Planar_point<FT>& p) const { return weight + planar_distance_to(p); }
 };
 
 // Returns whether the distance a is smaller than b beyond the rounding of images: stricter than is_clearly_less().

@@ -12,6 +12,7 @@
 
 #include <CGAL/number_utils.h>
 
+#include <array>
 #include <cmath>
 
 namespace CGAL {
@@ -24,6 +25,13 @@ template <typename Point>
 double distance_in_space(const Point& p, const Point& q)
 {
   return std::hypot(CGAL::to_double(q.x() - p.x()), CGAL::to_double(q.y() - p.y()), CGAL::to_double(q.z() - p.z()));
+}
+
+// The coordinates of a point of any kernel, as doubles.
+template <typename Point>
+std::array<double, 3> coordinates_in_space(const Point& p)
+{
+  return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
 }
 
 } // namespace internal

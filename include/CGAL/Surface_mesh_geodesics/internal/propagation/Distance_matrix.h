@@ -59,18 +59,18 @@ public:
   }
 
   // Runs from one source, and returns the result, which is valid until the next run. The source is `location` unless
-  // that is null, else `vertex`. If `stop` is set meanwhile, the run ends early and no distances are known; the row is
-  // not output then. (The flag guards no other memory, so its order relative to other reads does not matter.)
+  // that is null, else `vertex`. If go_further() returns false meanwhile, the run ends early and no distances are
+  // known; the row is not output then.
   // Requires: `location` is null unless the worker has a copy of the mesh.
+  template <typename GoFurther>
   const Runner& run(Vertex_id vertex, const Located_source<FT>* location, const Run_limits<FT>& limits,
-                    const Stop_flag& stop)
+                    const GoFurther& go_further)
   {
     m_source.vertices.assign(1, vertex);
     m_source.located.clear();
     if(location != nullptr)
       m_source.located.push_back(Located_source<FT>{location->face, location->coordinates, 0});
-    m_runner->run(m_source, limits,
-                  [&stop](std::size_t, const FT&) { return !stop.load(std::memory_order_relaxed); });
+    m_runner->run(m_source, limits, [&](std::size_t, const FT&) { return go_further(); });
     return *m_runner;
   }
 
@@ -81,11 +81,38 @@ private:
   Source_set<FT> m_source; // one source without an offset; a buffer between runs
 };
 
+// True for a function object of the user that can end rows that have begun.
+template <typename Output, typename = void>
+struct Ends_rows
+  : std::false_type
+{};
+
+template <typename Output>
+struct Ends_rows<Output, std::void_t<decltype(std::declval<Output&>().go_further())>>
+  : std::true_type
+{};
+
+// Asks the function object of the user whether to go on with rows that have begun. Several threads may call it.
+template <typename Output>
+bool wants_more(Output& output)
+{
+  if constexpr(Ends_rows<Output>::value)
+    return static_cast<bool>(output.go_further());
+  else
+  {
+    static_cast<void>(output);
+    return true;
+  }
+}
+
 // Passes a row to the function of the user; returns whether to go on. A function that returns void never stops; the
-// result of any other is converted to bool.
+// result of any other is converted to bool. A row that has ended early is not passed on: go_further() returns false
+// again.
 template <typename Output, typename Row>
 bool put_row(Output& output, std::size_t i, const Row& row)
 {
+  if(!wants_more(output))
+    return false;
   if constexpr(std::is_void<decltype(output(i, row))>::value)
   {
     output(i, row);
@@ -122,68 +149,14 @@ public:
   Distance_matrix(const Distance_matrix&) = delete;
   Distance_matrix& operator=(const Distance_matrix&) = delete;
 
-  // The functions below pass the rows to output(i, row), in the order of the sources, and return false if `output` ends
-  // the computation. `tag` is Sequential_tag, or a tag or a team of threads that Ordered_rows.h knows. An exception of
-  // `output` ends all threads and is thrown on.
-
-  // Row i has the distances of all targets from source i, in the order of the targets. Each run ends when all of them
-  // are known.
-  template <typename Tag, typename Output>
-  bool put_dense_rows(Tag tag, const std::vector<Vertex_id>& targets, Output& output) const
-  {
-    return put_rows<Dense_row>(tag, output, [&](Worker& worker, std::size_t i, Dense_row& row, const Stop_flag& stop)
-    {
-      run_to(worker, i, targets.data(), targets.data() + targets.size(), row, stop);
-    });
-  }
-
-  // Row i has the distances of the sources i, i+1, ... from source i: the rest is symmetric. Requires: all sources are
-  // vertices.
-  template <typename Tag, typename Output>
-  bool put_triangular_rows(Tag tag, Output& output) const
-  {
-    const std::vector<Vertex_id>& v = m_sources.vertices;
-    return put_rows<Dense_row>(tag, output, [&](Worker& worker, std::size_t i, Dense_row& row, const Stop_flag& stop)
-    {
-      run_to(worker, i, v.data() + i, v.data() + v.size(), row, stop);
-    });
-  }
-
-  // Row i has the targets whose distance from source i is at most the maximum (in the user's unit), in the order of
-  // their positions. A run ends at the maximum, or when all targets are final if that is earlier. A row takes time for
-  // the vertices that the run reaches, not for all targets.
-  // Requires: maximum_distance >= 0; the targets are vertices of the mesh.
-  template <typename Tag, typename Output>
-  bool put_sparse_rows(Tag tag, const std::vector<Vertex_id>& targets, double maximum_distance,
-                       Output& output) const
-  {
-    const Target_positions positions(targets, m_mesh.number_of_vertices());
-    return put_rows<Sparse_row>(tag, output, [&](Worker& worker, std::size_t i, Sparse_row& row, const Stop_flag& stop)
-    {
-      row.clear();
-      if(targets.empty())
-        return;
-      Run_limits<FT> limits;
-      limits.maximum_distance = FT(maximum_distance) / m_mesh.unit();
-      limits.first_target = targets.data();
-      limits.last_target = targets.data() + targets.size();
-      const Runner& runner = worker.run(m_sources.vertices[i], m_location[i], limits, stop);
-      for(const Vertex_id v : runner.vertices_reached())
-        if(runner.distance(v) <= limits.maximum_distance)
-          positions.for_each(v, [&](std::size_t j) { row.emplace_back(j, distance(runner, v)); });
-      std::sort(row.begin(), row.end());
-    });
-  }
-
-private:
   // The positions of each vertex in a range of targets, which may contain it several times: a list for each vertex,
   // linked by position. All threads read one object, which is made once for a matrix, in time linear in the numbers of
-  // targets and of vertices.
+  // targets and of vertices. Refers to the targets.
   class Target_positions
   {
   public:
     Target_positions(const std::vector<Vertex_id>& targets, std::size_t number_of_vertices)
-      : m_first(number_of_vertices, none), m_next(targets.size())
+      : m_targets(targets), m_first(number_of_vertices, none), m_next(targets.size())
     {
       for(std::size_t j = 0; j < targets.size(); ++j)
       {
@@ -191,6 +164,8 @@ private:
         m_first[targets[j]] = j;
       }
     }
+
+    const std::vector<Vertex_id>& targets() const { return m_targets; }
 
     // Calls visit(position) for all positions of v. An inserted source has none.
     template <typename Visit>
@@ -203,19 +178,68 @@ private:
 
   private:
     static constexpr std::size_t none = static_cast<std::size_t>(-1);
+    const std::vector<Vertex_id>& m_targets;
     std::vector<std::size_t> m_first, m_next;
   };
 
-  // Returns the distance of a vertex in the user's unit.
-  double distance(const Runner& runner, Vertex_id v) const
+  // The functions below pass the rows to output(i, row), in the order of the sources, and return false if `output` ends
+  // the computation. `tag` is Sequential_tag, or a tag or a team of threads that Ordered_rows.h knows. An exception of
+  // `output` ends all threads and is thrown on.
+
+  // Row i has the distances of all targets from source i, in the order of the targets. Each run ends when all of them
+  // are known.
+  template <typename Tag, typename Output>
+  bool put_dense_rows(Tag tag, const std::vector<Vertex_id>& targets, Output& output) const
   {
-    return static_cast<double>(FT(runner.distance(v) * m_mesh.unit()));
+    return put_rows<Dense_row>(tag, output, [&](Worker& worker, std::size_t i, Dense_row& row, const auto& go_further)
+    {
+      fill_dense_row(worker, i, targets.data(), targets.data() + targets.size(), row, go_further);
+    });
+  }
+
+  // Row i has the distances of the sources i, i+1, ... from source i: the rest is symmetric. Requires: all sources are
+  // vertices.
+  template <typename Tag, typename Output>
+  bool put_triangular_rows(Tag tag, Output& output) const
+  {
+    const std::vector<Vertex_id>& v = m_sources.vertices;
+    return put_rows<Dense_row>(tag, output, [&](Worker& worker, std::size_t i, Dense_row& row, const auto& go_further)
+    {
+      fill_dense_row(worker, i, v.data() + i, v.data() + v.size(), row, go_further);
+    });
+  }
+
+  // Row i has the targets whose distance from source i is at most the maximum (in the user's unit), in the order of
+  // their positions. A run ends at the maximum, or when all targets are final if that is earlier. A row takes time for
+  // the vertices that the run reaches, not for all targets.
+  // Requires: maximum_distance >= 0; the targets are vertices of the mesh.
+  template <typename Tag, typename Output>
+  bool put_sparse_rows(Tag tag, const std::vector<Vertex_id>& targets, double maximum_distance,
+                       Output& output) const
+  {
+    const Target_positions positions(targets, m_mesh.number_of_vertices());
+    return put_rows<Sparse_row>(tag, output, [&](Worker& worker, std::size_t i, Sparse_row& row, const auto& go_further)
+    {
+      fill_sparse_row(worker, i, positions, maximum_distance, row, go_further);
+    });
+  }
+
+  // --- single rows, in any order, for a caller that has threads of its own; each thread needs a worker of its own.
+  // go_further() is asked meanwhile; if it returns false, the row is not complete. ---
+
+  const Source_set<FT>& sources() const { return m_sources; }
+
+  // Only located sources change the mesh, so without them no worker needs a copy.
+  std::unique_ptr<Worker> make_worker() const
+  {
+    return std::make_unique<Worker>(m_mesh, !m_sources.located.empty());
   }
 
   // Fills a row with the distances of [first, last) from source i. The range must not change during the run. (Without
   // targets nothing is run: a run without targets would have no limit.)
-  void run_to(Worker& worker, std::size_t i, const Vertex_id* first, const Vertex_id* last, Dense_row& row,
-              const Stop_flag& stop) const
+  template <typename GoFurther>
+  void fill_dense_row(Worker& worker, std::size_t i, const Vertex_id* first, const Vertex_id* last, Dense_row& row,
+                      const GoFurther& go_further) const
   {
     row.clear();
     if(first == last)
@@ -223,19 +247,47 @@ private:
     Run_limits<FT> limits;
     limits.first_target = first;
     limits.last_target = last;
-    const Runner& runner = worker.run(m_sources.vertices[i], m_location[i], limits, stop);
+    const Runner& runner = worker.run(m_sources.vertices[i], m_location[i], limits, go_further);
     for(; first != last; ++first)
       row.push_back(distance(runner, *first));
   }
 
-  // Calls compute(worker, i, row, stop) for each row, in the threads of `tag`, and passes the rows on in order. Only
-  // located sources change the mesh, so without them no worker needs a copy.
+  // Fills a row with the targets within the maximum distance, as put_sparse_rows() says.
+  template <typename GoFurther>
+  void fill_sparse_row(Worker& worker, std::size_t i, const Target_positions& positions, double maximum_distance,
+                       Sparse_row& row, const GoFurther& go_further) const
+  {
+    row.clear();
+    const std::vector<Vertex_id>& targets = positions.targets();
+    if(targets.empty())
+      return;
+    Run_limits<FT> limits;
+    limits.maximum_distance = FT(maximum_distance) / m_mesh.unit();
+    limits.first_target = targets.data();
+    limits.last_target = targets.data() + targets.size();
+    const Runner& runner = worker.run(m_sources.vertices[i], m_location[i], limits, go_further);
+    for(const Vertex_id v : runner.vertices_reached())
+      if(runner.distance(v) <= limits.maximum_distance)
+        positions.for_each(v, [&](std::size_t j) { row.emplace_back(j, distance(runner, v)); });
+    std::sort(row.begin(), row.end());
+  }
+
+private:
+  // Returns the distance of a vertex in the user's unit.
+  double distance(const Runner& runner, Vertex_id v) const
+  {
+    return static_cast<double>(FT(runner.distance(v) * m_mesh.unit()));
+  }
+
+  // Calls compute(worker, i, row, go_further) for each row, in the threads of `tag`, and passes the rows on in order.
+  // (The flag of Ordered_rows guards no other memory, so its order relative to other reads does not matter.)
   template <typename Row, typename Tag, typename Output, typename Compute>
   bool put_rows(Tag tag, Output& output, Compute compute) const
   {
-    const bool needs_copies = !m_sources.located.empty();
     return for_each_ordered_row<Row>(
-      tag, m_sources.vertices.size(), [&]() { return std::make_unique<Worker>(m_mesh, needs_copies); }, compute,
+      tag, m_sources.vertices.size(), [this]() { return make_worker(); },
+      [&](Worker& worker, std::size_t i, Row& row, const Stop_flag& stop)
+      { compute(worker, i, row, [&]() { return !stop.load(std::memory_order_relaxed) && wants_more(output); }); },
       [&](std::size_t i, const Row& row) { return put_row(output, i, row); });
   }
 

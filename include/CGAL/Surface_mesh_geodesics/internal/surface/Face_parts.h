@@ -75,6 +75,13 @@ public:
     return part->second.whole;
   }
 
+  // Returns the corners of f in its whole face, or null if the face has not been divided.
+  const Face_part<FT>* find_part_of(Face_id f) const
+  {
+    const auto part = m_part_of.find(f);
+    return part == m_part_of.end() ? nullptr : &part->second;
+  }
+
   // Returns whether the point at fraction t of halfedge h is on an edge of the first mesh; if so, h and t become that
   // halfedge and the fraction there. Decided for the halfedge as a whole: both of its ends are on that edge. (An edge
   // of a part that only ends on an edge of the whole face does not count, even at its end.)

@@ -84,6 +84,10 @@ public:
   Halfedge_id opposite(Halfedge_id h) const { return m_faces[face_of(h)].opposite[index_in_face(h)]; }
   const FT& length(Halfedge_id h) const { return m_faces[face_of(h)].length[index_in_face(h)]; }
 
+  // Returns whether h is the halfedge of its edge with the smaller index, or the only one. Data of an edge is stored
+  // along that one, so that both faces share it. (null_id is the largest index.)
+  bool is_first_of_edge(Halfedge_id h) const { return h < opposite(h); }
+
   // Returns the halfedge that leaves the same vertex one face further, counterclockwise or clockwise; null_id beyond
   // the border.
   Halfedge_id next_around_source(Halfedge_id h) const { return opposite(previous_halfedge(h)); }

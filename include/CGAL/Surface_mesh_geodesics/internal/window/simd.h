@@ -21,10 +21,10 @@
 // does so, without -ffp-contract=off, for instruction sets that have fused operations (-march=native, ARM).
 //
 // The instruction set is that of the compilation; for x86-64 without flags it is chosen at run time
-// (Window_list_loops.h).
+// (Window_list_loops.h), unless CGAL_SURFACE_MESH_GEODESICS_ONE_INSTRUCTION_SET is defined.
 //
-// If CGAL_SURFACE_MESH_GEODESICS_NO_SIMD is defined, double has one lane, too. This macro, and the flags that choose an
-// instruction set, must be the same in all files of a program that include this one.
+// If CGAL_SURFACE_MESH_GEODESICS_NO_SIMD is defined, double has one lane, too. These macros, and the flags that choose
+// an instruction set, must be the same in all files of a program that include this one.
 
 // The number of lanes of double in the instruction set of the compilation.
 #if !defined(CGAL_SURFACE_MESH_GEODESICS_NO_SIMD) && defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__))
@@ -39,6 +39,10 @@
 #elif defined(__AVX__)
 #define CGAL_SURFACE_MESH_GEODESICS_COMPILED_LANES 4
 #define CGAL_SURFACE_MESH_GEODESICS_COMPILED_NAMESPACE lanes_4
+#elif defined(CGAL_SURFACE_MESH_GEODESICS_ONE_INSTRUCTION_SET)
+// A name of its own, as window_list_loops() is another function here.
+#define CGAL_SURFACE_MESH_GEODESICS_COMPILED_LANES 2
+#define CGAL_SURFACE_MESH_GEODESICS_COMPILED_NAMESPACE lanes_2_only
 #else
 #define CGAL_SURFACE_MESH_GEODESICS_COMPILED_LANES 2
 #define CGAL_SURFACE_MESH_GEODESICS_COMPILED_NAMESPACE lanes_2
@@ -51,7 +55,7 @@
 
 // May one program contain code for AVX2 and AVX-512 as well as for SSE2? (Stacks on Windows are not aligned for it.)
 #if CGAL_SURFACE_MESH_GEODESICS_COMPILED_LANES == 2 && defined(__x86_64__) && !defined(_WIN32) \
-  && !defined(__EDG__)
+  && !defined(__EDG__) && !defined(CGAL_SURFACE_MESH_GEODESICS_ONE_INSTRUCTION_SET)
 #define CGAL_SURFACE_MESH_GEODESICS_HAS_WIDE_CODE
 #endif
 

@@ -20,9 +20,8 @@
 
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Arc_curve.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/distance_in_space.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
-
-#include <CGAL/number_utils.h>
 
 #include <array>
 #include <cstddef>
@@ -79,7 +78,7 @@ private:
       return 0;
     std::array<Space_vector, 3> corner;
     for(unsigned int k = 0; k < 3; ++k)
-      corner[k] = in_space(m_diagram.point(m_diagram.location(f, layout[k])));
+      corner[k] = coordinates_in_space(m_diagram.point(m_diagram.location(f, layout[k])));
     Space_vector u, v;
     for(unsigned int i = 0; i < 3; ++i)
     {
@@ -89,7 +88,7 @@ private:
     double result = 0;
     for(const Part& p : m_parts)
     {
-      Space_vector o = in_space(m_diagram.point_of_vertex(p.site));
+      Space_vector o = coordinates_in_space(m_diagram.point_of_vertex(p.site));
       for(unsigned int i = 0; i < 3; ++i)
         o[i] = corner[0][i] - o[i];
       result += dot(o, o) * p.first.area + 2 * dot(o, u) * p.first.x + 2 * dot(o, v) * p.first.y
@@ -133,11 +132,6 @@ private:
   }
 
   static double dot(const Space_vector& a, const Space_vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-  static Space_vector in_space(const typename Diagram::Point_3& p)
-  {
-    return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
-  }
 
   const Diagram& m_diagram;
   std::vector<Part> m_parts; // of the present face

@@ -83,7 +83,7 @@ public:
     std::unordered_map<std::uint32_t, std::size_t> starting; // node of the border -> the part that begins there
     for(std::size_t i = 0; i < parts.size(); ++i)
       if(!parts[i].is_closed)
-        starting.emplace(start_of(parts[i]), i);
+        starting.emplace(m_complex.start_of(parts[i].chains.front()), i);
     std::vector<Cell_loop> result;
     std::vector<char> is_used(parts.size(), 0);
     for(std::size_t first = 0; first < parts.size(); ++first)
@@ -96,7 +96,7 @@ public:
         is_used[i] = 1;
         add_arcs(parts[i], result.back());
         if(!parts[i].is_closed)
-          i = starting.at(follow_border(end_of(parts[i]), site, result.back()));
+          i = starting.at(follow_border(m_complex.end_of(parts[i].chains.back()), site, result.back()));
       }
     }
     return result;
@@ -134,19 +134,6 @@ private:
   {
     return m_mesh.opposite(h) == null_id && m_complex.owner(m_mesh.source(h)) == site
         && m_complex.nodes_on_edge(h).number == 0;
-  }
-
-  // Return the nodes where a part of a boundary begins and ends.
-  std::uint32_t start_of(const Voronoi_boundary_part& part) const
-  {
-    const auto& chain = m_complex.chains()[part.chains.front().first];
-    return part.chains.front().second ? chain.last_node : chain.first_node;
-  }
-
-  std::uint32_t end_of(const Voronoi_boundary_part& part) const
-  {
-    const auto& chain = m_complex.chains()[part.chains.back().first];
-    return part.chains.back().second ? chain.first_node : chain.last_node;
   }
 
   void add_arcs(const Voronoi_boundary_part& part, Cell_loop& loop) const

@@ -118,9 +118,9 @@ private:
     m_piece_names.clear();
     for(unsigned int k = 0; k < 3; ++k)
     {
-      const Halfedge_id h = halfedge_of(f, k), o = m_mesh.opposite(h);
-      const bool is_reversed = o != null_id && o < h;
-      const Halfedge_id edge = is_reversed ? o : h;
+      const Halfedge_id h = halfedge_of(f, k);
+      const bool is_reversed = !m_mesh.is_first_of_edge(h);
+      const Halfedge_id edge = is_reversed ? m_mesh.opposite(h) : h;
       const std::uint32_t last = Edge_contraction(m_mesh, m_complex, h).last();
       for(std::uint32_t i = 0; i < last; ++i)
       {

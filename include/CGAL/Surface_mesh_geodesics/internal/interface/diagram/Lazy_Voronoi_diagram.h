@@ -44,7 +44,6 @@
 #include <CGAL/Surface_mesh_geodesics/internal/surface/face_shape.h>
 
 #include <CGAL/assertions.h>
-#include <CGAL/number_utils.h>
 #include <CGAL/tags.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -160,6 +159,15 @@ public:
     m_read_mesh = [this]
     { m_solver.build_mesh(Shape_from_points<double, Triangle_mesh, VertexPointMap>(m_tm, m_vertex_point_map)); };
     forget_mesh();
+  }
+
+  // Leaves faces out from the next build on, in place of those of the last call.
+  template <typename Faces>
+  void avoid_faces(const Faces& avoided)
+  {
+    std::vector<char> flags = flags_of_avoided_faces(m_tm, m_face_index_map, avoided);
+    forget_mesh();
+    m_solver.avoid(std::move(flags));
   }
 
   // --- building: all functions throw Invalid_geodesic_input if the mesh or a site is invalid ---
@@ -512,7 +520,7 @@ private:
         Coordinates b{};
         b[k] = 1;
         const auto l = m_solver.user_location(f, b);
-        corner[k] = in_space(point(Face_location(l.first, Locations::coordinates(l.second, m_traits))));
+        corner[k] = coordinates_in_space(point(Face_location(l.first, Locations::coordinates(l.second, m_traits))));
       }
       m_measures.add_face(m_complex, f, corner);
     }
@@ -527,7 +535,7 @@ private:
     bool is_first = true;
     for(const vertex_descriptor v : vertices(m_tm))
     {
-      const std::array<double, 3> p = in_space(get(m_vertex_point_map, v));
+      const std::array<double, 3> p = coordinates_in_space(get(m_vertex_point_map, v));
       if(is_first)
         origin = p;
       is_first = false;
@@ -546,11 +554,6 @@ private:
   FT user_distance(const typename Solver::Arrival& a) const
   {
     return a.root == null_id ? FT(-1) : user_distance(a.distance);
-  }
-
-  static std::array<double, 3> in_space(const Point_3& p)
-  {
-    return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
   }
 
   // Returns the point of site i, also for a vertex in no face, which has no location.

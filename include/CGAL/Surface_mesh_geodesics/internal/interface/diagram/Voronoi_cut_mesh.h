@@ -78,7 +78,7 @@ public:
     m_first_piece.assign(4 * m_mesh.number_of_faces(), null_id);
     for(Face_id f = 0; f < m_mesh.number_of_faces(); ++f)
       for(unsigned int k = 0; k < 3; ++k)
-        if(is_first(halfedge_of(f, k)))
+        if(m_mesh.is_first_of_edge(halfedge_of(f, k)))
           add_edge_pieces(halfedge_of(f, k), point_in_face);
     Voronoi_face_cut cut(m_mesh, m_complex);
     for(Face_id f = 0; f < m_mesh.number_of_faces(); ++f)
@@ -92,17 +92,9 @@ public:
   }
 
 private:
-  // Returns whether h is the halfedge of its edge along which the pieces are stored: the one with the smaller index. At
-  // the border of the mesh, that is the only one.
-  bool is_first(Halfedge_id h) const
-  {
-    const Halfedge_id o = m_mesh.opposite(h);
-    return o == null_id || h < o;
-  }
-
   // Divides the edge of h where arcs end on it, and adds the pieces from its source to its target. The cut of both
-  // faces divides the edge in the same way (Edge_contraction). Requires: is_first(h). Takes time linear in the number
-  // of nodes on the edge.
+  // faces divides the edge in the same way (Edge_contraction). Requires: is_first_of_edge(h). Takes time linear in the
+  // number of nodes on the edge.
   template <typename PointInFace>
   void add_edge_pieces(Halfedge_id h, PointInFace point_in_face)
   {
@@ -126,7 +118,7 @@ private:
   // pieces of the opposite halfedge are reversed, one by one and in their order.
   void collect_border(Halfedge_id h)
   {
-    const bool is_reversed = !is_first(h);
+    const bool is_reversed = !m_mesh.is_first_of_edge(h);
     const std::size_t begin = m_border.size();
     for(std::size_t i = m_first_piece[is_reversed ? m_mesh.opposite(h) : h];
         m_pieces[i] != Graph_traits::null_halfedge(); ++i)
@@ -188,7 +180,7 @@ private:
     return m_triangles.new_triangle(h);
   }
 
-  // Return the first and the last piece along h. Requires: is_first(h), which holds on the border of the mesh.
+  // Return the first and the last piece along h. Requires: is_first_of_edge(h), which holds on the border of the mesh.
   halfedge_descriptor first_piece(Halfedge_id h) const
   {
     return m_pieces[m_first_piece[h]];

@@ -18,9 +18,13 @@
 
 #include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Weighted_site_list.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/distance_functions.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_values.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/run_with_visitor.h>
 
+#include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -83,19 +87,21 @@ private:
   std::vector<double> m_offsets;
 };
 
-// Writes the number of the nearest site of each vertex, and its distance, as geodesic_Voronoi_labels() documents.
-// `weights` is empty or has one weight for each site. `options` are Geodesic_distance_options, which hold the map for
-// the sites, with defaults otherwise. Throws, and returns false, before a map has changed.
-template <typename ConcurrencyTag, typename TriangleMesh, typename DistanceMap, typename Sites, typename Options,
-          typename Visitor, typename NamedParameters>
-bool compute_Voronoi_labels(const TriangleMesh& tm, DistanceMap distance_map, const Sites& sites,
-                            const std::vector<double>& weights, Options options, Visitor& visitor,
-                            const NamedParameters& np)
+// Writes the number of the nearest site of each vertex, and its distance if a map for it is among the parameters, as
+// geodesic_Voronoi_labels() documents. Throws, and returns false, before a map has changed. The map of sites takes the
+// place of the map of nearest sources: the sites are sources, numbered in the same way.
+template <typename ConcurrencyTag, typename TriangleMesh, typename SiteMap, typename Sites, typename NamedParameters>
+bool compute_Voronoi_labels(const TriangleMesh& tm, SiteMap site_map, const Sites& sites, const NamedParameters& np)
 {
-  const Offsets_of_weights from_weights(weights);
-  options.source_offsets = from_weights.offsets();
+  using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  auto distance_map = map_parameter<Vertex, double, No_distance_map<Vertex>>(np, internal_np::vertex_distance_map);
+  const Offsets_of_weights from_weights(range_parameter<double>(np, internal_np::site_weights));
+  const Distance_options<TriangleMesh, SiteMap> options{
+    std::numeric_limits<double>::infinity(), {}, from_weights.offsets(), site_map, nullptr};
+  Visitor_parameter<NamedParameters> visitor_parameter(np);
+  auto& visitor = visitor_parameter.visitor();
   return compute_geodesic_distances<ConcurrencyTag>(
-    tm, Distance_map_less_weight<DistanceMap>{distance_map, from_weights.largest_weight()}, sites, options,
+    tm, Distance_map_less_weight<decltype(distance_map)>{distance_map, from_weights.largest_weight()}, sites, options,
     shape_from_points<double>(tm, np), visitor, np);
 }
 

@@ -1,0 +1,24 @@
+#ifndef SURFACE_MESH_GEODESICS_DEMO_REACHABILITY_H
+#define SURFACE_MESH_GEODESICS_DEMO_REACHABILITY_H
+
+#include "Distance_field.h"
+#include "Program_mesh.h"
+
+#include <cstddef>
+#include <string>
+
+namespace geodesics_demo {
+
+// The number of connected components of a surface; vertices without faces do not count.
+std::size_t number_of_components(const Mesh& mesh);
+
+// "; the mesh has 45 components and 2 vertices without faces", or a part of it: why something is not reached.
+std::string reason_for_unreached(const Mesh& mesh);
+
+// Remarks on vertices that no source reaches, if there are any.
+void remark_on_unreached(const Mesh& mesh, const Distance_field& field, const Console& console);
+void remark_on_unreached(const Mesh& mesh, std::size_t number_of_vertices, const Console& console);
+
+} // namespace geodesics_demo
+
+#endif // SURFACE_MESH_GEODESICS_DEMO_REACHABILITY_H

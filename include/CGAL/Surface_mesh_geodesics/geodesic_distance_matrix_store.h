@@ -1,0 +1,228 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_GEODESIC_DISTANCE_MATRIX_STORE_H
+#define CGAL_SURFACE_MESH_GEODESICS_GEODESIC_DISTANCE_MATRIX_STORE_H
+
+#include <CGAL/license/Surface_mesh_geodesics.h>
+
+#include <CGAL/Surface_mesh_geodesics/Geodesic_matrix_store_error.h>
+#include <CGAL/Surface_mesh_geodesics/Geodesic_matrix_store_options.h>
+#include <CGAL/Surface_mesh_geodesics/Geodesic_matrix_store_status.h>
+#include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
+#include <CGAL/Surface_mesh_geodesics/internal/applications/matrix_store/Stored_matrix.h>
+#include <CGAL/Surface_mesh_geodesics/internal/applications/matrix_store/check_stored_matrix.h>
+#include <CGAL/Surface_mesh_geodesics/internal/applications/matrix_store/store_matrix.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/tags.h>
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+
+/*!
+\ingroup PkgSurfaceMeshGeodesicsFunctions
+
+computes the exact geodesic distances from each of several sources to each of several targets, and stores them in a
+folder. A call that ends early, for whatever reason, leaves a folder with which the next call goes on.
+
+<b>The folder.</b> The rows are in shards: blocks of consecutive rows, in files of NumPy's format (`.npy`, version 1.0,
+little endian, C order) whose names sort in the order of the rows. `manifest.json` names the mesh, with a checksum of
+its connectivity and coordinates, the sources, the targets, the options, and the shards that are done, with the
+checksums of their elements (CRC-64/XZ). \ref Surface_mesh_geodesics_plan_bigger explains how to read it.
+
+<b>Interruption.</b> A shard is written under a temporary name, synced, and renamed; the manifest is, too. A process
+that is killed loses the shards in work and nothing else. The next call removes its temporary files, computes shards
+that are missing, and those whose files are not what their checksums say.
+
+<b>Several processes</b>, also on several machines, may work on one folder: a lock file for each shard in work has the
+host and the process of its owner. The lock of a process that is dead is taken over at once on its own host, and on
+others after ten minutes without a sign of life.
+
+<b>Bits.</b> The stored numbers are those of `geodesic_distance_matrix()`, whatever the numbers of threads, processes
+and interruptions are, if the processes run the same program.
+
+<b>Complexity.</b> That of `geodesic_distance_matrix()`, plus a linear time for each row. Memory: the mesh, and what
+`Geodesic_matrix_store_options::memory` allows. Calls look at each shard of their range, and read the files of those
+that are done.
+
+<b>Thread safety.</b> As for `geodesic_distances()`. Several threads may call the function for one folder.
+
+\tparam ConcurrencyTag as for `geodesic_distance_matrix()`. Each thread computes a shard alone.
+\tparam TriangleMesh a model of `FaceListGraph`
+\tparam Sources as for `geodesic_distance_matrix()`
+\tparam Targets as for `geodesic_distance_matrix()`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tm the triangle mesh
+\param sources the sources
+\param targets the targets
+\param folder the name of the folder, which is made if it does not exist
+\param options what is stored, and how
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{a property map associating points to the vertices of `tm`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with the vertex descriptor of `TriangleMesh`
+                   as key type and a 3D point type with the members `x()`, `y()`, `z()` as value type}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_index_map}
+    \cgalParamDescription{a property map associating to each vertex of `tm` a unique index between `0`
+                          and `num_vertices(tm) - 1`; the manifest names vertices by these indices}
+    \cgalParamType{a class model of `ReadablePropertyMap` with the vertex descriptor of `TriangleMesh`
+                   as key type and `std::size_t` as value type}
+    \cgalParamDefault{an automatically indexed internal map}
+  \cgalParamNEnd
+  \cgalParamNBegin{face_index_map}
+    \cgalParamDescription{a property map associating to each face of `tm` a unique index between `0`
+                          and `num_faces(tm) - 1`; the manifest names faces by these indices}
+    \cgalParamType{a class model of `ReadablePropertyMap` with the face descriptor of `TriangleMesh`
+                   as key type and `std::size_t` as value type}
+    \cgalParamDefault{an automatically indexed internal map}
+  \cgalParamNEnd
+  \cgalParamNBegin{visitor}
+    \cgalParamDescription{a visitor that is told of rows, and can cancel: `on_propagation_begin(n)` with the number of
+                          rows of the range, `on_progress(k, 0)` when `k` of them are done, `go_further()` after that,
+                          and `on_propagation_end()`. If it has the function `on_rows(computed, found, n)`, that one is
+                          called, too, with the numbers of rows that this call has computed and that were stored before.
+                          Calls may come from different threads, but never two at a time.}
+    \cgalParamType{a model of `GeodesicPropagationVisitor`}
+    \cgalParamDefault{`Geodesic_default_visitor`}
+    \cgalParamExtra{The parameter is copied; `std::ref()` passes a reference.}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return how much of the range is stored. It is not complete if the visitor has canceled, or if other processes are still
+        at work on some shards.
+
+\throws Invalid_geodesic_input for a mesh, a source, a target or a radius that `sparse_geodesic_distance_matrix()`
+rejects
+\throws Geodesic_matrix_store_error if the folder belongs to another mesh, or to other sources, targets or options (the
+        message has both checksums), and if a file cannot be written
+*/
+template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename Sources, typename Targets,
+          typename CGAL_NP_TEMPLATE_PARAMETERS>
+Geodesic_matrix_store_status
+store_geodesic_distance_matrix(const TriangleMesh& tm, const Sources& sources, const Targets& targets,
+                               const std::string& folder,
+                               const Geodesic_matrix_store_options& options = Geodesic_matrix_store_options(),
+                               const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  return internal::store_matrix<ConcurrencyTag>(tm, sources, targets, folder, options, np);
+}
+
+/*!
+\ingroup PkgSurfaceMeshGeodesicsClasses
+
+The class `Geodesic_distance_matrix_store` reads a folder that `store_geodesic_distance_matrix()` has made. It needs no
+mesh.
+
+Other processes may add shards meanwhile. All functions that read files throw `Geodesic_matrix_store_error`.
+
+<b>Thread safety.</b> Several threads may call the functions of one object at once.
+*/
+class Geodesic_distance_matrix_store
+{
+public:
+  /// a row of a sparse matrix: columns in ascending order, with their distances.
+  using Sparse_row = std::vector<std::pair<std::size_t, double>>;
+
+  /// reads the manifest of a folder.
+  ///
+  /// \param folder the name of the folder
+  explicit Geodesic_distance_matrix_store(const std::string& folder) : m_matrix(folder) {}
+
+  /// \name The Manifest
+  /// @{
+
+  /// returns the name of the mesh.
+  const std::string& mesh_name() const { return m_matrix.description().mesh_name; }
+  /// returns the checksum of the mesh.
+  const std::string& mesh_hash() const { return m_matrix.description().mesh_hash; }
+  /// returns the number of sources.
+  std::size_t number_of_rows() const { return m_matrix.layout().rows; }
+  /// returns the number of targets.
+  std::size_t number_of_columns() const { return m_matrix.layout().columns; }
+  /// returns the options with which the folder has been made, with the number of rows of a shard.
+  Geodesic_matrix_store_options options() const { return m_matrix.options(); }
+
+  /// @}
+  /// \name Rows
+  /// @{
+
+  /// returns how much of the matrix is stored. Looks at each shard, but does not read them.
+  Geodesic_matrix_store_status status() const { return m_matrix.status(); }
+
+  /// returns a row: all targets, or with `use_symmetry` the sources behind source `i`.
+  ///
+  /// \param i the number of the row
+  ///
+  /// \pre the matrix is not sparse, and `i` is less than the number of rows
+  std::vector<double> row(std::size_t i) const { return m_matrix.dense_row(i); }
+
+  /// returns a row of a sparse matrix.
+  ///
+  /// \param i the number of the row
+  ///
+  /// \pre the matrix is sparse, and `i` is less than the number of rows
+  Sparse_row sparse_row(std::size_t i) const { return m_matrix.sparse_row(i); }
+
+  /// compares each shard that is done with its checksum.
+  ///
+  /// \return the first row, and the one behind the last one, of each damaged shard
+  std::vector<std::pair<std::size_t, std::size_t>> damaged_shards() const { return m_matrix.damaged_shards(); }
+
+  /// @}
+
+private:
+  internal::Stored_matrix m_matrix;
+};
+
+/*!
+\ingroup PkgSurfaceMeshGeodesicsFunctions
+
+checks stored distances on samples: computes some rows anew, and compares these rows with each other by symmetry and by
+the triangle inequality, if sources and targets are the same vertices. Checksums are checked by
+`Geodesic_distance_matrix_store::damaged_shards()`.
+
+<b>Complexity.</b> `samples` rows are computed; the inequalities take time for the square of `samples`, times the number
+of columns.
+
+\tparam TriangleMesh a model of `FaceListGraph`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tm the mesh of the matrix
+\param folder the name of the folder
+\param samples the number of rows, which are chosen at random, the same ones in each call
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": the maps of
+       `store_geodesic_distance_matrix()`
+
+\return the worst violations
+
+\throws Geodesic_matrix_store_error if the folder has the matrix of another mesh, or cannot be read
+*/
+template <typename TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>
+Geodesic_matrix_store_check
+check_geodesic_distance_matrix(const TriangleMesh& tm, const std::string& folder, std::size_t samples = 10,
+                               const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  return internal::check_stored_matrix(tm, folder, samples, np);
+}
+
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_GEODESIC_DISTANCE_MATRIX_STORE_H

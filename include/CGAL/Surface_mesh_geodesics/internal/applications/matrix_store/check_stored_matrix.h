@@ -1,0 +1,210 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_MATRIX_STORE_CHECK_STORED_MATRIX_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_MATRIX_STORE_CHECK_STORED_MATRIX_H
+
+// Checks samples of a stored matrix: some rows are computed anew, and compared with each other.
+//
+// Checksums show that files are what was written. These checks show that what was written is right: by the bits of a
+// new run, which must be equal, and by what every metric satisfies, which needs no run and compares rows with each
+// other. A wrong mesh, or a program with another order of operations, shows in the first; wrong positions of rows in
+// both.
+
+#include <CGAL/Surface_mesh_geodesics/Geodesic_matrix_store_error.h>
+#include <CGAL/Surface_mesh_geodesics/Geodesic_matrix_store_status.h>
+#include <CGAL/Surface_mesh_geodesics/internal/applications/matrix_store/Store_input.h>
+#include <CGAL/Surface_mesh_geodesics/internal/applications/matrix_store/Stored_matrix.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/Intrinsic_surface.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/distance_functions.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_matrix.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/tags.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+// Different rows that are stored, at random, in ascending order; all of them if there are not more than `number`.
+// The first steps of a shuffle. The same rows each time, so that a check can be repeated.
+inline std::vector<std::size_t> sampled_rows(const Stored_matrix& matrix, std::size_t number)
+{
+  std::vector<std::size_t> rows;
+  for(std::size_t i = 0; i < matrix.layout().rows; ++i)
+    if(matrix.is_done(i))
+      rows.push_back(i);
+  std::mt19937_64 random(0);
+  number = (std::min)(number, rows.size());
+  for(std::size_t k = 0; k < number; ++k)
+    // (The remainder of a random number is not evenly spread, by less than one in 2^30.)
+    std::swap(rows[k], rows[k + static_cast<std::size_t>(random() % (rows.size() - k))]);
+  rows.resize(number);
+  std::sort(rows.begin(), rows.end());
+  return rows;
+}
+
+// By how much is a greater than b, relative to the larger one? 0 if it is not. An infinite a is infinitely greater.
+// The larger one is the scale: of two tiny distances, a difference of rounding stays small.
+inline double relative_excess(double a, double b)
+{
+  if(!(a > b))
+    return 0;
+  return a < std::numeric_limits<double>::infinity() ? (a - b) / a : a;
+}
+
+// The rows of square matrices with the same vertices as sources and targets, compared with each other. What is not
+// stored is unknown: of a sparse matrix, it is greater than the radius.
+// Symmetry holds up to rounding only: the runs from both ends compute a distance by different windows.
+inline void compare_rows(const Stored_matrix& matrix, const std::vector<std::size_t>& rows,
+                         Geodesic_matrix_store_check& check)
+{
+  const double unknown = -1;
+  const Store_layout& layout = matrix.layout();
+  // A missing entry of a sparse row is greater than the radius; of other rows, it is not known at all.
+  const double radius = layout.kind == Store_kind::WITHIN_RADIUS ? layout.radius : 0;
+  std::vector<std::vector<double>> d;
+  for(const std::size_t i : rows)
+    d.push_back(matrix.whole_row(i, unknown));
+  for(std::size_t a = 0; a < rows.size(); ++a)
+    for(std::size_t b = 0; b < rows.size(); ++b)
+    {
+      const double there = d[a][rows[b]], back = d[b][rows[a]];
+      if(a < b && (layout.kind != Store_kind::UPPER_TRIANGLE) && (there != unknown || back != unknown))
+      {
+        // One that is not stored is at least the radius, and the other one at most.
+        const double x = there == unknown ? radius : there, y = back == unknown ? radius : back;
+        check.worst_asymmetry = (std::max)({check.worst_asymmetry, relative_excess(x, y), relative_excess(y, x)});
+        ++check.pairs_compared;
+      }
+      if(a == b || there == unknown)
+        continue;
+      // All columns count, not only the samples: three sources of which two are samples.
+      for(std::size_t k = 0; k < layout.columns; ++k) // from a to k is not farther than over b
+        if(d[b][k] != unknown && (d[a][k] != unknown || radius > 0))
+        {
+          const double direct = d[a][k] == unknown ? radius : d[a][k];
+          check.worst_triangle_violation
+            = (std::max)(check.worst_triangle_violation, relative_excess(direct, there + d[b][k]));
+          ++check.triangles_checked;
+        }
+    }
+}
+
+// Computes one row anew, and returns whether it has the bits that are stored. `position` is the number of the row among
+// the samples, which are the sources of `matrix`; i is its number in the folder. Nothing but the same computation gives
+// the same bits: a row that another version of the package has stored may differ in the last ones.
+inline bool is_row_equal(const Stored_matrix& stored, std::size_t i, const Distance_matrix<double>& matrix,
+                         Distance_matrix<double>::Worker& worker, std::size_t position,
+                         const std::vector<Vertex_id>& targets,
+                         const Distance_matrix<double>::Target_positions& positions)
+{
+  const auto go_further = []() { return true; };
+  const auto rounded = [&](double x)
+  { return stored.layout().is_float32 ? static_cast<double>(static_cast<float>(x)) : x; };
+  if(stored.layout().kind == Store_kind::WITHIN_RADIUS)
+  {
+    Distance_matrix<double>::Sparse_row row;
+    // Rounding comes after the run, as in the writer.
+    matrix.fill_sparse_row(worker, position, positions, stored.layout().radius, row, go_further);
+    for(auto& entry : row)
+      entry.second = rounded(entry.second);
+    return row == stored.sparse_row(i);
+  }
+  std::vector<double> row;
+  matrix.fill_dense_row(worker, position, targets.data() + targets.size() - stored.layout().length_of_row(i),
+                        targets.data() + targets.size(), row, go_further);
+  for(double& x : row)
+    x = rounded(x);
+  return row == stored.dense_row(i);
+}
+
+// Returns the targets of a manifest as vertices of a mesh. They are needed for the rows that are computed anew;
+// comparisons of rows know columns by their positions. Targets that are the sources, or all vertices, are words in the
+// manifest.
+template <typename TriangleMesh, typename Vertices, typename Faces>
+std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>
+stored_targets(const Stored_matrix& stored, const Vertices& vertex_of_index, const Faces& face_of_index)
+{
+  const Store_description& d = stored.description();
+  Stored_sources<TriangleMesh> targets;
+  for(std::size_t j = 0; j < d.layout.columns; ++j)
+    targets.add(d.targets.is_text("sources") ? d.sources : d.targets, j, vertex_of_index, face_of_index);
+  return targets.vertices;
+}
+
+// The mesh must be that of the manifest: checksums are compared first. The new rows are computed by one thread, on one
+// reading of the mesh.
+template <typename TriangleMesh, typename NamedParameters>
+Geodesic_matrix_store_check check_stored_matrix(const TriangleMesh& tm, const std::string& path, std::size_t samples,
+                                                const NamedParameters& np)
+{
+  using Graph_traits = boost::graph_traits<TriangleMesh>;
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  const Stored_matrix stored(path);
+  const Store_description& d = stored.description();
+  const auto vim = CGAL::get_initialized_vertex_index_map(tm, np);
+  const auto fim = CGAL::get_initialized_face_index_map(tm, np);
+  const std::string hash = hash_of_mesh(tm, vim, choose_parameter(get_parameter(np, internal_np::vertex_point),
+                                                                  get_const_property_map(CGAL::vertex_point, tm)));
+  if(hash != d.mesh_hash || num_vertices(tm) != d.vertices)
+    throw Geodesic_matrix_store_error(Geodesic_matrix_store_error::Reason::DIFFERENT_MESH,
+                                      path + ": the folder has the matrix of a mesh with the hash " + d.mesh_hash
+                                        + ", and this mesh has the hash " + hash);
+  // The manifest has indices; descriptors are found by two tables.
+  std::vector<typename Graph_traits::vertex_descriptor> vertex_of_index(num_vertices(tm));
+  std::vector<typename Graph_traits::face_descriptor> face_of_index(num_faces(tm));
+  for(const auto v : vertices(tm))
+    vertex_of_index[static_cast<std::size_t>(get(vim, v))] = v;
+  for(const auto f : faces(tm))
+    face_of_index[static_cast<std::size_t>(get(fim, f))] = f;
+
+  Geodesic_matrix_store_check check;
+  const std::vector<std::size_t> rows = sampled_rows(stored, samples);
+  Stored_sources<TriangleMesh> sources;
+  for(const std::size_t i : rows)
+    sources.add(d.sources, i, vertex_of_index, face_of_index);
+  with_surface<Sequential_tag>(tm, np, [&](const auto& surface)
+  {
+    const Distance_matrix<double> matrix(surface.mesh(), sources.vertices.empty()
+                                                           ? surface.source_set(sources.locations)
+                                                           : surface.source_set(sources.vertices));
+    const std::vector<Vertex_id> targets
+      = surface.checked_ids(stored_targets<TriangleMesh>(stored, vertex_of_index, face_of_index), "target");
+    const Distance_matrix<double>::Target_positions positions(targets, surface.mesh().number_of_vertices());
+    const auto worker = matrix.make_worker();
+    for(std::size_t k = 0; k < rows.size(); ++k, ++check.rows_compared)
+      check.rows_different += is_row_equal(stored, rows[k], matrix, *worker, k, targets, positions) ? 0 : 1;
+    return true;
+  });
+  // Only a square matrix, with the same vertices in the same order, has entries there and back.
+  const bool is_square = d.targets.is_text("sources") || (d.targets.is_text("all") && d.sources.is_text("all"));
+  if(is_square && sources.locations.empty())
+    compare_rows(stored, rows, check);
+  return check;
+}
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_MATRIX_STORE_CHECK_STORED_MATRIX_H

@@ -1,0 +1,156 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_PARAMETERS_PARAMETER_CHECKS_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_PARAMETERS_PARAMETER_CHECKS_H
+
+// What a public function rejects at compile time: a named parameter that it does not take, which would have no effect,
+// and a value of a wrong type. Nothing here remains at run time.
+
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/Parameter_sequence.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <functional>
+#include <iterator>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+// --- which parameters a function takes: the tags tell, whatever the values are ---
+
+// The tags of the parameters that a function takes.
+template <typename... Tags>
+struct Parameter_set
+{};
+
+// Fails to compile if Tag is not in the set. The compiler prints the name of the tag, which is that of the parameter.
+template <typename Tag, typename Set>
+struct Named_parameter;
+
+template <typename Tag, typename... Tags>
+constexpr bool is_one_of = (std::is_same<Tag, Tags>::value || ...);
+
+template <typename Tag, typename... Tags>
+struct Named_parameter<Tag, Parameter_set<Tags...>>
+{
+  static_assert(is_one_of<Tag, Tags..., Sequence_end_tag, CGAL::internal_np::all_default_t>,
+                "this function does not take the named parameter 'Tag'; its reference page lists those it takes");
+  static constexpr bool value = true;
+};
+
+// Visits all parameters of a sequence: this is the data class of CGAL, in which each link is nested in the next one.
+template <typename Impl, typename Set>
+struct Named_parameters;
+
+template <typename T, typename Tag, typename Set>
+struct Named_parameters<CGAL::internal_np::Named_params_impl<T, Tag, CGAL::internal_np::No_property>, Set>
+  : std::integral_constant<bool, Named_parameter<Tag, Set>::value>
+{};
+
+template <typename T, typename Tag, typename Base, typename Set>
+struct Named_parameters<CGAL::internal_np::Named_params_impl<T, Tag, Base>, Set>
+  : std::integral_constant<bool, Named_parameter<Tag, Set>::value
+                                   && Named_parameters<typename Base::base, Set>::value>
+{};
+
+// Does not compile if a parameter among `np` is not in the set. Public functions call it first, before something else
+// in them fails to compile. Functions that call each other inside the package pass what they like.
+template <typename Set, typename NamedParameters>
+void check_parameters(const NamedParameters&)
+{
+  static_assert(Named_parameters<typename NamedParameters::base, Set>::value, "always true, if it compiles");
+}
+
+// Two sets in one. The sets below say once what the reference pages of the functions list; a test compiles a call with
+// each parameter, and calls with some that are not taken.
+template <typename Set, typename... Tags>
+struct Extended_set;
+
+template <typename... First, typename... Tags>
+struct Extended_set<Parameter_set<First...>, Tags...>
+{
+  using type = Parameter_set<First..., Tags...>;
+};
+
+// Callers may pass what they pass to other functions of CGAL for the same mesh: few functions read an index map of
+// halfedges, and none reads a kernel.
+//
+// CGAL itself ignores parameters that a function does not know. Here they are faults: most of them are mistakes of the
+// caller, such as a radius for a function that has none, whose results would be wrong without a word.
+using Index_map_parameters = Parameter_set<internal_np::vertex_index_t, internal_np::halfedge_index_t,
+                                           internal_np::face_index_t, internal_np::geom_traits_t>;
+using Mesh_parameters = Extended_set<Index_map_parameters, internal_np::vertex_point_t>::type;
+using Output_mesh_parameters = Parameter_set<internal_np::vertex_point_t>;
+using Mesh_and_visitor_parameters = Extended_set<Mesh_parameters, internal_np::visitor_t>::type;
+
+// The parameters of a computation of distances, whatever the shape of the surface comes from. A solver has its maps
+// from its constructor, and finds nearest sources by itself.
+using Solver_parameters
+  = Parameter_set<internal_np::visitor_t, internal_np::maximum_distance_t, internal_np::targets_t,
+                  internal_np::source_offsets_t, internal_np::statistics_t>;
+using Edge_length_distance_parameters
+  = Extended_set<Index_map_parameters, internal_np::visitor_t, internal_np::maximum_distance_t, internal_np::targets_t,
+                 internal_np::source_offsets_t, internal_np::statistics_t, internal_np::nearest_source_map_t,
+                 internal_np::faces_to_avoid_t>::type;
+using Matrix_parameters = Extended_set<Mesh_parameters, internal_np::faces_to_avoid_t>::type;
+using Distance_parameters = Extended_set<Edge_length_distance_parameters, internal_np::vertex_point_t>::type;
+
+using Edge_length_certificate_parameters
+  = Extended_set<Index_map_parameters, internal_np::visitor_t, internal_np::number_of_iterations_t,
+                 internal_np::maximum_distance_t, internal_np::source_offsets_t>::type;
+using Distance_certificate_parameters
+  = Extended_set<Edge_length_certificate_parameters, internal_np::vertex_point_t>::type;
+
+using Label_parameters = Extended_set<Mesh_and_visitor_parameters, internal_np::vertex_distance_map_t,
+                                      internal_np::site_weights_t, internal_np::faces_to_avoid_t>::type;
+using Sampling_parameters = Extended_set<Mesh_and_visitor_parameters, internal_np::first_samples_t,
+                                         internal_np::covering_radius_t, internal_np::statistics_t>::type;
+using Relaxation_parameters = Extended_set<Mesh_and_visitor_parameters, internal_np::threshold_distance_t>::type;
+using Remeshing_parameters = Extended_set<Relaxation_parameters, internal_np::number_of_iterations_t>::type;
+
+// --- types of values: each is false for a type that is something else altogether ---
+
+// True for a range whose elements convert to Element: what std::begin() and std::end() take, arrays included.
+template <typename Range, typename Element, typename = void>
+struct Is_range_of
+  : std::false_type
+{};
+
+template <typename Range, typename Element>
+struct Is_range_of<Range, Element, std::void_t<decltype(*std::begin(std::declval<const Range&>())),
+                                               decltype(std::end(std::declval<const Range&>()))>>
+  : std::is_convertible<decltype(*std::begin(std::declval<const Range&>())), Element>
+{};
+
+// True for a property map to which a Value can be written at a Key. It judges by the types that the map declares, so
+// that a map of another mesh, or of another type of values, is rejected here and not deep inside a computation.
+template <typename Map, typename Key, typename Value, typename = void>
+struct Is_map_for
+  : std::false_type
+{};
+
+template <typename Map, typename Key, typename Value>
+struct Is_map_for<Map, Key, Value, std::void_t<typename boost::property_traits<Map>::key_type,
+                                               typename boost::property_traits<Map>::value_type>>
+  : std::integral_constant<bool,
+                           std::is_convertible<Key, typename boost::property_traits<Map>::key_type>::value
+                             && std::is_convertible<Value, typename boost::property_traits<Map>::value_type>::value>
+{};
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_PARAMETERS_PARAMETER_CHECKS_H

@@ -1,0 +1,164 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_PARAMETERS_PARAMETER_VALUES_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_PARAMETERS_PARAMETER_VALUES_H
+
+// The values of the named parameters of this package, as the rooms below need them: numbers and vectors of numbers or
+// descriptors, whatever types of ranges the user has. Values are not judged here; check_numbers() and the solvers do
+// that, and throw Invalid_geodesic_input.
+
+#include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/Parameter_sequence.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_checks.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+// The nearest sources are not requested. write_nearest_sources() does nothing for it.
+struct No_nearest_source_map
+{};
+
+// The parameters of a computation of distances, with the defaults that users know; geodesic_distances() documents them.
+// Numbers are in the user's unit. The map is a handle that is copied, and the statistics are not owned.
+template <typename TriangleMesh, typename NearestSourceMap = No_nearest_source_map>
+struct Distance_options
+{
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+
+  double maximum_distance = std::numeric_limits<double>::infinity();
+  std::vector<vertex_descriptor> targets; // empty: all vertices
+  std::vector<double> source_offsets; // empty: all are 0
+  NearestSourceMap nearest_source_map = NearestSourceMap();
+  Propagation_statistics* statistics = nullptr;
+};
+
+// The parameters of a farthest point sampling; geodesic_farthest_point_sampling() documents them.
+template <typename TriangleMesh>
+struct Sampling_options
+{
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+
+  std::vector<vertex_descriptor> first_samples;
+  double covering_radius = 0;
+  Propagation_statistics* statistics = nullptr;
+};
+
+// True if the sequence has a parameter with this tag. What a function does with a parameter that is not there is
+// decided at compile time: nothing is computed for a map that nobody wants.
+template <typename NamedParameters, typename Tag>
+struct Has_parameter
+  : std::integral_constant<bool, !CGAL::parameters::is_default_parameter<NamedParameters, Tag>::value>
+{};
+
+// Each function below returns the value of a parameter, or the default. Takes time linear in the length of a range.
+
+// Any type of number that converts to double without a cast: float, int, and the numbers of kernels of double.
+template <typename Tag, typename NamedParameters>
+double number_parameter(const NamedParameters& np, Tag tag, double default_value)
+{
+  if constexpr(Has_parameter<NamedParameters, Tag>::value)
+  {
+    const auto& value = parameters::get_parameter_reference(np, tag);
+    static_assert(std::is_convertible<decltype(value), double>::value,
+                  "the value of the named parameter 'Tag' does not convert to double");
+    return static_cast<double>(value);
+  }
+  else
+    return default_value;
+}
+
+// Any range: a container, an array, a pair of iterators of CGAL, also in std::ref() or std::cref(). It is read once.
+// The elements are copied, as the rooms below need them one after the other, and vectors of descriptors are short.
+template <typename Element, typename Tag, typename NamedParameters>
+std::vector<Element> range_parameter(const NamedParameters& np, Tag tag)
+{
+  std::vector<Element> elements;
+  if constexpr(Has_parameter<NamedParameters, Tag>::value)
+  {
+    const auto& range = parameters::get_parameter_reference(np, tag);
+    static_assert(Is_range_of<std::remove_const_t<std::remove_reference_t<decltype(range)>>, Element>::value,
+                  "the value of the named parameter 'Tag' is not a range of the documented elements");
+    for(const auto& element : range)
+      elements.push_back(static_cast<Element>(element));
+  }
+  return elements;
+}
+
+// A pointer, as CGAL copies what is passed by value: counts in a copy would be lost. Null means that nobody counts, so
+// that a caller can decide at run time.
+template <typename NamedParameters>
+Propagation_statistics* statistics_parameter(const NamedParameters& np)
+{
+  if constexpr(Has_parameter<NamedParameters, internal_np::statistics_t>::value)
+  {
+    const auto& value = parameters::get_parameter_reference(np, internal_np::statistics);
+    static_assert(std::is_convertible<decltype(value), Propagation_statistics*>::value,
+                  "the named parameter statistics takes a pointer: statistics(&counts)");
+    return value;
+  }
+  else
+    return nullptr;
+}
+
+// A map to write to, which is copied, or Default. Value is what is written. A map in std::ref() is rejected: put() does
+// not look through it.
+template <typename Key, typename Value, typename Default, typename Tag, typename NamedParameters>
+auto map_parameter(const NamedParameters& np, Tag tag)
+{
+  if constexpr(Has_parameter<NamedParameters, Tag>::value)
+  {
+    auto map = parameters::get_parameter(np, tag);
+    static_assert(Is_map_for<decltype(map), Key, Value>::value,
+                  "the value of the named parameter 'Tag' is not a property map of vertices with the documented "
+                  "type of values, passed by value");
+    return map;
+  }
+  else
+    return Default();
+}
+
+// The parameters of a computation of distances for a mesh. No map of nearest sources is read if there is none.
+template <typename TriangleMesh, typename NamedParameters>
+auto distance_options(const NamedParameters& np)
+{
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  auto map
+    = map_parameter<vertex_descriptor, std::size_t, No_nearest_source_map>(np, internal_np::nearest_source_map);
+  Distance_options<TriangleMesh, decltype(map)> options{
+    number_parameter(np, internal_np::maximum_distance, std::numeric_limits<double>::infinity()),
+    range_parameter<vertex_descriptor>(np, internal_np::targets),
+    range_parameter<double>(np, internal_np::source_offsets), map, statistics_parameter(np)};
+  return options;
+}
+
+template <typename TriangleMesh, typename NamedParameters>
+Sampling_options<TriangleMesh> sampling_options(const NamedParameters& np)
+{
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  return {range_parameter<vertex_descriptor>(np, internal_np::first_samples),
+          number_parameter(np, internal_np::covering_radius, 0.), statistics_parameter(np)};
+}
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_PARAMETERS_PARAMETER_VALUES_H

@@ -1,0 +1,118 @@
+// Run by test_mpi.sh with mpirun: stores the distances between all vertices of a sphere, with all ranks.
+//
+// Usage: store_with_mpi FOLDER [options]
+//   --float32, --symmetric, --radius R   what is stored
+//   --kill RANK ROWS                     that rank kills itself after so many rows; each row takes some milliseconds
+//   --threads                            several threads in each rank
+//   --alone                              without MPI, for the comparison
+//   --other-mesh                         of another mesh; each rank has to reject the folder
+//
+// Rank 0 prints how many rows were computed and found.
+
+#include "test_meshes.h"
+#include "test_support.h"
+
+#include <CGAL/Surface_mesh_geodesics/geodesic_distance_matrix_mpi.h>
+#include <CGAL/Surface_mesh_geodesics/geodesic_distance_matrix_store.h>
+#include <CGAL/tags.h>
+
+#include <boost/mpi/communicator.hpp>
+#include <boost/mpi/environment.hpp>
+
+#include <chrono>
+#include <csignal>
+#include <cstddef>
+#include <cstdlib>
+#include <functional>
+#include <iostream>
+#include <limits>
+#include <string>
+#include <thread>
+
+using namespace test_meshes;
+namespace SMG = CGAL::Surface_mesh_geodesics;
+
+namespace {
+
+struct Killing_visitor
+  : SMG::Geodesic_default_visitor
+{
+  void on_rows(std::size_t c, std::size_t f, std::size_t)
+  {
+    computed = c;
+    found = f;
+    std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds_per_row));
+    if(computed >= limit)
+    {
+      std::raise(SIGKILL);
+    }
+  }
+
+  int milliseconds_per_row = 0;
+  std::size_t computed = 0, found = 0, limit = (std::numeric_limits<std::size_t>::max)();
+};
+
+template <typename Tag>
+int run(const boost::mpi::communicator& world, const Mesh& tm, const std::string& folder,
+        const SMG::Geodesic_matrix_store_options& options, Killing_visitor& visitor)
+{
+  try
+  {
+    const SMG::Geodesic_matrix_store_status status = SMG::store_geodesic_distance_matrix_mpi<Tag>(
+      world, tm, vertices(tm), vertices(tm), folder, options, CGAL::parameters::visitor(std::ref(visitor)));
+    if(world.rank() == 0)
+    {
+      std::cout << "computed " << visitor.computed << " found " << visitor.found << std::endl;
+    }
+    return status.is_complete() ? EXIT_SUCCESS : EXIT_FAILURE;
+  }
+  catch(const SMG::Geodesic_matrix_store_error& error)
+  {
+    std::cout << "rank " << world.rank() << ": " << error.what() << std::endl;
+    return EXIT_SUCCESS;
+  }
+}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+  boost::mpi::environment environment(argc, argv, boost::mpi::threading::funneled);
+  const boost::mpi::communicator world;
+  SMG::Geodesic_matrix_store_options options;
+  Killing_visitor visitor;
+  bool is_alone = false, has_threads = false;
+  Mesh tm = to_face_graph(icosphere(3));
+  for(int k = 2; k < argc; ++k)
+  {
+    const std::string option = argv[k];
+    if(option == "--float32")
+      options.use_float32 = true;
+    else if(option == "--symmetric")
+      options.use_symmetry = true;
+    else if(option == "--radius")
+      options.maximum_distance = std::atof(argv[++k]);
+    else if(option == "--threads")
+      has_threads = true;
+    else if(option == "--alone")
+      is_alone = true;
+    else if(option == "--other-mesh")
+      tm = to_face_graph(icosphere(1));
+    else if(option == "--kill" && k + 2 < argc)
+    {
+      const int rank = std::atoi(argv[++k]);
+      const int rows = std::atoi(argv[++k]);
+      visitor.milliseconds_per_row = 3;
+      if(rank == world.rank())
+        visitor.limit = static_cast<std::size_t>(rows);
+    }
+  }
+  if(is_alone)
+  {
+    return SMG::store_geodesic_distance_matrix(tm, vertices(tm), vertices(tm), argv[1], options).is_complete()
+             ? EXIT_SUCCESS
+             : EXIT_FAILURE;
+  }
+  return has_threads ? run<CGAL::Parallel_if_available_tag>(world, tm, argv[1], options, visitor)
+                     : run<CGAL::Sequential_tag>(world, tm, argv[1], options, visitor);
+}

@@ -1,0 +1,125 @@
+#!/usr/bin/env bash
+# surface_mesh_geodesics matrix --store, --status, --verify
+source "$(dirname "${BASH_SOURCE[0]}")/support.sh" "$@"
+grid=$data/grid9.off # 81 vertices
+
+# status <folder>: the second line of the table
+status() {
+  "$program" matrix --status "$1" | line /dev/stdin 2
+}
+
+is_silent matrix "$grid" --source all --store whole > table
+equals "$(line table 1)" rows,rows_done,shards,shards_done,shards_in_work
+equals "$(line table 2)" 81,81,6,6,0
+equals "$(status whole)" 81,81,6,6,0
+equals "$(ls whole | head -n 3 | paste -sd ' ')" \
+  "manifest.json rows_000000_000016.npy rows_000016_000032.npy"
+is_silent matrix --verify whole > verified
+equals "$(line verified 2)" "checksums of shards,6,0,"
+equals "$(line verified 3)" "rows computed anew,10,0,"
+equals "$(wc -l < verified)" 5
+
+# What is there already is not computed again without a word. Other options do not fit.
+rejects 2 "the folder has a matrix; --resume computes what is missing" matrix "$grid" --source all --store whole
+rejects 3 "the folder has the matrix of sources, targets and options with the hash" \
+  matrix "$grid" --source all --store whole --resume --float32
+rejects 3 "the folder has the matrix of a mesh with the hash" \
+  matrix "$data/grid8.off" --source all --store whole --resume
+cp -r whole damaged
+printf 'x' | dd of=damaged/rows_000032_000048.npy bs=1 seek=777 conv=notrunc status=none
+code=0
+"$program" matrix --verify damaged > verified 2> err || code=$?
+equals "$code" 1
+contains err "the shard of the rows 32:48 is damaged; --resume computes it again"
+is_silent matrix "$grid" --source all --store damaged --resume > table
+diff -r whole damaged
+
+# The tasks of an array job, in any order and at the same time.
+for rows in 40:60 0:20 60:81 20:40; do
+  "$program" matrix "$grid" --source all --store tasks --rows $rows --shard-rows 16 > "table_$rows" &
+done
+wait
+diff -r whole tasks
+
+# Signals leave a folder that can be completed. (The shell ignores Ctrl-C for processes in the background;
+# test_distance_matrix_store_kills sends it.)
+for signal in HUP TERM KILL; do
+  for _ in 1 2 3; do
+    "$program" matrix "$grid" --source all --store killed --resume --shard-rows 1 > table 2>&1 &
+    process=$!
+    sleep 0.05
+    kill -$signal $process 2> kill.err || true # it may have ended
+    wait $process || true
+  done
+done
+is_silent matrix "$grid" --source all --store killed --resume > table
+equals "$(line table 2)" 81,81,81,81,0
+is_silent matrix --verify killed > verified
+equals "$(find killed -name '*.tmp' -o -name '*.lock' -o -name '*.done')" ""
+
+# Other kinds: 32 bits, half of a symmetric matrix, pairs within a radius, few sources.
+is_silent matrix "$grid" --source all --store single --float32 > table
+is_silent matrix "$grid" --source all --store half --symmetric > table
+is_silent matrix "$grid" --source all --store near --radius 0.3 > table
+is_silent matrix "$grid" --source 5 --source-point 0.51,0.5,0 --target all --store few > table
+for folder in single half near few; do
+  is_silent matrix --verify $folder > verified
+  equals "$(line verified 3 | cut -d, -f3)" 0
+done
+
+# Several meshes, the largest first.
+printf '# meshes\n%s\n\n  %s \n' "$data/grid4.off" "$grid" > list
+is_silent matrix --meshes list --source all --store many > table
+equals "$(line table 2)" 97,97,7,7,0
+for file in whole/*.npy; do
+  cmp "$file" "many/grid9/${file#whole/}"
+done
+equals "$(status many/grid4)" 16,16,1,1,0
+printf '%s\n%s\n' "$grid" "$grid" > list
+rejects 2 "two meshes of the list would have the folder twice/grid9" matrix --meshes list --source all --store twice
+
+rejects 2 "--float32 needs --store" matrix "$grid" --source all --float32
+rejects 2 "--symmetric and --radius exclude each other" \
+  matrix "$grid" --source all --store x --symmetric --radius 1
+rejects 2 "--rows: '5' is not A:B" matrix "$grid" --source all --store x --rows 5
+rejects 2 "--rows: '5:2' is not A:B" matrix "$grid" --source all --store x --rows 5:2
+rejects 2 "--memory: '1T' is not a number of bytes" matrix "$grid" --source all --store x --memory 1T
+rejects 2 "--store and --output exclude each other" matrix "$grid" --source all --store x -o x.csv
+rejects 3 "none: the folder has no manifest.json" matrix --status none
+rejects 2 "no mesh is given" matrix --source all --store x
+[ ! -e x ]
+
+# NumPy and SciPy read the files, if one of the interpreters has them.
+python=
+for each in python3 /usr/bin/python3; do
+  if "$each" -c "import numpy, scipy.sparse, scipy.spatial" 2> python.err; then
+    python=$each
+  fi
+done
+if [ -n "$python" ]; then
+  "$program" matrix "$grid" --source all | tail -n +2 > all.csv
+  "$python" - << 'END'
+import glob
+import numpy as np
+import scipy.sparse
+import scipy.spatial.distance
+
+d = np.loadtxt("all.csv", delimiter=",", usecols=range(1, 82))  # behind the label of the row
+assert (np.concatenate([np.load(f) for f in sorted(glob.glob("whole/*.npy"))]) == d).all()
+assert (np.load("whole/rows_000016_000032.npy", mmap_mode="r") == d[16:32]).all()
+single = np.concatenate([np.load(f) for f in sorted(glob.glob("single/*.npy"))])
+assert single.dtype == np.float32 and (single == d.astype(np.float32)).all()
+half = np.concatenate([np.load(f) for f in sorted(glob.glob("half/*.npy"))])
+assert (scipy.spatial.distance.squareform(half) == np.triu(d, 1) + np.triu(d, 1).T).all()
+parts = []
+for f in sorted(glob.glob("near/*.indptr.npy")):
+    indptr, indices, data = (np.load(f.replace("indptr", name)) for name in ("indptr", "indices", "data"))
+    part = scipy.sparse.csr_matrix((data, indices, indptr), shape=(len(indptr) - 1, 81))
+    assert np.shares_memory(part.data, data) and np.shares_memory(part.indices, indices)
+    assert np.shares_memory(part.indptr, indptr)
+    parts.append(part)
+assert (scipy.sparse.vstack(parts).toarray() == np.where(d <= 0.3, d, 0)).all()
+END
+else
+  echo "NOTICE: NumPy and SciPy were not found: they do not read the files."
+fi

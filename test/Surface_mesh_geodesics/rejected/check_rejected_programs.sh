@@ -1,0 +1,99 @@
+#!/usr/bin/env bash
+# Checks that wrong named parameters do not compile, and that the compiler says why. Each case is a call and words of the
+# message. The first case is right, so that no other one fails for a reason of its own.
+# usage: check_rejected_programs.sh COMPILER WORK_FOLDER [options of the compiler]
+set -euo pipefail
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../../.." && pwd)
+compiler=$1
+work=$2
+shift 2
+options=("$@")
+rm -rf "$work"
+mkdir -p "$work"
+
+cat > "$work/frame.h" << 'END'
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_geodesics/Geodesic_distance_solver.h>
+#include <CGAL/Surface_mesh_geodesics/certify_geodesic_distances.h>
+#include <CGAL/Surface_mesh_geodesics/geodesic_Voronoi_labels.h>
+#include <CGAL/Surface_mesh_geodesics/geodesic_distances.h>
+#include <CGAL/Surface_mesh_geodesics/geodesic_farthest_point_sampling.h>
+#include <iterator>
+#include <string>
+#include <vector>
+
+namespace np = CGAL::parameters;
+using namespace CGAL::Surface_mesh_geodesics;
+using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+using Vertex = Mesh::Vertex_index;
+END
+# Compiled once for all cases. The first error is enough.
+options=(-std=c++17 -I"$root/include" -Wfatal-errors "${options[@]}")
+"$compiler" "${options[@]}" -x c++-header "$work/frame.h" -o "$work/frame.h.gch"
+
+number=0
+failures=0
+# expect WORDS CALL: `WORDS` is empty for a call that compiles
+expect()
+{
+  number=$((number + 1))
+  local source=$work/case_$number.cpp status=0
+  cat > "$source" << END
+void call(Mesh& tm, Mesh::Property_map<Vertex, double> distance, Mesh::Property_map<Vertex, std::string> text,
+          const std::vector<Vertex>& vertices, const std::vector<double>& numbers)
+{
+  Propagation_statistics counts;
+  $2;
+  static_cast<void>(tm);
+  static_cast<void>(distance);
+  static_cast<void>(text);
+  static_cast<void>(vertices);
+  static_cast<void>(numbers);
+  static_cast<void>(counts);
+}
+END
+  "$compiler" "${options[@]}" -fsyntax-only -include "$work/frame.h" "$source" > "$work/messages.txt" 2>&1 || status=$?
+  if [ -z "$1" ]; then
+    [ "$status" = 0 ] || { echo "does not compile: $2"; head -n 20 "$work/messages.txt"; failures=1; }
+  elif [ "$status" = 0 ] || ! grep -qF "$1" "$work/messages.txt"; then
+    echo "compiles, or the compiler does not say \"$1\": $2"
+    failures=1
+  fi
+}
+
+solver='Geodesic_distance_solver<Mesh>(tm).compute_distances(vertices, '
+distances='geodesic_distances(tm, distance, vertices, '
+certificate='certify_geodesic_distances(tm, distance, vertices, '
+labels='geodesic_Voronoi_labels(tm, tm.add_property_map<Vertex, std::size_t>("s").first, vertices, '
+sampling='geodesic_farthest_point_sampling(tm, 5, std::back_inserter(const_cast<std::vector<Vertex>&>(vertices)), '
+
+expect '' "${distances}np::targets(vertices).source_offsets(numbers).statistics(&counts).vertex_point_map(tm.points()))"
+
+# The function does not take the parameter: the message names its tag.
+for call in "${distances}np::covering_radius(1))" "${solver}np::covering_radius(1))" \
+  "${certificate}np::covering_radius(1))" "${labels}np::covering_radius(1))"; do
+  expect "does not take the named parameter" "$call"
+  grep -qF covering_radius_t "$work/messages.txt" || { echo "the message does not name covering_radius: $call"; failures=1; }
+done
+expect "does not take the named parameter" "${distances}np::number_of_iterations(3))"
+expect "does not take the named parameter" "${distances}np::targets(vertices).threshold_distance(3))"
+expect "does not take the named parameter" "${solver}np::nearest_source_map(text))"
+expect "does not take the named parameter" "${certificate}np::targets(vertices))"
+expect "does not take the named parameter" "${sampling}np::maximum_distance(1.))"
+
+# The value has another type.
+expect "is not a range of the documented elements" "${distances}np::targets(*vertices.begin()))"
+expect "is not a range of the documented elements" "${distances}np::targets(numbers))"
+expect "is not a range of the documented elements" "${distances}np::source_offsets(std::vector<std::string>()))"
+expect "is not a range of the documented elements" "${labels}np::site_weights(1.))"
+expect "is not a range of the documented elements" "${sampling}np::first_samples(numbers))"
+expect "does not convert to double" "${sampling}np::covering_radius(std::string()))"
+expect "is not a property map of vertices" "${distances}np::nearest_source_map(text))"
+expect "is not a property map of vertices" "${distances}np::nearest_source_map(numbers))"
+expect "is not a property map of vertices" "${labels}np::vertex_distance_map(std::ref(distance)))"
+expect "takes a pointer" "${distances}np::statistics(counts))"
+expect "takes a pointer" "${solver}np::statistics(std::ref(counts)))"
+
+[ "$failures" = 0 ] || exit 1
+echo "The compiler rejects wrong parameters, and says why."
