@@ -17,6 +17,7 @@
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/distance_in_space.h>
 
+#include <CGAL/Kernel/global_functions.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/number_utils.h>
@@ -77,10 +78,10 @@ public:
       const std::size_t i = diagram.nearest_site(v);
       if(i == Diagram::null_site() || m_is_sample[v])
         continue;
-      const Far_vertex far{CGAL::to_double(diagram.distance_to_nearest_site(v)), v};
-      replace_by_farther(m_far_vertex[i], far);
+      const Far_vertex farthest{CGAL::to_double(diagram.distance_to_nearest_site(v)), v};
+      replace_by_farther(m_far_vertex[i], farthest);
       if(is_border(v, m_mesh))
-        replace_by_farther(m_far_border_vertex[i], far);
+        replace_by_farther(m_far_border_vertex[i], farthest);
     }
   }
 
@@ -115,14 +116,14 @@ public:
       return;
     if(m_far_border_vertex[i].distance > 0)
       return add_vertex(m_far_border_vertex[i].vertex, {i});
-    Far_point far;
+    Far_point farthest;
     for(const auto& part : m_diagram.boundary(i))
       for(const auto& e : part.edges)
-        add_points(e.first, far);
-    if(m_far_vertex[i].distance > 0 && m_far_vertex[i].distance >= far.distance / 2)
+        add_points(e.first, farthest);
+    if(m_far_vertex[i].distance > 0 && m_far_vertex[i].distance >= farthest.distance / 2)
       add_vertex(m_far_vertex[i].vertex, {i});
     else
-      add_near(far, {i});
+      add_near(farthest, {i});
   }
 
   // Adds a sample near the farthest vertex of the diagram in which three cells meet.
@@ -130,12 +131,12 @@ public:
   {
     if(have_new_sample(triple))
       return;
-    Far_point far;
+    Far_point farthest;
     for(const auto& v : m_diagram.vertices())
       if(std::all_of(triple.begin(), triple.end(), [&](std::size_t i)
          { return std::binary_search(v.sites().begin(), v.sites().end(), i); }))
-        far.add(v.location(), CGAL::to_double(v.distance()));
-    add_near(far, {triple[0], triple[1], triple[2]});
+        farthest.add(v.location(), CGAL::to_double(v.distance()));
+    add_near(farthest, {triple[0], triple[1], triple[2]});
   }
 
   const Remeshing_samples<Diagram>& new_samples() const { return m_new; }
@@ -266,26 +267,26 @@ private:
   }
 
   // Takes the ends and the middle of each arc: an arc is short beside its distance from the sites, or bends little.
-  static void add_points(const Edge& edge, Far_point& far)
+  static void add_points(const Edge& edge, Far_point& farthest)
   {
     for(const auto& a : edge.arcs())
       for(const double t : {0., .5, 1.})
-        far.add(a.first.point(t), CGAL::to_double(a.first.distance(t)));
+        farthest.add(a.first.point(t), CGAL::to_double(a.first.distance(t)));
   }
 
   // Adds the vertex of the face that is farthest from all samples, or the point itself if all of them are near samples:
   // nearer than half the distance of the point. Vertices are preferred because they carry the features of the shape.
-  void add_near(const Far_point& far, const std::vector<std::size_t>& cells)
+  void add_near(const Far_point& farthest, const std::vector<std::size_t>& cells)
   {
-    if(!(far.distance > 0))
+    if(!(farthest.distance > 0))
       return;
     Far_vertex best;
-    for(const vertex_descriptor v : CGAL::vertices_around_face(halfedge(far.location.first, m_mesh), m_mesh))
+    for(const vertex_descriptor v : CGAL::vertices_around_face(halfedge(farthest.location.first, m_mesh), m_mesh))
       if(!m_is_sample[v])
         replace_by_farther(best, Far_vertex{CGAL::to_double(m_diagram.distance_to_nearest_site(v)), v});
-    if(best.distance >= far.distance / 2)
+    if(best.distance >= farthest.distance / 2)
       return add_vertex(best.vertex, cells);
-    add_point(far.location);
+    add_point(farthest.location);
     mark(cells);
   }
 
