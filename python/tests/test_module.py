@@ -363,6 +363,9 @@ def test_same_numbers_as_the_program(mesh, tmp_path):
     assert [int(r["site"]) for r in by_vertex] == v.labels.tolist()
     assert [float(r["distance"]) for r in by_vertex] == v.distances.tolist()
     text = run("matrix", file, "--source", 3, "--source", 8)
-    found = np.array([[float(x) for x in row.split(",")] for row in text.splitlines() if row])
-    # Without targets, the matrix is that of the sources, which head the columns. It is computed above the diagonal.
-    assert found[0].tolist() == [3, 8] and np.array_equal(np.triu(found[1:]), np.triu(s.matrix([3, 8], [3, 8])))
+    head, *rows = [row.split(",") for row in text.splitlines() if row]
+    found = np.array(rows, float)
+    # Without targets, the matrix is that of the sources, which label its rows and columns. It is computed above the
+    # diagonal.
+    assert head == ["source", "3", "8"] and found[:, 0].tolist() == [3, 8]
+    assert np.array_equal(np.triu(found[:, 1:]), np.triu(s.matrix([3, 8], [3, 8])))
