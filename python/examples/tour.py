@@ -37,6 +37,18 @@ print(path)
 lines = s.isolines(d, np.arange(0.5, d.max(), 0.5))
 print(f"{len(lines)} isolines")
 
+# The directions in which shortest paths leave vertex 0. The straightest geodesic in one of them leads to the vertex,
+# unless the path bends on its way.
+d, angle = s.directions(0)
+near = int(np.abs(d - 1).argmin())
+traced = s.trace(0, angle[near], d[near])
+print(f"tracing ends at {np.linalg.norm(traced.points[-1] - V[near]):.1e} from vertex {near}")
+
+# Faces in the middle of the path become an obstacle.
+obstacle = path.faces[60:80]
+around = s.avoiding(obstacle).path(0, far)
+print(f"around {len(np.unique(obstacle))} faces, the path is longer by {around.length - path.length:.1e}")
+
 # Sites spread over the surface, and the regions that are nearest to each of them.
 sites = s.sample(25)
 v = s.voronoi(sites)

@@ -190,8 +190,9 @@ class Surface
 public:
   // Makes a mesh of points and triangles, without the interpreter's lock. Throws std::invalid_argument with the reason
   // if they do not form a surface. If `lengths` has rows, entry (f, k) is the length of the edge from corner k of face
-  // f to the next corner.
-  Surface(const Array<double>& points, const Array<std::int64_t>& faces, const Array<double>& lengths);
+  // f to the next corner. No path leads through the avoided faces; a surface with lengths has none.
+  Surface(const Array<double>& points, const Array<std::int64_t>& faces, const Array<double>& lengths,
+          const Array<std::int64_t>& avoided);
 
   Surface(const Surface&) = delete;
   Surface& operator=(const Surface&) = delete;
@@ -199,6 +200,7 @@ public:
   const Mesh& mesh() const { return m_mesh; }
   bool has_lengths() const { return m_has_lengths; }
   auto lengths() const { return m_lengths; }
+  const std::vector<Face>& avoided_faces() const { return m_avoided; }
 
   // Calls compute() while no other thread computes on this surface, as Interruptible::run() does. Throws
   // std::logic_error if this thread computes on it already and Python calls back.
@@ -218,6 +220,7 @@ private:
   Mesh m_mesh;
   Mesh::Property_map<Mesh::Edge_index, double> m_lengths;
   bool m_has_lengths = false;
+  std::vector<Face> m_avoided;
   std::timed_mutex m_mutex;
   std::atomic<std::thread::id> m_owner{std::thread::id()}; // of the mutex
 };

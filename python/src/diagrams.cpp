@@ -57,6 +57,7 @@ public:
           const py::object& progress)
     : m_surface(std::move(surface)), m_voronoi(m_surface->mesh())
   {
+    m_voronoi.avoid_faces(m_surface->avoided_faces());
     if(m_surface->has_lengths())
       m_voronoi.use_edge_lengths(m_surface->lengths());
     sites.visit([&](const auto& range)

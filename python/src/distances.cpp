@@ -32,7 +32,7 @@ Solver& solver_of(Surface& surface, std::unique_ptr<Solver> Distance_engine::*me
   std::unique_ptr<Solver>& solver = *surface.distance_engine.*member;
   if(solver == nullptr)
     solver.reset(surface.has_lengths() ? new Solver(Solver::from_edge_lengths(surface.mesh(), surface.lengths()))
-                                       : new Solver(surface.mesh()));
+                                       : new Solver(Solver::avoiding_faces(surface.mesh(), surface.avoided_faces())));
   return *solver;
 }
 

@@ -188,8 +188,11 @@ py::array_t<std::int64_t> to_ids(const std::vector<Vertex>& vertices)
   return to_array(std::move(ids));
 }
 
-Surface::Surface(const Array<double>& points, const Array<std::int64_t>& faces, const Array<double>& lengths)
+Surface::Surface(const Array<double>& points, const Array<std::int64_t>& faces, const Array<double>& lengths,
+                 const Array<std::int64_t>& avoided)
 {
+  for(py::ssize_t i = 0; i < avoided.size(); ++i)
+    m_avoided.push_back(Face(static_cast<Mesh::size_type>(avoided.data()[i])));
   Interruptible visitor{py::none()};
   visitor.run([&]() { build(points, faces, lengths, visitor); });
 }
@@ -296,7 +299,8 @@ PYBIND11_MODULE(_core, module)
   module.def("has_threads", &has_threads);
   module.def("oriented", &oriented);
   Surface_class surface(module, "Surface");
-  surface.def(py::init<const Array<double>&, const Array<std::int64_t>&, const Array<double>&>());
+  surface.def(py::init<const Array<double>&, const Array<std::int64_t>&, const Array<double>&,
+                       const Array<std::int64_t>&>());
   bind_distances(surface);
   bind_paths(surface);
   bind_diagrams(module, surface);

@@ -1,12 +1,17 @@
-// Shortest paths and isolines.
+// Shortest paths, isolines, and geodesics that are given by directions.
 
 #include "Engines.h"
+
+#include <CGAL/Surface_mesh_geodesics/trace_geodesic.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/parallel_for.h>
 #endif
 
+#include <pybind11/stl.h>
+
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <iterator>
 #include <limits>
@@ -80,6 +85,7 @@ private:
   void set_up(const Surface& surface, std::unique_ptr<Paths>& paths)
   {
     paths = std::make_unique<Paths>(surface.mesh());
+    paths->avoid_faces(surface.avoided_faces());
     if(surface.has_lengths())
       paths->use_edge_lengths(surface.lengths());
     m_sources.visit([&](const auto& range) { paths->add_source_points(range.begin(), range.end()); });
@@ -262,11 +268,101 @@ py::list isolines(Surface& surface, const Array<std::int64_t>& vertex, const Arr
   return result;
 }
 
+// Gets a number for each vertex. It ends the computation with an exception if Python interrupts.
+struct Vertex_output
+{
+  using key_type = Vertex;
+  using value_type = double;
+  using reference = double;
+  using category = boost::writable_property_map_tag;
+
+  friend void put(const Vertex_output& map, Vertex v, double value)
+  {
+    if(!map.visitor->ask_sometimes_and_go_further())
+      throw std::runtime_error("interrupted");
+    (*map.values)[std::size_t(v)] = value;
+  }
+
+  Interruptible* visitor;
+  std::vector<double>* values;
+};
+
+// Returns for each vertex its distance, the direction in which its path leaves the source, and the source.
+py::tuple directions(Surface& surface, const Array<std::int64_t>& vertex, const Array<std::int64_t>& face,
+                     const Array<double>& weights, std::size_t threads, const py::object& progress)
+{
+  const Places sources(surface.mesh(), vertex, face, weights);
+  const std::size_t n = surface.mesh().number_of_vertices();
+  std::vector<double> distance(n), direction(n);
+  std::vector<std::int64_t> source(n, -1);
+  Interruptible visitor(progress, 2);
+  surface.run_alone(visitor, [&]()
+  {
+    const auto engine = engine_of(surface, sources, false, threads, visitor);
+    if(engine == nullptr)
+      return;
+    engine->visit([&](const auto& paths)
+    {
+      paths.shortest_distances_to_source_points(Vertex_output{&visitor, &distance});
+      paths.directions_at_source(Vertex_output{&visitor, &direction});
+      for(const Vertex v : surface.mesh().vertices())
+        if(double& d = distance[std::size_t(v)]; d >= 0)
+          source[std::size_t(v)] = static_cast<std::int64_t>(paths.nearest_source_point(v));
+        else
+          d = std::numeric_limits<double>::infinity();
+    });
+  });
+  return py::make_tuple(to_array(std::move(distance)), to_array(std::move(direction)), to_array(std::move(source)));
+}
+
+// Traces a geodesic from a place. Returns its length, why it ends (a value of Traced_geodesic::End), the direction in
+// which it would go on, points, faces, weights.
+py::tuple trace(const Surface& surface, const Array<std::int64_t>& vertex, const Array<std::int64_t>& face,
+                const Array<double>& weights, double direction, double length)
+{
+  const Places places(surface.mesh(), vertex, face, weights);
+  geodesics::Traced_geodesic<Mesh> traced;
+  Interruptible visitor{py::none()};
+  visitor.run([&]()
+  {
+    traced = places.visit([&](const auto& range)
+    {
+      return surface.has_lengths()
+        ? geodesics::trace_geodesic_from_edge_lengths(surface.mesh(), surface.lengths(), range[0], direction, length)
+        : geodesics::trace_geodesic(surface.mesh(), range[0], direction, length);
+    });
+  });
+  traced.points.resize(traced.locations.size());
+  std::vector<double> points, coordinates;
+  std::vector<std::int64_t> faces;
+  for(std::size_t i = 0; i < traced.locations.size(); ++i)
+  {
+    const auto& [f, b] = traced.locations[i];
+    points.insert(points.end(), traced.points[i].begin(), traced.points[i].end());
+    coordinates.insert(coordinates.end(), b.begin(), b.end());
+    faces.push_back(std::int64_t(std::size_t(f)));
+  }
+  return py::make_tuple(traced.length, int(traced.end), traced.direction, to_rows(std::move(points), 3),
+                        to_array(std::move(faces)), to_rows(std::move(coordinates), 3));
+}
+
+// Returns the direction of a vector of space at a place.
+double direction_of(const Surface& surface, const Array<std::int64_t>& vertex, const Array<std::int64_t>& face,
+                    const Array<double>& weights, const std::array<double, 3>& vector)
+{
+  return Places(surface.mesh(), vertex, face, weights)
+    .visit([&](const auto& range) { return geodesics::geodesic_direction(surface.mesh(), range[0], vector); });
+}
+
 } // namespace
 
 void bind_paths(Surface_class& surface)
 {
-  surface.def("paths", &paths_to).def("isolines", &isolines);
+  surface.def("paths", &paths_to)
+    .def("isolines", &isolines)
+    .def("directions", &directions)
+    .def("trace", &trace)
+    .def("direction_of", &direction_of);
 }
 
 } // namespace geodesics_python

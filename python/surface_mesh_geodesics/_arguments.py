@@ -133,6 +133,35 @@ def length_of(name: str, value: Any, least: float, rule: str) -> float:
     return float(array)
 
 
+def finite_of(name: str, value: Any) -> float:
+    """Returns a number that is finite."""
+    array = numbers_of(name, value)
+    if array.ndim != 0 or not np.isfinite(array):
+        raise ValueError(f"{name} is {value!r}: it must be a finite number")
+    return float(array)
+
+
+def vector_of(name: str, value: Any) -> np.ndarray:
+    """Returns three finite numbers."""
+    array = row_of_numbers(name, value)
+    if array.shape != (3,):
+        raise ValueError(f"{name} has shape {array.shape}, but (3,) is needed")
+    _check_elements(name, array, ~np.isfinite(array), "not a finite number")
+    return array
+
+
+def faces_of(name: str, values: Any, m: int) -> np.ndarray:
+    """Returns ids of faces; they may be given as m booleans."""
+    if getattr(values, "dtype", None) == np.bool_:
+        if values.shape != (m,):
+            raise ValueError(f"{name} has shape {values.shape}, but there are {m} faces")
+        return np.flatnonzero(values).astype(np.int64)
+    ids = np.atleast_1d(ids_of(name, values, m, "faces"))
+    if ids.ndim != 1:
+        raise ValueError(f"{name} has shape {ids.shape}, but one row of faces is needed")
+    return ids
+
+
 def radius_of(name: str, value: Any) -> float:
     return length_of(name, value, 0.0, "a number that is not negative")
 

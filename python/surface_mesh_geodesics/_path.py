@@ -27,3 +27,26 @@ class Path:
 
     def __repr__(self) -> str:
         return f"Path(length={self.length:.6g}, source={self.source}, {len(self.points)} points)"
+
+
+@dataclass(frozen=True, eq=False)
+class TracedGeodesic:
+    """The straightest geodesic from a place in a direction. The segment before a point lies in the face of the point.
+
+    >>> import surface_mesh_geodesics as smg
+    >>> smg.Solver([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]]).trace((0, [1, 0, 0]), 0, 2)
+    TracedGeodesic(length=2, end='length', 2 points)
+    """
+
+    length: float  #: in the unit of the points; less than was asked for unless `end` is 'length'
+    end: str  #: why it ends: 'length', 'border', or 'singularity' (nothing is straight on there)
+    direction: float  #: in which it would go on from its last point
+    points: np.ndarray  #: (k, 3)
+    faces: np.ndarray  #: (k,), the face of each point
+    barycentric: np.ndarray  #: (k, 3), the coordinates of each point in its face
+
+    def __len__(self) -> int:
+        return len(self.points)
+
+    def __repr__(self) -> str:
+        return f"TracedGeodesic(length={self.length:.6g}, end={self.end!r}, {len(self.points)} points)"

@@ -8,7 +8,7 @@ from . import _core
 from . import _arguments as arguments
 from ._certificate import Certificate, Condition
 from ._isolines import linear_isolines
-from ._path import Path
+from ._path import Path, TracedGeodesic
 from ._voronoi import Voronoi
 
 Progress = Callable[[float], Any]
@@ -72,6 +72,27 @@ class Solver:
             raise ValueError(f"L[{f}, {k}] is {lengths[f, k]}: a length must not be negative")
         solver = cls.__new__(cls)
         solver._set_up(np.zeros((n, 3)), faces, lengths)
+        return solver
+
+    def avoiding(self, faces: Any) -> Solver:
+        """Returns a solver for the same surface whose paths lead around faces. They may run along the rim of these.
+
+        faces  ids of faces, in place of those that this solver avoids, or (m,) booleans
+
+        Distances are inf where no way leads around. A source or a place inside of the avoided faces is an error; one at
+        their rim is not. Vertices and faces keep their numbers. `certify()`, `sample()`, `relax()`, `remesh()` and
+        `trace()` need a solver that avoids no faces. Surfaces without points cannot avoid any.
+
+        >>> import surface_mesh_geodesics as smg
+        >>> V = [[0, 0, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0], [1, 1, 0]]
+        >>> s = smg.Solver(V, [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]])
+        >>> s.avoiding([1, 2, 3]).distances(0).round(3)
+        array([0.   , 2.   ,   inf,   inf, 1.414])
+        """
+        self._needs_points("avoiding")
+        avoided = arguments.faces_of("faces", faces, self.n_faces)
+        solver = self.__class__.__new__(self.__class__)
+        solver.__setstate__({**self.__getstate__(), "_avoided": avoided})
         return solver
 
     # --- distances ---
@@ -149,6 +170,7 @@ class Solver:
         >>> s.certify([3, 0, 5], 1).is_certified(), s.certify([3, 0, 5.1], 1).is_certified()
         (True, False)
         """
+        self._needs_all_faces("certify")
         places = self._places("sources", sources)
         distances = arguments.values_of("d", d, self.n_vertices)
         worst, conditions = self._surface.certify(distances, *places,
@@ -222,6 +244,64 @@ class Solver:
         values = arguments.row_without_nan("d", arguments.values_of("d", d, self.n_vertices))
         return linear_isolines(self._points, self._faces, values, arguments.row_without_nan("levels", levels))
 
+    # --- directions ---
+
+    def directions(self, sources: Any, *, return_nearest: bool = False, threads: int | None = 1,
+                   progress: Progress | None = None) -> tuple[np.ndarray, ...]:
+        """Returns the logarithmic map: the distance of each vertex from its nearest source, (n,), inf where none
+        reaches, and the direction in which its shortest path leaves the source, (n,), NaN where none reaches.
+
+        return_nearest  also return (n,) the positions of the nearest sources, -1 where none reaches
+
+        A direction is an angle in radians, counterclockwise as the corners of the faces. At a point of a face it is
+        counted from the edge between the first two corners of the face in F. At a vertex it is counted from an edge
+        that depends only on the mesh, and scaled such that a full turn is 2 pi; at the border it is not scaled, and
+        counted from the first edge. `direction_of()` tells the direction of a vector of space.
+
+        >>> import surface_mesh_geodesics as smg
+        >>> s = smg.Solver([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]])
+        >>> s.directions(0)[1].round(6)
+        array([0.      , 0.      , 1.570796])
+        """
+        found = self._surface.directions(*self._places("sources", sources), arguments.threads_of(threads),
+                                         arguments.progress_of(progress))
+        return found if return_nearest else found[:2]
+
+    def trace(self, place: Any, direction: float, length: float) -> TracedGeodesic:
+        """Returns the straightest geodesic from a place in a direction: the exponential map.
+
+        place      a vertex, or a pair (face, coordinates)
+        direction  an angle as `directions()` returns it
+        length     in the unit of the points
+
+        The geodesic is straight in each face and across edges; at a vertex it goes on with equal angles on both sides.
+        It ends at the border. Ctrl-C does not end it; it passes some million faces in a second.
+
+        >>> import surface_mesh_geodesics as smg
+        >>> s = smg.Solver([[0, 0, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0]], [[0, 1, 2], [0, 2, 3]])
+        >>> t = s.trace((0, [0.5, 0.5, 0]), s.direction_of((0, [0.5, 0.5, 0]), [0, 1, 0]), 5)
+        >>> t.length, t.end, t.points.round(12).tolist()
+        (2.0, 'border', [[1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [1.0, 2.0, 0.0]])
+        """
+        self._needs_all_faces("trace")
+        end = ("length", "border", "singularity")
+        found = self._surface.trace(*self._place("place", place), arguments.finite_of("direction", direction),
+                                    arguments.radius_of("length", arguments.finite_of("length", length)))
+        return TracedGeodesic(found[0], end[found[1]], *found[2:])
+
+    def direction_of(self, place: Any, vector: Any) -> float:
+        """Returns the direction of a vector of space at a place, as `directions()` counts directions.
+
+        The vector is projected to the plane of the face of the place; at a vertex, of one of its faces.
+
+        >>> import surface_mesh_geodesics as smg
+        >>> s = smg.Solver([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]])
+        >>> s.direction_of((0, [0.5, 0.25, 0.25]), [1, 1, 7]) * 4 / np.pi
+        1.0
+        """
+        self._needs_points("direction_of")
+        return self._surface.direction_of(*self._place("place", place), arguments.vector_of("vector", vector))
+
     # --- diagrams, samples ---
 
     def voronoi(self, sites: Any, weights: Any = None, *, threads: int | None = 1,
@@ -280,6 +360,7 @@ class Solver:
         array([1, 2])
         """
         self._needs_points("sample")
+        self._needs_all_faces("sample")
         given = NO_IDS if first is None else self._vertices("first", first)
         found, radius = self._surface.sample(arguments.count_of("n", n, 0), given,
                                              arguments.radius_of("covering_radius", covering_radius),
@@ -308,6 +389,7 @@ class Solver:
         array([4, 5])
         """
         self._needs_points("relax")
+        self._needs_all_faces("relax")
         return self._surface.relax(self._vertices("sites", sites), *self._relaxation(iterations, threshold,
                                                                                      on_iteration, progress))
 
@@ -326,6 +408,7 @@ class Solver:
         ((4, 3), (4, 3))
         """
         self._needs_points("remesh")
+        self._needs_all_faces("remesh")
         return self._surface.remesh(arguments.count_of("n", n, 3, max(3, self.n_vertices)),
                                     *self._relaxation(iterations, threshold, on_iteration, progress))
 
@@ -359,16 +442,23 @@ class Solver:
 
     def __setstate__(self, state: dict) -> None:
         self.__dict__.update(state)
-        self._surface = _surface_of(self._points, self._faces, self._lengths)
+        self._surface = _surface_of(self._points, self._faces, self._lengths, self._avoided)
 
     def _set_up(self, points: np.ndarray, faces: np.ndarray, lengths: np.ndarray | None) -> None:
-        self._surface = _surface_of(points, faces, lengths)
+        self._surface = _surface_of(points, faces, lengths, NO_IDS)
+        self._avoided = NO_IDS
         # Copies: the arrays of the caller may change.
         self._points, self._faces = points.copy(), faces.copy()
         self._lengths = None if lengths is None else lengths.copy()
 
     def _places(self, name: str, values: Any) -> arguments.Places:
         return arguments.places_of(name, values, self.n_vertices, self.n_faces)
+
+    def _place(self, name: str, value: Any) -> arguments.Places:
+        places = self._places(name, value)
+        if len(places.vertex) != 1:
+            raise ValueError(f"{name} has {len(places.vertex)} places, but one is needed")
+        return places
 
     def _vertices(self, name: str, values: Any) -> np.ndarray:
         return arguments.row_of_ids(name, values, self.n_vertices)
@@ -387,6 +477,10 @@ class Solver:
         if self._lengths is not None:
             raise ValueError(f"{name}() needs points, but this surface is given by edge lengths")
 
+    def _needs_all_faces(self, name: str) -> None:
+        if len(self._avoided) > 0:
+            raise ValueError(f"{name}() cannot lead around faces, but this solver avoids some")
+
     def _extent(self) -> float:
         if self._lengths is not None:
             return float(self._lengths.max(initial=0.0))
@@ -395,5 +489,6 @@ class Solver:
         return float(np.linalg.norm(self._points.max(axis=0) - self._points.min(axis=0)))
 
 
-def _surface_of(points: np.ndarray, faces: np.ndarray, lengths: np.ndarray | None) -> _core.Surface:
-    return _core.Surface(points, faces, np.zeros((0, 3)) if lengths is None else lengths)
+def _surface_of(points: np.ndarray, faces: np.ndarray, lengths: np.ndarray | None,
+                avoided: np.ndarray) -> _core.Surface:
+    return _core.Surface(points, faces, np.zeros((0, 3)) if lengths is None else lengths, avoided)
