@@ -22,11 +22,11 @@ double Distance_field::largest() const
   return result;
 }
 
-Distance_field distances_from(const Mesh& mesh, const std::vector<Location>& sources, double radius,
-                              const Console& console)
+Distance_field distances_from(const Mesh& mesh, const std::vector<Face>& avoided, const std::vector<Location>& sources,
+                              double radius, const Console& console)
 {
   using Solver = CGAL::Surface_mesh_geodesics::Geodesic_distance_solver<Mesh>;
-  Solver solver(mesh);
+  Solver solver = Solver::avoiding_faces(mesh, avoided);
   Progress_visitor visitor(console, "distances");
   const auto np = CGAL::parameters::maximum_distance(radius).visitor(std::ref(visitor));
   const std::vector<Vertex> vertices = as_vertices(sources);
@@ -45,11 +45,12 @@ Distance_field distances_from(const Mesh& mesh, const std::vector<Location>& sou
 
 Distance_run::~Distance_run() = default;
 
-Distance_run::Distance_run(const Mesh& mesh, const std::vector<Location>& sources, double radius,
-                           const Console& console)
+Distance_run::Distance_run(const Mesh& mesh, const std::vector<Face>& avoided, const std::vector<Location>& sources,
+                           double radius, const Console& console)
   : m_mesh(mesh), m_console(console), m_paths(new Paths(mesh))
 {
   Path_finder& finder = m_paths->finder;
+  finder.avoid_faces(avoided);
   add_sources(finder, sources);
   {
     Progress_visitor visitor(console, "distances");

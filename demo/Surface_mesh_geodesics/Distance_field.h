@@ -27,9 +27,9 @@ struct Distance_field
   double largest() const;
 };
 
-// Computes the distances up to `radius`.
-Distance_field distances_from(const Mesh& mesh, const std::vector<Location>& sources, double radius,
-                              const Console& console);
+// Computes the distances up to `radius` of paths that lead around the avoided faces.
+Distance_field distances_from(const Mesh& mesh, const std::vector<Face>& avoided, const std::vector<Location>& sources,
+                              double radius, const Console& console);
 
 // All lines at one distance from the sources.
 struct Isoline
@@ -43,7 +43,8 @@ struct Isoline
 class Distance_run
 {
 public:
-  Distance_run(const Mesh& mesh, const std::vector<Location>& sources, double radius, const Console& console);
+  Distance_run(const Mesh& mesh, const std::vector<Face>& avoided, const std::vector<Location>& sources, double radius,
+               const Console& console);
   ~Distance_run();
 
   Distance_run(const Distance_run&) = delete;
@@ -54,7 +55,7 @@ public:
   // The lines at the given distances, in the same order.
   std::vector<Isoline> isolines(const std::vector<double>& distances) const;
 
-  // For pages: the surface, refined if it has few triangles, and its isolines at the given distances.
+  // For pages, without avoided faces: the surface, refined if it has few triangles, and its isolines at the given distances.
   Html_surface surface() const;
   Html_lines lines_on(const Html_surface& surface, const std::vector<double>& distances) const;
 

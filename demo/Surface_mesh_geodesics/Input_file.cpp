@@ -25,8 +25,9 @@ std::vector<std::string> names_of_inputs(const Arguments& arguments)
     if(ends_with(option, "-file"))
       for(const std::string& name : all_values(arguments, option))
         names.push_back(name);
-  if(has(arguments, "distances"))
-    names.push_back(arguments["distances"].as<std::string>());
+  for(const char* const option : {"distances", "avoid"})
+    if(has(arguments, option))
+      names.push_back(arguments[option].as<std::string>());
   return names;
 }
 

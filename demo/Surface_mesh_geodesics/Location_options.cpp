@@ -363,10 +363,13 @@ std::vector<Vertex> Location_options::vertices(const Arguments& arguments, const
 
 Point point_of(const Location& location, const Mesh& mesh)
 {
-  if(location.is_vertex())
-    return mesh.point(location.vertex);
-  const Mesh::Halfedge_index h = mesh.halfedge(location.face_location.first);
-  const std::array<double, 3>& b = location.face_location.second;
+  return location.is_vertex() ? mesh.point(location.vertex) : point_of(location.face_location, mesh);
+}
+
+Point point_of(const Face_location& location, const Mesh& mesh)
+{
+  const Mesh::Halfedge_index h = mesh.halfedge(location.first); // its source has the first coordinate
+  const std::array<double, 3>& b = location.second;
   return CGAL::barycenter(mesh.point(mesh.source(h)), b[0], mesh.point(mesh.target(h)), b[1],
                           mesh.point(mesh.target(mesh.next(h))), b[2]);
 }

@@ -58,6 +58,7 @@ bool is_seed_unused(const Arguments& arguments);
 
 // The point of a location.
 Point point_of(const Location& location, const Mesh& mesh);
+Point point_of(const Face_location& location, const Mesh& mesh);
 
 // The vertices of the locations if all of them are vertices; else an empty range.
 std::vector<Vertex> as_vertices(const std::vector<Location>& locations);

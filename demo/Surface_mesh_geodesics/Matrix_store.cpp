@@ -316,6 +316,8 @@ void check_matrix_store_options(const Arguments& arguments)
   for(const char* const option : options_of_stores)
     if(has(arguments, option) && !has(arguments, "store"))
       throw Command_error(Exit_code::BAD_USAGE, std::string("--") + option + " needs --store");
+  if(works_on_stored_matrix(arguments) && has(arguments, "avoid"))
+    throw Command_error(Exit_code::BAD_USAGE, "a stored matrix has no faces to avoid");
   if(has(arguments, "store") && has(arguments, "output"))
     throw Command_error(Exit_code::BAD_USAGE, "--store and --output exclude each other");
   if(works_on_stored_matrix(arguments) && has(arguments, "repair")) // --verify reads the file as it is

@@ -8,6 +8,7 @@
 #include "Location_columns.h"
 #include "Location_options.h"
 #include "Number_text.h"
+#include "Obstacle_option.h"
 #include "Output_files.h"
 #include "Reachability.h"
 #include "number_arguments.h"
@@ -43,6 +44,7 @@ void declare(Option_descriptions& options)
      "isolines at the distances D, 2 D, 3 D, ... instead; at most 1000")
     ("lines", boost::program_options::value<std::vector<std::string>>()->value_name("FILE")->composing(),
      "the isolines in a file of their own: .obj, .ply, .vtk, .vtu; takes several times the memory");
+  declare_obstacles(options);
   declare_html(options);
   declare_output(options, "a table .csv (default: to standard output); the surface with colors and distances .ply, "
                           ".vtu, .vtk, .obj");
@@ -129,6 +131,7 @@ void run(const Arguments& arguments, const Console& console)
   const bool has_output = has(arguments, "output") || !pages.empty() || line_names.empty();
   Output_files files(has_output ? output_names(arguments, pages) : std::vector<std::string>(),
                      {"csv", "ply", "vtu", "vtk", "obj", "html"});
+  check_no_page_of_obstacles(arguments, files.have({"html"}));
   Output_files line_files(line_names, {"obj", "ply", "vtk", "vtu"});
   const bool has_lines = !line_names.empty() || files.have({"html"});
   for(const char* option : {"isolines", "spacing"})
@@ -136,13 +139,14 @@ void run(const Arguments& arguments, const Console& console)
       console.note(std::string("--") + option + " has no effect without --lines or a page .html");
   const Mesh mesh = read_mesh(arguments, console);
   const std::vector<Location> sources = source_options.required_locations(arguments, mesh, console);
+  const std::vector<Face> avoided = avoided_faces(arguments, mesh);
   // One propagation: without lines, the one that keeps distances only.
   std::unique_ptr<Distance_run> run;
   if(has_lines)
-    run.reset(new Distance_run(mesh, sources, radius, console));
-  const Distance_field field = has_lines ? run->field() : distances_from(mesh, sources, radius, console);
+    run.reset(new Distance_run(mesh, avoided, sources, radius, console));
+  const Distance_field field = has_lines ? run->field() : distances_from(mesh, avoided, sources, radius, console);
   if(!has(arguments, "radius"))
-    remark_on_unreached(mesh, field, console);
+    remark_on_unreached(mesh, field, has(arguments, "avoid"), console);
   const std::vector<double> limits
     = has_lines ? isoline_distances(arguments, field.largest()) : std::vector<double>();
   if(!line_names.empty())

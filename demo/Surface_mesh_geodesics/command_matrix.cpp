@@ -6,6 +6,7 @@
 #include "Location_options.h"
 #include "Matrix_store.h"
 #include "Number_text.h"
+#include "Obstacle_option.h"
 #include "Output_files.h"
 #include "Reachability.h"
 #include "number_arguments.h"
@@ -37,6 +38,7 @@ void declare(Option_descriptions& options)
   options.add_options()("radius", positive_value("radius")->value_name("R"),
                         "only distances up to R: the table has a line for each, with the index of the source, "
                         "counted from 0, the target vertex, and the distance");
+  declare_obstacles(options);
   declare_output(options, "a table .csv (default: to standard output)");
   declare_matrix_store(options);
 }
@@ -108,7 +110,7 @@ void write(const Arguments& arguments, const Mesh& mesh, const Sources& sources,
 {
   Unreached_pairs unreached;
   const double radius = positive_argument_or(arguments, "radius", std::numeric_limits<double>::infinity());
-  const Solver solver(mesh);
+  const Solver solver = Solver::avoiding_faces(mesh, avoided_faces(arguments, mesh));
   files.write([&](std::ostream& os, const std::string&)
   {
     Progress_bar bar(console, "rows", 1);
@@ -119,7 +121,7 @@ void write(const Arguments& arguments, const Mesh& mesh, const Sources& sources,
   });
   if(unreached.number > 0)
     console.note(std::to_string(unreached.number) + " of " + std::to_string(sources.size() * targets.size())
-                 + " pairs have no path" + reason_for_unreached(mesh));
+                 + " pairs have no path" + reason_for_unreached(mesh, has(arguments, "avoid")));
 }
 
 bool needs_mesh(const Arguments& arguments)

@@ -8,6 +8,7 @@
 #include "Location_columns.h"
 #include "Location_options.h"
 #include "Number_text.h"
+#include "Obstacle_option.h"
 #include "Output_files.h"
 #include "Path_finder.h"
 #include "Reachability.h"
@@ -31,6 +32,7 @@ void declare(Option_descriptions& options)
   target_options.declare(options);
   declare_seed(options);
   options.add_options()("points", "the table has a line for each point of each path");
+  declare_obstacles(options);
   declare_html(options);
   declare_output(options, "a table .csv (default: to standard output); the paths as lines .obj, .ply, .vtk, "
                           ".vtu, .polylines.txt");
@@ -74,10 +76,12 @@ std::vector<Path> find_paths(const Path_finder& finder, const std::vector<Locati
 }
 
 // A path finder that answers for the targets.
-std::unique_ptr<Path_finder> finder_for(const Mesh& mesh, const std::vector<Location>& sources,
+std::unique_ptr<Path_finder> finder_for(const Mesh& mesh, const std::vector<Face>& avoided,
+                                        const std::vector<Location>& sources,
                                         const std::vector<Location>& targets, const Console& console)
 {
   std::unique_ptr<Path_finder> finder(new Path_finder(mesh));
+  finder->avoid_faces(avoided);
   add_sources(*finder, sources);
   Progress_visitor visitor(console, "distances");
   if(as_vertices(targets).empty())
@@ -89,7 +93,7 @@ std::unique_ptr<Path_finder> finder_for(const Mesh& mesh, const std::vector<Loca
 
 // Remarks on targets that no source reaches. If there is no other target, the question has no answer.
 void check_reached(const Mesh& mesh, const std::vector<Location>& targets, const std::vector<Path>& paths,
-                   const Console& console)
+                   bool avoids_faces, const Console& console)
 {
   std::size_t n = 0, first = 0;
   for(std::size_t i = paths.size(); i-- > 0;)
@@ -104,8 +108,8 @@ void check_reached(const Mesh& mesh, const std::vector<Location>& targets, const
                                   : "no source reaches " + std::to_string(n) + " of " + std::to_string(targets.size())
                                       + " targets; the first one is " + description_of(targets[first]);
   if(n == targets.size())
-    throw Command_error(Exit_code::NO_RESULT, text + reason_for_unreached(mesh));
-  console.note(text + reason_for_unreached(mesh));
+    throw Command_error(Exit_code::NO_RESULT, text + reason_for_unreached(mesh, avoids_faces));
+  console.note(text + reason_for_unreached(mesh, avoids_faces));
 }
 
 void write_paths_table(std::ostream& os, const std::vector<Location>& sources, const std::vector<Location>& targets,
@@ -205,18 +209,20 @@ void run(const Arguments& arguments, const Console& console)
   Output_files files(output_names(arguments, html_names(arguments)),
                      {"csv", "obj", "ply", "vtk", "vtu", "polylines.txt", "html"});
   files.remark_on_unused(arguments, "points", {"csv"}, console);
+  check_no_page_of_obstacles(arguments, files.have({"html"}));
   const Mesh mesh = read_mesh(arguments, console);
   const std::vector<Location> sources = source_options.required_locations(arguments, mesh, console);
   const std::vector<Location> targets = target_options.required_locations(arguments, mesh, console);
+  const std::vector<Face> avoided = avoided_faces(arguments, mesh);
   // One propagation: that of the page answers for the targets, too.
   std::unique_ptr<Distance_run> distances;
   if(files.have({"html"}))
-    distances.reset(new Distance_run(mesh, sources, std::numeric_limits<double>::infinity(), console));
+    distances.reset(new Distance_run(mesh, avoided, sources, std::numeric_limits<double>::infinity(), console));
   const std::unique_ptr<Path_finder> finder
-    = distances == nullptr ? finder_for(mesh, sources, targets, console) : std::unique_ptr<Path_finder>();
+    = distances == nullptr ? finder_for(mesh, avoided, sources, targets, console) : std::unique_ptr<Path_finder>();
   const std::vector<Path> paths
     = find_paths(finder == nullptr ? distances->paths().finder : *finder, targets, console);
-  check_reached(mesh, targets, paths, console);
+  check_reached(mesh, targets, paths, has(arguments, "avoid"), console);
   const Drawing drawing = drawing_of(sources, targets, paths);
   files.write([&](std::ostream& os, const std::string& format)
   {

@@ -3,6 +3,7 @@
 #include "Command.h"
 #include "Console.h"
 #include "Face_tree.h"
+#include "Location_options.h"
 #include "Output_files.h"
 #include "Program_mesh.h"
 #include "number_arguments.h"
@@ -10,10 +11,8 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_remeshing.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
-#include <CGAL/boost/graph/iterator.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -92,11 +91,7 @@ double distance_from(const Mesh& mesh, const Face_tree& tree, const Mesh& mesh_o
   double largest = 0;
   const auto add = [&](const Point& p)
   {
-    const Face_location location = tree.nearest_location(p);
-    const auto h = mesh_of_tree.halfedge(location.first); // its source has the first coordinate
-    const Point q = CGAL::barycenter(mesh_of_tree.point(mesh_of_tree.source(h)), location.second[0],
-                                     mesh_of_tree.point(mesh_of_tree.target(h)), location.second[1],
-                                     mesh_of_tree.point(mesh_of_tree.target(mesh_of_tree.next(h))), location.second[2]);
+    const Point q = point_of(tree.nearest_location(p), mesh_of_tree);
     largest = (std::max)(largest, std::sqrt(CGAL::squared_distance(p, q)));
   };
   for(const Vertex v : mesh.vertices())

@@ -1,0 +1,58 @@
+#!/usr/bin/env bash
+# surface_mesh_geodesics --avoid
+source "$(dirname "${BASH_SOURCE[0]}")/support.sh" "$@"
+grid=$data/grid4.off # the unit square, 16 vertices, 18 faces; vertex 4 i + j is (i, j) / 3
+
+# The two faces of the square in the middle: the diagonal leads around it, through one of its corners.
+number_of_vertices=$(line "$grid" 2 | cut -d ' ' -f 1)
+awk -v n="$number_of_vertices" 'NR == FNR { if(FNR > 2 && FNR <= n + 2) { x[FNR - 3] = $1; y[FNR - 3] = $2 } next }
+  FNR > n + 2 && NF >= 4 { cx = (x[$2] + x[$3] + x[$4]) / 3; cy = (y[$2] + y[$3] + y[$4]) / 3
+    if(cx > 1/3 && cx < 2/3 && cy > 1/3 && cy < 2/3) print FNR - n - 3 }' "$grid" "$grid" > middle.txt
+equals "$(wc -l < middle.txt)" 2
+around=$(awk 'BEGIN { printf "%.17g", 2 * sqrt(5) / 3 }')
+is_silent path "$grid" --source 0 --target 15 --avoid middle.txt -o path.csv -o path.polylines.txt
+is_near "$(column path.csv length)" "$around"
+equals "$(cut -d ' ' -f 1 path.polylines.txt)" "$(awk '{ print NF == 3 * $1 + 1 ? $1 : "bad" }' path.polylines.txt)"
+
+# All commands with the option know the faces, in any form of the file.
+{ printf '# the middle\n'; paste -sd, middle.txt; printf '\n'; } > comments.txt
+is_silent distances "$grid" --source 0 --avoid comments.txt -o distances.csv --lines lines.obj
+is_near "$(column distances.csv distance | line /dev/stdin 16)" "$around"
+is_silent distances "$grid" --source 0 --avoid comments.txt -o again.csv
+cmp again.csv distances.csv
+is_silent matrix "$grid" --source 0 --target 15 --avoid middle.txt -o matrix.csv
+is_near "$(line matrix.csv 2 | cut -d, -f2)" "$around"
+is_silent voronoi "$grid" --site 0,15 --avoid middle.txt -o cells.csv -o cells.off -o cells.ply
+is_near "$(column cells.csv area | awk '{ s += $1 } END { printf "%.17g", s }')" \
+  "$(awk 'BEGIN { printf "%.17g", 8 / 9 }')"
+is_silent voronoi "$grid" --site 0 --avoid middle.txt --vertices -o labels.csv
+is_near "$(column labels.csv distance | line /dev/stdin 16)" "$around"
+
+# No way around.
+seq 0 17 > all.txt
+rejects 3 "inside of the faces to avoid" distances "$grid" --source 5 --avoid all.txt
+awk 'NR == FNR { avoided[$1]; next } !($1 in avoided)' middle.txt all.txt > but_middle.txt
+remarks "of 16 vertices are not reached; the mesh has 1 component, and paths avoid faces" \
+  distances "$grid" --source 5 --avoid but_middle.txt
+rejects 1 "no source reaches vertex 0; the mesh has 1 component, and paths avoid faces" \
+  path "$grid" --source 5 --target 0 --avoid but_middle.txt
+
+# Wrong files.
+rejects 3 "none.txt" distances "$grid" --source 0 --avoid none.txt
+printf '1\n\n2 x\n' > word.txt
+rejects 3 "word.txt, line 3: 'x' is not the index of a face" distances "$grid" --source 0 --avoid word.txt
+printf '17 18\n' > outside.txt
+rejects 3 "outside.txt, line 1: there is no face 18, but 18 faces, counted from 0" \
+  distances "$grid" --source 0 --avoid outside.txt
+printf -- '-1\n' > negative.txt
+rejects 3 "negative.txt, line 1: '-1' is not the index of a face" path "$grid" --source 0 --target 1 --avoid negative.txt
+cp middle.txt kept.csv
+rejects 2 "this command reads the file" distances "$grid" --source 0 --avoid kept.csv -o kept.csv
+cmp kept.csv middle.txt
+
+# What has no faces to avoid.
+rejects 2 "a stored matrix has no faces to avoid" matrix "$grid" --source all --store rows --avoid middle.txt
+if "$program" distances --help | grep --quiet -e --html; then
+  rejects 2 "--avoid cannot be combined with a page .html" distances "$grid" --source 0 --avoid middle.txt -o page.html
+  rejects 2 "--avoid cannot be combined with a page .html" voronoi "$grid" --site 0 --avoid middle.txt -o page.html
+fi
