@@ -55,7 +55,8 @@ public:
   // The lines at the given distances, in the same order.
   std::vector<Isoline> isolines(const std::vector<double>& distances) const;
 
-  // For pages, without avoided faces: the surface, refined if it has few triangles, and its isolines at the given distances.
+  // For pages, if no faces are avoided: the surface, refined if it has few triangles, and its isolines at the given
+  // distances.
   Html_surface surface() const;
   Html_lines lines_on(const Html_surface& surface, const std::vector<double>& distances) const;
 

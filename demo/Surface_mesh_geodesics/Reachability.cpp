@@ -47,7 +47,8 @@ std::string reason_for_unreached(const Mesh& mesh, bool avoids_faces)
   return text;
 }
 
-void remark_on_unreached(const Mesh& mesh, std::size_t number_of_vertices, bool avoids_faces, const Console& console)
+void remark_on_unreached(const Mesh& mesh, std::size_t number_of_vertices, bool avoids_faces,
+                         const Console& console)
 {
   if(number_of_vertices > 0)
     console.note(std::to_string(number_of_vertices) + " of " + counted_vertices(mesh.number_of_vertices())

@@ -18,7 +18,8 @@ std::string reason_for_unreached(const Mesh& mesh, bool avoids_faces = false);
 
 // Remarks on vertices that no source reaches, if there are any.
 void remark_on_unreached(const Mesh& mesh, const Distance_field& field, bool avoids_faces, const Console& console);
-void remark_on_unreached(const Mesh& mesh, std::size_t number_of_vertices, bool avoids_faces, const Console& console);
+void remark_on_unreached(const Mesh& mesh, std::size_t number_of_vertices, bool avoids_faces,
+                         const Console& console);
 
 } // namespace geodesics_demo
 
