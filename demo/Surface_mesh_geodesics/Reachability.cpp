@@ -52,7 +52,8 @@ void remark_on_unreached(const Mesh& mesh, std::size_t number_of_vertices, bool 
 {
   if(number_of_vertices > 0)
     console.note(std::to_string(number_of_vertices) + " of " + counted_vertices(mesh.number_of_vertices())
-                 + (number_of_vertices == 1 ? " is" : " are") + " not reached" + reason_for_unreached(mesh, avoids_faces));
+                 + (number_of_vertices == 1 ? " is" : " are") + " not reached"
+                 + reason_for_unreached(mesh, avoids_faces));
 }
 
 void remark_on_unreached(const Mesh& mesh, const Distance_field& field, bool avoids_faces, const Console& console)
