@@ -235,6 +235,7 @@ using Surface_class = py::class_<Surface, std::shared_ptr<Surface>>;
 
 void bind_distances(Surface_class& surface);
 void bind_paths(Surface_class& surface);
+void bind_stores(Surface_class& surface);
 void bind_diagrams(py::module_& module, Surface_class& surface);
 
 } // namespace geodesics_python

@@ -303,6 +303,7 @@ PYBIND11_MODULE(_core, module)
                        const Array<std::int64_t>&>());
   bind_distances(surface);
   bind_paths(surface);
+  bind_stores(surface);
   bind_diagrams(module, surface);
   // Before the interpreter ends: a computation that ends later would find no interpreter.
   py::module_::import("atexit").attr("register")(py::cpp_function(&Interruptible::stop_all));

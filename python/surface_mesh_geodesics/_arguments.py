@@ -162,6 +162,16 @@ def faces_of(name: str, values: Any, m: int) -> np.ndarray:
     return ids
 
 
+def rows_of(name: str, value: Any) -> tuple[int, int]:
+    """Returns the pair (first row, row behind the last one); None stands for all rows."""
+    if value is None:
+        return 0, 2**63 - 1
+    if not isinstance(value, (tuple, list)) or len(value) != 2:
+        raise ValueError(f"{name} is {value!r}, but a pair (first row, row behind the last one) is needed")
+    first = count_of(f"{name}[0]", value[0], 0)
+    return first, count_of(f"{name}[1]", value[1], first)
+
+
 def radius_of(name: str, value: Any) -> float:
     return length_of(name, value, 0.0, "a number that is not negative")
 

@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+import os
 from typing import Any, Callable
 
 import numpy as np
@@ -80,8 +81,8 @@ class Solver:
         faces  ids of faces, in place of those that this solver avoids, or (m,) booleans
 
         Distances are inf where no way leads around. A source or a place inside of the avoided faces is an error; one at
-        their rim is not. Vertices and faces keep their numbers. `certify()`, `sample()`, `relax()`, `remesh()` and
-        `trace()` need a solver that avoids no faces. Surfaces without points cannot avoid any.
+        their rim is not. Vertices and faces keep their numbers. `certify()`, `sample()`, `relax()`, `remesh()`,
+        `trace()` and `store_matrix()` need a solver that avoids no faces. Surfaces without points cannot avoid any.
 
         >>> import surface_mesh_geodesics as smg
         >>> V = [[0, 0, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0], [1, 1, 0]]
@@ -156,6 +157,38 @@ class Solver:
         except ImportError:
             return values, columns, pointers
         return csr_matrix((values, columns, pointers), shape=(len(places.vertex), len(ids)))
+
+    def store_matrix(self, folder: Any, sources: Any = None, targets: Any = None, *, float32: bool = False,
+                     symmetric: bool = False, radius: float = np.inf, rows: tuple[int, int] | None = None,
+                     mesh_name: str = "", threads: int | None = None,
+                     progress: Progress | None = None) -> tuple[int, int]:
+        """Stores the matrix of `matrix()` in a folder, and goes on where an earlier call for the folder has ended.
+
+        float32    round the distances to 32 bits
+        symmetric  row i has the distances from source i to the sources i + 1, i + 2, ... only, which are the targets
+        radius     store the distances up to it, as a sparse matrix
+        rows       a pair (a, b): compute the files whose first row is in a, ..., b - 1
+        mesh_name  a name for the manifest, such as the file of the mesh
+
+        The rows are in files of NumPy's format, rows_*.npy, whose names sort in the order of the rows. Several
+        processes may work on one folder. Returns how many rows of the range are stored, and how many there are.
+        Ctrl-C is heard between rows; what is stored stays. A folder with another matrix is a ValueError, and a file
+        that cannot be written an OSError. The surface needs points, and must not avoid faces.
+
+        >>> import glob, tempfile, surface_mesh_geodesics as smg
+        >>> s = smg.Solver([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]])
+        >>> with tempfile.TemporaryDirectory() as folder:
+        ...     s.store_matrix(folder, [0, 1]), [np.load(f) for f in sorted(glob.glob(f"{folder}/rows_*.npy"))]
+        ((2, 2), [array([[0., 3., 4.],
+               [3., 0., 5.]])])
+        """
+        self._needs_points("store_matrix")
+        self._needs_all_faces("store_matrix")
+        places, ids = self._rows_and_columns(sources, targets)
+        return self._surface.store_matrix(*places, ids, os.fspath(folder), bool(float32), bool(symmetric),
+                                          arguments.radius_of("radius", radius), *arguments.rows_of("rows", rows),
+                                          str(mesh_name), arguments.threads_of(threads),
+                                          arguments.progress_of(progress))
 
     def certify(self, d: Any, sources: Any, *, offsets: Any = None, radius: float = np.inf,
                 progress: Progress | None = None) -> Certificate:
