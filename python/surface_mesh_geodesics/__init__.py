@@ -21,5 +21,5 @@ from ._voronoi import Boundary, DualReport, Voronoi
 from .pages import Page, page
 from .pictures import plot
 
-__all__ = ["Boundary", "Certificate", "DualReport", "Page", "Path", "Solver", "TracedGeodesic", "Voronoi", "page", "plot",
-           "__version__"]
+__all__ = ["Boundary", "Certificate", "DualReport", "Page", "Path", "Solver", "TracedGeodesic", "Voronoi", "page",
+           "plot", "__version__"]
