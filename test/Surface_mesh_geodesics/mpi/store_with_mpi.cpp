@@ -2,7 +2,8 @@
 //
 // Usage: store_with_mpi FOLDER [options]
 //   --float32, --symmetric, --radius R   what is stored
-//   --kill RANK ROWS                     that rank kills itself after so many rows; each row takes some milliseconds
+//   --kill RANK ROWS                     that rank kills itself after so many rows. The others are slow, so that work
+//                                        is left when mpirun ends them
 //   --threads                            several threads in each rank
 //   --alone                              without MPI, for the comparison
 //   --other-mesh                         of another mesh; each rank has to reject the folder
@@ -102,9 +103,10 @@ int main(int argc, char* argv[])
     {
       const int rank = std::atoi(argv[++k]);
       const int rows = std::atoi(argv[++k]);
-      visitor.milliseconds_per_row = 3;
       if(rank == world.rank())
         visitor.limit = static_cast<std::size_t>(rows);
+      else
+        visitor.milliseconds_per_row = 50;
     }
   }
   if(is_alone)
