@@ -20,7 +20,8 @@ CSV_FILES = {
     "paths": "paths_against_shortest_path.csv", "heat_method": "against_heat_method.csv",
     "Voronoi_diagram": "voronoi.csv"} | {name: name + ".csv" for name in (
     "face_queries", "certified_meshes", "growth", "anisotropy", "sources", "reach", "rules", "schedulers",
-    "flat_vertices", "threads", "phases", "matrix", "matrix_store", "uses_of_diagrams", "python",
+    "flat_vertices", "threads", "phases", "matrix", "matrix_store", "rows", "interleaved_rows",
+    "brain", "uses_of_diagrams", "python",
     "remeshing")}
 
 # The picture in the manual -> the results that it shows; draw_plots.py draws it.
@@ -266,6 +267,13 @@ TABLES = {
     "matrix_store": table("matrix_store", MESH, "vertices: vertices", "ms per row: ms_per_row ~",
         ("rows per second", lambda row: rounded(1000 / float(row["ms_per_row"]))),
         "storing adds, %: storing_percent .1", "elapsed, %: storing_elapsed_percent .1", "memory, MB: memory_mb"),
+    "rows": table("rows", MESH, "order: order $", "ms per full row: ms_per_full_row ~",
+                  "ending at the last target: ending_to_full .2", "pruned: pruned_to_full .2", words=2),
+    "interleaved_rows": table("interleaved_rows", MESH, "rows in turn: rows_in_turn",
+                              "ms per row, one by one: ms_per_row ~",
+                              "in turn, in parts of that: in_turn_to_one_by_one .2"),
+    "brain": table("brain", "mesh: mesh $", "vertices: vertices", "radius, mm: radius_mm",
+                   "pairs for each vertex: entries_per_row", "seconds: seconds ~"),
     "matrix": table("matrix", "matrix: matrix $", "rows: rows $", "threads: threads $", "ms per row: ms_per_row ~",
         "speedup: speedup ~"),
 }

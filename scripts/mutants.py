@@ -54,7 +54,9 @@ MEASURES = INTERNAL + "Voronoi/Voronoi_cell_measures.h"
 FACE_CUT = INTERNAL + "Voronoi/Voronoi_face_cut.h"
 CHECKS = INTERNAL + "certificate/Distance_checks.h"
 VIOLATION = INTERNAL + "certificate/Worst_violation.h"
-MATRIX = INTERNAL + "propagation/Distance_matrix.h"
+TARGET_REGION = INTERNAL + "propagation/rows/Target_region.h"
+PEELING = INTERNAL + "propagation/rows/peeling_order.h"
+MATRIX = INTERNAL + "propagation/rows/Distance_matrix.h"
 READER = INTERNAL + "interface/Face_graph_reader.h"
 SURFACE = INTERNAL + "interface/Intrinsic_surface.h"
 DEPARTURE = INTERNAL + "paths/Departure.h"
@@ -591,6 +593,19 @@ MUTANTS = [
     ("matrix_passes_ended_rows_on", MATRIX,
      "  if(!wants_more(output))\n    return false;\n", "",
      "a row that has ended early is passed on without distances", (MATRICES,)),
+
+    ("star_without_extent", TARGET_REGION,
+     "static_cast<float>(key) - at.back();", "static_cast<float>(key);",
+     "visits are skipped from whose stars a path leads to a target", (MATRICES,)),
+    ("bounds_of_last_target", TARGET_REGION,
+     "sum[l] = (std::max)(sum[l], s + margin);", "sum[l] = s + margin;",
+     "the bounds hold for one target of a group only", (MATRICES,)),
+    ("bounds_never_renewed", TARGET_REGION,
+     "m_is_useful = m_has_skipped;", "m_is_useful = false;",
+     "rows are pruned at their beginning only", (MATRICES,)),
+    ("peeled_from_the_near_end", PEELING,
+     "keys.emplace_back(-distance(sources[i]), i);", "keys.emplace_back(distance(sources[i]), i);",
+     "the vertices that are left lie around the sources", (MATRICES,)),
 
     # --- remeshing ---
     ("tips_not_treated_apart", SAMPLE_PLACEMENT,

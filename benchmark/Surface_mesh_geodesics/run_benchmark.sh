@@ -14,8 +14,8 @@ usage: run_benchmark.sh [options]
   --voronoi          also measure Surface_mesh_geodesic_Voronoi_diagram with 1 to 1000 sites
   --heat             also measure Heat_method_3: times and errors (needs Eigen)
   --questions        also run the programs for one question each: growth, anisotropy, sources, reach, rules,
-                     schedulers, flat vertices, face queries, threads, phases, matrix, matrix_store; draw plots if
-                     python3 has matplotlib
+                     schedulers, flat vertices, face queries, threads, phases, matrix, matrix_store, rows; draw
+                     plots if python3 has matplotlib
   --python           also measure what the Python module adds to the time of C++ (needs the module;
                      the variable PYTHON names the interpreter)
   --certify          also certify distances on all meshes of the data, and compare them with the original
@@ -105,7 +105,7 @@ if [ -z "$programs" ]; then
   [ "$questions" = no ] || targets+=(benchmark_growth benchmark_anisotropy benchmark_sources benchmark_reach
                                      benchmark_rules benchmark_schedulers benchmark_flat_vertices
                                      benchmark_face_queries benchmark_threads benchmark_phases benchmark_matrix
-                                     benchmark_matrix_store benchmark_uses_of_diagrams)
+                                     benchmark_matrix_store benchmark_rows benchmark_uses_of_diagrams)
   [ "$python" = no ] || targets+=(benchmark_python)
   [ "$certify" = no ] || targets+=(benchmark_certification)
   [ "$remesh" = no ] || targets+=(benchmark_remeshing)
@@ -365,6 +365,13 @@ if [ "$questions" = yes ]; then
   ask matrix --rows 64 "$meshes/bunny00.off"
   "$programs/benchmark_matrix_store" --repetitions 5 --flags "$flags" --rows 16 --folder "$build/matrix_store" \
     --subdivide 1 "$meshes/elephant.off" "$meshes/bunny00.off" | tee "$build/matrix_store.csv" >&2
+  rows() {
+    "$programs/benchmark_rows" --repetitions 3 --flags "$flags" "$@"
+  }
+  rows --rows 40 "$meshes/bunny00.off" "$meshes/armadillo.off" "$meshes/elephant.off" | tee "$build/rows.csv" >&2
+  rows --brain 1 | tee "$build/brain.csv" >&2
+  rows --rows 12 --interleave 2 "$meshes/bunny00.off" | tee "$build/interleaved_rows.csv" >&2
+  rows --no-header --rows 12 --interleave 4 "$meshes/bunny00.off" | tee -a "$build/interleaved_rows.csv" >&2
 fi
 
 if [ "$python" = yes ]; then

@@ -8,16 +8,19 @@
 
 #include <CGAL/Surface_mesh_geodesics/Geodesic_distance_solver.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_distance_matrix.h>
-#include <CGAL/Surface_mesh_geodesics/internal/propagation/Ordered_rows.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/rows/Ordered_rows.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 #endif
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <random>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -231,6 +234,111 @@ void rows_are_those_of_single_runs(const Indexed_mesh& indexed, test_support::Ra
   check_symmetric_matrix(tm, {});
 }
 
+std::vector<vertex_descriptor> vertices_of(const Mesh& tm)
+{
+  return {vertices(tm).begin(), vertices(tm).end()};
+}
+
+// Rows of a triangle that are pruned with landmarks have the bits of single runs, in any order of the vertices.
+void pruned_rows_are_those_of_single_runs(const Mesh& tm, const std::vector<vertex_descriptor>& range)
+{
+  const Solver solver(tm);
+  const auto& surface = SMG::internal::Private_access::surface(solver);
+  const SMG::internal::Distance_matrix<double> matrix(surface.mesh(), surface.source_set_of_vertices(range, "source"));
+  for(const std::size_t number_of_threads : {1u, 3u})
+  {
+    Row_collector collector;
+    auto output = [&](std::size_t i, const std::vector<double>& row) { collector.take(i, row); };
+    CHECK(matrix.put_triangular_rows(Thread_team(number_of_threads), output, 0));
+    for(std::size_t i = 0; i < range.size(); ++i)
+    {
+      const std::vector<double> all = distances(tm, range[i]);
+      for(std::size_t k = i; k < range.size(); ++k)
+      {
+        CHECK_EQUAL(collector.rows[i][k - i], all[std::size_t(range[k])]);
+      }
+    }
+  }
+}
+
+void rows_are_pruned(const Indexed_mesh& indexed, std::mt19937& random)
+{
+  test_support::Scope scope("pruned rows of " + indexed.name);
+  const Mesh tm = to_face_graph(indexed);
+  std::vector<vertex_descriptor> range = SMG::geodesic_peeling_order(tm, vertices(tm));
+  pruned_rows_are_those_of_single_runs(tm, range);
+  range.resize(range.size() / 3); // the part that is left is not a ball
+  range.push_back(range.front()); // twice
+  pruned_rows_are_those_of_single_runs(tm, range);
+  std::shuffle(range.begin(), range.end(), random);
+  pruned_rows_are_those_of_single_runs(tm, range);
+}
+
+// In the order of peeling, the bounds leave out much of what the distances to the targets alone need.
+void pruning_saves_visits()
+{
+  test_support::Scope scope("visits");
+  const Mesh tm = to_face_graph(icosphere(4));
+  const Solver solver(tm);
+  const auto& surface = SMG::internal::Private_access::surface(solver);
+  using Matrix = SMG::internal::Distance_matrix<double>;
+  const Matrix matrix(surface.mesh(), surface.source_set_of_vertices(
+                                        SMG::geodesic_peeling_order(solver, vertices(tm)), "source"));
+  std::unique_ptr<const Matrix::Landmarks> landmarks;
+  std::size_t visits = 0;
+  const auto count = [&]()
+  {
+    ++visits;
+    return true;
+  };
+  CHECK(matrix.find_landmarks(landmarks, count, 0));
+  const auto worker = matrix.make_worker();
+  const auto visits_of_rows = [&](const Matrix::Landmarks* used)
+  {
+    std::size_t sum = 0;
+    std::vector<double> row;
+    for(std::size_t i = 0; i < num_vertices(tm); i += 100)
+    {
+      visits = 0;
+      matrix.fill_triangular_row(*worker, i, i, used, row, count);
+      sum += visits;
+    }
+    return sum;
+  };
+  const std::size_t without = visits_of_rows(nullptr), with = visits_of_rows(landmarks.get());
+  CHECK(with < without - without / 10);
+}
+
+// Components stay together, and in each of them distances from an end descend.
+void peeling_orders_components_by_distance()
+{
+  test_support::Scope scope("order of peeling");
+  const Mesh tm = to_face_graph(two_components_and_an_isolated_vertex());
+  const std::vector<vertex_descriptor> order = SMG::geodesic_peeling_order(tm, vertices(tm));
+  std::vector<vertex_descriptor> sorted = order;
+  std::sort(sorted.begin(), sorted.end());
+  CHECK(sorted == vertices_of(tm));
+  for(std::size_t begin = 0; begin < order.size();)
+  {
+    const std::vector<double> from_first = distances(tm, order[begin]);
+    std::size_t end = begin;
+    while(end < order.size() && from_first[std::size_t(order[end])] < infinity)
+    {
+      ++end;
+    }
+    CHECK_EQUAL(static_cast<std::size_t>(std::count_if(from_first.begin(), from_first.end(),
+                                                       [](double d) { return d < infinity; })), end - begin);
+    const std::vector<double> from_last = distances(tm, order[end - 1]);
+    for(std::size_t i = begin; i + 1 < end; ++i)
+    {
+      CHECK(from_last[std::size_t(order[i])] >= from_last[std::size_t(order[i + 1])]);
+    }
+    begin = end;
+  }
+  CHECK(SMG::geodesic_peeling_order(tm, std::vector<vertex_descriptor>()).empty());
+  CHECK(throws<Invalid_input>([&] { SMG::geodesic_peeling_order(tm, std::vector<vertex_descriptor>{vertex(9999)}); }));
+}
+
 // If the output of a row returns false or throws, the computation ends without another row.
 void rows_may_end_early()
 {
@@ -325,6 +433,23 @@ void rows_that_have_begun_end()
     });
 }
 
+// A user's output may end the search for landmarks, before the first row.
+void landmarks_end_early()
+{
+  test_support::Scope scope("landmarks");
+  const Mesh tm = to_face_graph(icosphere(4)); // enough vertices for landmarks
+  with_all_tags(
+    [&](auto tag)
+    {
+      std::atomic<std::size_t> number_of_questions{0};
+      std::size_t number_of_rows = 0;
+      CHECK(!SMG::symmetric_geodesic_distance_matrix<decltype(tag)>(
+        tm, vertices(tm), Ending_output{number_of_questions, 3000, number_of_rows}));
+      CHECK_EQUAL(number_of_rows, 0u);
+      CHECK(number_of_questions < 4000u);
+    });
+}
+
 template <class Call>
 void expect_rejection(Reason reason, std::size_t element, const Call& call)
 {
@@ -403,6 +528,16 @@ int main()
   {
     rows_are_those_of_single_runs(indexed, random);
   }
+  std::mt19937 generator(static_cast<std::mt19937::result_type>(seed));
+  for(const Indexed_mesh& indexed : {noisy_sphere(3, .1, seed), wavy_tube(30, 8), rough_terrain(16, 2., seed),
+                                     flat_patch(15, 15, 0., false, seed), genus_2_polycube(),
+                                     two_components_and_an_isolated_vertex()})
+  {
+    rows_are_pruned(indexed, generator);
+  }
+  pruning_saves_visits();
+  peeling_orders_components_by_distance();
+  landmarks_end_early();
   rows_may_end_early();
   rows_that_have_begun_end();
   invalid_input_is_rejected();

@@ -60,9 +60,11 @@ equals "$(find killed -name '*.tmp' -o -name '*.lock' -o -name '*.done')" ""
 # Other kinds: 32 bits, half of a symmetric matrix, pairs within a radius, few sources.
 is_silent matrix "$grid" --source all --store single --float32 > table
 is_silent matrix "$grid" --source all --store half --symmetric > table
+is_silent matrix "$grid" --source all --store peeled --symmetric --peel > table
+rejects 2 "--peel needs --symmetric" matrix "$grid" --source all --store other --peel
 is_silent matrix "$grid" --source all --store near --radius 0.3 > table
 is_silent matrix "$grid" --source 5 --source-point 0.51,0.5,0 --target all --store few > table
-for folder in single half near few; do
+for folder in single half peeled near few; do
   is_silent matrix --verify $folder > verified
   equals "$(line verified 3 | cut -d, -f3)" 0
 done

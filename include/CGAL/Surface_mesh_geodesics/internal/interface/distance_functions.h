@@ -22,7 +22,8 @@
 #include <CGAL/Surface_mesh_geodesics/internal/interface/run_with_visitor.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/source_range.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Available_tag.h>
-#include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_matrix.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/rows/Distance_matrix.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/rows/peeling_order.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Pruning_rules.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -32,6 +33,7 @@
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <cstddef>
 #include <limits>
 #include <type_traits>
 #include <utility>
@@ -175,6 +177,19 @@ bool put_symmetric_distance_matrix(const Surface& surface, const Vertices& range
 {
   const Distance_matrix<double> matrix(surface.mesh(), surface.source_set_of_vertices(range, "source"));
   return matrix.put_triangular_rows(typename Available_tag<ConcurrencyTag>::type(), output);
+}
+
+// Returns the vertices of `range` in the order of peeling_order.h.
+template <typename Surface, typename Vertices>
+auto peeled_vertices(const Surface& surface, const Vertices& range)
+{
+  std::vector<typename Surface::vertex_descriptor> vertices, result;
+  for(const auto v : range)
+    vertices.push_back(v); // NOLINT(performance-inefficient-vector-operation): a range need not know its size
+  result.reserve(vertices.size());
+  for(const std::size_t i : peeling_order(surface.mesh(), surface.checked_ids(range, "vertex")))
+    result.push_back(vertices[i]);
+  return result;
 }
 
 // `maximum_distance` is in the user's unit. Requires: check_maximum_distance(maximum_distance) does not throw.

@@ -38,6 +38,8 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
+#include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_geodesics {
@@ -115,13 +117,27 @@ public:
   template <typename GoOn>
   bool run(GoOn go_on)
   {
-    while(!m_queue.empty() || goes_on_beside_unreached_vertices())
+    return run(go_on, Every_visit());
+  }
+
+  // The same, but visits a vertex only if is_needed(vertex, queue key, distances found so far). What waits in a star
+  // that is not visited goes on waiting until restart().
+  template <typename GoOn, typename IsNeeded>
+  bool run(GoOn go_on, IsNeeded&& is_needed)
+  {
+    constexpr bool is_pruned = !std::is_same<std::decay_t<IsNeeded>, Every_visit>::value;
+    while(!m_queue.empty() || (!is_pruned && goes_on_beside_unreached_vertices()))
     {
       if(m_end.is_reached_at(m_queue.top_key(), m_wavefront.distances()))
         return true;
       if(!go_on(m_stars.statistics().vertices_visited, m_end.reached_distance()))
         return false;
       CGAL_expensive_assertion(ascends(m_queue.top_key()));
+      if(!is_needed(m_queue.top(), m_queue.top_key(), m_wavefront.distances()))
+      {
+        m_queue.pop();
+        continue;
+      }
       m_stars.keeper().advance(m_end.reached_distance());
       m_star.surround(m_mesh, m_queue.top());
       const FT key = m_queue.top_key();
@@ -133,9 +149,9 @@ public:
       m_stars.propagate(m_star);
       m_mesh.prefetch_faces_of_star(next);
       put_back();
-      CGAL_expensive_assertion(m_wavefront.is_queued_around(m_star, m_queue));
+      CGAL_expensive_assertion(is_pruned || m_wavefront.is_queued_around(m_star, m_queue));
     }
-    CGAL_assertion(m_slots.number_of_windows == 0);
+    CGAL_assertion(is_pruned || m_slots.number_of_windows == 0);
     m_end.set_complete();
     return true;
   }
@@ -154,6 +170,11 @@ public:
   }
 
 private:
+  struct Every_visit
+  {
+    bool operator()(Vertex_id, const FT&, const std::vector<FT>&) const { return true; }
+  };
+
   auto pusher()
   {
     return [this](Vertex_id v, const FT& key) { m_queue.push_or_decrease(v, key); };

@@ -63,26 +63,19 @@ public:
   // Propagates from the sources, and sets the vertices of those in faces. Returns false if go_on(number of visits,
   // distance) does; no vertex has been reached then. The result does not depend on the order of the sources.
   //
-  // The propagation restarts when the sources are inserted: restart() sizes its tables by the refined mesh. The sources
-  // are removed in any case, also by an exception; m_limit is set only by a run that returns true.
   // Requires: no source is in a face if the object was made without an insertion.
   template <typename GoOn>
   bool run(Source_set<FT>& sources, const Run_limits<FT>& limits, GoOn go_on)
   {
-    m_limit = -1;
-    Removal_of_sources removal{m_insertion};
-    if(m_insertion != nullptr)
-      insert_located_sources(sources.located, *m_insertion, sources.vertices);
-    m_propagation.restart();
-    for(std::size_t i = 0; i < sources.vertices.size(); ++i)
-      m_propagation.add_source(sources.vertices[i], sources.offsets.empty() ? FT(0) : sources.offsets[i]);
-    m_propagation.set_maximum_distance(limits.maximum_distance);
-    if(limits.first_target != limits.last_target)
-      m_propagation.set_targets(limits.first_target, limits.last_target);
-    if(!m_propagation.run(go_on))
-      return false;
-    m_limit = (std::min)(m_propagation.reached_distance(), limits.maximum_distance);
-    return true;
+    return propagate(sources, limits, [&go_on](Propagation& propagation) { return propagation.run(go_on); });
+  }
+
+  // The same, but visits a vertex only if is_needed() says so, as Distance_propagation::run() does. The caller knows
+  // which distances are final then: distance() takes those of vertices that are not needed for final, too.
+  template <typename GoOn, typename IsNeeded>
+  bool run(Source_set<FT>& sources, const Run_limits<FT>& limits, GoOn go_on, IsNeeded&& is_needed)
+  {
+    return propagate(sources, limits, [&](Propagation& propagation) { return propagation.run(go_on, is_needed); });
   }
 
   // Forgets the result: no vertex has been reached.
@@ -116,6 +109,27 @@ private:
         insertion->undo();
     }
   };
+
+  // The propagation restarts when the sources are inserted: restart() sizes its tables by the refined mesh. The sources
+  // are removed in any case, also by an exception; m_limit is set only by a run that returns true.
+  template <typename RunPropagation>
+  bool propagate(Source_set<FT>& sources, const Run_limits<FT>& limits, const RunPropagation& run_propagation)
+  {
+    m_limit = -1;
+    Removal_of_sources removal{m_insertion};
+    if(m_insertion != nullptr)
+      insert_located_sources(sources.located, *m_insertion, sources.vertices);
+    m_propagation.restart();
+    for(std::size_t i = 0; i < sources.vertices.size(); ++i)
+      m_propagation.add_source(sources.vertices[i], sources.offsets.empty() ? FT(0) : sources.offsets[i]);
+    m_propagation.set_maximum_distance(limits.maximum_distance);
+    if(limits.first_target != limits.last_target)
+      m_propagation.set_targets(limits.first_target, limits.last_target);
+    if(!run_propagation(m_propagation))
+      return false;
+    m_limit = (std::min)(m_propagation.reached_distance(), limits.maximum_distance);
+    return true;
+  }
 
   const Mesh& m_mesh;
   Source_insertion<FT>* m_insertion;

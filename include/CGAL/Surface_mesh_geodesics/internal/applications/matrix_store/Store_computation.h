@@ -17,7 +17,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/applications/matrix_store/Shard_writer.h>
 #include <CGAL/Surface_mesh_geodesics/internal/applications/matrix_store/Store_folder.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/files/Lock_file.h>
-#include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_matrix.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/rows/Distance_matrix.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Worker_team.h>
 
 #include <CGAL/tags.h>
@@ -94,6 +94,7 @@ class Store_computation
 {
   using Matrix = Distance_matrix<double>;
   using Worker = Matrix::Worker;
+  using Landmarks = Matrix::Landmarks;
 
 public:
   // All arguments are referred to. `memory` is the number of bytes for rows that are not written yet, of all threads.
@@ -166,7 +167,11 @@ private:
           else if(!is_finished(tag, shard)) // another process may have finished it before it unlocked
           {
             if(worker == nullptr)
+            {
               worker = m_matrix.make_worker();
+              if(m_folder.layout().kind == Store_kind::UPPER_TRIANGLE)
+                std::call_once(m_landmarks_once, [&]() { find_landmarks(tag); });
+            }
             compute(tag, *worker, shard, memory, lock);
           }
         }
@@ -191,6 +196,20 @@ private:
     return true;
   }
 
+  // Makes the landmarks of the rows of a triangle. Asks the report every now and then whether to go on; if not, no row
+  // is computed.
+  template <typename Tag>
+  void find_landmarks(Tag tag)
+  {
+    std::size_t visits = 0;
+    m_matrix.find_landmarks(m_landmarks, [&]()
+    {
+      if(++visits % 16384 == 0)
+        report(tag, 0, 0);
+      return !m_stop;
+    });
+  }
+
   // Computes one shard, and notes that it is done. Returns without doing so if all have to stop. Requires: the lock is
   // held.
   template <typename Tag>
@@ -207,9 +226,10 @@ private:
       // Each row is a run of its own, with the bits that it has anywhere else.
       if(m_positions != nullptr)
         m_matrix.fill_sparse_row(worker, i, *m_positions, layout.radius, sparse_row, go_further);
+      else if(layout.kind == Store_kind::UPPER_TRIANGLE)
+        m_matrix.fill_triangular_row(worker, i, i + 1, m_landmarks.get(), row, go_further);
       else
-        m_matrix.fill_dense_row(worker, i, m_targets.data() + m_targets.size() - layout.length_of_row(i),
-                                m_targets.data() + m_targets.size(), row, go_further);
+        m_matrix.fill_dense_row(worker, i, m_targets.data(), m_targets.data() + m_targets.size(), row, go_further);
       if(m_stop) // the row may be incomplete
         return;
       if(m_positions != nullptr)
@@ -226,6 +246,8 @@ private:
   const Matrix& m_matrix;
   const std::vector<Vertex_id>& m_targets;
   std::unique_ptr<Matrix::Target_positions> m_positions; // null if the matrix is not sparse
+  std::once_flag m_landmarks_once;
+  std::unique_ptr<const Landmarks> m_landmarks; // of a triangle with many rows, when a row is computed
   std::size_t m_memory;
   Report& m_report;
   // Set once, by the report or by a failure; each thread looks at it after each row, and its run after each visit.

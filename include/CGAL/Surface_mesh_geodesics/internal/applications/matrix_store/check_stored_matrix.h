@@ -23,7 +23,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/applications/matrix_store/Stored_matrix.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Intrinsic_surface.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/distance_functions.h>
-#include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_matrix.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/rows/Distance_matrix.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>

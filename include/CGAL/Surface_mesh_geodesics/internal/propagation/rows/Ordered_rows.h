@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Surface_mesh_geodesics authors
 
-#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_ORDERED_ROWS_H
-#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_ORDERED_ROWS_H
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_ROWS_ORDERED_ROWS_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_ROWS_ORDERED_ROWS_H
 
 // Rows of a table, computed by several threads and output one at a time, in ascending order. The number of rows in
 // memory is bounded, and their memory is reused.
@@ -200,4 +200,4 @@ bool for_each_ordered_row(Parallel_tag, std::size_t n, const MakeWorker& make_wo
 } // namespace Surface_mesh_geodesics
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_ORDERED_ROWS_H
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_ROWS_ORDERED_ROWS_H

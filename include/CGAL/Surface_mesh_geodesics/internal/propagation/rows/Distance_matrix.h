@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Surface_mesh_geodesics authors
 
-#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_DISTANCE_MATRIX_H
-#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_DISTANCE_MATRIX_H
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_ROWS_DISTANCE_MATRIX_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_ROWS_DISTANCE_MATRIX_H
 
 // Distances from many sources, one by one: a run of the propagation for each row, all on one intrinsic mesh. Threads
 // compute rows at the same time; Ordered_rows.h passes them on in order.
@@ -19,14 +19,17 @@
 
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_propagation.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Repeated_propagation.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/rows/Landmark_distances.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/rows/Ordered_rows.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/rows/Target_region.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
-#include <CGAL/Surface_mesh_geodesics/internal/propagation/Ordered_rows.h>
-#include <CGAL/Surface_mesh_geodesics/internal/window/Pruning_rules.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Source_insertion.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/Pruning_rules.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <type_traits>
 #include <utility>
@@ -74,10 +77,29 @@ public:
     return *m_runner;
   }
 
+  // Runs from source i to the sources behind it, and prunes what leads away from them. `sources` are those of the
+  // landmarks, which outlive the worker. The distances of these targets are final, of those in the same component.
+  template <typename GoFurther>
+  const Runner& run_to_sources_behind(const std::vector<Vertex_id>& sources, std::size_t i,
+                                      const Landmark_distances<FT>& landmarks, const Run_limits<FT>& limits,
+                                      const GoFurther& go_further)
+  {
+    if(m_region == nullptr)
+      m_region = std::make_unique<Target_region<FT>>(landmarks);
+    m_region->begin(sources, i);
+    m_source.vertices.assign(1, sources[i]);
+    m_source.located.clear();
+    m_runner->run(m_source, limits, [&](std::size_t, const FT&) { return go_further(); },
+                  [this](Vertex_id v, const FT& key, const std::vector<FT>& distance)
+                  { return m_region->is_needed(v, key, distance); });
+    return *m_runner;
+  }
+
 private:
   std::unique_ptr<Mesh> m_mesh;
   std::unique_ptr<Source_insertion<FT>> m_insertion;
   std::unique_ptr<Runner> m_runner;
+  std::unique_ptr<Target_region<FT>> m_region; // null before it is needed
   Source_set<FT> m_source; // one source without an offset; a buffer between runs
 };
 
@@ -134,6 +156,7 @@ public:
   using Mesh = Intrinsic_mesh<FT>;
   using Worker = Matrix_worker<FT>;
   using Runner = typename Worker::Runner;
+  using Landmarks = Landmark_distances<FT>;
   using Dense_row = std::vector<double>;
   using Sparse_row = std::vector<std::pair<std::size_t, double>>; // positions of targets, and their distances
 
@@ -200,12 +223,15 @@ public:
   // Row i has the distances of the sources i, i+1, ... from source i: the rest is symmetric. Requires: all sources are
   // vertices.
   template <typename Tag, typename Output>
-  bool put_triangular_rows(Tag tag, Output& output) const
+  bool put_triangular_rows(Tag tag, Output& output,
+                           std::size_t least_sources_for_landmarks = default_least_sources_for_landmarks) const
   {
-    const std::vector<Vertex_id>& v = m_sources.vertices;
+    std::unique_ptr<const Landmarks> landmarks;
+    if(!find_landmarks(landmarks, [&]() { return wants_more(output); }, least_sources_for_landmarks))
+      return false;
     return put_rows<Dense_row>(tag, output, [&](Worker& worker, std::size_t i, Dense_row& row, const auto& go_further)
     {
-      fill_dense_row(worker, i, v.data() + i, v.data() + v.size(), row, go_further);
+      fill_triangular_row(worker, i, i, landmarks.get(), row, go_further);
     });
   }
 
@@ -252,6 +278,33 @@ public:
       row.push_back(distance(runner, *first));
   }
 
+  // Makes landmarks for triangular rows, if there are enough sources to repay them: they cost some rows. Returns false
+  // if go_further() does.
+  template <typename GoFurther>
+  bool find_landmarks(std::unique_ptr<const Landmarks>& landmarks, const GoFurther& go_further,
+                      std::size_t least_sources = default_least_sources_for_landmarks) const
+  {
+    if(m_sources.vertices.size() < least_sources)
+      return true;
+    auto found = std::make_unique<Landmarks>();
+    if(!found->compute(m_mesh, m_sources.vertices, go_further))
+      return false;
+    landmarks = std::move(found);
+    return true;
+  }
+
+  // Fills a row with the distances of the sources `first`, first + 1, ... from source i <= first. The landmarks, or
+  // null, come from find_landmarks(). Requires: all sources are vertices.
+  template <typename GoFurther>
+  void fill_triangular_row(Worker& worker, std::size_t i, std::size_t first, const Landmarks* landmarks, Dense_row& row,
+                           const GoFurther& go_further) const
+  {
+    const std::vector<Vertex_id>& v = m_sources.vertices;
+    const Vertex_id *const begin = v.data() + first, *const end = v.data() + v.size();
+    if(landmarks == nullptr || begin == end || !fill_pruned_row(worker, i, begin, end, *landmarks, row, go_further))
+      fill_dense_row(worker, i, begin, end, row, go_further);
+  }
+
   // Fills a row with the targets within the maximum distance, as put_sparse_rows() says.
   template <typename GoFurther>
   void fill_sparse_row(Worker& worker, std::size_t i, const Target_positions& positions, double maximum_distance,
@@ -273,6 +326,32 @@ public:
   }
 
 private:
+  // 32 times the runs of the landmarks.
+  static constexpr std::size_t default_least_sources_for_landmarks = 512;
+
+  // Returns false if rounding has left a target without a distance, as it may in faces thinner than rounding: a run
+  // without pruning goes on beside it.
+  template <typename GoFurther>
+  bool fill_pruned_row(Worker& worker, std::size_t i, const Vertex_id* first, const Vertex_id* last,
+                       const Landmarks& landmarks, Dense_row& row, const GoFurther& go_further) const
+  {
+    Run_limits<FT> limits;
+    limits.first_target = first;
+    limits.last_target = last;
+    const Runner& runner = worker.run_to_sources_behind(m_sources.vertices, i, landmarks, limits, go_further);
+    const std::size_t first_position = static_cast<std::size_t>(first - m_sources.vertices.data());
+    const std::vector<std::size_t>& connected = landmarks.component_of(i);
+    auto left = std::count_if(connected.begin(), connected.end(), [&](std::size_t k) { return k >= first_position; });
+    row.clear();
+    for(; first != last; ++first)
+    {
+      row.push_back(distance(runner, *first));
+      if(row.back() < std::numeric_limits<double>::infinity())
+        --left;
+    }
+    return left == 0;
+  }
+
   // Returns the distance of a vertex in the user's unit.
   double distance(const Runner& runner, Vertex_id v) const
   {
@@ -300,4 +379,4 @@ private:
 } // namespace Surface_mesh_geodesics
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_DISTANCE_MATRIX_H
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_ROWS_DISTANCE_MATRIX_H
