@@ -601,7 +601,7 @@ MUTANTS = [
      "sum[l] = (std::max)(sum[l], s + margin);", "sum[l] = s + margin;",
      "the bounds hold for one target of a group only", (MATRICES,)),
     ("bounds_never_renewed", TARGET_REGION,
-     "m_is_useful = m_has_skipped;", "m_is_useful = false;",
+     "m_is_useful = m_skipped > 0;", "m_is_useful = false;",
      "rows are pruned at their beginning only", (MATRICES,)),
     ("peeled_from_the_near_end", PEELING,
      "keys.emplace_back(-distance(sources[i]), i);", "keys.emplace_back(distance(sources[i]), i);",

@@ -59,8 +59,6 @@ bool measure(const Settings& settings, const std::string& file, std::size_t subd
     return false;
   }
   const std::vector<Benchmark_vertex> sources = random_vertices(mesh, rows);
-  Geodesics::Geodesic_matrix_store_options options;
-  options.use_float32 = true;
   Measurement computing, storing;
   double sum = 0;
   for(std::size_t k = 0; k < settings.repetitions; ++k)
@@ -72,7 +70,8 @@ bool measure(const Settings& settings, const std::string& file, std::size_t subd
     std::filesystem::remove_all(folder);
     storing.add([&] {
       sum += static_cast<double>(
-        Geodesics::store_geodesic_distance_matrix(mesh, sources, vertices(mesh), folder, options).rows_done);
+        Geodesics::store_geodesic_distance_matrix(mesh, sources, vertices(mesh), folder,
+                                                  CGAL::parameters::use_float32(true)).rows_done);
     });
   }
   std::filesystem::remove_all(folder);

@@ -1,5 +1,5 @@
-// Rows of the matrix of all distances between vertices, each pair once: what the order of the vertices saves. Prints one
-// line of comma separated values per mesh and order. The first number is the processor time of a full row, to all
+// Rows of the matrix of all distances between vertices, each pair once: what the order of the vertices saves. Prints
+// one line of comma separated values per mesh and order. The first number is the processor time of a full row, to all
 // vertices; the others are ratios to it: rows that end at their last target, and rows that are also pruned with
 // landmarks, as the package computes them. The rows are evenly spread over the matrix.
 //
@@ -48,7 +48,7 @@ Vertices all_vertices(const Benchmark_mesh& mesh)
 
 // --- orders ---
 
-// Descending distance from the vertex that is found first, with one run.
+// From the outside to the first vertex.
 Vertices breadth_first(const Benchmark_mesh& mesh)
 {
   Vertices order;
@@ -73,7 +73,7 @@ Vertices breadth_first(const Benchmark_mesh& mesh)
       }
     }
   }
-  return Vertices(order.rbegin(), order.rend()); // from the outside to the first vertex
+  return Vertices(order.rbegin(), order.rend());
 }
 
 Vertices along_Hilbert_curve(const Benchmark_mesh& mesh)
@@ -102,7 +102,8 @@ Vertices farthest_from_center_first(const Benchmark_mesh& mesh)
                                           best = row;
                                         }
                                       });
-  std::stable_sort(order.begin(), order.end(), [&](Benchmark_vertex a, Benchmark_vertex b) { return best[a] > best[b]; });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](Benchmark_vertex a, Benchmark_vertex b) { return best[a] > best[b]; });
   return order;
 }
 

@@ -369,7 +369,7 @@ if [ "$questions" = yes ]; then
     "$programs/benchmark_rows" --repetitions 3 --flags "$flags" "$@"
   }
   rows --rows 40 "$meshes/bunny00.off" "$meshes/armadillo.off" "$meshes/elephant.off" | tee "$build/rows.csv" >&2
-  rows --brain 1 | tee "$build/brain.csv" >&2
+  "$programs/benchmark_rows" --repetitions 1 --flags "$flags" --brain 1 | tee "$build/brain.csv" >&2
   rows --rows 12 --interleave 2 "$meshes/bunny00.off" | tee "$build/interleaved_rows.csv" >&2
   rows --no-header --rows 12 --interleave 4 "$meshes/bunny00.off" | tee -a "$build/interleaved_rows.csv" >&2
 fi

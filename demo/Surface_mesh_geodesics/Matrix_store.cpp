@@ -30,7 +30,6 @@ namespace fs = std::filesystem;
 using CGAL::Surface_mesh_geodesics::Geodesic_distance_matrix_store;
 using CGAL::Surface_mesh_geodesics::Geodesic_matrix_store_check;
 using CGAL::Surface_mesh_geodesics::Geodesic_matrix_store_error;
-using CGAL::Surface_mesh_geodesics::Geodesic_matrix_store_options;
 using CGAL::Surface_mesh_geodesics::Geodesic_matrix_store_status;
 
 namespace {
@@ -73,18 +72,22 @@ po::typed_value<std::string>* checked_value(const char* option, const char* want
   });
 }
 
-Geodesic_matrix_store_options store_options(const Arguments& arguments)
+auto store_parameters(const Arguments& arguments, const std::string& mesh_name)
 {
-  Geodesic_matrix_store_options options;
-  options.use_float32 = has(arguments, "float32");
-  options.use_symmetry = has(arguments, "symmetric");
-  options.maximum_distance = positive_argument_or(arguments, "radius", options.maximum_distance);
-  options.rows_per_shard = count_argument_or(arguments, "shard-rows", 0);
+  std::size_t first = 0, end = (std::numeric_limits<std::size_t>::max)(), memory = std::size_t(64) << 20;
   if(has(arguments, "rows"))
-    parse_rows(arguments["rows"].as<std::string>(), options.first_row, options.end_row);
+    parse_rows(arguments["rows"].as<std::string>(), first, end);
   if(has(arguments, "memory"))
-    parse_bytes(arguments["memory"].as<std::string>(), options.memory);
-  return options;
+    parse_bytes(arguments["memory"].as<std::string>(), memory);
+  const double infinity = std::numeric_limits<double>::infinity();
+  return CGAL::parameters::use_float32(has(arguments, "float32"))
+    .use_symmetry(has(arguments, "symmetric"))
+    .maximum_distance(positive_argument_or(arguments, "radius", infinity))
+    .rows_per_shard(count_argument_or(arguments, "shard-rows", 0))
+    .first_row(first)
+    .end_row(end)
+    .memory_limit(memory)
+    .mesh_name(mesh_name);
 }
 
 // Whatever goes wrong with a folder, as the program reports it.
@@ -119,19 +122,19 @@ void print(const Geodesic_matrix_store_status& status)
 }
 
 // Computes with sources in the form that the package takes: all are vertices, or all are locations in faces.
-template <typename Sources>
+template <typename Sources, typename Parameters>
 Geodesic_matrix_store_status store(const Mesh& mesh, const Sources& sources, const std::vector<Vertex>& targets,
-                                   const std::string& folder, const Geodesic_matrix_store_options& options,
-                                   const Mpi_job* job, Row_progress& progress)
+                                   const std::string& folder, const Parameters& parameters, const Mpi_job* job,
+                                   Row_progress& progress)
 {
-  const auto np = CGAL::parameters::visitor(std::ref(progress));
+  const auto np = parameters.visitor(std::ref(progress));
 #ifdef CGAL_SURFACE_MESH_GEODESICS_LINKED_WITH_MPI
   if(job != nullptr)
     return CGAL::Surface_mesh_geodesics::store_geodesic_distance_matrix_mpi<Tag>(job->world(), mesh, sources, targets,
-                                                                                 folder, options, np);
+                                                                                 folder, np);
 #endif
   static_cast<void>(job);
-  return CGAL::Surface_mesh_geodesics::store_geodesic_distance_matrix<Tag>(mesh, sources, targets, folder, options, np);
+  return CGAL::Surface_mesh_geodesics::store_geodesic_distance_matrix<Tag>(mesh, sources, targets, folder, np);
 }
 
 Geodesic_matrix_store_status store(const std::string& mesh_name, const Mesh& mesh, const std::string& folder,
@@ -139,9 +142,8 @@ Geodesic_matrix_store_status store(const std::string& mesh_name, const Mesh& mes
                                    const Console& console)
 {
   Matrix_places places = find_places(mesh);
-  Geodesic_matrix_store_options options = store_options(arguments);
-  std::error_code error;
-  options.mesh_name = fs::absolute(mesh_name, error).string(); // --verify finds it from any folder
+  std::error_code error; // an absolute name: --verify finds it from any folder
+  const auto parameters = store_parameters(arguments, fs::absolute(mesh_name, error).string());
   Row_progress progress(console);
   std::vector<Vertex> vertices = as_vertices(places.sources);
   if(has(arguments, "peel") && vertices == places.targets) // others are rejected, as not symmetric
@@ -149,9 +151,9 @@ Geodesic_matrix_store_status store(const std::string& mesh_name, const Mesh& mes
     vertices = CGAL::Surface_mesh_geodesics::geodesic_peeling_order(mesh, vertices);
     places.targets = vertices;
   }
-  return vertices.empty() ? store(mesh, as_face_locations(places.sources, mesh), places.targets, folder, options, job,
-                                  progress)
-                          : store(mesh, vertices, places.targets, folder, options, job, progress);
+  if(!vertices.empty())
+    return store(mesh, vertices, places.targets, folder, parameters, job, progress);
+  return store(mesh, as_face_locations(places.sources, mesh), places.targets, folder, parameters, job, progress);
 }
 
 // Without --resume, a matrix that is there already is a mistake; an array job, whose tasks have rows, makes it at some
@@ -256,7 +258,7 @@ void store_in_job(const Arguments& arguments, const Place_finder& find_places, c
 // Single precision rounds each distance by 2^-24.
 double tolerance(const Geodesic_distance_matrix_store& matrix)
 {
-  return matrix.options().use_float32 ? 0x1p-21 : 0x1p-40;
+  return matrix.uses_float32() ? 0x1p-21 : 0x1p-40;
 }
 
 void verify(const Arguments& arguments, const Console& console)

@@ -32,21 +32,17 @@ int main(int argc, char* argv[])
 
   // All distances within a radius, in 32 bits. This call computes a part of the rows only, as a task of an array job
   // does.
-  Geodesics::Geodesic_matrix_store_options options;
-  options.use_float32 = true;
-  options.maximum_distance = .1;
-  options.end_row = 1000;
+  const auto np = CGAL::parameters::use_float32(true).maximum_distance(.1);
   try
   {
     Geodesics::Geodesic_matrix_store_status status = Geodesics::store_geodesic_distance_matrix<Concurrency_tag>(
-      mesh, vertices(mesh), vertices(mesh), folder, options);
+      mesh, vertices(mesh), vertices(mesh), folder, np.end_row(1000));
     std::cout << "stored " << status.rows_done << " of " << status.rows << " rows of the range" << std::endl;
 
     // A later call, of this program or of another one, computes what is missing. If it is interrupted, the next one
     // goes on.
-    options.end_row = num_vertices(mesh);
-    status = Geodesics::store_geodesic_distance_matrix<Concurrency_tag>(mesh, vertices(mesh), vertices(mesh), folder,
-                                                                        options);
+    status
+      = Geodesics::store_geodesic_distance_matrix<Concurrency_tag>(mesh, vertices(mesh), vertices(mesh), folder, np);
     std::cout << "stored " << status.rows_done << " of " << status.rows << " rows in " << status.shards << " shards"
               << std::endl;
 
@@ -61,7 +57,7 @@ int main(int argc, char* argv[])
     std::cout << check.rows_compared << " rows computed anew, " << check.rows_different << " are different, "
               << matrix.damaged_shards().size() << " shards are damaged" << std::endl;
   }
-  catch(const std::exception& error) // another mesh, other options, or a disk that is full
+  catch(const std::exception& error) // another mesh, other parameters, or a disk that is full
   {
     std::cerr << error.what() << std::endl;
     return EXIT_FAILURE;

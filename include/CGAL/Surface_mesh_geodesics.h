@@ -19,7 +19,6 @@
 #include <CGAL/Surface_mesh_geodesics/Geodesic_distance_certificate.h>
 #include <CGAL/Surface_mesh_geodesics/Geodesic_distance_solver.h>
 #include <CGAL/Surface_mesh_geodesics/Geodesic_matrix_store_error.h>
-#include <CGAL/Surface_mesh_geodesics/Geodesic_matrix_store_options.h>
 #include <CGAL/Surface_mesh_geodesics/Geodesic_matrix_store_status.h>
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>

@@ -2,6 +2,7 @@
 
 #include "Engines.h"
 
+#include <CGAL/Surface_mesh_geodesics/geodesic_distance_matrix.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_distance_matrix_store.h>
 
 #include <functional>
@@ -51,17 +52,16 @@ py::tuple store_matrix(const Surface& surface, const Array<std::int64_t>& vertex
 {
   const Places sources(surface.mesh(), vertex, face, weights);
   const std::vector<Vertex> range = to_vertices(targets);
-  geodesics::Geodesic_matrix_store_options options;
-  options.use_float32 = use_float32;
-  options.use_symmetry = use_symmetry;
-  options.maximum_distance = radius;
-  options.first_row = first_row;
-  options.end_row = end_row;
-  options.mesh_name = mesh_name;
   geodesics::Geodesic_matrix_store_status status;
   Interruptible interruptible(progress);
   Row_visitor visitor(interruptible);
-  const auto np = CGAL::parameters::visitor(std::ref(visitor));
+  const auto np = CGAL::parameters::use_float32(use_float32)
+                    .use_symmetry(use_symmetry)
+                    .maximum_distance(radius)
+                    .first_row(first_row)
+                    .end_row(end_row)
+                    .mesh_name(mesh_name)
+                    .visitor(std::ref(visitor));
   try
   {
     interruptible.run([&]()
@@ -69,7 +69,7 @@ py::tuple store_matrix(const Surface& surface, const Array<std::int64_t>& vertex
       with_threads(threads, [&]()
       {
         status = sources.visit([&](const auto& s)
-        { return geodesics::store_geodesic_distance_matrix<Threads>(surface.mesh(), s, range, folder, options, np); });
+        { return geodesics::store_geodesic_distance_matrix<Threads>(surface.mesh(), s, range, folder, np); });
       });
     });
   }
@@ -80,11 +80,23 @@ py::tuple store_matrix(const Surface& surface, const Array<std::int64_t>& vertex
   return py::make_tuple(status.rows_done, status.rows);
 }
 
+// Returns vertices in the order in which the rows of a symmetric matrix take little time.
+py::array_t<std::int64_t> peeling_order(const Surface& surface, const Array<std::int64_t>& range)
+{
+  std::vector<Vertex> order;
+  {
+    const py::gil_scoped_release release;
+    order = geodesics::geodesic_peeling_order(surface.mesh(), to_vertices(range));
+  }
+  return to_ids(order);
+}
+
 } // namespace
 
 void bind_stores(Surface_class& surface)
 {
   surface.def("store_matrix", &store_matrix);
+  surface.def("peeling_order", &peeling_order);
 }
 
 } // namespace geodesics_python

@@ -165,7 +165,8 @@ class Solver:
         """Stores the matrix of `matrix()` in a folder, and goes on where an earlier call for the folder has ended.
 
         float32    round the distances to 32 bits
-        symmetric  row i has the distances from source i to the sources i + 1, i + 2, ... only, which are the targets
+        symmetric  row i has the distances from source i to the sources i + 1, i + 2, ... only, which are the targets;
+                   peeling_order() is the order of the sources that takes least time
         radius     store the distances up to it, as a sparse matrix
         rows       a pair (a, b): compute the files whose first row is in a, ..., b - 1
         mesh_name  a name for the manifest, such as the file of the mesh
@@ -189,6 +190,20 @@ class Solver:
                                           arguments.radius_of("radius", radius), *arguments.rows_of("rows", rows),
                                           str(mesh_name), arguments.threads_of(threads),
                                           arguments.progress_of(progress))
+
+    def peeling_order(self, vertices: Any = None) -> np.ndarray:
+        """Returns vertices in an order in which the rows of a symmetric matrix take little time.
+
+        In each component, they are sorted by descending distance from an end of it. None stands for all vertices. The
+        surface needs points, and must not avoid faces.
+
+        >>> import surface_mesh_geodesics as smg
+        >>> smg.Solver([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]]).peeling_order()
+        array([1, 0, 2])
+        """
+        self._needs_points("peeling_order")
+        self._needs_all_faces("peeling_order")
+        return self._surface.peeling_order(self._rows_and_columns([], vertices)[1])
 
     def certify(self, d: Any, sources: Any, *, offsets: Any = None, radius: float = np.inf,
                 progress: Progress | None = None) -> Certificate:

@@ -81,3 +81,16 @@ def test_errors(tmp_path):
         S.avoiding([3]).store_matrix(tmp_path / "around")
     with pytest.raises(TypeError):
         S.store_matrix(7)
+
+
+def test_the_order_of_peeling_is_a_permutation_that_a_symmetric_matrix_takes(tmp_path):
+    order = S.peeling_order()
+    assert order.dtype == np.int64 and np.array_equal(np.sort(order), np.arange(len(V)))
+    d = S.distances(int(order[-1]))
+    assert np.all(np.diff(d[order]) <= 1e-12)
+    S.store_matrix(tmp_path, order, order, symmetric=True)
+    expected = S.matrix(order, order)[np.triu_indices(len(V), 1)]
+    assert np.array_equal(stored(tmp_path), expected)
+    assert np.array_equal(S.peeling_order([4]), [4]) and len(S.peeling_order([])) == 0
+    with pytest.raises(IndexError):
+        S.peeling_order([len(V)])

@@ -37,8 +37,8 @@ struct Row_visitor
 
 Status store_all(const Mesh& tm, const Test_folder& folder, const Options& options, Row_visitor& visitor)
 {
-  return SMG::store_geodesic_distance_matrix(tm, vertices(tm), vertices(tm), folder.name(), options,
-                                             CGAL::parameters::visitor(std::ref(visitor)));
+  return SMG::store_geodesic_distance_matrix(tm, vertices(tm), vertices(tm), folder.name(),
+                                             named(options).visitor(std::ref(visitor)));
 }
 
 Status store_all(const Mesh& tm, const Test_folder& folder, const Options& options)
@@ -148,7 +148,7 @@ void upper_triangle()
   CHECK_EQUAL(SMG::check_geodesic_distance_matrix(tm, folder.name()).rows_different, 0u);
   const std::vector<vertex_descriptor> some{vertex(1)};
   message_of(Store_error::Reason::INVALID_OPTION, [&]
-             { SMG::store_geodesic_distance_matrix(tm, some, vertices(tm), folder.name(), options); });
+             { SMG::store_geodesic_distance_matrix(tm, some, vertices(tm), folder.name(), named(options)); });
   options.maximum_distance = 1;
   message_of(Store_error::Reason::INVALID_OPTION, [&] { store_all(tm, folder, options); });
 }
@@ -321,14 +321,14 @@ void threads()
 #ifdef CGAL_LINKED_WITH_TBB
   for(const int n : {1, 2, 5})
   {
-    options.memory = n == 5 ? 10000 : 1 << 20;
+    options.memory_limit = n == 5 ? 10000 : 1 << 20;
     tbb::global_control control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(n));
     tbb::task_arena arena(n);
     Test_folder folder("threads");
     Row_visitor visitor;
     arena.execute([&] {
       CHECK(SMG::store_geodesic_distance_matrix<CGAL::Parallel_tag>(
-              tm, vertices(tm), vertices(tm), folder.name(), options, CGAL::parameters::visitor(std::ref(visitor)))
+              tm, vertices(tm), vertices(tm), folder.name(), named(options).visitor(std::ref(visitor)))
               .is_complete());
     });
     CHECK_EQUAL(visitor.computed, num_vertices(tm));

@@ -27,7 +27,7 @@ Options small_shards()
 
 Status store(const Mesh& tm, const Test_folder& folder, const Options& options = small_shards())
 {
-  return SMG::store_geodesic_distance_matrix(tm, vertices(tm), vertices(tm), folder.name(), options);
+  return SMG::store_geodesic_distance_matrix(tm, vertices(tm), vertices(tm), folder.name(), named(options));
 }
 
 // --- locks ---
@@ -133,8 +133,8 @@ Options tiny_shards()
 
 void store_slowly(const Mesh& tm, const Test_folder& folder)
 {
-  SMG::store_geodesic_distance_matrix(tm, vertices(tm), vertices(tm), folder.name(), tiny_shards(),
-                                      CGAL::parameters::visitor(Slow_visitor()));
+  SMG::store_geodesic_distance_matrix(tm, vertices(tm), vertices(tm), folder.name(),
+                                      named(tiny_shards()).visitor(Slow_visitor()));
 }
 
 // Waits until a number of shards is done, or a process has ended, and then for a random time.

@@ -13,7 +13,6 @@
 #include <CGAL/license/Surface_mesh_geodesics.h>
 
 #include <CGAL/Surface_mesh_geodesics/Geodesic_matrix_store_error.h>
-#include <CGAL/Surface_mesh_geodesics/Geodesic_matrix_store_options.h>
 #include <CGAL/Surface_mesh_geodesics/Geodesic_matrix_store_status.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_distance_matrix_store.h>
 #include <CGAL/Surface_mesh_geodesics/internal/applications/matrix_store/store_matrix_mpi.h>
@@ -41,10 +40,10 @@ The function exists if the macro `CGAL_SURFACE_MESH_GEODESICS_LINKED_WITH_MPI` i
 `CGAL::Surface_mesh_geodesics_MPI` defines it, and links Boost.MPI. MPI must have been initialized with the level
 `boost::mpi::threading::funneled` at least, in the thread that calls the function.
 
-All processes call the function with the same mesh, sources, targets, folder and options. Rank 0 hands out the shards,
-one by one, and keeps the manifest; each rank, rank 0 too, computes shards and writes their files. The folder must be
-one that all ranks share. It is that of `store_geodesic_distance_matrix()`: if a rank dies, which ends the job, another
-job with any number of ranks goes on with it, or a process without MPI.
+All processes call the function with the same mesh, sources, targets, folder and parameters. Rank 0 hands out the
+shards, one by one, and keeps the manifest; each rank, rank 0 too, computes shards and writes their files. The folder
+must be one that all ranks share. It is that of `store_geodesic_distance_matrix()`: if a rank dies, which ends the job,
+another job with any number of ranks goes on with it, or a process without MPI.
 
 The bits of the files do not depend on the number of ranks, if the ranks run the same program.
 
@@ -60,7 +59,6 @@ The bits of the files do not depend on the number of ranks, if the ranks run the
 \param sources the sources
 \param targets the targets
 \param folder the name of the folder
-\param options what is stored, and how
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among those of
        `store_geodesic_distance_matrix()`. The visitor of rank 0 is told of the rows of all ranks, with those of others
        as computed ones. A rank whose visitor cancels computes no more; the others go on.
@@ -76,10 +74,9 @@ template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typen
 Geodesic_matrix_store_status
 store_geodesic_distance_matrix_mpi(const boost::mpi::communicator& world, const TriangleMesh& tm,
                                    const Sources& sources, const Targets& targets, const std::string& folder,
-                                   const Geodesic_matrix_store_options& options = Geodesic_matrix_store_options(),
                                    const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return internal::store_matrix_mpi<ConcurrencyTag>(world, tm, sources, targets, folder, options, np);
+  return internal::store_matrix_mpi<ConcurrencyTag>(world, tm, sources, targets, folder, np);
 }
 
 } // namespace Surface_mesh_geodesics

@@ -13,7 +13,6 @@
 #include <CGAL/license/Surface_mesh_geodesics.h>
 
 #include <CGAL/Surface_mesh_geodesics/Geodesic_matrix_store_error.h>
-#include <CGAL/Surface_mesh_geodesics/Geodesic_matrix_store_options.h>
 #include <CGAL/Surface_mesh_geodesics/Geodesic_matrix_store_status.h>
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/Surface_mesh_geodesics/internal/applications/matrix_store/Stored_matrix.h>
@@ -24,6 +23,7 @@
 #include <CGAL/tags.h>
 
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -39,8 +39,8 @@ folder. A call that ends early, for whatever reason, leaves a folder with which 
 
 <b>The folder.</b> The rows are in shards: blocks of consecutive rows, in files of NumPy's format (`.npy`, version 1.0,
 little endian, C order) whose names sort in the order of the rows. `manifest.json` names the mesh, with a checksum of
-its connectivity and coordinates, the sources, the targets, the options, and the shards that are done, with the
-checksums of their elements (CRC-64/XZ). \ref Surface_mesh_geodesics_plan_bigger explains how to read it.
+its connectivity and coordinates, the sources, the targets, the kind of the matrix, and the shards that are done, with
+the checksums of their elements (CRC-64/XZ). \ref Surface_mesh_geodesics_plan_bigger explains how to read it.
 
 <b>Interruption.</b> A shard is written under a temporary name, synced, and renamed; the manifest is, too. A process
 that is killed loses the shards in work and nothing else. The next call removes its temporary files, computes shards
@@ -54,7 +54,7 @@ others after ten minutes without a sign of life.
 and interruptions are, if the processes run the same program.
 
 <b>Complexity.</b> That of `geodesic_distance_matrix()`, plus a linear time for each row. Memory: the mesh, and what
-`Geodesic_matrix_store_options::memory` allows. Calls look at each shard of their range, and read the files of those
+`memory_limit` allows. Calls look at each shard of their range, and read the files of those
 that are done.
 
 <b>Thread safety.</b> As for `geodesic_distances()`. Several threads may call the function for one folder.
@@ -69,7 +69,6 @@ that are done.
 \param sources the sources
 \param targets the targets
 \param folder the name of the folder, which is made if it does not exist
-\param options what is stored, and how
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 
 \cgalNamedParamsBegin
@@ -93,6 +92,58 @@ that are done.
                    as key type and `std::size_t` as value type}
     \cgalParamDefault{an automatically indexed internal map}
   \cgalParamNEnd
+  \cgalParamNBegin{use_float32}
+    \cgalParamDescription{whether distances are stored in 32 bits, which saves half of the space. They are rounded to
+                          the nearest number of type `float`, to the even one in a tie: the relative error is at most
+                          2<sup>-24</sup> for distances above 2<sup>-126</sup>.}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`false`}
+    \cgalParamExtra{All calls for one folder need the same value.}
+  \cgalParamNEnd
+  \cgalParamNBegin{use_symmetry}
+    \cgalParamDescription{whether only distances between different sources are stored, each once: row `i` has those to
+                          the sources `i + 1`, `i + 2`, ... Sources and targets must be the same vertices, and the
+                          radius infinite. The order of `geodesic_peeling_order()` saves time.}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`false`}
+    \cgalParamExtra{All calls for one folder need the same value.}
+  \cgalParamNEnd
+  \cgalParamNBegin{maximum_distance}
+    \cgalParamDescription{the radius, in the unit of the mesh: only distances up to it are stored, as a sparse matrix,
+                          unless it is infinite}
+    \cgalParamType{`double`}
+    \cgalParamDefault{infinity}
+    \cgalParamExtra{All calls for one folder need the same value.}
+  \cgalParamNEnd
+  \cgalParamNBegin{rows_per_shard}
+    \cgalParamDescription{the number of rows of a shard; 0 lets the function choose it. A folder that has a manifest
+                          keeps its own number.}
+    \cgalParamType{`std::size_t`}
+    \cgalParamDefault{`0`}
+  \cgalParamNEnd
+  \cgalParamNBegin{first_row}
+    \cgalParamDescription{the first row that this call computes. A call computes the shards whose first row is in
+                          [`first_row`, `end_row`).}
+    \cgalParamType{`std::size_t`}
+    \cgalParamDefault{`0`}
+  \cgalParamNEnd
+  \cgalParamNBegin{end_row}
+    \cgalParamDescription{the row behind the last one}
+    \cgalParamType{`std::size_t`}
+    \cgalParamDefault{the number of sources}
+  \cgalParamNEnd
+  \cgalParamNBegin{memory_limit}
+    \cgalParamDescription{the number of bytes for rows that are not written yet, of all threads together. There are
+                          never more threads than rows of `double` that fit, but at least one. The mesh and the
+                          wavefronts are not counted.}
+    \cgalParamType{`std::size_t`}
+    \cgalParamDefault{2<sup>26</sup>}
+  \cgalParamNEnd
+  \cgalParamNBegin{mesh_name}
+    \cgalParamDescription{the name of the mesh in the manifest, such as that of its file}
+    \cgalParamType{`std::string`}
+    \cgalParamDefault{an empty name}
+  \cgalParamNEnd
   \cgalParamNBegin{visitor}
     \cgalParamDescription{a visitor that is told of rows, and can cancel: `on_propagation_begin(n)` with the number of
                           rows of the range, `on_progress(k, 0)` when `k` of them are done, `go_further()` after that,
@@ -110,18 +161,17 @@ that are done.
 
 \throws Invalid_geodesic_input for a mesh, a source, a target or a radius that `sparse_geodesic_distance_matrix()`
 rejects
-\throws Geodesic_matrix_store_error if the folder belongs to another mesh, or to other sources, targets or options (the
-        message has both checksums), and if a file cannot be written
+\throws Geodesic_matrix_store_error if the folder belongs to another mesh, or to other sources, targets or parameters
+        (the message has both checksums), and if a file cannot be written
 */
 template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename Sources, typename Targets,
           typename CGAL_NP_TEMPLATE_PARAMETERS>
 Geodesic_matrix_store_status
 store_geodesic_distance_matrix(const TriangleMesh& tm, const Sources& sources, const Targets& targets,
                                const std::string& folder,
-                               const Geodesic_matrix_store_options& options = Geodesic_matrix_store_options(),
                                const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return internal::store_matrix<ConcurrencyTag>(tm, sources, targets, folder, options, np);
+  return internal::store_matrix<ConcurrencyTag>(tm, sources, targets, folder, np);
 }
 
 /*!
@@ -156,8 +206,18 @@ public:
   std::size_t number_of_rows() const { return m_matrix.layout().rows; }
   /// returns the number of targets.
   std::size_t number_of_columns() const { return m_matrix.layout().columns; }
-  /// returns the options with which the folder has been made, with the number of rows of a shard.
-  Geodesic_matrix_store_options options() const { return m_matrix.options(); }
+  /// returns whether the distances are stored in 32 bits.
+  bool uses_float32() const { return m_matrix.layout().is_float32; }
+  /// returns whether each pair of sources is stored once.
+  bool uses_symmetry() const { return m_matrix.layout().kind == internal::Store_kind::UPPER_TRIANGLE; }
+  /// returns the radius of a sparse matrix, in the unit of the mesh; infinity for another one.
+  double maximum_distance() const
+  {
+    return m_matrix.layout().kind == internal::Store_kind::WITHIN_RADIUS ? m_matrix.layout().radius
+                                                                         : std::numeric_limits<double>::infinity();
+  }
+  /// returns the number of rows of a shard; the last one may have fewer.
+  std::size_t rows_per_shard() const { return m_matrix.layout().rows_per_shard; }
 
   /// @}
   /// \name Rows

@@ -26,11 +26,24 @@ namespace matrix_store {
 namespace fs = std::filesystem;
 using namespace test_meshes;
 
-using Options = SMG::Geodesic_matrix_store_options;
+using Options = SMG::internal::Store_options;
 using Status = SMG::Geodesic_matrix_store_status;
 using Store = SMG::Geodesic_distance_matrix_store;
 using Store_error = SMG::Geodesic_matrix_store_error;
 using Rows = std::vector<std::vector<double>>;
+
+// The named parameters with these values.
+inline auto named(const Options& options)
+{
+  return CGAL::parameters::use_float32(options.use_float32)
+    .use_symmetry(options.use_symmetry)
+    .maximum_distance(options.maximum_distance)
+    .rows_per_shard(options.rows_per_shard)
+    .first_row(options.first_row)
+    .end_row(options.end_row)
+    .memory_limit(options.memory_limit)
+    .mesh_name(options.mesh_name);
+}
 
 // Where temporary files are; in memory if the system has a place for that, as syncing a disk takes most of the time.
 inline fs::path folder_of_temporary_files()

@@ -53,14 +53,14 @@ struct Killing_visitor
   std::size_t computed = 0, found = 0, limit = (std::numeric_limits<std::size_t>::max)();
 };
 
-template <typename Tag>
+template <typename Tag, typename Parameters>
 int run(const boost::mpi::communicator& world, const Mesh& tm, const std::string& folder,
-        const SMG::Geodesic_matrix_store_options& options, Killing_visitor& visitor)
+        const Parameters& parameters, Killing_visitor& visitor)
 {
   try
   {
     const SMG::Geodesic_matrix_store_status status = SMG::store_geodesic_distance_matrix_mpi<Tag>(
-      world, tm, vertices(tm), vertices(tm), folder, options, CGAL::parameters::visitor(std::ref(visitor)));
+      world, tm, vertices(tm), vertices(tm), folder, parameters.visitor(std::ref(visitor)));
     if(world.rank() == 0)
     {
       std::cout << "computed " << visitor.computed << " found " << visitor.found << std::endl;
@@ -80,19 +80,19 @@ int main(int argc, char* argv[])
 {
   boost::mpi::environment environment(argc, argv, boost::mpi::threading::funneled);
   const boost::mpi::communicator world;
-  SMG::Geodesic_matrix_store_options options;
   Killing_visitor visitor;
-  bool is_alone = false, has_threads = false;
+  bool is_alone = false, has_threads = false, use_float32 = false, use_symmetry = false;
+  double radius = std::numeric_limits<double>::infinity();
   Mesh tm = to_face_graph(icosphere(3));
   for(int k = 2; k < argc; ++k)
   {
     const std::string option = argv[k];
     if(option == "--float32")
-      options.use_float32 = true;
+      use_float32 = true;
     else if(option == "--symmetric")
-      options.use_symmetry = true;
+      use_symmetry = true;
     else if(option == "--radius")
-      options.maximum_distance = std::atof(argv[++k]);
+      radius = std::atof(argv[++k]);
     else if(option == "--threads")
       has_threads = true;
     else if(option == "--alone")
@@ -109,12 +109,14 @@ int main(int argc, char* argv[])
         visitor.milliseconds_per_row = 50;
     }
   }
+  const auto parameters
+    = CGAL::parameters::use_float32(use_float32).use_symmetry(use_symmetry).maximum_distance(radius);
   if(is_alone)
   {
-    return SMG::store_geodesic_distance_matrix(tm, vertices(tm), vertices(tm), argv[1], options).is_complete()
+    return SMG::store_geodesic_distance_matrix(tm, vertices(tm), vertices(tm), argv[1], parameters).is_complete()
              ? EXIT_SUCCESS
              : EXIT_FAILURE;
   }
-  return has_threads ? run<CGAL::Parallel_if_available_tag>(world, tm, argv[1], options, visitor)
-                     : run<CGAL::Sequential_tag>(world, tm, argv[1], options, visitor);
+  return has_threads ? run<CGAL::Parallel_if_available_tag>(world, tm, argv[1], parameters, visitor)
+                     : run<CGAL::Sequential_tag>(world, tm, argv[1], parameters, visitor);
 }

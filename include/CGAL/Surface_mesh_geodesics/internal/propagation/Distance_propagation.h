@@ -170,6 +170,7 @@ public:
   }
 
 private:
+  // The answer of a run without pruning; its type tells so.
   struct Every_visit
   {
     bool operator()(Vertex_id, const FT&, const std::vector<FT>&) const { return true; }

@@ -196,8 +196,9 @@ private:
     return true;
   }
 
-  // Makes the landmarks of the rows of a triangle. Asks the report every now and then whether to go on; if not, no row
-  // is computed.
+  // Makes the landmarks of the rows of a triangle, once for all threads, which wait. Asks the report every now and then
+  // whether to go on, as this takes as long as some rows; if not, no row is computed. A process that finds all shards
+  // done does not get here.
   template <typename Tag>
   void find_landmarks(Tag tag)
   {
@@ -212,6 +213,7 @@ private:
 
   // Computes one shard, and notes that it is done. Returns without doing so if all have to stop. Requires: the lock is
   // held.
+  // Rows are computed one by one, and each run looks at m_stop after each visit.
   template <typename Tag>
   void compute(Tag tag, Worker& worker, std::size_t shard, std::size_t memory, Lock_file& lock)
   {
@@ -226,7 +228,7 @@ private:
       // Each row is a run of its own, with the bits that it has anywhere else.
       if(m_positions != nullptr)
         m_matrix.fill_sparse_row(worker, i, *m_positions, layout.radius, sparse_row, go_further);
-      else if(layout.kind == Store_kind::UPPER_TRIANGLE)
+      else if(layout.kind == Store_kind::UPPER_TRIANGLE) // the diagonal is not stored
         m_matrix.fill_triangular_row(worker, i, i + 1, m_landmarks.get(), row, go_further);
       else
         m_matrix.fill_dense_row(worker, i, m_targets.data(), m_targets.data() + m_targets.size(), row, go_further);
@@ -246,6 +248,7 @@ private:
   const Matrix& m_matrix;
   const std::vector<Vertex_id>& m_targets;
   std::unique_ptr<Matrix::Target_positions> m_positions; // null if the matrix is not sparse
+  // Set under the flag by the first thread that computes a row, and only read afterwards.
   std::once_flag m_landmarks_once;
   std::unique_ptr<const Landmarks> m_landmarks; // of a triangle with many rows, when a row is computed
   std::size_t m_memory;

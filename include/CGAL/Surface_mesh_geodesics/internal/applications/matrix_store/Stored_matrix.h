@@ -16,7 +16,6 @@
 // with its checksum, which is one for the whole shard: damaged_shards() does that.
 
 #include <CGAL/Surface_mesh_geodesics/Geodesic_matrix_store_error.h>
-#include <CGAL/Surface_mesh_geodesics/Geodesic_matrix_store_options.h>
 #include <CGAL/Surface_mesh_geodesics/Geodesic_matrix_store_status.h>
 #include <CGAL/Surface_mesh_geodesics/internal/applications/matrix_store/Shard_list.h>
 #include <CGAL/Surface_mesh_geodesics/internal/applications/matrix_store/Store_folder.h>
@@ -77,19 +76,6 @@ public:
 
   const Store_description& description() const { return m_folder.description(); }
   const Store_layout& layout() const { return m_folder.layout(); }
-
-  // Returns options that continue the matrix: what the manifest tells of the options; the others have their defaults.
-  Geodesic_matrix_store_options options() const
-  {
-    Geodesic_matrix_store_options options;
-    options.use_float32 = layout().is_float32;
-    options.use_symmetry = layout().kind == Store_kind::UPPER_TRIANGLE;
-    if(layout().kind == Store_kind::WITHIN_RADIUS)
-      options.maximum_distance = layout().radius;
-    options.rows_per_shard = layout().rows_per_shard;
-    options.mesh_name = description().mesh_name;
-    return options;
-  }
 
   // The numbers of all shards, done or not.
   std::vector<std::size_t> all_shards() const { return shards_of_rows(layout(), 0, layout().rows); }

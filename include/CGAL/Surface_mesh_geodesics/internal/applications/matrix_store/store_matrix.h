@@ -16,12 +16,12 @@
 // at last whether they fit the manifest. So a call that is rejected changes nothing.
 
 #include <CGAL/Surface_mesh_geodesics/Geodesic_matrix_store_error.h>
-#include <CGAL/Surface_mesh_geodesics/Geodesic_matrix_store_options.h>
 #include <CGAL/Surface_mesh_geodesics/Geodesic_matrix_store_status.h>
 #include <CGAL/Surface_mesh_geodesics/internal/applications/matrix_store/Shard_list.h>
 #include <CGAL/Surface_mesh_geodesics/internal/applications/matrix_store/Store_computation.h>
 #include <CGAL/Surface_mesh_geodesics/internal/applications/matrix_store/Store_folder.h>
 #include <CGAL/Surface_mesh_geodesics/internal/applications/matrix_store/Store_input.h>
+#include <CGAL/Surface_mesh_geodesics/internal/applications/matrix_store/Store_options.h>
 #include <CGAL/Surface_mesh_geodesics/internal/applications/matrix_store/Stored_matrix.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Intrinsic_surface.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/distance_functions.h>
@@ -57,25 +57,13 @@ struct Follows_rows<Visitor, std::void_t<decltype(std::declval<Visitor&>().on_ro
   : std::true_type
 {};
 
-// Throws for options that are wrong for any mesh.
-inline void check_store_options(const Geodesic_matrix_store_options& options)
-{
-  check_maximum_distance(options.maximum_distance);
-  if(options.use_symmetry && options.maximum_distance < std::numeric_limits<double>::infinity())
-    throw Geodesic_matrix_store_error(Geodesic_matrix_store_error::Reason::INVALID_OPTION,
-                                      "a matrix within a radius stores all rows whole: symmetry cannot be used");
-  if(options.first_row > options.end_row)
-    throw Geodesic_matrix_store_error(Geodesic_matrix_store_error::Reason::INVALID_OPTION,
-                                      "the first row is behind the last one");
-}
-
 // The rows of a shard are decided here for a new folder; the manifest of an old one counts instead.
 // The description of a matrix on a surface that has been read: all sources and targets are valid. The targets of an
 // upper triangle must be the sources, which must be vertices.
 template <typename TriangleMesh, typename Sources, typename Targets, typename NamedParameters>
 Store_description describe(const TriangleMesh& tm, const Sources& sources, const Targets& targets,
                            const Source_set<double>& source_set, const std::vector<Vertex_id>& target_ids,
-                           const Geodesic_matrix_store_options& options, const NamedParameters& np)
+                           const Store_options& options, const NamedParameters& np)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -116,10 +104,12 @@ Store_description describe(const TriangleMesh& tm, const Sources& sources, const
 template <typename ConcurrencyTag, typename TriangleMesh, typename Sources, typename Targets, typename NamedParameters,
           typename Open, typename Compute>
 Geodesic_matrix_store_status store_matrix_with(const TriangleMesh& tm, const Sources& sources, const Targets& targets,
-                                               const std::string& path, const Geodesic_matrix_store_options& options,
-                                               const NamedParameters& np, Open open, Compute compute)
+                                               const std::string& path, const NamedParameters& np, Open open,
+                                               Compute compute)
 {
-  check_store_options(options);
+  // Faces to avoid are not among them: a manifest does not know them.
+  check_parameters<Store_parameters>(np);
+  const Store_options options = store_options(np);
   // a copy of the user's visitor, or a reference to it
   Visitor_parameter<NamedParameters> parameter(np);
   auto& visitor = parameter.visitor();
@@ -152,7 +142,7 @@ Geodesic_matrix_store_status store_matrix_with(const TriangleMesh& tm, const Sou
         return go_on(rows_computed + rows_found, 0.);
       };
       Store_computation<decltype(report)> computation(folder, matrix, target_ids, surface.mesh().number_of_vertices(),
-                                                      options.memory, report);
+                                                      options.memory_limit, report);
       return compute(typename Available_tag<ConcurrencyTag>::type(), computation, folder, shards, rows_reported);
     });
     // Records of this call, and of others that were killed before they moved theirs.
@@ -168,11 +158,10 @@ Geodesic_matrix_store_status store_matrix_with(const TriangleMesh& tm, const Sou
 // One process alone, or several that know each other by their locks only.
 template <typename ConcurrencyTag, typename TriangleMesh, typename Sources, typename Targets, typename NamedParameters>
 Geodesic_matrix_store_status store_matrix(const TriangleMesh& tm, const Sources& sources, const Targets& targets,
-                                          const std::string& path, const Geodesic_matrix_store_options& options,
-                                          const NamedParameters& np)
+                                          const std::string& path, const NamedParameters& np)
 {
   return store_matrix_with<ConcurrencyTag>(
-    tm, sources, targets, path, options, np,
+    tm, sources, targets, path, np,
     [](Store_folder& folder, const Store_description& description) { folder.open_or_create(description); },
     [](auto tag, auto& computation, Store_folder&, const std::vector<std::size_t>& shards, const auto&)
     {

@@ -29,7 +29,6 @@
 #ifdef CGAL_SURFACE_MESH_GEODESICS_LINKED_WITH_MPI
 
 #include <CGAL/Surface_mesh_geodesics/Geodesic_matrix_store_error.h>
-#include <CGAL/Surface_mesh_geodesics/Geodesic_matrix_store_options.h>
 #include <CGAL/Surface_mesh_geodesics/Geodesic_matrix_store_status.h>
 #include <CGAL/Surface_mesh_geodesics/internal/applications/matrix_store/Store_folder.h>
 #include <CGAL/Surface_mesh_geodesics/internal/applications/matrix_store/store_matrix.h>
@@ -270,10 +269,10 @@ inline void open_with_mpi(const boost::mpi::communicator& world, Store_folder& f
 template <typename ConcurrencyTag, typename TriangleMesh, typename Sources, typename Targets, typename NamedParameters>
 Geodesic_matrix_store_status store_matrix_mpi(const boost::mpi::communicator& world, const TriangleMesh& tm,
                                               const Sources& sources, const Targets& targets, const std::string& path,
-                                              const Geodesic_matrix_store_options& options, const NamedParameters& np)
+                                              const NamedParameters& np)
 {
   Geodesic_matrix_store_status status = store_matrix_with<ConcurrencyTag>(
-    tm, sources, targets, path, options, np,
+    tm, sources, targets, path, np,
     [&](Store_folder& folder, const Store_description& description) { open_with_mpi(world, folder, description); },
     [&](auto tag, auto& computation, Store_folder&, const std::vector<std::size_t>& shards,
         const std::atomic<std::size_t>& rows_done)

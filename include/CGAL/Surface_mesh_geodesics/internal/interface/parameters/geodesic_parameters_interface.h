@@ -38,4 +38,18 @@ CGAL_add_named_parameter(site_weights_t, site_weights, site_weights)
 CGAL_add_named_parameter(first_samples_t, first_samples, first_samples)
 // sampling: the distance of the farthest vertex from its sample at which it ends
 CGAL_add_named_parameter(covering_radius_t, covering_radius, covering_radius)
+// stored matrices: whether distances are rounded to 32 bits
+CGAL_add_named_parameter(use_float32_t, use_float32, use_float32)
+// stored matrices: whether each pair of vertices is stored once
+CGAL_add_named_parameter(use_symmetry_t, use_symmetry, use_symmetry)
+// stored matrices: the number of rows of a shard
+CGAL_add_named_parameter(rows_per_shard_t, rows_per_shard, rows_per_shard)
+// stored matrices: the first row that a call computes
+CGAL_add_named_parameter(first_row_t, first_row, first_row)
+// stored matrices: the row behind the last one that a call computes
+CGAL_add_named_parameter(end_row_t, end_row, end_row)
+// stored matrices: the number of bytes for rows that are not written yet
+CGAL_add_named_parameter(memory_limit_t, memory_limit, memory_limit)
+// stored matrices: the name of the mesh in the manifest
+CGAL_add_named_parameter(mesh_name_t, mesh_name, mesh_name)
 #endif

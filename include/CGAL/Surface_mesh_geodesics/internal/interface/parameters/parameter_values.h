@@ -70,19 +70,26 @@ struct Has_parameter
 
 // Each function below returns the value of a parameter, or the default. Takes time linear in the length of a range.
 
-// Any type of number that converts to double without a cast: float, int, and the numbers of kernels of double.
-template <typename Tag, typename NamedParameters>
-double number_parameter(const NamedParameters& np, Tag tag, double default_value)
+// The value of a parameter that converts to T without a cast, or the default value.
+template <typename T, typename Tag, typename NamedParameters>
+T value_parameter(const NamedParameters& np, Tag tag, const T& default_value)
 {
   if constexpr(Has_parameter<NamedParameters, Tag>::value)
   {
     const auto& value = parameters::get_parameter_reference(np, tag);
-    static_assert(std::is_convertible<decltype(value), double>::value,
-                  "the value of the named parameter 'Tag' does not convert to double");
-    return static_cast<double>(value);
+    static_assert(std::is_convertible<decltype(value), T>::value,
+                  "the value of the named parameter 'Tag' does not convert to the documented type");
+    return static_cast<T>(value);
   }
   else
     return default_value;
+}
+
+// Any type of number that converts to double without a cast: float, int, and the numbers of kernels of double.
+template <typename Tag, typename NamedParameters>
+double number_parameter(const NamedParameters& np, Tag tag, double default_value)
+{
+  return value_parameter<double>(np, tag, default_value);
 }
 
 // Any range: a container, an array, a pair of iterators of CGAL, also in std::ref() or std::cref(). It is read once.

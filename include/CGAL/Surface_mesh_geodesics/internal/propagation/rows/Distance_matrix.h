@@ -329,8 +329,9 @@ private:
   // 32 times the runs of the landmarks.
   static constexpr std::size_t default_least_sources_for_landmarks = 512;
 
-  // Returns false if rounding has left a target without a distance, as it may in faces thinner than rounding: a run
-  // without pruning goes on beside it.
+  // Fills a row of a triangle by a run that leaves out what the landmarks prove to be useless. Returns false if
+  // rounding has left a target without a distance, as it may in faces thinner than rounding: a run without pruning goes
+  // on beside it. (A row that has been ended early is no row either way.)
   template <typename GoFurther>
   bool fill_pruned_row(Worker& worker, std::size_t i, const Vertex_id* first, const Vertex_id* last,
                        const Landmarks& landmarks, Dense_row& row, const GoFurther& go_further) const

@@ -88,6 +88,7 @@ public:
   const std::vector<std::size_t>& component_of(std::size_t i) const { return m_positions[m_component_of_source[i]]; }
 
 private:
+  // Any point of the star is so near to the vertex: a face is nowhere farther from a corner than at the other corners.
   static float radius_of_star(const Mesh& mesh, Vertex_id v)
   {
     FT radius = 0;
@@ -98,6 +99,7 @@ private:
     return static_cast<float>(radius);
   }
 
+  // Enters the distance from landmark k, and keeps track of the nearest one.
   void set_distance(Vertex_id v, std::size_t k, float distance)
   {
     m_entries[v][k] = distance;

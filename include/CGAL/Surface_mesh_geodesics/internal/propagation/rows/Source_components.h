@@ -68,13 +68,14 @@ public:
 
   // Computes the distances of all vertices from the roots of their components, in one run. Returns false if
   // go_further() does.
+  // The result does not depend on the order of the roots: each reaches its own component only.
   template <typename GoFurther>
   bool run(const GoFurther& go_further)
   {
     return m_runner.run(m_roots, Run_limits<FT>(), [&](std::size_t, const FT&) { return go_further(); });
   }
 
-  // The distances of the last run().
+  // The distances of the last run(). After find(), those of one component only.
   const Runner& runner() const { return m_runner; }
 
   // In each component, makes the source with the largest distance(source) the root; of equal ones the first.
@@ -99,7 +100,7 @@ public:
 
 private:
   const Mesh& m_mesh;
-  const std::vector<Vertex_id>& m_sources;
+  const std::vector<Vertex_id>& m_sources; // the caller's
   Runner m_runner;
   Source_set<FT> m_roots; // by component, without offsets; during find(), the one of the component that is found
   std::vector<std::vector<std::size_t>> m_positions;

@@ -25,8 +25,8 @@
 // visit is needed if both inequalities hold for all landmarks and some group. Upper bounds are d(l, s) + d(l, t), and
 // the length of a path that the run has found. As the run goes on, targets with final distances drop out and bounds
 // become smaller: the maxima are computed anew each time when the number of visits since the last time reaches half of
-// the number of targets that are left, so the cost of each visit is constant (amortized). If nothing has been skipped
-// before the first such time, the targets lie all around, and the run goes on without pruning.
+// the number of targets that are left, so the cost of each visit is constant (amortized). If no visit is skipped
+// between two such times, the targets lie all around, and the run goes on without pruning.
 //
 // Skipped windows are never part of the paths that are measured, so distances have the bits of a run without pruning.
 
@@ -58,7 +58,6 @@ public:
   void begin(const std::vector<Vertex_id>& sources, std::size_t i)
   {
     m_is_useful = true;
-    m_has_skipped = false;
     m_targets.clear();
     const typename Landmarks::Entry& from = m_landmarks[sources[i]];
     for(const std::size_t k : m_landmarks.component_of(i))
@@ -75,7 +74,7 @@ public:
       return true;
     if(++m_visits > m_targets.size() / 2 + 16)
     {
-      m_is_useful = m_has_skipped;
+      m_is_useful = m_skipped > 0;
       drop_final_targets(key, distance);
       update();
     }
@@ -90,11 +89,12 @@ public:
         m_last_group = g;
         return true;
       }
-    m_has_skipped = true;
+    ++m_skipped;
     return false;
   }
 
 private:
+  // One that is not known to be final.
   struct Target
   {
     Vertex_id vertex;
@@ -137,6 +137,7 @@ private:
 
   static constexpr float relative_margin = 1e-6f; // some units of rounding
 
+  // The least length of the ways over a landmark.
   static float least_sum(const typename Landmarks::Entry& a, const typename Landmarks::Entry& b)
   {
     float least = std::numeric_limits<float>::infinity();
@@ -158,22 +159,23 @@ private:
     m_targets.resize(left);
   }
 
+  // Computes the maxima of all groups from the targets that are left.
   void update()
   {
     for(Group& group : m_groups)
       group.clear();
     for(const Target& target : m_targets)
       m_groups[m_landmarks.nearest(target.vertex)].add(m_landmarks[target.vertex], target.most);
-    m_visits = 0;
+    m_visits = m_skipped = 0;
   }
 
   const Landmarks& m_landmarks;
-  std::vector<Target> m_targets; // those that are not known to be final
+  std::vector<Target> m_targets;
   std::array<Group, Landmarks::number> m_groups;
   std::size_t m_last_group = 0;
   std::size_t m_visits = 0;   // since the last update
-  bool m_is_useful = true;    // false for a run that has skipped no visit before its first update
-  bool m_has_skipped = false; // in this run
+  std::size_t m_skipped = 0;  // among these visits
+  bool m_is_useful = true;    // false for the rest of a run that has skipped no visit between two updates
 };
 
 } // namespace internal

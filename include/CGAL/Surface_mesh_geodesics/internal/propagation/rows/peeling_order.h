@@ -44,6 +44,7 @@ std::vector<std::size_t> peeling_order(const Intrinsic_mesh<FT>& mesh, const std
   std::vector<std::size_t> order;
   order.reserve(sources.size());
   std::vector<std::pair<FT, std::size_t>> keys;
+  // Pairs are sorted by position where distances are equal.
   for(const std::vector<std::size_t>& positions : components.positions())
   {
     keys.clear();
