@@ -5,6 +5,7 @@ set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 output=${1:-$root/build/doc}
 mkdir -p "$output"
+rm -rf "$output/html" # pages of what is gone would stay
 output=$(cd "$output" && pwd)
 log=$output/doxygen_warnings.log
 rm -f "$log"

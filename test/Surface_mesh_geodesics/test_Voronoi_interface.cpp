@@ -13,6 +13,8 @@
 #include <cmath>
 #include <limits>
 #include <thread>
+#include <type_traits>
+#include <vector>
 
 using namespace test_meshes;
 
@@ -60,6 +62,15 @@ void a_diagram_follows_its_sites()
   CHECK_EQUAL(diagram.nearest_site(diagram.site(2)), 2u);
   diagram.clear();
   CHECK(diagram.arcs().empty() && diagram.edges().empty() && diagram.vertices().empty());
+
+  // sites in the constructor
+  const std::vector<vertex_descriptor> some{vertex(3), vertex(9)};
+  const Voronoi of_vertices(tm, some), of_locations(tm, std::vector<Face_location>{random_location(tm, random)});
+  CHECK_EQUAL(of_vertices.number_of_sites(), 2u);
+  CHECK_EQUAL(of_vertices.nearest_site(vertex(9)), 1u);
+  CHECK_EQUAL(of_locations.nearest_site(vertex(0)), 0u);
+  static_assert(!std::is_constructible<Voronoi, const Mesh&, const std::vector<double>&>::value,
+                "numbers are no sites");
 }
 
 // A property map of the points of a mesh that counts its reads.

@@ -39,6 +39,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -465,6 +466,27 @@ public:
     : Surface_mesh_geodesic_Voronoi_diagram(tm, get(boost::vertex_index, tm), get(boost::halfedge_index, tm),
                                             get(boost::face_index, tm), get(CGAL::vertex_point, tm), traits)
   {}
+
+  /// constructs a diagram with sites, with the index maps and the point map of the mesh. Takes time linear in the number
+  /// of sites.
+  ///
+  /// \tparam Sites a range of `vertex_descriptor` or `Face_location`
+  /// \param tm the mesh, as above
+  /// \param sites the sites, as for `add_sites()`
+  /// \param traits an instance of the traits class, which is copied
+  /// \pre The faces of `tm` are triangles. (Otherwise `build()` throws.)
+#ifndef DOXYGEN_RUNNING
+  template <typename Sites,
+            typename = std::enable_if_t<Surface_mesh_geodesics::internal::Is_range_of<Sites, vertex_descriptor>::value
+                                        || Surface_mesh_geodesics::internal::Is_range_of<Sites, Face_location>::value>>
+#else
+  template <typename Sites>
+#endif
+  Surface_mesh_geodesic_Voronoi_diagram(const Triangle_mesh& tm, const Sites& sites, const Traits& traits = Traits())
+    : Surface_mesh_geodesic_Voronoi_diagram(tm, traits)
+  {
+    add_sites(sites);
+  }
 
   /// constructs a diagram without sites, with given maps.
   ///

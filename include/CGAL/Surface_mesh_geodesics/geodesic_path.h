@@ -1,0 +1,235 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_GEODESIC_PATH_H
+#define CGAL_SURFACE_MESH_GEODESICS_GEODESIC_PATH_H
+
+#include <CGAL/license/Surface_mesh_geodesics.h>
+
+#include <CGAL/Surface_mesh_geodesics/Geodesic_default_visitor.h>
+#include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
+#include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_paths.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/Distance_solver.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/distance_functions.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_checks.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_values.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/source_range.h>
+
+#include <CGAL/Kernel_traits.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/Surface_mesh_shortest_path/Surface_mesh_shortest_path_traits.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/number_utils.h>
+#include <CGAL/tags.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <limits>
+#include <type_traits>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+
+#ifndef DOXYGEN_RUNNING
+namespace internal {
+
+template <typename TriangleMesh, typename Place>
+constexpr void check_place()
+{
+  static_assert(Is_source<TriangleMesh, Place>::value,
+                "a point of the surface is a vertex descriptor, or a pair of a face descriptor and three barycentric "
+                "coordinates");
+}
+
+// The distance of a vertex: a run that ends there.
+template <typename TriangleMesh, typename Source, typename Vertex, typename NamedParameters>
+double distance_of_vertex(const TriangleMesh& tm, const Source& source, const Vertex& target, const NamedParameters& np)
+{
+  auto vim = CGAL::get_initialized_vertex_index_map(tm, np);
+  auto fim = CGAL::get_initialized_face_index_map(tm, np);
+  Distance_solver<Sequential_tag, double, TriangleMesh, decltype(vim), decltype(fim)> solver(
+    tm, vim, fim, shape_from_points<double>(tm, np), source, avoided_faces(tm, fim, np));
+  Distance_options<TriangleMesh> options;
+  options.targets.push_back(target);
+  Geodesic_default_visitor visitor;
+  solver.run(source, options, visitor);
+  return solver.distance(target);
+}
+
+// A location as the class for paths wants it.
+template <typename Paths, typename Location>
+typename Paths::Face_location location_of(const Location& location)
+{
+  using FT = typename Paths::FT;
+  return {location.first, {{FT(location.second[0]), FT(location.second[1]), FT(location.second[2])}}};
+}
+
+// Calls query(paths) with an object for paths from one source, which has the maps among the named parameters.
+// Returns the distance that it answers, with infinity for -1.
+template <typename TriangleMesh, typename Source, typename NamedParameters, typename Query>
+double query_paths(const TriangleMesh& tm, const Source& source, const NamedParameters& np, const Query& query)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  auto vim = CGAL::get_initialized_vertex_index_map(tm, np);
+  auto fim = CGAL::get_initialized_face_index_map(tm, np);
+  auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
+                              get_const_property_map(CGAL::vertex_point, tm));
+  using Kernel = typename Kernel_traits<typename boost::property_traits<decltype(vpm)>::value_type>::Kernel;
+  using Traits = Surface_mesh_shortest_path_traits<Kernel, TriangleMesh>;
+  // The map of halfedges is not used.
+  using Paths = Surface_mesh_geodesic_paths<Traits, decltype(vim), decltype(vim), decltype(fim), decltype(vpm)>;
+  Paths paths(tm, vim, vim, fim, vpm);
+  if constexpr(Has_parameter<NamedParameters, internal_np::faces_to_avoid_t>::value)
+    paths.avoid_faces(parameters::get_parameter_reference(np, internal_np::faces_to_avoid));
+  if constexpr(Is_vertex<TriangleMesh, Source>::value)
+    paths.add_source_point(source);
+  else
+    paths.add_source_point(location_of<Paths>(source));
+  const auto result = query(paths);
+  return result < 0 ? std::numeric_limits<double>::infinity() : result;
+}
+
+} // namespace internal
+#endif
+
+/*!
+\ingroup PkgSurfaceMeshGeodesicsFunctions
+
+returns the exact geodesic distance between two points of a triangle mesh.
+
+For the distances from one point to many, call `geodesic_distances()`; for many pairs, use a
+`Geodesic_distance_solver`, `geodesic_distance_matrix()` or `Surface_mesh_geodesic_paths`.
+
+<b>Complexity.</b> The function reads the component of the mesh. If one of the points is a vertex, it then propagates
+from the other one until the distance of the vertex is final. Otherwise it propagates over the whole component, and the
+point type of the mesh must be that of a kernel of \cgal.
+
+<b>Thread safety.</b> As for `geodesic_distances()`.
+
+\tparam TriangleMesh a model of `FaceListGraph`
+\tparam Point1 a vertex descriptor, or a location: a pair of a face descriptor and three barycentric coordinates, of
+        `source(halfedge(f, tm), tm)`, `target(halfedge(f, tm), tm)` and `target(next(halfedge(f, tm), tm), tm)`
+\tparam Point2 as `Point1`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tm the triangle mesh
+\param a a point of the surface
+\param b a point of the surface
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{a property map associating points to the vertices of `tm`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with the vertex descriptor of `TriangleMesh`
+                   as key type and a 3D point type with the members `x()`, `y()`, `z()` as value type}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_index_map}
+    \cgalParamDescription{a property map associating to each vertex of `tm` a unique index between `0`
+                          and `num_vertices(tm) - 1`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with the vertex descriptor of `TriangleMesh`
+                   as key type and `std::size_t` as value type}
+    \cgalParamDefault{an automatically indexed internal map}
+  \cgalParamNEnd
+  \cgalParamNBegin{face_index_map}
+    \cgalParamDescription{a property map associating to each face of `tm` a unique index between `0`
+                          and `num_faces(tm) - 1`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with the face descriptor of `TriangleMesh`
+                   as key type and `std::size_t` as value type}
+    \cgalParamDefault{an automatically indexed internal map}
+  \cgalParamNEnd
+  \cgalParamNBegin{faces_to_avoid}
+    \cgalParamDescription{the faces through which no path may lead, as for `geodesic_distances()`}
+    \cgalParamType{a range of face descriptors of `TriangleMesh`, or a class model of `ReadablePropertyMap` with the
+                   face descriptor as key type and `bool` as value type}
+    \cgalParamDefault{an empty range: none}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return the distance in the unit of the points; infinity if no path leads from one point to the other
+
+\throws Invalid_geodesic_input if the mesh or a point is one that `geodesic_distances()` rejects
+*/
+template <typename TriangleMesh, typename Point1, typename Point2, typename CGAL_NP_TEMPLATE_PARAMETERS>
+double geodesic_distance(const TriangleMesh& tm, const Point1& a, const Point2& b,
+                         const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  internal::check_place<TriangleMesh, Point1>();
+  internal::check_place<TriangleMesh, Point2>();
+  internal::check_parameters<internal::Matrix_parameters>(np);
+  if constexpr(internal::Is_vertex<TriangleMesh, Point2>::value)
+    return internal::distance_of_vertex(tm, a, b, np);
+  else if constexpr(internal::Is_vertex<TriangleMesh, Point1>::value)
+    return internal::distance_of_vertex(tm, b, a, np);
+  else
+    return internal::query_paths(tm, a, np, [&](const auto& paths)
+    {
+      const auto at = internal::location_of<std::decay_t<decltype(paths)>>(b);
+      return CGAL::to_double(paths.shortest_distance_to_source_points(at.first, at.second).first);
+    });
+}
+
+/*!
+\ingroup PkgSurfaceMeshGeodesicsFunctions
+
+writes the points of an exact shortest path from one point of a triangle mesh to another one, and returns its length.
+
+The points are `a`, where the path crosses edges or passes vertices, and `b`. For many paths, use
+`Surface_mesh_geodesic_paths`, which computes once for all paths from its source points.
+
+<b>Complexity.</b> One propagation over the component of the mesh, and two if `a` is not a vertex; then a linear time in
+the number of points.
+
+<b>Thread safety.</b> As for `geodesic_distances()`.
+
+\tparam TriangleMesh a model of `FaceListGraph`
+\tparam Point1 as for `geodesic_distance()`
+\tparam Point2 as for `geodesic_distance()`
+\tparam OutputIterator a model of `OutputIterator` that takes the value type of the point map
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tm the triangle mesh
+\param a the point where the path begins
+\param b the point where it ends
+\param output gets the points, in the order from `a` to `b`
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among those of `geodesic_distance()`
+
+\pre the value type of the point map is `Kernel::Point_3` for a kernel of \cgal
+
+\return the length of the path; infinity if there is none. Then nothing is written.
+
+\throws Invalid_geodesic_input if the mesh or a point is one that `geodesic_distances()` rejects
+\throws std::runtime_error if rounding hides the path
+*/
+template <typename TriangleMesh, typename Point1, typename Point2, typename OutputIterator,
+          typename CGAL_NP_TEMPLATE_PARAMETERS>
+double geodesic_path(const TriangleMesh& tm, const Point1& a, const Point2& b, OutputIterator output,
+                     const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  internal::check_place<TriangleMesh, Point1>();
+  internal::check_place<TriangleMesh, Point2>();
+  internal::check_parameters<internal::Matrix_parameters>(np);
+  // The class writes paths to their source.
+  return internal::query_paths(tm, b, np, [&](const auto& paths)
+  {
+    if constexpr(internal::Is_vertex<TriangleMesh, Point1>::value)
+      return CGAL::to_double(paths.shortest_path_points_to_source_points(a, output).first);
+    else
+    {
+      const auto at = internal::location_of<std::decay_t<decltype(paths)>>(a);
+      return CGAL::to_double(paths.shortest_path_points_to_source_points(at.first, at.second, output).first);
+    }
+  });
+}
+
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_GEODESIC_PATH_H

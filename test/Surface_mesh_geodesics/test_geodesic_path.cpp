@@ -1,0 +1,174 @@
+// geodesic_distance() and geodesic_path(): one pair of points, in any mix of vertices and locations.
+
+#include "distance_test_helpers.h"
+#include "expected_exceptions.h"
+#include "test_meshes.h"
+#include "test_support.h"
+
+#include <CGAL/Surface_mesh_geodesics/geodesic_distances.h>
+#include <CGAL/Surface_mesh_geodesics/geodesic_path.h>
+
+#include <CGAL/Polyhedron_3.h>
+
+#include <cmath>
+#include <functional>
+#include <iterator>
+#include <limits>
+#include <utility>
+#include <vector>
+
+using namespace test_meshes;
+
+namespace {
+
+using Point = Kernel::Point_3;
+
+double length(const std::vector<Point>& points)
+{
+  double sum = 0;
+  for(std::size_t i = 1; i < points.size(); ++i)
+    sum += std::sqrt(CGAL::squared_distance(points[i - 1], points[i]));
+  return sum;
+}
+
+Point point_of(const Mesh& tm, vertex_descriptor v)
+{
+  return tm.point(v);
+}
+
+Point point_of(const Mesh& tm, const Face_location& location)
+{
+  const auto h = halfedge(location.first, tm);
+  const auto &b = location.second;
+  return CGAL::barycenter(tm.point(source(h, tm)), b[0], tm.point(target(h, tm)), b[1],
+                          tm.point(target(next(h, tm), tm)), b[2]);
+}
+
+// The path begins and ends where it should, has the length that is returned, and this is the distance, there and back.
+template <typename A, typename B>
+double check_pair(const Mesh& tm, const A& a, const B& b)
+{
+  std::vector<Point> points;
+  const double d = SMG::geodesic_path(tm, a, b, std::back_inserter(points));
+  CHECK(points.size() >= 2 || d == 0);
+  CHECK_CLOSE(length(points), d, 1e-12);
+  CHECK_CLOSE(SMG::geodesic_distance(tm, a, b), d, 1e-12);
+  CHECK_CLOSE(SMG::geodesic_distance(tm, b, a), d, 1e-12);
+  CHECK(std::sqrt(CGAL::squared_distance(points.front(), point_of(tm, a))) <= 1e-12);
+  CHECK(std::sqrt(CGAL::squared_distance(points.back(), point_of(tm, b))) <= 1e-12);
+  return d;
+}
+
+void all_kinds_of_pairs_agree(const Indexed_mesh& indexed, test_support::Random& random)
+{
+  test_support::Scope scope(indexed.name);
+  const Mesh tm = to_face_graph(indexed);
+  for(int k = 0; k < 8; ++k)
+  {
+    const vertex_descriptor v = random_vertex(tm, random), w = random_vertex(tm, random);
+    const Face_location p = random_location(tm, random), q = random_location(tm, random);
+    CHECK_EQUAL(SMG::geodesic_distance(tm, v, w), distances(tm, v)[std::size_t(w)]);
+    CHECK_EQUAL(SMG::geodesic_distance(tm, p, w), distances(tm, p)[std::size_t(w)]);
+    check_pair(tm, v, w);
+    check_pair(tm, v, p);
+    check_pair(tm, p, w);
+    check_pair(tm, p, q);
+    check_pair(tm, v, v);
+  }
+}
+
+// In a square, distances are those of the plane; with faces to avoid, paths lead around.
+void plane()
+{
+  test_support::Scope scope("plane");
+  const Mesh tm = to_face_graph(flat_patch(6, 6, 0., false, 1));
+  const Face_location p{*faces(tm).begin(), {.2, .3, .5}};
+  const vertex_descriptor last(static_cast<Mesh::size_type>(num_vertices(tm) - 1));
+  const double straight = std::sqrt(CGAL::squared_distance(point_of(tm, p), tm.point(last)));
+  CHECK_CLOSE(check_pair(tm, p, last), straight, 1e-12);
+
+  std::vector<face_descriptor> avoided;
+  for(const face_descriptor f : faces(tm))
+    if(f != p.first && std::size_t(f) % 3 == 0)
+      avoided.push_back(f);
+  const auto np = CGAL::parameters::faces_to_avoid(std::cref(avoided));
+  std::vector<Point> points;
+  const double around = SMG::geodesic_path(tm, p, last, std::back_inserter(points), np);
+  CHECK_CLOSE(length(points), around, 1e-12);
+  CHECK(around > straight * (1 + 1e-6));
+  CHECK_CLOSE(SMG::geodesic_distance(tm, p, last, np), around, 1e-12);
+}
+
+void points_without_a_path()
+{
+  test_support::Scope scope("no path");
+  const Mesh tm = to_face_graph(two_components_and_an_isolated_vertex());
+  const std::vector<double> from_first = distances(tm, vertex(0));
+  const double none = std::numeric_limits<double>::infinity();
+  for(const vertex_descriptor v : vertices(tm))
+    if(!(from_first[std::size_t(v)] < none))
+    {
+      std::vector<Point> points;
+      CHECK_EQUAL(SMG::geodesic_distance(tm, vertex(0), v), none);
+      CHECK_EQUAL(SMG::geodesic_path(tm, vertex(0), v, std::back_inserter(points)), none);
+      CHECK(points.empty());
+    }
+}
+
+void bad_points_are_rejected()
+{
+  test_support::Scope scope("bad points");
+  const Mesh tm = to_face_graph(icosphere(1));
+  const vertex_descriptor bad = vertex(9999);
+  const Face_location outside{face(0), {.5, .5, .5}};
+  std::vector<Point> points;
+  const auto output = std::back_inserter(points);
+  CHECK(throws<Invalid_input>([&] { SMG::geodesic_distance(tm, vertex(0), bad); }));
+  CHECK(throws<Invalid_input>([&] { SMG::geodesic_distance(tm, bad, vertex(0)); }));
+  CHECK(throws<Invalid_input>([&] { SMG::geodesic_distance(tm, outside, vertex(0)); }));
+  CHECK(throws<Invalid_input>([&] { SMG::geodesic_distance(tm, vertex(0), outside); }));
+  CHECK(throws<Invalid_input>([&] { SMG::geodesic_distance(tm, outside, outside); }));
+  CHECK(throws<Invalid_input>([&] { SMG::geodesic_path(tm, vertex(0), bad, output); }));
+  CHECK(throws<Invalid_input>([&] { SMG::geodesic_path(tm, outside, vertex(0), output); }));
+  CHECK(points.empty());
+}
+
+// Another mesh, and points that are not those of the mesh.
+void other_meshes_and_maps()
+{
+  test_support::Scope scope("maps");
+  CGAL::Polyhedron_3<Kernel> polyhedron;
+  polyhedron.make_tetrahedron(Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), Point(0, 0, 1));
+  const auto first = polyhedron.vertices_begin(), second = std::next(first);
+  std::vector<Point> points;
+  const double edge = SMG::geodesic_path(polyhedron, first, second, std::back_inserter(points));
+  CHECK_CLOSE(edge, std::sqrt(CGAL::squared_distance(first->point(), second->point())), 1e-15);
+  CHECK_EQUAL(points.size(), 2u);
+
+  Mesh tm = to_face_graph(icosphere(2));
+  auto doubled = tm.add_property_map<vertex_descriptor, Point>("v:doubled").first;
+  for(const vertex_descriptor v : vertices(tm))
+    doubled[v] = CGAL::ORIGIN + 2 * (tm.point(v) - CGAL::ORIGIN);
+  const auto np = CGAL::parameters::vertex_point_map(doubled);
+  CHECK_CLOSE(SMG::geodesic_distance(tm, vertex(0), vertex(70), np),
+              2 * SMG::geodesic_distance(tm, vertex(0), vertex(70)), 1e-14);
+  points.clear();
+  const double d = SMG::geodesic_path(tm, vertex(0), vertex(70), std::back_inserter(points), np);
+  CHECK_CLOSE(length(points), d, 1e-13);
+}
+
+} // namespace
+
+int main()
+{
+  const std::uint64_t seed = test_support::announce_seed(20261124);
+  test_support::Random random(seed);
+  for(const Indexed_mesh& indexed : {noisy_sphere(2, .1, seed), rough_terrain(8, 2., seed), genus_2_polycube(),
+                                     torus(1., .4, 20, 10)})
+    all_kinds_of_pairs_agree(indexed, random);
+  plane();
+  points_without_a_path();
+  bad_points_are_rejected();
+  other_meshes_and_maps();
+  return test_result();
+}
