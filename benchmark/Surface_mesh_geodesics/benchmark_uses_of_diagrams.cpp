@@ -55,7 +55,8 @@ public:
     case RELAXATION:
       return measured([&] {
         std::vector<Benchmark_vertex> moved;
-        Geodesics::geodesic_Lloyd_relaxation(m_mesh, m_sites, iterations, std::back_inserter(moved));
+        Geodesics::geodesic_Lloyd_relaxation(m_mesh, m_sites, std::back_inserter(moved),
+                                             CGAL::parameters::number_of_iterations(iterations));
       });
     default:
       return time_of_certificate();

@@ -325,8 +325,8 @@ py::array_t<std::int64_t> relax(Surface& surface, const Array<std::int64_t>& sit
   surface.run_alone(visitor, [&]()
   {
     geodesics::geodesic_Lloyd_relaxation(
-      surface.mesh(), before, iterations, std::back_inserter(after),
-      CGAL::parameters::visitor(std::ref(visitor)).threshold_distance(threshold));
+      surface.mesh(), before, std::back_inserter(after),
+      CGAL::parameters::visitor(std::ref(visitor)).number_of_iterations(iterations).threshold_distance(threshold));
   });
   return to_ids(after);
 }

@@ -25,6 +25,14 @@ using Traits = CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>;
 using Voronoi = CGAL::Surface_mesh_geodesic_Voronoi_diagram<Traits>;
 using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
 
+// At most n iterations. Returns how many moved a site.
+std::size_t relax(const Mesh& mesh, const std::vector<vertex_descriptor>& sites, std::size_t n,
+                  std::vector<vertex_descriptor>& moved)
+{
+  return Geodesics::geodesic_Lloyd_relaxation(mesh, sites, std::back_inserter(moved),
+                                              CGAL::parameters::number_of_iterations(n));
+}
+
 int Euler_characteristic(const Mesh& mesh)
 {
   return static_cast<int>(num_vertices(mesh)) - static_cast<int>(num_edges(mesh)) + static_cast<int>(num_faces(mesh));
@@ -54,9 +62,9 @@ void relaxation_makes_cells_even(std::uint64_t seed)
     std::vector<vertex_descriptor> sites, moved, same;
     for(int i = 0; i < 20; ++i)
       sites.push_back(vertex_descriptor(static_cast<Mesh::size_type>(random.index(num_vertices(mesh)))));
-    CHECK_EQUAL(Geodesics::geodesic_Lloyd_relaxation(mesh, sites, 0, std::back_inserter(same)), std::size_t(0));
+    CHECK_EQUAL(relax(mesh, sites, 0, same), 0u);
     CHECK(same == sites);
-    const std::size_t n = Geodesics::geodesic_Lloyd_relaxation(mesh, sites, 50, std::back_inserter(moved));
+    const std::size_t n = relax(mesh, sites, 50, moved);
     CHECK_EQUAL(moved.size(), sites.size());
     CHECK(n > 1);
     CHECK(unevenness(mesh, moved) < unevenness(mesh, sites));
@@ -64,7 +72,7 @@ void relaxation_makes_cells_even(std::uint64_t seed)
     if(n < 50)
     {
       same.clear();
-      CHECK_EQUAL(Geodesics::geodesic_Lloyd_relaxation(mesh, moved, 3, std::back_inserter(same)), std::size_t(0));
+      CHECK_EQUAL(Geodesics::geodesic_Lloyd_relaxation(mesh, moved, std::back_inserter(same)), 0u);
       CHECK(same == moved);
     }
   }
@@ -217,11 +225,10 @@ void no_iteration_moves_no_site()
   const Mesh mesh = to_face_graph(icosphere(1));
   const std::vector<vertex_descriptor> sites = {vertex_descriptor(3), boost::graph_traits<Mesh>::null_vertex()};
   std::vector<vertex_descriptor> moved;
-  CHECK_EQUAL(Geodesics::geodesic_Lloyd_relaxation(mesh, sites, 0, std::back_inserter(moved)), std::size_t(0));
+  CHECK_EQUAL(relax(mesh, sites, 0, moved), 0u);
   CHECK(moved == sites);
   moved.clear();
-  CHECK(throws<Invalid_input>(
-    [&] { Geodesics::geodesic_Lloyd_relaxation(mesh, sites, 1, std::back_inserter(moved)); }));
+  CHECK(throws<Invalid_input>([&] { relax(mesh, sites, 1, moved); }));
   CHECK(moved.empty());
 }
 
@@ -237,7 +244,7 @@ void an_isolated_site_stays()
     test_support::Scope scope("isolated site, scale 2^" + std::to_string(exponent));
     const Mesh mesh = to_face_graph(scaled(indexed, std::ldexp(1., exponent)));
     std::vector<vertex_descriptor> moved;
-    Geodesics::geodesic_Lloyd_relaxation(mesh, sites, 3, std::back_inserter(moved));
+    relax(mesh, sites, 3, moved);
     CHECK(moved.size() == 3 && moved[1] == isolated);
     if(exponent == 0)
       expected = moved;
@@ -318,8 +325,9 @@ void visitors_see_the_energy_fall(std::uint64_t seed)
     for(int i = 0; i < 20; ++i)
       sites.push_back(vertex_descriptor(static_cast<Mesh::size_type>(random.index(num_vertices(mesh)))));
     Iterations all;
-    const std::size_t n = Geodesics::geodesic_Lloyd_relaxation(mesh, sites, 50, std::back_inserter(moved),
-                                                               CGAL::parameters::visitor(std::ref(all)));
+    const auto np = CGAL::parameters::number_of_iterations(50);
+    const std::size_t n = Geodesics::geodesic_Lloyd_relaxation(mesh, sites, std::back_inserter(moved),
+                                                               np.visitor(std::ref(all)));
     CHECK_EQUAL(all.moves.size(), n + (n < 50 ? 1 : 0));
     if(n < 50)
       CHECK_EQUAL(all.moves.back(), 0.);
@@ -331,11 +339,10 @@ void visitors_see_the_energy_fall(std::uint64_t seed)
     const double threshold = 1.0001 * *std::min_element(all.moves.begin(), all.moves.begin() + 4);
     Iterations some;
     const std::size_t k = Geodesics::geodesic_Lloyd_relaxation(
-      mesh, sites, 50, std::back_inserter(stopped),
-      CGAL::parameters::visitor(std::ref(some)).threshold_distance(threshold));
+      mesh, sites, std::back_inserter(stopped), np.visitor(std::ref(some)).threshold_distance(threshold));
     CHECK(k >= 1 && k <= 4 && some.moves.back() <= threshold);
     CHECK(std::equal(some.energies.begin(), some.energies.end(), all.energies.begin()));
-    CHECK_EQUAL(Geodesics::geodesic_Lloyd_relaxation(mesh, sites, k, std::back_inserter(expected)), k);
+    CHECK_EQUAL(relax(mesh, sites, k, expected), k);
     CHECK(stopped == expected);
 
     Iterations of_remeshing;

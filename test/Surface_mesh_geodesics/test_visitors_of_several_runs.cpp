@@ -201,12 +201,15 @@ void relaxation_is_canceled(const Mesh& mesh, const Vertices& sites)
   std::vector<Vertices> after(n + 1); // after[i] belongs to i iterations
   for(std::size_t i = 0; i <= n; ++i)
   {
-    CHECK_EQUAL(Geodesics::geodesic_Lloyd_relaxation(mesh, sites, i, std::back_inserter(after[i])), i);
+    CHECK_EQUAL(Geodesics::geodesic_Lloyd_relaxation(mesh, sites, std::back_inserter(after[i]),
+                                                     CGAL::parameters::number_of_iterations(i)),
+                i);
   }
   Counting_visitor whole(never);
   Vertices moved;
-  CHECK_EQUAL(Geodesics::geodesic_Lloyd_relaxation(mesh, sites, n, std::back_inserter(moved),
-                                                   CGAL::parameters::visitor(std::ref(whole))),
+  const auto np = CGAL::parameters::number_of_iterations(n);
+  CHECK_EQUAL(Geodesics::geodesic_Lloyd_relaxation(mesh, sites, std::back_inserter(moved),
+                                                   np.visitor(std::ref(whole))),
               n);
   CHECK(moved == after[n]);
   CHECK_EQUAL(whole.begins, n);
@@ -214,8 +217,8 @@ void relaxation_is_canceled(const Mesh& mesh, const Vertices& sites)
   {
     Counting_visitor visitor(stop);
     moved.clear();
-    const std::size_t i = Geodesics::geodesic_Lloyd_relaxation(mesh, sites, n, std::back_inserter(moved),
-                                                               CGAL::parameters::visitor(std::ref(visitor)));
+    const std::size_t i = Geodesics::geodesic_Lloyd_relaxation(mesh, sites, std::back_inserter(moved),
+                                                               np.visitor(std::ref(visitor)));
     CHECK_EQUAL(visitor.begins, i + 1);
     CHECK(moved == after[i]);
   }

@@ -467,8 +467,8 @@ public:
                                             get(boost::face_index, tm), get(CGAL::vertex_point, tm), traits)
   {}
 
-  /// constructs a diagram with sites, with the index maps and the point map of the mesh. Takes time linear in the number
-  /// of sites.
+  /// constructs a diagram with sites, with the index maps and the point map of the mesh. Takes time linear in the
+  /// number of sites.
   ///
   /// \tparam Sites a range of `vertex_descriptor` or `Face_location`
   /// \param tm the mesh, as above

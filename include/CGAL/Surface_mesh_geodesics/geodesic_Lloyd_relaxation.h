@@ -67,7 +67,6 @@ The method serves remeshing (thesis, section 5.4.4), see `geodesic_remeshing()`.
 
 \param tm the triangle mesh
 \param sites the initial sites
-\param number_of_iterations the largest number of iterations
 \param output receives the final sites, in the order of `sites`
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 
@@ -100,6 +99,11 @@ The method serves remeshing (thesis, section 5.4.4), see `geodesic_remeshing()`.
     \cgalParamDefault{`Geodesic_default_visitor`}
     \cgalParamExtra{The visitor is not copied if it is passed with `std::ref()`.}
   \cgalParamNEnd
+  \cgalParamNBegin{number_of_iterations}
+    \cgalParamDescription{the largest number of iterations}
+    \cgalParamType{unsigned int}
+    \cgalParamDefault{`10`}
+  \cgalParamNEnd
   \cgalParamNBegin{threshold_distance}
     \cgalParamDescription{the relaxation ends after an iteration that moves no site farther in space than this
                           distance, in the unit of the mesh}
@@ -116,13 +120,16 @@ The method serves remeshing (thesis, section 5.4.4), see `geodesic_remeshing()`.
 */
 template <typename TriangleMesh, typename VertexRange, typename OutputIterator, typename CGAL_NP_TEMPLATE_PARAMETERS>
 std::size_t geodesic_Lloyd_relaxation(const TriangleMesh& tm, const VertexRange& sites,
-                                      std::size_t number_of_iterations, OutputIterator output,
-                                      const CGAL_NP_CLASS& np = parameters::default_values())
+                                      OutputIterator output, const CGAL_NP_CLASS& np = parameters::default_values())
 {
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
   internal::check_parameters<internal::Relaxation_parameters>(np);
   internal::Visitor_parameter<CGAL_NP_CLASS> visitor_parameter(np);
   auto& visitor = visitor_parameter.visitor();
   std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> moved(sites.begin(), sites.end());
+  const std::size_t number_of_iterations
+    = static_cast<std::size_t>(choose_parameter(get_parameter(np, internal_np::number_of_iterations), 10u));
   const std::size_t n
     = internal::relax_sites<Surface_mesh_geodesic_Voronoi_diagram>(tm, moved, number_of_iterations, visitor, np,
                                                                     [](auto) { return false; });

@@ -121,8 +121,9 @@ using Label_parameters = Extended_set<Mesh_and_visitor_parameters, internal_np::
                                       internal_np::site_weights_t, internal_np::faces_to_avoid_t>::type;
 using Sampling_parameters = Extended_set<Mesh_and_visitor_parameters, internal_np::first_samples_t,
                                          internal_np::covering_radius_t, internal_np::statistics_t>::type;
-using Relaxation_parameters = Extended_set<Mesh_and_visitor_parameters, internal_np::threshold_distance_t>::type;
-using Remeshing_parameters = Extended_set<Relaxation_parameters, internal_np::number_of_iterations_t>::type;
+using Relaxation_parameters = Extended_set<Mesh_and_visitor_parameters, internal_np::threshold_distance_t,
+                                           internal_np::number_of_iterations_t>::type;
+using Remeshing_parameters = Relaxation_parameters;
 
 // --- types of values: each is false for a type that is something else altogether ---
 
