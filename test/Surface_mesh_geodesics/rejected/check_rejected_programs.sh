@@ -17,6 +17,7 @@ cat > "$work/frame.h" << 'END'
 #include <CGAL/Surface_mesh_geodesics/Geodesic_distance_solver.h>
 #include <CGAL/Surface_mesh_geodesics/certify_geodesic_distances.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_Voronoi_labels.h>
+#include <CGAL/Surface_mesh_geodesics/geodesic_distance_matrix_store.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_distances.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_farthest_point_sampling.h>
 #include <iterator>
@@ -67,6 +68,7 @@ distances='geodesic_distances(tm, distance, vertices, '
 certificate='certify_geodesic_distances(tm, distance, vertices, '
 labels='geodesic_Voronoi_labels(tm, tm.add_property_map<Vertex, std::size_t>("s").first, vertices, '
 sampling='geodesic_farthest_point_sampling(tm, 5, std::back_inserter(const_cast<std::vector<Vertex>&>(vertices)), '
+store='store_geodesic_distance_matrix(tm, vertices, vertices, "folder", '
 
 expect '' "${distances}np::targets(vertices).source_offsets(numbers).statistics(&counts).vertex_point_map(tm.points()))"
 
@@ -81,6 +83,7 @@ expect "does not take the named parameter" "${distances}np::targets(vertices).th
 expect "does not take the named parameter" "${solver}np::nearest_source_map(text))"
 expect "does not take the named parameter" "${certificate}np::targets(vertices))"
 expect "does not take the named parameter" "${sampling}np::maximum_distance(1.))"
+expect "does not take the named parameter" "${store}np::faces_to_avoid(vertices))"
 
 # The value has another type.
 expect "is not a range of the documented elements" "${distances}np::targets(*vertices.begin()))"
@@ -89,6 +92,9 @@ expect "is not a range of the documented elements" "${distances}np::source_offse
 expect "is not a range of the documented elements" "${labels}np::site_weights(1.))"
 expect "is not a range of the documented elements" "${sampling}np::first_samples(numbers))"
 expect "does not convert to double" "${sampling}np::covering_radius(std::string()))"
+expect "does not convert to double" "${store}np::maximum_distance(1.).maximum_distance(std::string()))"
+expect "does not convert to the documented type" "${store}np::rows_per_shard(std::string()))"
+expect "does not convert to the documented type" "${store}np::mesh_name(1.))"
 expect "is not a property map of vertices" "${distances}np::nearest_source_map(text))"
 expect "is not a property map of vertices" "${distances}np::nearest_source_map(numbers))"
 expect "is not a property map of vertices" "${labels}np::vertex_distance_map(std::ref(distance)))"

@@ -89,6 +89,9 @@ T value_parameter(const NamedParameters& np, Tag tag, const T& default_value)
 template <typename Tag, typename NamedParameters>
 double number_parameter(const NamedParameters& np, Tag tag, double default_value)
 {
+  if constexpr(Has_parameter<NamedParameters, Tag>::value)
+    static_assert(std::is_convertible<decltype(parameters::get_parameter_reference(np, tag)), double>::value,
+                  "the value of the named parameter 'Tag' does not convert to double");
   return value_parameter<double>(np, tag, default_value);
 }
 
