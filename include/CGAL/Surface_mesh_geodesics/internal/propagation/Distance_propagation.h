@@ -121,7 +121,9 @@ public:
   }
 
   // The same, but visits a vertex only if is_needed(vertex, queue key, distances found so far). What waits in a star
-  // that is not visited goes on waiting until restart().
+  // that is not visited goes on waiting: until restart(), or until another window brings a visit there. That visit
+  // takes old windows along, so keys need not ascend then. The distance reached does; all distances up to it are final
+  // whose paths lead through no window of a visit that was skipped.
   template <typename GoOn, typename IsNeeded>
   bool run(GoOn go_on, IsNeeded&& is_needed)
   {
@@ -132,7 +134,7 @@ public:
         return true;
       if(!go_on(m_stars.statistics().vertices_visited, m_end.reached_distance()))
         return false;
-      CGAL_expensive_assertion(ascends(m_queue.top_key()));
+      CGAL_expensive_assertion(is_pruned || ascends(m_queue.top_key()));
       if(!is_needed(m_queue.top(), m_queue.top_key(), m_wavefront.distances()))
       {
         m_queue.pop();

@@ -53,7 +53,8 @@ namespace internal {
 // The converse does not hold: a vertex may stay in the queue after the visit of a neighbor has taken its lists.
 //
 // Distances of vertices never grow. A window is never nearer than its parent, so the keys of successive visits ascend,
-// up to rounding, unless a source is added; and a distance that is not greater than the top key is final.
+// up to rounding, unless a source is added or a visit is skipped; and a distance that is not greater than the top key
+// is final.
 template <typename FT_>
 class Wavefront
 {
