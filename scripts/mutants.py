@@ -64,6 +64,7 @@ WALK = INTERNAL + "interface/tracing/Straightest_walk.h"
 FAN = INTERNAL + "interface/tracing/Vertex_fan.h"
 BLOCK_TEAM = INTERNAL + "propagation/Block_team.h"
 BUILDER = INTERNAL + "surface/Intrinsic_mesh_builder.h"
+CHUNKS = INTERNAL + "propagation/Chunk_team.h"
 LOWER_BOUND = INTERNAL + "certificate/Lower_bound_check.h"
 EDGE_FUNCTION = INTERNAL + "certificate/Edge_distance_function.h"
 SAMPLE_PLACEMENT = INTERNAL + "applications/Sample_placement.h"
@@ -120,6 +121,7 @@ CERTIFICATION = "test_certification_of_distances"
 MATRICES = "test_distance_matrix"
 DIAGRAM_CERTIFICATION = "test_certification_of_Voronoi_diagrams"
 SMALL = "test_small_components"
+PARALLEL_APPLICATIONS = "test_parallel_applications"
 BLOCKS = "test_reading_in_blocks"
 REACHED = "test_reached_components"
 FUZZ = "test_fuzz_distances"
@@ -643,8 +645,17 @@ MUTANTS = [
      "if(excess <= Tolerance<FT>::gap() * extent)", "if(excess <= Tolerance<FT>::gap())",
      "what is nothing beside the largest component is nothing for all", (CERTIFICATION,)),
     ("lower_bound_one_side", LOWER_BOUND,
-     "      check_pieces(right_side(c), {c.target, c.apex});\n", "",
+     "      check_pieces(right_side_line(c), {c.target, c.apex});\n", "",
      "a bound that is too large on right sides is believed", (CERTIFICATE_CHECKS, CERTIFICATION)),
+    ("chunk_after_the_end", CHUNKS,
+     "c < number_of_chunks(n) && !is_ended", "c < number_of_chunks(n)",
+     "threads go on after an exception in another one", (PARALLEL_APPLICATIONS,)),
+    ("visitor_in_any_thread", CHUNKS,
+     "if(worker == 0 && ", "if(",
+     "a visitor is called by threads that are not its own", (PARALLEL_APPLICATIONS,)),
+    ("last_part_wins", VIOLATION,
+     "if(!(other.size > size))", "if(!(other.size >= size))",
+     "the vertex of a violation depends on how the check is divided", (CERTIFICATE_CHECKS, PARALLEL_APPLICATIONS)),
     ("function_extrema", EDGE_FUNCTION,
      "const FT t = (x * other_depth - other_x * depth) / (other_depth - depth);",
      "const FT t = (x * other_depth + other_x * depth) / (other_depth + depth);",

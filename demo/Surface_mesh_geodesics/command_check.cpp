@@ -10,6 +10,7 @@
 #include "number_arguments.h"
 
 #include <CGAL/Surface_mesh_geodesics/certify_geodesic_distances.h>
+#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -29,6 +30,7 @@ namespace {
 
 using Certificate = CGAL::Surface_mesh_geodesics::Geodesic_distance_certificate<Mesh>;
 using Condition = Certificate::Condition;
+using Tag = CGAL::Parallel_if_available_tag; // the result does not depend on the tag
 
 const Location_options source_options("source");
 
@@ -133,9 +135,9 @@ Certificate certificate_of(Mesh& mesh, const std::vector<double>& distances, con
     map[v] = distances[v];
   const auto np = CGAL::parameters::maximum_distance(radius);
   const std::vector<Vertex> vertices = as_vertices(sources);
-  return vertices.empty()
-           ? CGAL::Surface_mesh_geodesics::certify_geodesic_distances(mesh, map, as_face_locations(sources, mesh), np)
-           : CGAL::Surface_mesh_geodesics::certify_geodesic_distances(mesh, map, vertices, np);
+  using CGAL::Surface_mesh_geodesics::certify_geodesic_distances;
+  return vertices.empty() ? certify_geodesic_distances<Tag>(mesh, map, as_face_locations(sources, mesh), np)
+                          : certify_geodesic_distances<Tag>(mesh, map, vertices, np);
 }
 
 void write_table(std::ostream& os, const Certificate& certificate)

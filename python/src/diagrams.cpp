@@ -1,5 +1,5 @@
-// Geodesic Voronoi diagrams, built by one thread or by several, and what the package makes with them in one thread:
-// samples, relaxation, remeshing. (One file, as diagrams take long to compile.)
+// Geodesic Voronoi diagrams, built by one thread or by several, and what the package makes with them: samples (in one
+// thread), relaxation, remeshing. (One file, as diagrams take long to compile.)
 
 #include "Engines.h"
 
@@ -302,6 +302,16 @@ private:
   py::object m_on_iteration;
 };
 
+// Calls compute(tag) in one thread with Sequential_tag, or in several with Threads.
+template <typename Compute>
+void with_tag(std::size_t threads, const Compute& compute)
+{
+  if(threads > 1)
+    with_threads(threads, [&]() { compute(Threads()); });
+  else
+    compute(CGAL::Sequential_tag());
+}
+
 // Returns the samples, without the first ones, and the covering radius.
 py::tuple sample(Surface& surface, std::size_t n, const Array<std::int64_t>& first, double radius,
                  const py::object& progress)
@@ -317,31 +327,36 @@ py::tuple sample(Surface& surface, std::size_t n, const Array<std::int64_t>& fir
 }
 
 py::array_t<std::int64_t> relax(Surface& surface, const Array<std::int64_t>& sites, std::size_t iterations,
-                                double threshold, const py::object& on_iteration, const py::object& progress)
+                                double threshold, const py::object& on_iteration, std::size_t threads,
+                                const py::object& progress)
 {
   const std::vector<Vertex> before = to_vertices(sites);
   std::vector<Vertex> after;
   Relaxation_visitor visitor(progress, iterations + 1, on_iteration);
+  const auto np
+    = CGAL::parameters::visitor(std::ref(visitor)).number_of_iterations(iterations).threshold_distance(threshold);
   surface.run_alone(visitor, [&]()
   {
-    geodesics::geodesic_Lloyd_relaxation(
-      surface.mesh(), before, std::back_inserter(after),
-      CGAL::parameters::visitor(std::ref(visitor)).number_of_iterations(iterations).threshold_distance(threshold));
+    with_tag(threads, [&](auto tag)
+    {
+      geodesics::geodesic_Lloyd_relaxation<decltype(tag)>(surface.mesh(), before, std::back_inserter(after), np);
+    });
   });
   return to_ids(after);
 }
 
 // Returns the points and the faces of a coarser mesh.
 py::tuple remesh(Surface& surface, std::size_t n, unsigned int iterations, double threshold,
-                 const py::object& on_iteration, const py::object& progress)
+                 const py::object& on_iteration, std::size_t threads, const py::object& progress)
 {
   Mesh coarse;
   Relaxation_visitor visitor(progress, n + iterations + 1, on_iteration);
+  const auto np
+    = CGAL::parameters::visitor(std::ref(visitor)).number_of_iterations(iterations).threshold_distance(threshold);
   surface.run_alone(visitor, [&]()
   {
-    const auto np = CGAL::parameters::visitor(std::ref(visitor)).number_of_iterations(iterations)
-                      .threshold_distance(threshold);
-    geodesics::geodesic_remeshing(surface.mesh(), n, coarse, np);
+    with_tag(threads, [&](auto tag)
+    { geodesics::geodesic_remeshing<decltype(tag)>(surface.mesh(), n, coarse, np); });
   });
   return py::make_tuple(points_of(coarse), faces_of(coarse));
 }

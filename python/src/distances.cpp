@@ -195,7 +195,7 @@ constexpr unsigned int number_of_reverse_runs = 4;
 // Returns (worst violation, list of (condition, violation, vertex or -1, number of checks)).
 py::tuple certify(Surface& surface, const Array<double>& d, const Array<std::int64_t>& vertex,
                   const Array<std::int64_t>& face, const Array<double>& weights, const Array<double>& offsets,
-                  double radius, const py::object& progress)
+                  double radius, std::size_t threads, const py::object& progress)
 {
   using Certificate = geodesics::Geodesic_distance_certificate<Mesh>;
   const Places sources(surface.mesh(), vertex, face, weights);
@@ -205,16 +205,15 @@ py::tuple certify(Surface& surface, const Array<double>& d, const Array<std::int
   Interruptible visitor(progress, 1 + number_of_reverse_runs);
   const auto np
     = parameters_of(offsets, radius).visitor(std::ref(visitor)).number_of_iterations(number_of_reverse_runs);
-  surface.run_alone(visitor, [&]()
+  const auto certify_from = [&](const auto& s)
   {
-    certificate = sources.visit([&](const auto& s)
-    {
-      return std::make_unique<Certificate>(
-        surface.has_lengths()
-          ? geodesics::certify_geodesic_distances_from_edge_lengths(surface.mesh(), surface.lengths(), map, s, np)
-          : geodesics::certify_geodesic_distances(surface.mesh(), map, s, np));
-    });
-  });
+    return std::make_unique<Certificate>(
+      surface.has_lengths() ? geodesics::certify_geodesic_distances_from_edge_lengths<Threads>(
+                                surface.mesh(), surface.lengths(), map, s, np)
+                            : geodesics::certify_geodesic_distances<Threads>(surface.mesh(), map, s, np));
+  };
+  surface.run_alone(visitor, [&]()
+  { with_threads(threads, [&]() { certificate = sources.visit(certify_from); }); });
   py::list conditions;
   for(std::size_t i = 0; i < Certificate::number_of_conditions; ++i)
   {

@@ -206,12 +206,11 @@ class Solver:
         return self._surface.peeling_order(self._rows_and_columns([], vertices)[1])
 
     def certify(self, d: Any, sources: Any, *, offsets: Any = None, radius: float = np.inf,
-                progress: Progress | None = None) -> Certificate:
+                threads: int | None = None, progress: Progress | None = None) -> Certificate:
         """Proves distances right or wrong, no matter who computed them.
 
-        d  (n,) the distances of all vertices from the sources, inf where none reaches. NaN is wrong, not an error.
-
-        Takes one thread.
+        d        (n,) the distances of all vertices from the sources, inf where none reaches. NaN is wrong, not an error
+        threads  how many threads; None for all. The result does not depend on it
 
         >>> import surface_mesh_geodesics as smg
         >>> s = smg.Solver([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]])
@@ -224,7 +223,7 @@ class Solver:
         worst, conditions = self._surface.certify(distances, *places,
                                                   arguments.offsets_of("offsets", offsets, len(places.vertex)),
                                                   arguments.radius_of("radius", radius),
-                                                  arguments.progress_of(progress))
+                                                  arguments.threads_of(threads), arguments.progress_of(progress))
         return Certificate(worst, {name: Condition(*rest) for name, *rest in conditions})
 
     # --- paths ---
@@ -401,7 +400,7 @@ class Solver:
         covering_radius  sampling ends when no vertex is farther from its nearest sample
         return_radius    return a pair: the samples, and the largest distance of a vertex from its nearest sample
 
-        Takes one thread.
+        Takes one thread: each sample depends on those before.
 
         >>> import surface_mesh_geodesics as smg
         >>> smg.Solver([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]]).sample(2, first=[1])
@@ -417,7 +416,8 @@ class Solver:
         return (samples, radius) if return_radius else samples
 
     def relax(self, sites: Any, *, iterations: int = 10, threshold: float = 0.0,
-              on_iteration: OnIteration | None = None, progress: Progress | None = None) -> np.ndarray:
+              on_iteration: OnIteration | None = None, threads: int | None = 1,
+              progress: Progress | None = None) -> np.ndarray:
         """Moves sites, which are vertices, to the centers of their cells again and again (Lloyd); returns where they
         end, in their order.
 
@@ -425,8 +425,7 @@ class Solver:
         threshold     the relaxation ends when no site moves farther than this in space
         on_iteration  a function that is called after each iteration, with its number from 1, the largest move of a
                       site, and the energy before: the sum over the cells of the integrals of squared distances in space
-
-        Takes one thread.
+        threads       how many threads; None for all. All numbers above 1 give the same result
 
         >>> import surface_mesh_geodesics as smg
         >>> V = [[x, y, 0] for x in range(5) for y in range(2)]
@@ -439,15 +438,15 @@ class Solver:
         self._needs_points("relax")
         self._needs_all_faces("relax")
         return self._surface.relax(self._vertices("sites", sites), *self._relaxation(iterations, threshold,
-                                                                                     on_iteration, progress))
+                                                                                     on_iteration, threads, progress))
 
     def remesh(self, n: int, *, iterations: int = 10, threshold: float = 0.0, on_iteration: OnIteration | None = None,
-               progress: Progress | None = None) -> tuple[np.ndarray, np.ndarray]:
+               threads: int | None = 1, progress: Progress | None = None) -> tuple[np.ndarray, np.ndarray]:
         """Returns points (n, 3) and faces (m, 3) of a coarser mesh with even triangles.
 
-        The vertices are samples that are relaxed; `iterations`, `threshold` and `on_iteration` as in `relax()`. The
-        result has the handles and borders of the surface, and more than n vertices where it needs them. A component
-        with few vertices stays as it is. Takes one thread.
+        The vertices are samples that are relaxed; the arguments are those of `relax()`. The result has the handles and
+        borders of the surface, and more than n vertices where it needs them. A component with few vertices stays as it
+        is.
 
         >>> import surface_mesh_geodesics as smg
         >>> V = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
@@ -458,7 +457,7 @@ class Solver:
         self._needs_points("remesh")
         self._needs_all_faces("remesh")
         return self._surface.remesh(arguments.count_of("n", n, 3, max(3, self.n_vertices)),
-                                    *self._relaxation(iterations, threshold, on_iteration, progress))
+                                    *self._relaxation(iterations, threshold, on_iteration, threads, progress))
 
     # --- the mesh ---
 
@@ -517,9 +516,10 @@ class Solver:
         return places, every if targets is None else self._vertices("targets", targets)
 
     @staticmethod
-    def _relaxation(iterations: int, threshold: float, on_iteration: Any, progress: Any) -> tuple:
+    def _relaxation(iterations: int, threshold: float, on_iteration: Any, threads: int | None, progress: Any) -> tuple:
         return (arguments.count_of("iterations", iterations, 0), arguments.radius_of("threshold", threshold),
-                arguments.function_of("on_iteration", on_iteration), arguments.progress_of(progress))
+                arguments.function_of("on_iteration", on_iteration), arguments.threads_of(threads),
+                arguments.progress_of(progress))
 
     def _needs_points(self, name: str) -> None:
         if self._lengths is not None:

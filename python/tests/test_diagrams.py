@@ -9,6 +9,17 @@ def area(V, F):
     return 0.5 * np.linalg.norm(np.cross(V[F[:, 1]] - V[F[:, 0]], V[F[:, 2]] - V[F[:, 0]]), axis=1)
 
 
+def test_threads_do_not_change_relaxation_and_remeshing():
+    V, F = sphere(20)
+    s = smg.Solver(V, F)
+    sites = np.arange(0, len(V), 60)
+    one, two, three = (s.relax(sites, iterations=2, threads=k) for k in (1, 2, 3))
+    assert np.array_equal(two, three) and len(one) == len(two)
+    (V1, F1), (V2, F2), (V3, F3) = (s.remesh(50, iterations=1, threads=k) for k in (1, 2, 3))
+    assert np.array_equal(V2, V3) and np.array_equal(F2, F3)
+    assert len(V1) - len(F1) / 2 == len(V2) - len(F2) / 2 == 2
+
+
 def test_two_sites_divide_a_square():
     V, F = grid(10)
     v = smg.Solver(V, F).voronoi([0, 10])

@@ -82,6 +82,16 @@ def test_edge_lengths_are_enough():
         smg.Solver.from_edge_lengths(len(V), F, L)
 
 
+def test_threads_do_not_change_certificates():
+    V, F = sphere(20)
+    s = smg.Solver(V, F)
+    d = s.distances(7)
+    for values in (d, d * (1 + 1e-7)):
+        one, two, three, every = (s.certify(values, 7, threads=k) for k in (1, 2, 3, None))
+        assert one.worst_violation == two.worst_violation == three.worst_violation == every.worst_violation
+        assert one.conditions == two.conditions == three.conditions == every.conditions
+
+
 def test_threads_do_not_change_bits():
     V, F = sphere(40)
     s = smg.Solver(V, F)

@@ -4,8 +4,10 @@
 #include "distance_test_helpers.h"
 #include "test_meshes.h"
 #include "test_support.h"
+#include "thread_team.h"
 
 #include <CGAL/Surface_mesh_geodesics/certify_geodesic_distances.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/Chunk_team.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Component_extents.h>
 
 #include <algorithm>
@@ -76,10 +78,13 @@ struct Witness
 
   SMGI::Vertex_id id(std::size_t v) const { return table.vertex_of_index[v]; }
 
-  double violation() const
+  template <typename Chunks>
+  SMGI::Worst_violation<double> worst(const Chunks& chunks) const
   {
-    return SMGI::Lower_bound_check<double>(mesh, field.distance, extents, windows).run([]() { return true; }).size;
+    return SMGI::prove_lower_bounds(chunks, mesh, field.distance, extents, windows, []() { return true; });
   }
+
+  double violation() const { return worst(SMGI::Chunk_team<SMGI::Calling_thread>()).size; }
 
   Mesh tm;
   SMGI::Intrinsic_mesh<double> mesh;
@@ -89,6 +94,19 @@ struct Witness
   std::vector<double> extents;
 };
 
+void threads_find_the_same(const Witness& witness)
+{
+  const SMGI::Worst_violation<double> expected = witness.worst(SMGI::Chunk_team<SMGI::Calling_thread>());
+  for(const std::size_t number_of_threads : {1, 2, 3, 7})
+  {
+    const SMGI::Worst_violation<double> found
+      = witness.worst(SMGI::Chunk_team<Thread_team>(Thread_team(number_of_threads)));
+    CHECK(found.size == expected.size);
+    CHECK(found.vertex == expected.vertex);
+    CHECK(found.number_of_checks == expected.number_of_checks);
+  }
+}
+
 void wrong_bounds_are_found()
 {
   test_support::Scope scope("bounds");
@@ -97,11 +115,14 @@ void wrong_bounds_are_found()
     test_support::Scope mesh_scope(indexed.name);
     Witness witness(indexed);
     CHECK(witness.violation() < 1e-14);
+    threads_find_the_same(witness);
     for(SMGI::Vertex_id v = 1; v < witness.mesh.number_of_vertices(); ++v)
     {
       const double right = witness.field.distance[v];
       witness.field.distance[v] = right * (1 + 1e-9);
       CHECK(witness.violation() > 1e-11);
+      if(v % 16 == 0)
+        threads_find_the_same(witness);
       witness.field.distance[v] = right;
     }
   }

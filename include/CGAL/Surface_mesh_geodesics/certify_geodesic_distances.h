@@ -22,6 +22,7 @@
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/tags.h>
 
 namespace CGAL {
 namespace Surface_mesh_geodesics {
@@ -54,9 +55,14 @@ is the number of faces that a shortest path crosses.
 quadratic in the number of intervals into which the function divides the edges of a face, for each face, and linear in
 the number of faces that a path crosses, for each vertex.
 
+<b>Parallelism.</b> With `Parallel_tag`, threads share the checks of paths and of lower bounds, which take most of the
+time; the propagations and the reading of the mesh and the maps stay in the calling thread, which alone calls the
+functions of the visitor. The result is the same with any tag and any number of threads.
+
 <b>Thread safety.</b> Several threads may call the function at once, on the same mesh and the same map as well, if
 no thread modifies them; see `geodesic_distances()`.
 
+\tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`, as for `geodesic_distances()`
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam VertexDistanceMap a model of `ReadablePropertyMap` with the vertex descriptor of `TriangleMesh` as key type and
         a number type that `CGAL::to_double()` takes as value type
@@ -126,22 +132,24 @@ How to write sequences of parameters: \ref Surface_mesh_geodesics_named_paramete
         does
 \throws std::bad_alloc if there is not enough memory for the windows
 */
-template <typename TriangleMesh, typename VertexDistanceMap, typename Sources, typename CGAL_NP_TEMPLATE_PARAMETERS>
+template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename VertexDistanceMap, typename Sources,
+          typename CGAL_NP_TEMPLATE_PARAMETERS>
 Geodesic_distance_certificate<TriangleMesh>
 certify_geodesic_distances(const TriangleMesh& tm, VertexDistanceMap vertex_distance_map, const Sources& sources,
                            const CGAL_NP_CLASS& np = parameters::default_values())
 {
   internal::check_parameters<internal::Distance_certificate_parameters>(np);
-  return internal::certify_distances<Geodesic_distance_certificate<TriangleMesh>>(
+  return internal::certify_distances<ConcurrencyTag, Geodesic_distance_certificate<TriangleMesh>>(
     tm, vertex_distance_map, sources, [&]() { return internal::shape_from_points<double>(tm, np); }, np);
 }
 
 /*!
 \ingroup PkgSurfaceMeshGeodesicsFunctions
 
-checks distances on a surface that is given by its edge lengths. Complexity and thread safety are those of
+checks distances on a surface that is given by its edge lengths. Complexity, parallelism and thread safety are those of
 `certify_geodesic_distances()`.
 
+\tparam ConcurrencyTag as for `certify_geodesic_distances()`
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam VertexDistanceMap as for `certify_geodesic_distances()`
 \tparam Sources as for `geodesic_distances()`
@@ -159,15 +167,15 @@ checks distances on a surface that is given by its edge lengths. Complexity and 
 
 \throws Invalid_geodesic_input as `geodesic_distances_from_edge_lengths()` does
 */
-template <typename TriangleMesh, typename EdgeLengthMap, typename VertexDistanceMap, typename Sources,
-          typename CGAL_NP_TEMPLATE_PARAMETERS>
+template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename EdgeLengthMap,
+          typename VertexDistanceMap, typename Sources, typename CGAL_NP_TEMPLATE_PARAMETERS>
 Geodesic_distance_certificate<TriangleMesh>
 certify_geodesic_distances_from_edge_lengths(const TriangleMesh& tm, EdgeLengthMap edge_length_map,
                                              VertexDistanceMap vertex_distance_map, const Sources& sources,
                                              const CGAL_NP_CLASS& np = parameters::default_values())
 {
   internal::check_parameters<internal::Edge_length_certificate_parameters>(np);
-  return internal::certify_distances<Geodesic_distance_certificate<TriangleMesh>>(
+  return internal::certify_distances<ConcurrencyTag, Geodesic_distance_certificate<TriangleMesh>>(
     tm, vertex_distance_map, sources,
     [&]()
     {

@@ -20,6 +20,7 @@
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/tags.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -55,11 +56,17 @@ receives the energy of each iteration.
 <b>Complexity.</b> The mesh is read once. Each iteration takes the time and the memory of one diagram, and time linear
 in the size of the mesh.
 
-<b>Thread safety.</b> The function uses one thread. Several threads may call it at once, on the same mesh as well, if
-each call writes to an output of its own; see `geodesic_distances()`.
+<b>Parallelism.</b> With `Parallel_tag`, threads share the work on each diagram, as in
+`Surface_mesh_geodesic_Voronoi_diagram`. The result does not depend on the number of threads. It may differ from that of
+`Sequential_tag` where two vertices of a cell are about equally near to its centroid. The calling thread alone calls the
+functions of the visitor.
+
+<b>Thread safety.</b> Several threads may call the function at once, on the same mesh as well, if each call writes to an
+output of its own; see `geodesic_distances()`.
 
 The method serves remeshing (thesis, section 5.4.4), see `geodesic_remeshing()`.
 
+\tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`, as for `geodesic_distances()`
 \tparam TriangleMesh a model of `FaceListGraph`; its points are those of a kernel of `double`
 \tparam VertexRange a range of vertex descriptors of `TriangleMesh`
 \tparam OutputIterator a model of `OutputIterator` that holds vertex descriptors of `TriangleMesh`
@@ -118,7 +125,8 @@ The method serves remeshing (thesis, section 5.4.4), see `geodesic_remeshing()`.
 \throws Invalid_geodesic_input if the mesh or a site is invalid. Nothing has been written then. (If
         `number_of_iterations` is 0, nothing is checked, and the sites are written as they are.)
 */
-template <typename TriangleMesh, typename VertexRange, typename OutputIterator, typename CGAL_NP_TEMPLATE_PARAMETERS>
+template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename VertexRange,
+          typename OutputIterator, typename CGAL_NP_TEMPLATE_PARAMETERS>
 std::size_t geodesic_Lloyd_relaxation(const TriangleMesh& tm, const VertexRange& sites,
                                       OutputIterator output, const CGAL_NP_CLASS& np = parameters::default_values())
 {
@@ -131,8 +139,8 @@ std::size_t geodesic_Lloyd_relaxation(const TriangleMesh& tm, const VertexRange&
   const std::size_t number_of_iterations
     = static_cast<std::size_t>(choose_parameter(get_parameter(np, internal_np::number_of_iterations), 10u));
   const std::size_t n
-    = internal::relax_sites<Surface_mesh_geodesic_Voronoi_diagram>(tm, moved, number_of_iterations, visitor, np,
-                                                                    [](auto) { return false; });
+    = internal::relax_sites<Surface_mesh_geodesic_Voronoi_diagram, ConcurrencyTag>(
+      tm, moved, number_of_iterations, visitor, np, [](auto) { return false; });
   std::copy(moved.begin(), moved.end(), output);
   return n;
 }

@@ -22,6 +22,7 @@
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/tags.h>
 
 #include <array>
 #include <cstddef>
@@ -223,9 +224,13 @@ tells where a component stays as it is although fewer samples were asked for.
 the number of rounds. No component gets more samples than vertices, and there are at most 100 rounds. Often one to ten
 are enough. The memory is that of one diagram and of a copy of the mesh.
 
-<b>Thread safety.</b> The function uses one thread. Several threads may call it at once, on the same mesh as well, if
-each call writes to an output of its own; see `geodesic_distances()`.
+<b>Parallelism.</b> With `Parallel_tag`, threads share the work on each diagram; one thread chooses the first samples.
+See `geodesic_Lloyd_relaxation()`.
 
+<b>Thread safety.</b> Several threads may call the function at once, on the same mesh as well, if each call writes to an
+output of its own; see `geodesic_distances()`.
+
+\tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`, as for `geodesic_distances()`
 \tparam TriangleMesh a model of `FaceListGraph`; its points are those of a kernel of `double`
 \tparam OutputMesh a model of `MutableFaceGraph` with an internal property for `CGAL::vertex_point_t`, whose points are
         constructible from three coordinates of type `double`
@@ -283,13 +288,14 @@ result is a `Geodesic_remeshing_report()`, which is not complete.
 
 \throws Invalid_geodesic_input if the mesh is invalid; nothing has been added to `output` then
 */
-template <typename TriangleMesh, typename OutputMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>
+template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename OutputMesh,
+          typename CGAL_NP_TEMPLATE_PARAMETERS>
 Geodesic_remeshing_report geodesic_remeshing(const TriangleMesh& tm, std::size_t n, OutputMesh& output,
                                              const CGAL_NP_CLASS& np = parameters::default_values())
 {
   internal::check_parameters<internal::Remeshing_parameters>(np);
   internal::Visitor_parameter<CGAL_NP_CLASS> visitor(np);
-  return internal::remesh<Surface_mesh_geodesic_Voronoi_diagram, Geodesic_remeshing_report>(
+  return internal::remesh<Surface_mesh_geodesic_Voronoi_diagram, ConcurrencyTag, Geodesic_remeshing_report>(
     tm, n, output, visitor.visitor(), np);
 }
 

@@ -37,13 +37,13 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// A diagram of the type Diagram<Traits, maps...>, which is Surface_mesh_geodesic_Voronoi_diagram, all sites of which
-// are vertices. The mesh is referred to, not copied. An object cannot be copied or moved, like its diagram;
-// make_vertex_site_diagram() returns it nevertheless, as C++17 constructs a returned temporary in place.
+// A diagram of the type Diagram<Traits, maps..., ConcurrencyTag>, which is Surface_mesh_geodesic_Voronoi_diagram, all
+// sites of which are vertices. The mesh is referred to, not copied. An object cannot be copied or moved, like its
+// diagram; make_vertex_site_diagram() returns it nevertheless, as C++17 constructs a returned temporary in place.
 //
 // The points are those of a kernel of double, from which the traits are made. All maps are copied.
-template <template <typename...> class Diagram_, typename TriangleMesh, typename VertexIndexMap,
-          typename HalfedgeIndexMap, typename FaceIndexMap, typename VertexPointMap>
+template <template <typename...> class Diagram_, typename ConcurrencyTag, typename TriangleMesh,
+          typename VertexIndexMap, typename HalfedgeIndexMap, typename FaceIndexMap, typename VertexPointMap>
 class Vertex_site_diagram
 {
 public:
@@ -51,7 +51,7 @@ public:
   using Point = typename boost::property_traits<VertexPointMap>::value_type;
   using Kernel = typename Kernel_traits<Point>::Kernel;
   using Diagram = Diagram_<Surface_mesh_shortest_path_traits<Kernel, TriangleMesh>, VertexIndexMap, HalfedgeIndexMap,
-                           FaceIndexMap, VertexPointMap>;
+                           FaceIndexMap, VertexPointMap, ConcurrencyTag>;
 
   Vertex_site_diagram(const TriangleMesh& tm, VertexIndexMap vim, HalfedgeIndexMap him, FaceIndexMap fim,
                       VertexPointMap vpm)
@@ -125,7 +125,8 @@ private:
 };
 
 // A diagram without sites, with the maps among the named parameters. Reads nothing yet: the first build reads the mesh.
-template <template <typename...> class Diagram, typename TriangleMesh, typename NamedParameters>
+template <template <typename...> class Diagram, typename ConcurrencyTag, typename TriangleMesh,
+          typename NamedParameters>
 auto make_vertex_site_diagram(const TriangleMesh& tm, const NamedParameters& np)
 {
   using parameters::choose_parameter;
@@ -135,8 +136,8 @@ auto make_vertex_site_diagram(const TriangleMesh& tm, const NamedParameters& np)
   auto fim = CGAL::get_initialized_face_index_map(tm, np);
   auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
                               get_const_property_map(CGAL::vertex_point, tm));
-  return Vertex_site_diagram<Diagram, TriangleMesh, decltype(vim), decltype(him), decltype(fim), decltype(vpm)>(
-    tm, vim, him, fim, vpm);
+  return Vertex_site_diagram<Diagram, ConcurrencyTag, TriangleMesh, decltype(vim), decltype(him), decltype(fim),
+                             decltype(vpm)>(tm, vim, him, fim, vpm);
 }
 
 // Moves sites to the centers of their cells until no site moves farther than a threshold, the visitor cancels, or the
@@ -151,14 +152,14 @@ auto make_vertex_site_diagram(const TriangleMesh& tm, const NamedParameters& np)
 // centroid. The next cells may raise it, as they are those of geodesic distances.
 //
 // Sites with is_fixed(v) do not move, as if they were central.
-template <template <typename...> class Diagram, typename TriangleMesh, typename vertex_descriptor, typename Visitor,
-          typename NamedParameters, typename IsFixed>
+template <template <typename...> class Diagram, typename ConcurrencyTag, typename TriangleMesh,
+          typename vertex_descriptor, typename Visitor, typename NamedParameters, typename IsFixed>
 std::size_t relax_sites(const TriangleMesh& tm, std::vector<vertex_descriptor>& sites,
                         std::size_t number_of_iterations, Visitor& visitor, const NamedParameters& np, IsFixed is_fixed)
 {
   const double threshold
     = parameters::choose_parameter(parameters::get_parameter(np, internal_np::threshold_distance), 0.);
-  auto diagram = make_vertex_site_diagram<Diagram>(tm, np);
+  auto diagram = make_vertex_site_diagram<Diagram, ConcurrencyTag>(tm, np);
   std::size_t i = 0;
   for(; i < number_of_iterations; ++i)
   {

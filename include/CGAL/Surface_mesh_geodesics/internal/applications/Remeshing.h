@@ -66,7 +66,7 @@ namespace internal {
 // a mesh with the topology of the component, its triangles become part of the result, and its samples are removed. If
 // not, the component gets further samples where the dual is wrong (Sample_placement.h). So components do not wait for
 // each other, and a round costs no more than what is not done.
-template <template <typename...> class Diagram_, typename Report>
+template <template <typename...> class Diagram_, typename ConcurrencyTag, typename Report>
 class Remeshing
 {
   using Dual_report = typename Report::Dual_report;
@@ -74,7 +74,8 @@ class Remeshing
   using Vertex = Remeshing_input::Vertex;
   using Face = Remeshing_input::Face;
   using Diagram_of_round
-    = decltype(make_vertex_site_diagram<Diagram_>(std::declval<const Mesh&>(), parameters::default_values()));
+    = decltype(make_vertex_site_diagram<Diagram_, ConcurrencyTag>(std::declval<const Mesh&>(),
+                                                                   parameters::default_values()));
   using Diagram = typename Diagram_of_round::Diagram;
   using Samples = Remeshing_samples<Diagram>;
   using Triangle = std::array<std::size_t, 3>;
@@ -120,9 +121,9 @@ public:
     // Components that are done need no relaxation: their samples are gone. The new mesh ends where samples on the
     // border are, so these stay: it would shrink otherwise. (A relaxation that the visitor cancels returns like any
     // other; is_canceled() tells below.)
-    relax_sites<Diagram_>(m_mesh, m_samples.vertices, number_of_iterations, visitor, np,
-                          [this](Vertex v) { return bool(CGAL::is_border(v, m_mesh)); });
-    auto diagram = make_vertex_site_diagram<Diagram_>(m_mesh, parameters::default_values());
+    relax_sites<Diagram_, ConcurrencyTag>(m_mesh, m_samples.vertices, number_of_iterations, visitor, np,
+                                          [this](Vertex v) { return bool(CGAL::is_border(v, m_mesh)); });
+    auto diagram = make_vertex_site_diagram<Diagram_, ConcurrencyTag>(m_mesh, parameters::default_values());
     while(!std::all_of(m_is_done.begin(), m_is_done.end(), [](bool is_done) { return is_done; }))
     {
       diagram.set_sites(m_samples.vertices);
@@ -363,8 +364,8 @@ void check_mesh(const TriangleMesh& tm, const NamedParameters& np)
 
 // Reads and remeshes a mesh, with the named parameters of geodesic_remeshing(), and adds the result to the output if
 // the visitor does not cancel. Throws Invalid_geodesic_input, before the output changes.
-template <template <typename...> class Diagram, typename Report, typename TriangleMesh, typename OutputMesh,
-          typename Visitor, typename NamedParameters>
+template <template <typename...> class Diagram, typename ConcurrencyTag, typename Report, typename TriangleMesh,
+          typename OutputMesh, typename Visitor, typename NamedParameters>
 Report remesh(const TriangleMesh& tm, std::size_t n, OutputMesh& output, Visitor& visitor, const NamedParameters& np)
 {
   using parameters::choose_parameter;
@@ -375,7 +376,7 @@ Report remesh(const TriangleMesh& tm, std::size_t n, OutputMesh& output, Visitor
   check_mesh(tm, np);
   const Remeshing_input input(tm, choose_parameter(get_parameter(np, internal_np::vertex_point),
                                                    get_const_property_map(CGAL::vertex_point, tm)));
-  Remeshing<Diagram, Report> remeshing(input);
+  Remeshing<Diagram, ConcurrencyTag, Report> remeshing(input);
   const Report report
     = remeshing.run(n, number_of_iterations, visitor, parameters::threshold_distance(threshold));
   if(report.is_complete)

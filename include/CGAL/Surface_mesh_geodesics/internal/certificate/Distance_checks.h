@@ -167,30 +167,26 @@ public:
   // Each value is the length of a path to a source plus the offset of the source. The field proposes the paths; each is
   // measured here, in the faces that it names. A vertex that the field does not reach is left to check_reach(). If no
   // path is found, or it does not end at a source, the violation is infinite.
-  // Before each path, go_on() is called; the check is interrupted if it returns false.
+  // The loop over the vertices is that of `chunks` (Chunk_team.h). Before each path, go_on() is called; the check is
+  // interrupted if it returns false. The result does not depend on the number of threads.
   // Requires: the field is that of a complete propagation on the same mesh, and has images (Path_tracer).
-  template <typename GoOn>
-  Violation check_paths(const Vertex_distance_field<FT>& field, const FT& limit, GoOn go_on) const
+  template <typename Chunks, typename GoOn>
+  Violation check_paths(const Chunks& chunks, const Vertex_distance_field<FT>& field, const FT& limit,
+                        GoOn go_on) const
   {
     const Path_tracer<FT> tracer(m_mesh, field);
-    Path_steps<FT> path;
-    Violation worst;
-    for(Vertex_id v = 0; v < m_values.size(); ++v)
-    {
-      if(!(field.distance[v] < infinity()))
-        continue;
-      if(!go_on())
-      {
-        worst.record_interruption();
-        break;
-      }
-      path.clear();
-      const FT length = tracer.trace_from_vertex(v, path) ? length_to_source(path) : infinity();
-      if(is_beyond(v, length, limit))
-        continue;
-      record(length < m_values[v] ? FT(m_values[v] - length) : FT(length - m_values[v]), length, v, worst);
-    }
-    return worst;
+    const std::size_t n = m_values.size();
+    std::vector<Violation> of_chunks(chunks.number_of_chunks(n));
+    const bool is_complete
+      = chunks(n, go_on, [&](std::size_t c, std::size_t first, std::size_t last, const auto& ask)
+        {
+          Path_steps<FT> path;
+          Violation worst;
+          for(std::size_t v = first; v < last && ask(); ++v)
+            check_path(static_cast<Vertex_id>(v), tracer, field.distance[v], limit, path, worst);
+          of_chunks[c] = worst;
+        });
+    return merged(of_chunks, is_complete);
   }
 
   // For each vertex, the longest edge of its component.
@@ -232,6 +228,18 @@ public:
 
 private:
   static FT infinity() { return std::numeric_limits<FT>::infinity(); }
+
+  // Checks the path of one vertex. `distance` is that of the field, and `path` is reused memory.
+  void check_path(Vertex_id v, const Path_tracer<FT>& tracer, const FT& distance, const FT& limit,
+                  Path_steps<FT>& path, Violation& worst) const
+  {
+    if(!(distance < infinity()))
+      return;
+    path.clear();
+    const FT length = tracer.trace_from_vertex(v, path) ? length_to_source(path) : infinity();
+    if(!is_beyond(v, length, limit))
+      record(length < m_values[v] ? FT(m_values[v] - length) : FT(length - m_values[v]), length, v, worst);
+  }
 
   // Returns whether v rightly has no value because its distance is beyond the limit. A distance within
   // Tolerance::path() of the limit may be on either side of it, and the vertex may have a value or none.

@@ -18,6 +18,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_geodesics {
@@ -65,6 +66,19 @@ struct Worst_violation
 
   static FT infinity() { return std::numeric_limits<FT>::infinity(); }
 };
+
+// Returns the record of a check that has been divided: the parts in their order, so that the first of equal violations
+// stays. If the check is not complete, nothing is proved.
+template <typename FT>
+Worst_violation<FT> merged(const std::vector<Worst_violation<FT>>& parts, bool is_complete)
+{
+  Worst_violation<FT> worst;
+  for(const Worst_violation<FT>& part : parts)
+    worst.record(part);
+  if(!is_complete)
+    worst.record_interruption();
+  return worst;
+}
 
 } // namespace internal
 } // namespace Surface_mesh_geodesics

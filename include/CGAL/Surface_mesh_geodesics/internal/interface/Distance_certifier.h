@@ -28,7 +28,9 @@
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Private_access.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_values.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/run_with_visitor.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/Available_tag.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_propagation.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Propagation_for_tag.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Source_insertion.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Edge_window_field.h>
@@ -57,8 +59,8 @@ namespace internal {
 // face by face, and its windows only propose a lower bound on each edge, which Lower_bound_check verifies. So a fault
 // of the propagation can make right distances fail, but not wrong ones pass.
 //
-// The mesh is referred to and must outlive the object, the index maps are copied. FT is double for users. All work is
-// done in the calling thread.
+// The mesh is referred to and must outlive the object, the index maps are copied. FT is double for users. The
+// propagations run in the calling thread; run() says what other threads share.
 template <typename FT, typename TriangleMesh, typename VertexIndexMap, typename FaceIndexMap>
 class Distance_certifier
 {
@@ -97,8 +99,10 @@ public:
   // the checks. `value` may return any number: check_reach() reports infinity where it is wrong, negative numbers and
   // NaN. The visitor follows each propagation; the first one includes the checks of what it proposes. If the visitor
   // cancels, the conditions that are not checked to the end are violated infinitely: nothing is proved.
-  template <typename Value, typename Visitor>
-  Checked_conditions<FT> run(Value value, const FT& user_limit, std::size_t number_of_reverse_runs, Visitor& visitor)
+  // The checks of paths and of the proof are divided into `chunks` (Chunk_team.h).
+  template <typename Chunks, typename Value, typename Visitor>
+  Checked_conditions<FT> run(const Chunks& chunks, Value value, const FT& user_limit,
+                             std::size_t number_of_reverse_runs, Visitor& visitor)
   {
     // From here on all lengths are in the unit of the intrinsic mesh. Violations are relative, so they need no
     // conversion back.
@@ -117,7 +121,7 @@ public:
     result[CHECKED_EDGES] = checks.check_edges(limit);
     result[CHECKED_PAIRS_OF_FACES] = checks.check_pairs_of_faces(limit);
     Visitor_of_several_runs<Visitor> visitor_of_runs(visitor);
-    check_with_witness(checks, limit, visitor_of_runs, result);
+    check_with_witness(chunks, checks, limit, visitor_of_runs, result);
     result[CHECKED_REVERSE] = check_reverse(checks, limit, number_of_reverse_runs, visitor_of_runs);
     return result;
   }
@@ -126,8 +130,8 @@ private:
   // Propagates, and checks the paths and the lower bounds that come from it. The propagation has no limit: whether a
   // vertex may be without a value depends on its distance, which must be known for that. The windows are freed before
   // the reverse runs start.
-  template <typename Visitor>
-  void check_with_witness(const Distance_checks<FT>& checks, const FT& limit, Visitor& visitor,
+  template <typename Chunks, typename Visitor>
+  void check_with_witness(const Chunks& chunks, const Distance_checks<FT>& checks, const FT& limit, Visitor& visitor,
                           Checked_conditions<FT>& result) const
   {
     Edge_window_field<FT> windows;
@@ -152,12 +156,12 @@ private:
       if(!run(propagation, count))
         return false;
       const auto go_on_checking = [&]() { return go_on(visits, reached); };
-      result[CHECKED_PATHS] = checks.check_paths(field, limit, go_on_checking);
+      result[CHECKED_PATHS] = checks.check_paths(chunks, field, limit, go_on_checking);
       if(visitor.is_canceled())
         return false;
       result[CHECKED_LOWER_BOUNDS] = checks.check_lower_bounds(field.distance, limit);
-      Lower_bound_check<FT> proof(m_surface.mesh(), field.distance, checks.extents(), windows);
-      result[CHECKED_PROOF] = proof.run(go_on_checking);
+      result[CHECKED_PROOF] = prove_lower_bounds(chunks, m_surface.mesh(), field.distance, checks.extents(), windows,
+                                                 go_on_checking);
       return true;
     });
     if(is_complete)
@@ -242,8 +246,8 @@ private:
 // those with which the distances were computed; targets would make distances incomplete, and are not accepted.
 // Throws Invalid_geodesic_input for invalid input, never because a distance is wrong. Numbers among the parameters are
 // checked before the mesh is read.
-template <typename Certificate, typename TriangleMesh, typename VertexDistanceMap, typename Sources,
-          typename MakeShape, typename NamedParameters>
+template <typename ConcurrencyTag, typename Certificate, typename TriangleMesh, typename VertexDistanceMap,
+          typename Sources, typename MakeShape, typename NamedParameters>
 Certificate certify_distances(const TriangleMesh& tm, VertexDistanceMap vertex_distance_map, const Sources& sources,
                               MakeShape make_shape, const NamedParameters& np)
 {
@@ -259,6 +263,7 @@ Certificate certify_distances(const TriangleMesh& tm, VertexDistanceMap vertex_d
   certifier.set_sources(sources, options.source_offsets);
   Visitor_parameter<NamedParameters> visitor_parameter(np);
   const auto conditions = certifier.run(
+    typename Chunks_for_tag<typename Available_tag<ConcurrencyTag>::type>::type(),
     [&](vertex_descriptor v) { return CGAL::to_double(get(vertex_distance_map, v)); }, options.maximum_distance,
     static_cast<std::size_t>(choose_parameter(get_parameter(np, internal_np::number_of_iterations), 4)),
     visitor_parameter.visitor());

@@ -15,6 +15,7 @@
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/One_block.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Block_team.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/Chunk_team.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_propagation.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Worker_team.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Parallel_distance_propagation.h>
@@ -42,11 +43,24 @@ struct Blocks_for_tag
   using type = One_block;
 };
 
+// The same for loops that a visitor may end (Chunk_team.h).
+template <typename Tag>
+struct Chunks_for_tag
+{
+  using type = Chunk_team<Calling_thread>;
+};
+
 #ifdef CGAL_LINKED_WITH_TBB
 template <>
 struct Blocks_for_tag<Parallel_tag>
 {
   using type = Block_team<Tbb_team>;
+};
+
+template <>
+struct Chunks_for_tag<Parallel_tag>
+{
+  using type = Chunk_team<Tbb_team>;
 };
 
 template <typename FT, typename Rules, typename Keeper>
