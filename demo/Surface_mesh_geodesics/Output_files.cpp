@@ -53,6 +53,8 @@ constexpr int number_of_digits = 17;
 
 bool has_format(const std::string& name, const std::string& format)
 {
+  if(format == "html" && has_format(name, "htm"))
+    return true;
   const std::string ending = "." + format;
   return name.size() > ending.size()
       && std::equal(ending.rbegin(), ending.rend(), name.rbegin(),

@@ -6,6 +6,7 @@
 #include "Input_file.h"
 #include "Location_options.h"
 #include "Program_mesh.h"
+#include "similar_words.h"
 
 #include <fcntl.h>
 
@@ -98,12 +99,23 @@ Arguments parse(const Command& command, const std::vector<std::string>& words)
   position.add("mesh", 1);
   namespace style = po::command_line_style;
   Arguments arguments;
-  po::store(po::command_line_parser(joined_values(words))
-              .options(options)
-              .positional(position)
-              .style(style::default_style & ~style::allow_guessing)
-              .run(),
-            arguments);
+  try
+  {
+    po::store(po::command_line_parser(joined_values(words))
+                .options(options)
+                .positional(position)
+                .style(style::default_style & ~style::allow_guessing)
+                .run(),
+              arguments);
+  }
+  catch(const po::unknown_option& error)
+  {
+    std::vector<std::string> names;
+    for(const auto& option : options.options())
+      names.push_back("--" + option->long_name());
+    throw Command_error(Exit_code::BAD_USAGE, error.what() + hint_at_similar_word(error.get_option_name(), names)
+                                                + "; see surface_mesh_geodesics " + command.name + " --help");
+  }
   if(!has(arguments, "help"))
     po::notify(arguments); // reports missing options
   return arguments;
@@ -143,8 +155,13 @@ const Command& command_with_name(const std::string& name)
   const auto found = std::find_if(commands().begin(), commands().end(),
                                   [&](const Command* c) { return c->name == name; });
   if(found == commands().end())
-    throw Command_error(Exit_code::BAD_USAGE,
-                        "there is no subcommand '" + name + "'; see surface_mesh_geodesics --help");
+  {
+    std::vector<std::string> names;
+    for(const Command* command : commands())
+      names.push_back(command->name);
+    throw Command_error(Exit_code::BAD_USAGE, "there is no subcommand '" + name + "'" + hint_at_similar_word(name, names)
+                                                + "; see surface_mesh_geodesics --help");
+  }
   return **found;
 }
 

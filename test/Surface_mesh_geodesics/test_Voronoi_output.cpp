@@ -3,12 +3,17 @@
 #include "test_meshes.h"
 #include "test_support.h"
 
+#include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Surface_mesh/IO/PLY.h>
 #include <CGAL/Surface_mesh_geodesics/write_geodesic_Voronoi_diagram.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdio>
+#include <fstream>
+#include <iterator>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -220,6 +225,81 @@ void file_names_choose_the_format(const Voronoi& voronoi)
   CHECK(!Geodesics::write_geodesic_Voronoi_diagram("no_such_folder/Voronoi_output.ply", voronoi, tolerance));
 }
 
+// A function of the text that `write` writes to a stream.
+template <typename Write>
+std::string text_of(const Write& write)
+{
+  std::ostringstream s;
+  s.precision(17);
+  CHECK(write(s));
+  return s.str();
+}
+
+// Without a tolerance, all functions take a thousandth of the diagonal of the bounding box.
+void functions_have_a_default_tolerance(const Mesh& mesh, const Voronoi& voronoi)
+{
+  test_support::Scope scope("default tolerance");
+  const double default_tolerance = voronoi.default_tolerance();
+  const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(mesh);
+  CHECK_CLOSE(default_tolerance,
+              std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()) / 1000, 1e-14);
+  using namespace Geodesics;
+  CHECK(text_of([&](std::ostream& s) { return write_geodesic_Voronoi_diagram_OBJ(s, voronoi); })
+        == text_of([&](std::ostream& s) { return write_geodesic_Voronoi_diagram_OBJ(s, voronoi, default_tolerance); }));
+  CHECK(text_of([&](std::ostream& s) { return write_geodesic_Voronoi_diagram_PLY(s, voronoi); })
+        == text_of([&](std::ostream& s) { return write_geodesic_Voronoi_diagram_PLY(s, voronoi, default_tolerance); }));
+  CHECK(text_of([&](std::ostream& s) { return write_geodesic_Voronoi_diagram_VTK(s, voronoi); })
+        == text_of([&](std::ostream& s) { return write_geodesic_Voronoi_diagram_VTK(s, voronoi, default_tolerance); }));
+  const std::string name = "Voronoi_output_default.obj";
+  CHECK(write_geodesic_Voronoi_diagram(name, voronoi));
+  std::ostringstream of_file;
+  of_file << std::ifstream(name).rdbuf();
+  CHECK(of_file.str() == text_of([&](std::ostream& s) { return write_geodesic_Voronoi_diagram_OBJ(s, voronoi); }));
+  CHECK_EQUAL(std::remove(name.c_str()), 0);
+
+  Mesh cut, cell, expected;
+  voronoi.cut(cut, cut.add_property_map<face_descriptor, std::size_t>("f:site").first);
+  voronoi.cut(expected, expected.add_property_map<face_descriptor, std::size_t>("f:site").first, default_tolerance);
+  CHECK_EQUAL(num_faces(cut), num_faces(expected));
+  CHECK(num_faces(cut) > num_faces(mesh));
+  expected.clear();
+  voronoi.cell_mesh(3, cell, cell.add_property_map<face_descriptor, face_descriptor>("f:face").first);
+  voronoi.cell_mesh(3, expected, expected.add_property_map<face_descriptor, face_descriptor>("f:face").first,
+                    default_tolerance);
+  CHECK_EQUAL(num_faces(cell), num_faces(expected));
+  CHECK_EQUAL(voronoi.boundary_polylines(3).front().locations.size(),
+              voronoi.boundary_polylines(3, default_tolerance).front().locations.size());
+}
+
+// Where all points are the same, the lengths decide.
+void surfaces_without_points_have_a_default_tolerance()
+{
+  test_support::Scope scope("default tolerance of lengths");
+  Mesh mesh = to_face_graph(noisy_sphere(2, .02, 8));
+  for(const double scale : {1., 1e-6, 1e9})
+  {
+    auto length = mesh.add_property_map<Mesh::Edge_index, double>("e:length").first;
+    const Mesh with_points = to_face_graph(noisy_sphere(2, .02, 8));
+    double longest = 0;
+    for(const auto e : mesh.edges())
+    {
+      length[e] = scale * CGAL::Polygon_mesh_processing::edge_length(halfedge(e, with_points), with_points);
+      longest = (std::max)(longest, length[e]);
+    }
+    for(const auto v : mesh.vertices())
+      mesh.point(v) = Mesh::Point(1, 2, 3);
+    Voronoi voronoi(mesh);
+    voronoi.use_edge_lengths(length);
+    voronoi.add_site(*vertices(mesh).begin());
+    voronoi.add_site(*std::next(vertices(mesh).begin(), 50));
+    CHECK(voronoi.default_tolerance() >= longest / 4000);
+    CHECK(voronoi.default_tolerance() <= longest / 250);
+    CHECK(!voronoi.boundary_polylines(0).empty());
+  }
+  const Mesh empty;
+  CHECK(Voronoi(empty).default_tolerance() > 0);
+}
+
 } // namespace
 
 int main()
@@ -233,5 +313,7 @@ int main()
   ply_output_has_mesh_and_edges(mesh, voronoi);
   vtk_output_has_all_edges(mesh, voronoi);
   file_names_choose_the_format(voronoi);
+  functions_have_a_default_tolerance(mesh, voronoi);
+  surfaces_without_points_have_a_default_tolerance();
   return test_result();
 }

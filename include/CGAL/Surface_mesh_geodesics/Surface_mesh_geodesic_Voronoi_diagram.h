@@ -24,6 +24,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Voronoi_cut_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Voronoi_handles.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_checks.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/distance_in_space.h>
 
 #include <CGAL/Default.h>
 #include <CGAL/Named_function_parameters.h>
@@ -816,6 +817,12 @@ public:
                              : std::vector<Boundary_polyline>();
   }
 
+  /// returns the same with `default_tolerance()`, and without the border of the mesh.
+  std::vector<Boundary_polyline> boundary_polylines(Site_index i) const
+  {
+    return boundary_polylines(i, default_tolerance());
+  }
+
   /// returns the area of the cell, in the square of the unit of the mesh; 0 if the cell is empty.
   ///
   /// The first call of this function or of `centroid()` measures all cells, in time linear in the size of the mesh and
@@ -961,6 +968,14 @@ public:
     Surface_mesh_geodesics::internal::add_cut_mesh(m_lazy, tolerance, output, vpm, face_site_map);
   }
 
+  /// adds the mesh, cut along the arcs, with `default_tolerance()`.
+  template <typename OutputMesh, typename FaceSiteMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
+  void cut(OutputMesh& output, FaceSiteMap face_site_map,
+           const CGAL_NP_CLASS& np = parameters::default_values()) const
+  {
+    cut(output, face_site_map, default_tolerance(), np);
+  }
+
   /*!
   adds a cell to a mesh: the faces that `cut()` makes in the cell.
 
@@ -998,6 +1013,29 @@ public:
     if(has_built_cell(i))
       Surface_mesh_geodesics::internal::add_cell_mesh(m_lazy, m_lazy.vertex_of_site(i), tolerance, output, vpm,
                                                       face_face_map);
+  }
+
+  /// adds a cell to a mesh, with `default_tolerance()`.
+  template <typename OutputMesh, typename FaceFaceMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
+  void cell_mesh(Site_index i, OutputMesh& output, FaceFaceMap face_face_map,
+                 const CGAL_NP_CLASS& np = parameters::default_values()) const
+  {
+    cell_mesh(i, output, face_face_map, default_tolerance(), np);
+  }
+
+  /// returns the tolerance of functions that are called without one: a thousandth of the diagonal of the bounding box
+  /// of the points of all vertices, in the unit of the mesh. Where all points are the same, as they may be if lengths
+  /// come from a map of their own, it is a thousandth of a power of two that is about as large as the longest edge.
+  ///
+  /// Takes time linear in the number of vertices: to draw many cells, call it once, and pass its result.
+  double default_tolerance() const
+  {
+    const double diagonal
+      = Surface_mesh_geodesics::internal::diagonal_of_bounding_box(triangle_mesh(), m_lazy.vertex_point_map());
+    if(diagonal > 0 && diagonal < std::numeric_limits<double>::infinity())
+      return diagonal / 1000;
+    build();
+    return m_lazy.unit() / 1000;
   }
 
   /// @}

@@ -55,6 +55,18 @@ bool write_geodesic_Voronoi_diagram_OBJ(std::ostream& os, const Diagram& diagram
 /*!
 \ingroup PkgSurfaceMeshGeodesicsIO
 
+calls `write_geodesic_Voronoi_diagram_OBJ()` with the default tolerance,
+`Surface_mesh_geodesic_Voronoi_diagram::default_tolerance()`.
+*/
+template <typename Diagram>
+bool write_geodesic_Voronoi_diagram_OBJ(std::ostream& os, const Diagram& diagram)
+{
+  return write_geodesic_Voronoi_diagram_OBJ(os, diagram, diagram.default_tolerance());
+}
+
+/*!
+\ingroup PkgSurfaceMeshGeodesicsIO
+
 writes a geodesic Voronoi diagram in the PLY format (ASCII). The file holds
 
 - the mesh, cut along the arcs as by `Surface_mesh_geodesic_Voronoi_diagram::cut()`. Each face has a color and the
@@ -84,6 +96,18 @@ template <typename Diagram>
 bool write_geodesic_Voronoi_diagram_PLY(std::ostream& os, const Diagram& diagram, double tolerance)
 {
   return internal::write_diagram_PLY(os, diagram, tolerance);
+}
+
+/*!
+\ingroup PkgSurfaceMeshGeodesicsIO
+
+calls `write_geodesic_Voronoi_diagram_PLY()` with the default tolerance,
+`Surface_mesh_geodesic_Voronoi_diagram::default_tolerance()`.
+*/
+template <typename Diagram>
+bool write_geodesic_Voronoi_diagram_PLY(std::ostream& os, const Diagram& diagram)
+{
+  return write_geodesic_Voronoi_diagram_PLY(os, diagram, diagram.default_tolerance());
 }
 
 /*!
@@ -119,6 +143,18 @@ bool write_geodesic_Voronoi_diagram_VTK(std::ostream& os, const Diagram& diagram
 /*!
 \ingroup PkgSurfaceMeshGeodesicsIO
 
+calls `write_geodesic_Voronoi_diagram_VTK()` with the default tolerance,
+`Surface_mesh_geodesic_Voronoi_diagram::default_tolerance()`.
+*/
+template <typename Diagram>
+bool write_geodesic_Voronoi_diagram_VTK(std::ostream& os, const Diagram& diagram)
+{
+  return write_geodesic_Voronoi_diagram_VTK(os, diagram, diagram.default_tolerance());
+}
+
+/*!
+\ingroup PkgSurfaceMeshGeodesicsIO
+
 writes a geodesic Voronoi diagram to a file, with 17 digits. The extension of the name, in lower case, selects the
 format: `.obj`, `.ply` or `.vtk`.
 
@@ -145,6 +181,18 @@ template <typename Diagram>
 bool write_geodesic_Voronoi_diagram(const std::string& filename, const Diagram& diagram, double tolerance)
 {
   return internal::write_diagram_file(filename, diagram, tolerance);
+}
+
+/*!
+\ingroup PkgSurfaceMeshGeodesicsIO
+
+calls `write_geodesic_Voronoi_diagram()` with the default tolerance,
+`Surface_mesh_geodesic_Voronoi_diagram::default_tolerance()`.
+*/
+template <typename Diagram>
+bool write_geodesic_Voronoi_diagram(const std::string& filename, const Diagram& diagram)
+{
+  return write_geodesic_Voronoi_diagram(filename, diagram, diagram.default_tolerance());
 }
 
 } // namespace Surface_mesh_geodesics

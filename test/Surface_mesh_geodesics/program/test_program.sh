@@ -39,7 +39,13 @@ for word in --version --help; do
 done
 rejects 2 "'extra' after help is superfluous" help info extra
 rejects 2 "there is no subcommand ''" ""
-rejects 2 "unrecognised option '--bogus'" info --help --bogus
+rejects 2 "unrecognised option '--bogus'; see surface_mesh_geodesics info --help" info --help --bogus
+
+# words that are nearly right
+rejects 2 "there is no subcommand 'distance' (did you mean 'distances'?); see" distance
+rejects 2 "did you mean 'voronoi'?" help vornoi
+rejects 2 "unrecognised option '--sorce' (did you mean '--source'?)" distances --sorce 0
+rejects 2 "did you mean '--tolerance'?" voronoi --tolerence=1
 
 # --- input ------------------------------------------------------------------------------------------------------------
 

@@ -12,8 +12,11 @@
 
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 
 namespace CGAL {
 namespace Surface_mesh_geodesics {
@@ -32,6 +35,25 @@ template <typename Point>
 std::array<double, 3> coordinates_in_space(const Point& p)
 {
   return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
+}
+
+// The length of the diagonal of the bounding box of the points of a mesh. Infinite if there are none, or if one is
+// infinite. Takes linear time.
+template <typename Graph, typename VertexPointMap>
+double diagonal_of_bounding_box(const Graph& tm, VertexPointMap vpm)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::array<double, 3> least{infinity, infinity, infinity}, greatest{-infinity, -infinity, -infinity};
+  for(const auto v : vertices(tm))
+  {
+    const std::array<double, 3> p = coordinates_in_space(get(vpm, v));
+    for(std::size_t k = 0; k < 3; ++k)
+    {
+      least[k] = (std::min)(least[k], p[k]);
+      greatest[k] = (std::max)(greatest[k], p[k]);
+    }
+  }
+  return std::hypot(greatest[0] - least[0], greatest[1] - least[1], greatest[2] - least[2]);
 }
 
 } // namespace internal

@@ -12,6 +12,8 @@
 
 // The threads of a team work on blocks of numbers (numeric/One_block.h), a block each.
 
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/Worker_team.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <exception>
@@ -37,7 +39,8 @@ public:
   {
     const std::size_t blocks = (std::max)((std::min)(m_team.size(), n / least_block), std::size_t(1));
     std::vector<std::exception_ptr> faults(blocks);
-    m_team.run(blocks, [&](std::size_t i) { faults[i] = fault_in(work, n * i / blocks, n * (i + 1) / blocks); });
+    m_team.run(blocks, [&](std::size_t i)
+    { faults[i] = fault_of([&]() { work(n * i / blocks, n * (i + 1) / blocks); }); });
     for(const std::exception_ptr& fault : faults)
       if(fault != nullptr)
         std::rethrow_exception(fault);
@@ -46,21 +49,6 @@ public:
 private:
   // Starting a thread takes as long as the work on a few hundred faces.
   static constexpr std::size_t least_block = 1024;
-
-  // Works on a block, and returns the exception that ends the work, if there is one.
-  template <typename Work>
-  static std::exception_ptr fault_in(const Work& work, std::size_t first, std::size_t last)
-  {
-    try
-    {
-      work(first, last);
-    }
-    catch(...)
-    {
-      return std::current_exception();
-    }
-    return nullptr;
-  }
 
   Team m_team;
 };

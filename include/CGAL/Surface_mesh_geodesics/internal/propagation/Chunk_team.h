@@ -16,6 +16,8 @@
 //
 // Block_team.h is for short loops: it has one block for each thread, and no visitor.
 
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/Worker_team.h>
+
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
@@ -25,25 +27,6 @@
 namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
-
-// A team (Worker_team.h) of the calling thread alone: the loops of functions without Parallel_tag. The contracts are
-// those of Tbb_team.
-struct Calling_thread
-{
-  static std::size_t size() { return 1; }
-
-  template <typename Work>
-  static void run(std::size_t, Work work)
-  {
-    work(0);
-  }
-
-  template <typename Function>
-  static auto isolate(Function function)
-  {
-    return function();
-  }
-};
 
 // `Team` is a team of threads: see Worker_team.h. It is copied into the object, which has no other state, so several
 // threads may use one object for different loops.
@@ -97,21 +80,6 @@ public:
   }
 
 private:
-  // Returns the exception that ends the call, if there is one: a team must not see it.
-  template <typename Call>
-  static std::exception_ptr fault_of(const Call& call)
-  {
-    try
-    {
-      call();
-    }
-    catch(...)
-    {
-      return std::current_exception();
-    }
-    return nullptr;
-  }
-
   Team m_team;
 };
 

@@ -13,19 +13,55 @@
 // A team of threads: the only file that knows TBB. Parallel algorithms are templates of the team, so that tests can
 // run them with plain threads, which a race detector understands.
 //
-// A team has three members: size(), run(n, work) and isolate(function), with the contracts below.
+// A team has three members: size(), run(n, work) and isolate(function), with the contracts of Tbb_team.
 
 #ifdef CGAL_LINKED_WITH_TBB
-
 #include <tbb/task_arena.h>
 #include <tbb/task_group.h>
+#endif
 
 #include <algorithm>
 #include <cstddef>
+#include <exception>
 
 namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
+
+// Calls a function, and returns the exception that ends it, if there is one. The work of a team must not throw.
+template <typename Function>
+std::exception_ptr fault_of(const Function& function)
+{
+  try
+  {
+    function();
+  }
+  catch(...)
+  {
+    return std::current_exception();
+  }
+  return nullptr;
+}
+
+// The calling thread alone.
+struct Calling_thread
+{
+  static std::size_t size() { return 1; }
+
+  template <typename Work>
+  static void run(std::size_t, Work work)
+  {
+    work(0);
+  }
+
+  template <typename Function>
+  static auto isolate(Function function)
+  {
+    return function();
+  }
+};
+
+#ifdef CGAL_LINKED_WITH_TBB
 
 // The threads of the task arena of the calling thread. An empty class: copies are the same team.
 class Tbb_team
@@ -61,10 +97,10 @@ public:
   }
 };
 
+#endif // CGAL_LINKED_WITH_TBB
+
 } // namespace internal
 } // namespace Surface_mesh_geodesics
 } // namespace CGAL
-
-#endif // CGAL_LINKED_WITH_TBB
 
 #endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_WORKER_TEAM_H

@@ -105,6 +105,7 @@ public:
   Lazy_Voronoi_diagram& operator=(const Lazy_Voronoi_diagram&) = delete;
 
   const Triangle_mesh& mesh() const { return m_tm; }
+  const VertexPointMap& vertex_point_map() const { return m_vertex_point_map; }
 
   // --- sites ---
 
