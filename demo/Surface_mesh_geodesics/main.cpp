@@ -159,7 +159,8 @@ const Command& command_with_name(const std::string& name)
     std::vector<std::string> names;
     for(const Command* command : commands())
       names.push_back(command->name);
-    throw Command_error(Exit_code::BAD_USAGE, "there is no subcommand '" + name + "'" + hint_at_similar_word(name, names)
+    throw Command_error(Exit_code::BAD_USAGE, "there is no subcommand '" + name + "'"
+                                                + hint_at_similar_word(name, names)
                                                 + "; see surface_mesh_geodesics --help");
   }
   return **found;

@@ -41,6 +41,6 @@ is_silent voronoi large.off --site-random 50 --quiet --html large_cells.html
 [ "$(wc -c < large.html)" -lt 10000000 ]
 [ "$(wc -c < large_cells.html)" -lt 10000000 ]
 
-rejects 2 "the name 'x.htm' does not end with .html" distances "$grid" --source 0 --html x.htm
+rejects 2 "the name 'x.txt' does not end with .html" distances "$grid" --source 0 --html x.txt
 rejects 4 "cannot be written" distances "$grid" --source 0 --html nowhere/x.html
 no_remains
