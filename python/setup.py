@@ -11,25 +11,35 @@ root = pathlib.Path(__file__).resolve().parent
 version = re.search(r"VERSION (\d+\.\d+\.\d+)\n", (root.parent / "CMakeLists.txt").read_text(encoding="utf-8"))[1]
 has_tbb = any((pathlib.Path(prefix) / "include/tbb/task_arena.h").is_file() for prefix in ("/usr", "/usr/local"))
 
+# Of a function that several files have, the linker takes the first one: that of distances.cpp, which is compiled for
+# speed (FLAGS_OF_FILES).
+sources = sorted((str(path.relative_to(root)) for path in (root / "src").glob("*.cpp")),
+                 key=lambda name: (not name.endswith("distances.cpp"), name))
+
 extension = Pybind11Extension(
     "surface_mesh_geodesics._core",
-    sorted(str(path.relative_to(root)) for path in (root / "src").glob("*.cpp")),
+    sources,
     include_dirs=[str(root.parent / "include")],
     libraries=["gmp", "mpfr"] + (["tbb"] if has_tbb else []),
     define_macros=[("NDEBUG", None), ("SURFACE_MESH_GEODESICS_VERSION", f'"{version}"')]
     + ([("CGAL_LINKED_WITH_TBB", None)] if has_tbb else []),
-    extra_compile_args=["-O3", "-g0", "-frounding-math", "-pthread"],
+    # Python's own flags have -fwrapv on many systems, which slows distances down by a twentieth. It is not needed.
+    extra_compile_args=["-O3", "-g0", "-fno-wrapv", "-frounding-math", "-pthread"],
     extra_link_args=["-pthread"],
     cxx_std=17,
 )
 
 
-# Lets GCC inline more where distances are computed: the file holds much else, which takes the share of these. Diagrams
-# take half of the time of compiling, and are a few percent slower with -O2, at most.
-FLAGS_OF_FILES = {"distances.cpp": ["--param", "inline-unit-growth=100"], "diagrams.cpp": ["-O2"], "module.cpp": ["-O2"]}
+# GCC bounds what it inlines by the size of the file, and the loops of distances get the less, the more the file holds
+# besides: without these limits, distances take as long as in a small program. (CMakeLists.txt has the same flags.)
+# Diagrams take half of the time of compiling, and are a few percent slower with -O2, at most.
+WITHOUT_LIMITS = ["--param", "large-unit-insns=200000", "--param", "large-function-growth=400"]
+FLAGS_OF_FILES = {"distances.cpp": WITHOUT_LIMITS, "stores.cpp": WITHOUT_LIMITS, "diagrams.cpp": ["-O2"],
+                  "module.cpp": ["-O2"]}
 
 
 class build_with_flags_of_files(build_ext):
+    """Adds the flags of single files."""
 
     def build_extension(self, ext):
         compile_one = self.compiler._compile
