@@ -138,8 +138,8 @@ void loops_end_when_they_are_told_to()
 // Counts what it is told, checks that its thread is that in which it was made, and ends at a given call.
 struct Visitor : SMG::Geodesic_default_visitor
 {
-  explicit Visitor(std::size_t last = (std::numeric_limits<std::size_t>::max)(), bool will_throw = false)
-    : last(last), will_throw(will_throw)
+  explicit Visitor(std::size_t last_call = (std::numeric_limits<std::size_t>::max)(), bool throws_at_last = false)
+    : last(last_call), will_throw(throws_at_last)
   {}
 
   void on_progress(std::size_t, double) { CHECK(std::this_thread::get_id() == thread); }
