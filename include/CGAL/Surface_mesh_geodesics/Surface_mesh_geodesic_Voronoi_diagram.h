@@ -817,7 +817,10 @@ public:
                              : std::vector<Boundary_polyline>();
   }
 
-  /// returns the same with `default_tolerance()`, and without the border of the mesh.
+  /// returns the curves around the cell as polylines, with `default_tolerance()`, and without the border of the mesh.
+  ///
+  /// \param i the number of the site
+  /// \pre `i < number_of_sites()`
   std::vector<Boundary_polyline> boundary_polylines(Site_index i) const
   {
     return boundary_polylines(i, default_tolerance());
@@ -968,7 +971,11 @@ public:
     Surface_mesh_geodesics::internal::add_cut_mesh(m_lazy, tolerance, output, vpm, face_site_map);
   }
 
-  /// adds the mesh, cut along the arcs, with `default_tolerance()`.
+  /// adds the mesh, cut along the arcs, to a mesh, with `default_tolerance()`.
+  ///
+  /// \param output the mesh to which the faces are added
+  /// \param face_site_map receives the site of each new face
+  /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters", as above
   template <typename OutputMesh, typename FaceSiteMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
   void cut(OutputMesh& output, FaceSiteMap face_site_map,
            const CGAL_NP_CLASS& np = parameters::default_values()) const
@@ -1016,6 +1023,11 @@ public:
   }
 
   /// adds a cell to a mesh, with `default_tolerance()`.
+  ///
+  /// \param i the number of the site
+  /// \param output the mesh to which the faces are added
+  /// \param face_face_map receives, for each new face, the face of the mesh that it lies in
+  /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters", as above
   template <typename OutputMesh, typename FaceFaceMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
   void cell_mesh(Site_index i, OutputMesh& output, FaceFaceMap face_face_map,
                  const CGAL_NP_CLASS& np = parameters::default_values()) const

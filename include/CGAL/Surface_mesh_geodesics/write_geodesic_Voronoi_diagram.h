@@ -57,6 +57,9 @@ bool write_geodesic_Voronoi_diagram_OBJ(std::ostream& os, const Diagram& diagram
 
 calls `write_geodesic_Voronoi_diagram_OBJ()` with the default tolerance,
 `Surface_mesh_geodesic_Voronoi_diagram::default_tolerance()`.
+
+\param os the stream
+\param diagram the diagram
 */
 template <typename Diagram>
 bool write_geodesic_Voronoi_diagram_OBJ(std::ostream& os, const Diagram& diagram)
@@ -103,6 +106,9 @@ bool write_geodesic_Voronoi_diagram_PLY(std::ostream& os, const Diagram& diagram
 
 calls `write_geodesic_Voronoi_diagram_PLY()` with the default tolerance,
 `Surface_mesh_geodesic_Voronoi_diagram::default_tolerance()`.
+
+\param os the stream
+\param diagram the diagram
 */
 template <typename Diagram>
 bool write_geodesic_Voronoi_diagram_PLY(std::ostream& os, const Diagram& diagram)
@@ -145,6 +151,9 @@ bool write_geodesic_Voronoi_diagram_VTK(std::ostream& os, const Diagram& diagram
 
 calls `write_geodesic_Voronoi_diagram_VTK()` with the default tolerance,
 `Surface_mesh_geodesic_Voronoi_diagram::default_tolerance()`.
+
+\param os the stream
+\param diagram the diagram
 */
 template <typename Diagram>
 bool write_geodesic_Voronoi_diagram_VTK(std::ostream& os, const Diagram& diagram)
@@ -188,6 +197,9 @@ bool write_geodesic_Voronoi_diagram(const std::string& filename, const Diagram& 
 
 calls `write_geodesic_Voronoi_diagram()` with the default tolerance,
 `Surface_mesh_geodesic_Voronoi_diagram::default_tolerance()`.
+
+\param filename the name of the file
+\param diagram the diagram
 */
 template <typename Diagram>
 bool write_geodesic_Voronoi_diagram(const std::string& filename, const Diagram& diagram)
