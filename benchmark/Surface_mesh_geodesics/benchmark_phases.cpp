@@ -7,6 +7,7 @@
 #include "benchmark_surface.h"
 #include "runs_in_process.h"
 
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/Worker_team.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Parallel_distance_propagation.h>
 
 #include <algorithm>
@@ -15,26 +16,8 @@ namespace {
 
 namespace geodesics = CGAL::Surface_mesh_geodesics::internal;
 
-// A team without other threads.
-struct One_thread
-{
-  static std::size_t size() { return 1; }
-
-  template <class Work>
-  static void run(std::size_t, Work work)
-  {
-    work(0);
-  }
-
-  template <class Function>
-  static auto isolate(Function function)
-  {
-    return function();
-  }
-};
-
 using Propagation
-  = geodesics::Parallel_distance_propagation<double, geodesics::All_pruning_rules, One_thread,
+  = geodesics::Parallel_distance_propagation<double, geodesics::All_pruning_rules, geodesics::Calling_thread,
                                              geodesics::No_window_keeper, Phase_clock>;
 
 // The run of median time.

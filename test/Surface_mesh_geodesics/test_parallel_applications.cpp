@@ -6,6 +6,7 @@
 #include "test_meshes.h"
 #include "test_support.h"
 #include "thread_team.h"
+#include "with_threads.h"
 
 #include <CGAL/Surface_mesh_geodesics/Geodesic_default_visitor.h>
 #include <CGAL/Surface_mesh_geodesics/certify_geodesic_distances.h>
@@ -17,11 +18,6 @@
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/tags.h>
-
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/global_control.h>
-#include <tbb/task_arena.h>
-#endif
 
 #include <boost/property_map/function_property_map.hpp>
 
@@ -43,20 +39,6 @@ using Tag = CGAL::Parallel_if_available_tag;
 using Certificate = SMG::Geodesic_distance_certificate<Mesh>;
 
 const std::vector<std::size_t> numbers_of_threads{1, 2, 3, 5};
-
-// Calls a function with this number of threads, if the tag has threads at all.
-template <class Call>
-void with_threads(std::size_t number_of_threads, const Call& call)
-{
-#ifdef CGAL_LINKED_WITH_TBB
-  tbb::global_control control(tbb::global_control::max_allowed_parallelism, number_of_threads);
-  tbb::task_arena arena(static_cast<int>(number_of_threads));
-  arena.execute(call);
-#else
-  static_cast<void>(number_of_threads);
-  call();
-#endif
-}
 
 // --- loops in chunks -------------------------------------------------------------------------------------------------
 
@@ -106,9 +88,10 @@ void loops_end_when_they_are_told_to()
                     CHECK(std::this_thread::get_id() == caller);
                     return ++number_of_questions < 5;
                   },
-                  [&](std::size_t, std::size_t first, std::size_t last, const auto& ask)
+                  // Each thread waits in its first chunk for the end, so that the calling thread has one, too.
+                  [&](std::size_t, std::size_t, std::size_t, const auto& ask)
                   {
-                    for(std::size_t i = first; i < last && ask(); ++i)
+                    while(ask())
                     {
                     }
                   }));

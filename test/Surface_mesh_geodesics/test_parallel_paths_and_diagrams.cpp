@@ -6,6 +6,7 @@
 #include "path_test_helpers.h"
 #include "test_meshes.h"
 #include "test_support.h"
+#include "with_threads.h"
 
 #include <CGAL/Surface_mesh_geodesics/Geodesic_default_visitor.h>
 #include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_Voronoi_diagram.h>
@@ -13,9 +14,7 @@
 #include <CGAL/Surface_mesh_geodesics/certify_geodesic_Voronoi_diagram.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 #endif
 
 #include <algorithm>
@@ -47,20 +46,6 @@ static_assert(std::is_same<Tagged_paths<CGAL::Sequential_tag>, Geodesic_paths>::
               "the sequential tag is the default");
 
 const std::vector<std::size_t> numbers_of_threads{1, 2, 3, 5, 64};
-
-// Calls a function with this number of threads, if the tag has threads at all.
-template <class Call>
-void with_threads(std::size_t number_of_threads, const Call& call)
-{
-#ifdef CGAL_LINKED_WITH_TBB
-  tbb::global_control control(tbb::global_control::max_allowed_parallelism, number_of_threads);
-  tbb::task_arena arena(static_cast<int>(number_of_threads));
-  arena.execute(call);
-#else
-  static_cast<void>(number_of_threads);
-  call();
-#endif
-}
 
 using Tag = CGAL::Parallel_if_available_tag;
 using Parallel_paths = Tagged_paths<Tag>;

@@ -6,6 +6,7 @@
 #include "test_meshes.h"
 #include "test_support.h"
 #include "thread_team.h"
+#include "with_threads.h"
 
 #include <CGAL/Surface_mesh_geodesics/Geodesic_default_visitor.h>
 #include <CGAL/Surface_mesh_geodesics/Geodesic_distance_solver.h>
@@ -261,14 +262,6 @@ void memory_does_not_grow_from_run_to_run()
 }
 
 #ifdef CGAL_LINKED_WITH_TBB
-
-template <class Call>
-void with_threads(std::size_t number_of_threads, const Call& call)
-{
-  tbb::global_control control(tbb::global_control::max_allowed_parallelism, number_of_threads);
-  tbb::task_arena arena(static_cast<int>(number_of_threads));
-  arena.execute(call);
-}
 
 // The public functions with TBB, with sources in faces and nearest sources.
 void public_functions_agree_with_sequential_ones(std::uint64_t seed, test_support::Random& random)
