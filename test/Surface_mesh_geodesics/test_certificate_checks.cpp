@@ -97,7 +97,7 @@ struct Witness
 void threads_find_the_same(const Witness& witness)
 {
   const SMGI::Worst_violation<double> expected = witness.worst(SMGI::Chunk_team<SMGI::Calling_thread>());
-  for(const std::size_t number_of_threads : {1, 2, 3, 7})
+  for(const std::size_t number_of_threads : {1u, 2u, 3u, 7u})
   {
     const SMGI::Worst_violation<double> found
       = witness.worst(SMGI::Chunk_team<Thread_team>(Thread_team(number_of_threads)));
