@@ -26,6 +26,9 @@ WAVEFRONT = INTERNAL + "propagation/Wavefront.h"
 SOURCES = INTERNAL + "surface/Source_insertion.h"
 PARALLEL = INTERNAL + "propagation/parallel/Parallel_distance_propagation.h"
 PART = INTERNAL + "propagation/parallel/Wavefront_part.h"
+DIVISION = INTERNAL + "propagation/parallel/Wavefront_division.h"
+VERTEX_PARTS = INTERNAL + "propagation/parallel/Vertex_parts.h"
+SHARING = INTERNAL + "propagation/parallel/Work_sharing.h"
 FARTHEST = INTERNAL + "surface/Farthest_vertex_queue.h"
 STRAIGHT = INTERNAL + "paths/Straight_piece.h"
 ISOLINES = INTERNAL + "paths/isoline_tracing.h"
@@ -96,6 +99,7 @@ KILLS = "test_distance_matrix_store_kills"
 INVALID = "test_invalid_input"
 SOLVER = "test_distance_solver"
 PARALLEL_TEST = "test_parallel_propagation"
+WORK_SHARING = "test_work_sharing"
 PARALLEL_KEEPERS = "test_parallel_keepers"
 REMESHING_TEST = "test_remeshing_topology"
 SAMPLING = "test_farthest_point_sampling"
@@ -425,19 +429,27 @@ MUTANTS = [
      "    if(!is_nearest_of_links(worker.star))\n", "    if(!is_nearest_of_links(worker.star) && worker.messages.empty())\n",
      "stars that share faces are worked on at the same time", (PARALLEL_TEST,)),
     ("deferred_vertices_lost", PARALLEL,
-     "      push(q.vertex, q.key, worker);\n      return;", "      return;",
+     "      push(q.vertex, q.key, part, worker);\n      return;", "      return;",
      "vertices next to one that is visited are never visited", (PARALLEL_TEST,)),
     ("parallel_end_too_early", PART,
-     "return !m_batch.empty() ? m_batch.front().key\n         : m_queue.empty() ",
-     "return m_queue.empty() ",
+     "m_nearest_key = !m_batch.empty() ? m_batch.front().key\n                  : m_queue.empty() ",
+     "m_nearest_key = m_queue.empty() ",
      "a run to targets ends before the nearest vertices are visited", (PARALLEL_TEST,)),
     ("messages_in_any_order", PART,
      "if(best == nullptr || i.wins(*best))", "if(best == nullptr)",
      "of several improvements of a vertex the first message counts", (PARALLEL_TEST,)),
-    ("batch_lost_at_the_end", PART,
-     "      push(q.vertex, q.key);\n    m_batch.clear();", "      static_cast<void>(q);\n    m_batch.clear();",
-     "a run that ends early loses the vertices of its last batch", (PARALLEL_TEST,),
-     "nothing goes on from there: restart() drops them as well"),
+    ("batch_lost_at_the_end", DIVISION,
+     "        push(q.vertex, q.key);\n      part.batch().clear();", "        static_cast<void>(q);\n      part.batch().clear();",
+     "a run that ends early loses the vertices of its last batch", (WORK_SHARING,)),
+    ("moved_vertices_keep_their_part", DIVISION,
+     "      m_vertex_parts.set_part(q->vertex, to);\n", "      static_cast<void>(q->vertex);\n",
+     "vertices that another part visits go back to their first part", (WORK_SHARING,)),
+    ("two_part_of_vertex", VERTEX_PARTS,
+     "    return entry & part_mask; // another thread was faster", "    return part;",
+     "two parts queue the same vertex", (WORK_SHARING,)),
+    ("tail_unit_claimed_twice", SHARING,
+     "is_first ? t + 1 : t - one_from_end", "t + 1",
+     "a thread that helps does the last unit while the first one is claimed", (WORK_SHARING,)),
     ("last_windows_not_relayed", RELAY,
      "    begin_batch(0, keepers);\n    take_over(reached);\n", "    static_cast<void>(reached), static_cast<void>(keepers);\n",
      "the windows of the last batch of a run are not kept", (PARALLEL_KEEPERS,)),

@@ -1,15 +1,18 @@
-// The pieces of the parallel propagation: units of work are done once each, whatever the threads do; parts of the
-// wavefront divide the vertices; the threshold of batches follows the wavefront.
+// The pieces of the parallel propagation: units of work are done once each, whatever the threads do; vertices belong to
+// one part each; the division of the wavefront loses no vertex; the threshold of batches follows the wavefront.
 
 #include "test_support.h"
 #include "thread_team.h"
 
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Batch_threshold.h>
-#include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Wavefront_part.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Vertex_parts.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Wavefront_division.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Work_sharing.h>
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <stdexcept>
 #include <vector>
@@ -35,17 +38,22 @@ void each_unit_is_done_once(std::size_t number_of_threads, bool units_fail, test
     if(units_fail && i == failing)
       throw std::range_error("thrown by a unit");
   };
-  sharing.begin();
+  sharing.begin(number_of_threads);
   Thread_team(number_of_threads).run(number_of_threads, [&](std::size_t thread)
   {
     if(thread > 0)
     {
-      sharing.help(work);
+      sharing.help(thread, work);
       return;
     }
     for(std::size_t phase = 0; phase < 300; ++phase)
     {
       const std::uint32_t n = static_cast<std::uint32_t>(random.index(phase % 3 == 0 ? 3 : done.size()));
+      std::vector<std::uint32_t> ends(number_of_threads); // some threads have no units of their own
+      for(std::uint32_t& end : ends)
+        end = static_cast<std::uint32_t>(random.index(n + 1));
+      std::sort(ends.begin(), ends.end());
+      ends.back() = n;
       for(std::atomic<int>& count : done)
         count = 0;
       failing = n / 2;
@@ -53,7 +61,7 @@ void each_unit_is_done_once(std::size_t number_of_threads, bool units_fail, test
       bool is_caught = false;
       try
       {
-        sharing.share(expected_kind, n, [&](std::uint32_t i) { work(expected_kind, i); });
+        sharing.share(expected_kind, ends, [&](std::uint32_t i) { work(expected_kind, i); });
       }
       catch(const std::range_error&)
       {
@@ -68,28 +76,88 @@ void each_unit_is_done_once(std::size_t number_of_threads, bool units_fail, test
   CHECK(is_kind_right.load());
 }
 
-// Each vertex has one part and one number there; numbers keep the order of the vertices, and are small.
-void parts_divide_the_vertices()
+// Several threads ask for the parts of the same vertices, each for a part of its own: all get the same answers. In the
+// next run no vertex belongs to a part.
+void vertices_belong_to_one_part(std::size_t number_of_threads)
 {
-  for(const std::size_t wanted : std::vector<std::size_t>{1, 2, 3, 16, 64})
+  const std::size_t n = 3000;
+  internal::Vertex_parts part_of_vertex;
+  for(std::size_t run = 0; run < 3; ++run)
   {
-    internal::Part_numbering numbering;
-    numbering.set_number(wanted);
-    CHECK(numbering.number() >= wanted && numbering.number() < 2 * wanted);
-    const std::size_t n = 10000;
-    std::vector<std::vector<internal::Vertex_id>> numbers(numbering.number());
+    part_of_vertex.restart(n + run * 500); // more vertices need a new table, as many keep it
+    part_of_vertex.restart(n);
+    std::vector<std::vector<std::size_t>> answers(number_of_threads, std::vector<std::size_t>(n));
+    Thread_team(number_of_threads).run(number_of_threads, [&](std::size_t thread)
+    {
+      for(internal::Vertex_id v = 0; v < n; ++v)
+        answers[thread][v] = part_of_vertex.part_of(v, thread);
+    });
     for(internal::Vertex_id v = 0; v < n; ++v)
     {
-      const std::size_t part = numbering.part_of(v);
-      const internal::Vertex_id number = numbering.number_in_part(v);
-      CHECK(part < numbering.number());
-      CHECK_EQUAL(numbering.vertex(number, part), v);
-      CHECK(number < numbering.largest_part(n));
-      CHECK(numbers[part].empty() || numbers[part].back() < number);
-      numbers[part].push_back(number);
+      CHECK(answers[0][v] < number_of_threads);
+      for(const std::vector<std::size_t>& answer : answers)
+        CHECK_EQUAL(answer[v], answers[0][v]);
+      part_of_vertex.set_part(v, 7);
+      CHECK_EQUAL(part_of_vertex.part_of(v, 3), 7u);
     }
-    for(const auto& part : numbers)
-      CHECK(part.size() < n / numbering.number() + 65);
+  }
+}
+
+// Batches that are uneven become even; sorted batches ascend from part to part. In both cases no vertex is lost, and
+// vertices that are given back are in the queue of their part.
+void division_keeps_all_vertices(std::size_t number_of_parts, test_support::Random& random)
+{
+  using internal::Vertex_id;
+  test_support::Scope scope(std::to_string(number_of_parts) + " parts");
+  const std::size_t n = 500;
+  internal::Wavefront_division<double> division;
+  for(std::size_t run = 0; run < 40; ++run)
+  {
+    division.restart(number_of_parts, n);
+    const double skew = 1 + 5 * random.uniform(0, 1);
+    for(Vertex_id v = 0; v < n; ++v)
+    {
+      const double x = std::pow(random.uniform(0, 1), skew);
+      division.push(v, random.uniform(0, 1), static_cast<std::size_t>(x * double(number_of_parts)));
+    }
+    const double limit = random.uniform(0, 1);
+    for(std::size_t i = 0; i < number_of_parts; ++i)
+      division.part(i).fill_batch(limit);
+    const std::size_t size = division.size_of_batch();
+    CHECK_EQUAL(division.size(), n);
+    CHECK(division.nearest_key() <= division.farthest_key() || size == 0);
+    if(run % 2 == 0)
+      division.balance();
+    else
+      division.sort_batches();
+    CHECK_EQUAL(division.size_of_batch(), size);
+    internal::Queued_vertex<double> last{-1, 0};
+    for(std::size_t i = 0; i < number_of_parts; ++i)
+    {
+      CHECK(4 * division.part(i).batch().size() * number_of_parts <= 5 * size + 8 * number_of_parts);
+      for(const internal::Queued_vertex<double>& q : division.part(i).batch())
+      {
+        CHECK(q.key <= limit);
+        if(run % 2 == 0)
+          CHECK_EQUAL(division.part_of(q.vertex, 0), i);
+        else
+          CHECK(last < q);
+        last = q;
+      }
+    }
+    division.give_back_batches();
+    CHECK_EQUAL(division.size_of_batch(), 0u);
+    std::vector<int> seen(n, 0);
+    for(std::size_t i = 0; i < number_of_parts; ++i)
+    {
+      division.part(i).fill_batch(2);
+      for(const internal::Queued_vertex<double>& q : division.part(i).batch())
+      {
+        ++seen[q.vertex];
+        CHECK_EQUAL(division.part_of(q.vertex, 0), i);
+      }
+    }
+    CHECK(std::count(seen.begin(), seen.end(), 1) == static_cast<std::ptrdiff_t>(n));
   }
 }
 
@@ -141,7 +209,11 @@ int main()
     each_unit_is_done_once(number_of_threads, false, random);
     each_unit_is_done_once(number_of_threads, true, random);
   }
-  parts_divide_the_vertices();
+  for(const std::size_t number : std::vector<std::size_t>{1, 2, 3, 16, 64})
+  {
+    vertices_belong_to_one_part((std::min)(number, std::size_t(8)));
+    division_keeps_all_vertices(number, random);
+  }
   batches_are_a_small_part_of_the_wavefront(random);
   return test_result();
 }

@@ -3,9 +3,10 @@
 //
 // The prediction takes the rounds as they are, since they do not depend on the number of threads. What is outside the
 // phases, and phases too small to share, takes the same time with any number of threads. The visits of a batch are
-// dealt out in units, as in the propagation: the next unit goes to the thread that is free first, so that the longest
-// thread counts. A phase of the parts is divided evenly. Each phase that is shared adds the time that sharing costs
-// (sharing_cost_ns()). The prediction does not know how caches and memory behave with more threads.
+// dealt out in units, and the next unit goes to the thread that is free first, so that the longest thread counts.
+// (In the propagation, a thread begins with the units of its own part of the wavefront.) A phase of the parts is
+// divided evenly. Each phase that is shared adds the time that sharing costs (sharing_cost_ns()). The prediction does
+// not know how caches and memory behave with more threads.
 
 #ifndef PHASE_CLOCK_H
 #define PHASE_CLOCK_H
@@ -140,13 +141,13 @@ inline double sharing_cost_ns()
       spin.wait();
   };
   std::atomic<std::uint32_t> phase{0};
-  sharing.begin();
-  std::thread other([&]() { sharing.help([&](bool, std::uint32_t) { work(phase.load()); }); });
+  sharing.begin(2);
+  std::thread other([&]() { sharing.help(1, [&](bool, std::uint32_t) { work(phase.load()); }); });
   const auto start = std::chrono::steady_clock::now();
   for(std::uint32_t i = 0; i < number_of_phases; ++i)
   {
     phase.store(i);
-    sharing.share(false, 2, [&](std::uint32_t) { work(i); });
+    sharing.share(false, {1, 2}, [&](std::uint32_t) { work(i); });
   }
   const std::chrono::duration<double, std::nano> time = std::chrono::steady_clock::now() - start;
   sharing.end();

@@ -38,7 +38,10 @@ namespace internal {
 //
 // Debug builds with CGAL_CHECK_EXPENSIVE check the neighborhood of each entry that moves, and the whole queue in
 // restart().
-template <typename FT>
+//
+// `Table` is the type of the table of positions: a std::vector, or one that several queues share (Wavefront_part.h). Of
+// these queues, no two contain the same vertex.
+template <typename FT, typename Table = std::vector<std::uint32_t>>
 class Wavefront_queue
 {
 public:
@@ -47,16 +50,25 @@ public:
     : m_position(number_of_vertices, null_id)
   {}
 
+  // An empty queue with a table that has no position yet.
+  explicit Wavefront_queue(Table table) : m_position(table) {}
+
   // Empties the queue, for the vertices 0 .. number_of_vertices - 1. Linear in the number of entries and of vertices
   // that are new; independent of the size of the mesh otherwise.
   void restart(std::size_t number_of_vertices)
+  {
+    clear();
+    m_position.resize(number_of_vertices, null_id);
+  }
+
+  // Removes all entries. Linear in their number.
+  void clear()
   {
     CGAL_expensive_assertion(is_valid());
     for(const Entry& entry : m_heap)
       m_position[entry.vertex] = null_id;
     m_heap.clear();
     m_largest_key = 0;
-    m_position.resize(number_of_vertices, null_id);
   }
 
   bool empty() const { return m_heap.empty(); }
@@ -194,7 +206,7 @@ private:
 
   std::vector<Entry> m_heap;
   FT m_largest_key = 0;
-  std::vector<std::uint32_t> m_position; // in m_heap, by vertex
+  Table m_position; // in m_heap, by vertex
 };
 
 } // namespace internal

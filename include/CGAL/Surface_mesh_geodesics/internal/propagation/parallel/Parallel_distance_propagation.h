@@ -24,6 +24,10 @@
 // its own. Or the keeper cannot be divided; then one thread gives it the windows of the last batch while the others
 // visit the next one (Window_relay.h).
 //
+// Each thread has a part of its own, and a region of the surface with it (Wavefront_division.h). It does the update and
+// the visits of this part, and most of what these read is in its cache. A thread that has no more to do helps the
+// others.
+//
 // So the batches, and with them every bit of the result, depend neither on the number of threads nor on their speed.
 // What no other thread can help with is a few operations per round: choosing the threshold and asking the visitor.
 // Rounds that are too small to share are done by the calling thread alone.
@@ -41,6 +45,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Vertex_star.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Wavefront.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Batch_threshold.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Wavefront_division.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Wavefront_part.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Window_relay.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Work_sharing.h>
@@ -128,8 +133,7 @@ public:
   {
     make_workers();
     drop_stars_and_messages();
-    for(Wavefront_part<FT>& part : m_parts)
-      part.move_reached(m_wavefront.reached()); // if an exception has kept them
+    m_division.move_reached(m_wavefront.reached()); // if the last run has not done it
     m_wavefront.restart(m_workers.front()->stars.pool(), slots_of_workers());
     for(const std::unique_ptr<Worker>& worker : m_workers)
       worker->stars.restart();
@@ -167,12 +171,13 @@ public:
       worker->stars.set_maximum_distance(m_maximum_distance);
     bool is_complete = false;
     std::exception_ptr failure;
-    m_sharing.begin();
-    m_team.run((std::min)(m_team.size(), m_workers.size()), [&](std::size_t i)
+    m_number_of_threads = (std::min)(m_team.size(), m_workers.size());
+    m_sharing.begin(m_number_of_threads);
+    m_team.run(m_number_of_threads, [&](std::size_t i)
     {
       if(i > 0)
       {
-        m_sharing.help([&](bool is_part, std::uint32_t unit)
+        m_sharing.help(i, [&](bool is_part, std::uint32_t unit)
         { is_part ? update_part(unit) : do_unit(*m_workers[i], unit); });
         return;
       }
@@ -210,8 +215,7 @@ public:
     sum.maximum_windows_alive = m_maximum_windows_alive;
     sum.maximum_window_bytes += m_wavefront.memory() + m_relay.memory();
     sum.intrinsic_mesh_bytes = m_wavefront.table_memory() + m_marks.capacity() * sizeof(Mark);
-    for(const Wavefront_part<FT>& part : m_parts)
-      sum.intrinsic_mesh_bytes += part.table_memory(); // the caller adds the mesh and the results
+    sum.intrinsic_mesh_bytes += m_division.table_memory(); // the caller adds the mesh and the results
     return sum;
   }
 
@@ -231,6 +235,12 @@ private:
     Worker(std::size_t i, const Mesh& mesh, const std::vector<FT>& distance, const Thread_keeper& keeper)
       : number(i), stars(mesh, distance, keeper)
     {}
+  };
+
+  // The visits [first, last) of the batch of a part, which one thread does one after the other.
+  struct Unit
+  {
+    std::uint32_t part, first, last;
   };
 
   // The batch to which a vertex belonged last, and its key there, rounded. Rounding makes ties but no other order, and
@@ -253,29 +263,31 @@ private:
     for(;;)
     {
       update_parts();
-      const std::size_t front = size_of_wavefront();
+      const std::size_t front = m_division.size();
       if(front == 0)
       {
+        m_division.move_reached(m_wavefront.reached());
         if(m_maximum_distance < Field::infinity() || !m_wavefront.start_beside_unreached_vertices(pusher()))
           break;
-        m_end.go_back_to(nearest_key());
+        m_end.go_back_to(m_division.nearest_queued_key());
         m_threshold.start();
         continue;
       }
-      const FT nearest = nearest_key();
+      const FT nearest = m_division.nearest_key(), farthest = m_division.farthest_key();
+      const std::size_t size = m_division.size_of_batch();
       const bool is_reached = m_end.is_reached_at(nearest, m_field.distance);
       if(is_reached || !m_team.isolate(go_on))
       {
-        for(Wavefront_part<FT>& part : m_parts)
-          part.give_back_batch();
+        m_division.give_back_batches();
+        m_division.move_reached(m_wavefront.reached());
         return is_reached;
       }
-      if(m_batch.empty())
+      if(size == 0)
         m_threshold.go_on_from(nearest);
       else
       {
-        visit_batch();
-        m_threshold.go_on(m_batch.size(), farthest_key_in_batch(), front);
+        visit_batch(size);
+        m_threshold.go_on(size, farthest, front);
       }
     }
     CGAL_assertion(number_of_windows() == 0);
@@ -283,28 +295,17 @@ private:
     return true;
   }
 
-  // Phase 1.
+  // Phase 1. The last batch tells how much there is to do.
   void update_parts()
   {
     begin_round();
-    std::size_t n = 0; // of messages
-    for(const std::unique_ptr<Worker>& worker : m_workers)
-      for(const Messages& m : worker->messages)
-        n += m.improvements.size() + m.queued.size();
-    share(true, m_parts.size(), n >= smallest_shared_update, [this](std::uint32_t i) { update_part(i); });
-    m_batch.clear();
-    bool are_windows_stale = false;
-    FT largest_key = 0;
-    for(Wavefront_part<FT>& part : m_parts)
-    {
-      m_batch.insert(m_batch.end(), part.batch().begin(), part.batch().end());
-      part.move_reached(m_wavefront.reached());
-      are_windows_stale |= part.has_stale_windows;
-      part.has_stale_windows = false;
-      largest_key = (std::max)(largest_key, part.largest_key());
-    }
-    if(are_windows_stale)
-      m_wavefront.expect_stale_windows(largest_key);
+    m_ends.assign(m_number_of_threads, 0);
+    const std::size_t parts = m_division.number_of_parts();
+    for(std::size_t t = 0; t < m_number_of_threads; ++t)
+      m_ends[t] = static_cast<std::uint32_t>((t + 1) * parts / m_number_of_threads);
+    share(true, m_size_of_last_batch >= smallest_shared_update, [this](std::uint32_t i) { update_part(i); });
+    if(m_division.forget_stale_windows())
+      m_wavefront.expect_stale_windows(m_division.largest_key());
   }
 
   // Marks of earlier rounds become void. (If the number of the round overflows, they are removed.)
@@ -318,65 +319,57 @@ private:
     ++m_round;
   }
 
-  // Phase 2.
-  void visit_batch()
+  // Phase 2. A keeper that depends on the order of visits gets them in the order of their keys.
+  void visit_batch(std::size_t n)
   {
-    for(Wavefront_part<FT>& part : m_parts)
-      part.clear_batch();
-    const std::size_t n = m_batch.size();
-    if(Keeper::is_deferred) // the keeper depends on the order of visits
-      std::sort(m_batch.begin(), m_batch.end());
-    m_visits_per_unit = visits_per_unit(n, m_workers.size());
-    while(number_of_units(n) + m_relay.maximum_number_of_own_units >= Work_sharing::maximum_number_of_units)
-      m_visits_per_unit *= 2;
-    m_relay.begin_batch(number_of_units(n), keepers());
-    share(false, m_relay.number_of_own_units() + number_of_units(n), n >= smallest_shared_batch,
-          [this](std::uint32_t i) { do_unit(*m_workers.front(), i); });
+    const bool is_worth_it = n >= smallest_shared_batch;
+    if(Keeper::is_deferred)
+      m_division.sort_batches();
+    else if(is_worth_it)
+      m_division.balance();
+    make_units(n);
+    m_relay.begin_batch(m_units.size(), keepers());
+    for(std::uint32_t& end : m_ends)
+      end += static_cast<std::uint32_t>(m_relay.number_of_own_units());
+    share(false, is_worth_it, [this](std::uint32_t i) { do_unit(*m_workers.front(), i); });
+    m_division.clear_batches();
+    m_size_of_last_batch = n;
     m_maximum_windows_alive = (std::max)(m_maximum_windows_alive, number_of_windows());
     for(const std::unique_ptr<Worker>& worker : m_workers)
       m_wavefront.lists().share_surplus(worker->slots);
   }
 
-  std::size_t number_of_units(std::size_t n) const { return (n + m_visits_per_unit - 1) / m_visits_per_unit; }
+  // Divides the batches of all parts, n vertices, into units. Each thread gets those of its parts.
+  void make_units(std::size_t n)
+  {
+    std::size_t size = visits_per_unit(n, m_number_of_threads);
+    while(n / size + m_division.number_of_parts() + m_relay.maximum_number_of_own_units
+          >= Work_sharing::maximum_number_of_units)
+      size *= 2;
+    m_units.clear();
+    for(std::size_t i = 0, t = 0; i < m_division.number_of_parts(); ++i)
+    {
+      const std::size_t end = m_division.part(i).batch().size();
+      for(std::size_t first = 0; first < end; first += size)
+        m_units.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(first),
+                           static_cast<std::uint32_t>((std::min)(first + size, end))});
+      while(t < m_number_of_threads && (t + 1) * m_division.number_of_parts() / m_number_of_threads <= i + 1)
+        m_ends[t++] = static_cast<std::uint32_t>(m_units.size());
+    }
+  }
 
-  // Does the units of a phase, with the other threads if that is worth it.
+  // Does the units of a phase, with the other threads if that is worth it. Those of thread t end before m_ends[t].
   template <typename Work>
-  void share(bool is_part, std::size_t n, bool is_worth_it, Work work)
+  void share(bool is_part, bool is_worth_it, Work work)
   {
     m_clock.begin_phase(!is_part, is_worth_it);
-    m_is_shared = is_worth_it && n > 1 && m_workers.size() > 1;
+    m_is_shared = is_worth_it && m_ends.back() > 1 && m_number_of_threads > 1;
     if(m_is_shared)
-      m_sharing.share(is_part, static_cast<std::uint32_t>(n), work);
+      m_sharing.share(is_part, m_ends, work);
     else
-      for(std::uint32_t i = 0; i < n; ++i)
+      for(std::uint32_t i = 0; i < m_ends.back(); ++i)
         work(i);
     m_clock.end_phase();
-  }
-
-  std::size_t size_of_wavefront() const
-  {
-    std::size_t n = 0;
-    for(const Wavefront_part<FT>& part : m_parts)
-      n += part.size();
-    return n;
-  }
-
-  // The smallest key of a vertex that must be visited. Requires: there are no messages.
-  FT nearest_key() const
-  {
-    FT key = Field::infinity();
-    for(const Wavefront_part<FT>& part : m_parts)
-      key = (std::min)(key, part.nearest_key());
-    return key;
-  }
-
-  // Requires: the batch is not empty.
-  FT farthest_key_in_batch() const
-  {
-    FT key = m_batch.front().key;
-    for(const Queued_vertex<FT>& q : m_batch)
-      key = (std::max)(key, q.key);
-    return key;
   }
 
   // The number of windows that wait. (That of one thread may be negative: it takes what others have put.)
@@ -402,7 +395,7 @@ private:
   // distances and marks of different parts are different numbers in memory.
   void update_part(std::size_t i)
   {
-    Wavefront_part<FT>& part = m_parts[i];
+    Wavefront_part<FT>& part = m_division.part(i);
     part.take_over(m_messages_of_part[i], m_wavefront);
     part.fill_batch((std::min)(m_threshold.limit(), m_maximum_distance));
     for(const Queued_vertex<FT>& q : part.batch())
@@ -420,12 +413,13 @@ private:
   // Visits some vertices of the batch, one after the other.
   void visit_unit(Worker& worker, std::size_t unit)
   {
-    const std::size_t last = (std::min)((unit + 1) * m_visits_per_unit, m_batch.size());
-    for(std::size_t i = unit * m_visits_per_unit; i < last; ++i)
+    const Unit u = m_units[unit];
+    const std::vector<Queued_vertex<FT>>& batch = m_division.part(u.part).batch();
+    for(std::size_t i = u.first; i < u.last; ++i)
     {
-      const Vertex_id next = m_batch[i + 1 < last ? i + 1 : i].vertex;
+      const Vertex_id next = batch[i + 1 < u.last ? i + 1 : i].vertex;
       m_mesh.prefetch_star(next);
-      visit(worker, m_batch[i], next);
+      visit(worker, batch[i], next);
       m_clock.end_unit();
     }
   }
@@ -434,10 +428,11 @@ private:
   // Wavefront.h about what visits may do at the same time. `next` is visited next; its faces are requested meanwhile.
   void visit(Worker& worker, const Queued_vertex<FT>& q, Vertex_id next)
   {
+    const std::size_t part = m_division.part_of(q.vertex, 0);
     worker.star.surround(m_mesh, q.vertex);
     if(!is_nearest_of_links(worker.star))
     {
-      push(q.vertex, q.key, worker);
+      push(q.vertex, q.key, part, worker);
       return;
     }
     m_wavefront.take(worker.star, q.key, worker.slots);
@@ -445,11 +440,11 @@ private:
     m_mesh.prefetch_faces_of_star(next);
     m_wavefront.for_each_improved_link(worker.star, [&](const Link_vertex<FT>& link)
     {
-      messages_to_part_of(link.vertex, worker).improvements.push_back(
+      worker.messages[m_division.part_of(link.vertex, part)].improvements.push_back(
         {link.vertex, q.vertex, link.distance, link.arrival, link.image});
     });
     m_wavefront.put_lists(worker.star, worker.stars.pool(), worker.slots,
-                          [&](Vertex_id v, const FT& key) { push(v, key, worker); });
+                          [&](Vertex_id v, const FT& key) { push(v, key, part, worker); });
   }
 
   // Is the vertex of a star nearer than all its neighbors in the batch, or as near and of a smaller number? Then no
@@ -467,18 +462,14 @@ private:
     return is_nearest;
   }
 
-  // Queues a vertex: at once if no other thread is at work, else by a message. The next batch is the same.
-  void push(Vertex_id v, const FT& key, Worker& worker)
+  // Queues a vertex that a visit in a part has met: at once if no other thread is at work, else by a message. The next
+  // batch is the same.
+  void push(Vertex_id v, const FT& key, std::size_t part, Worker& worker)
   {
     if(m_is_shared)
-      messages_to_part_of(v, worker).queued.push_back({key, v});
+      worker.messages[m_division.part_of(v, part)].queued.push_back({key, v});
     else
-      m_parts[m_numbering.part_of(v)].push(v, key);
-  }
-
-  Messages& messages_to_part_of(Vertex_id v, Worker& worker) const
-  {
-    return worker.messages[m_numbering.part_of(v)];
+      m_division.push(v, key, part);
   }
 
   // --- preparation ---
@@ -503,18 +494,16 @@ private:
   // Empties the parts, one for each worker.
   void make_parts()
   {
-    m_numbering.set_number((std::min)(m_workers.size(), maximum_number_of_parts));
-    if(m_parts.size() != m_numbering.number())
-      m_parts = std::vector<Wavefront_part<FT>>(m_numbering.number());
-    m_messages_of_part.assign(m_parts.size(), {});
-    for(std::size_t i = 0; i < m_parts.size(); ++i)
-      m_parts[i].restart(m_numbering, i, m_mesh.number_of_vertices());
+    const std::size_t n = (std::min)(m_workers.size(), m_division.maximum_number_of_parts);
+    m_division.restart(n, m_mesh.number_of_vertices());
+    m_messages_of_part.assign(n, {});
     for(const std::unique_ptr<Worker>& worker : m_workers)
     {
-      worker->messages.resize(m_parts.size());
-      for(std::size_t i = 0; i < m_parts.size(); ++i)
+      worker->messages.resize(n);
+      for(std::size_t i = 0; i < n; ++i)
         m_messages_of_part[i].push_back(&worker->messages[i]);
     }
+    m_size_of_last_batch = 0;
   }
 
   // Drops what a run that did not end has left: messages, and windows of stars that an exception has left.
@@ -555,11 +544,10 @@ private:
 
   auto pusher()
   {
-    return [this](Vertex_id v, const FT& key) { m_parts[m_numbering.part_of(v)].push(v, key); };
+    return [this](Vertex_id v, const FT& key) { m_division.push(v, key); };
   }
 
-  static constexpr std::size_t maximum_number_of_parts = 64;
-  static constexpr std::size_t smallest_shared_update = 64; // messages
+  static constexpr std::size_t smallest_shared_update = 16; // visits that have left messages
   static constexpr std::size_t smallest_shared_batch = 6;   // visits
   static constexpr std::size_t least_surplus = std::size_t(1) << 18; // bytes
 
@@ -570,13 +558,14 @@ private:
   Window_relay<Keeper> m_relay;
   Wavefront<FT> m_wavefront;
   std::vector<std::unique_ptr<Worker>> m_workers; // the first one is the conductor's
-  Part_numbering m_numbering;
-  std::vector<Wavefront_part<FT>> m_parts;
+  Wavefront_division<FT> m_division;
   std::vector<std::vector<Messages*>> m_messages_of_part; // those of all workers, by part
-  std::vector<Queued_vertex<FT>> m_batch;                 // of all parts
   std::vector<Mark> m_marks;                              // by vertex
   std::uint32_t m_round = 0;
-  std::size_t m_visits_per_unit = 1;
+  std::size_t m_number_of_threads = 1;            // of the run
+  std::size_t m_size_of_last_batch = 0;
+  std::vector<Unit> m_units;                      // of the visits
+  std::vector<std::uint32_t> m_ends;              // of the units of the phase, by thread
   bool m_is_shared = false; // do other threads take part in the phase?
   Batch_threshold<FT> m_threshold;
   Work_sharing m_sharing;

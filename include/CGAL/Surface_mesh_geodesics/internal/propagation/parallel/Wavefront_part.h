@@ -13,9 +13,9 @@
 // A part of the wavefront: some of the vertices, with their queue. Between two batches of visits each part is brought
 // up to date by one thread, and parts by different threads at the same time.
 //
-// The vertices are dealt out to the parts in blocks, in turn, so that each part has its share of any region. Visits do
-// not touch the parts. They leave messages for them (Wavefront_messages): distances that they improve, and vertices
-// that must be queued. The result does not depend on the order of messages, nor on the number of parts:
+// Visits do not touch the parts. They leave messages for them (Wavefront_messages): distances that they improve, and
+// vertices that must be queued. The result depends neither on the order of messages, nor on the number of parts, nor on
+// which part has a vertex (Wavefront_division.h):
 // - Of several improvements of a vertex the smallest counts; of equal ones, that of the star with the smallest vertex.
 // - A vertex is queued with the smallest of its keys.
 
@@ -67,8 +67,10 @@ struct Vertex_improvement
 
 // What the visits of one thread leave for one part. That thread appends during the visits. The thread that updates the
 // part reads and clears them between the visits, so they need no lock.
+//
+// Messages and parts have cache lines of their own, as they change all the time.
 template <typename FT>
-struct Wavefront_messages
+struct alignas(64) Wavefront_messages
 {
   std::vector<Vertex_improvement<FT>> improvements;
   std::vector<Queued_vertex<FT>> queued;
@@ -80,47 +82,20 @@ struct Wavefront_messages
   }
 };
 
-// The parts are numbered. Their number is a power of 2, so that a vertex and its number in its part are found by
-// shifts.
-//
-// The bits of a vertex from the highest on: the number of its block in the part, the part (m_bits of them), the place
-// in the block (block_bits). The number of the vertex in its part leaves out those in the middle.
-class Part_numbering
+// A table by vertex that several parts share. Each uses the entries of its own vertices only.
+template <typename T>
+class Shared_table
 {
 public:
-  // Makes at least n parts. Requires: n > 0.
-  void set_number(std::size_t n)
-  {
-    m_bits = 0;
-    while((std::size_t(1) << m_bits) < n)
-      ++m_bits;
-  }
+  Shared_table() = default;
+  explicit Shared_table(std::vector<T>& table) : m_first(table.data()), m_size(table.size()) {}
 
-  std::size_t number() const { return std::size_t(1) << m_bits; }
-  std::size_t part_of(Vertex_id v) const { return (v >> block_bits) & (number() - 1); }
-
-  // The number of a vertex in its part, and the vertex with a number in a part. Order is kept.
-  Vertex_id number_in_part(Vertex_id v) const
-  {
-    return ((v >> (block_bits + m_bits)) << block_bits) | (v & ((Vertex_id(1) << block_bits) - 1));
-  }
-  Vertex_id vertex(Vertex_id number, std::size_t part) const
-  {
-    const Vertex_id block = ((number >> block_bits) << m_bits) | static_cast<Vertex_id>(part);
-    return (block << block_bits) | (number & ((Vertex_id(1) << block_bits) - 1));
-  }
-
-  // More than number_in_part() for any vertex of a mesh with this number of vertices: the size of tables by that
-  // number.
-  std::size_t largest_part(std::size_t number_of_vertices) const
-  {
-    return ((number_of_vertices >> (block_bits + m_bits)) + 1) << block_bits;
-  }
+  T& operator[](std::size_t v) const { return m_first[v]; }
+  std::size_t size() const { return m_size; }
 
 private:
-  static constexpr unsigned int block_bits = 6; // a block fills a few cache lines of each table
-
-  unsigned int m_bits = 0;
+  T* m_first = nullptr;
+  std::size_t m_size = 0;
 };
 
 // Invariant, after take_over(): all vertices of the part that must be visited are in the queue or in batch().
@@ -128,27 +103,30 @@ private:
 // Threads: one at a time updates a part (take_over(), fill_batch()), which writes distances of its own vertices only.
 // The other functions are for the conductor, while no other thread is at work.
 template <typename FT>
-class Wavefront_part
+class alignas(64) Wavefront_part
 {
 public:
   using Messages = Wavefront_messages<FT>;
   using Improvement = Vertex_improvement<FT>;
 
-  // Empties the part, for a mesh with this number of vertices. Linear in the number of queued vertices and of vertices
-  // that are new; linear in the size of the part if an exception has ended take_over().
-  void restart(const Part_numbering& numbering, std::size_t part, std::size_t number_of_vertices)
+  // Removes all entries of the queue, and puts the batch away. The tables are those of the last begin().
+  void clear()
   {
-    m_numbering = numbering;
-    m_part = part;
-    const std::size_t n = numbering.largest_part(number_of_vertices);
-    m_queue.restart(n);
-    if(m_is_taking_over)
-      m_best.clear();
-    m_is_taking_over = false;
-    m_best.resize(n, nullptr);
+    m_queue.clear();
     m_batch.clear();
     has_stale_windows = false;
   }
+
+  // Begins with tables for the vertices of a mesh, whose entries are null_id and nullptr. Requires: clear() was called.
+  void begin(Shared_table<std::uint32_t> position, Shared_table<const Improvement*> best)
+  {
+    m_queue = Queue(position);
+    m_best = best;
+    m_is_taking_over = false;
+  }
+
+  // Has an exception ended take_over()? Then the table of the best improvements must be cleared.
+  bool is_taking_over() const { return m_is_taking_over; }
 
   // Takes over the messages that all threads have left for this part, and clears them. `messages` is a range of
   // pointers.
@@ -167,7 +145,7 @@ public:
     for(const Messages* m : messages)
     {
       for(const Improvement& i : m->improvements)
-        if(m_best[m_numbering.number_in_part(i.vertex)] == &i)
+        if(m_best[i.vertex] == &i)
           improve(i, wavefront);
       for(const Queued_vertex<FT>& q : m->queued)
         push(q.vertex, q.key);
@@ -175,7 +153,7 @@ public:
     for(Messages* m : messages)
     {
       for(const Improvement& i : m->improvements)
-        m_best[m_numbering.number_in_part(i.vertex)] = nullptr;
+        m_best[i.vertex] = nullptr;
       m->clear();
     }
     m_is_taking_over = false;
@@ -188,53 +166,47 @@ public:
     m_reached.clear();
   }
 
-  // Moves all vertices with keys up to a limit from the queue into the batch. Requires: the batch is empty.
+  // Moves all vertices with keys up to a limit from the queue into the batch, nearest first. Requires: the batch is
+  // empty.
   void fill_batch(const FT& limit)
   {
     CGAL_expensive_assertion(m_batch.empty());
     while(!m_queue.empty() && m_queue.top_key() <= limit)
     {
-      m_batch.push_back({m_queue.top_key(), m_numbering.vertex(m_queue.top(), m_part)});
+      m_batch.push_back({m_queue.top_key(), m_queue.top()});
       m_queue.pop();
     }
+    m_nearest_key = !m_batch.empty() ? m_batch.front().key
+                  : m_queue.empty()  ? Vertex_distance_field<FT>::infinity()
+                                     : m_queue.top_key();
+    m_farthest_key = m_batch.empty() ? FT(0) : m_batch.back().key;
   }
 
-  // The vertices to be visited, nearest first.
+  // The vertices to be visited. The division of the wavefront may move vertices from one batch to another.
+  std::vector<Queued_vertex<FT>>& batch() { return m_batch; }
   const std::vector<Queued_vertex<FT>>& batch() const { return m_batch; }
-  void clear_batch() { m_batch.clear(); }
-
-  // Moves the vertices of the batch back into the queue.
-  void give_back_batch()
-  {
-    for(const Queued_vertex<FT>& q : m_batch)
-      push(q.vertex, q.key);
-    m_batch.clear();
-  }
 
   // Requires: the vertex belongs to this part.
-  void push(Vertex_id v, const FT& key) { m_queue.push_or_decrease(m_numbering.number_in_part(v), key); }
+  void push(Vertex_id v, const FT& key) { m_queue.push_or_decrease(v, key); }
 
-  // The number of vertices that are queued or in the batch, and the smallest key of these, or infinity.
-  std::size_t size() const { return m_queue.size() + m_batch.size(); }
-  FT nearest_key() const
-  {
-    return !m_batch.empty() ? m_batch.front().key
-         : m_queue.empty()  ? Vertex_distance_field<FT>::infinity()
-                            : m_queue.top_key();
-  }
+  // The number of vertices that are queued.
+  std::size_t size_of_queue() const { return m_queue.size(); }
+
+  // As fill_batch() has found them: the smallest key of the vertices that are queued or in the batch, or infinity, and
+  // the largest key of the batch, or 0.
+  const FT& nearest_key() const { return m_nearest_key; }
+  const FT& farthest_key() const { return m_farthest_key; }
 
   // An upper bound of the keys of all vertices that are queued or in the batch.
   const FT& largest_key() const { return m_queue.largest_key(); }
 
-  std::size_t table_memory() const { return m_queue.table_memory() + m_best.capacity() * sizeof(m_best[0]); }
-
-  bool has_stale_windows = false; // a vertex that had emitted windows was improved; the owner resets it
+  bool has_stale_windows = false; // a vertex that had emitted windows was improved; the division resets it
 
 private:
   // Keeps the best improvement of each vertex in mind.
   void consider(const Improvement& i)
   {
-    const Improvement*& best = m_best[m_numbering.number_in_part(i.vertex)];
+    const Improvement*& best = m_best[i.vertex];
     if(best == nullptr || i.wins(*best))
       best = &i;
   }
@@ -246,11 +218,12 @@ private:
       has_stale_windows = true;
   }
 
-  Part_numbering m_numbering;
-  std::size_t m_part = 0;
-  Wavefront_queue<FT> m_queue{0};          // of numbers in the part
-  std::vector<const Improvement*> m_best;  // by number in the part; null between calls
+  using Queue = Wavefront_queue<FT, Shared_table<std::uint32_t>>;
+
+  Queue m_queue{Shared_table<std::uint32_t>()};
+  Shared_table<const Improvement*> m_best; // by vertex; null between calls
   std::vector<Queued_vertex<FT>> m_batch;
+  FT m_nearest_key = 0, m_farthest_key = 0;
   std::vector<Vertex_id> m_reached; // since the last move_reached()
   bool m_is_taking_over = false;    // outside take_over() only if an exception has ended it
 };
