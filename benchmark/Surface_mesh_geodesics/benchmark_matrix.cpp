@@ -16,8 +16,7 @@ int main(int argc, char* argv[])
   Settings settings;
   std::size_t rows = 64;
   if(!read_settings(argc, argv, settings, [&](const std::string& option, const std::string& value) {
-       rows = std::strtoul(value.c_str(), nullptr, 10);
-       return option == "--rows" && rows > 0;
+       return read_number_option(option, value, "--rows", rows);
      }))
   {
     return usage(argv[0], " mesh...   (--rows N: sources, default 64)");
