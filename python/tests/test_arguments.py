@@ -128,7 +128,8 @@ def test_sequences_of_places():
     s = smg.Solver(V, F)
     pair = (7, [0.2, 0.3, 0.5])
     expected = np.minimum(s.distances(pair), s.distances(3))
-    for places in ([3, pair], (pair, 3), [pair, np.int64(3)], [pair, [3]]):
+    of_tuples = (7, (0.2, 0.3, 0.5))
+    for places in ([3, pair], (pair, 3), [pair, np.int64(3)], [pair, [3]], [3, of_tuples], (of_tuples, 3)):
         assert np.array_equal(s.distances(places), expected)
 
 

@@ -81,6 +81,11 @@ def test_errors(tmp_path):
         S.avoiding([3]).store_matrix(tmp_path / "around")
     with pytest.raises(TypeError):
         S.store_matrix(7)
+    with pytest.raises(ValueError, match="null character"):
+        S.store_matrix(f"{tmp_path}/a\0b")
+    (tmp_path / "m" / "manifest.json").write_text("{")
+    with pytest.raises(ValueError, match=r"m.manifest\.json: the manifest is damaged"):
+        S.store_matrix(tmp_path / "m", [0, 1])
 
 
 def test_the_order_of_peeling_is_a_permutation_that_a_symmetric_matrix_takes(tmp_path):
