@@ -76,7 +76,7 @@ class Places(NamedTuple):
 
 def places_of(name: str, values: Any, n_vertices: int, n_faces: int) -> Places:
     """Reads a vertex, a pair (face, coordinates), a sequence of these, or a pair of arrays (faces, coordinates)."""
-    if _is_pair(values):
+    if _is_pair(name, values):
         return _points_of_faces(name, values, n_faces)
     if isinstance(values, (list, tuple)) and any(isinstance(value, tuple) for value in values):
         parts = [_place(f"{name}[{i}]", value, n_vertices, n_faces) for i, value in enumerate(values)]
@@ -197,7 +197,7 @@ def _row(name: str, array: np.ndarray, what: str) -> np.ndarray:
 
 
 def _place(name: str, value: Any, n_vertices: int, n_faces: int) -> Places:
-    if _is_pair(value) and np.ndim(value[0]) == 0:
+    if _is_pair(name, value) and np.ndim(value[0]) == 0:
         return _points_of_faces(name, value, n_faces)
     ids = row_of_ids(name, value, n_vertices)
     if len(ids) != 1:
@@ -225,11 +225,11 @@ def _points_of_faces(name: str, values: Any, n_faces: int) -> Places:
     return Places(np.full(len(faces), -1, dtype=np.int64), faces, np.ascontiguousarray(weights))
 
 
-def _is_pair(value: Any) -> bool:
+def _is_pair(name: str, value: Any) -> bool:
     """Is this (face, coordinates) or (faces, coordinates), and not two vertices or two places?"""
     return (isinstance(value, tuple) and len(value) == 2 and hasattr(value[1], "__len__")
             and not any(isinstance(part, (str, bytes)) or isinstance(part, tuple) and len(part) == 2 for part in value)
-            and np.size(value[1]) > 1)
+            and numbers_of(f"coordinates of {name}", value[1]).size > 1)
 
 
 def check_elements(name: str, array: np.ndarray, is_bad: np.ndarray, rule: str) -> None:

@@ -196,7 +196,8 @@ class Solver:
         array([1, 0, 2])
         """
         self._needs("peeling_order", points=True, all_faces=True)
-        return self._surface.peeling_order(self._rows_and_columns([], vertices)[1])
+        every = np.arange(self.n_vertices)
+        return self._surface.peeling_order(self._vertices("vertices", every if vertices is None else vertices))
 
     def certify(self, d: Any, sources: Any, *, offsets: Any = None, radius: float = np.inf,
                 threads: int | None = None, progress: Progress | None = None) -> Certificate:
@@ -509,6 +510,5 @@ class Solver:
     def _extent(self) -> float:
         if self._lengths is not None:
             return float(self._lengths.max(initial=0.0))
-        if self.n_vertices == 0:
-            return 0.0
-        return float(np.linalg.norm(self._points.max(axis=0) - self._points.min(axis=0)))
+        points = self._points if self.n_vertices > 0 else np.zeros((1, 3))
+        return float(np.linalg.norm(np.ptp(points, axis=0)))

@@ -93,6 +93,8 @@ def test_bad_meshes(points, faces, error, message):
     ((0, [2, -1, 0]), ValueError, "coordinates .* of sources"),
     ((0, [1, 0]), ValueError, "coordinates of sources have the shape"),
     ([3, (0, [np.nan, 0, 0])], ValueError, r"coordinates .* of sources\[1\]"),
+    (([0, 1], [[1, 0, 0], [1, 0]]), ValueError, "coordinates of sources is not an array of numbers"),
+    ((0, [None, 0, 1]), ValueError, "coordinates of sources has the type object"),
     ([(0, [1, 0, 0]), [1, 2]], ValueError, r"sources\[1\] is"),
     ([(0, [1, 0, 0]), []], ValueError, r"sources\[1\] is"),
     ([(0, [1, 0, 0]), ([1, 2], [[1, 0, 0], [1, 0, 0]])], ValueError, r"sources\[1\]"),

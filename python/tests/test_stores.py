@@ -100,7 +100,7 @@ def test_the_order_of_peeling_is_a_permutation_that_a_symmetric_matrix_takes(tmp
     expected = S.matrix(order, order)[np.triu_indices(len(V), 1)]
     assert np.array_equal(stored(tmp_path), expected)
     assert np.array_equal(S.peeling_order([4]), [4]) and len(S.peeling_order([])) == 0
-    with pytest.raises(IndexError):
+    with pytest.raises(IndexError, match=r"vertices\[0\] is 81"):
         S.peeling_order([len(V)])
 
 
