@@ -43,12 +43,7 @@ struct Own_settings
 
   bool read(const std::string& option, const std::string& value)
   {
-    if(option != "--next")
-    {
-      return false;
-    }
-    next = std::strtoul(value.c_str(), nullptr, 10);
-    return next > 0;
+    return read_number_option(option, value, "--next", next);
   }
 
   std::vector<std::string> as_arguments() const { return {"--next", std::to_string(next)}; }

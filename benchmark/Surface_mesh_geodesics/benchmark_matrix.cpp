@@ -14,13 +14,12 @@ namespace Geodesics = CGAL::Surface_mesh_geodesics;
 int main(int argc, char* argv[])
 {
   Settings settings;
-  std::size_t rows = 64;
+  std::size_t rows = 256; // so many that the last one, which one thread computes alone, weighs little
   if(!read_settings(argc, argv, settings, [&](const std::string& option, const std::string& value) {
-       rows = std::strtoul(value.c_str(), nullptr, 10);
-       return option == "--rows" && rows > 0;
+       return read_number_option(option, value, "--rows", rows);
      }))
   {
-    return usage(argv[0], " mesh...   (--rows N: sources, default 64)");
+    return usage(argv[0], " mesh...   (--rows N: sources, default 256)");
   }
   print_head(settings, "matrices of distances between " + std::to_string(rows) + " random vertices, clock times",
              "mesh,faces,matrix,rows,threads," + spread_columns("run_ms") + ",ms_per_row,speedup");

@@ -94,9 +94,7 @@ int main(int argc, char* argv[])
   if(!read_settings(argc, argv, settings, [&](const std::string& option, const std::string& value) {
        if(option == "--folder")
          folder = value;
-       else if(option == "--rows")
-         rows = std::strtoul(value.c_str(), nullptr, 10);
-       return option == "--folder" || (option == "--rows" && rows > 0);
+       return option == "--folder" || read_number_option(option, value, "--rows", rows);
      }))
   {
     return usage(argv[0], " mesh...   (--rows N: sources, default 16; --folder F: where rows are stored)");

@@ -281,8 +281,8 @@ int main(int argc, char* argv[])
   bool is_brain = false;
   if(!read_settings(argc, argv, settings, [&](const std::string& option, const std::string& value) {
        is_brain = is_brain || option == "--brain";
-       (option == "--interleave" ? interleaved : rows) = std::strtoul(value.c_str(), nullptr, 10);
-       return option == "--brain" || ((option == "--rows" || option == "--interleave") && rows > 0);
+       return option == "--brain" || read_number_option(option, value, "--rows", rows)
+              || read_number_option(option, value, "--interleave", interleaved);
      })
      && !is_brain)
   {

@@ -362,7 +362,7 @@ if [ "$questions" = yes ]; then
   ask phases --subdivide 2 "$meshes/bunny00.off"
   "$programs/benchmark_uses_of_diagrams" --repetitions 5 --flags "$flags" "$meshes/bunny00.off" \
     "$meshes/armadillo.off" "$meshes/refined_elephant.off" | tee "$build/uses_of_diagrams.csv" >&2
-  ask matrix --rows 64 "$meshes/bunny00.off"
+  ask matrix --rows 256 "$meshes/bunny00.off"
   "$programs/benchmark_matrix_store" --repetitions 5 --flags "$flags" --rows 16 --folder "$build/matrix_store" \
     --subdivide 1 "$meshes/elephant.off" "$meshes/bunny00.off" | tee "$build/matrix_store.csv" >&2
   rows() {

@@ -61,21 +61,34 @@ D = s.matrix(sites, sites)
 print(f"{len(V3)} vertices, {len(F3)} faces; mean distance of two sites {D.mean():.3f}")
 
 
+def in_front(lines):
+    """The parts of lines on the upper half of the torus, which a view from above shows: lines are drawn on top of the
+    surface, also those behind it."""
+    pieces = []
+    for line in lines:
+        turns = np.flatnonzero(np.diff(line[:, 2] > 0)) + 1
+        pieces += [piece for piece in np.split(line, turns) if piece[0, 2] > 0 and len(piece) > 1]
+    return pieces
+
+
 def draw(folder):
     import matplotlib
 
     matplotlib.use("Agg")
     folder.mkdir(parents=True, exist_ok=True)
+    front = sites[V[sites, 2] > 0]
     pictures = {
-        "distances": smg.plot(V, F, 0.5 * np.floor(2 * d), lines=[path.points], points=V[[0, far]],
-                              title="distances in bands of 0.5, and a path"),
-        "isolines": smg.plot(V, F, lines=lines, title="isolines"),
-        "cells": smg.plot(V2, F2, np.random.default_rng(1).permutation(len(sites))[cell], cmap="tab20", points=V[sites],
-                          title="Voronoi diagram of 25 sites"),
+        "distances": smg.plot(V, F, 0.5 * np.floor(2 * d), lines=in_front([p.points for p in s.paths(0, front)]),
+                              points=V[front], title="distances in bands of 0.5, and shortest paths"),
+        "isolines": smg.plot(V, F, lines=in_front(lines), title="isolines"),
+        "cells": smg.plot(V2, F2, np.random.default_rng(1).permutation(len(sites))[cell], cmap="tab20",
+                          lines=in_front([line for i in range(len(sites)) for line in v.boundaries(i)]),
+                          points=V[front], title="Voronoi diagram, and the sites in front"),
         "remeshed": smg.plot(V3, F3, title="400 vertices"),
     }
+    pictures["cells"].figure.axes[-1].remove()  # the scale: numbers of cells mean nothing
     for name, axes in pictures.items():
-        axes.view_init(55, -60)
+        axes.view_init(90, -90)
         axes.figure.savefig(folder / f"{name}.png", dpi=110)
     print(f"pictures in {folder}")
 

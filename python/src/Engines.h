@@ -13,8 +13,10 @@ namespace geodesics_python {
 
 #ifdef CGAL_LINKED_WITH_TBB
 using Threads = CGAL::Parallel_tag;
-#else
+constexpr bool has_threads = true;
+#else // each call uses one thread
 using Threads = CGAL::Sequential_tag;
+constexpr bool has_threads = false;
 #endif
 
 namespace geodesics = CGAL::Surface_mesh_geodesics;

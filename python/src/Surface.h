@@ -11,6 +11,8 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <boost/property_map/property_map.hpp>
+
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -21,7 +23,9 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <stdexcept>
 #include <thread>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -63,8 +67,32 @@ py::array_t<T> to_rows(std::vector<T>&& values, std::size_t columns)
 py::array_t<double> points_to_array(const std::vector<Point>& points);
 
 // The points of a mesh, and its faces as rows of three vertices.
-py::array_t<double> points_of(const Mesh& mesh);
-py::array_t<std::int64_t> faces_of(const Mesh& mesh);
+py::tuple mesh_to_tuple(const Mesh& mesh);
+
+// A line on the surface as Python gets it: its points, a face of each, or -1, and the coordinates there.
+struct Line
+{
+  template <typename Numbers>
+  void add(const Numbers& p, const Location& location)
+  {
+    const auto& [f, b] = location;
+    points.insert(points.end(), {p[0], p[1], p[2]});
+    faces.push_back(f == Mesh::null_face() ? -1 : std::int64_t(std::size_t(f)));
+    weights.insert(weights.end(), b.begin(), b.end());
+  }
+
+  py::tuple to_tuple()
+  {
+    return py::make_tuple(to_rows(std::move(points), 3), to_array(std::move(faces)), to_rows(std::move(weights), 3));
+  }
+
+  std::vector<double> points, weights;
+  std::vector<std::int64_t> faces;
+};
+
+// --- how a call computes: the number of threads, and the progress function or None ---
+
+using Call = std::pair<std::size_t, py::object>;
 
 // --- interruption ----------------------------------------------------------------------------------------------------
 
@@ -93,7 +121,7 @@ public:
     if(++m_number_of_calls % 64 != 0)
       return;
     set_part_done(double(m_run) + double(number_of_visits) / double(m_number_of_vertices + 1));
-    ask_python();
+    ask_and_go_further();
   }
 
   bool go_further() const { return !m_is_stopped.load(std::memory_order_relaxed); }
@@ -109,17 +137,20 @@ public:
 
   // For what is not a propagation: asks Python if it is time to, and returns whether to go on. Any thread may call it;
   // only the one that computes asks.
-  bool ask_and_go_further()
-  {
-    ask_python();
-    return go_further();
-  }
+  bool ask_and_go_further();
 
   // The same for loops with short steps: looks at the clock at every 64th call only.
   bool ask_sometimes_and_go_further()
   {
     thread_local unsigned int number_of_calls = 0;
     return ++number_of_calls % 64 != 0 ? go_further() : ask_and_go_further();
+  }
+
+  // The same for functions that take no visitor: throws if they have to end. run() passes on what has interrupted it.
+  void ask_sometimes_or_throw()
+  {
+    if(!ask_sometimes_and_go_further())
+      throw std::runtime_error("interrupted");
   }
 
   // Calls compute(), which must not touch Python, and throws what has interrupted it, or what it throws.
@@ -135,8 +166,6 @@ protected:
   void call_python(const std::function<void()>& call);
 
 private:
-  void ask_python();
-
   const std::thread::id m_thread = std::this_thread::get_id();
   std::chrono::steady_clock::time_point m_next_question;
   py::object m_progress;
@@ -146,20 +175,53 @@ private:
   std::atomic<bool> m_is_stopped{false}, m_is_in_python{false};
 };
 
+// A property map for functions that take no visitor: they end with an exception if Python interrupts.
+template <typename Map>
+struct Interruptible_map
+{
+  using key_type = typename boost::property_traits<Map>::key_type;
+  using value_type = typename boost::property_traits<Map>::value_type;
+  using reference = typename boost::property_traits<Map>::reference;
+  using category = typename boost::property_traits<Map>::category;
+
+  friend reference get(const Interruptible_map& map, const key_type& key)
+  {
+    map.visitor->ask_sometimes_or_throw();
+    return get(map.map, key);
+  }
+
+  friend void put(const Interruptible_map& map, const key_type& key, const value_type& value)
+  {
+    map.visitor->ask_sometimes_or_throw();
+    put(map.map, key, value);
+  }
+
+  Interruptible* visitor;
+  Map map;
+};
+
+template <typename Map>
+Interruptible_map<Map> interruptible(Interruptible& visitor, const Map& map)
+{
+  return {&visitor, map};
+}
+
+// Calls compute() without the interpreter's lock.
+void without_lock(const std::function<void()>& compute);
+
 // Calls compute() with at most this number of threads.
 void with_threads(std::size_t number, const std::function<void()>& compute);
 
-// Has the module been built with TBB? If not, each call uses one thread.
-bool has_threads();
-
 // --- sources ---------------------------------------------------------------------------------------------------------
 
-// Vertices, or points of faces: entry i is a vertex if vertex[i] >= 0, and else the point of face[i] with the
+// Three arrays from Python: entry i is vertex[i] if that is not negative, and else the point of face[i] with the
 // coordinates weights[i].
+using Place_arrays = std::tuple<Array<std::int64_t>, Array<std::int64_t>, Array<double>>;
+
+// Vertices, or points of faces.
 struct Places
 {
-  Places(const Mesh& mesh, const Array<std::int64_t>& vertex, const Array<std::int64_t>& face,
-         const Array<double>& weights);
+  Places(const Mesh& mesh, const Place_arrays& arrays);
 
   bool are_vertices() const { return locations.empty(); }
   std::size_t size() const { return are_vertices() ? vertices.size() : locations.size(); }
@@ -202,9 +264,9 @@ public:
   auto lengths() const { return m_lengths; }
   const std::vector<Face>& avoided_faces() const { return m_avoided; }
 
-  // Calls compute() while no other thread computes on this surface, as Interruptible::run() does. Throws
-  // std::logic_error if this thread computes on it already and Python calls back.
-  void run_alone(Interruptible& visitor, const std::function<void()>& compute);
+  // Calls compute() with at most this number of threads while no other thread computes on this surface, as
+  // Interruptible::run() does. Throws std::logic_error if this thread computes on it already and Python calls back.
+  void run_alone(Interruptible& visitor, std::size_t threads, const std::function<void()>& compute);
 
   // Both are used inside run_alone() only.
   std::shared_ptr<Distance_engine> distance_engine;

@@ -11,39 +11,12 @@
 
 #include <pybind11/stl.h>
 
-#include <array>
-#include <cstddef>
-#include <functional>
 #include <iterator>
 #include <limits>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace geodesics_python {
 
 namespace {
-
-// A property of the faces of a mesh that is cut along a diagram. The cut ends with an exception if Python interrupts.
-template <typename T>
-struct Interruptible_face_map
-{
-  using key_type = Face;
-  using value_type = T;
-  using reference = T;
-  using category = boost::writable_property_map_tag;
-
-  friend void put(const Interruptible_face_map& map, Face f, const T& value)
-  {
-    if(!map.visitor.ask_and_go_further())
-      throw std::runtime_error("interrupted");
-    map.values[f] = value;
-  }
-
-  Interruptible& visitor;
-  Mesh::Property_map<Face, T> values;
-};
 
 // A diagram that is built, and the surface that it refers to.
 template <typename Tag>
@@ -53,8 +26,7 @@ class Diagram
                                                               CGAL::Default, Tag>;
 
 public:
-  Diagram(std::shared_ptr<Surface> surface, const Places& sites, const Array<double>& weights, std::size_t threads,
-          const py::object& progress)
+  Diagram(std::shared_ptr<Surface> surface, const Places& sites, const Array<double>& weights, const Call& call)
     : m_surface(std::move(surface)), m_voronoi(m_surface->mesh())
   {
     m_voronoi.avoid_faces(m_surface->avoided_faces());
@@ -65,8 +37,8 @@ public:
       for(std::size_t i = 0; i < range.size(); ++i)
         m_voronoi.add_site(range[i], weights.size() == 0 ? 0. : weights.data()[i]);
     });
-    Interruptible visitor(progress);
-    visitor.run([&]() { with_threads(threads, [&]() { m_voronoi.build(visitor); }); });
+    Interruptible visitor(call.second);
+    visitor.run([&]() { with_threads(call.first, [&]() { m_voronoi.build(visitor); }); });
   }
 
   std::size_t number_of_sites() const { return m_voronoi.number_of_sites(); }
@@ -76,44 +48,39 @@ public:
   {
     std::vector<std::int64_t> labels;
     std::vector<double> distances;
-    without_lock([&]() { find_at_vertices(labels, distances); });
+    without_lock([&]()
+    {
+      for(const Vertex v : m_surface->mesh().vertices())
+      {
+        labels.push_back(number(m_voronoi.nearest_site(v)));
+        const double d = m_voronoi.distance_to_nearest_site(v);
+        distances.push_back(labels.back() < 0 ? std::numeric_limits<double>::infinity() : d);
+      }
+    });
     return py::make_tuple(to_array(std::move(labels)), to_array(std::move(distances)));
   }
 
-  py::array_t<double> areas() const
-  {
-    std::vector<double> result;
-    without_lock([&]()
-    {
-      for(std::size_t i = 0; i < number_of_sites(); ++i)
-        result.push_back(m_voronoi.area(i));
-    });
-    return to_array(std::move(result));
-  }
+  py::array_t<double> areas() const { return at_sites<double>([&](std::size_t i) { return m_voronoi.area(i); }); }
+  py::array_t<bool> are_disks() const { return at_sites<bool>([&](std::size_t i) { return m_voronoi.is_disk(i); }); }
 
   py::array_t<double> centroids() const
   {
-    std::vector<Point> result;
-    without_lock([&]()
+    return rows_of_sites<double>(3, [this](std::size_t i, std::vector<double>& row)
     {
-      for(std::size_t i = 0; i < number_of_sites(); ++i)
-        result.push_back(m_voronoi.centroid(i));
+      const Point p = m_voronoi.centroid(i);
+      row.insert(row.end(), {p.x(), p.y(), p.z()});
     });
-    return points_to_array(result);
   }
 
   // The pairs of cells with a common edge, the smaller number first.
   py::array_t<std::int64_t> adjacency() const
   {
-    std::vector<std::int64_t> pairs;
-    without_lock([&]()
+    return rows_of_sites<std::int64_t>(2, [this](std::size_t i, std::vector<std::int64_t>& rows)
     {
-      for(std::size_t i = 0; i < number_of_sites(); ++i)
-        for(const std::size_t j : m_voronoi.adjacent_sites(i))
-          if(i < j)
-            pairs.insert(pairs.end(), {std::int64_t(i), std::int64_t(j)});
+      for(const std::size_t j : m_voronoi.adjacent_sites(i))
+        if(i < j)
+          rows.insert(rows.end(), {std::int64_t(i), std::int64_t(j)});
     });
-    return to_rows(std::move(pairs), 2);
   }
 
   // Red, green and blue of each cell, from 0 to 255.
@@ -137,33 +104,14 @@ public:
     py::list result;
     for(const auto& line : lines)
     {
-      std::vector<Point> points;
-      std::vector<std::int64_t> faces, vertices;
-      std::vector<double> weights;
-      for(const auto& [f, b] : line.locations)
-      {
-        points.push_back(m_voronoi.point({f, b}));
-        faces.push_back(std::int64_t(std::size_t(f)));
-        weights.insert(weights.end(), b.begin(), b.end());
-      }
+      Line arrays;
+      std::vector<std::int64_t> vertices;
+      for(const auto& location : line.locations)
+        arrays.add(m_voronoi.point(location), location);
       for(const std::size_t v : line.vertices)
         vertices.push_back(number(v));
-      result.append(py::make_tuple(points_to_array(points), to_array(std::move(faces)), to_rows(std::move(weights), 3),
-                                   to_array(std::move(vertices)), line.is_closed));
+      result.append(arrays.to_tuple() + py::make_tuple(to_array(std::move(vertices)), line.is_closed));
     }
-    return result;
-  }
-
-  // What is 1 for the cells that are disks.
-  py::array_t<bool> are_disks() const
-  {
-    py::array_t<bool> result(static_cast<py::ssize_t>(number_of_sites()));
-    bool* const is_disk = result.mutable_data();
-    without_lock([&]()
-    {
-      for(std::size_t i = 0; i < number_of_sites(); ++i)
-        is_disk[i] = m_voronoi.is_disk(i);
-    });
     return result;
   }
 
@@ -174,20 +122,14 @@ public:
     return result;
   }
 
-  // The findings about the dual, by name.
-  py::dict check_dual() const
+  // The findings about the dual, in the order of DualReport.
+  py::tuple check_dual() const
   {
     geodesics::Geodesic_dual_report r;
     without_lock([&]() { r = geodesics::check_geodesic_dual(m_voronoi); });
-    using namespace py::literals;
-    return py::dict("is_manifold"_a = r.is_manifold(), "is_triangulation"_a = r.is_triangulation(),
-                    "is_polygon_mesh"_a = r.is_polygon_mesh, "cells_that_are_not_disks"_a = r.cells_that_are_not_disks,
-                    "cells_with_several_boundaries"_a = r.cells_with_several_boundaries,
-                    "cells_without_triangle"_a = r.cells_without_triangle,
-                    "pairs_with_several_edges"_a = r.pairs_with_several_edges,
-                    "pairs_without_triangle"_a = r.pairs_without_triangle,
-                    "triples_with_several_vertices"_a = r.triples_with_several_vertices,
-                    "vertices_of_many_cells"_a = r.vertices_of_many_cells);
+    return py::make_tuple(r.is_manifold(), r.is_triangulation(), r.is_polygon_mesh, r.cells_that_are_not_disks,
+                          r.cells_with_several_boundaries, r.cells_without_triangle, r.pairs_with_several_edges,
+                          r.pairs_without_triangle, r.triples_with_several_vertices, r.vertices_of_many_cells);
   }
 
   // The triples of sites around the vertices of the diagram.
@@ -217,11 +159,31 @@ public:
   }
 
 private:
-  template <typename Compute>
-  static void without_lock(const Compute& compute)
+  // A number for each site.
+  template <typename T, typename Compute>
+  py::array_t<T> at_sites(const Compute& compute) const
   {
-    Interruptible visitor{py::none()};
-    visitor.run(compute);
+    py::array_t<T> result(static_cast<py::ssize_t>(number_of_sites()));
+    T* const numbers = result.mutable_data();
+    without_lock([&]()
+    {
+      for(std::size_t i = 0; i < number_of_sites(); ++i)
+        numbers[i] = compute(i);
+    });
+    return result;
+  }
+
+  // Rows of numbers: add(i, numbers) adds those of site i.
+  template <typename T, typename Add>
+  py::array_t<T> rows_of_sites(std::size_t columns, const Add& add) const
+  {
+    std::vector<T> numbers;
+    without_lock([&]()
+    {
+      for(std::size_t i = 0; i < number_of_sites(); ++i)
+        add(i, numbers);
+    });
+    return to_rows(std::move(numbers), columns);
   }
 
   // Returns a mesh that make(mesh, map) fills, with the number of what the map has for each face.
@@ -230,22 +192,12 @@ private:
   {
     Mesh mesh;
     Interruptible visitor{py::none()};
-    const Interruptible_face_map<T> map{visitor, mesh.add_property_map<Face, T>("f:value").first};
-    visitor.run([&]() { make(mesh, map); });
+    const auto values = mesh.add_property_map<Face, T>("f:value").first;
+    visitor.run([&]() { make(mesh, interruptible(visitor, values)); });
     std::vector<std::int64_t> numbers;
     for(const Face f : mesh.faces())
-      numbers.push_back(number_of(map.values[f]));
-    return py::make_tuple(points_of(mesh), faces_of(mesh), to_array(std::move(numbers)));
-  }
-
-  void find_at_vertices(std::vector<std::int64_t>& labels, std::vector<double>& distances) const
-  {
-    for(const Vertex v : m_surface->mesh().vertices())
-    {
-      labels.push_back(number(m_voronoi.nearest_site(v)));
-      const double d = m_voronoi.distance_to_nearest_site(v);
-      distances.push_back(labels.back() < 0 ? std::numeric_limits<double>::infinity() : d);
-    }
+      numbers.push_back(number_of(values[f]));
+    return mesh_to_tuple(mesh) + py::make_tuple(to_array(std::move(numbers)));
   }
 
   static std::int64_t number(std::size_t site) { return site == Voronoi::null_site() ? -1 : std::int64_t(site); }
@@ -273,14 +225,13 @@ void bind_diagram(py::module_& module, const char* name)
     .def("cell_mesh", &Class::cell_mesh);
 }
 
-py::object diagram(const std::shared_ptr<Surface>& surface, const Array<std::int64_t>& vertex,
-                   const Array<std::int64_t>& face, const Array<double>& weights, const Array<double>& site_weights,
-                   std::size_t threads, const py::object& progress)
+py::object diagram(const std::shared_ptr<Surface>& surface, const Place_arrays& places,
+                   const Array<double>& site_weights, const Call& call)
 {
-  const Places sites(surface->mesh(), vertex, face, weights);
-  if(threads > 1)
-    return py::cast(std::make_unique<Diagram<Threads>>(surface, sites, site_weights, threads, progress));
-  return py::cast(std::make_unique<Diagram<CGAL::Sequential_tag>>(surface, sites, site_weights, threads, progress));
+  const Places sites(surface->mesh(), places);
+  if(call.first > 1)
+    return py::cast(std::make_unique<Diagram<Threads>>(surface, sites, site_weights, call));
+  return py::cast(std::make_unique<Diagram<CGAL::Sequential_tag>>(surface, sites, site_weights, call));
 }
 
 // Calls a Python function after each iteration of a relaxation. (A model of GeodesicRelaxationVisitor.)
@@ -302,14 +253,25 @@ private:
   py::object m_on_iteration;
 };
 
-// Calls compute(tag) in one thread with Sequential_tag, or in several with Threads.
+// How many iterations, the threshold, and a function that is called after each one, or None.
+using Relaxation = std::tuple<unsigned int, double, py::object>;
+
+// Calls compute(tag, named parameters) in one thread with Sequential_tag, or in several with Threads.
 template <typename Compute>
-void with_tag(std::size_t threads, const Compute& compute)
+void relax_alone(Surface& surface, std::size_t number_of_runs, const Relaxation& relaxation, const Call& call,
+                 const Compute& compute)
 {
-  if(threads > 1)
-    with_threads(threads, [&]() { compute(Threads()); });
-  else
-    compute(CGAL::Sequential_tag());
+  const auto& [iterations, threshold, on_iteration] = relaxation;
+  Relaxation_visitor visitor(call.second, number_of_runs + iterations, on_iteration);
+  const auto np
+    = CGAL::parameters::visitor(std::ref(visitor)).number_of_iterations(iterations).threshold_distance(threshold);
+  surface.run_alone(visitor, call.first, [&]()
+  {
+    if(call.first > 1)
+      compute(Threads(), np);
+    else
+      compute(CGAL::Sequential_tag(), np);
+  });
 }
 
 // Returns the samples, without the first ones, and the covering radius.
@@ -321,44 +283,28 @@ py::tuple sample(Surface& surface, std::size_t n, const Array<std::int64_t>& fir
   Interruptible visitor(progress, n + 1);
   const auto np
     = CGAL::parameters::first_samples(to_vertices(first)).covering_radius(radius).visitor(std::ref(visitor));
-  surface.run_alone(visitor, [&]()
+  surface.run_alone(visitor, 1, [&]()
   { covered = geodesics::geodesic_farthest_point_sampling(surface.mesh(), n, std::back_inserter(samples), np); });
   return py::make_tuple(to_ids(samples), covered);
 }
 
-py::array_t<std::int64_t> relax(Surface& surface, const Array<std::int64_t>& sites, std::size_t iterations,
-                                double threshold, const py::object& on_iteration, std::size_t threads,
-                                const py::object& progress)
+py::array_t<std::int64_t> relax(Surface& surface, const Array<std::int64_t>& sites, const Relaxation& relaxation,
+                                const Call& call)
 {
   const std::vector<Vertex> before = to_vertices(sites);
   std::vector<Vertex> after;
-  Relaxation_visitor visitor(progress, iterations + 1, on_iteration);
-  const auto np
-    = CGAL::parameters::visitor(std::ref(visitor)).number_of_iterations(iterations).threshold_distance(threshold);
-  surface.run_alone(visitor, [&]()
-  {
-    with_tag(threads, [&](auto tag)
-    {
-      geodesics::geodesic_Lloyd_relaxation<decltype(tag)>(surface.mesh(), before, std::back_inserter(after), np);
-    });
-  });
+  relax_alone(surface, 1, relaxation, call, [&](auto tag, const auto& np)
+  { geodesics::geodesic_Lloyd_relaxation<decltype(tag)>(surface.mesh(), before, std::back_inserter(after), np); });
   return to_ids(after);
 }
 
 // Returns the points and the faces of a coarser mesh.
-py::tuple remesh(Surface& surface, std::size_t n, unsigned int iterations, double threshold,
-                 const py::object& on_iteration, std::size_t threads, const py::object& progress)
+py::tuple remesh(Surface& surface, std::size_t n, const Relaxation& relaxation, const Call& call)
 {
   Mesh coarse;
-  Relaxation_visitor visitor(progress, n + iterations + 1, on_iteration);
-  const auto np
-    = CGAL::parameters::visitor(std::ref(visitor)).number_of_iterations(iterations).threshold_distance(threshold);
-  surface.run_alone(visitor, [&]()
-  {
-    with_tag(threads, [&](auto tag)
-    { geodesics::geodesic_remeshing<decltype(tag)>(surface.mesh(), n, coarse, np); });
-  });
-  return py::make_tuple(points_of(coarse), faces_of(coarse));
+  relax_alone(surface, n + 1, relaxation, call, [&](auto tag, const auto& np)
+  { geodesics::geodesic_remeshing<decltype(tag)>(surface.mesh(), n, coarse, np); });
+  return mesh_to_tuple(coarse);
 }
 
 } // namespace
@@ -366,7 +312,7 @@ py::tuple remesh(Surface& surface, std::size_t n, unsigned int iterations, doubl
 void bind_diagrams(py::module_& module, Surface_class& surface)
 {
   bind_diagram<CGAL::Sequential_tag>(module, "Diagram");
-  if(has_threads())
+  if(has_threads)
     bind_diagram<Threads>(module, "Parallel_diagram");
   surface.def("diagram", &diagram).def("sample", &sample).def("relax", &relax).def("remesh", &remesh);
 }

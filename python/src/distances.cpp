@@ -7,12 +7,6 @@
 
 #include <boost/property_map/function_property_map.hpp>
 
-#include <algorithm>
-#include <cstdint>
-#include <functional>
-#include <memory>
-#include <vector>
-
 namespace geodesics_python {
 
 struct Distance_engine
@@ -25,18 +19,20 @@ namespace {
 
 // Returns a solver of the surface; makes it if it is not there. Call it inside Surface::run_alone().
 template <typename Solver>
-Solver& solver_of(Surface& surface, std::unique_ptr<Solver> Distance_engine::*member)
+Solver& solver_of(Surface& surface, std::unique_ptr<Solver> Distance_engine::*member, Interruptible& visitor)
 {
   if(surface.distance_engine == nullptr)
     surface.distance_engine = std::make_shared<Distance_engine>();
   std::unique_ptr<Solver>& solver = *surface.distance_engine.*member;
-  if(solver == nullptr)
-    solver.reset(surface.has_lengths() ? new Solver(Solver::from_edge_lengths(surface.mesh(), surface.lengths()))
-                                       : new Solver(Solver::avoiding_faces(surface.mesh(), surface.avoided_faces())));
+  const Mesh& mesh = surface.mesh();
+  if(solver == nullptr && surface.has_lengths())
+    solver.reset(new Solver(Solver::from_edge_lengths(mesh, interruptible(visitor, surface.lengths()))));
+  else if(solver == nullptr && !surface.avoided_faces().empty())
+    solver.reset(new Solver(Solver::avoiding_faces(mesh, surface.avoided_faces())));
+  else if(solver == nullptr)
+    solver.reset(new Solver(mesh, interruptible(visitor, mesh.points())));
   return *solver;
 }
-
-Sequential_solver& sequential_solver(Surface& surface) { return solver_of(surface, &Distance_engine::sequential); }
 
 // The named parameters that distances and their certificate have in common.
 auto parameters_of(const Array<double>& offsets, double radius)
@@ -45,11 +41,8 @@ auto parameters_of(const Array<double>& offsets, double radius)
     std::vector<double>(offsets.data(), offsets.data() + offsets.size()));
 }
 
-struct Answer
-{
-  std::vector<double> distance;
-  std::vector<std::int64_t> nearest;
-};
+// Distances, and positions of the nearest sources.
+using Answer = std::pair<std::vector<double>, std::vector<std::int64_t>>;
 
 // Computes the distances of all vertices, or of the targets if there are some.
 template <typename Solver, typename NamedParameters>
@@ -61,48 +54,41 @@ Answer answer_of(Solver& solver, const Surface& surface, const Places& sources, 
     = sources.visit([&](const auto& range) { return solver.compute_distances(range, np.targets(targets)); });
   if(!is_complete)
     return answer;
-  const std::size_t n = targets.empty() ? surface.mesh().number_of_vertices() : targets.size();
-  answer.distance.reserve(n);
-  answer.nearest.reserve(with_nearest ? n : 0);
-  const auto add = [&](Vertex v)
+  std::vector<Vertex> asked(targets);
+  if(targets.empty())
+    asked.assign(surface.mesh().vertices().begin(), surface.mesh().vertices().end());
+  answer.first.reserve(asked.size());
+  answer.second.reserve(with_nearest ? asked.size() : 0);
+  for(const Vertex v : asked)
   {
-    answer.distance.push_back(solver.distance(v));
+    answer.first.push_back(solver.distance(v));
     if(with_nearest)
     {
       const std::size_t i = solver.nearest_source(v);
-      answer.nearest.push_back(i == Solver::no_source ? -1 : static_cast<std::int64_t>(i));
+      answer.second.push_back(i == Solver::no_source ? -1 : static_cast<std::int64_t>(i));
     }
-  };
-  if(targets.empty())
-    for(const Vertex v : surface.mesh().vertices())
-      add(v);
-  else
-    for(const Vertex v : targets)
-      add(v);
+  }
   return answer;
 }
 
-py::tuple distances(Surface& surface, const Array<std::int64_t>& vertex, const Array<std::int64_t>& face,
-                    const Array<double>& weights, const Array<double>& offsets, const Array<std::int64_t>& target,
-                    double radius, bool with_nearest, std::size_t threads, const py::object& progress)
+py::tuple distances(Surface& surface, const Place_arrays& places, const Array<double>& offsets,
+                    const Array<std::int64_t>& target, double radius, bool with_nearest, const Call& call)
 {
-  const Places sources(surface.mesh(), vertex, face, weights);
+  const Places sources(surface.mesh(), places);
   const std::vector<Vertex> targets = to_vertices(target);
-  Interruptible visitor(progress);
+  Interruptible visitor(call.second);
   const auto np = parameters_of(offsets, radius).visitor(std::ref(visitor));
   Answer answer;
-  surface.run_alone(visitor, [&]()
+  surface.run_alone(visitor, call.first, [&]()
   {
-    if(threads <= 1 || !has_threads())
-      answer = answer_of(sequential_solver(surface), surface, sources, targets, with_nearest, np);
+    const auto compute
+      = [&](auto& solver) { answer = answer_of(solver, surface, sources, targets, with_nearest, np); };
+    if(call.first <= 1 || !has_threads)
+      compute(solver_of(surface, &Distance_engine::sequential, visitor));
     else
-      with_threads(threads, [&]()
-      {
-        Parallel_solver& solver = solver_of(surface, &Distance_engine::parallel);
-        answer = answer_of(solver, surface, sources, targets, with_nearest, np);
-      });
+      compute(solver_of(surface, &Distance_engine::parallel, visitor));
   });
-  return py::make_tuple(to_array(std::move(answer.distance)), to_array(std::move(answer.nearest)));
+  return py::make_tuple(to_array(std::move(answer.first)), to_array(std::move(answer.second)));
 }
 
 // Receives the rows of a matrix, one at a time, and lets Python end those that have begun.
@@ -125,55 +111,42 @@ struct Row_output
 };
 
 template <typename Put>
-Row_output<Put> row_output(Interruptible& visitor, const Put& put)
-{
-  return {visitor, put};
-}
+Row_output(Interruptible&, const Put&) -> Row_output<Put>;
 
 // Writes the rows of a matrix into an array.
-py::array_t<double> matrix(Surface& surface, const Array<std::int64_t>& vertex, const Array<std::int64_t>& face,
-                           const Array<double>& weights, const Array<std::int64_t>& targets, std::size_t threads,
-                           const py::object& progress)
+py::array_t<double> matrix(Surface& surface, const Place_arrays& places, const Array<std::int64_t>& targets,
+                           const Call& call)
 {
-  const Places sources(surface.mesh(), vertex, face, weights);
+  const Places sources(surface.mesh(), places);
   const std::vector<Vertex> range = to_vertices(targets);
   py::array_t<double> result({sources.size(), range.size()});
   double* const numbers = result.mutable_data();
-  Interruptible visitor(progress, sources.size());
-  surface.run_alone(visitor, [&]()
+  Interruptible visitor(call.second, sources.size());
+  const Row_output output{visitor, [&](std::size_t i, const std::vector<double>& row)
+                          { std::copy(row.begin(), row.end(), numbers + i * range.size()); }};
+  surface.run_alone(visitor, call.first, [&]()
   {
-    const auto output = row_output(visitor, [&](std::size_t i, const std::vector<double>& row)
-    { std::copy(row.begin(), row.end(), numbers + i * range.size()); });
-    with_threads(threads, [&]()
-    {
-      sources.visit([&](const auto& s)
-      { return geodesics::geodesic_distance_matrix<Threads>(sequential_solver(surface), s, range, output); });
-    });
+    const Sequential_solver& solver = solver_of(surface, &Distance_engine::sequential, visitor);
+    sources.visit([&](const auto& s)
+    { return geodesics::geodesic_distance_matrix<Threads>(solver, s, range, output); });
   });
   return result;
 }
 
 // Returns the arrays of a matrix of compressed sparse rows: pointers to rows, columns, distances.
-py::tuple sparse_matrix(Surface& surface, const Array<std::int64_t>& vertex, const Array<std::int64_t>& face,
-                        const Array<double>& weights, const Array<std::int64_t>& targets, double radius,
-                        std::size_t threads, const py::object& progress)
+py::tuple sparse_matrix(Surface& surface, const Place_arrays& places, const Array<std::int64_t>& targets,
+                        double radius, const Call& call)
 {
-  const Places sources(surface.mesh(), vertex, face, weights);
+  const Places sources(surface.mesh(), places);
   const std::vector<Vertex> range = to_vertices(targets);
   std::vector<std::vector<std::pair<std::size_t, double>>> rows(sources.size());
-  Interruptible visitor(progress, sources.size());
-  surface.run_alone(visitor, [&]()
+  Interruptible visitor(call.second, sources.size());
+  const Row_output output{visitor, [&](std::size_t i, const auto& row) { rows[i].assign(row.begin(), row.end()); }};
+  surface.run_alone(visitor, call.first, [&]()
   {
-    const auto output
-      = row_output(visitor, [&](std::size_t i, const auto& row) { rows[i].assign(row.begin(), row.end()); });
-    with_threads(threads, [&]()
-    {
-      sources.visit([&](const auto& s)
-      {
-        return geodesics::sparse_geodesic_distance_matrix<Threads>(sequential_solver(surface), s, range, radius,
-                                                                   output);
-      });
-    });
+    const Sequential_solver& solver = solver_of(surface, &Distance_engine::sequential, visitor);
+    sources.visit([&](const auto& s)
+    { return geodesics::sparse_geodesic_distance_matrix<Threads>(solver, s, range, radius, output); });
   });
   std::vector<std::int64_t> pointers(1, 0), columns;
   std::vector<double> values;
@@ -193,16 +166,15 @@ py::tuple sparse_matrix(Surface& surface, const Array<std::int64_t>& vertex, con
 constexpr unsigned int number_of_reverse_runs = 4;
 
 // Returns (worst violation, list of (condition, violation, vertex or -1, number of checks)).
-py::tuple certify(Surface& surface, const Array<double>& d, const Array<std::int64_t>& vertex,
-                  const Array<std::int64_t>& face, const Array<double>& weights, const Array<double>& offsets,
-                  double radius, std::size_t threads, const py::object& progress)
+py::tuple certify(Surface& surface, const Array<double>& d, const Place_arrays& places, const Array<double>& offsets,
+                  double radius, const Call& call)
 {
   using Certificate = geodesics::Geodesic_distance_certificate<Mesh>;
-  const Places sources(surface.mesh(), vertex, face, weights);
+  const Places sources(surface.mesh(), places);
   const double* const numbers = d.data();
   const auto map = boost::make_function_property_map<Vertex>([numbers](Vertex v) { return numbers[std::size_t(v)]; });
   std::unique_ptr<Certificate> certificate;
-  Interruptible visitor(progress, 1 + number_of_reverse_runs);
+  Interruptible visitor(call.second, 1 + number_of_reverse_runs);
   const auto np
     = parameters_of(offsets, radius).visitor(std::ref(visitor)).number_of_iterations(number_of_reverse_runs);
   const auto certify_from = [&](const auto& s)
@@ -212,8 +184,7 @@ py::tuple certify(Surface& surface, const Array<double>& d, const Array<std::int
                                 surface.mesh(), surface.lengths(), map, s, np)
                             : geodesics::certify_geodesic_distances<Threads>(surface.mesh(), map, s, np));
   };
-  surface.run_alone(visitor, [&]()
-  { with_threads(threads, [&]() { certificate = sources.visit(certify_from); }); });
+  surface.run_alone(visitor, call.first, [&]() { certificate = sources.visit(certify_from); });
   py::list conditions;
   for(std::size_t i = 0; i < Certificate::number_of_conditions; ++i)
   {

@@ -10,14 +10,8 @@
 #include <tbb/task_arena.h>
 #endif
 
-#include <algorithm>
-#include <chrono>
-#include <exception>
-#include <mutex>
 #include <set>
-#include <stdexcept>
 #include <string>
-#include <thread>
 
 namespace geodesics_python {
 
@@ -30,21 +24,16 @@ py::array_t<double> points_to_array(const std::vector<Point>& points)
   return to_rows(std::move(numbers), 3);
 }
 
-py::array_t<double> points_of(const Mesh& mesh)
+py::tuple mesh_to_tuple(const Mesh& mesh)
 {
   std::vector<Point> points;
+  std::vector<std::int64_t> faces;
   for(const Vertex v : mesh.vertices())
     points.push_back(mesh.point(v));
-  return points_to_array(points);
-}
-
-py::array_t<std::int64_t> faces_of(const Mesh& mesh)
-{
-  std::vector<std::int64_t> faces;
   for(const Face f : mesh.faces())
     for(const Vertex v : mesh.vertices_around_face(mesh.halfedge(f)))
       faces.push_back(std::int64_t(std::size_t(v)));
-  return to_rows(std::move(faces), 3);
+  return py::make_tuple(points_to_array(points), to_rows(std::move(faces), 3));
 }
 
 namespace {
@@ -53,13 +42,6 @@ namespace {
 std::mutex running_mutex;
 std::set<Interruptible*> running;
 bool has_ended = false;
-
-// Resets the owner at the end of a scope.
-struct Reset_owner
-{
-  ~Reset_owner() { owner = std::thread::id(); }
-  std::atomic<std::thread::id>& owner;
-};
 
 constexpr std::chrono::milliseconds time_between_questions(50);
 
@@ -117,10 +99,10 @@ void Interruptible::run(const std::function<void()>& compute)
     throw std::runtime_error("the program ends");
 }
 
-void Interruptible::ask_python()
+bool Interruptible::ask_and_go_further()
 {
   if(std::this_thread::get_id() != m_thread || m_is_stopped || std::chrono::steady_clock::now() < m_next_question)
-    return;
+    return go_further();
   call_python([this]()
   {
     if(PyErr_CheckSignals() != 0)
@@ -129,6 +111,7 @@ void Interruptible::ask_python()
       m_progress(m_part_done.load());
   });
   m_next_question = std::chrono::steady_clock::now() + time_between_questions;
+  return go_further();
 }
 
 void Interruptible::call_python(const std::function<void()>& call)
@@ -147,13 +130,9 @@ void Interruptible::call_python(const std::function<void()>& call)
   m_is_in_python = false;
 }
 
-bool has_threads()
+void without_lock(const std::function<void()>& compute)
 {
-#ifdef CGAL_LINKED_WITH_TBB
-  return true;
-#else
-  return false;
-#endif
+  Interruptible{py::none()}.run(compute);
 }
 
 void with_threads(std::size_t number, const std::function<void()>& compute)
@@ -260,8 +239,7 @@ py::array_t<std::int64_t> oriented(std::size_t number_of_vertices, const Array<s
   for(py::ssize_t f = 0; f < id.shape(0); ++f)
     triangles.push_back({std::size_t(id(f, 0)), std::size_t(id(f, 1)), std::size_t(id(f, 2))});
   bool is_oriented = false;
-  Interruptible visitor{py::none()};
-  visitor.run([&]() { is_oriented = CGAL::Polygon_mesh_processing::orient_polygon_soup(points, triangles); });
+  without_lock([&]() { is_oriented = CGAL::Polygon_mesh_processing::orient_polygon_soup(points, triangles); });
   if(!is_oriented)
     throw std::invalid_argument("the triangles cannot be oriented: they do not form a surface with two sides");
   std::vector<std::int64_t> result;
@@ -271,7 +249,7 @@ py::array_t<std::int64_t> oriented(std::size_t number_of_vertices, const Array<s
   return to_rows(std::move(result), 3);
 }
 
-void Surface::run_alone(Interruptible& visitor, const std::function<void()>& compute)
+void Surface::run_alone(Interruptible& visitor, std::size_t threads, const std::function<void()>& compute)
 {
   if(m_owner.load() == std::this_thread::get_id())
     throw std::logic_error("Python code that a computation has called uses the solver that computes");
@@ -283,8 +261,8 @@ void Surface::run_alone(Interruptible& visitor, const std::function<void()>& com
     if(!lock.owns_lock())
       return;
     m_owner = std::this_thread::get_id();
-    const Reset_owner reset{m_owner};
-    compute();
+    const std::shared_ptr<void> at_end(nullptr, [this](void*) { m_owner = std::thread::id(); });
+    with_threads(threads, compute);
   });
 }
 
@@ -292,11 +270,9 @@ void Surface::run_alone(Interruptible& visitor, const std::function<void()>& com
 
 PYBIND11_MODULE(_core, module)
 {
-  namespace py = pybind11;
   using namespace geodesics_python;
   module.doc() = "The compiled part of surface_mesh_geodesics. Programs use the classes of the package.";
   module.attr("__version__") = SURFACE_MESH_GEODESICS_VERSION;
-  module.def("has_threads", &has_threads);
   module.def("oriented", &oriented);
   Surface_class surface(module, "Surface");
   surface.def(py::init<const Array<double>&, const Array<std::int64_t>&, const Array<double>&,

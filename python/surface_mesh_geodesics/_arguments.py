@@ -8,6 +8,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+LARGEST = np.finfo(np.float64).max
+
 
 def points_of(name: str, values: Any) -> np.ndarray:
     """Returns an array of shape (n, 3) and type float64 in C order; copies only if it must."""
@@ -15,7 +17,7 @@ def points_of(name: str, values: Any) -> np.ndarray:
     if array.ndim != 2 or array.shape[1] != 3:
         raise ValueError(f"{name} has shape {array.shape}, but (n, 3) is needed")
     array = np.ascontiguousarray(array, dtype=np.float64)
-    _check_elements(name, array, ~np.isfinite(array), "not a finite number")
+    check_elements(name, array, ~np.isfinite(array), "not a finite number")
     return array
 
 
@@ -39,7 +41,7 @@ def ids_of(name: str, values: Any, n: int, what: str) -> np.ndarray:
     """Returns an array of type int64 in C order; rejects entries that are not ids of the n elements."""
     array = numbers_of(name, values)
     if array.dtype.kind == "f":
-        _check_elements(name, array, ~(np.isfinite(array) & (array == np.floor(array))), "not an integer")
+        check_elements(name, array, ~(np.isfinite(array) & (array == np.floor(array))), "not an integer")
     bad = np.asarray((array < 0) | (array >= n))
     if bad.any():
         position = tuple(np.argwhere(bad)[0])
@@ -47,12 +49,18 @@ def ids_of(name: str, values: Any, n: int, what: str) -> np.ndarray:
     return np.ascontiguousarray(array, dtype=np.int64).reshape(array.shape)
 
 
-def row_of_ids(name: str, values: Any, n: int) -> np.ndarray:
-    """Returns one vertex or a row of vertices as an array of one dimension."""
-    ids = np.atleast_1d(ids_of(name, values, n, "vertices"))
-    if ids.ndim != 1:
-        raise ValueError(f"{name} has shape {ids.shape}, but one row of vertices is needed")
-    return ids
+def row_of_ids(name: str, values: Any, n: int, what: str = "vertices") -> np.ndarray:
+    """Returns one id or a row of ids as an array of one dimension."""
+    return _row(name, ids_of(name, values, n, what), what)
+
+
+def faces_of(name: str, values: Any, m: int) -> np.ndarray:
+    """Returns ids of faces; they may be given as m booleans."""
+    if getattr(values, "dtype", None) != np.bool_:
+        return row_of_ids(name, values, m, "faces")
+    if values.shape != (m,):
+        raise ValueError(f"{name} has shape {values.shape}, but there are {m} faces")
+    return np.flatnonzero(values).astype(np.int64)
 
 
 class Places(NamedTuple):
@@ -68,40 +76,38 @@ class Places(NamedTuple):
 
 def places_of(name: str, values: Any, n_vertices: int, n_faces: int) -> Places:
     """Reads a vertex, a pair (face, coordinates), a sequence of these, or a pair of arrays (faces, coordinates)."""
-    if _is_pair(values):
+    if _is_pair(name, values):
         return _points_of_faces(name, values, n_faces)
     if isinstance(values, (list, tuple)) and any(isinstance(value, tuple) for value in values):
         parts = [_place(f"{name}[{i}]", value, n_vertices, n_faces) for i, value in enumerate(values)]
         return Places(*(np.concatenate(arrays) for arrays in zip(*parts)))
-    if isinstance(values, range):
-        values = np.array(values, dtype=np.int64)
     return Places(row_of_ids(name, values, n_vertices), np.zeros(0, dtype=np.int64), np.zeros((0, 3)))
 
 
 def offsets_of(name: str, values: Any, n: int) -> np.ndarray:
     """Returns n numbers that are finite and not negative, or none."""
     array = weights_of(name, values, n)
-    _check_elements(name, array, array < 0, "but it must not be negative")
+    check_elements(name, array, array < 0, "but it must not be negative")
     return array
 
 
 def weights_of(name: str, values: Any, n: int) -> np.ndarray:
     """Returns n numbers that are finite, or none."""
-    if values is None:
-        return np.zeros(0)
+    return np.zeros(0) if values is None else finite_row_of(name, values, n)
+
+
+def finite_row_of(name: str, values: Any, n: int) -> np.ndarray:
+    """Returns n numbers that are finite."""
     array = row_of_numbers(name, values)
     if array.shape != (n,):
         raise ValueError(f"{name} has shape {array.shape}, but {n} {'number is' if n == 1 else 'numbers are'} needed")
-    _check_elements(name, array, ~np.isfinite(array), "not a finite number")
+    check_elements(name, array, ~np.isfinite(array), "not a finite number")
     return array
 
 
 def row_of_numbers(name: str, values: Any) -> np.ndarray:
     """Returns one number or a row of numbers as an array of one dimension and type float64."""
-    array = np.atleast_1d(numbers_of(name, values)).astype(np.float64)
-    if array.ndim != 1:
-        raise ValueError(f"{name} has shape {array.shape}, but one row of numbers is needed")
-    return array
+    return _row(name, numbers_of(name, values).astype(np.float64), "numbers")
 
 
 def values_of(name: str, values: Any, n: int, what: str = "vertices") -> np.ndarray:
@@ -114,7 +120,7 @@ def values_of(name: str, values: Any, n: int, what: str = "vertices") -> np.ndar
 
 def row_without_nan(name: str, values: Any) -> np.ndarray:
     array = row_of_numbers(name, values)
-    _check_elements(name, array, np.isnan(array), "not a number")
+    check_elements(name, array, np.isnan(array), "not a number")
     return array
 
 
@@ -125,41 +131,16 @@ def count_of(name: str, value: Any, least: int, most: int = 2**31 - 1) -> int:
     return int(value)
 
 
-def length_of(name: str, value: Any, least: float, rule: str) -> float:
-    """Returns a number that is not less than `least`; infinity counts."""
+def length_of(name: str, value: Any, least: float, rule: str, most: float = np.inf) -> float:
+    """Returns a number from `least` to `most`; infinity counts."""
     array = numbers_of(name, value)
-    if array.ndim != 0 or not array >= least:
+    if array.ndim != 0 or not least <= array <= most:
         raise ValueError(f"{name} is {value!r}: it must be {rule}")
     return float(array)
 
 
-def finite_of(name: str, value: Any) -> float:
-    """Returns a number that is finite."""
-    array = numbers_of(name, value)
-    if array.ndim != 0 or not np.isfinite(array):
-        raise ValueError(f"{name} is {value!r}: it must be a finite number")
-    return float(array)
-
-
-def vector_of(name: str, value: Any) -> np.ndarray:
-    """Returns three finite numbers."""
-    array = row_of_numbers(name, value)
-    if array.shape != (3,):
-        raise ValueError(f"{name} has shape {array.shape}, but (3,) is needed")
-    _check_elements(name, array, ~np.isfinite(array), "not a finite number")
-    return array
-
-
-def faces_of(name: str, values: Any, m: int) -> np.ndarray:
-    """Returns ids of faces; they may be given as m booleans."""
-    if getattr(values, "dtype", None) == np.bool_:
-        if values.shape != (m,):
-            raise ValueError(f"{name} has shape {values.shape}, but there are {m} faces")
-        return np.flatnonzero(values).astype(np.int64)
-    ids = np.atleast_1d(ids_of(name, values, m, "faces"))
-    if ids.ndim != 1:
-        raise ValueError(f"{name} has shape {ids.shape}, but one row of faces is needed")
-    return ids
+def finite_of(name: str, value: Any, least: float = -LARGEST, rule: str = "a finite number") -> float:
+    return length_of(name, value, least, rule, LARGEST)
 
 
 def rows_of(name: str, value: Any) -> tuple[int, int]:
@@ -176,15 +157,17 @@ def radius_of(name: str, value: Any) -> float:
     return length_of(name, value, 0.0, "a number that is not negative")
 
 
-def threads_of(value: int | None) -> int:
-    """None stands for all processors that this process may use."""
-    if value is None:
-        return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-    return count_of("threads", value, 1)
+def call_of(threads: int | None, progress: Any) -> tuple[int, Any]:
+    """How a call computes: the number of threads, where None stands for all processors that this process may use, and
+    the function that it tells of its progress, or None."""
+    if threads is None:
+        threads = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    return count_of("threads", threads, 1), function_of("progress", progress)
 
 
-def progress_of(value: Any) -> Any:
-    return function_of("progress", value)
+def relaxation_of(iterations: int, threshold: float, on_iteration: Any) -> tuple[int, float, Any]:
+    return (count_of("iterations", iterations, 0), radius_of("threshold", threshold),
+            function_of("on_iteration", on_iteration))
 
 
 def function_of(name: str, value: Any) -> Any:
@@ -207,8 +190,14 @@ def numbers_of(name: str, values: Any) -> np.ndarray:
     return array
 
 
+def _row(name: str, array: np.ndarray, what: str) -> np.ndarray:
+    if array.ndim > 1:
+        raise ValueError(f"{name} has shape {array.shape}, but one row of {what} is needed")
+    return np.atleast_1d(array)
+
+
 def _place(name: str, value: Any, n_vertices: int, n_faces: int) -> Places:
-    if _is_pair(value) and np.ndim(value[0]) == 0:
+    if _is_pair(name, value) and np.ndim(value[0]) == 0:
         return _points_of_faces(name, value, n_faces)
     ids = row_of_ids(name, value, n_vertices)
     if len(ids) != 1:
@@ -236,14 +225,14 @@ def _points_of_faces(name: str, values: Any, n_faces: int) -> Places:
     return Places(np.full(len(faces), -1, dtype=np.int64), faces, np.ascontiguousarray(weights))
 
 
-def _is_pair(value: Any) -> bool:
-    """Is this (face, coordinates) or (faces, coordinates), and not two vertices?"""
-    if not isinstance(value, tuple) or len(value) != 2 or any(isinstance(part, tuple) for part in value):
-        return False
-    return np.size(value[1]) > 1 if hasattr(value[1], "__len__") and not isinstance(value[1], (str, bytes)) else False
+def _is_pair(name: str, value: Any) -> bool:
+    """Is this (face, coordinates) or (faces, coordinates), and not two vertices or two places?"""
+    return (isinstance(value, tuple) and len(value) == 2 and hasattr(value[1], "__len__")
+            and not any(isinstance(part, (str, bytes)) or isinstance(part, tuple) and len(part) == 2 for part in value)
+            and numbers_of(f"coordinates of {name}", value[1]).size > 1)
 
 
-def _check_elements(name: str, array: np.ndarray, is_bad: np.ndarray, rule: str) -> None:
+def check_elements(name: str, array: np.ndarray, is_bad: np.ndarray, rule: str) -> None:
     if is_bad.any():
         position = tuple(np.argwhere(is_bad)[0])
         raise ValueError(f"{_element(name, position)} is {array[position]}, {rule}")

@@ -7,17 +7,12 @@ def linear_isolines(points: np.ndarray, faces: np.ndarray, values: np.ndarray, l
     """Lines of a function that is linear in each face. A vertex counts as above the level if it has the value itself,
     so that a line crosses edges only."""
     finite = np.isfinite(values[faces]).all(axis=1) if len(faces) else np.zeros(0, dtype=bool)
-    lines = []
-    for level in levels:
-        lines += _lines_of_level(points, faces[finite], values, level)
-    return lines
+    return [line for level in levels for line in _lines_of_level(points, faces[finite], values, level)]
 
 
 def _lines_of_level(points: np.ndarray, faces: np.ndarray, values: np.ndarray, level: float) -> list[np.ndarray]:
     above = values >= level
     mixed = faces[above[faces].any(axis=1) & ~above[faces].all(axis=1)]
-    if len(mixed) == 0:
-        return []
     edges = np.stack([mixed, np.roll(mixed, -1, axis=1)], axis=2)  # (m, 3, 2)
     is_crossed = above[edges[:, :, 0]] != above[edges[:, :, 1]]
     crossed = np.sort(edges[is_crossed], axis=1)
@@ -43,10 +38,7 @@ def _chains(segments: np.ndarray, n: int) -> list[list[int]]:
             continue
         is_used[first] = True
         chain = [first]
-        while True:
-            following = [q for q in neighbors[chain[-1]] if not is_used[q]]
-            if not following:
-                break
+        while following := [q for q in neighbors[chain[-1]] if not is_used[q]]:
             is_used[following[0]] = True
             chain.append(following[0])
         if len(neighbors[first]) == 2 and len(chain) > 2:

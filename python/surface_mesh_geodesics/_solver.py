@@ -36,10 +36,10 @@ class Solver:
     vertices, or a pair of arrays (faces, coordinates).
 
     Several threads may use one solver; computations of distances and paths wait for the one before. Computations run
-    without the lock of the interpreter. Ctrl-C ends them, except that the first one prepares the mesh before it listens
-    (about 0.3 s for a million faces). `progress` is called with a number from 0 to 1 some twenty times a second, and
-    never if the call is short. Solvers can be pickled, as those of derived classes with their attributes; the mesh is
-    read again then. A process must not be forked while another of its threads computes.
+    without the lock of the interpreter. Ctrl-C ends them, except that the first path or diagram prepares the mesh
+    before it listens (about 0.3 s for a million faces). `progress` is called with a number from 0 to 1 some twenty
+    times a second, and never if the call is short. Solvers can be pickled, as those of derived classes with their
+    attributes; the mesh is read again then. A process must not be forked while another of its threads computes.
     """
 
     def __init__(self, V: Any, F: Any) -> None:
@@ -68,9 +68,7 @@ class Solver:
         if lengths.shape != faces.shape and (lengths.size > 0 or faces.size > 0):
             raise ValueError(f"L has shape {lengths.shape}, but F has {faces.shape}")
         lengths = arguments.points_of("L", lengths.reshape(-1, 3))
-        if (lengths < 0).any():
-            f, k = np.argwhere(lengths < 0)[0]
-            raise ValueError(f"L[{f}, {k}] is {lengths[f, k]}: a length must not be negative")
+        arguments.check_elements("L", lengths, lengths < 0, "but a length must not be negative")
         solver = cls.__new__(cls)
         solver._set_up(np.zeros((n, 3)), faces, lengths)
         return solver
@@ -90,7 +88,7 @@ class Solver:
         >>> s.avoiding([1, 2, 3]).distances(0).round(3)
         array([0.   , 2.   ,   inf,   inf, 1.414])
         """
-        self._needs_points("avoiding")
+        self._needs("avoiding", points=True)
         avoided = arguments.faces_of("faces", faces, self.n_faces)
         solver = self.__class__.__new__(self.__class__)
         solver.__setstate__({**self.__getstate__(), "_avoided": avoided})
@@ -117,12 +115,11 @@ class Solver:
         """
         places = self._places("sources", sources)
         ids = NO_IDS if targets is None else self._vertices("targets", targets)
-        options = (arguments.radius_of("radius", radius), bool(return_nearest), arguments.threads_of(threads),
-                   arguments.progress_of(progress))
+        options = (arguments.radius_of("radius", radius), bool(return_nearest), arguments.call_of(threads, progress))
         added = arguments.offsets_of("offsets", offsets, len(places.vertex))
         if targets is not None and len(ids) == 0:
             return (np.zeros(0), NO_IDS.copy()) if return_nearest else np.zeros(0)
-        d, nearest = self._surface.distances(*places, added, ids, *options)
+        d, nearest = self._surface.distances(places, added, ids, *options)
         return (d, nearest) if return_nearest else d
 
     def matrix(self, sources: Any = None, targets: Any = None, *, threads: int | None = None,
@@ -135,7 +132,7 @@ class Solver:
                [3., 0., 5.]])
         """
         places, ids = self._rows_and_columns(sources, targets)
-        return self._surface.matrix(*places, ids, arguments.threads_of(threads), arguments.progress_of(progress))
+        return self._surface.matrix(places, ids, arguments.call_of(threads, progress))
 
     def sparse_matrix(self, radius: float, sources: Any = None, targets: Any = None, *, threads: int | None = None,
                       progress: Progress | None = None) -> Any:
@@ -149,9 +146,8 @@ class Solver:
         array([0., 3.])
         """
         places, ids = self._rows_and_columns(sources, targets)
-        pointers, columns, values = self._surface.sparse_matrix(*places, ids, arguments.radius_of("radius", radius),
-                                                                arguments.threads_of(threads),
-                                                                arguments.progress_of(progress))
+        pointers, columns, values = self._surface.sparse_matrix(places, ids, arguments.radius_of("radius", radius),
+                                                                arguments.call_of(threads, progress))
         try:
             from scipy.sparse import csr_matrix
         except ImportError:
@@ -172,9 +168,9 @@ class Solver:
         mesh_name  a name for the manifest, such as the file of the mesh
 
         The rows are in files of NumPy's format, rows_*.npy, whose names sort in the order of the rows. Several
-        processes may work on one folder. Returns how many rows of the range are stored, and how many there are.
-        Ctrl-C is heard between rows; what is stored stays. A folder with another matrix is a ValueError, and a file
-        that cannot be written an OSError. The surface needs points, and must not avoid faces.
+        processes may work on one folder. Returns how many rows of the range are stored, and how many there are. What
+        is stored stays after Ctrl-C. A folder with another matrix is a ValueError, and a file that cannot be written an
+        OSError. The surface needs points, and must not avoid faces.
 
         >>> import glob, tempfile, surface_mesh_geodesics as smg
         >>> s = smg.Solver([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]])
@@ -183,13 +179,11 @@ class Solver:
         ((2, 2), [array([[0., 3., 4.],
                [3., 0., 5.]])])
         """
-        self._needs_points("store_matrix")
-        self._needs_all_faces("store_matrix")
+        self._needs("store_matrix", points=True, all_faces=True)
         places, ids = self._rows_and_columns(sources, targets)
-        return self._surface.store_matrix(*places, ids, os.fspath(folder), bool(float32), bool(symmetric),
-                                          arguments.radius_of("radius", radius), *arguments.rows_of("rows", rows),
-                                          str(mesh_name), arguments.threads_of(threads),
-                                          arguments.progress_of(progress))
+        return self._surface.store_matrix(places, ids, os.fspath(folder), bool(float32), bool(symmetric),
+                                          arguments.radius_of("radius", radius), arguments.rows_of("rows", rows),
+                                          str(mesh_name), arguments.call_of(threads, progress))
 
     def peeling_order(self, vertices: Any = None) -> np.ndarray:
         """Returns vertices in an order in which the rows of a symmetric matrix take little time.
@@ -201,9 +195,9 @@ class Solver:
         >>> smg.Solver([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]]).peeling_order()
         array([1, 0, 2])
         """
-        self._needs_points("peeling_order")
-        self._needs_all_faces("peeling_order")
-        return self._surface.peeling_order(self._rows_and_columns([], vertices)[1])
+        self._needs("peeling_order", points=True, all_faces=True)
+        every = np.arange(self.n_vertices)
+        return self._surface.peeling_order(self._vertices("vertices", every if vertices is None else vertices))
 
     def certify(self, d: Any, sources: Any, *, offsets: Any = None, radius: float = np.inf,
                 threads: int | None = None, progress: Progress | None = None) -> Certificate:
@@ -217,13 +211,12 @@ class Solver:
         >>> s.certify([3, 0, 5], 1).is_certified(), s.certify([3, 0, 5.1], 1).is_certified()
         (True, False)
         """
-        self._needs_all_faces("certify")
+        self._needs("certify", all_faces=True)
         places = self._places("sources", sources)
         distances = arguments.values_of("d", d, self.n_vertices)
-        worst, conditions = self._surface.certify(distances, *places,
-                                                  arguments.offsets_of("offsets", offsets, len(places.vertex)),
-                                                  arguments.radius_of("radius", radius),
-                                                  arguments.threads_of(threads), arguments.progress_of(progress))
+        added = arguments.offsets_of("offsets", offsets, len(places.vertex))
+        worst, conditions = self._surface.certify(distances, places, added, arguments.radius_of("radius", radius),
+                                                  arguments.call_of(threads, progress))
         return Certificate(worst, {name: Condition(*rest) for name, *rest in conditions})
 
     # --- paths ---
@@ -239,10 +232,9 @@ class Solver:
         >>> p.length, p.points.tolist()
         (5.0, [[3.0, 0.0, 0.0], [0.0, 4.0, 0.0]])
         """
-        start, end = self._places("source", source), self._places("target", target)
-        if len(end.vertex) != 1:
-            raise ValueError(f"target has {len(end.vertex)} places; paths() takes several")
-        return self._paths(start, end, threads, progress)[0]
+        (found,) = self._surface.paths(self._places("source", source), self._place("target", target),
+                                       arguments.call_of(threads, progress))
+        return Path(*found)
 
     def paths(self, sources: Any, targets: Any, *, threads: int | None = None,
               progress: Progress | None = None) -> list[Path]:
@@ -253,11 +245,8 @@ class Solver:
         >>> [(p.source, p.length) for p in s.paths([0, 1], [0, 2])]
         [(0, 0.0), (0, 4.0)]
         """
-        return self._paths(self._places("sources", sources), self._places("targets", targets), threads, progress)
-
-    def _paths(self, sources: arguments.Places, targets: arguments.Places, threads: int | None,
-               progress: Progress | None) -> list[Path]:
-        found = self._surface.paths(*sources, *targets, arguments.threads_of(threads), arguments.progress_of(progress))
+        found = self._surface.paths(self._places("sources", sources), self._places("targets", targets),
+                                    arguments.call_of(threads, progress))
         return [Path(*path) for path in found]
 
     def exact_isolines(self, sources: Any, levels: Any, *, threads: int | None = 1,
@@ -271,9 +260,9 @@ class Solver:
         >>> [line[[0, -1]].round(9).tolist() for line in s.exact_isolines(0, 2)[0]]
         [[[2.0, 0.0, 0.0], [0.0, 2.0, 0.0]]]
         """
-        self._needs_points("exact_isolines")
-        return self._surface.isolines(*self._places("sources", sources), arguments.row_without_nan("levels", levels),
-                                      arguments.threads_of(threads), arguments.progress_of(progress))
+        self._needs("exact_isolines", points=True)
+        return self._surface.isolines(self._places("sources", sources), arguments.row_without_nan("levels", levels),
+                                      arguments.call_of(threads, progress))
 
     def isolines(self, d: Any, levels: Any) -> list[np.ndarray]:
         """Returns the lines where a function on the surface has one of the levels, as arrays of shape (k, 3).
@@ -287,7 +276,7 @@ class Solver:
         >>> s.isolines(s.distances(0), 2)[0].tolist()
         [[2.0, 0.0, 0.0], [0.0, 2.0, 0.0]]
         """
-        self._needs_points("isolines")
+        self._needs("isolines", points=True)
         values = arguments.row_without_nan("d", arguments.values_of("d", d, self.n_vertices))
         return linear_isolines(self._points, self._faces, values, arguments.row_without_nan("levels", levels))
 
@@ -310,8 +299,7 @@ class Solver:
         >>> s.directions(0)[1].round(6)
         array([0.      , 0.      , 1.570796])
         """
-        found = self._surface.directions(*self._places("sources", sources), arguments.threads_of(threads),
-                                         arguments.progress_of(progress))
+        found = self._surface.directions(self._places("sources", sources), arguments.call_of(threads, progress))
         return found if return_nearest else found[:2]
 
     def trace(self, place: Any, direction: float, length: float) -> TracedGeodesic:
@@ -322,7 +310,7 @@ class Solver:
         length     in the unit of the points
 
         The geodesic is straight in each face and across edges; at a vertex it goes on with equal angles on both sides.
-        It ends at the border. Ctrl-C does not end it; it passes some million faces in a second.
+        It ends at the border.
 
         >>> import surface_mesh_geodesics as smg
         >>> s = smg.Solver([[0, 0, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0]], [[0, 1, 2], [0, 2, 3]])
@@ -330,10 +318,10 @@ class Solver:
         >>> t.length, t.end, t.points.round(12).tolist()
         (2.0, 'border', [[1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [1.0, 2.0, 0.0]])
         """
-        self._needs_all_faces("trace")
+        self._needs("trace", all_faces=True)
         end = ("length", "border", "singularity")
-        found = self._surface.trace(*self._place("place", place), arguments.finite_of("direction", direction),
-                                    arguments.radius_of("length", arguments.finite_of("length", length)))
+        found = self._surface.trace(self._place("place", place), arguments.finite_of("direction", direction),
+                                    arguments.finite_of("length", length, 0.0, "finite and not negative"))
         return TracedGeodesic(found[0], end[found[1]], *found[2:])
 
     def direction_of(self, place: Any, vector: Any) -> float:
@@ -346,8 +334,8 @@ class Solver:
         >>> s.direction_of((0, [0.5, 0.25, 0.25]), [1, 1, 7]) * 4 / np.pi
         1.0
         """
-        self._needs_points("direction_of")
-        return self._surface.direction_of(*self._place("place", place), arguments.vector_of("vector", vector))
+        self._needs("direction_of", points=True)
+        return self._surface.direction_of(self._place("place", place), arguments.finite_row_of("vector", vector, 3))
 
     # --- diagrams, samples ---
 
@@ -365,8 +353,8 @@ class Solver:
         """
         places = self._places("sites", sites)
         n = len(places.vertex)
-        diagram = self._surface.diagram(*places, arguments.weights_of("weights", weights, n),
-                                        arguments.threads_of(threads), arguments.progress_of(progress))
+        diagram = self._surface.diagram(places, arguments.weights_of("weights", weights, n),
+                                        arguments.call_of(threads, progress))
         return Voronoi(diagram, n, self._extent(), self._lengths is None)
 
     def labels(self, sites: Any, weights: Any = None, *, threads: int | None = 1,
@@ -387,8 +375,8 @@ class Solver:
             offsets = largest - given
         if np.isinf(offsets).any():
             raise ValueError(f"weights[{np.argmax(offsets)}] differs too much from the largest one")
-        d, nearest = self._surface.distances(*places, offsets, NO_IDS, np.inf, True, arguments.threads_of(threads),
-                                             arguments.progress_of(progress))
+        d, nearest = self._surface.distances(places, offsets, NO_IDS, np.inf, True,
+                                             arguments.call_of(threads, progress))
         return nearest, d - largest
 
     def sample(self, n: int, *, first: Any = None, covering_radius: float = 0.0, return_radius: bool = False,
@@ -406,12 +394,11 @@ class Solver:
         >>> smg.Solver([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]]).sample(2, first=[1])
         array([1, 2])
         """
-        self._needs_points("sample")
-        self._needs_all_faces("sample")
+        self._needs("sample", points=True, all_faces=True)
         given = NO_IDS if first is None else self._vertices("first", first)
         found, radius = self._surface.sample(arguments.count_of("n", n, 0), given,
                                              arguments.radius_of("covering_radius", covering_radius),
-                                             arguments.progress_of(progress))
+                                             arguments.function_of("progress", progress))
         samples = np.concatenate([given, found])
         return (samples, radius) if return_radius else samples
 
@@ -435,10 +422,10 @@ class Solver:
         2 0.0
         array([4, 5])
         """
-        self._needs_points("relax")
-        self._needs_all_faces("relax")
-        return self._surface.relax(self._vertices("sites", sites), *self._relaxation(iterations, threshold,
-                                                                                     on_iteration, threads, progress))
+        self._needs("relax", points=True, all_faces=True)
+        return self._surface.relax(self._vertices("sites", sites),
+                                   arguments.relaxation_of(iterations, threshold, on_iteration),
+                                   arguments.call_of(threads, progress))
 
     def remesh(self, n: int, *, iterations: int = 10, threshold: float = 0.0, on_iteration: OnIteration | None = None,
                threads: int | None = 1, progress: Progress | None = None) -> tuple[np.ndarray, np.ndarray]:
@@ -454,10 +441,10 @@ class Solver:
         >>> V2.shape, F2.shape
         ((4, 3), (4, 3))
         """
-        self._needs_points("remesh")
-        self._needs_all_faces("remesh")
+        self._needs("remesh", points=True, all_faces=True)
         return self._surface.remesh(arguments.count_of("n", n, 3, max(3, self.n_vertices)),
-                                    *self._relaxation(iterations, threshold, on_iteration, threads, progress))
+                                    arguments.relaxation_of(iterations, threshold, on_iteration),
+                                    arguments.call_of(threads, progress))
 
     # --- the mesh ---
 
@@ -489,14 +476,13 @@ class Solver:
 
     def __setstate__(self, state: dict) -> None:
         self.__dict__.update(state)
-        self._surface = _surface_of(self._points, self._faces, self._lengths, self._avoided)
+        lengths = np.zeros((0, 3)) if self._lengths is None else self._lengths
+        self._surface = _core.Surface(self._points, self._faces, lengths, self._avoided)
 
     def _set_up(self, points: np.ndarray, faces: np.ndarray, lengths: np.ndarray | None) -> None:
-        self._surface = _surface_of(points, faces, lengths, NO_IDS)
-        self._avoided = NO_IDS
         # Copies: the arrays of the caller may change.
-        self._points, self._faces = points.copy(), faces.copy()
-        self._lengths = None if lengths is None else lengths.copy()
+        self.__setstate__({"_points": points.copy(), "_faces": faces.copy(), "_avoided": NO_IDS,
+                           "_lengths": None if lengths is None else lengths.copy()})
 
     def _places(self, name: str, values: Any) -> arguments.Places:
         return arguments.places_of(name, values, self.n_vertices, self.n_faces)
@@ -515,28 +501,14 @@ class Solver:
         places = self._places("sources", every if sources is None else sources)
         return places, every if targets is None else self._vertices("targets", targets)
 
-    @staticmethod
-    def _relaxation(iterations: int, threshold: float, on_iteration: Any, threads: int | None, progress: Any) -> tuple:
-        return (arguments.count_of("iterations", iterations, 0), arguments.radius_of("threshold", threshold),
-                arguments.function_of("on_iteration", on_iteration), arguments.threads_of(threads),
-                arguments.progress_of(progress))
-
-    def _needs_points(self, name: str) -> None:
-        if self._lengths is not None:
+    def _needs(self, name: str, *, points: bool = False, all_faces: bool = False) -> None:
+        if points and self._lengths is not None:
             raise ValueError(f"{name}() needs points, but this surface is given by edge lengths")
-
-    def _needs_all_faces(self, name: str) -> None:
-        if len(self._avoided) > 0:
+        if all_faces and len(self._avoided) > 0:
             raise ValueError(f"{name}() cannot lead around faces, but this solver avoids some")
 
     def _extent(self) -> float:
         if self._lengths is not None:
             return float(self._lengths.max(initial=0.0))
-        if self.n_vertices == 0:
-            return 0.0
-        return float(np.linalg.norm(self._points.max(axis=0) - self._points.min(axis=0)))
-
-
-def _surface_of(points: np.ndarray, faces: np.ndarray, lengths: np.ndarray | None,
-                avoided: np.ndarray) -> _core.Surface:
-    return _core.Surface(points, faces, np.zeros((0, 3)) if lengths is None else lengths, avoided)
+        points = self._points if self.n_vertices > 0 else np.zeros((1, 3))
+        return float(np.linalg.norm(np.ptp(points, axis=0)))

@@ -1,13 +1,11 @@
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from . import _arguments as arguments
-
-if TYPE_CHECKING:
-    from ._core import Diagram
+from ._core import Diagram
 
 
 class Boundary(NamedTuple):
@@ -156,7 +154,7 @@ class Voronoi:
         >>> smg.Solver(V, F).voronoi([0, 1, 2, 3]).check_dual().is_triangulation
         True
         """
-        return DualReport(**self._diagram.check_dual())
+        return DualReport(*self._diagram.check_dual())
 
     def boundaries(self, site: int, tolerance: float | None = None, *, along_border: bool = False) -> list[np.ndarray]:
         """Returns the curves around the cell of a site, as arrays of shape (k, 3): the points of boundary_polylines().

@@ -51,13 +51,11 @@ def local_gdist_matrix(vertices: Any, triangles: Any, max_distance: float = 1e10
 
 def _solver(vertices: Any, triangles: Any, is_one_indexed: bool) -> Solver:
     V = arguments.points_of("vertices", vertices)
-    if is_one_indexed:
-        F = arguments.triangles_of("triangles", triangles, len(V) + 1)
-        if (F == 0).any():
-            raise IndexError("triangles has a 0, but vertices are counted from 1")
-        F = F - 1
-    else:
-        F = arguments.triangles_of("triangles", triangles, len(V))
+    first = int(bool(is_one_indexed))
+    F = arguments.triangles_of("triangles", triangles, len(V) + first)
+    if is_one_indexed and (F == 0).any():
+        raise IndexError("triangles has a 0, but vertices are counted from 1")
+    F = F - first
     try:
         return Solver(V, F)
     except ValueError as error:

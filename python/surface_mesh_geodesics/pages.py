@@ -75,15 +75,14 @@ def page(V: Any, F: Any, distances: Any, *, sources: Any = None, paths: Path | S
     if np.isinf(levels).any() or largest > np.finfo(np.float32).max:
         raise ValueError("a page shows finite levels, and distances up to 3e38")
     cell_data = {} if cells is None else _cells(cells, colors, len(F))
-    lines = [_lines("isoline", linear_isolines(V, F, d, levels), center)]
-    if len(paths) > 0:
-        lines.append(_lines("path", [p.points for p in paths if len(p) > 1], center))
     if sources is None or np.ndim(sources) < 2:
         shown = V[arguments.row_of_ids("sources", int(np.argmin(d)) if sources is None else sources, len(V))]
     else:
         shown = arguments.points_of("sources", sources)
+    lines = [_lines("isoline", linear_isolines(V, F, d, levels), center)]
     dots = [{"role": "source", "points": _floats(shown, center)}]
     if len(paths) > 0:
+        lines.append(_lines("path", [p.points for p in paths if len(p) > 1], center))
         dots.append({"role": "target", "points": _floats(np.array([p.points[-1] for p in paths if len(p) > 0])
                                                          .reshape(-1, 3), center)})
     result = Page(_filled({

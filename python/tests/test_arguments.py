@@ -93,6 +93,8 @@ def test_bad_meshes(points, faces, error, message):
     ((0, [2, -1, 0]), ValueError, "coordinates .* of sources"),
     ((0, [1, 0]), ValueError, "coordinates of sources have the shape"),
     ([3, (0, [np.nan, 0, 0])], ValueError, r"coordinates .* of sources\[1\]"),
+    (([0, 1], [[1, 0, 0], [1, 0]]), ValueError, "coordinates of sources is not an array of numbers"),
+    ((0, [None, 0, 1]), ValueError, "coordinates of sources has the type object"),
     ([(0, [1, 0, 0]), [1, 2]], ValueError, r"sources\[1\] is"),
     ([(0, [1, 0, 0]), []], ValueError, r"sources\[1\] is"),
     ([(0, [1, 0, 0]), ([1, 2], [[1, 0, 0], [1, 0, 0]])], ValueError, r"sources\[1\]"),
@@ -128,7 +130,8 @@ def test_sequences_of_places():
     s = smg.Solver(V, F)
     pair = (7, [0.2, 0.3, 0.5])
     expected = np.minimum(s.distances(pair), s.distances(3))
-    for places in ([3, pair], (pair, 3), [pair, np.int64(3)], [pair, [3]]):
+    of_tuples = (7, (0.2, 0.3, 0.5))
+    for places in ([3, pair], (pair, 3), [pair, np.int64(3)], [pair, [3]], [3, of_tuples], (of_tuples, 3)):
         assert np.array_equal(s.distances(places), expected)
 
 

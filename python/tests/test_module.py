@@ -29,8 +29,12 @@ from meshes import grid, sphere, write_off
                                   "s.matrix()", "s.paths(0, np.arange(n))", "s.sample(n)", "s.remesh(500)",
                                   "v.cut()", "s.exact_isolines(0, np.linspace(.1, 3, 1000))", "s.certify(d, 0)",
                                   "s.path(np.arange(0, n, 7), 5, threads=2)", "s.voronoi([0, 99], threads=2)",
-                                  "s.labels([0, 99])", "s.relax([0, 99])", "smg.Solver(V, F)", "v.cell_mesh(0)"])
-def test_ctrl_c(call):
+                                  "s.labels([0, 99])", "s.relax([0, 99])", "smg.Solver(V, F)", "v.cell_mesh(0)",
+                                  "s.trace(5, .3, 1e9)", "s.directions([0, 99])", "s.peeling_order()",
+                                  "s.sparse_matrix(.5)", "smg.Solver(V, F).distances(0, radius=0)",
+                                  "s.store_matrix(folder, threads=2)", "s.store_matrix(folder, threads=1)",
+                                  "s.store_matrix(folder, symmetric=True)"])
+def test_ctrl_c(call, tmp_path):
     program = textwrap.dedent(f"""
         import numpy as np, os, signal, sys, threading, time
         sys.path.insert(0, {os.path.dirname(__file__)!r})
@@ -40,22 +44,23 @@ def test_ctrl_c(call):
         s = smg.Solver(V, F)
         n = s.n_vertices
         d, v = s.distances(0), s.voronoi([0, 99])
-        sent = []
+        sent, folder = [], {str(tmp_path / "folder")!r}
         def interrupt():
-            sent.append(time.monotonic())
+            sent.append(time.process_time())
             os.kill(os.getpid(), signal.SIGINT)
         threading.Timer(.1, interrupt).start()
         try:
             for _ in range(1000):
                 {call}
         except KeyboardInterrupt:
-            print("interrupted after", time.monotonic() - sent[0])
+            print("interrupted after", time.process_time() - sent[0])
             print("works" if np.isfinite(s.distances(0)).all() else "broken")
         """)
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=300)
     assert "interrupted after" in done.stdout and "works" in done.stdout, done.stderr
-    # At once; the machine may be busy.
-    assert float(re.search("interrupted after (.*)", done.stdout)[1]) < 5
+    seconds = float(re.search("interrupted after (.*)", done.stdout)[1])  # of the processors, for all threads
+    print(f"{call} ends after {seconds:.3f} s")  # pytest -s shows it
+    assert seconds < 5  # at once, for a program that would take minutes
 
 
 @pytest.mark.parametrize("call", ["s.distances(0)", "smg.Solver(V, F)", "v.areas", "s.matrix(range(9))", "v.cut()"])

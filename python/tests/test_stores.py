@@ -2,6 +2,9 @@
 
 import glob
 import multiprocessing
+import os
+import subprocess
+import sys
 
 import numpy as np
 import pytest
@@ -81,6 +84,11 @@ def test_errors(tmp_path):
         S.avoiding([3]).store_matrix(tmp_path / "around")
     with pytest.raises(TypeError):
         S.store_matrix(7)
+    with pytest.raises(ValueError, match="null character"):
+        S.store_matrix(f"{tmp_path}/a\0b")
+    (tmp_path / "m" / "manifest.json").write_text("{")
+    with pytest.raises(ValueError, match=r"m.manifest\.json: the manifest is damaged"):
+        S.store_matrix(tmp_path / "m", [0, 1])
 
 
 def test_the_order_of_peeling_is_a_permutation_that_a_symmetric_matrix_takes(tmp_path):
@@ -92,5 +100,21 @@ def test_the_order_of_peeling_is_a_permutation_that_a_symmetric_matrix_takes(tmp
     expected = S.matrix(order, order)[np.triu_indices(len(V), 1)]
     assert np.array_equal(stored(tmp_path), expected)
     assert np.array_equal(S.peeling_order([4]), [4]) and len(S.peeling_order([])) == 0
-    with pytest.raises(IndexError):
+    with pytest.raises(IndexError, match=r"vertices\[0\] is 81"):
         S.peeling_order([len(V)])
+
+
+def peak_of_memory(folder, rows):
+    """In kB, of a process that stores so many rows. (The largest size is that of the process, not of its parent.)"""
+    program = (f"import sys; sys.path.insert(0, {os.path.dirname(__file__)!r})\n"
+               f"import surface_mesh_geodesics as smg; from meshes import grid\n"
+               f"s = smg.Solver(*grid(60, 0.02)); s.store_matrix({str(folder)!r}, range({rows}), float32=True)\n"
+               "print([line.split()[1] for line in open('/proc/self/status') if line.startswith('VmHWM')][0])")
+    return int(subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True).stdout)
+
+
+@pytest.mark.skipif(not os.path.exists("/proc/self/status"), reason="the system does not tell the size of a process")
+def test_memory_does_not_depend_on_the_number_of_rows(tmp_path):
+    few, many = peak_of_memory(tmp_path / "few", 100), peak_of_memory(tmp_path / "many", 1600)
+    matrix = sum(os.path.getsize(f) for f in glob.glob(f"{tmp_path}/many/rows_*.npy")) // 1024
+    assert matrix > 23000 and many - few < matrix / 8

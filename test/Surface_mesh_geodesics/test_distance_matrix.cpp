@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <random>
@@ -309,6 +310,33 @@ void pruning_saves_visits()
   CHECK(with < without - without / 10);
 }
 
+// Cancels after some visits.
+struct Canceling_visitor : SMG::Geodesic_default_visitor
+{
+  explicit Canceling_visitor(std::size_t most) : most(most) {}
+  void on_progress(std::size_t number, double) { visits = number; }
+  bool go_further() const { return visits < most; }
+
+  std::size_t most, visits = 0;
+};
+
+// A visitor sees the visits of all three runs, and ends any of them.
+void peeling_can_be_canceled()
+{
+  test_support::Scope scope("order of peeling, canceled");
+  const Mesh tm = to_face_graph(icosphere(3));
+  Canceling_visitor all(std::numeric_limits<std::size_t>::max());
+  CHECK(SMG::geodesic_peeling_order(tm, vertices(tm), CGAL::parameters::visitor(std::ref(all)))
+        == SMG::geodesic_peeling_order(tm, vertices(tm)));
+  CHECK(all.visits >= 3 * num_vertices(tm));
+  for(const std::size_t most : {std::size_t(1), all.visits / 2, all.visits - 1})
+  {
+    Canceling_visitor some(most);
+    CHECK(SMG::geodesic_peeling_order(tm, vertices(tm), CGAL::parameters::visitor(std::ref(some))).empty());
+    CHECK_EQUAL(some.visits, most);
+  }
+}
+
 // Components stay together, and in each of them distances from an end descend.
 void peeling_orders_components_by_distance()
 {
@@ -537,6 +565,7 @@ int main()
   }
   pruning_saves_visits();
   peeling_orders_components_by_distance();
+  peeling_can_be_canceled();
   landmarks_end_early();
   rows_may_end_early();
   rows_that_have_begun_end();

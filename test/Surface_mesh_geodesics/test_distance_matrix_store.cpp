@@ -301,8 +301,10 @@ void other_matrices_are_rejected()
   options.maximum_distance = -1;
   CHECK(throws_reason(Reason::INVALID_RADIUS, [&] { store_all(tm, folder, options); }));
   message_of(Store_error::Reason::NOT_A_STORE, [&] { Store store(folder.name() + "/none"); });
+  message_of(Store_error::Reason::INVALID_OPTION, [&] { Store store(std::string(folder.name()) + '\0' + "more"); });
   write_bytes(folder.path() / "manifest.json", before[0].second.substr(0, 300));
-  message_of(Store_error::Reason::NOT_A_STORE, [&] { Store store(folder.name()); });
+  const std::string message = message_of(Store_error::Reason::NOT_A_STORE, [&] { Store store(folder.name()); });
+  CHECK_EQUAL(message.find((folder.path() / "manifest.json").string()), 0u);
   std::string bytes = before[0].second;
   bytes.replace(bytes.find("\"float64\""), 9, "\"float32\"");
   write_bytes(folder.path() / "manifest.json", bytes);

@@ -92,6 +92,20 @@ inline bool read_list(const std::string& file, std::vector<std::string>& meshes)
   return true;
 }
 
+// Reads an option of one program whose value is a positive number. Returns false, and changes nothing, if this is
+// another option or no such number.
+inline bool read_number_option(const std::string& option, const std::string& value, const std::string& name,
+                               std::size_t& number)
+{
+  const std::size_t read = option == name ? std::strtoul(value.c_str(), nullptr, 10) : 0;
+  if(read == 0)
+  {
+    return false;
+  }
+  number = read;
+  return true;
+}
+
 inline bool read_common_option(const std::string& option, const std::string& value, Settings& settings)
 {
   const std::size_t number = std::strtoul(value.c_str(), nullptr, 10);

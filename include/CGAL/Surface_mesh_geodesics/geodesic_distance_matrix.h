@@ -18,12 +18,14 @@
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Private_access.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/distance_functions.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_checks.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/run_with_visitor.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/tags.h>
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -235,10 +237,11 @@ vertices are sorted by descending distance from it. Components keep the order of
 \param tm the triangle mesh
 \param vertices the vertices
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among those of
-       `geodesic_distance_matrix()`
+       `geodesic_distance_matrix()`, and a `visitor` as for `geodesic_distances()`, which sees one propagation with the
+       visits of all three
 
 \return a `std::vector` of vertex descriptors: the same ones in the new order. A vertex that occurs several times still
-        does.
+        does. It is empty if the visitor has canceled.
 
 \throws Invalid_geodesic_input if the mesh or a vertex is invalid
 */
@@ -246,12 +249,17 @@ template <typename TriangleMesh, typename Vertices, typename CGAL_NP_TEMPLATE_PA
 auto geodesic_peeling_order(const TriangleMesh& tm, const Vertices& vertices,
                             const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  internal::check_parameters<internal::Matrix_parameters>(np);
+  internal::check_parameters<internal::Peeling_parameters>(np);
+  internal::Visitor_parameter<CGAL_NP_CLASS> parameter(np);
   std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> result;
   internal::with_surface<Sequential_tag>(tm, np, [&](const auto& surface)
   {
-    result = internal::peeled_vertices(surface, vertices);
-    return true;
+    return internal::run_with_visitor(parameter.visitor(), 3 * num_vertices(tm), [&](const auto& go_on)
+    {
+      std::size_t visits = 0;
+      result = internal::peeled_vertices(surface, vertices, [&]() { return go_on(++visits, 0.); });
+      return true;
+    });
   });
   return result;
 }
@@ -276,7 +284,7 @@ auto geodesic_peeling_order(
   const Geodesic_distance_solver<TriangleMesh, SolverTag, VertexIndexMap, FaceIndexMap>& solver,
   const Vertices& vertices)
 {
-  return internal::peeled_vertices(internal::Private_access::surface(solver), vertices);
+  return internal::peeled_vertices(internal::Private_access::surface(solver), vertices, []() { return true; });
 }
 
 /*!

@@ -146,10 +146,11 @@ that are done.
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
     \cgalParamDescription{a visitor that is told of rows, and can cancel: `on_propagation_begin(n)` with the number of
-                          rows of the range, `on_progress(k, 0)` when `k` of them are done, `go_further()` after that,
-                          and `on_propagation_end()`. If it has the function `on_rows(computed, found, n)`, that one is
-                          called, too, with the numbers of rows that this call has computed and that were stored before.
-                          Calls may come from different threads, but never two at a time.}
+                          rows of the range, `on_progress(k, 0)` when `k` of them are done, and every now and
+                          then during a row, `go_further()` after that, and `on_propagation_end()`. If it has the
+                          function `on_rows(computed, found, n)`, that one is called, too, with the numbers of rows that
+                          this call has computed and that were stored before. Calls may come from different threads,
+                          but never two at a time.}
     \cgalParamType{a model of `GeodesicPropagationVisitor`}
     \cgalParamDefault{`Geodesic_default_visitor`}
     \cgalParamExtra{The parameter is copied; `std::ref()` passes a reference.}

@@ -179,15 +179,15 @@ bool put_symmetric_distance_matrix(const Surface& surface, const Vertices& range
   return matrix.put_triangular_rows(typename Available_tag<ConcurrencyTag>::type(), output);
 }
 
-// Returns the vertices of `range` in the order of peeling_order.h.
-template <typename Surface, typename Vertices>
-auto peeled_vertices(const Surface& surface, const Vertices& range)
+// Returns the vertices of `range` in the order of peeling_order.h; none if go_further() returns false.
+template <typename Surface, typename Vertices, typename GoFurther>
+auto peeled_vertices(const Surface& surface, const Vertices& range, const GoFurther& go_further)
 {
   std::vector<typename Surface::vertex_descriptor> vertices, result;
   for(const auto v : range)
     vertices.push_back(v); // NOLINT(performance-inefficient-vector-operation): a range need not know its size
   result.reserve(vertices.size());
-  for(const std::size_t i : peeling_order(surface.mesh(), surface.checked_ids(range, "vertex")))
+  for(const std::size_t i : peeling_order(surface.mesh(), surface.checked_ids(range, "vertex"), go_further))
     result.push_back(vertices[i]);
   return result;
 }

@@ -196,24 +196,29 @@ private:
     return true;
   }
 
-  // Makes the landmarks of the rows of a triangle, once for all threads, which wait. Asks the report every now and then
-  // whether to go on, as this takes as long as some rows; if not, no row is computed. A process that finds all shards
-  // done does not get here.
+  // Returns whether a run is to go on, after each of its visits. Asks the report every now and then, as a row may take
+  // seconds. `visits` counts those of one thread.
+  template <typename Tag>
+  bool goes_on(Tag tag, std::size_t& visits)
+  {
+    if(++visits % 4096 == 0)
+      report(tag, 0, 0);
+    return !m_stop;
+  }
+
+  // Makes the landmarks of the rows of a triangle, once for all threads, which wait. This takes as long as some rows;
+  // if it is ended, no row is computed. A process that finds all shards done does not get here.
   template <typename Tag>
   void find_landmarks(Tag tag)
   {
     std::size_t visits = 0;
-    m_matrix.find_landmarks(m_landmarks, [&]()
-    {
-      if(++visits % 16384 == 0)
-        report(tag, 0, 0);
-      return !m_stop;
-    });
+    m_matrix.find_landmarks(m_landmarks, [&]() { return goes_on(tag, visits); });
   }
 
   // Computes one shard, and notes that it is done. Returns without doing so if all have to stop. Requires: the lock is
   // held.
-  // Rows are computed one by one, and each run looks at m_stop after each visit.
+  //
+  // Rows are computed one by one, so that a thread has one of them in memory.
   template <typename Tag>
   void compute(Tag tag, Worker& worker, std::size_t shard, std::size_t memory, Lock_file& lock)
   {
@@ -222,7 +227,8 @@ private:
     const Store_layout& layout = m_folder.layout();
     Matrix::Dense_row row;
     Matrix::Sparse_row sparse_row;
-    const auto go_further = [this]() { return !m_stop; };
+    std::size_t visits = 0;
+    const auto go_further = [&]() { return goes_on(tag, visits); };
     for(std::size_t i = layout.first_row(shard); i < layout.end_row(shard); ++i)
     {
       // Each row is a run of its own, with the bits that it has anywhere else.

@@ -64,6 +64,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/files/Npy_file.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/files/System_files.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <filesystem>
@@ -120,7 +121,15 @@ class Store_folder
 {
 public:
   // Does not touch the folder yet.
-  explicit Store_folder(const std::filesystem::path& path) : m_path(path) {}
+  // (The system would take the part before a null character for the name.)
+  explicit Store_folder(const std::filesystem::path& path) : m_path(path)
+  {
+    const auto& name = path.native();
+    if(std::find(name.begin(), name.end(), std::filesystem::path::value_type(0)) != name.end())
+      throw Geodesic_matrix_store_error(Geodesic_matrix_store_error::Reason::INVALID_OPTION,
+                                        std::string(path.string().c_str())
+                                          + ": the name of the folder goes on behind a null character");
+  }
 
   // The mutex cannot be copied, and two objects for one folder know nothing of each other's entries but what is in
   // the files, as two processes do.
@@ -336,10 +345,26 @@ private:
   }
 
   // The state is taken before the contents: if the file changes in between, it is read once more, never too seldom.
+  // An error about what the manifest says begins with its name, as all errors do. (The reader of the text does not know
+  // which file it is from.)
   void read_manifest()
   {
     m_last_state = state_of_manifest();
-    const Json_value value = Json_reader(text_of_file(manifest())).read();
+    try
+    {
+      take_manifest(Json_reader(text_of_file(manifest())).read());
+    }
+    catch(const Geodesic_matrix_store_error& error)
+    {
+      if(error.reason() != Geodesic_matrix_store_error::Reason::NOT_A_STORE)
+        throw;
+      throw Geodesic_matrix_store_error(error.reason(), manifest().string() + ": " + error.what());
+    }
+  }
+
+  // Takes what the file says, or complains.
+  void take_manifest(const Json_value& value)
+  {
     if(!value.at("format").is_text(format()) || value.at("version").count() != 1)
       Json_value::complain("it has another format or version");
     Store_description d;

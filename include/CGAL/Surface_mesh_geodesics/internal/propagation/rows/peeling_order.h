@@ -29,19 +29,20 @@ namespace internal {
 
 // Returns the positions of the sources, sorted by component, and in a component by descending distance from an end of
 // it: the source that is farthest from the first one. Equal distances keep their order. Takes three runs over what the
-// sources reach.
+// sources reach, which ask go_further() after each visit; returns nothing if it returns false.
 // Requires: the sources are vertices of the mesh.
-template <typename FT>
-std::vector<std::size_t> peeling_order(const Intrinsic_mesh<FT>& mesh, const std::vector<Vertex_id>& sources)
+template <typename FT, typename GoFurther>
+std::vector<std::size_t> peeling_order(const Intrinsic_mesh<FT>& mesh, const std::vector<Vertex_id>& sources,
+                                       const GoFurther& go_further)
 {
-  const auto always = []() { return true; };
-  Source_components<FT> components(mesh, sources);
-  components.find(always);
-  const auto distance = [&](Vertex_id v) { return components.runner().distance(v); };
-  components.run(always);
-  components.move_roots_to_farthest(distance);
-  components.run(always);
   std::vector<std::size_t> order;
+  Source_components<FT> components(mesh, sources);
+  const auto distance = [&](Vertex_id v) { return components.runner().distance(v); };
+  if(!components.find(go_further) || !components.run(go_further))
+    return order;
+  components.move_roots_to_farthest(distance);
+  if(!components.run(go_further))
+    return order;
   order.reserve(sources.size());
   std::vector<std::pair<FT, std::size_t>> keys;
   // Pairs are sorted by position where distances are equal.
