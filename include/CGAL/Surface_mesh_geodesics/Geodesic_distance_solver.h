@@ -14,6 +14,7 @@
 
 #include <CGAL/Surface_mesh_geodesics/Geodesic_default_visitor.h>
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
+#include <CGAL/Surface_mesh_geodesics/Surface_curve.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_parameters.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Distance_solver.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Face_shapes.h>
@@ -282,6 +283,23 @@ public:
   /// \param v a vertex
   /// \pre `v` is a vertex of the mesh (this is not checked).
   std::size_t nearest_source(vertex_descriptor v) const { return m_solver->nearest_source(v); }
+
+  /// returns the foot of a shortest path to `v`: the point of a curve from which the distance of `v` is measured. Takes
+  /// time linear in the number of vertices at which the path bends, and logarithmic in the number of those on curves.
+  ///
+  /// \param v a vertex
+  /// \return the position of the curve in the range of sources, the number of its segment, and where it is on that one;
+  ///         `Surface_curve::location()` turns them into a location. Of several such points, it is one of them. The
+  ///         curve is `no_source` if the last computation had no curves among its sources, or if the distance is
+  ///         infinity.
+  /// \pre `v` is a vertex of the mesh (this is not checked).
+  Surface_curve_point nearest_curve_point(vertex_descriptor v) const
+  {
+    if(!m_solver->has_curves() || !(distance(v) < std::numeric_limits<double>::infinity()))
+      return {no_source, 0, 0};
+    const auto foot = m_solver->foot(v);
+    return {foot.curve, foot.segment, foot.parameter};
+  }
 
   /// writes the vertices whose distance is not infinity to an output iterator, each once and in no particular order.
   /// Takes time proportional to the number of vertices that the wavefront has touched.

@@ -64,7 +64,8 @@ public:
     NON_MANIFOLD,        ///< a face has a vertex twice, or two faces disagree about the ends of their edge
     TOO_LARGE,           ///< the mesh has more than 2<sup>30</sup> - 2 faces
     TOO_SMALL,           ///< one component is smaller than the mesh by a factor of more than 10<sup>60</sup>
-    INVALID_DIRECTION    ///< the direction or the length of a traced geodesic is not finite, or the length is negative
+    INVALID_DIRECTION,   ///< the direction or the length of a traced geodesic is not finite, or the length is negative
+    INVALID_CURVE        ///< a curve has no location or two in a row without a common face, or does not separate
   };
 
   /// the value of `element()` if the fault is not that of a single element.

@@ -68,7 +68,9 @@ those of `Polyhedron_items_with_id_3`) must be set before, as the first call wou
 \tparam Sources a source or a range of sources. A source is a vertex descriptor, or a location in a
         face: a `std::pair` of a face descriptor and three barycentric coordinates (anything with an
         `operator[]` for 0, 1, 2, such as `std::array`) of a number type that `CGAL::to_double()`
-        takes. This is the type `Face_location` of `Surface_mesh_shortest_path`.
+        takes. This is the type `Face_location` of `Surface_mesh_shortest_path`. Or a source is a `Surface_curve`: the
+        distance of a vertex is then the smallest distance from a point of the curve. With curves as sources, a single
+        thread computes, whatever the tag.
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tm the triangle mesh

@@ -20,15 +20,19 @@
 #include <CGAL/Surface_mesh_geodesics/internal/interface/run_with_visitor.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Available_tag.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Repeated_propagation.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/curves/Curve_run.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Propagation_for_tag.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Source_insertion.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Source_set.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Pruning_rules.h>
 
+#include <CGAL/assertions.h>
+
 #include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -95,31 +99,34 @@ public:
   template <typename Sources, typename Options, typename Visitor>
   bool run(const Sources& sources, const Options& options, Visitor& visitor)
   {
-    Source_set<FT> set = m_surface.source_set(sources, options.source_offsets);
-    const std::vector<Vertex_id> targets = m_surface.checked_ids(options.targets, "target");
-    Run_limits<FT> limits;
-    limits.maximum_distance = FT(options.maximum_distance) / m_surface.unit();
-    limits.first_target = targets.data();
-    limits.last_target = targets.data() + targets.size();
-
-    // All input is valid: from here on, the results of the run before are lost.
-    Unfinished_run unfinished{&m_runner};
-    const double unit = static_cast<double>(m_surface.unit());
-    const bool is_complete = run_with_visitor(visitor, m_surface.number_of_vertices(), [&](auto go_on)
+    if constexpr(Are_curves<Sources>::value)
+      return run_from_curves(sources, options, visitor, [](const auto&) {});
+    else
     {
-      return m_runner.run(set, limits, [&](std::size_t visits, const FT& d)
-      { return go_on(visits, unit * static_cast<double>(d)); });
-    });
-    if(options.statistics != nullptr)
-    {
-      Propagation_statistics statistics = m_runner.statistics();
-      statistics.intrinsic_mesh_bytes += m_surface.memory() + m_runner.field_memory();
-      options.statistics->add(statistics);
+      Source_set<FT> set = m_surface.source_set(sources, options.source_offsets);
+      const bool is_complete = run_with_options(m_runner, options, visitor, [&](const auto& limits, auto go_on)
+                                                { return m_runner.run(set, limits, go_on); });
+      // The runner has removed the inserted vertices from the mesh. The set still has their numbers, and so has the
+      // field until the next run, which is enough to find the source of a vertex.
+      m_numbers.assign(set);
+      m_curve_run.reset();
+      return is_complete;
     }
-    // The runner has removed the inserted vertices from the mesh. The set still has their numbers, and so has the field
-    // until the next run, which is enough to find the source of a vertex.
-    m_numbers.assign(set);
-    unfinished.runner = nullptr;
+  }
+
+  // The same from curves, or from a single curve. Always sequential: strips and windows share one wavefront. The runner
+  // is made for the run, as its tables would double the memory of a solver that never sees a curve.
+  // Calls look(curves in the refined mesh) before the propagation.
+  template <typename Curves, typename Options, typename Visitor, typename Look>
+  bool run_from_curves(const Curves& curves, const Options& options, Visitor& visitor, Look look)
+  {
+    const std::vector<Located_curve<FT>> located
+      = m_surface.located_curves(curves, options.source_offsets);
+    std::unique_ptr<Curve_runner> runner(new Curve_runner(m_surface.mesh(), m_insertion));
+    const bool is_complete
+      = run_with_options(*runner, options, visitor, [&](const auto& limits, auto go_on)
+                         { return runner->run(located, limits, go_on, look); });
+    m_curve_run = std::move(runner);
     return is_complete;
   }
 
@@ -137,7 +144,7 @@ public:
 
   // Returns the distance of a vertex of the mesh in the user's unit, infinity if it was not reached. Requires: v is a
   // vertex of the mesh (not checked).
-  FT distance(vertex_descriptor v) const { return m_runner.distance(m_surface.id(v)) * m_surface.unit(); }
+  FT distance(vertex_descriptor v) const { return distance_of(m_surface.id(v)) * m_surface.unit(); }
 
   // Returns the number of the source from which the distance of v is measured, or no_source if v is not reached. Takes
   // time logarithmic in the number of sources, and linear in the number of vertices where the path bends. Requires: v
@@ -145,10 +152,20 @@ public:
   std::size_t nearest_source(vertex_descriptor v) const
   {
     const Vertex_id i = m_surface.id(v);
-    if(!(m_runner.distance(i) < Vertex_distance_field<FT>::infinity()))
+    if(!(distance_of(i) < Vertex_distance_field<FT>::infinity()))
       return no_source;
-    return m_numbers.number_at(m_runner.source_of(i));
+    return m_curve_run ? m_curve_run->foot(i).curve : m_numbers.number_at(m_runner.source_of(i));
   }
+
+  // Returns the foot of the shortest path to v. Requires: the last run was one from curves, and v is reached.
+  Curve_point<FT> foot(vertex_descriptor v) const
+  {
+    CGAL_precondition(m_curve_run != nullptr);
+    return m_curve_run->foot(m_surface.id(v));
+  }
+
+  // Was the last run one from curves?
+  bool has_curves() const { return m_curve_run != nullptr; }
 
   // Calls visit(vertex_descriptor, distance) for all vertices that have been reached, each once, in no particular
   // order. Takes time linear in the number of vertices that the last run touched. That list also has inserted sources,
@@ -156,23 +173,59 @@ public:
   template <typename Visit>
   void for_each_vertex_reached(Visit visit) const
   {
-    for(const Vertex_id v : m_runner.vertices_reached())
-      if(v < m_surface.number_of_vertices() && m_runner.distance(v) < Vertex_distance_field<FT>::infinity())
-        visit(m_surface.descriptor(v), FT(m_runner.distance(v) * m_surface.unit()));
+    for(const Vertex_id v : m_curve_run ? m_curve_run->vertices_reached() : m_runner.vertices_reached())
+      if(v < m_surface.number_of_vertices() && distance_of(v) < Vertex_distance_field<FT>::infinity())
+        visit(m_surface.descriptor(v), FT(distance_of(v) * m_surface.unit()));
   }
 
 private:
   using Runner = Repeated_propagation<Propagation>;
+  using Curve_runner = Curve_run<FT, Rules>;
+
+  // The distance of a vertex of the intrinsic mesh, in its unit, after the last run of either kind. Before the first
+  // run and after one that failed no vertex is reached.
+  FT distance_of(Vertex_id v) const { return m_curve_run ? m_curve_run->distance(v) : m_runner.distance(v); }
+
+  // What runs of both kinds have in common: limits, the visitor, the statistics, and what happens if something throws.
+  // Calls run(limits, go_on) for a runner, with the options of the user, and adds its statistics. Throws for an invalid
+  // target.
+  template <typename AnyRunner, typename Options, typename Visitor, typename Run>
+  bool run_with_options(AnyRunner& runner, const Options& options, Visitor& visitor, Run run)
+  {
+    const std::vector<Vertex_id> targets = m_surface.checked_ids(options.targets, "target");
+    Run_limits<FT> limits;
+    limits.maximum_distance = FT(options.maximum_distance) / m_surface.unit();
+    limits.first_target = targets.data();
+    limits.last_target = targets.data() + targets.size();
+
+    // All input is valid: from here on, the results of the run before are lost.
+    Unfinished_run unfinished{this};
+    const double unit = static_cast<double>(m_surface.unit());
+    const bool is_complete = run_with_visitor(visitor, m_surface.number_of_vertices(), [&](auto go_on)
+    {
+      return run(limits, [&](std::size_t visits, const FT& d) { return go_on(visits, unit * static_cast<double>(d)); });
+    });
+    if(options.statistics != nullptr)
+    {
+      Propagation_statistics statistics = runner.statistics();
+      statistics.intrinsic_mesh_bytes += m_surface.memory() + runner.field_memory();
+      options.statistics->add(statistics);
+    }
+    unfinished.solver = nullptr;
+    return is_complete;
+  }
 
   // Forgets the distances if an exception ends the run, whether the propagation or the visitor throws it.
   struct Unfinished_run
   {
-    Runner* runner;
+    Distance_solver* solver;
 
     ~Unfinished_run()
     {
-      if(runner != nullptr)
-        runner->forget();
+      if(solver == nullptr)
+        return;
+      solver->m_runner.forget();
+      solver->m_curve_run.reset();
     }
   };
 
@@ -181,6 +234,7 @@ private:
   Source_insertion<FT> m_insertion;
   Runner m_runner;
   Source_numbers m_numbers; // of the sources of the last run
+  std::unique_ptr<Curve_runner> m_curve_run; // if that was one from curves
 };
 
 } // namespace internal

@@ -27,6 +27,8 @@
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Source_set.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/barycentric_coordinates.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/curves/Source_curves.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -277,12 +279,7 @@ public:
   {
     Source_set<FT> set;
     for_each_source<TriangleMesh>(sources, [&](const auto& source) { add_source(source, set); });
-    if(!offsets.empty() && offsets.size() != set.size())
-      throw Invalid_geodesic_input(Invalid_geodesic_input::Reason::INVALID_OFFSET,
-                                   std::to_string(offsets.size()) + " offsets for " + std::to_string(set.size())
-                                     + " sources");
-    for(const double offset : offsets)
-      add_offset(offset, set);
+    add_offsets(offsets, set);
     return set;
   }
 
@@ -301,6 +298,7 @@ public:
   template <typename Source>
   void add_source(const Source& source, Source_set<FT>& set, const char* what = "source") const
   {
+    static_assert(!Is_curve<Source>::value, "this function takes points as sources, no curves");
     const std::size_t position = set.size();
     if constexpr(Is_vertex<TriangleMesh, Source>::value)
     {
@@ -349,6 +347,63 @@ public:
       if(c[k] != 0 && c[next_corner(k)] != 0 && c[previous_corner(k)] == 0 && is_open(opposite(h, m_tm)))
         return location_on_halfedge(opposite(h, m_tm), c[next_corner(k)], c[k]);
     }
+    reject_avoided(what, position);
+  }
+
+  // Curves stay polylines here; Curve_insertion.h makes edges of the refined mesh of them when they are propagated.
+  //
+  // Returns a curve or a range of curves. `offsets` are in the user's unit: none, or one for each curve. Throws if a
+  // curve is not one of the mesh that was read, or as source_set() does. Linear in the number of segments.
+  template <typename Curves>
+  std::vector<Located_curve<FT>> located_curves(const Curves& curves, const std::vector<double>& offsets) const
+  {
+    std::vector<Located_curve<FT>> result;
+    for_each_source<TriangleMesh>(curves, [&](const auto& curve)
+    {
+      const std::size_t position = result.size();
+      result.emplace_back();
+      Located_curve<FT>& located = result.back();
+      located.is_closed = curve.is_closed();
+      for(const auto& segment : curve.segments())
+        located.segments.push_back(curve_segment(segment, position));
+      if(located.segments.empty())
+        located.vertex = checked_id(curve.vertex(), "curve", position);
+    });
+    Source_set<FT> set; // of as many sources, for their offsets
+    set.vertices.resize(result.size(), null_id);
+    add_offsets(offsets, set);
+    for(std::size_t i = 0; i < offsets.size(); ++i)
+      result[i].offset = set.offsets[i];
+    return result;
+  }
+
+  // A segment has its face, so that it needs no search; only where that face is avoided another one has to be found.
+  //
+  // Returns a segment of a curve in the order of the intrinsic face. A segment along the rim of what is avoided is
+  // given in the neighbor that is not avoided. `position` is the number of the curve. Throws as for locations.
+  template <typename Segment>
+  Curve_segment<FT> curve_segment(const Segment& s, std::size_t position) const
+  {
+    const char* const what = "curve";
+    if(m_is_avoided.empty() || s.face == Graph_traits::null_face() || !is_face_of(s.face, m_tm, m_fim)
+       || m_is_avoided[static_cast<std::size_t>(get(m_fim, s.face))] == 0)
+    {
+      const Halfedge_id h = checked_halfedge(s.face, what, position);
+      return {face_of(h), intrinsic_coordinates<FT>(h, s.source, what, position),
+              intrinsic_coordinates<FT>(h, s.target, what, position)};
+    }
+    Coordinates from = intrinsic_coordinates<FT>(halfedge_of(0, 0), s.source, what, position);
+    Coordinates to = intrinsic_coordinates<FT>(halfedge_of(0, 0), s.target, what, position);
+    snap_coordinates(from);
+    snap_coordinates(to);
+    halfedge_descriptor h = halfedge(s.face, m_tm);
+    for(unsigned int k = 0; k < 3; ++k, h = next(h, m_tm))
+      if(from[previous_corner(k)] == 0 && to[previous_corner(k)] == 0 && is_open(opposite(h, m_tm)))
+      {
+        const halfedge_descriptor o = opposite(h, m_tm);
+        return {face_of(first_halfedge(face(o, m_tm))), location_on_halfedge(o, from[next_corner(k)], from[k]).second,
+                location_on_halfedge(o, to[next_corner(k)], to[k]).second};
+      }
     reject_avoided(what, position);
   }
 
@@ -422,8 +477,23 @@ private:
       if(is_vertex_of(source, m_tm, m_vim))
         is_marked[static_cast<std::size_t>(get(m_vim, vertex_descriptor(source)))] = 1;
     }
-    else if(source.first != Graph_traits::null_face() && is_face_of(source.first, m_tm, m_fim))
-      for(const halfedge_descriptor h : halfedges_of_triangle(source.first, m_tm))
+    else if constexpr(Is_curve<Source>::value)
+    {
+      if(source.vertex() != Graph_traits::null_vertex())
+        mark_source(source.vertex(), is_marked);
+      for(const auto& s : source.segments())
+        mark_face(s.face, is_marked);
+    }
+    else
+      mark_face(source.first, is_marked);
+  }
+
+  // Marks the corners of a face, for a source that is somewhere in it. The whole component of the face is read then.
+  // Ignores what is not a face of the mesh.
+  void mark_face(face_descriptor f, std::vector<char>& is_marked) const
+  {
+    if(f != Graph_traits::null_face() && is_face_of(f, m_tm, m_fim))
+      for(const halfedge_descriptor h : halfedges_of_triangle(f, m_tm))
         is_marked[static_cast<std::size_t>(get(m_vim, target(h, m_tm)))] = 1;
   }
 
@@ -446,6 +516,18 @@ private:
     c[index_in_face(i)] = a;
     c[next_corner(index_in_face(i))] = b;
     return {first, c};
+  }
+
+  // The same for points and for curves, whose sets only have to know their number:
+  // Appends an offset for each source of the set, or none. Throws if their number is neither.
+  void add_offsets(const std::vector<double>& offsets, Source_set<FT>& set) const
+  {
+    if(!offsets.empty() && offsets.size() != set.size())
+      throw Invalid_geodesic_input(Invalid_geodesic_input::Reason::INVALID_OFFSET,
+                                   std::to_string(offsets.size()) + " offsets for " + std::to_string(set.size())
+                                     + " sources");
+    for(const double offset : offsets)
+      add_offset(offset, set);
   }
 
   [[noreturn]] static void reject_avoided(const char* what, std::size_t position)

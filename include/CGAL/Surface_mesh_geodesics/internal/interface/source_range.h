@@ -23,6 +23,7 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
+#include <iterator>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -56,10 +57,33 @@ struct Is_face_location<TriangleMesh, Source,
 {};
 
 // True for a single source of either kind. Anything else is taken for a range.
+// Is a source a curve? (The class of the user has the type `Surface_curve_tag`.) Only distances take curves.
+template <typename Source, typename = void>
+struct Is_curve
+  : std::false_type
+{};
+
+template <typename Source>
+struct Is_curve<Source, std::void_t<typename Source::Surface_curve_tag>>
+  : std::true_type
+{};
+
 template <typename TriangleMesh, typename Source>
 struct Is_source
   : std::integral_constant<bool, Is_vertex<TriangleMesh, Source>::value
-                                   || Is_face_location<TriangleMesh, Source>::value>
+                                   || Is_face_location<TriangleMesh, Source>::value || Is_curve<Source>::value>
+{};
+
+// Are the sources a curve or a range of curves? One range has sources of one type; a point among curves is a curve with
+// one location. So the type of the range decides which propagation runs.
+template <typename Sources, typename = void>
+struct Are_curves
+  : Is_curve<Sources>
+{};
+
+template <typename Sources>
+struct Are_curves<Sources, std::void_t<decltype(*std::begin(std::declval<const Sources&>()))>>
+  : Is_curve<std::decay_t<decltype(*std::begin(std::declval<const Sources&>()))>>
 {};
 
 // Calls visit(source) for a single source, or for each source of a range, in its order. Callers pass the same range
@@ -73,8 +97,8 @@ void for_each_source(const Sources& sources, Visit visit)
     for(const auto& source : sources)
     {
       static_assert(Is_source<TriangleMesh, std::decay_t<decltype(source)>>::value,
-                    "a source is a vertex descriptor or a pair of a face descriptor and three "
-                    "barycentric coordinates");
+                    "a source is a vertex descriptor, a pair of a face descriptor and three barycentric "
+                    "coordinates, or a curve");
       visit(source);
     }
 }

@@ -45,6 +45,16 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
+// The policy of a propagation from points.
+struct No_strips
+{
+  static constexpr bool exist = false;
+
+  template <typename Mesh, typename Field>
+  No_strips(const Mesh&, const Field&)
+  {}
+};
+
 // States: ready (after construction or restart()), where sources and limits are set; running; complete or interrupted,
 // where the field and statistics() are read. From complete, add_source() and run() continue; from any state restart()
 // leads back to ready.
@@ -53,13 +63,16 @@ namespace internal {
 // is final if it is not greater than reached_distance() and than the maximum distance.
 //
 // `Keeper` is a policy that sees the windows (see Star_propagation): it is also told the distance that is reached.
-template <typename FT_, typename Rules_ = All_pruning_rules, typename Keeper_ = No_window_keeper>
+// `Strips` is the policy for sources that are curves (curves/Strip_front.h).
+template <typename FT_, typename Rules_ = All_pruning_rules, typename Keeper_ = No_window_keeper,
+          typename Strips_ = No_strips>
 class Distance_propagation
 {
 public:
   using FT = FT_;
   using Rules = Rules_;
   using Keeper = Keeper_;
+  using Strips = Strips_;
   using Mesh = Intrinsic_mesh<FT>;
   using Field = Vertex_distance_field<FT>;
 
@@ -67,7 +80,7 @@ public:
   // that is propagated, and the distance reached before each visit of a vertex.
   Distance_propagation(const Mesh& mesh, Field& field, Keeper keeper = Keeper(), Lane_choice lanes = Lane_choice::BEST)
     : m_mesh(mesh), m_wavefront(mesh, field), m_queue(mesh.number_of_vertices()),
-      m_stars(mesh, field.distance, keeper, lanes)
+      m_stars(mesh, field.distance, keeper, lanes), m_strips(mesh, field)
   {}
 
   // Removes the sources, distances, limits and statistics of the last run. The mesh may have changed since.
@@ -81,6 +94,8 @@ public:
     m_stars.restart();
     m_stars.set_maximum_distance(Field::infinity());
     m_end = Stopping_criterion<FT>();
+    if constexpr(Strips::exist)
+      m_strips.restart();
   }
 
   // Adds a source. Ignores a source that is not nearer to its vertex than earlier ones.
@@ -100,12 +115,26 @@ public:
     m_end.go_back_to(offset);
   }
 
+  // Adds curves: edges and vertices of the mesh (surface/curves/Source_curves.h). Requires: no run has begun since
+  // restart(), and the maximum distance is set.
+  template <typename Curves>
+  void add_curves(const Curves& curves)
+  {
+    static_assert(Strips::exist, "curves need a propagation with strips");
+    m_strips.start(curves, m_wavefront, [this](Halfedge_id h, const Window<FT>& w)
+                   { m_wavefront.put_window(h, w, m_stars.pool(), m_slots, pusher()); }, pusher());
+  }
+
+  const Strips& strips() const { return m_strips; }
+
   // Does not propagate windows beyond d. Requires: d >= 0. Smaller distances are the same, bit by bit, as without
   // limit.
   void set_maximum_distance(const FT& d)
   {
     m_stars.set_maximum_distance(d);
     m_end.set_maximum_distance(d);
+    if constexpr(Strips::exist)
+      m_strips.set_maximum_distance(d);
   }
 
   // Ends the run when the distances of the vertices in [first, last) are final. The range is not copied.
@@ -128,8 +157,18 @@ public:
   bool run(GoOn go_on, IsNeeded&& is_needed)
   {
     constexpr bool is_pruned = !std::is_same<std::decay_t<IsNeeded>, Every_visit>::value;
-    while(!m_queue.empty() || (!is_pruned && goes_on_beside_unreached_vertices()))
+    while(!m_queue.empty() || have_strips() || (!is_pruned && goes_on_beside_unreached_vertices()))
     {
+      if constexpr(Strips::exist)
+        if(is_strip_next())
+        {
+          if(m_end.is_reached_at(m_strips.top_key(), m_wavefront.distances()))
+            return true;
+          if(!go_on(m_stars.statistics().vertices_visited, m_end.reached_distance()))
+            return false;
+          cross_strips();
+          continue;
+        }
       if(m_end.is_reached_at(m_queue.top_key(), m_wavefront.distances()))
         return true;
       if(!go_on(m_stars.statistics().vertices_visited, m_end.reached_distance()))
@@ -166,6 +205,12 @@ public:
     Propagation_statistics s = m_stars.statistics();
     s.maximum_windows_alive = m_maximum_windows_alive;
     s.maximum_window_bytes = m_stars.memory() + m_wavefront.memory();
+    if constexpr(Strips::exist)
+    {
+      s.windows_created += m_strips.number_created();
+      s.windows_propagated += m_strips.number_crossed();
+      s.maximum_window_bytes += m_strips.memory();
+    }
     // The caller adds the mesh and the results.
     s.intrinsic_mesh_bytes = m_wavefront.table_memory() + m_queue.table_memory();
     return s;
@@ -200,6 +245,34 @@ private:
       (std::max)(m_maximum_windows_alive, static_cast<std::size_t>(m_slots.number_of_windows));
   }
 
+  // Do any strips wait? (A constant without curves, so that the loop of a run is the same as without this policy.)
+  bool have_strips() const
+  {
+    if constexpr(Strips::exist)
+      return !m_strips.empty();
+    else
+      return false;
+  }
+
+  // Is a strip at least as near as the nearest vertex that waits? In a tie strips come first: they improve vertices,
+  // and a vertex that is visited should have its last distance.
+  bool is_strip_next() const
+  {
+    return !m_strips.empty() && (m_queue.empty() || m_strips.top_key() <= m_queue.top_key());
+  }
+
+  // Lets the nearest lists of strips cross their faces, up to the next vertex. Ends from time to time, so that the
+  // visitor is asked.
+  void cross_strips()
+  {
+    constexpr int lists_at_once = 16;
+    bool are_windows_stale = false;
+    for(int i = 0; i < lists_at_once && is_strip_next(); ++i)
+      are_windows_stale |= m_strips.cross_nearest(m_wavefront, pusher());
+    if(are_windows_stale)
+      m_wavefront.expect_stale_windows(m_queue.largest_key());
+  }
+
   // Starts once more beside vertices that rounding has left without a distance (see Wavefront); not under a maximum
   // distance, which leaves vertices unreached on purpose. Requires: nothing waits.
   bool goes_on_beside_unreached_vertices()
@@ -223,6 +296,7 @@ private:
   Wavefront_queue<FT> m_queue;
   Window_list_slots m_slots;
   Star_propagation<FT, Rules, Keeper> m_stars;
+  Strips m_strips;
   Stopping_criterion<FT> m_end;
   std::size_t m_maximum_windows_alive = 0;
   Vertex_star<FT> m_star; // of the vertex that is visited; a buffer between visits

@@ -96,6 +96,15 @@ public:
     return split_edge(halfedge_of(s, k), local[k], local[next_corner(k)]);
   }
 
+  // Returns the vertex at the point wa a + wb b of the edge h = (a, b) of the refined mesh, which it makes. The two
+  // weights are given as they are, since 1 minus the larger one would lose digits of the smaller one.
+  // Requires: both are positive, and their sum is 1; the edge has a length.
+  Vertex_id insert_on_edge(Halfedge_id h, const FT& wa, const FT& wb)
+  {
+    CGAL_assertion(wa > 0 && wb > 0 && m_mesh.length(h) > 0);
+    return split_edge(h, wa, wb);
+  }
+
   // Takes the mesh as it is for the first one, and forgets what has been inserted into another one.
   void restart()
   {

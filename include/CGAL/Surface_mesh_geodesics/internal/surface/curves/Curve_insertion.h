@@ -1,0 +1,334 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_CURVES_CURVE_INSERTION_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_CURVES_CURVE_INSERTION_H
+
+// Makes edges of the refined mesh of the curves that are sources: inserts the locations of each curve as vertices
+// (Source_insertion.h), and wherever a segment crosses an edge of a part of its face, a vertex at the crossing. The
+// segment is a chain of edges then. Curves that cross, touch or overlap share vertices and edges.
+//
+// All curves are walked twice. An insertion may divide an edge of a curve that was walked before, so the edges are
+// collected in a walk that inserts nothing.
+
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Source_insertion.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/barycentric_coordinates.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/curves/Source_curves.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+template <typename FT>
+class Curve_insertion
+{
+  using Mesh = Intrinsic_mesh<FT>;
+  using Coordinates = Barycentric<FT>;
+  using Curves = std::vector<Located_curve<FT>>;
+
+public:
+  // Both have to outlive this object. `insertion` refines `mesh`.
+  Curve_insertion(const Mesh& mesh, Source_insertion<FT>& insertion) : m_mesh(mesh), m_insertion(insertion) {}
+
+  // Inserts the curves and returns their edges and vertices. Takes the time of sorting the locations and of the
+  // insertions, plus the degrees of the vertices on the curves. The refined mesh does not depend on the order of the
+  // curves.
+  // Requires: nothing is inserted yet; the faces are those of the mesh without insertions.
+  Source_curves<FT> insert(const Curves& curves)
+  {
+    insert_locations(curves);
+    // Each walk ends, and the number of insertions is finite: a crossing that is a vertex is met as one the next time.
+    std::size_t walks = 0;
+    do
+    {
+      m_result = Source_curves<FT>();
+      m_has_inserted = false;
+      for(std::size_t i = 0; i < curves.size(); ++i)
+        add_curve(curves[i], static_cast<std::uint32_t>(i));
+    } while(m_has_inserted && ++walks < most_walks);
+    CGAL_assertion(!m_has_inserted);
+    remove_copies();
+    Source_curves<FT> result;
+    std::swap(result, m_result);
+    return result;
+  }
+
+private:
+  // Two walks in most cases; a few more where rounding lets a second walk see another crossing.
+  static constexpr std::size_t most_walks = 64;
+
+  // A vertex of the refined mesh, and its coordinates in the face that a segment runs through.
+  struct Place
+  {
+    Vertex_id vertex;
+    Coordinates at;
+  };
+
+  // The edge to a neighbor of a place in the same face: the halfedges there and back, or null_id.
+  struct Step
+  {
+    Place to{null_id, Coordinates{}};
+    Halfedge_id there = null_id, back = null_id;
+    FT progress = 0; // along the segment
+  };
+
+  // A part of the face around a place: the segment leaves it across the edge of `halfedge`, between its ends.
+  struct Exit
+  {
+    Halfedge_id halfedge = null_id;
+    FT source_weight = 0, target_weight = 0;
+    Coordinates at{}, source{}; // of the crossing, and of the source of the halfedge
+  };
+
+  // The direction of what is left of a segment, in the plane of the last two coordinates of its face.
+  struct Line
+  {
+    Coordinates from;
+    FT x, y, length;
+
+    // In these coordinates the corners of the face are counterclockwise, as they are on the surface; angles and lengths
+    // differ, but no answer depends on them beyond rounding.
+    Line(const Coordinates& a, const Coordinates& b)
+      : from(a), x(b[1] - a[1]), y(b[2] - a[2]), length(norm<FT>(x, y))
+    {}
+
+    // The signed distance of a point from the line, positive on the left, and its position along the line.
+    FT side(const Coordinates& p) const { return (x * (p[2] - from[2]) - y * (p[1] - from[1])) / length; }
+    FT position(const Coordinates& p) const { return (x * (p[1] - from[1]) + y * (p[2] - from[2])) / length; }
+  };
+
+  // Each segment begins at the vertex where the one before ends, although that one may be in another face: their
+  // coordinates agree up to rounding only. So only the beginnings, and the ends of open curves, are inserted.
+  void insert_locations(const Curves& curves)
+  {
+    struct Location
+    {
+      Face_id face;
+      Coordinates at;
+      std::size_t curve, position;
+    };
+    std::vector<Location> locations;
+    m_vertices.assign(curves.size(), std::vector<Vertex_id>());
+    for(std::size_t i = 0; i < curves.size(); ++i)
+    {
+      const auto& segments = curves[i].segments;
+      for(const Curve_segment<FT>& s : segments)
+        locations.push_back(Location{s.face, s.from, i, static_cast<std::size_t>(&s - segments.data())});
+      if(!segments.empty() && !curves[i].is_closed)
+        locations.push_back(Location{segments.back().face, segments.back().to, i, segments.size()});
+      m_vertices[i].resize(segments.size() + 1, curves[i].vertex);
+    }
+    std::sort(locations.begin(), locations.end(), [](const Location& a, const Location& b)
+              { return std::tie(a.face, a.at) < std::tie(b.face, b.at); });
+    for(const Location& l : locations)
+      m_vertices[l.curve][l.position] = m_insertion.insert(l.face, l.at);
+    for(std::size_t i = 0; i < curves.size(); ++i)
+      if(curves[i].is_closed && !curves[i].segments.empty())
+        m_vertices[i].back() = m_vertices[i].front();
+  }
+
+  // Walks along all segments of a curve. Its first point is added here, all others by the walks that reach them; a
+  // curve without a segment of any length is only that point.
+  void add_curve(const Located_curve<FT>& curve, std::uint32_t number)
+  {
+    const std::vector<Vertex_id>& vertex = m_vertices[number];
+    m_result.vertices.push_back(Source_vertex<FT>{vertex[0], curve.offset, Curve_point<FT>{number, 0, FT(0)}});
+    for(std::uint32_t i = 0; i < curve.segments.size(); ++i)
+    {
+      Coordinates from = curve.segments[i].from, to = curve.segments[i].to;
+      snap_coordinates(from);
+      snap_coordinates(to);
+      const Face_id whole = curve.segments[i].face;
+      walk(place(vertex[i], from, whole), place(vertex[i + 1], to, whole), whole, Curve_point<FT>{number, i, FT(0)},
+           curve.offset);
+    }
+  }
+
+  // Returns a vertex with its coordinates in a face: those given, or the nearest ones that it has there. They differ on
+  // an edge without length, which has no vertices but its ends.
+  Place place(Vertex_id v, const Coordinates& at, Face_id whole) const
+  {
+    Place result{v, at};
+    FT least = std::numeric_limits<FT>::infinity();
+    m_mesh.for_each_halfedge_around(v, [&](Halfedge_id h)
+    {
+      const Coordinates corner = corners_in_whole(face_of(h))[index_in_face(h)];
+      if(m_insertion.parts().whole(face_of(h)) != whole || !(difference(corner, at) < least))
+        return;
+      least = difference(corner, at);
+      result.at = least < Tolerance<FT>::location() ? at : corner;
+    });
+    return result;
+  }
+
+  // Walks along a segment from vertex to vertex, and adds each edge and its end to the result. Inserts a vertex where
+  // the segment crosses an edge, and goes on from there.
+  void walk(Place place, const Place& end, Face_id whole, Curve_point<FT> point, const FT& offset)
+  {
+    const Line segment(place.at, end.at);
+    m_visited.assign(1, place.vertex);
+    for(std::size_t steps = 0; place.vertex != end.vertex && steps <= m_mesh.number_of_faces(); ++steps)
+    {
+      const Line line(place.at, end.at);
+      if(!(line.length > Tolerance<FT>::barycentric()))
+        return; // what is left is rounding
+      Step step;
+      Exit exit;
+      look_around(place, end, whole, line, step, exit);
+      if(step.to.vertex == null_id && exit.halfedge != null_id && !(m_mesh.length(exit.halfedge) > 0))
+        step = Step{Place{m_mesh.source(exit.halfedge), exit.source}, previous_halfedge(exit.halfedge),
+                    m_mesh.opposite(previous_halfedge(exit.halfedge)), FT(0)}; // both ends are at one point
+      else if(step.to.vertex == null_id && exit.halfedge != null_id)
+      {
+        m_has_inserted = true;
+        place = Place{m_insertion.insert_on_edge(exit.halfedge, exit.source_weight, exit.target_weight), exit.at};
+        continue; // the next walk meets this vertex
+      }
+      CGAL_assertion(step.to.vertex != null_id);
+      if(step.to.vertex == null_id)
+        return;
+      const FT first = point.parameter;
+      point.parameter = step.to.vertex == end.vertex
+                          ? FT(1)
+                          : (std::min)(FT(1), (std::max)(first, FT(segment.position(step.to.at) / segment.length)));
+      m_result.edges.push_back(
+        Source_edge<FT>{step.there, step.back, m_mesh.length((std::min)(step.there, step.back)), offset, point.curve,
+                        point.segment, first, point.parameter});
+      m_result.vertices.push_back(Source_vertex<FT>{step.to.vertex, offset, point});
+      place = step.to;
+      m_visited.push_back(place.vertex);
+    }
+  }
+
+  // Looks at the parts of the face around a place. Finds the next vertex on the segment, if there is one; and the part
+  // that the segment enters, if it leaves that one across the edge opposite to the place.
+  void look_around(const Place& place, const Place& end, Face_id whole, const Line& line, Step& step, Exit& exit) const
+  {
+    FT widest = -std::numeric_limits<FT>::infinity();
+    Step aside;
+    m_mesh.for_each_halfedge_around(place.vertex, [&](Halfedge_id h)
+    {
+      const std::array<Coordinates, 3> corner = corners_in_whole(face_of(h));
+      const unsigned int k = index_in_face(h), ka = next_corner(k), kb = previous_corner(k);
+      if(m_insertion.parts().whole(face_of(h)) != whole || !is_same_point(corner[k], place.at))
+        return;
+      const Halfedge_id bv = previous_halfedge(h);
+      try_step(Step{Place{m_mesh.target(h), corner[ka]}, h, m_mesh.opposite(h), FT(0)}, end, line, step, aside);
+      try_step(Step{Place{m_mesh.source(bv), corner[kb]}, m_mesh.opposite(bv), bv, FT(0)}, end, line, step, aside);
+      // The segment enters the part if a is on its right and b on its left.
+      const FT right = -line.side(corner[ka]), left = line.side(corner[kb]);
+      const FT width = (std::min)(right, left);
+      if(!(width > 0) || !(width > widest))
+        return;
+      widest = width;
+      exit.halfedge = next_halfedge(h);
+      exit.source_weight = left / (left + right);
+      exit.target_weight = right / (left + right);
+      for(unsigned int i = 0; i < 3; ++i)
+        exit.at[i] = exit.source_weight * corner[ka][i] + exit.target_weight * corner[kb][i];
+      exit.source = corner[ka];
+    });
+    if(step.to.vertex == null_id && exit.halfedge == null_id)
+      step = aside;
+  }
+
+  // Has the walk along this segment been at a vertex? Only a step aside could lead back.
+  bool is_visited(Vertex_id v) const { return std::find(m_visited.begin(), m_visited.end(), v) != m_visited.end(); }
+
+  // Takes a neighbor as the next vertex if it is on the segment, up to rounding, and nearer than the one found so far.
+  // The end of the segment is on it. `aside` is a neighbor at the same point as the place, up to rounding: where
+  // nothing else leads on, the walk goes on from there.
+  void try_step(Step candidate, const Place& end, const Line& line, Step& best, Step& aside) const
+  {
+    using std::abs;
+    candidate.progress = line.position(candidate.to.at);
+    const bool is_end = candidate.to.vertex == end.vertex && is_same_point(candidate.to.at, end.at);
+    if(!is_end
+       && (!(candidate.progress > 0) || candidate.progress > line.length + Tolerance<FT>::barycentric()
+           || abs(line.side(candidate.to.at)) > Tolerance<FT>::barycentric()))
+    {
+      if(abs(line.side(candidate.to.at)) <= Tolerance<FT>::barycentric()
+         && abs(candidate.progress) <= Tolerance<FT>::barycentric() && !is_visited(candidate.to.vertex))
+        aside = candidate;
+      return;
+    }
+    if(is_end)
+      candidate.progress = line.length;
+    if(best.to.vertex == null_id || candidate.progress < best.progress)
+      best = candidate;
+  }
+
+  // Are two points of a face the same vertex, if they are known to be vertices that are equal? (Where a face is glued
+  // to itself, one vertex may be at several points of it.)
+  static bool is_same_point(const Coordinates& a, const Coordinates& b)
+  {
+    return difference(a, b) < Tolerance<FT>::location();
+  }
+
+  static FT difference(const Coordinates& a, const Coordinates& b)
+  {
+    using std::abs;
+    return abs(FT(a[0] - b[0])) + abs(FT(a[1] - b[1])) + abs(FT(a[2] - b[2]));
+  }
+
+  // The corners of a face of the refined mesh in its face of the first mesh.
+  std::array<Coordinates, 3> corners_in_whole(Face_id f) const
+  {
+    const Face_part<FT>* const part = m_insertion.parts().find_part_of(f);
+    return part != nullptr ? part->corner : std::array<Coordinates, 3>{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  }
+
+  // (Sorting keeps the order of the curves where all else is equal, so the first one counts.)
+  // Keeps one of several copies of an edge or a vertex: that with the smallest offset, of these the first one.
+  void remove_copies()
+  {
+    std::vector<Source_edge<FT>>& edges = m_result.edges;
+    const auto name = [](const Source_edge<FT>& e) { return (std::min)(e.left, e.right); };
+    std::stable_sort(edges.begin(), edges.end(), [&](const Source_edge<FT>& a, const Source_edge<FT>& b)
+                     { return name(a) < name(b) || (name(a) == name(b) && a.offset < b.offset); });
+    edges.erase(std::unique(edges.begin(), edges.end(), [&](const Source_edge<FT>& a, const Source_edge<FT>& b)
+                            { return name(a) == name(b); }),
+                edges.end());
+    std::vector<Source_vertex<FT>>& vertices = m_result.vertices;
+    std::stable_sort(vertices.begin(), vertices.end(), [](const Source_vertex<FT>& a, const Source_vertex<FT>& b)
+                     { return std::tie(a.vertex, a.offset) < std::tie(b.vertex, b.offset); });
+    vertices.erase(std::unique(vertices.begin(), vertices.end(), [](const Source_vertex<FT>& a,
+                                                                    const Source_vertex<FT>& b)
+                               { return a.vertex == b.vertex; }),
+                   vertices.end());
+  }
+
+  const Mesh& m_mesh;
+  Source_insertion<FT>& m_insertion;
+  std::vector<std::vector<Vertex_id>> m_vertices; // of each curve, in its order
+  Source_curves<FT> m_result;
+  std::vector<Vertex_id> m_visited; // on the segment that is walked along
+  bool m_has_inserted = false;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_CURVES_CURVE_INSERTION_H

@@ -1,0 +1,90 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_CURVES_SOURCE_CURVES_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_CURVES_SOURCE_CURVES_H
+
+// Curves that are sources: as polylines in faces of the mesh as it was read, and as edges and vertices of the refined
+// mesh, once they are inserted (Curve_insertion.h).
+
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/barycentric_coordinates.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+// A straight segment in a face, from one of its points to another. The coordinates are valid (are_valid_coordinates())
+// and in the order of the corners of the face.
+template <typename FT>
+struct Curve_segment
+{
+  Face_id face;
+  Barycentric<FT> from, to;
+};
+
+// A curve: each segment begins at the point where the one before ends, and that of a closed curve at last returns to
+// the first point. A curve without segments is the point at `vertex`. The offset is in the unit of the mesh.
+template <typename FT>
+struct Located_curve
+{
+  std::vector<Curve_segment<FT>> segments;
+  Vertex_id vertex = null_id;
+  bool is_closed = false;
+  FT offset = 0;
+};
+
+// A point of a curve, as results name it: curves are numbered from 0, and so are the segments of each. The parameter is
+// 0 at the beginning of the segment and 1 at its end.
+template <typename FT>
+struct Curve_point
+{
+  std::uint32_t curve, segment;
+  FT parameter;
+};
+
+// An edge of the refined mesh that is a part of a segment. Along the curve, the face of `left` is on the left, and that
+// of `right` on the right; null_id stands for the border. `left` runs along the curve, `right` against it. The
+// parameters are those of the ends.
+template <typename FT>
+struct Source_edge
+{
+  Halfedge_id left, right;
+  FT length, offset;
+  std::uint32_t curve, segment;
+  FT first_parameter, last_parameter;
+};
+
+// A vertex of the refined mesh on a curve.
+template <typename FT>
+struct Source_vertex
+{
+  Vertex_id vertex;
+  FT offset;
+  Curve_point<FT> point;
+};
+
+// All curves of a propagation in the refined mesh. Invariants: each edge and each vertex is there once, with the
+// smallest offset of the curves that it is a part of; of curves with the same offset, the first one. Both ends of each
+// edge are among the vertices.
+template <typename FT>
+struct Source_curves
+{
+  std::vector<Source_edge<FT>> edges;
+  std::vector<Source_vertex<FT>> vertices;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_SURFACE_CURVES_SOURCE_CURVES_H

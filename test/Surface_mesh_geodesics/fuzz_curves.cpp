@@ -1,0 +1,48 @@
+// Distances from random curves on hostile surfaces, against the smallest distance from each of some vertices to a point
+// of the curves. Arguments: the number of surfaces, and the seed.
+
+#include "curve_cases.h"
+#include "hostile_meshes.h"
+#include "test_support.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <iostream>
+#include <string>
+#include <vector>
+
+int main(int argc, char** argv)
+{
+  using namespace curve_cases;
+  const std::size_t number = argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 20000;
+  const std::uint64_t seed = test_support::announce_seed(argc > 2 ? std::strtoul(argv[2], nullptr, 10) : 1);
+  double worst = 0;
+  std::size_t compared = 0;
+  for(std::uint64_t i = 0; i < number; ++i)
+  {
+    const test_support::Scope scope("surface " + std::to_string(seed + i));
+    test_support::Random random(seed + i);
+    Mesh tm;
+    if(!hostile_meshes::is_surface(hostile_meshes::hostile_mesh(random), tm))
+      continue;
+    const std::vector<Curve> curves = random_curves(tm, random);
+    const Distances d = distances(tm, curves);
+    for(const auto h : halfedges(tm)) // no edge is a shortcut
+      CHECK(d.at(target(h, tm))
+            <= (d.at(source(h, tm)) + std::sqrt(CGAL::squared_distance(tm.point(source(h, tm)),
+                                                                      tm.point(target(h, tm))))) * (1 + 1e-13));
+    for(std::size_t j = 0; j < 3; ++j)
+    {
+      const vertex_descriptor v = random_vertex(tm, random);
+      const double error = error_at(tm, curves, v, d.at(v));
+      CHECK(error <= 1e-12);
+      worst = (std::max)(worst, error);
+      ++compared;
+    }
+  }
+  CHECK(compared > 0);
+  std::cout << compared << " distances, worst relative error " << worst << std::endl;
+  return test_result();
+}

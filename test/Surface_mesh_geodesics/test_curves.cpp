@@ -1,0 +1,513 @@
+// Distances from curves: closed forms in the plane and on surfaces that unfold, points along the curve, curves of
+// strange shapes, random curves on hostile meshes; offsets, mixtures with points, feet, limits, invalid input.
+
+#include "curve_cases.h"
+#include "expected_exceptions.h"
+#include "hostile_meshes.h"
+#include "test_meshes.h"
+#include "test_support.h"
+
+#include <CGAL/Surface_mesh_geodesics/Geodesic_distance_solver.h>
+#include <CGAL/Surface_mesh_geodesics/Surface_curve.h>
+#include <CGAL/Surface_mesh_geodesics/geodesic_distances.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace curve_cases;
+namespace SMG = CGAL::Surface_mesh_geodesics;
+using SMG::Invalid_geodesic_input;
+using Solver = SMG::Geodesic_distance_solver<Mesh>;
+
+namespace {
+
+double square(double x) { return x * x; }
+
+// --- the plane ---
+
+using Point_2 = std::array<double, 2>;
+
+Point_2 in_plane(const Mesh& tm, vertex_descriptor v) { return {tm.point(v).x(), tm.point(v).y()}; }
+
+double distance_to_segment(const Point_2& p, const Point_2& a, const Point_2& b)
+{
+  const double x = b[0] - a[0], y = b[1] - a[1], length = square(x) + square(y);
+  const double t = length > 0 ? ((p[0] - a[0]) * x + (p[1] - a[1]) * y) / length : 0;
+  const double s = (std::min)(1., (std::max)(0., t));
+  return std::hypot(p[0] - a[0] - s * x, p[1] - a[1] - s * y);
+}
+
+// The locations where a segment of the plane begins and crosses edges, in its order. The mesh lies in the plane; the
+// segment runs through none of its vertices.
+void append_crossings(const Mesh& tm, const Point_2& a, const Point_2& b, std::vector<Location>& locations)
+{
+  std::vector<std::pair<double, Location>> crossings{{0., location_in_plane(a[0], a[1], tm)}};
+  for(const auto e : edges(tm))
+  {
+    auto h = halfedge(e, tm);
+    if(is_border(h, tm))
+      h = opposite(h, tm);
+    const Point_2 p = in_plane(tm, source(h, tm)), q = in_plane(tm, target(h, tm));
+    const double x = b[0] - a[0], y = b[1] - a[1];
+    const double at_p = x * (p[1] - a[1]) - y * (p[0] - a[0]), at_q = x * (q[1] - a[1]) - y * (q[0] - a[0]);
+    if((at_p > 0) == (at_q > 0))
+      continue;
+    const double s = at_p / (at_p - at_q);
+    const double t = ((p[0] + s * (q[0] - p[0]) - a[0]) * x + (p[1] + s * (q[1] - p[1]) - a[1]) * y)
+                   / (square(x) + square(y));
+    if(t <= 0 || t >= 1)
+      continue;
+    Location l(face(h, tm), {0, 0, 0});
+    auto g = halfedge(l.first, tm);
+    for(std::size_t i = 0; i < 3; ++i, g = next(g, tm))
+    {
+      if(g == h)
+        l.second[i] = 1 - s;
+      if(prev(g, tm) == h)
+        l.second[i] = s;
+    }
+    crossings.emplace_back(t, l);
+  }
+  std::sort(crossings.begin(), crossings.end());
+  for(const auto& c : crossings)
+    locations.push_back(c.second);
+}
+
+void border_of_square(const Mesh& tm, double size)
+{
+  const std::vector<Curve> curves = SMG::border_curves(tm);
+  CHECK_EQUAL(curves.size(), std::size_t(1));
+  CHECK(curves[0].is_closed());
+  CHECK_CLOSE(curves[0].length(tm), 4 * size, 1e-14);
+  const Distances d = distances(tm, curves);
+  for(const vertex_descriptor v : vertices(tm))
+  {
+    const Point_2 p = in_plane(tm, v);
+    CHECK_NEAR(d.at(v), (std::min)({p[0], size - p[0], p[1], size - p[1]}), 1e-14 * size);
+  }
+}
+
+// Random polygons, open and closed, that cross themselves; convex domain.
+void polygons_in_square(const Mesh& tm, double size, test_support::Random& random)
+{
+  std::vector<Point_2> corners;
+  for(std::size_t i = 2 + random.index(5); i > 0; --i)
+    corners.push_back({random.uniform(.01, .99) * size, random.uniform(.01, .99) * size});
+  const bool is_closed = random.index(2) == 0;
+  std::vector<Location> locations;
+  const std::size_t n = corners.size(), number_of_sides = is_closed ? n : n - 1;
+  for(std::size_t i = 0; i < number_of_sides; ++i)
+    append_crossings(tm, corners[i], corners[(i + 1) % n], locations);
+  if(!is_closed)
+    locations.push_back(location_in_plane(corners.back()[0], corners.back()[1], tm));
+  const Distances d = distances(tm, {Curve(tm, locations, is_closed)});
+  for(const vertex_descriptor v : vertices(tm))
+  {
+    double expected = infinity;
+    for(std::size_t i = 0; i < number_of_sides; ++i)
+      expected = (std::min)(expected, distance_to_segment(in_plane(tm, v), corners[i], corners[(i + 1) % n]));
+    CHECK_NEAR(d.at(v), expected, 1e-13 * size);
+  }
+}
+
+void test_plane()
+{
+  test_support::Random random(3);
+  for(std::uint64_t seed = 1; seed <= 12; ++seed)
+  {
+    const test_support::Scope scope("square " + std::to_string(seed));
+    // A square of size n; every third one has faces that are up to a thousand times as wide as high.
+    const std::size_t n = 3 + seed, m = seed % 3 == 0 ? 1 : n;
+    Indexed_mesh indexed = flat_patch(m, n, .3, true, seed);
+    const double size = static_cast<double>(n);
+    for(Coordinates& p : indexed.points)
+    {
+      p[0] *= size / static_cast<double>(m);
+      if(m == 1)
+        p[1] = p[1] < size ? 1e-2 * p[1] : size;
+    }
+    const Mesh tm = to_face_graph(indexed);
+    border_of_square(tm, size);
+    for(int i = 0; i < 6; ++i)
+      polygons_in_square(tm, size, random);
+  }
+}
+
+// --- surfaces that unfold ---
+
+void test_tube()
+{
+  const double height = 3;
+  const Mesh tm = to_face_graph(prism_tube(7, 9, 1., height));
+  const std::vector<Curve> curves = SMG::border_curves(tm);
+  CHECK_EQUAL(curves.size(), std::size_t(2));
+  const Distances both = distances(tm, curves), lower = distances(tm, {curves[0]});
+  double least = infinity, largest = -infinity;
+  for(const vertex_descriptor v : vertices(tm))
+  {
+    least = (std::min)(least, tm.point(v).z());
+    largest = (std::max)(largest, tm.point(v).z());
+  }
+  const bool is_first_at_bottom
+    = tm.point(source(halfedge(curves[0].segments()[0].face, tm), tm)).z() < (least + largest) / 2;
+  for(const vertex_descriptor v : vertices(tm))
+  {
+    const double z = tm.point(v).z() - least;
+    CHECK_NEAR(both.at(v), (std::min)(z, height - z), 1e-13);
+    CHECK_NEAR(lower.at(v), is_first_at_bottom ? z : height - z, 1e-13);
+  }
+}
+
+// The apex of a cone of isosceles triangles has the distance of their height; and that from the rim of a saddle, whose
+// angle at the center exceeds a full turn.
+void test_cones()
+{
+  for(const Indexed_mesh& indexed : {cone_fan(5), cone_fan(12), saddle_fan(8)})
+  {
+    const test_support::Scope scope(indexed.name);
+    const Mesh tm = to_face_graph(indexed);
+    const Distances d = distances(tm, SMG::border_curves(tm));
+    for(const vertex_descriptor v : vertices(tm))
+    {
+      double expected = is_border(v, tm) ? 0. : infinity;
+      if(!is_border(v, tm))
+        for(const auto h : halfedges_around_target(v, tm))
+        {
+          const auto a = tm.point(source(h, tm)), b = tm.point(target(next(h, tm), tm));
+          expected = (std::min)(expected,
+                                std::sqrt(CGAL::squared_distance(tm.point(v), Kernel::Segment_3(a, b))));
+        }
+      CHECK_NEAR(d.at(v), expected, 1e-14);
+    }
+  }
+}
+
+// --- surfaces of any kind: points along the curve, with a quadratic error ---
+
+double largest_excess(const Mesh& tm, const std::vector<Curve>& curves, const Distances& d, std::size_t n)
+{
+  std::vector<Location> points;
+  for(const Curve& c : curves)
+    for(std::size_t i = 0; i < c.segments().size(); ++i)
+      for(std::size_t j = 0; j <= n; ++j)
+        points.push_back(c.location(i, static_cast<double>(j) / static_cast<double>(n)));
+  Distances from_points;
+  SMG::geodesic_distances(tm, boost::make_assoc_property_map(from_points), points);
+  double excess = 0;
+  for(const vertex_descriptor v : vertices(tm))
+  {
+    CHECK(from_points.at(v) >= d.at(v) * (1 - 1e-12) - 1e-14);
+    // The error is quadratic at vertices that are farther away than the points are from each other.
+    if(d.at(v) > extent(tm) / 2)
+      excess = (std::max)(excess, from_points.at(v) - d.at(v));
+  }
+  return excess;
+}
+
+void test_points_along_curves()
+{
+  test_support::Random random(5);
+  double sum[3] = {0, 0, 0}; // of all meshes, as the error is linear in front of a vertex where paths bend
+  for(const Indexed_mesh& indexed : small_collection(3))
+  {
+    const test_support::Scope scope(indexed.name);
+    const Mesh tm = to_face_graph(indexed);
+    const std::vector<Curve> curves{Curve(tm, random_vertices_along_edges(tm, 4, random)), random_curve(tm, random)};
+    if(curves[1].segments().empty())
+      continue;
+    const Distances d = distances(tm, curves);
+    double excess[3] = {0, 0, 0};
+    bool is_connected = true;
+    for(const auto& entry : d)
+      is_connected = is_connected && entry.second < infinity;
+    if(!is_connected)
+      continue;
+    for(std::size_t i = 0; i < 3; ++i)
+      excess[i] = largest_excess(tm, curves, d, std::size_t(4) << i);
+    CHECK(excess[0] <= extent(tm) / 8);
+    for(std::size_t i = 0; i < 3; ++i)
+      sum[i] += excess[i] / extent(tm);
+  }
+  CHECK(sum[0] > .01);
+  CHECK(sum[1] < .6 * sum[0] && sum[2] < .6 * sum[1]);
+}
+
+void test_hostile_meshes()
+{
+  for(std::uint64_t seed = 1; seed <= 60; ++seed)
+  {
+    const test_support::Scope scope("hostile " + std::to_string(seed));
+    test_support::Random random(seed);
+    Mesh tm;
+    if(!hostile_meshes::is_surface(hostile_meshes::hostile_mesh(random), tm))
+      continue;
+    const std::vector<Curve> curves = random_curves(tm, random);
+    const Distances d = distances(tm, curves);
+    const vertex_descriptor v = random_vertex(tm, random);
+    CHECK(error_at(tm, curves, v, d.at(v)) <= 1e-12);
+  }
+}
+
+// --- strange curves ---
+
+void test_strange_curves()
+{
+  const Mesh tm = to_face_graph(flat_patch(6, 6, .3, true, 4));
+  const vertex_descriptor v(24);
+  const face_descriptor f = face(halfedge(v, tm), tm), g = *faces(tm).begin();
+  const Location inside(f, {.2, .3, .5}), other(f, {.7, .1, .2}), third(f, {.1, .8, .1}), fourth(f, {.3, .05, .65});
+  const auto at = [&](std::size_t k)
+  {
+    Location l(f, {0, 0, 0});
+    l.second[k] = 1;
+    return l;
+  };
+  const auto same = [&](const std::vector<Curve>& a, const std::vector<Curve>& b)
+  {
+    const Distances x = distances(tm, a), y = distances(tm, b);
+    for(const vertex_descriptor u : vertices(tm))
+      CHECK_NEAR(x.at(u), y.at(u), 1e-14);
+  };
+  // A point, in many ways.
+  Distances from_vertex;
+  SMG::geodesic_distances(tm, boost::make_assoc_property_map(from_vertex), v);
+  CHECK(distances(tm, {Curve(tm, v)}) == from_vertex);
+  CHECK(distances(tm, {Curve(tm, std::vector<vertex_descriptor>{v, v, v})}) == from_vertex);
+  CHECK(distances(tm, {Curve(tm, std::vector<vertex_descriptor>{v, v}, true)}) == from_vertex);
+  same({Curve(tm, inside)}, {Curve(tm, std::vector<Location>{inside, inside})});
+  // There and back; a segment in pieces; pieces of no length; the same edge twice; crossing; touching.
+  same({Curve(tm, std::vector<Location>{inside, other})}, {Curve(tm, std::vector<Location>{inside, other, inside})});
+  const Location middle(f, {.45, .2, .35});
+  same({Curve(tm, std::vector<Location>{inside, other})},
+       {Curve(tm, std::vector<Location>{inside, middle, middle, other}),
+        Curve(tm, std::vector<Location>{middle, other})});
+  same({Curve(tm, std::vector<Location>{at(0), at(1), at(2)}, true)},
+       {Curve(tm, std::vector<Location>{at(0), at(2), at(1), at(0), at(1)})});
+  same({Curve(tm, std::vector<Location>{inside, other, third, fourth})},
+       {Curve(tm, std::vector<Location>{fourth, third}), Curve(tm, std::vector<Location>{other, third}),
+        Curve(tm, std::vector<Location>{other, inside})});
+  CHECK(!Curve(tm, std::vector<Location>{inside, other}).is_closed());
+  CHECK(throws_reason(Invalid_geodesic_input::Reason::INVALID_CURVE,
+                      [&] { Curve(tm, std::vector<Location>{inside, Location(g, {.2, .3, .5})}); }));
+}
+
+// --- offsets, mixtures, feet, limits ---
+
+void test_offsets_and_feet()
+{
+  const std::size_t n = 12;
+  const Mesh tm = to_face_graph(flat_patch(n, n, .3, true, 9));
+  std::vector<Curve> curves = SMG::border_curves(tm);
+  const vertex_descriptor center(84);
+  CHECK(!is_border(center, tm));
+  curves.emplace_back(tm, center);
+  const std::vector<double> offsets{.5, 1.25};
+  Solver solver(tm);
+  CHECK_EQUAL(solver.nearest_curve_point(center).curve, Solver::no_source);
+  solver.compute_distances(curves, CGAL::parameters::source_offsets(offsets));
+  std::size_t from_curve = 0;
+  for(const vertex_descriptor v : vertices(tm))
+  {
+    const Point_2 p = in_plane(tm, v), q = in_plane(tm, center);
+    const double size = n, to_border = (std::min)({p[0], size - p[0], p[1], size - p[1]}) + .5;
+    const double to_center = std::hypot(p[0] - q[0], p[1] - q[1]) + 1.25;
+    CHECK_NEAR(solver.distance(v), (std::min)(to_border, to_center), 1e-13);
+    if(std::abs(to_border - to_center) < 1e-9)
+      continue;
+    CHECK_EQUAL(solver.nearest_source(v), std::size_t(to_border < to_center ? 0 : 1));
+    const SMG::Surface_curve_point foot = solver.nearest_curve_point(v);
+    CHECK_EQUAL(foot.curve, solver.nearest_source(v));
+    if(foot.curve == 1)
+      continue;
+    ++from_curve;
+    const Coordinates at = coordinates(curves[0].location(foot.segment, foot.parameter), tm);
+    CHECK_NEAR(std::hypot(p[0] - at[0], p[1] - at[1]) + .5, solver.distance(v), 1e-13);
+  }
+  CHECK(from_curve > num_vertices(tm) / 3);
+  // Offsets that leave a curve no vertex; of curves at one place, the first one with the smallest offset.
+  curves = {curves[0], curves[0], Curve(tm, center)};
+  solver.compute_distances(curves, CGAL::parameters::source_offsets(std::vector<double>{100., 100., 0.}));
+  for(const vertex_descriptor v : vertices(tm))
+    CHECK_EQUAL(solver.nearest_source(v), std::size_t(2));
+  solver.compute_distances(curves, CGAL::parameters::source_offsets(std::vector<double>{1., .5, 100.}));
+  for(const vertex_descriptor v : vertices(tm))
+    CHECK_EQUAL(solver.nearest_source(v), std::size_t(1));
+}
+
+struct Canceling_visitor
+  : CGAL::Surface_mesh_geodesics::Geodesic_default_visitor
+{
+  std::size_t calls = 0;
+  bool go_further() { return ++calls < 3; }
+};
+
+void test_limits()
+{
+  namespace np = CGAL::parameters;
+  const Mesh tm = to_face_graph(noisy_sphere(3, .2, 5));
+  const std::vector<Curve> curves{Curve(tm, std::vector<vertex_descriptor>{
+    source(halfedge(face_descriptor(7), tm), tm), target(halfedge(face_descriptor(7), tm), tm)})};
+  Distances all = distances(tm, curves);
+  Solver solver(tm);
+  const double radius = .7;
+  solver.compute_distances(curves, np::maximum_distance(radius));
+  for(const vertex_descriptor v : vertices(tm))
+    CHECK_EQUAL(solver.distance(v), all[v] <= radius ? all[v] : infinity);
+  for(const std::size_t i : {3u, 100u, 200u})
+  {
+    const vertex_descriptor v(static_cast<Mesh::size_type>(i));
+    CHECK_EQUAL(solver.compute_distance(curves, v), all[v]);
+  }
+  // Nothing is left of runs that ended early, failed or were canceled; points come after curves, and the other way.
+  Canceling_visitor visitor;
+  CHECK(!solver.compute_distances(curves, np::visitor(std::ref(visitor))));
+  CHECK_EQUAL(solver.distance(vertex_descriptor(0)), infinity);
+  solver.compute_distances(curves);
+  CHECK(throws<Invalid_geodesic_input>(
+    [&] { solver.compute_distances(curves, np::source_offsets(std::vector<double>{1., 2.})); }));
+  for(const vertex_descriptor v : vertices(tm))
+    CHECK_EQUAL(solver.distance(v), all[v]);
+  Solver fresh(tm);
+  fresh.compute_distances(vertex_descriptor(5));
+  solver.compute_distances(vertex_descriptor(5));
+  for(const vertex_descriptor v : vertices(tm))
+  {
+    CHECK_EQUAL(solver.distance(v), fresh.distance(v));
+    CHECK_EQUAL(solver.nearest_source(v), std::size_t(0));
+  }
+  // The parallel tag gives the same, by one thread; so does a single curve.
+  Distances parallel;
+  SMG::geodesic_distances<CGAL::Parallel_if_available_tag>(tm, boost::make_assoc_property_map(parallel), curves[0]);
+  CHECK(parallel == all);
+}
+
+// --- scales, numbers, lengths, obstacles ---
+
+void test_invariance()
+{
+  test_support::Random random(8);
+  for(const Indexed_mesh& indexed : small_collection(4))
+  {
+    const test_support::Scope scope(indexed.name);
+    const Mesh tm = to_face_graph(indexed);
+    const std::vector<Curve> curves = random_curves(tm, random);
+    const Distances d = distances(tm, curves);
+    Mesh scaled = tm;
+    for(const vertex_descriptor v : vertices(tm))
+      scaled.point(v) = Kernel::Point_3(1024 * tm.point(v).x(), 1024 * tm.point(v).y(), 1024 * tm.point(v).z());
+    for(const auto& entry : distances(scaled, curves))
+      CHECK_EQUAL(entry.second, 1024 * d.at(entry.first));
+    std::vector<Curve> reversed(curves.rbegin(), curves.rend());
+    for(const auto& entry : distances(tm, reversed))
+      CHECK_CLOSE(entry.second, d.at(entry.first), 1e-14);
+    std::map<Mesh::Edge_index, double> length;
+    for(const auto e : edges(tm))
+      length[e] = std::sqrt(CGAL::squared_distance(tm.point(source(e, tm)), tm.point(target(e, tm))));
+    Distances by_length;
+    SMG::geodesic_distances_from_edge_lengths(tm, boost::make_assoc_property_map(length),
+                                              boost::make_assoc_property_map(by_length), curves);
+    for(const auto& entry : by_length)
+      CHECK_NEAR(entry.second, d.at(entry.first), 1e-12 * extent(tm));
+  }
+}
+
+void test_obstacles()
+{
+  namespace np = CGAL::parameters;
+  const Mesh tm = to_face_graph(flat_patch(4, 4, 0., false, 1));
+  // The faces right of the line x = 2 are avoided; the line itself is the rim.
+  std::vector<face_descriptor> avoided;
+  face_descriptor inner;
+  std::vector<vertex_descriptor> rim(5);
+  for(const face_descriptor f : faces(tm))
+  {
+    bool is_right = true;
+    for(const vertex_descriptor v : vertices_around_face(halfedge(f, tm), tm))
+      is_right = is_right && tm.point(v).x() > 1.9;
+    if(is_right)
+      avoided.push_back(inner = f);
+  }
+  for(const vertex_descriptor v : vertices(tm))
+    if(std::abs(tm.point(v).x() - 2) < 1e-9)
+      rim[static_cast<std::size_t>(std::lround(tm.point(v).y()))] = v;
+  for(const bool is_reversed : {false, true})
+  {
+    if(is_reversed)
+      std::reverse(rim.begin(), rim.end());
+    Distances d;
+    SMG::geodesic_distances(tm, boost::make_assoc_property_map(d), Curve(tm, rim), np::faces_to_avoid(avoided));
+    for(const vertex_descriptor v : vertices(tm))
+      CHECK_NEAR(d[v] < infinity ? d[v] : -1, tm.point(v).x() > 2.1 ? -1 : 2 - tm.point(v).x(), 1e-14);
+  }
+  Distances d;
+  const std::vector<Location> inside{Location(inner, {.2, .3, .5}), Location(inner, {.3, .2, .5})};
+  CHECK(throws_reason(Invalid_geodesic_input::Reason::INVALID_LOCATION, [&] {
+    SMG::geodesic_distances(tm, boost::make_assoc_property_map(d), Curve(tm, inside), np::faces_to_avoid(avoided));
+  }));
+}
+
+void test_invalid_curves()
+{
+  const auto reason = Invalid_geodesic_input::Reason::INVALID_CURVE;
+  const Mesh tm = to_face_graph(icosphere(1));
+  const auto null_vertex = boost::graph_traits<Mesh>::null_vertex();
+  const auto null_face = boost::graph_traits<Mesh>::null_face();
+  const vertex_descriptor v(0);
+  CHECK(throws_reason(reason, [&] { Curve(tm, std::vector<vertex_descriptor>()); }));
+  CHECK(throws_reason(reason, [&] { Curve(tm, null_vertex); }));
+  CHECK(throws_reason(reason, [&] { Curve(tm, Location(null_face, {1, 0, 0})); }));
+  CHECK(throws_reason(reason, [&] { Curve(tm, Location(face_descriptor(0), {2, 0, -1})); }));
+  CHECK(throws_reason(reason, [&] { Curve::along_halfedges(tm, std::vector<Mesh::Halfedge_index>()); }));
+  const auto h = halfedge(v, tm);
+  CHECK(throws_reason(reason, [&] {
+    Curve::along_halfedges(tm, std::vector<Mesh::Halfedge_index>{h, h});
+  }));
+  CHECK(Curve::along_halfedges(tm, std::vector<Mesh::Halfedge_index>{h, opposite(h, tm)}).is_closed());
+  vertex_descriptor far_vertex = v;
+  for(const vertex_descriptor u : vertices(tm))
+    if(CGAL::squared_distance(tm.point(u), tm.point(v)) > 3)
+      far_vertex = u;
+  CHECK(throws_reason(reason, [&] { Curve(tm, std::vector<vertex_descriptor>{v, far_vertex}); }));
+  // A curve of another mesh.
+  const Mesh small = to_face_graph(regular_tetrahedron());
+  Distances d;
+  CHECK(throws_reason(Invalid_geodesic_input::Reason::INVALID_DESCRIPTOR, [&] {
+    SMG::geodesic_distances(small, boost::make_assoc_property_map(d),
+                            Curve(tm, Location(face_descriptor(9), {1, 0, 0})));
+  }));
+  // An isolated vertex is a source, too; an empty range of curves reaches nothing.
+  Mesh isolated = small;
+  const vertex_descriptor alone = isolated.add_vertex(Kernel::Point_3(5, 5, 5));
+  const Distances from_alone = distances(isolated, {Curve(isolated, alone)});
+  CHECK_EQUAL(from_alone.at(alone), 0.);
+  CHECK_EQUAL(from_alone.at(v), infinity);
+  CHECK_EQUAL(distances(small, {}).at(v), infinity);
+}
+
+} // namespace
+
+int main()
+{
+  test_plane();
+  test_tube();
+  test_cones();
+  test_points_along_curves();
+  test_hostile_meshes();
+  test_strange_curves();
+  test_offsets_and_feet();
+  test_limits();
+  test_invariance();
+  test_obstacles();
+  test_invalid_curves();
+  return test_result();
+}
