@@ -44,13 +44,22 @@ void check_name(const std::string& file_name)
     reject_file(file_name, "the name must end with one of .off, .obj, .ply, .stl, .ts");
 }
 
+// The first word that is not in a comment, as OFF and OBJ have them: from # to the end of the line.
+std::string_view first_word(std::string_view text)
+{
+  for(;;)
+  {
+    text.remove_prefix((std::min)(text.find_first_not_of(" \t\r\n"), text.size()));
+    if(text.empty() || text.front() != '#')
+      return text.substr(0, text.find_first_of(" \t\r\n#"));
+    text.remove_prefix((std::min)(text.find_first_of("\r\n"), text.size()));
+  }
+}
+
 // The format of bytes without a name, by their first word: that of OBJ may be any.
 std::string format_of(const std::string& file_name, std::string_view bytes)
 {
-  const std::string_view text = without_mark_of_byte_order(file_name, bytes);
-  const std::size_t first = (std::min)(text.find_first_not_of(" \t\r\n"), text.size());
-  const std::string_view word
-    = text.substr(first, (std::min)(text.find_first_of(" \t\r\n", first), text.size()) - first);
+  const std::string_view text = without_mark_of_byte_order(file_name, bytes), word = first_word(text);
   if(word == "ply")
     return ".ply";
   if(word == "GOCAD")

@@ -6,11 +6,14 @@
 #include "test_support.h"
 
 #include <CGAL/Surface_mesh_geodesics/geodesic_distances.h>
+#include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_paths.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_path.h>
 
 #include <CGAL/Polyhedron_3.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <iterator>
 #include <limits>
@@ -75,6 +78,72 @@ void all_kinds_of_pairs_agree(const Indexed_mesh& indexed, test_support::Random&
     check_pair(tm, p, q);
     check_pair(tm, v, v);
   }
+}
+
+// The propagation ends early, and the path is the one of a propagation over the whole surface, bit by bit.
+template <typename Paths, typename A, typename... Place>
+void check_bits(const Mesh& tm, const Paths& paths, const A& a, const A& b, const Place&... place)
+{
+  std::vector<Point> whole, early;
+  const auto expected = paths.shortest_path_points_to_source_points(place..., std::back_inserter(whole));
+  const double none = std::numeric_limits<double>::infinity();
+  const double d = SMG::geodesic_path(tm, a, b, std::back_inserter(early));
+  CHECK_EQUAL(d, expected.first < 0 ? none : expected.first);
+  CHECK(early == whole);
+}
+
+void early_ends_keep_bits(const Indexed_mesh& indexed, test_support::Random& random)
+{
+  test_support::Scope scope("bits: " + indexed.name);
+  const Mesh tm = to_face_graph(indexed);
+  using Paths = CGAL::Surface_mesh_geodesic_paths<CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>>;
+  for(int k = 0; k < 3; ++k)
+  {
+    const vertex_descriptor v = random_vertex(tm, random);
+    const Face_location p = random_location(tm, random);
+    Paths from_vertex(tm), from_location(tm);
+    from_vertex.add_source_point(v);
+    from_location.add_source_point(p);
+    for(int l = 0; l < 4; ++l)
+    {
+      const vertex_descriptor w = random_vertex(tm, random);
+      const Face_location q = random_location(tm, random);
+      check_bits(tm, from_vertex, w, v, w);
+      check_bits(tm, from_location, q, p, q.first, q.second);
+      const double d = from_location.shortest_distance_to_source_points(q.first, q.second).first;
+      CHECK_EQUAL(SMG::geodesic_distance(tm, p, q), d < 0 ? std::numeric_limits<double>::infinity() : d);
+    }
+  }
+}
+
+// The visits that a pair costs, of a distance and of a path.
+template <typename A, typename B>
+std::size_t visits_of_pair(const Mesh& tm, const A& a, const B& b)
+{
+  CGAL::Surface_mesh_geodesics::Propagation_statistics of_distance, of_path;
+  std::vector<Point> points;
+  SMG::geodesic_distance(tm, a, b, CGAL::parameters::statistics(&of_distance));
+  SMG::geodesic_path(tm, a, b, std::back_inserter(points), CGAL::parameters::statistics(&of_path));
+  CHECK(of_distance.vertices_visited > 0 && of_path.vertices_visited > 0);
+  return (std::max)(of_distance.vertices_visited, of_path.vertices_visited);
+}
+
+// A pair is paid for by the area around it, not by the surface.
+void near_pairs_cost_little()
+{
+  test_support::Scope scope("near pairs");
+  const Mesh tm = to_face_graph(icosphere(5));
+  const std::size_t n = num_vertices(tm);
+  const auto h = *halfedges(tm).begin();
+  const vertex_descriptor v = source(h, tm), w = target(h, tm);
+  const Face_location p{face(h, tm), {.2, .3, .5}}, q{face(opposite(h, tm), tm), {.6, .3, .1}};
+  CHECK(visits_of_pair(tm, v, w) < n / 100);
+  CHECK(visits_of_pair(tm, v, q) < n / 100);
+  CHECK(visits_of_pair(tm, p, w) < n / 100);
+  CHECK(visits_of_pair(tm, p, q) < n / 100);
+  const std::vector<double> d = distances(tm, v);
+  const auto last = static_cast<Mesh::size_type>(std::max_element(d.begin(), d.end()) - d.begin());
+  CHECK(visits_of_pair(tm, v, vertex_descriptor(last)) > n / 2);
 }
 
 // In a square, distances are those of the plane; with faces to avoid, paths lead around.
@@ -166,6 +235,9 @@ int main()
   for(const Indexed_mesh& indexed : {noisy_sphere(2, .1, seed), rough_terrain(8, 2., seed), genus_2_polycube(),
                                      torus(1., .4, 20, 10)})
     all_kinds_of_pairs_agree(indexed, random);
+  for(const Indexed_mesh& indexed : collection(seed))
+    early_ends_keep_bits(indexed, random);
+  near_pairs_cost_little();
   plane();
   points_without_a_path();
   bad_points_are_rejected();

@@ -14,11 +14,13 @@
 
 #include <CGAL/Surface_mesh_geodesics/Geodesic_default_visitor.h>
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
-#include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_paths.h>
+#include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Distance_solver.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/Lazy_path_structure.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/distance_functions.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_checks.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_values.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/path_visitors.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/source_range.h>
 
 #include <CGAL/Kernel_traits.h>
@@ -57,20 +59,25 @@ double distance_of_vertex(const TriangleMesh& tm, const Source& source, const Ve
     tm, vim, fim, shape_from_points<double>(tm, np), source, avoided_faces(tm, fim, np));
   Distance_options<TriangleMesh> options;
   options.targets.push_back(target);
+  options.statistics = statistics_parameter(np);
   Geodesic_default_visitor visitor;
   solver.run(source, options, visitor);
   return solver.distance(target);
 }
 
-// A location as the class for paths wants it.
-template <typename Paths, typename Location>
-typename Paths::Face_location location_of(const Location& location)
+// A point as the structure for paths wants it: a vertex descriptor, or a location with its number type.
+template <typename Paths, typename TriangleMesh, typename Place>
+auto place_of(const Place& place)
 {
   using FT = typename Paths::FT;
-  return {location.first, {{FT(location.second[0]), FT(location.second[1]), FT(location.second[2])}}};
+  if constexpr(Is_vertex<TriangleMesh, Place>::value)
+    return typename Paths::vertex_descriptor(place);
+  else
+    return typename Paths::Face_location{
+      place.first, {{FT(place.second[0]), FT(place.second[1]), FT(place.second[2])}}};
 }
 
-// Calls query(paths) with an object for paths from one source, which has the maps among the named parameters.
+// Calls query(paths) with a structure for paths from one source, which has the maps among the named parameters.
 // Returns the distance that it answers, with infinity for -1.
 template <typename TriangleMesh, typename Source, typename NamedParameters, typename Query>
 double query_paths(const TriangleMesh& tm, const Source& source, const NamedParameters& np, const Query& query)
@@ -83,16 +90,14 @@ double query_paths(const TriangleMesh& tm, const Source& source, const NamedPara
                               get_const_property_map(CGAL::vertex_point, tm));
   using Kernel = typename Kernel_traits<typename boost::property_traits<decltype(vpm)>::value_type>::Kernel;
   using Traits = Surface_mesh_shortest_path_traits<Kernel, TriangleMesh>;
-  // The map of halfedges is not used.
-  using Paths = Surface_mesh_geodesic_paths<Traits, decltype(vim), decltype(vim), decltype(fim), decltype(vpm)>;
-  Paths paths(tm, vim, vim, fim, vpm);
+  using Paths = Lazy_path_structure<Traits, decltype(vim), decltype(fim), decltype(vpm)>;
+  Paths paths(tm, vim, fim, vpm, Traits());
   if constexpr(Has_parameter<NamedParameters, internal_np::faces_to_avoid_t>::value)
     paths.avoid_faces(parameters::get_parameter_reference(np, internal_np::faces_to_avoid));
-  if constexpr(Is_vertex<TriangleMesh, Source>::value)
-    paths.add_source_point(source);
-  else
-    paths.add_source_point(location_of<Paths>(source));
-  const auto result = query(paths);
+  paths.add_source(place_of<Paths, TriangleMesh>(source));
+  const double result = CGAL::to_double(query(paths).first);
+  if(Propagation_statistics* const statistics = statistics_parameter(np))
+    statistics->add(paths.statistics());
   return result < 0 ? std::numeric_limits<double>::infinity() : result;
 }
 
@@ -107,9 +112,9 @@ returns the exact geodesic distance between two points of a triangle mesh.
 For the distances from one point to many, call `geodesic_distances()`; for many pairs, use a
 `Geodesic_distance_solver`, `geodesic_distance_matrix()` or `Surface_mesh_geodesic_paths`.
 
-<b>Complexity.</b> The function reads the component of the mesh. If one of the points is a vertex, it then propagates
-from the other one until the distance of the vertex is final. Otherwise it propagates over the whole component, and the
-point type of the mesh must be that of a kernel of \cgal.
+<b>Complexity.</b> The function reads the mesh, or only the component if one of the points is a vertex. Then it
+propagates from one point until the distance of the other one is final: a near pair costs little more than reading. If
+neither point is a vertex, the point type of the mesh must be that of a kernel of \cgal.
 
 <b>Thread safety.</b> As for `geodesic_distances()`.
 
@@ -151,6 +156,11 @@ point type of the mesh must be that of a kernel of \cgal.
                    face descriptor as key type and `bool` as value type}
     \cgalParamDefault{an empty range: none}
   \cgalParamNEnd
+  \cgalParamNBegin{statistics}
+    \cgalParamDescription{if not null, the computation <em>adds</em> its counts to the object}
+    \cgalParamType{a pointer to `Propagation_statistics`}
+    \cgalParamDefault{`nullptr`}
+  \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \return the distance in the unit of the points; infinity if no path leads from one point to the other
@@ -163,17 +173,14 @@ double geodesic_distance(const TriangleMesh& tm, const Point1& a, const Point2& 
 {
   internal::check_place<TriangleMesh, Point1>();
   internal::check_place<TriangleMesh, Point2>();
-  internal::check_parameters<internal::Matrix_parameters>(np);
+  internal::check_parameters<internal::Pair_parameters>(np);
   if constexpr(internal::Is_vertex<TriangleMesh, Point2>::value)
     return internal::distance_of_vertex(tm, a, b, np);
   else if constexpr(internal::Is_vertex<TriangleMesh, Point1>::value)
     return internal::distance_of_vertex(tm, b, a, np);
   else
-    return internal::query_paths(tm, a, np, [&](const auto& paths)
-    {
-      const auto at = internal::location_of<std::decay_t<decltype(paths)>>(b);
-      return CGAL::to_double(paths.shortest_distance_to_source_points(at.first, at.second).first);
-    });
+    return internal::query_paths(tm, a, np, [&](auto& paths)
+    { return paths.single_distance(internal::place_of<std::decay_t<decltype(paths)>, TriangleMesh>(b)); });
 }
 
 /*!
@@ -184,8 +191,8 @@ writes the points of an exact shortest path from one point of a triangle mesh to
 The points are `a`, where the path crosses edges or passes vertices, and `b`. For many paths, use
 `Surface_mesh_geodesic_paths`, which computes once for all paths from its source points.
 
-<b>Complexity.</b> One propagation over the component of the mesh, and two if `a` is not a vertex; then a linear time in
-the number of points.
+<b>Complexity.</b> The function reads the mesh, propagates from `b` until the distance of `a` is final, and traces the
+path in time linear in the number of its points. A near pair costs little more than reading.
 
 <b>Thread safety.</b> As for `geodesic_distances()`.
 
@@ -215,17 +222,15 @@ double geodesic_path(const TriangleMesh& tm, const Point1& a, const Point2& b, O
 {
   internal::check_place<TriangleMesh, Point1>();
   internal::check_place<TriangleMesh, Point2>();
-  internal::check_parameters<internal::Matrix_parameters>(np);
-  // The class writes paths to their source.
-  return internal::query_paths(tm, b, np, [&](const auto& paths)
+  internal::check_parameters<internal::Pair_parameters>(np);
+  // The structure writes paths to their source.
+  return internal::query_paths(tm, b, np, [&](auto& paths)
   {
-    if constexpr(internal::Is_vertex<TriangleMesh, Point1>::value)
-      return CGAL::to_double(paths.shortest_path_points_to_source_points(a, output).first);
-    else
-    {
-      const auto at = internal::location_of<std::decay_t<decltype(paths)>>(a);
-      return CGAL::to_double(paths.shortest_path_points_to_source_points(at.first, at.second, output).first);
-    }
+    using Paths = std::decay_t<decltype(paths)>;
+    using Points = internal::Points_of_elements<Paths>;
+    const Points points(paths);
+    internal::Path_point_writer<Points, OutputIterator> writer(points, output);
+    return paths.single_sequence(internal::place_of<Paths, TriangleMesh>(a), writer);
   });
 }
 

@@ -116,7 +116,9 @@ rejects 3 "half.stl: the file announces 3 faces, but has room for 1 only" info h
 
 # --- standard input and output ----------------------------------------------------------------------------------------
 
-for name in "$grid" all.obj text.ply; do
+{ printf '# a comment\n#another\n\n'; cat "$grid"; } > comments.off
+{ printf 'OFF # a comment\n'; tail -n +2 "$grid"; } > comment_behind.off
+for name in "$grid" all.obj text.ply comments.off comment_behind.off; do
   is_silent distances - --source 0 < "$name" > piped.csv
   cmp piped.csv table.csv
 done

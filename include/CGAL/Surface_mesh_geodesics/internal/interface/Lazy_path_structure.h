@@ -224,6 +224,32 @@ public:
     set_ready(Stage::EVERYWHERE);
   }
 
+  // --- a single query, by a propagation that ends at its point ---
+
+  // Does what sequence() does, for the same results, bit by bit. Takes time for the area that is nearer to the sources
+  // than the point. The results are not good for any other query: the stage stays NOWHERE, and so a later query
+  // computes. Takes no lock, as the object is not shared. Requires: there are sources; has_changed().
+  template <typename Visitor>
+  Result single_sequence(vertex_descriptor v, Visitor& visitor)
+  {
+    return sequence(propagate_to([&] { return m_solver.query(v); }), visitor, [] {});
+  }
+
+  template <typename Visitor>
+  Result single_sequence(const Face_location& location, Visitor& visitor)
+  {
+    const Coordinates b = weights(location.second);
+    return sequence(propagate_to([&] { return m_solver.query(location.first, b); }), visitor,
+                    [&] { visitor(location.first, location.second); });
+  }
+
+  // The same without the path.
+  Result single_distance(const Face_location& location)
+  {
+    const Coordinates b = weights(location.second);
+    return result(propagate_to([&] { return m_solver.query(location.first, b); }));
+  }
+
   // Returns the statistics of the last propagation. One that only adds windows counts if it is complete. One that an
   // exception has ended does not count. Waits while a query in another thread computes.
   Propagation_statistics statistics() const
@@ -426,6 +452,16 @@ private:
         m_solver.add_source(s.vertex);
       else
         m_solver.add_source_location(std::make_pair(s.location.first, weights(s.location.second)));
+  }
+
+  template <typename MakeQuery>
+  Query propagate_to(MakeQuery make_query)
+  {
+    CGAL_precondition(has_changed() && m_sources.size() > 0);
+    give_sources_to_solver();
+    const Query q = m_solver.run_to(make_query);
+    m_sources.set_built();
+    return q;
   }
 
   // An object without sources may be ready without results: when it is new, cleared, or has got new lengths.

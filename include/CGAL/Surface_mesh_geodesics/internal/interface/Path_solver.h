@@ -21,6 +21,7 @@
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Surface_with_sources.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
 #include <CGAL/Surface_mesh_geodesics/internal/paths/Path_thinning.h>
 #include <CGAL/Surface_mesh_geodesics/internal/paths/distance_at_location.h>
 #include <CGAL/Surface_mesh_geodesics/internal/paths/isoline_tracing.h>
@@ -148,7 +149,7 @@ public:
   {
     m_has_run = false;
     m_surface.insert_sources();
-    m_has_run = propagate(m_field, make_keeper(), go_on);
+    m_has_run = propagate(m_field, make_keeper(), all_with(go_on));
     if(!m_has_run)
       forget_results();
     return m_has_run;
@@ -167,10 +168,37 @@ public:
     // propagate() replaces them, also by those of a run that ends early.
     const Propagation_statistics statistics = m_statistics;
     Vertex_distance_field<double> field;
-    const bool is_complete = propagate(field, Window_keeper<double>(m_windows), go_on);
+    const bool is_complete = propagate(field, Window_keeper<double>(m_windows), all_with(go_on));
     if(!is_complete)
       m_statistics = statistics;
     return is_complete;
+  }
+
+  // Propagates until the distance of one point is final, and all that its path needs. Returns the query for it, which
+  // is make_query(), called when the sources are vertices of the mesh. Only this query may be asked afterwards.
+  //
+  // A vertex is a target of the propagation. A point of a face waits for the corners of its face first. Their distances
+  // bound its own one, and no window beyond that bound leads to it. The margin is that of ties, so that the answer has
+  // the same bits as after run().
+  // Takes time for the area that is nearer to the sources than the point and the corners of its face.
+  // Requires: has_mesh(). Throws what make_query() throws.
+  template <typename MakeQuery>
+  Query run_to(MakeQuery make_query)
+  {
+    m_has_run = false;
+    m_surface.insert_sources();
+    const Query q = make_query();
+    if(needs_windows(q))
+      propagate(m_field, Window_keeper<double>(m_windows), [&](auto& propagation)
+      { return run_to_location(propagation, q); });
+    else
+      propagate(m_field, No_window_keeper(), [&](auto& propagation)
+      {
+        propagation.set_targets(&q.vertex, &q.vertex + 1);
+        return propagation.run(Every_visit());
+      });
+    m_has_run = true;
+    return q;
   }
 
   const Propagation_statistics& statistics() const { return m_statistics; }
@@ -388,20 +416,48 @@ private:
     m_has_run = false;
   }
 
-  // Propagates into a field.
+  // For run_to(): a run that nobody follows.
+  struct Every_visit
+  {
+    bool operator()(std::size_t, double) const { return true; }
+  };
+
+  template <typename Propagation>
+  bool run_to_location(Propagation& propagation, const Query& q)
+  {
+    const std::array<Vertex_id, 3> corners = mesh().face(q.face).vertex;
+    propagation.set_targets(corners.data(), corners.data() + corners.size());
+    propagation.run(Every_visit());
+    propagation.set_targets(nullptr, nullptr);
+    const double bound = arrival_at_location(mesh(), m_field, m_windows, q.face, q.coordinates).distance;
+    if(!(bound < Vertex_distance_field<double>::infinity()))
+      return true; // no source reaches the face
+    propagation.set_maximum_distance(bound * (1 + Tolerance<double>::tie()));
+    return propagation.run(Every_visit());
+  }
+
+  // Returns what propagates over all that the sources reach, as long as go_on() wants it: for propagate().
+  template <typename GoOn>
+  auto all_with(GoOn& go_on) const
+  {
+    return [&go_on, factor = unit()](auto& propagation)
+    {
+      return propagation.run([&](std::size_t visits, double reached) { return go_on(visits, factor * reached); });
+    };
+  }
+
+  // Propagates into a field: run(propagation) does so, and returns whether it is complete.
   // The windows are reset first, as the keeper may not keep any before. The memory of mesh and results counts for
   // intrinsic_mesh_bytes, that of kept windows for maximum_window_bytes.
-  template <typename Keeper, typename GoOn>
-  bool propagate(Vertex_distance_field<double>& field, Keeper keeper, GoOn go_on)
+  template <typename Keeper, typename Run>
+  bool propagate(Vertex_distance_field<double>& field, Keeper keeper, Run run)
   {
     const Source_set<double>& sources = m_surface.sources();
     m_windows.reset(keeps(keeper) ? mesh().number_of_faces() : 0);
     typename Propagation_for_tag<Tag, double, All_pruning_rules, Keeper>::type propagation(mesh(), field, keeper);
     for(std::size_t i = 0; i < sources.size(); ++i)
       propagation.add_source(sources.vertices[i], sources.offset(i));
-    const double factor = unit();
-    const bool is_complete = propagation.run(
-      [&](std::size_t visits, double reached) { return go_on(visits, factor * reached); });
+    const bool is_complete = run(propagation);
     m_statistics = propagation.statistics();
     m_statistics.intrinsic_mesh_bytes += user_surface().memory() + field.memory();
     m_statistics.maximum_window_bytes += keeps(keeper) ? m_windows.memory() : 0;

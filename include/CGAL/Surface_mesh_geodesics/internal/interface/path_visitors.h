@@ -174,6 +174,29 @@ private:
   Visitor& m_visitor;
 };
 
+// Where the elements of a path are in space, for those who write the path of a Lazy_path_structure.
+template <typename Structure>
+class Points_of_elements
+{
+public:
+  using Locations = typename Structure::Locations;
+  using Point_3 = typename Structure::Point_3;
+
+  explicit Points_of_elements(const Structure& structure) : m_structure(structure) {}
+
+  Point_3 point(typename Structure::vertex_descriptor v) const { return get(m_structure.vertex_point_map(), v); }
+
+  // A point of an edge, at t from source to target, or of a face.
+  template <typename Element, typename Parameter>
+  Point_3 point(const Element& element, const Parameter& t) const
+  {
+    return Locations::point(element, t, m_structure.mesh(), m_structure.vertex_point_map(), m_structure.traits());
+  }
+
+private:
+  const Structure& m_structure;
+};
+
 // Writes isolines as polylines, without a point twice in a row. A closed line ends with its first point. A line of one
 // point is not written. `structure.point(f, b)` gives the points, for coordinates in the order of the user's corners;
 // it is referred to.
