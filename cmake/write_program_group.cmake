@@ -45,7 +45,8 @@ int main(int argc, char* argv[])
   static_cast<void>(static_cast<int (*)(int (*)(), int, char*[])>(call));
   static_cast<void>(static_cast<int (*)(int (*)(int, char*[]), int, char*[])>(call));
   const std::string path = argv[0];
-  const std::string name = path.substr(path.find_last_of('/') + 1);
+  std::string name = path.substr(path.find_last_of("/\\") + 1);
+  name = name.substr(0, name.find(".exe"));
 @calls@
   std::cerr << "No program of this group is called " << name << std::endl;
   return 1;

@@ -122,7 +122,7 @@ sed -i 's/Sequence_end_tag, //' "$parameters/parameter_checks.h"
 # These tests concern only this repository: the installed package, the program for the command line, the same bits
 # from several compilers, several processes with MPI, CGAL's own examples, runs of minutes, programs that must not
 # compile.
-for part in consumer program determinism mpi rejected run_cgal_examples.sh; do
+for part in consumer program determinism mixed_flags mpi rejected run_cgal_examples.sh; do
   rm -r "$target/test/${package:?}/$part"
 done
 rm "$target/test/$package"/fuzz_*.cpp

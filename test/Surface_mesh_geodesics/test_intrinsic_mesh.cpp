@@ -24,6 +24,9 @@ namespace {
 
 namespace internal = CGAL::Surface_mesh_geodesics::internal;
 
+// A face of doubles fills a cache line.
+static_assert(sizeof(internal::Intrinsic_face<double>) == 64 && alignof(internal::Intrinsic_face<double>) == 64);
+
 using Intrinsic = internal::Intrinsic_mesh<double>;
 using Insertion = internal::Source_insertion<double>;
 

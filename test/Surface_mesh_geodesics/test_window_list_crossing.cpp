@@ -282,7 +282,7 @@ void lists_are_split_at_their_shortest_path(Lane_choice choice)
 int main()
 {
   test_support::Random random(test_support::announce_seed(20261121));
-  for(const Lane_choice choice : {Lane_choice::ONE, Lane_choice::COMPILED, Lane_choice::FOUR, Lane_choice::BEST})
+  for(const Lane_choice choice : {Lane_choice::ONE, Lane_choice::TWO, Lane_choice::FOUR, Lane_choice::BEST})
   {
     windows_beaten_by_vertices_are_removed(choice, random);
     stale_windows_are_removed(choice, random);

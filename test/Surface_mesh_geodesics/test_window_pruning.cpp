@@ -388,7 +388,7 @@ int main()
   test_support::Random random(test_support::announce_seed(20261121));
   pairs_are_pruned_by_definition(random);
   ties_keep_both_windows();
-  for(const Lane_choice choice : {Lane_choice::ONE, Lane_choice::COMPILED, Lane_choice::FOUR, Lane_choice::BEST})
+  for(const Lane_choice choice : {Lane_choice::ONE, Lane_choice::TWO, Lane_choice::FOUR, Lane_choice::BEST})
   {
     lists_are_trimmed_like_pairs(choice, random);
     ties_in_lists_keep_all_windows(choice);

@@ -10,6 +10,11 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_PREFETCH_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_PREFETCH_H
 
+#if defined(_MSC_VER) && !defined(__GNUC__) && (defined(_M_X64) || defined(_M_IX86))
+#include <intrin.h>
+#define CGAL_SURFACE_MESH_GEODESICS_HAS_MM_PREFETCH
+#endif
+
 namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
@@ -19,6 +24,8 @@ inline void prefetch(const void* p)
 {
 #ifdef __GNUC__
   __builtin_prefetch(p);
+#elif defined(CGAL_SURFACE_MESH_GEODESICS_HAS_MM_PREFETCH)
+  _mm_prefetch(static_cast<const char*>(p), _MM_HINT_T0);
 #else
   static_cast<void>(p);
 #endif

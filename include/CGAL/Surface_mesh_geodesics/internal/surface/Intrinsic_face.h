@@ -22,11 +22,26 @@
 
 #include <algorithm>
 #include <array>
+#include <type_traits>
 #include <utility>
 
 namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
+
+// The alignment of a face: a cache line for double, which a face fills; that of its members for other number types.
+#ifdef _MSC_VER
+#pragma warning(push)
+#pragma warning(disable : 4324) // an empty class is padded to its alignment
+#endif
+struct alignas(64) Cache_line_alignment
+{};
+#ifdef _MSC_VER
+#pragma warning(pop)
+#endif
+
+struct Alignment_of_members
+{};
 
 // A face: halfedge k leads from vertex[k] to vertex[k+1], has length[k], and opposite[k] is the halfedge of the
 // neighbor, or null_id at the border. Corners 0, 1 and 2 are laid out counterclockwise at (0,0), (length[0],0) and
@@ -35,7 +50,7 @@ namespace internal {
 // Invariants, from the moment at which the shape is set: length[0] is not greater than length[1] and length[2], and
 // apex_y is not negative. mesh_invariants.h checks them.
 template <typename FT>
-struct alignas(sizeof(FT) == 8 ? 64 : alignof(FT)) Intrinsic_face
+struct Intrinsic_face : std::conditional<sizeof(FT) == 8, Cache_line_alignment, Alignment_of_members>::type
 {
   std::array<FT, 3> length;
   FT apex_x, apex_y;

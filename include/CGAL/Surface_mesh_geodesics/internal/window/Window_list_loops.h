@@ -135,14 +135,17 @@ struct Window_list_loops
 #undef CGAL_SURFACE_MESH_GEODESICS_LANES
 #undef CGAL_SURFACE_MESH_GEODESICS_LANES_NAMESPACE
 
-// The instruction set of the compilation.
-#if CGAL_SURFACE_MESH_GEODESICS_COMPILED_LANES > 1
-#define CGAL_SURFACE_MESH_GEODESICS_LANES CGAL_SURFACE_MESH_GEODESICS_COMPILED_LANES
-#define CGAL_SURFACE_MESH_GEODESICS_LANES_NAMESPACE CGAL_SURFACE_MESH_GEODESICS_COMPILED_NAMESPACE
+// Two lanes: SSE2 or NEON, or pairs of doubles.
+#ifdef CGAL_SURFACE_MESH_GEODESICS_HAS_PAIRS
+#include <CGAL/Surface_mesh_geodesics/internal/window/Double_pair.h>
+#endif
+#if CGAL_SURFACE_MESH_GEODESICS_MOST_LANES > 1
+#define CGAL_SURFACE_MESH_GEODESICS_LANES 2
+#define CGAL_SURFACE_MESH_GEODESICS_LANES_NAMESPACE two_lanes
 #include <CGAL/Surface_mesh_geodesics/internal/window/lanes/all.h>
 #endif
 
-#ifdef CGAL_SURFACE_MESH_GEODESICS_HAS_WIDE_CODE
+#if CGAL_SURFACE_MESH_GEODESICS_MOST_LANES > 2
 #ifdef __clang__
 #pragma clang attribute push(__attribute__((target("avx2"))), apply_to = function)
 #else
@@ -158,22 +161,17 @@ struct Window_list_loops
 #pragma GCC pop_options
 #endif
 
-// (AVX-512 includes fused operations, unlike AVX2. They would change the last digits.)
 #ifdef __clang__
-#pragma float_control(push)
-#pragma clang fp contract(off)
 #pragma clang attribute push(__attribute__((target("avx512f,avx512bw,avx512dq,avx512vl"))), apply_to = function)
 #else
 #pragma GCC push_options
 #pragma GCC target("avx512f,avx512bw,avx512dq,avx512vl")
-#pragma GCC optimize("fp-contract=off")
 #endif
 #define CGAL_SURFACE_MESH_GEODESICS_LANES 8
 #define CGAL_SURFACE_MESH_GEODESICS_LANES_NAMESPACE avx512_lanes
 #include <CGAL/Surface_mesh_geodesics/internal/window/lanes/all.h>
 #ifdef __clang__
 #pragma clang attribute pop
-#pragma float_control(pop)
 #else
 #pragma GCC pop_options
 #endif
@@ -183,28 +181,25 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// The loops with the most lanes that pay, with at most four lanes, with the lanes of the compilation, or with one lane.
-enum class Lane_choice { BEST, FOUR, COMPILED, ONE };
+// The loops with the most lanes that pay on this processor, with at most four, with at most two, or with one.
+enum class Lane_choice { BEST, FOUR, TWO, ONE };
 
-// The choice depends on the flags of the compilation, so the function is in the namespace of the compiled lanes: files
-// of one program that are compiled for different instruction sets do not share it.
-namespace CGAL_SURFACE_MESH_GEODESICS_COMPILED_NAMESPACE {
-
+// The loops of a choice. The same text in all files of a program, whatever their flags (simd.h).
 template <typename FT, typename Rules>
 Window_list_loops<FT> window_list_loops(Lane_choice choice = Lane_choice::BEST)
 {
   if constexpr(std::is_same<FT, double>::value)
   {
-#ifdef CGAL_SURFACE_MESH_GEODESICS_HAS_WIDE_CODE
+#if CGAL_SURFACE_MESH_GEODESICS_MOST_LANES > 2
     // The first processors with AVX-512 lower their clock when they use it. They lack its extension VBMI2.
     if(choice == Lane_choice::BEST && __builtin_cpu_supports("avx512vbmi2"))
       return avx512_lanes::List_loops<FT, Rules>::table();
     if((choice == Lane_choice::BEST || choice == Lane_choice::FOUR) && __builtin_cpu_supports("avx2"))
       return avx2_lanes::List_loops<FT, Rules>::table();
 #endif
-#if CGAL_SURFACE_MESH_GEODESICS_COMPILED_LANES > 1
+#if CGAL_SURFACE_MESH_GEODESICS_MOST_LANES > 1
     if(choice != Lane_choice::ONE)
-      return CGAL_SURFACE_MESH_GEODESICS_COMPILED_NAMESPACE::List_loops<FT, Rules>::table();
+      return two_lanes::List_loops<FT, Rules>::table();
 #endif
   }
   static_cast<void>(choice);
@@ -238,11 +233,6 @@ public:
 private:
   const Loops m_many, m_few, m_one;
 };
-
-} // namespace CGAL_SURFACE_MESH_GEODESICS_COMPILED_NAMESPACE
-
-using CGAL_SURFACE_MESH_GEODESICS_COMPILED_NAMESPACE::Loops_by_length;
-using CGAL_SURFACE_MESH_GEODESICS_COMPILED_NAMESPACE::window_list_loops;
 
 } // namespace internal
 } // namespace Surface_mesh_geodesics

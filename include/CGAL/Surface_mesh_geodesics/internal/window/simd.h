@@ -12,51 +12,46 @@
 
 // Several numbers at a time. Loops over columns of numbers are written once, in terms of Lanes<FT> (lanes/Lanes.h),
 // which processes `size` lanes together. Most number types have one lane, which is a plain number: One_lane below. For
-// double, there are as many lanes as the instruction set has: 8 with AVX-512, 4 with AVX, 2 with SSE2 or NEON, and one
-// for compilers other than GCC and Clang.
+// double there are two lanes, with NEON and SSE2, also where the compiler has no vectors (Double_pair.h). Programs
+// for x86-64 also hold the text for four lanes (AVX2) and eight (AVX-512), and choose when they run
+// (Window_list_loops.h).
 //
 // Loads and stores need no alignment. Lanes are independent of each other, except in the operations that say otherwise;
-// so lanes behind the end of a column may hold anything. Each lane goes through the operations of a single number. So
-// the results are the same bits for any number of lanes, unless the compiler fuses multiplications and additions. GCC
-// does so, without -ffp-contract=off, for instruction sets that have fused operations (-march=native, ARM).
+// so lanes behind the end of a column may hold anything. Each lane goes through the operations of a single number, and
+// products are rounded before they are added (rounded_product()). So the results are the same bits for any number of
+// lanes.
 //
-// The instruction set is that of the compilation; for x86-64 without flags it is chosen at run time
-// (Window_list_loops.h), unless CGAL_SURFACE_MESH_GEODESICS_ONE_INSTRUCTION_SET is defined.
-//
-// If CGAL_SURFACE_MESH_GEODESICS_NO_SIMD is defined, double has one lane, too. These macros, and the flags that choose
-// an instruction set, must be the same in all files of a program that include this one.
+// Which lanes there are depends on the processor family and the compiler, never on flags such as -mavx2: files of one
+// program that are compiled with different flags have the same text (one-definition rule). Two macros change it, and
+// must be the same in all files of a program that include this one:
+// - CGAL_SURFACE_MESH_GEODESICS_ONE_INSTRUCTION_SET: two lanes, and no choice when the program runs;
+// - CGAL_SURFACE_MESH_GEODESICS_NO_SIMD: double has one lane, like all other number types.
+// (CGAL_SURFACE_MESH_GEODESICS_NO_VECTOR_EXTENSION, for tests: the lanes of a compiler without vectors.)
 
-// The number of lanes of double in the instruction set of the compilation.
-#if !defined(CGAL_SURFACE_MESH_GEODESICS_NO_SIMD) && defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__))
-#ifdef __SSE2__
+// How double gets its lanes: vectors of the language extension of GCC and Clang, pairs of SSE2, or not at all.
+// (Compilers with the front end of EDG define __GNUC__ but do not have all of the extension. The double of 32-bit x86
+// may keep more digits in one operation than in another one, so that lanes would have other bits.)
+#if defined(__GNUC__) && !defined(__EDG__) && !defined(CGAL_SURFACE_MESH_GEODESICS_NO_VECTOR_EXTENSION)
+#define CGAL_SURFACE_MESH_GEODESICS_HAS_VECTORS
+#endif
+#if defined(CGAL_SURFACE_MESH_GEODESICS_NO_SIMD)
+#define CGAL_SURFACE_MESH_GEODESICS_MOST_LANES 1
+#elif defined(__x86_64__) && defined(CGAL_SURFACE_MESH_GEODESICS_HAS_VECTORS)
 #include <immintrin.h>
+// (Stacks on Windows are not aligned for wider vectors.)
+#if defined(CGAL_SURFACE_MESH_GEODESICS_ONE_INSTRUCTION_SET) || defined(_WIN32)
+#define CGAL_SURFACE_MESH_GEODESICS_MOST_LANES 2
 #else
+#define CGAL_SURFACE_MESH_GEODESICS_MOST_LANES 8
+#endif
+#elif defined(__aarch64__) && defined(CGAL_SURFACE_MESH_GEODESICS_HAS_VECTORS)
 #include <arm_neon.h>
-#endif
-#if defined(__AVX512F__)
-#define CGAL_SURFACE_MESH_GEODESICS_COMPILED_LANES 8
-#define CGAL_SURFACE_MESH_GEODESICS_COMPILED_NAMESPACE lanes_8
-#elif defined(__AVX__)
-#define CGAL_SURFACE_MESH_GEODESICS_COMPILED_LANES 4
-#define CGAL_SURFACE_MESH_GEODESICS_COMPILED_NAMESPACE lanes_4
-#elif defined(CGAL_SURFACE_MESH_GEODESICS_ONE_INSTRUCTION_SET)
-// A name of its own, as window_list_loops() is another function here.
-#define CGAL_SURFACE_MESH_GEODESICS_COMPILED_LANES 2
-#define CGAL_SURFACE_MESH_GEODESICS_COMPILED_NAMESPACE lanes_2_only
+#define CGAL_SURFACE_MESH_GEODESICS_MOST_LANES 2
+#elif defined(__x86_64__) || (defined(_M_X64) && !defined(_M_ARM64EC))
+#define CGAL_SURFACE_MESH_GEODESICS_MOST_LANES 2
+#define CGAL_SURFACE_MESH_GEODESICS_HAS_PAIRS
 #else
-#define CGAL_SURFACE_MESH_GEODESICS_COMPILED_LANES 2
-#define CGAL_SURFACE_MESH_GEODESICS_COMPILED_NAMESPACE lanes_2
-#endif
-#endif
-#ifndef CGAL_SURFACE_MESH_GEODESICS_COMPILED_LANES
-#define CGAL_SURFACE_MESH_GEODESICS_COMPILED_LANES 1
-#define CGAL_SURFACE_MESH_GEODESICS_COMPILED_NAMESPACE one_lane
-#endif
-
-// May one program contain code for AVX2 and AVX-512 as well as for SSE2? (Stacks on Windows are not aligned for it.)
-#if CGAL_SURFACE_MESH_GEODESICS_COMPILED_LANES == 2 && defined(__x86_64__) && !defined(_WIN32) \
-  && !defined(__EDG__) && !defined(CGAL_SURFACE_MESH_GEODESICS_ONE_INSTRUCTION_SET)
-#define CGAL_SURFACE_MESH_GEODESICS_HAS_WIDE_CODE
+#define CGAL_SURFACE_MESH_GEODESICS_MOST_LANES 1
 #endif
 
 // A vector of some numbers of the vectors a and b, which are counted from the first number of a. (GCC before 12 has
@@ -70,12 +65,28 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 // For functions with many vectors as arguments or results: a call would pass all of them through memory.
-#ifdef __GNUC__
+#if defined(__GNUC__)
 #define CGAL_SURFACE_MESH_GEODESICS_INLINE __attribute__((always_inline)) inline
+#elif defined(_MSC_VER)
+#define CGAL_SURFACE_MESH_GEODESICS_INLINE __forceinline
 #else
 #define CGAL_SURFACE_MESH_GEODESICS_INLINE inline
+#endif
+
+// A number or vector x as it is, but compilers do not fuse the product that computes it with a sum that it enters. Such
+// a fused operation rounds once, not twice, which would change the last digits. (AVX-512 and ARM have fused operations,
+// and GCC uses them unless -ffp-contract=off is given; Visual C++ does not, under CGAL's /fp:strict.)
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__EDG__) && __GNUC__ >= 12
+#define CGAL_SURFACE_MESH_GEODESICS_KEEP_ROUNDED(x) x = __builtin_assoc_barrier(x)
+#elif defined(__GNUC__) && !defined(__EDG__) && defined(__x86_64__)
+#define CGAL_SURFACE_MESH_GEODESICS_KEEP_ROUNDED(x) asm("" : "+x"(x))
+#elif defined(__GNUC__) && !defined(__EDG__) && defined(__aarch64__)
+#define CGAL_SURFACE_MESH_GEODESICS_KEEP_ROUNDED(x) asm("" : "+w"(x))
+#else
+#define CGAL_SURFACE_MESH_GEODESICS_KEEP_ROUNDED(x) static_cast<void>(x)
 #endif
 
 namespace CGAL {
@@ -123,6 +134,15 @@ struct One_lane
   {
     using std::sqrt;
     return sqrt(x);
+  }
+
+  // a * b, rounded before it is added to anything.
+  static Number rounded_product(const Number& a, const Number& b)
+  {
+    Number product = a * b;
+    if constexpr(std::is_same<FT, double>::value)
+      CGAL_SURFACE_MESH_GEODESICS_KEEP_ROUNDED(product);
+    return product;
   }
 };
 

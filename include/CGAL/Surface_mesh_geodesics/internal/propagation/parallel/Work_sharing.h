@@ -31,6 +31,10 @@
 #include <thread>
 #include <vector>
 
+#if defined(_MSC_VER) && (defined(_M_X64) || defined(_M_IX86))
+#include <intrin.h>
+#endif
+
 namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
@@ -46,6 +50,8 @@ public:
     {
 #if defined(__GNUC__) && (defined(__x86_64__) || defined(__i386__))
       __builtin_ia32_pause();
+#elif defined(_MSC_VER) && (defined(_M_X64) || defined(_M_IX86))
+      _mm_pause();
 #endif
     }
     else

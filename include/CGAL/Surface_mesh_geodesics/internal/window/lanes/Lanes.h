@@ -9,7 +9,7 @@
 
 // The vector operations of one inclusion: they process one number at a time for most number types, and for double as
 // many as this inclusion has lanes. One_lane (simd.h) documents the operations. The vectors are those of the language
-// extension of GCC and Clang: +, -, * and / work as usual, also between a vector and a number.
+// extension of GCC and Clang, or Double_pair: +, -, * and / work as usual, also between a vector and a number.
 //
 // Included once for each number of lanes; see README.md.
 
@@ -25,7 +25,15 @@ template <typename FT>
 struct Lanes : One_lane<FT>
 {};
 
-#if CGAL_SURFACE_MESH_GEODESICS_LANES > 1
+#if CGAL_SURFACE_MESH_GEODESICS_LANES > 1 && defined(CGAL_SURFACE_MESH_GEODESICS_HAS_PAIRS)
+
+// Without the extension: two lanes in a class.
+template <>
+struct Lanes<double> : Double_pair_lanes
+{};
+
+#elif CGAL_SURFACE_MESH_GEODESICS_LANES > 1
+
 
 template <>
 struct Lanes<double>
@@ -101,9 +109,9 @@ struct Lanes<double>
 
   // A comparison with a NaN is false.
   // (The comparisons of the extension produce code that does not stay in the registers of SSE2.)
-#if CGAL_SURFACE_MESH_GEODESICS_LANES == 2 && defined(__SSE2__)
-  static Mask less(Number a, Number b) { return (Mask)_mm_cmplt_pd(a, b); }
-  static Mask less_equal(Number a, Number b) { return (Mask)_mm_cmple_pd(a, b); }
+#if CGAL_SURFACE_MESH_GEODESICS_LANES == 2 && defined(__x86_64__)
+  static Mask less(Number a, Number b) { return reinterpret_cast<Mask>(_mm_cmplt_pd(a, b)); }
+  static Mask less_equal(Number a, Number b) { return reinterpret_cast<Mask>(_mm_cmple_pd(a, b)); }
 #else
   static Mask less(Number a, Number b) { return a < b; }
   static Mask less_equal(Number a, Number b) { return a <= b; }
@@ -124,18 +132,15 @@ struct Lanes<double>
 #if CGAL_SURFACE_MESH_GEODESICS_LANES == 8
     // (By halves: GCC 12 assumes that the registers of AVX-512's masks are zero behind their eight bits, which they are
     // not.)
-#if defined(__GNUC__) && !defined(__clang__) && __GNUC__ < 12
-    const __m256d lower = (__m256d)_mm512_castsi512_si256((__m512i)m),
-                  upper = (__m256d)_mm512_extracti64x4_epi64((__m512i)m, 1);
-#else
-    const __m256d lower = (__m256d)__builtin_shufflevector(m, m, 0, 1, 2, 3),
-                  upper = (__m256d)__builtin_shufflevector(m, m, 4, 5, 6, 7);
-#endif
+    // (With a mask, since GCC 12 warns of its own function without one.)
+    const __m512d all_lanes = reinterpret_cast<__m512d>(m);
+    const __m256d lower = _mm512_maskz_extractf64x4_pd(0xff, all_lanes, 0),
+                  upper = _mm512_maskz_extractf64x4_pd(0xff, all_lanes, 1);
     return static_cast<unsigned int>(_mm256_movemask_pd(lower) | _mm256_movemask_pd(upper) << 4);
 #elif CGAL_SURFACE_MESH_GEODESICS_LANES == 4
-    return static_cast<unsigned int>(_mm256_movemask_pd((__m256d)m));
-#elif defined(__SSE2__)
-    return static_cast<unsigned int>(_mm_movemask_pd((__m128d)m));
+    return static_cast<unsigned int>(_mm256_movemask_pd(reinterpret_cast<__m256d>(m)));
+#elif defined(__x86_64__)
+    return static_cast<unsigned int>(_mm_movemask_pd(reinterpret_cast<__m128d>(m)));
 #else
     return static_cast<unsigned int>((m[0] & 1) | (m[1] & 2));
 #endif
@@ -143,14 +148,20 @@ struct Lanes<double>
 
 #if CGAL_SURFACE_MESH_GEODESICS_LANES == 4
   // (The operator ?: would first compare the mask with zero.)
-  static Number select(Mask m, Number a, Number b) { return _mm256_blendv_pd(b, a, (__m256d)m); }
-  static Word select_word(Mask m, Word a, Word b) { return (Word)select(m, (Number)a, (Number)b); }
-#elif CGAL_SURFACE_MESH_GEODESICS_LANES == 2 && defined(__SSE2__)
+  static Number select(Mask m, Number a, Number b) { return _mm256_blendv_pd(b, a, reinterpret_cast<__m256d>(m)); }
+  static Word select_word(Mask m, Word a, Word b)
+  {
+    return reinterpret_cast<Word>(select(m, reinterpret_cast<Number>(a), reinterpret_cast<Number>(b)));
+  }
+#elif CGAL_SURFACE_MESH_GEODESICS_LANES == 2 && defined(__x86_64__)
   static Number select(Mask m, Number a, Number b)
   {
-    return (Number)(((Mask)a & m) | ((Mask)b & ~m));
+    return reinterpret_cast<Number>((reinterpret_cast<Mask>(a) & m) | (reinterpret_cast<Mask>(b) & ~m));
   }
-  static Word select_word(Mask m, Word a, Word b) { return (a & (Word)m) | (b & ~(Word)m); }
+  static Word select_word(Mask m, Word a, Word b)
+  {
+    return (a & reinterpret_cast<Word>(m)) | (b & ~reinterpret_cast<Word>(m));
+  }
 #else
   static Number select(Mask m, Number a, Number b) { return m ? a : b; }
   static Word select_word(Mask m, Word a, Word b) { return m ? a : b; }
@@ -166,11 +177,20 @@ struct Lanes<double>
     return _mm512_maskz_sqrt_pd(0xff, x);
 #elif CGAL_SURFACE_MESH_GEODESICS_LANES == 4
     return _mm256_sqrt_pd(x);
-#elif defined(__SSE2__)
+#elif defined(__x86_64__)
     return _mm_sqrt_pd(x);
 #else
-    return (Number)vsqrtq_f64((float64x2_t)x);
+    return reinterpret_cast<Number>(vsqrtq_f64(reinterpret_cast<float64x2_t>(x)));
 #endif
+  }
+
+  // a * b for a vector or a number b, rounded before it is added to anything.
+  template <typename Factor>
+  static Number rounded_product(Number a, Factor b)
+  {
+    Number product = a * b;
+    CGAL_SURFACE_MESH_GEODESICS_KEEP_ROUNDED(product);
+    return product;
   }
 
 private:

@@ -38,8 +38,9 @@ struct Window_numbers
   // point keeps it if the mirror images are exact.
   Number distance_at(const Number& x) const
   {
+    using L = Lanes<FT>;
     const Number dx = x - image_x;
-    return root_distance + Lanes<FT>::square_root(dx * dx + image_depth * image_depth);
+    return root_distance + L::square_root(L::rounded_product(dx, dx) + L::rounded_product(image_depth, image_depth));
   }
 
   // The smallest distance at a point of the interval. If the foot of the image is an end, the distance is that of the

@@ -65,7 +65,7 @@ struct Compared_distances
     const Number dx = x - L::select(is_right, right.image_x, left.image_x);
     const Number depth = L::select(is_right, right.image_depth, left.image_depth);
     computed = L::select(is_right, right.root_distance, left.root_distance)
-             + L::square_root(dx * dx + depth * depth);
+             + L::square_root(L::rounded_product(dx, dx) + L::rounded_product(depth, depth));
     const Number of_left = L::select(is_right, known_of_left, computed);
     const Number of_right = L::select(is_right, computed, known_of_right);
     const Number margin = L::all(FT(1 - Tolerance<FT>::distance())); // is_clearly_less()

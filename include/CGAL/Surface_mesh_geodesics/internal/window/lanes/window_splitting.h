@@ -42,7 +42,9 @@ template <typename FT>
 CGAL_SURFACE_MESH_GEODESICS_INLINE
 typename Lanes<FT>::Number apex_abscissa(const Window_lanes<FT>& w, const Face_frame<FT>& c)
 {
-  return (w.image_x * c.apex_y + c.apex_x * w.image_depth) / (c.apex_y + w.image_depth);
+  using L = Lanes<FT>;
+  return (L::rounded_product(w.image_x, c.apex_y) + L::rounded_product(w.image_depth, c.apex_x))
+       / (c.apex_y + w.image_depth);
 }
 
 // The distance to C through the window. The path crosses AB at the separating point, which is the point of the interval
@@ -61,7 +63,7 @@ typename Lanes<FT>::Number distance_to_apex(const Window_lanes<FT>& w, const Fac
                                     L::select(bends_at_end, w.end_distance, w.root_distance));
   const Number depth = L::select(bends_at_begin | bends_at_end, L::all(FT(0)), w.image_depth);
   const Number dx = c.apex_x - x, dy = c.apex_y + depth;
-  return distance + L::square_root(dx * dx + dy * dy);
+  return distance + L::square_root(L::rounded_product(dx, dx) + L::rounded_product(dy, dy));
 }
 
 // The keys of children after a turn.
@@ -95,13 +97,13 @@ public:
     // an image on the edge of a face without height has no child.
     const Number end = L::minimum(L::all(cut), L::minimum(w.end, t)), begin = w.begin;
     const Number length = L::all(m_length), zero = L::all(FT(0));
-    const Number b = t * w.image_depth, a = m_length * w.image_depth;
-    const Number image_x = w.image_x * m_cosine - w.image_depth * m_sine;
+    const Number b = L::rounded_product(t, w.image_depth), a = m_length * w.image_depth;
+    const Number image_x = L::rounded_product(w.image_x, m_cosine) - L::rounded_product(w.image_depth, m_sine);
     w.begin = L::select(L::less(zero, begin),
-                        L::minimum(a * begin / (b + m_apex_y * (t - begin)), length), zero);
+                        L::minimum(a * begin / (b + L::rounded_product(t - begin, m_apex_y)), length), zero);
     w.end = L::select(L::less(end, t - L::all(m_rounding)),
-                      L::minimum(a * end / (b + m_apex_y * (t - end)), length), length);
-    w.image_depth = (t * m_apex_y + b) * m_inverse;
+                      L::minimum(a * end / (b + L::rounded_product(t - end, m_apex_y)), length), length);
+    w.image_depth = L::rounded_product(L::rounded_product(t, m_apex_y) + b, m_inverse);
     w.image_x = image_x;
     w.key = turned<FT>(w.key, LEFT_TURN);
     w.history = w.history + 2 * one_step;
@@ -136,16 +138,17 @@ public:
     const Number length = L::all(m_length), zero = L::all(FT(0));
     const Number height = m_apex_y + w.image_depth;
     // The height of the triangle of image, B and C above CB, without cancellation where C is near B.
-    const Number rest_height = (m_edge_length - w.image_x) * m_apex_y + m_apex_rest * w.image_depth;
+    const Number rest_height = L::rounded_product(m_edge_length - w.image_x, m_apex_y)
+                             + L::rounded_product(w.image_depth, m_apex_rest);
     const Number rest = rest_height / height;
-    const Number b = rest * w.image_depth, a = m_length * height;
+    const Number b = L::rounded_product(rest, w.image_depth), a = m_length * height;
     const Number to_begin = begin - t, to_end = end - t;
     w.begin = L::select(L::less(t + L::all(m_rounding), begin),
-                        L::minimum(a * to_begin / (b + m_apex_y * to_begin), length), zero);
+                        L::minimum(a * to_begin / (b + L::rounded_product(to_begin, m_apex_y)), length), zero);
     w.end = L::select(L::less(end, L::all(m_edge_length)),
-                      L::minimum(a * to_end / (b + m_apex_y * to_end), length), length);
-    w.image_x = (w.image_x - m_apex_x) * m_cosine + height * m_sine;
-    w.image_depth = L::maximum(rest_height * m_inverse, zero);
+                      L::minimum(a * to_end / (b + L::rounded_product(to_end, m_apex_y)), length), length);
+    w.image_x = L::rounded_product(w.image_x - m_apex_x, m_cosine) + L::rounded_product(height, m_sine);
+    w.image_depth = L::maximum(L::rounded_product(rest_height, m_inverse), zero);
     w.key = turned<FT>(w.key, RIGHT_TURN);
     w.history = w.history + 2 * one_step;
     // If CB is much shorter than AB, its line may pass the image on the wrong side although t, which is rounded
