@@ -23,8 +23,9 @@ extension = Pybind11Extension(
     libraries=["gmp", "mpfr"] + (["tbb"] if has_tbb else []),
     define_macros=[("NDEBUG", None), ("SURFACE_MESH_GEODESICS_VERSION", f'"{version}"')]
     + ([("CGAL_LINKED_WITH_TBB", None)] if has_tbb else []),
-    # Python's own flags have -fwrapv on many systems, which slows distances down by a twentieth. It is not needed.
-    extra_compile_args=["-O3", "-g0", "-fno-wrapv", "-frounding-math", "-pthread"],
+    # Python's own flags have -fwrapv on many systems, which slows distances down by a twentieth, and a protector of the
+    # stack, which takes another eighth of the instructions. Neither is needed.
+    extra_compile_args=["-O3", "-g0", "-fno-wrapv", "-fno-stack-protector", "-frounding-math", "-pthread"],
     extra_link_args=["-pthread"],
     cxx_std=17,
 )
