@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # Compiles all headers and one program with each compiler and for each platform that Debian can run here, and compares
 # the bits of all answers. Prints the table of the manual (doc/Surface_mesh_geodesics/Platforms.txt).
-# usage: check_platforms.sh [--install] [NAME...]
+# usage: check_platforms.sh [--install] [--tests] [NAME...]
 # --install installs the compilers and emulators first. NAME is the beginning of a row, such as "ARM64" (default: all).
+# --tests also runs the test programs for Windows and ARM64 (run_tests_emulated.sh), which takes hours.
 # A row whose compiler is not installed says so. NEWER_CGAL is the include folder of CGAL 6, for compilers that CGAL 5.5
 # does not know (default: what run_tests_with_newer_cgal.sh has unpacked). WORK_FOLDER is the folder to build in. It
 # takes about ten minutes.
@@ -15,6 +16,12 @@ if [ "${1:-}" = --install ]; then
   shift
   apt-get install --yes --quiet --no-install-recommends g++ g++-11 clang-14 clang-19 libc++-14-dev libc++abi-14-dev \
     g++-aarch64-linux-gnu qemu-user-static g++-mingw-w64-x86-64-posix wine64 wine > "$work/install.log"
+fi
+
+with_tests=no
+if [ "${1:-}" = --tests ]; then
+  shift
+  with_tests=yes
 fi
 
 # --- what is compiled ------------------------------------------------------------------------------------------------
@@ -130,6 +137,8 @@ row "g++-11" direct g++-11 -frounding-math "${libraries[@]}"
 row "g++, one instruction set" direct g++ -frounding-math -DCGAL_SURFACE_MESH_GEODESICS_ONE_INSTRUCTION_SET \
   "${libraries[@]}"
 row "g++, one lane" direct g++ -frounding-math -DCGAL_SURFACE_MESH_GEODESICS_NO_SIMD "${libraries[@]}"
+row "g++, two lanes in classes" direct g++ -frounding-math -DCGAL_SURFACE_MESH_GEODESICS_NO_VECTOR_EXTENSION \
+  "${libraries[@]}"
 row "g++, -march=native" direct g++ -frounding-math -march=native -ffp-contract=off "${libraries[@]}"
 row "clang++-14" direct clang++-14 "${libraries[@]}"
 row "clang++-14 with libc++" direct clang++-14 -stdlib=libc++ "${libraries[@]}"
@@ -142,4 +151,11 @@ row "ARM64, g++ 12, emulated" qemu-aarch64-static aarch64-linux-gnu-g++ -froundi
 row "Windows, MinGW-w64, Wine" wine x86_64-w64-mingw32-g++-posix -frounding-math "${cross[@]}"
 rejected "-ffast-math" -ffast-math "relies on infinities"
 rejected "-fno-exceptions" -fno-exceptions "reports invalid input by exceptions"
+if [ "$with_tests" = yes ]; then
+  for platform in windows arm64; do
+    WORK_FOLDER=$work/tests_$platform bash "$root/scripts/run_tests_emulated.sh" "$platform" \
+      > "$work/tests_$platform.txt" 2>&1 || status=1
+    printf '| tests, %s, emulated | | %s |\n' "$platform" "$(tail -n 1 "$work/tests_$platform.txt")"
+  done
+fi
 exit "$status"

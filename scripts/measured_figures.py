@@ -19,7 +19,8 @@ CSV_FILES = {
     "standard_meshes": "against_shortest_path.csv", "all_meshes": "against_shortest_path_all.csv",
     "paths": "paths_against_shortest_path.csv", "heat_method": "against_heat_method.csv",
     "Voronoi_diagram": "voronoi.csv"} | {name: name + ".csv" for name in (
-    "face_queries", "certified_meshes", "growth", "anisotropy", "sources", "reach", "rules", "schedulers",
+    "face_queries", "certified_meshes", "growth", "anisotropy", "sources", "reach", "rules", "instruction_sets",
+    "schedulers",
     "flat_vertices", "threads", "phases", "matrix", "matrix_store", "rows", "interleaved_rows",
     "brain", "uses_of_diagrams", "python",
     "remeshing")}
@@ -245,6 +246,8 @@ TABLES = {
         words=2),
     "rules": table("rules", MESH, "rules: rules $", "run, ms: run_ms ±", "windows propagated: windows_propagated",
         "windows per face: windows_per_face .1", "windows at once: windows_alive", words=2),
+    "instruction_sets": table("instruction_sets", MESH, FACES, "lanes: lanes", "propagation, ms: run_ms ±",
+        "one lane / these: one_lane_over_this .2", "two lanes / these: two_lanes_over_this .2"),
     "schedulers": schedulers,
     "thesis_tables": thesis_tables,
     "flat_vertices": table("flat_vertices", MESH, FACES, "flat vertices, %: flat_percent", "faces left: coarse_faces",

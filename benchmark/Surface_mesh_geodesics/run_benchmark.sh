@@ -14,7 +14,7 @@ usage: run_benchmark.sh [options]
   --voronoi          also measure Surface_mesh_geodesic_Voronoi_diagram with 1 to 1000 sites
   --heat             also measure Heat_method_3: times and errors (needs Eigen)
   --questions        also run the programs for one question each: growth, anisotropy, sources, reach, rules,
-                     schedulers, flat vertices, face queries, threads, phases, matrix, matrix_store, rows; draw
+                     instruction_sets, schedulers, flat vertices, face queries, threads, phases, matrix, matrix_store, rows; draw
                      plots if python3 has matplotlib
   --python           also measure what the Python module adds to the time of C++ (needs the module;
                      the variable PYTHON names the interpreter)
@@ -103,7 +103,8 @@ if [ -z "$programs" ]; then
   [ "$voronoi" = no ] || targets+=(benchmark_Voronoi_diagram)
   [ "$heat" = no ] || targets+=(benchmark_against_heat_method)
   [ "$questions" = no ] || targets+=(benchmark_growth benchmark_anisotropy benchmark_sources benchmark_reach
-                                     benchmark_rules benchmark_schedulers benchmark_flat_vertices
+                                     benchmark_rules benchmark_instruction_sets benchmark_schedulers
+                                     benchmark_flat_vertices
                                      benchmark_face_queries benchmark_threads benchmark_phases benchmark_matrix
                                      benchmark_matrix_store benchmark_rows benchmark_uses_of_diagrams)
   [ "$python" = no ] || targets+=(benchmark_python)
@@ -347,6 +348,7 @@ if [ "$questions" = yes ]; then
   ask sources "$meshes/bunny00.off"
   ask reach --subdivide 1 "$meshes/bunny00.off"
   ask rules "$meshes/elephant.off" "$meshes/armadillo.off" "$meshes/bunny00.off"
+  ask instruction_sets "$meshes/bunny00.off" "$meshes/armadillo.off" "$meshes/refined_elephant.off"
   ask schedulers "$meshes/bunny00.off" "$meshes/armadillo.off"
   # All meshes of the data, and subdivided ones. The program skips files without a triangle mesh.
   find "$meshes" -maxdepth 1 -type f -name '*.off' | LC_ALL=C sort > "$build/list.txt"
