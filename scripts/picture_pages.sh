@@ -34,7 +34,7 @@ picture()
 }
 
 cd "$work"
-"$program" distances "$scan" --source-point 0,0,-1 --html distances.html --quiet
+"$program" distances "$scan" --source-point 0,0,-1 --snap --html distances.html --quiet
 "$program" voronoi "$scan" --site-random 12 --seed 7 --html voronoi.html --quiet
 picture page_distances.png distances.html
 picture page_Voronoi.png voronoi.html
