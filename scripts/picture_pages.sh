@@ -29,12 +29,12 @@ picture()
   { head -n -2 "$work/$2"; printf '%s\n</body>\n</html>\n' "$click"; } > "$work/clicked_$2"
   # No sandbox: root has none, and the page is ours. No network: every name is unknown.
   timeout 300 "$browser" --headless=new --no-sandbox --user-data-dir="$work/chromium" --use-angle=swiftshader \
-    --enable-unsafe-swiftshader --hide-scrollbars --window-size=1120,640 --virtual-time-budget=20000 \
+    --enable-unsafe-swiftshader --hide-scrollbars --window-size=1280,800 --virtual-time-budget=20000 \
     --host-resolver-rules='MAP * ~NOTFOUND' --screenshot="$output/$1" "file://$work/clicked_$2" 2> "$work/chromium.log"
 }
 
 cd "$work"
-"$program" distances "$scan" --source-point 0,0,-1 --html distances.html --quiet
+"$program" distances "$scan" --source-point 0,0,-1 --snap --html distances.html --quiet
 "$program" voronoi "$scan" --site-random 12 --seed 7 --html voronoi.html --quiet
 picture page_distances.png distances.html
 picture page_Voronoi.png voronoi.html
