@@ -19,7 +19,7 @@ int main(int argc, char** argv)
   const std::size_t number = argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 20000;
   const std::uint64_t seed = test_support::announce_seed(argc > 2 ? std::strtoul(argv[2], nullptr, 10) : 1);
   double worst = 0;
-  std::size_t compared = 0;
+  std::size_t compared = 0, rejected = 0;
   for(std::uint64_t i = 0; i < number; ++i)
   {
     const test_support::Scope scope("surface " + std::to_string(seed + i));
@@ -28,7 +28,16 @@ int main(int argc, char** argv)
     if(!hostile_meshes::is_surface(hostile_meshes::hostile_mesh(random), tm))
       continue;
     const std::vector<Curve> curves = random_curves(tm, random);
-    const Distances d = distances(tm, curves);
+    Distances d;
+    try
+    {
+      d = distances(tm, curves);
+    }
+    catch(const CGAL::Surface_mesh_geodesics::Invalid_geodesic_input&)
+    {
+      ++rejected; // segments that nearly coincide
+      continue;
+    }
     for(const auto h : halfedges(tm)) // no edge is a shortcut
       CHECK(d.at(target(h, tm))
             <= (d.at(source(h, tm)) + std::sqrt(CGAL::squared_distance(tm.point(source(h, tm)),
@@ -43,6 +52,8 @@ int main(int argc, char** argv)
     }
   }
   CHECK(compared > 0);
-  std::cout << compared << " distances, worst relative error " << worst << std::endl;
+  CHECK(200 * rejected <= number + 200);
+  std::cout << compared << " distances, worst relative error " << worst << ", " << rejected
+            << " surfaces with curves that rounding hides" << std::endl;
   return test_result();
 }

@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_geodesics/Geodesic_distance_solver.h>
 #include <CGAL/Surface_mesh_geodesics/Surface_curve.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_distances.h>
+#include <CGAL/Surface_mesh_geodesics/signed_geodesic_distances.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -152,14 +153,11 @@ void test_tube()
   const std::vector<Curve> curves = SMG::border_curves(tm);
   CHECK_EQUAL(curves.size(), std::size_t(2));
   const Distances both = distances(tm, curves), lower = distances(tm, {curves[0]});
-  double least = infinity, largest = -infinity;
+  double least = infinity;
   for(const vertex_descriptor v : vertices(tm))
-  {
     least = (std::min)(least, tm.point(v).z());
-    largest = (std::max)(largest, tm.point(v).z());
-  }
   const bool is_first_at_bottom
-    = tm.point(source(halfedge(curves[0].segments()[0].face, tm), tm)).z() < (least + largest) / 2;
+    = tm.point(source(halfedge(curves[0].segments()[0].face, tm), tm)).z() < least + height / 2;
   for(const vertex_descriptor v : vertices(tm))
   {
     const double z = tm.point(v).z() - least;
@@ -363,11 +361,8 @@ void test_limits()
   solver.compute_distances(curves, np::maximum_distance(radius));
   for(const vertex_descriptor v : vertices(tm))
     CHECK_EQUAL(solver.distance(v), all[v] <= radius ? all[v] : infinity);
-  for(const std::size_t i : {3u, 100u, 200u})
-  {
-    const vertex_descriptor v(static_cast<Mesh::size_type>(i));
-    CHECK_EQUAL(solver.compute_distance(curves, v), all[v]);
-  }
+  for(const Mesh::size_type i : {3u, 100u, 200u})
+    CHECK_EQUAL(solver.compute_distance(curves, vertex_descriptor(i)), all[vertex_descriptor(i)]);
   // Nothing is left of runs that ended early, failed or were canceled; points come after curves, and the other way.
   Canceling_visitor visitor;
   CHECK(!solver.compute_distances(curves, np::visitor(std::ref(visitor))));
@@ -456,6 +451,95 @@ void test_obstacles()
   }));
 }
 
+// --- signed distances ---
+
+Distances signed_distances(const Mesh& tm, const std::vector<Curve>& curves)
+{
+  Distances d;
+  CHECK(SMG::signed_geodesic_distances(tm, boost::make_assoc_property_map(d), curves));
+  return d;
+}
+
+bool separates(const Mesh& tm, const std::vector<Curve>& curves)
+{
+  return !throws_reason(Invalid_geodesic_input::Reason::INVALID_CURVE, [&] { signed_distances(tm, curves); });
+}
+
+// Triangles in the plane, one inside the other, counterclockwise: the ring between them is positive, the rest negative.
+void test_signs_in_plane()
+{
+  const double size = 9;
+  const Mesh tm = to_face_graph(flat_patch(9, 9, .3, true, 12));
+  const std::vector<Point_2> outer{{.71, .83}, {8.13, 1.17}, {4.21, 8.09}}, inner{{3.3, 2.2}, {5.7, 2.4}, {4.1, 4.6}};
+  const auto polygon = [&](const std::vector<Point_2>& p)
+  {
+    std::vector<Location> locations;
+    for(std::size_t i = 0; i < 3; ++i)
+      append_crossings(tm, p[i], p[(i + 1) % 3], locations);
+    return Curve(tm, locations, true);
+  };
+  const auto is_inside = [](const std::vector<Point_2>& t, const Point_2& p)
+  {
+    bool result = true;
+    for(std::size_t i = 0; i < 3; ++i)
+    {
+      const Point_2 &a = t[i], &b = t[(i + 1) % 3];
+      result = result && (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]) > 0;
+    }
+    return result;
+  };
+  const std::vector<Curve> curves{polygon(outer), polygon(inner)};
+  const Distances d = signed_distances(tm, curves), plain = distances(tm, curves);
+  const Distances one = signed_distances(tm, {curves[0]});
+  std::size_t negative = 0;
+  for(const vertex_descriptor v : vertices(tm))
+  {
+    const Point_2 p = in_plane(tm, v);
+    const bool is_negative = is_inside(outer, p) && !is_inside(inner, p);
+    CHECK_EQUAL(d.at(v), is_negative ? -plain.at(v) : plain.at(v));
+    CHECK_EQUAL(one.at(v) < 0, is_inside(outer, p));
+    negative += is_negative ? 1 : 0;
+  }
+  CHECK(negative > 20);
+  // From border to border, a line of two points; an open curve inside does not separate, but there and back is nothing.
+  std::vector<Location> across;
+  append_crossings(tm, {0., 4.3}, {size, 4.7}, across);
+  across.push_back(location_in_plane(size, 4.7, tm));
+  for(const auto& entry : signed_distances(tm, {Curve(tm, across)}))
+    CHECK_EQUAL(entry.second > 0, tm.point(entry.first).y() < 4.3 + .4 / size * tm.point(entry.first).x());
+  std::vector<Location> open(across.begin() + 1, across.end() - 2);
+  CHECK(!separates(tm, {Curve(tm, open)}));
+  CHECK(separates(tm, {Curve(tm, across)}));
+  open.insert(open.end(), open.rbegin() + 1, open.rend());
+  CHECK(separates(tm, {Curve(tm, open)}));
+  for(const auto& entry : signed_distances(tm, SMG::border_curves(tm)))
+    CHECK(entry.second >= 0);
+}
+
+void test_signs_on_torus()
+{
+  const Mesh tm = to_face_graph(torus(2., 1., 8, 6));
+  // The rings of a torus: one does not separate, two do.
+  const auto ring = [&](std::size_t i)
+  {
+    std::vector<vertex_descriptor> result;
+    for(std::size_t j = 0; j < 6; ++j)
+      result.push_back(vertex_descriptor(static_cast<Mesh::size_type>(i * 6 + j)));
+    return Curve(tm, result, true);
+  };
+  CHECK(!separates(tm, {ring(0)}));
+  CHECK(separates(tm, {ring(0), ring(4)}));
+  CHECK(!separates(tm, {ring(0), ring(2), ring(4)}));
+  std::size_t negative = 0, positive = 0;
+  for(const auto& entry : signed_distances(tm, {ring(0), ring(4)}))
+  {
+    negative += entry.second < 0 ? 1 : 0;
+    positive += entry.second > 0 ? 1 : 0;
+  }
+  CHECK_EQUAL(negative, std::size_t(18));
+  CHECK_EQUAL(positive, std::size_t(18));
+}
+
 void test_invalid_curves()
 {
   const auto reason = Invalid_geodesic_input::Reason::INVALID_CURVE;
@@ -508,6 +592,8 @@ int main()
   test_limits();
   test_invariance();
   test_obstacles();
+  test_signs_in_plane();
+  test_signs_on_torus();
   test_invalid_curves();
   return test_result();
 }

@@ -25,6 +25,8 @@
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Source_insertion.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Source_set.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/curves/Curve_sides.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/curves/Source_curves.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Pruning_rules.h>
 
 #include <CGAL/assertions.h>
@@ -120,6 +122,7 @@ public:
   template <typename Curves, typename Options, typename Visitor, typename Look>
   bool run_from_curves(const Curves& curves, const Options& options, Visitor& visitor, Look look)
   {
+    // Input is checked before anything changes, and the runner takes its place when it has succeeded.
     const std::vector<Located_curve<FT>> located
       = m_surface.located_curves(curves, options.source_offsets);
     std::unique_ptr<Curve_runner> runner(new Curve_runner(m_surface.mesh(), m_insertion));
@@ -128,6 +131,20 @@ public:
                          { return runner->run(located, limits, go_on, look); });
     m_curve_run = std::move(runner);
     return is_complete;
+  }
+
+  // The same, and sets a flag for each vertex of the intrinsic mesh: is it on the negative side of the curves? Throws
+  // before the propagation if the curves do not separate the surface.
+  template <typename Curves, typename Options, typename Visitor>
+  bool run_with_sides(const Curves& curves, const Options& options, Visitor& visitor, std::vector<char>& is_negative)
+  {
+    return run_from_curves(curves, options, visitor, [&](const Source_curves<FT>& inserted)
+    {
+      const Curve_sides<FT> sides(m_surface.mesh(), inserted);
+      is_negative.resize(m_surface.number_of_vertices());
+      for(Vertex_id v = 0; v < is_negative.size(); ++v)
+        is_negative[v] = sides.sign(v) < 0;
+    });
   }
 
   // Does the same with the options and the visitor among the named parameters of a user, whose ranges are copied.
@@ -157,6 +174,7 @@ public:
     return m_curve_run ? m_curve_run->foot(i).curve : m_numbers.number_at(m_runner.source_of(i));
   }
 
+  // The curves are no part of the mesh any more, but their numbers and parameters are kept with the result.
   // Returns the foot of the shortest path to v. Requires: the last run was one from curves, and v is reached.
   Curve_point<FT> foot(vertex_descriptor v) const
   {
@@ -234,6 +252,7 @@ private:
   Source_insertion<FT> m_insertion;
   Runner m_runner;
   Source_numbers m_numbers; // of the sources of the last run
+  // A run from points resets it, and one from curves makes a new one: results are those of the last run of either kind.
   std::unique_ptr<Curve_runner> m_curve_run; // if that was one from curves
 };
 

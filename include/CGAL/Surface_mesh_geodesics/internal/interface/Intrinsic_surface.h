@@ -369,6 +369,8 @@ public:
       if(located.segments.empty())
         located.vertex = checked_id(curve.vertex(), "curve", position);
     });
+    // Offsets are checked and converted as those of points are, so that both reject the same numbers with the same
+    // words.
     Source_set<FT> set; // of as many sources, for their offsets
     set.vertices.resize(result.size(), null_id);
     add_offsets(offsets, set);

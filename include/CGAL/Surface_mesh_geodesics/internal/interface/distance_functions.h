@@ -129,6 +129,36 @@ bool compute_distances_with_parameters(const TriangleMesh& tm, VertexDistanceMap
                                                     distance_options<TriangleMesh>(np), std::move(shape), visitor, np);
 }
 
+// The sides of all vertices are known before the propagation starts: curves that do not separate the surface are
+// rejected at once. The sign of a distance of zero would mean nothing, so it has none.
+//
+// Writes the signed distances from curves; see signed_geodesic_distances(). The map is unchanged if this throws or
+// returns false.
+template <typename TriangleMesh, typename VertexDistanceMap, typename Curves, typename Shape, typename NamedParameters>
+bool compute_signed_distances(const TriangleMesh& tm, VertexDistanceMap vertex_distance_map, const Curves& curves,
+                              Shape shape, const NamedParameters& np)
+{
+  static_assert(Are_curves<Curves>::value, "signed distances are measured from curves");
+  using Value = typename boost::property_traits<VertexDistanceMap>::value_type;
+  auto vim = CGAL::get_initialized_vertex_index_map(tm, np);
+  auto fim = CGAL::get_initialized_face_index_map(tm, np);
+  const auto options = distance_options<TriangleMesh>(np);
+  check_numbers(options);
+  Visitor_parameter<NamedParameters> visitor_parameter(np);
+  Distance_solver<Sequential_tag, double, TriangleMesh, decltype(vim), decltype(fim)> solver(
+    tm, vim, fim, std::move(shape), curves, avoided_faces(tm, fim, np));
+  std::vector<char> is_negative;
+  if(!solver.run_with_sides(curves, options, visitor_parameter.visitor(), is_negative))
+    return false;
+  for(const auto v : vertices(tm))
+  {
+    const double d = solver.distance(v);
+    const bool has_minus = d > 0 && is_negative[solver.surface().id(v)] != 0;
+    put(vertex_distance_map, v, static_cast<Value>(has_minus ? -d : d));
+  }
+  return true;
+}
+
 // Returns the shape of the faces from the point map among the named parameters, or from the points of the mesh if there
 // is none. The map is copied, and the mesh referred to. Takes constant time: points are read when the mesh is.
 template <typename FT, typename TriangleMesh, typename NamedParameters>

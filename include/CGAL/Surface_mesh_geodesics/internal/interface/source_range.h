@@ -57,6 +57,8 @@ struct Is_face_location<TriangleMesh, Source,
 {};
 
 // True for a single source of either kind. Anything else is taken for a range.
+// Only computations of distances ask for this. All other users of a source set reject a curve when they are compiled.
+//
 // Is a source a curve? (The class of the user has the type `Surface_curve_tag`.) Only distances take curves.
 template <typename Source, typename = void>
 struct Is_curve
@@ -81,6 +83,7 @@ struct Are_curves
   : Is_curve<Sources>
 {};
 
+// A range: what its elements are decides. (A curve itself is no range.)
 template <typename Sources>
 struct Are_curves<Sources, std::void_t<decltype(*std::begin(std::declval<const Sources&>()))>>
   : Is_curve<std::decay_t<decltype(*std::begin(std::declval<const Sources&>()))>>

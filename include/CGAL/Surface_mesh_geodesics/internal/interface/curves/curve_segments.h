@@ -57,6 +57,7 @@ class Point_of_faces
 public:
   using Coordinates = std::array<double, 3>;
 
+  // A vertex gets some face around it, for a curve that is a single vertex; an isolated one has none.
   // The point number `position` of a curve. Throws Invalid_geodesic_input.
   template <typename Location>
   Point_of_faces(const TriangleMesh& tm, const Location& location, std::size_t position)
@@ -78,6 +79,7 @@ public:
 
   // The vertex, or the null vertex. A location with the coordinates of a corner, up to rounding, is a vertex, too.
   vertex_descriptor vertex() const { return m_vertex; }
+  // The face in which the location is given, so that segments stay in the faces that the user has named.
   // A face that has the point; null for an isolated vertex.
   face_descriptor own_face() const { return m_face; }
 

@@ -150,8 +150,9 @@ private:
     }
   }
 
-  // Emits the window onto the edge opposite to a corner, trimmed to the directions from `first` to `last`, which count
-  // from the first edge of the corner.
+  // A gap between two normals that is narrower than rounding holds the normals themselves only: it is left to the
+  // strips. Emits the window onto the edge opposite to a corner, trimmed to the directions from `first` to `last`,
+  // which count from the first edge of the corner.
   template <typename Emit>
   void emit_into(const Corner& corner, const FT& d, Emit emit) const
   {

@@ -81,6 +81,7 @@ public:
   // Forgets the result: no vertex has been reached.
   void forget() { m_limit = -1; }
 
+  // As for points: distances beyond the limit may still shrink, so nobody sees them.
   // Returns the distance of a vertex; infinity if it was not reached, or if the distance is not final.
   FT distance(Vertex_id v) const
   {
@@ -107,6 +108,7 @@ public:
     return {e.curve, e.segment, FT(e.first_parameter + t * (e.last_parameter - e.first_parameter))};
   }
 
+  // For results of runs that reach little of a large mesh.
   // Returns all vertices that the last run touched, each once; also those of the refined mesh.
   const std::vector<Vertex_id>& vertices_reached() const { return m_field.reached; }
 

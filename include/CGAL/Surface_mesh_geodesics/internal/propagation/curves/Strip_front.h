@@ -242,6 +242,7 @@ private:
     m_slot[h] = null_id;
   }
 
+  // Trimming before a strip waits saves the memory of those that vertices beat at once: most of them.
   // Adds a strip to a list, unless the ends of its edge, A and B, beat it at once. Lowers `key` to its distance.
   void put(Strip<FT> s, const FT& length, const Vertex_rival<FT>& a, const Vertex_rival<FT>& b, List& strips, FT& key)
   {

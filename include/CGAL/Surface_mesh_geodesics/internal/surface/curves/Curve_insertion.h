@@ -17,14 +17,13 @@
 // All curves are walked twice. An insertion may divide an edge of a curve that was walked before, so the edges are
 // collected in a walk that inserts nothing.
 
+#include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Source_insertion.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/barycentric_coordinates.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/curves/Source_curves.h>
-
-#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <array>
@@ -40,6 +39,9 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
+// Positions in a face are compared by barycentric coordinates, in which all faces are alike: a segment that is a point
+// up to Tolerance::barycentric() has no direction, and a vertex that is nearer to a segment is on it. That moves a
+// curve by this part of the longest side of the face, as it moves sources.
 template <typename FT>
 class Curve_insertion
 {
@@ -54,7 +56,9 @@ public:
   // Inserts the curves and returns their edges and vertices. Takes the time of sorting the locations and of the
   // insertions, plus the degrees of the vertices on the curves. The refined mesh does not depend on the order of the
   // curves.
-  // Requires: nothing is inserted yet; the faces are those of the mesh without insertions.
+  // Throws Invalid_geodesic_input where segments of one face nearly coincide, so that rounding hides in which order
+  // they cross the parts of the face; they were found at distances of 1e-12 of the face only. Requires: nothing is
+  // inserted yet; the faces are those of the mesh without insertions.
   Source_curves<FT> insert(const Curves& curves)
   {
     insert_locations(curves);
@@ -67,7 +71,8 @@ public:
       for(std::size_t i = 0; i < curves.size(); ++i)
         add_curve(curves[i], static_cast<std::uint32_t>(i));
     } while(m_has_inserted && ++walks < most_walks);
-    CGAL_assertion(!m_has_inserted);
+    if(m_has_inserted)
+      reject();
     remove_copies();
     Source_curves<FT> result;
     std::swap(result, m_result);
@@ -148,6 +153,13 @@ private:
         m_vertices[i].back() = m_vertices[i].front();
   }
 
+  // Never let a part of a curve get lost in silence: the distances would be wrong.
+  [[noreturn]] static void reject()
+  {
+    throw Invalid_geodesic_input(Invalid_geodesic_input::Reason::INVALID_CURVE,
+                                 "rounding hides where the segments of the curves run: some of them nearly coincide");
+  }
+
   // Walks along all segments of a curve. Its first point is added here, all others by the walks that reach them; a
   // curve without a segment of any length is only that point.
   void add_curve(const Located_curve<FT>& curve, std::uint32_t number)
@@ -165,6 +177,7 @@ private:
     }
   }
 
+  // Without this, the walk would look for the vertex at a point where it is not.
   // Returns a vertex with its coordinates in a face: those given, or the nearest ones that it has there. They differ on
   // an edge without length, which has no vertices but its ends.
   Place place(Vertex_id v, const Coordinates& at, Face_id whole) const
@@ -188,8 +201,10 @@ private:
   {
     const Line segment(place.at, end.at);
     m_visited.assign(1, place.vertex);
-    for(std::size_t steps = 0; place.vertex != end.vertex && steps <= m_mesh.number_of_faces(); ++steps)
+    for(std::size_t steps = 0; place.vertex != end.vertex; ++steps)
     {
+      if(steps > m_mesh.number_of_faces())
+        reject();
       const Line line(place.at, end.at);
       if(!(line.length > Tolerance<FT>::barycentric()))
         return; // what is left is rounding
@@ -205,16 +220,15 @@ private:
         place = Place{m_insertion.insert_on_edge(exit.halfedge, exit.source_weight, exit.target_weight), exit.at};
         continue; // the next walk meets this vertex
       }
-      CGAL_assertion(step.to.vertex != null_id);
       if(step.to.vertex == null_id)
-        return;
+        reject();
       const FT first = point.parameter;
       point.parameter = step.to.vertex == end.vertex
                           ? FT(1)
                           : (std::min)(FT(1), (std::max)(first, FT(segment.position(step.to.at) / segment.length)));
       m_result.edges.push_back(
         Source_edge<FT>{step.there, step.back, m_mesh.length((std::min)(step.there, step.back)), offset, point.curve,
-                        point.segment, first, point.parameter});
+                        point.segment, first, point.parameter, 1});
       m_result.vertices.push_back(Source_vertex<FT>{step.to.vertex, offset, point});
       place = step.to;
       m_visited.push_back(place.vertex);
@@ -307,9 +321,13 @@ private:
     const auto name = [](const Source_edge<FT>& e) { return (std::min)(e.left, e.right); };
     std::stable_sort(edges.begin(), edges.end(), [&](const Source_edge<FT>& a, const Source_edge<FT>& b)
                      { return name(a) < name(b) || (name(a) == name(b) && a.offset < b.offset); });
-    edges.erase(std::unique(edges.begin(), edges.end(), [&](const Source_edge<FT>& a, const Source_edge<FT>& b)
-                            { return name(a) == name(b); }),
-                edges.end());
+    std::size_t n = 0;
+    for(const Source_edge<FT>& e : edges)
+      if(n > 0 && name(edges[n - 1]) == name(e))
+        edges[n - 1].copies += e.copies;
+      else
+        edges[n++] = e;
+    edges.erase(edges.begin() + static_cast<std::ptrdiff_t>(n), edges.end());
     std::vector<Source_vertex<FT>>& vertices = m_result.vertices;
     std::stable_sort(vertices.begin(), vertices.end(), [](const Source_vertex<FT>& a, const Source_vertex<FT>& b)
                      { return std::tie(a.vertex, a.offset) < std::tie(b.vertex, b.offset); });

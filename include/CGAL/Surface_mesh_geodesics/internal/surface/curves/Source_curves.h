@@ -62,6 +62,7 @@ struct Source_edge
   FT length, offset;
   std::uint32_t curve, segment;
   FT first_parameter, last_parameter;
+  std::uint32_t copies = 1; // how often curves run along the edge, in either direction
 };
 
 // A vertex of the refined mesh on a curve.
