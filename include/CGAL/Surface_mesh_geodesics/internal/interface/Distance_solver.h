@@ -183,6 +183,7 @@ public:
   }
 
   // Was the last run one from curves?
+  // Then every vertex that is reached has a foot on one of the curves.
   bool has_curves() const { return m_curve_run != nullptr; }
 
   // Calls visit(vertex_descriptor, distance) for all vertices that have been reached, each once, in no particular

@@ -147,7 +147,7 @@ bool compute_signed_distances(const TriangleMesh& tm, VertexDistanceMap vertex_d
   Visitor_parameter<NamedParameters> visitor_parameter(np);
   Distance_solver<Sequential_tag, double, TriangleMesh, decltype(vim), decltype(fim)> solver(
     tm, vim, fim, std::move(shape), curves, avoided_faces(tm, fim, np));
-  std::vector<char> is_negative;
+  std::vector<char> is_negative; // by vertex of the intrinsic mesh, whose numbers are not those of the user
   if(!solver.run_with_sides(curves, options, visitor_parameter.visitor(), is_negative))
     return false;
   for(const auto v : vertices(tm))

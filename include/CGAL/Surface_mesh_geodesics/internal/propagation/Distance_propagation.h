@@ -121,8 +121,7 @@ public:
   void add_curves(const Curves& curves)
   {
     static_assert(Strips::exist, "curves need a propagation with strips");
-    m_strips.start(curves, m_wavefront, [this](Halfedge_id h, const Window<FT>& w)
-                   { m_wavefront.put_window(h, w, m_stars.pool(), m_slots, pusher()); }, pusher());
+    m_strips.start(curves, m_wavefront, pusher());
   }
 
   const Strips& strips() const { return m_strips; }

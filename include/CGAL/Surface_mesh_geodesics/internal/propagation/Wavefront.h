@@ -107,29 +107,6 @@ public:
     push(v, offset);
   }
 
-  // Adds a vertex of a curve: a source that does not emit windows by itself: put_window() takes those that start there.
-  // Otherwise the same.
-  void add_curve_vertex(Vertex_id v, const FT& offset)
-  {
-    add_source(v, offset, [](Vertex_id, const FT&) {});
-    if(m_field.arrival[v].root == v)
-      m_emission[v] = HAS_EMITTED;
-  }
-
-  // Lets a single window wait to enter the face of h, and queues the nearer end of its edge, as put_lists() does.
-  // Requires: w is_valid() on the edge of h.
-  template <typename Push>
-  void put_window(Halfedge_id h, const Window<FT>& w, Window_pool<FT>& pool, Window_list_slots& slots, Push push)
-  {
-    Window_list<FT> list;
-    pool.reserve(list, 1);
-    list.columns.set(0, w);
-    pool.add(list, 1, w.steps);
-    m_lists.put(h, list, pool, slots);
-    const Vertex_id a = m_mesh.source(h), b = m_mesh.target(h);
-    push(m_field.distance[b] < m_field.distance[a] ? b : a, w.minimum_distance());
-  }
-
   const FT& distance(Vertex_id v) const { return m_field.distance[v]; }
   const std::vector<FT>& distances() const { return m_field.distance; }
 

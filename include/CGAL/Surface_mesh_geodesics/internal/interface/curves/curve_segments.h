@@ -83,6 +83,7 @@ public:
   // A face that has the point; null for an isolated vertex.
   face_descriptor own_face() const { return m_face; }
 
+  // Faces are those of the user's mesh, also where some of them are avoided: that is checked when the mesh is read.
   // Returns whether the face f has the point, at a corner, on an edge or inside, and sets its coordinates there.
   bool find_in(const TriangleMesh& tm, face_descriptor f, Coordinates& b) const
   {
@@ -111,6 +112,8 @@ public:
 
   // Calls visit(face) for each face that has the point, the one in which it is given first; some faces may come twice.
   // Only the faces around a vertex may be many.
+  // A border has no face, so it is passed over. The search for a common face ends with the first one that has both
+  // points, but the walk around the vertex goes on; it is short.
   template <typename Visit>
   void for_each_face(const TriangleMesh& tm, Visit visit) const
   {

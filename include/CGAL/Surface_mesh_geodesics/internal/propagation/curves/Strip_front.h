@@ -27,7 +27,6 @@
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Wavefront.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Wavefront_queue.h>
-#include <CGAL/Surface_mesh_geodesics/internal/propagation/curves/Corner_emission.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/curves/Strip.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
@@ -64,7 +63,7 @@ public:
   static constexpr bool exist = true;
 
   // Both must outlive this object.
-  Strip_front(const Mesh& mesh, const Field& field) : m_mesh(mesh), m_field(field), m_corners(mesh), m_queue(0) {}
+  Strip_front(const Mesh& mesh, const Field& field) : m_mesh(mesh), m_field(field), m_queue(0) {}
 
   // Removes all strips. The mesh may have changed since. Linear in the number of halfedges on which strips have waited
   // at the same time, and in that of vertices and faces that are new.
@@ -91,32 +90,19 @@ public:
   // Drops strips that are farther away. Requires: d >= 0.
   void set_maximum_distance(const FT& d) { m_maximum_distance = d; }
 
-  // Lets strips start at all edges, and windows at all vertices. `put_window(h, window)` takes the latter. All vertices
-  // have their distances before anything starts, so that strips and windows know them as rivals at once.
-  //
-  // A vertex without an edge of its own offset is a point, and a degenerate one has no directions: both emit when they
-  // are visited, like any source.
-  template <typename Wave, typename PutWindow, typename Push>
-  void start(const Source_curves<FT>& curves, Wave& wavefront, PutWindow put_window, Push push)
+  // Lets strips start at all edges. Vertices of curves are sources that emit windows into all faces when they are
+  // visited. All of them have their distances before any strip starts, so that strips know them as rivals at once.
+  template <typename Wave, typename Push>
+  void start(const Source_curves<FT>& curves, Wave& wavefront, Push push)
   {
-    m_corners.set_edges(curves.edges);
     for(const Source_vertex<FT>& v : curves.vertices)
-      if(m_mesh.has(v.vertex, Mesh::DEGENERATE) || !m_corners.is_on_edge(v.vertex, v.offset))
-        wavefront.add_source(v.vertex, v.offset, push);
-      else
-        wavefront.add_curve_vertex(v.vertex, v.offset);
+      wavefront.add_source(v.vertex, v.offset, push);
     for(std::uint32_t i = 0; i < curves.edges.size(); ++i)
     {
       const Source_edge<FT>& e = curves.edges[i];
       add_first_strip(e.left, e.offset, 2 * i);
       add_first_strip(e.right, e.offset, 2 * i + 1);
     }
-    for(const Source_vertex<FT>& v : curves.vertices)
-      if(!m_mesh.has(v.vertex, Mesh::DEGENERATE) && m_corners.is_on_edge(v.vertex, v.offset))
-      {
-        walk_along_edges(v, wavefront, push);
-        m_corners.for_each_window(v.vertex, v.offset, put_window);
-      }
   }
 
   bool empty() const { return m_queue.empty(); }
@@ -310,30 +296,8 @@ private:
     return are_windows_stale;
   }
 
-  // Windows from a vertex improve the corners beyond the edges that they cross, not the ends of these edges.
-  // Improves the neighbors of a vertex by the paths along its edges (Star_propagation).
-  template <typename Wave, typename Push>
-  void walk_along_edges(const Source_vertex<FT>& v, Wave& wavefront, Push push) const
-  {
-    const auto improve = [&](Vertex_id u, const FT& length, Halfedge_id across, const FT& abscissa)
-    {
-      Vertex_arrival<FT> arrival;
-      arrival.abscissa = abscissa;
-      arrival.halfedge = across;
-      arrival.root = v.vertex;
-      wavefront.improve(u, FT(v.offset + length), arrival, Arrival_image<FT>(), wavefront.reached(), push);
-    };
-    m_mesh.for_each_halfedge_around(v.vertex, [&](Halfedge_id va)
-    {
-      const Halfedge_id bv = previous_halfedge(va);
-      improve(m_mesh.target(va), m_mesh.length(va), bv, m_mesh.length(bv));
-      improve(m_mesh.source(bv), m_mesh.length(bv), va, FT(0));
-    });
-  }
-
   const Mesh& m_mesh;
   const Field& m_field;
-  Corner_emission<FT> m_corners;
   Wavefront_queue<FT> m_queue;       // of halfedges
   std::vector<std::uint32_t> m_slot; // by halfedge: the place of its list, or null_id
   std::deque<List> m_lists;
