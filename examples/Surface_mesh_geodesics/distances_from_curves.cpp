@@ -5,6 +5,7 @@
 #include <CGAL/boost/graph/generators.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <iostream>
 #include <vector>
 
@@ -53,4 +54,5 @@ int main()
   for(vertex_descriptor v : vertices(mesh))
     ++number[solver.nearest_source(v)];
   std::cout << "nearest water: coast " << number[0] << ", well " << number[1] << ", river " << number[2] << std::endl;
+  return EXIT_SUCCESS;
 }

@@ -50,6 +50,10 @@ namespace internal {
 // copied. ConcurrencyTag is the tag of the user, which does not compile if it asks for threads that are not available
 // (Available_tag.h). FT and Rules differ from double and All_pruning_rules in tests and measurements only.
 //
+// Two kinds of runs. m_runner propagates from points, in the tables that it keeps from run to run. A run from curves
+// has a runner of its own, which lives until the next run: m_curve_run is set exactly if the last run was one from
+// curves, and then all answers come from it. Both refine the same intrinsic mesh and leave it as it was.
+//
 // Objects cannot be copied or moved: m_insertion and m_runner refer to the mesh in m_surface. Const functions only
 // read, so several threads may call them; run() needs the object for itself.
 template <typename ConcurrencyTag, typename FT, typename TriangleMesh, typename VertexIndexMap, typename FaceIndexMap,
@@ -116,9 +120,9 @@ public:
     }
   }
 
-  // The same from curves, or from a single curve. Always sequential: strips and windows share one wavefront. The runner
-  // is made for the run, as its tables would double the memory of a solver that never sees a curve.
-  // Calls look(curves in the refined mesh) before the propagation.
+  // The same from curves, or from a single curve. Calls look(curves in the refined mesh) before the propagation; if
+  // that throws, the curves are taken out of the mesh again. Always sequential: strips and windows share one wavefront.
+  // The runner is made for the run, as its tables would double the memory of a solver that never sees a curve.
   template <typename Curves, typename Options, typename Visitor, typename Look>
   bool run_from_curves(const Curves& curves, const Options& options, Visitor& visitor, Look look)
   {

@@ -379,10 +379,11 @@ public:
     return result;
   }
 
-  // A segment has its face, so that it needs no search; only where that face is avoided another one has to be found.
-  //
   // Returns a segment of a curve in the order of the intrinsic face. A segment along the rim of what is avoided is
-  // given in the neighbor that is not avoided. `position` is the number of the curve. Throws as for locations.
+  // given in the neighbor that is not avoided: then both of its ends are on one edge, as zero coordinates tell. A
+  // segment through an avoided face is rejected. `position` is the number of the curve. Throws as for locations.
+  //
+  // A segment has its face, so that it needs no search; only where that face is avoided another one has to be found.
   template <typename Segment>
   Curve_segment<FT> curve_segment(const Segment& s, std::size_t position) const
   {
@@ -520,8 +521,8 @@ private:
     return {first, c};
   }
 
-  // The same for points and for curves, whose sets only have to know their number:
-  // Appends an offset for each source of the set, or none. Throws if their number is neither.
+  // Appends an offset for each source of the set, or none. Throws if their number is neither. Serves points and curves:
+  // of the set of curves only the number counts.
   void add_offsets(const std::vector<double>& offsets, Source_set<FT>& set) const
   {
     if(!offsets.empty() && offsets.size() != set.size())

@@ -77,12 +77,12 @@ public:
     return true;
   }
 
-  // For a run that an exception has ended, in this class or in the visitor.
-  // Forgets the result: no vertex has been reached.
+  // Forgets the result: no vertex has been reached. For a run that an exception has ended, in this class or in the
+  // visitor.
   void forget() { m_limit = -1; }
 
-  // As for points: distances beyond the limit may still shrink, so nobody sees them.
-  // Returns the distance of a vertex; infinity if it was not reached, or if the distance is not final.
+  // Returns the distance of a vertex; infinity if it was not reached, or if the distance is not final. As for points,
+  // distances beyond the limit may still shrink, so nobody sees them.
   FT distance(Vertex_id v) const
   {
     return m_field.distance[v] <= m_limit ? m_field.distance[v] : Field::infinity();
@@ -108,8 +108,8 @@ public:
     return {e.curve, e.segment, FT(e.first_parameter + t * (e.last_parameter - e.first_parameter))};
   }
 
-  // For results of runs that reach little of a large mesh.
-  // Returns all vertices that the last run touched, each once; also those of the refined mesh.
+  // Returns all vertices that the last run touched, each once; also those of the refined mesh. For results of runs that
+  // reach little of a large mesh.
   const std::vector<Vertex_id>& vertices_reached() const { return m_field.reached; }
 
   Propagation_statistics statistics() const { return m_propagation.statistics(); }

@@ -40,7 +40,8 @@ namespace internal {
 // A queued vertex is in the queue of its part. A batch that sort_batches() has filled may have vertices of other parts.
 //
 // Threads: any may call part_of(), and one at a time may update a part. The other functions are for the conductor,
-// while no other thread is at work.
+// while no other thread is at work: all of them are serial work between the phases, which no thread can help with. They
+// take time linear in the number of parts; those that move vertices also in the size of the batch.
 template <typename FT>
 class Wavefront_division
 {
