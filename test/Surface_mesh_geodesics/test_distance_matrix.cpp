@@ -313,7 +313,7 @@ void pruning_saves_visits()
 // Cancels after some visits.
 struct Canceling_visitor : SMG::Geodesic_default_visitor
 {
-  explicit Canceling_visitor(std::size_t most) : most(most) {}
+  explicit Canceling_visitor(std::size_t number) : most(number) {}
   void on_progress(std::size_t number, double) { visits = number; }
   bool go_further() const { return visits < most; }
 
