@@ -256,6 +256,31 @@ void test_hostile_meshes()
   }
 }
 
+// Random surfaces on which earlier versions failed. 116: segments nearly coincide, and the walk along one of them did
+// not end; now the curves may be rejected. 50085: windows of a vertex beside an edge of the length 1e-6 were left out
+// although a shortest path needed one.
+void test_surfaces_of_faults()
+{
+  for(const std::uint64_t seed : {std::uint64_t(116), std::uint64_t(50085)})
+  {
+    const test_support::Scope scope("surface " + std::to_string(seed));
+    test_support::Random random(seed);
+    Mesh tm;
+    CHECK(hostile_meshes::is_surface(hostile_meshes::hostile_mesh(random), tm));
+    const std::vector<Curve> curves = random_curves(tm, random);
+    try
+    {
+      const Distances d = distances(tm, curves);
+      for(const vertex_descriptor v : vertices(tm))
+        CHECK(error_at(tm, curves, v, d.at(v)) <= 1e-12);
+    }
+    catch(const Invalid_geodesic_input& error)
+    {
+      CHECK(error.reason() == Invalid_geodesic_input::Reason::INVALID_CURVE && seed == 116);
+    }
+  }
+}
+
 // --- strange curves ---
 
 void test_strange_curves()
@@ -587,6 +612,7 @@ int main()
   test_cones();
   test_points_along_curves();
   test_hostile_meshes();
+  test_surfaces_of_faults();
   test_strange_curves();
   test_offsets_and_feet();
   test_limits();

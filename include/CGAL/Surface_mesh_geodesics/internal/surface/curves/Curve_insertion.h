@@ -61,6 +61,7 @@ public:
   // inserted yet; the faces are those of the mesh without insertions.
   Source_curves<FT> insert(const Curves& curves)
   {
+    m_first_faces = m_mesh.number_of_faces();
     insert_locations(curves);
     // Each walk ends, and the number of insertions is finite: a crossing that is a vertex is met as one the next time.
     std::size_t walks = 0;
@@ -196,14 +197,16 @@ private:
   }
 
   // Walks along a segment from vertex to vertex, and adds each edge and its end to the result. Inserts a vertex where
-  // the segment crosses an edge, and goes on from there.
+  // the segment crosses an edge, and goes on from there. A straight segment crosses each part of its face once at most:
+  // a walk that takes more steps than there were parts is lost among crossings that rounding keeps at one place.
   void walk(Place place, const Place& end, Face_id whole, Curve_point<FT> point, const FT& offset)
   {
     const Line segment(place.at, end.at);
     m_visited.assign(1, place.vertex);
+    const std::size_t most_steps = 2 * (m_mesh.number_of_faces() - m_first_faces) + 16;
     for(std::size_t steps = 0; place.vertex != end.vertex; ++steps)
     {
-      if(steps > m_mesh.number_of_faces())
+      if(steps > most_steps)
         reject();
       const Line line(place.at, end.at);
       if(!(line.length > Tolerance<FT>::barycentric()))
@@ -342,6 +345,7 @@ private:
   std::vector<std::vector<Vertex_id>> m_vertices; // of each curve, in its order
   Source_curves<FT> m_result;
   std::vector<Vertex_id> m_visited; // on the segment that is walked along
+  std::size_t m_first_faces = 0; // of the mesh without insertions
   bool m_has_inserted = false;
 };
 
