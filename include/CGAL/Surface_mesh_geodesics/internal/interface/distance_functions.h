@@ -134,6 +134,10 @@ bool compute_distances_with_parameters(const TriangleMesh& tm, VertexDistanceMap
 //
 // Writes the signed distances from curves; see signed_geodesic_distances(). The map is unchanged if this throws or
 // returns false.
+//
+// The sides are found before the propagation, while the curves are in the mesh: so curves that do not separate the
+// surface cost no propagation. A vertex on a curve has the distance 0, whatever side its flag tells. Infinite distances
+// get the sign of their side as well.
 template <typename TriangleMesh, typename VertexDistanceMap, typename Curves, typename Shape, typename NamedParameters>
 bool compute_signed_distances(const TriangleMesh& tm, VertexDistanceMap vertex_distance_map, const Curves& curves,
                               Shape shape, const NamedParameters& np)

@@ -56,10 +56,8 @@ struct Is_face_location<TriangleMesh, Source,
                         typename boost::graph_traits<TriangleMesh>::face_descriptor>
 {};
 
-// True for a single source of either kind. Anything else is taken for a range.
-// Only computations of distances ask for this. All other users of a source set reject a curve when they are compiled.
-//
-// Is a source a curve? (The class of the user has the type `Surface_curve_tag`.) Only distances take curves.
+// Is a source a curve? (Surface_curve has the type `Surface_curve_tag`; the public header is above this room.) Only
+// computations of distances take curves. All other users of a source set reject them when they are compiled.
 template <typename Source, typename = void>
 struct Is_curve
   : std::false_type
@@ -70,6 +68,7 @@ struct Is_curve<Source, std::void_t<typename Source::Surface_curve_tag>>
   : std::true_type
 {};
 
+// True for a single source of any kind. Anything else is taken for a range.
 template <typename TriangleMesh, typename Source>
 struct Is_source
   : std::integral_constant<bool, Is_vertex<TriangleMesh, Source>::value

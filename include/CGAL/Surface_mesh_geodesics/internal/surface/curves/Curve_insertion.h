@@ -99,7 +99,9 @@ private:
     FT progress = 0; // along the segment
   };
 
-  // A part of the face around a place: the segment leaves it across the edge of `halfedge`, between its ends.
+  // A part of the face around a place: the segment leaves it across the edge of `halfedge`, between its ends. The
+  // weights are those of the ends of the edge at the crossing; they are positive and add up to 1. The crossing gets its
+  // coordinates from them, so that both parts of the edge see the same point.
   struct Exit
   {
     Halfedge_id halfedge = null_id;
@@ -154,7 +156,7 @@ private:
         m_vertices[i].back() = m_vertices[i].front();
   }
 
-  // Never let a part of a curve get lost in silence: the distances would be wrong.
+  // Ends the insertion: if a part of a curve got lost in silence, distances would be wrong.
   [[noreturn]] static void reject()
   {
     throw Invalid_geodesic_input(Invalid_geodesic_input::Reason::INVALID_CURVE,
@@ -178,9 +180,9 @@ private:
     }
   }
 
-  // Without this, the walk would look for the vertex at a point where it is not.
   // Returns a vertex with its coordinates in a face: those given, or the nearest ones that it has there. They differ on
-  // an edge without length, which has no vertices but its ends.
+  // an edge without length, which has no vertices but its ends. Otherwise the walk would look for the vertex where it
+  // is not.
   Place place(Vertex_id v, const Coordinates& at, Face_id whole) const
   {
     Place result{v, at};
@@ -270,7 +272,8 @@ private:
       step = aside;
   }
 
-  // Has the walk along this segment been at a vertex? Only a step aside could lead back.
+  // Has the walk along this segment been at a vertex? Only a step aside could lead back: all other steps come nearer to
+  // the end of the segment.
   bool is_visited(Vertex_id v) const { return std::find(m_visited.begin(), m_visited.end(), v) != m_visited.end(); }
 
   // Takes a neighbor as the next vertex if it is on the segment, up to rounding, and nearer than the one found so far.
@@ -316,8 +319,8 @@ private:
     return part != nullptr ? part->corner : std::array<Coordinates, 3>{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   }
 
-  // (Sorting keeps the order of the curves where all else is equal, so the first one counts.)
-  // Keeps one of several copies of an edge or a vertex: that with the smallest offset, of these the first one.
+  // Keeps one of several copies of an edge or a vertex: that with the smallest offset, of these the first one. (Sorting
+  // keeps the order of the curves where all else is equal.)
   void remove_copies()
   {
     std::vector<Source_edge<FT>>& edges = m_result.edges;

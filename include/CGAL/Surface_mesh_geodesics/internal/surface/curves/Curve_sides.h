@@ -109,9 +109,8 @@ private:
         const Halfedge_id g = halfedge_of(f, k), o = m_mesh.opposite(g);
         if(o != null_id)
           color(face_of(o), m_is_crossed[g] == null_id ? s : -s, m_is_crossed[g]);
-        // Paths lead across vertices as well, and all faces around one have the same side: distances behind a pinch
-        // have the sign of the pinch.
-        // Across a pinched vertex, if no curve runs through it.
+        // Across a pinched vertex, if no curve runs through it: paths lead across vertices as well, so distances behind
+        // a pinch have the sign of the pinch.
         const Vertex_id v = m_mesh.source(g);
         if(m_mesh.has(v, Mesh::PINCHED) && !std::binary_search(m_on_curve.begin(), m_on_curve.end(), v))
           m_mesh.for_each_halfedge_around(v, [&](Halfedge_id around) { color(face_of(around), s, null_id); });
