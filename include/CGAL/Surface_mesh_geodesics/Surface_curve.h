@@ -260,7 +260,7 @@ private:
     for(halfedge_descriptor g = halfedge(s.face, tm); g != inner; g = next(g, tm))
       ++k;
     (is_reversed ? s.target : s.source)[k] = 1;
-    (is_reversed ? s.source : s.target)[(k + 1) % 3] = 1;
+    (is_reversed ? s.source : s.target)[internal::next_corner(k)] = 1;
     m_segments.push_back(s);
   }
 

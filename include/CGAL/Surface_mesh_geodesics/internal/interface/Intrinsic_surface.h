@@ -328,15 +328,12 @@ public:
   std::pair<Halfedge_id, Coordinates> location_beside_avoided_faces(face_descriptor f, const BarycentricCoordinates& b,
                                                                     const char* what, std::size_t position) const
   {
-    if(m_is_avoided.empty() || f == Graph_traits::null_face() || !is_face_of(f, m_tm, m_fim)
-       || m_is_avoided[static_cast<std::size_t>(get(m_fim, f))] == 0)
+    if(!is_avoided(f))
     {
       const Halfedge_id h = checked_halfedge(f, what, position);
       return {h, intrinsic_coordinates<FT>(h, b, what, position)};
     }
-    // In the order of the user's corners: those of a face whose first halfedge is halfedge 0.
-    Coordinates c = intrinsic_coordinates<FT>(halfedge_of(0, 0), b, what, position);
-    snap_coordinates(c);
+    const Coordinates c = snapped_coordinates(b, what, position);
     halfedge_descriptor h = halfedge(f, m_tm);
     for(unsigned int k = 0; k < 3; ++k, h = next(h, m_tm))
     {
@@ -350,10 +347,10 @@ public:
     reject_avoided(what, position);
   }
 
-  // Curves stay polylines here; Curve_insertion.h makes edges of the refined mesh of them when they are propagated.
-  //
   // Returns a curve or a range of curves. `offsets` are in the user's unit: none, or one for each curve. Throws if a
   // curve is not one of the mesh that was read, or as source_set() does. Linear in the number of segments.
+  //
+  // Curves stay polylines here; Curve_insertion.h makes edges of the refined mesh of them when they are propagated.
   template <typename Curves>
   std::vector<Located_curve<FT>> located_curves(const Curves& curves, const std::vector<double>& offsets) const
   {
@@ -388,17 +385,14 @@ public:
   Curve_segment<FT> curve_segment(const Segment& s, std::size_t position) const
   {
     const char* const what = "curve";
-    if(m_is_avoided.empty() || s.face == Graph_traits::null_face() || !is_face_of(s.face, m_tm, m_fim)
-       || m_is_avoided[static_cast<std::size_t>(get(m_fim, s.face))] == 0)
+    if(!is_avoided(s.face))
     {
       const Halfedge_id h = checked_halfedge(s.face, what, position);
       return {face_of(h), intrinsic_coordinates<FT>(h, s.source, what, position),
               intrinsic_coordinates<FT>(h, s.target, what, position)};
     }
-    Coordinates from = intrinsic_coordinates<FT>(halfedge_of(0, 0), s.source, what, position);
-    Coordinates to = intrinsic_coordinates<FT>(halfedge_of(0, 0), s.target, what, position);
-    snap_coordinates(from);
-    snap_coordinates(to);
+    const Coordinates from = snapped_coordinates(s.source, what, position);
+    const Coordinates to = snapped_coordinates(s.target, what, position);
     halfedge_descriptor h = halfedge(s.face, m_tm);
     for(unsigned int k = 0; k < 3; ++k, h = next(h, m_tm))
       if(from[previous_corner(k)] == 0 && to[previous_corner(k)] == 0 && is_open(opposite(h, m_tm)))
@@ -498,6 +492,23 @@ private:
     if(f != Graph_traits::null_face() && is_face_of(f, m_tm, m_fim))
       for(const halfedge_descriptor h : halfedges_of_triangle(f, m_tm))
         is_marked[static_cast<std::size_t>(get(m_vim, target(h, m_tm)))] = 1;
+  }
+
+  // Is a face one of those to avoid? Not if it is none of the mesh, which checked_halfedge() rejects.
+  bool is_avoided(face_descriptor f) const
+  {
+    return !m_is_avoided.empty() && f != Graph_traits::null_face() && is_face_of(f, m_tm, m_fim)
+        && m_is_avoided[static_cast<std::size_t>(get(m_fim, f))] != 0;
+  }
+
+  // The coordinates of a location in the order of the user's corners, which is that of a face whose first halfedge is
+  // halfedge 0. They tell whether it is at a corner or on an edge: snap_coordinates(). Throws as for locations.
+  template <typename BarycentricCoordinates>
+  static Coordinates snapped_coordinates(const BarycentricCoordinates& b, const char* what, std::size_t position)
+  {
+    Coordinates c = intrinsic_coordinates<FT>(halfedge_of(0, 0), b, what, position);
+    snap_coordinates(c);
+    return c;
   }
 
   // Has a halfedge a face that is not avoided? Only then has that face a number in the intrinsic mesh. Requires: there

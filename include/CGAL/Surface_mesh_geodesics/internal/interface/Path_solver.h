@@ -195,7 +195,7 @@ public:
       propagate(m_field, No_window_keeper(), [&](auto& propagation)
       {
         propagation.set_targets(&q.vertex, &q.vertex + 1);
-        return propagation.run(Every_visit());
+        return propagation.run(Goes_on_always());
       });
     m_has_run = true;
     return q;
@@ -416,8 +416,8 @@ private:
     m_has_run = false;
   }
 
-  // For run_to(): a run that nobody follows.
-  struct Every_visit
+  // The go_on() of run_to(), which no visitor follows.
+  struct Goes_on_always
   {
     bool operator()(std::size_t, double) const { return true; }
   };
@@ -427,13 +427,13 @@ private:
   {
     const std::array<Vertex_id, 3> corners = mesh().face(q.face).vertex;
     propagation.set_targets(corners.data(), corners.data() + corners.size());
-    propagation.run(Every_visit());
+    propagation.run(Goes_on_always());
     propagation.set_targets(nullptr, nullptr);
     const double bound = arrival_at_location(mesh(), m_field, m_windows, q.face, q.coordinates).distance;
     if(!(bound < Vertex_distance_field<double>::infinity()))
       return true; // no source reaches the face
     propagation.set_maximum_distance(bound * (1 + Tolerance<double>::tie()));
-    return propagation.run(Every_visit());
+    return propagation.run(Goes_on_always());
   }
 
   // Returns what propagates over all that the sources reach, as long as go_on() wants it: for propagate().

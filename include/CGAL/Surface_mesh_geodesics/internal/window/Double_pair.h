@@ -72,29 +72,6 @@ struct Double_pair
   friend Double_pair operator/(Double_pair a, Double_pair b) { return _mm_div_pd(a.v, b.v); }
 };
 
-inline Double_pair square_root(Double_pair x) { return _mm_sqrt_pd(x.v); }
-inline Mask_pair is_less(Double_pair a, Double_pair b) { return {_mm_cmplt_pd(a.v, b.v)}; }
-inline Mask_pair is_less_equal(Double_pair a, Double_pair b) { return {_mm_cmple_pd(a.v, b.v)}; }
-inline Mask_pair except(Mask_pair a, Mask_pair b) { return {_mm_andnot_pd(b.v, a.v)}; }
-inline unsigned int bits_of(Mask_pair m) { return static_cast<unsigned int>(_mm_movemask_pd(m.v)); }
-// The second lane of a, and the first one of b.
-inline Double_pair second_and_first(Double_pair a, Double_pair b) { return _mm_shuffle_pd(a.v, b.v, 1); }
-// If one of the two is a NaN: b.
-inline Double_pair smaller(Double_pair a, Double_pair b) { return _mm_min_pd(a.v, b.v); }
-// If one of the two is a NaN: a.
-inline Double_pair larger(Double_pair a, Double_pair b) { return _mm_max_pd(b.v, a.v); }
-
-inline Double_pair select(Mask_pair m, Double_pair a, Double_pair b)
-{
-  return _mm_or_pd(_mm_and_pd(m.v, a.v), _mm_andnot_pd(m.v, b.v));
-}
-
-inline Word_pair select(Mask_pair m, Word_pair a, Word_pair b)
-{
-  const __m128i mask = _mm_castpd_si128(m.v);
-  return {_mm_or_si128(_mm_and_si128(mask, a.v), _mm_andnot_si128(mask, b.v))};
-}
-
 // The operations of Lanes<double> on pairs; One_lane (simd.h) documents them.
 struct Double_pair_lanes
 {
@@ -132,26 +109,35 @@ struct Double_pair_lanes
     return numbers[0] < numbers[1] ? numbers[0] : numbers[1];
   }
 
-  static Number shift_in(Number previous, Number x) { return second_and_first(previous, x); }
+  static Number shift_in(Number previous, Number x) { return _mm_shuffle_pd(previous.v, x.v, 1); }
 
-  static Mask less(Number a, Number b) { return is_less(a, b); }
-  static Mask less_equal(Number a, Number b) { return is_less_equal(a, b); }
+  static Mask less(Number a, Number b) { return {_mm_cmplt_pd(a.v, b.v)}; }
+  static Mask less_equal(Number a, Number b) { return {_mm_cmple_pd(a.v, b.v)}; }
 
   // (Compared as numbers, as in Lanes.h.)
   static Mask first(std::size_t n)
   {
     const double numbers[2] = {0, 1};
-    return is_less(load(numbers), Number(static_cast<double>(static_cast<std::int64_t>(n))));
+    return less(load(numbers), Number(static_cast<double>(static_cast<std::int64_t>(n))));
   }
 
-  static Mask except(Mask a, Mask b) { return internal::except(a, b); }
-  static unsigned int bits(Mask m) { return bits_of(m); }
+  static Mask except(Mask a, Mask b) { return {_mm_andnot_pd(b.v, a.v)}; }
+  static unsigned int bits(Mask m) { return static_cast<unsigned int>(_mm_movemask_pd(m.v)); }
 
-  static Number select(Mask m, Number a, Number b) { return internal::select(m, a, b); }
-  static Word select_word(Mask m, Word a, Word b) { return internal::select(m, a, b); }
-  static Number minimum(Number a, Number b) { return smaller(a, b); }
-  static Number maximum(Number a, Number b) { return larger(a, b); }
-  static Number square_root(Number x) { return internal::square_root(x); }
+  static Number select(Mask m, Number a, Number b)
+  {
+    return _mm_or_pd(_mm_and_pd(m.v, a.v), _mm_andnot_pd(m.v, b.v));
+  }
+  static Word select_word(Mask m, Word a, Word b)
+  {
+    const __m128i mask = _mm_castpd_si128(m.v);
+    return {_mm_or_si128(_mm_and_si128(mask, a.v), _mm_andnot_si128(mask, b.v))};
+  }
+
+  // If one of the two is a NaN, the minimum is b and the maximum is a.
+  static Number minimum(Number a, Number b) { return _mm_min_pd(a.v, b.v); }
+  static Number maximum(Number a, Number b) { return _mm_max_pd(b.v, a.v); }
+  static Number square_root(Number x) { return _mm_sqrt_pd(x.v); }
 
   // a * b, rounded before it is added to anything.
   static Number rounded_product(Number a, Number b)

@@ -34,7 +34,6 @@ struct Lanes<double> : Double_pair_lanes
 
 #elif CGAL_SURFACE_MESH_GEODESICS_LANES > 1
 
-
 template <>
 struct Lanes<double>
 {
