@@ -8,6 +8,7 @@
 # in the quick check. A program without a result within SECONDS_PER_PROGRAM (default 1800) seconds has failed.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+source "$root/scripts/own_archive.sh"
 platform=${1:?windows or arm64}
 shift
 work=${WORK_FOLDER:-$root/build/tests_$platform}
@@ -25,22 +26,13 @@ flags+=(-std=c++17 -frounding-math "-I$root/include" "-I$tests/include" -isystem
   -DCGAL_DISABLE_MPFR -DBOOST_ERROR_CODE_HEADER_ONLY -DCGAL_EIGEN3_ENABLED)
 libraries=()
 
-# Unpacks TBB for ARM64. apt-get uses its own lists, and those of the system do not change.
+# Unpacks TBB for ARM64.
 unpack_tbb()
 {
-  local apt=$work/apt site release
+  local apt=$work/apt package
   [ ! -e "$work/tbb/usr/include/tbb/tbb.h" ] || return 0
-  mkdir -p "$apt/lists/partial" "$apt/cache/archives/partial"
-  site=$(apt-get indextargets --format '$(SITE)' 'Created-By: Packages' | head -n 1)
-  release=$(. /etc/os-release && echo "$VERSION_CODENAME")
-  echo "deb [arch=arm64 signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] $site $release main" \
-    > "$apt/sources.list"
-  local options=(-o "Dir::Etc::sourcelist=$apt/sources.list" -o Dir::Etc::sourceparts=-
-    -o "Dir::State::lists=$apt/lists" -o "Dir::Cache=$apt/cache" -o APT::Sandbox::User=root
-    -o APT::Architecture=arm64 -o APT::Architectures=arm64)
-  apt-get "${options[@]}" --quiet update > "$work/apt.log"
-  (cd "$apt" && apt-get "${options[@]}" download libtbb-dev libtbb12 libtbbmalloc2) >> "$work/apt.log"
-  local package
+  open_archive "$apt" deb this arm64 > "$work/apt.log"
+  (cd "$apt" && "${archive[@]}" download libtbb-dev libtbb12 libtbbmalloc2) >> "$work/apt.log"
   for package in "$apt"/*.deb; do
     dpkg -x "$package" "$work/tbb"
   done

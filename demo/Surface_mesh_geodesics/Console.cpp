@@ -1,13 +1,13 @@
 #include "Console.h"
 
-#include <unistd.h>
+#include "System.h"
 
 #include <algorithm>
 #include <iostream>
 
 namespace geodesics_demo {
 
-Console::Console(bool is_quiet) : m_is_quiet(is_quiet), m_shows_progress(!is_quiet && isatty(STDERR_FILENO) == 1) {}
+Console::Console(bool is_quiet) : m_is_quiet(is_quiet), m_shows_progress(!is_quiet && is_error_stream_terminal()) {}
 
 void Console::note(const std::string& text) const
 {

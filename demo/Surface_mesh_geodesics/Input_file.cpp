@@ -1,9 +1,8 @@
 #include "Input_file.h"
 
 #include "Command_error.h"
+#include "System.h"
 #include "number_arguments.h"
-
-#include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
@@ -43,7 +42,7 @@ void check_is_readable(const std::string& file_name)
     reject_file(file_name, "the file does not exist");
   if(fs::is_directory(status))
     reject_file(file_name, "is a folder, not a file");
-  if(access(file_name.c_str(), R_OK) != 0)
+  if(!may_read(file_name))
     reject_file(file_name, std::string("cannot be read: ") + std::strerror(errno));
 }
 

@@ -1,9 +1,8 @@
 #include "Output_files.h"
 
 #include "Command_error.h"
+#include "System.h"
 #include "Temporary_files.h"
-
-#include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
@@ -102,14 +101,14 @@ void Output_files::open(const std::string& name, const std::string& format)
   const fs::file_status status = fs::status(name, error);
   if(fs::is_directory(status))
     complain(name, "it is a folder");
-  if(fs::exists(status) && access(name.c_str(), W_OK) != 0) // renaming would overwrite a protected file
+  if(fs::exists(status) && !may_overwrite(name)) // renaming would overwrite a protected file
     complain(name, std::strerror(errno));
   if(!fs::exists(status) || fs::is_regular_file(status))
   {
     // a link stays a link; the file that it leads to is replaced
     const fs::path path = fs::exists(status) ? fs::canonical(name) : fs::path(name);
     file.name = path.string();
-    const std::string hidden_name = "." + std::to_string(getpid()) + "." + path.filename().string();
+    const std::string hidden_name = "." + std::to_string(process_number()) + "." + path.filename().string();
     file.temporary_name = (path.parent_path() / hidden_name).string();
     remove_if_interrupted(file.temporary_name);
   }

@@ -1,7 +1,6 @@
 #include "Temporary_files.h"
 
-#include <signal.h>
-#include <unistd.h>
+#include "System.h"
 
 #include <array>
 #include <atomic>
@@ -26,18 +25,15 @@ extern "C" void remove_files_and_end(int signal_number)
 {
   for(const Name& name : names)
     if(name.is_set.load())
-      unlink(name.text.data());
-  signal(signal_number, SIG_DFL);
-  raise(signal_number); // so that the shell sees how the program ended
+      remove_file_in_handler(name.text.data());
+  end_by_signal(signal_number);
 }
 
 void install_handlers()
 {
   static const bool is_done = []
   {
-    for(const int s : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGXCPU})
-      if(signal(s, remove_files_and_end) == SIG_IGN)
-        signal(s, SIG_IGN); // nohup expects that
+    call_before_end(remove_files_and_end);
     return true;
   }();
   static_cast<void>(is_done);

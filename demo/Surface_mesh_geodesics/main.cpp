@@ -6,9 +6,8 @@
 #include "Input_file.h"
 #include "Location_options.h"
 #include "Program_mesh.h"
+#include "System.h"
 #include "similar_words.h"
-
-#include <fcntl.h>
 
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/version.h>
@@ -235,11 +234,7 @@ int checked_run(const std::vector<std::string>& words)
 
 int main(int argc, char* argv[])
 {
-  // Occupy the file descriptors of closed standard streams: otherwise an output file could receive one of them, and
-  // remarks would be written into it.
-  for(int stream = 0; stream < 3; ++stream)
-    if(fcntl(stream, F_GETFD) == -1)
-      static_cast<void>(open("/dev/null", stream == 1 ? O_RDONLY : O_RDWR));
+  geodesics_demo::prepare_standard_streams();
   std::ios_base::sync_with_stdio(false);
   return geodesics_demo::checked_run(std::vector<std::string>(argv + (argc > 0 ? 1 : 0), argv + argc));
 }
