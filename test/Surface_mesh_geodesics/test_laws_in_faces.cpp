@@ -4,7 +4,7 @@
 
 #include "test_support.h"
 
-#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Edge_partition.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/edges/Edge_partition.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Weighted_bisector.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>

@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Surface_mesh_geodesics authors
 
-#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_EDGE_PARTITION_H
-#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_EDGE_PARTITION_H
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_EDGES_EDGE_PARTITION_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_EDGES_EDGE_PARTITION_H
 
 // Divides an edge into the intervals where one image is nearest: the lower envelope of the distances through the
 // windows of both sides and through the two ends (thesis, 5.2, the trimming rule). This decides which site owns each
@@ -443,4 +443,4 @@ private:
 } // namespace Surface_mesh_geodesics
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_EDGE_PARTITION_H
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_EDGES_EDGE_PARTITION_H
