@@ -436,7 +436,8 @@ private:
     return propagation.run(always);
   }
 
-  // Propagates over all that the sources reach, as long as go_on() wants it. See propagate_with().
+  // Propagates into a field over all that the sources reach, as long as go_on() wants it. Returns whether it is
+  // complete. See propagate_with() for what is reset and counted.
   template <typename Keeper>
   bool propagate(Vertex_distance_field<double>& field, Keeper keeper, const Go_on_reference& go_on)
   {
@@ -461,7 +462,8 @@ private:
     return is_complete;
   }
 
-  // The keeper of all runs but those of a diagram.
+  // The keeper of all runs but those of a diagram. It has the same type whether it keeps windows or not: the loop of
+  // the propagation is a large text, and would be compiled once for each type of keeper.
   Window_keeper<double> window_keeper(bool keeps_windows)
   {
     return keeps_windows ? Window_keeper<double>(m_windows) : Window_keeper<double>();
