@@ -13,6 +13,9 @@ RIVAL = INTERNAL + "window/Vertex_rival.h"
 WINDOW_NUMBERS = INTERNAL + "window/lanes/Window_numbers.h"
 LANE_PRUNING = INTERNAL + "window/lanes/lane_pruning.h"
 LIST_LOOPS = INTERNAL + "window/lanes/List_loops.h"
+VECTORS = INTERNAL + "window/lanes/Lanes.h"
+SIMD = INTERNAL + "window/simd.h"
+DOUBLE_PAIR = INTERNAL + "window/Double_pair.h"
 WINDOW = INTERNAL + "window/Window.h"
 WINDOW_LISTS = INTERNAL + "window/Window_lists.h"
 LIST_CROSSING = INTERNAL + "window/Window_list_crossing.h"
@@ -128,6 +131,7 @@ SMALL = "test_small_components"
 PARALLEL_APPLICATIONS = "test_parallel_applications"
 BLOCKS = "test_reading_in_blocks"
 REACHED = "test_reached_components"
+PRODUCTS = "test_rounded_products"
 FUZZ = "test_fuzz_distances"
 
 MUTANTS = [
@@ -742,4 +746,54 @@ MUTANTS = [
     ("members_twice", JSON,
      "      if(object.find(name) != nullptr)\n        complain(\"there are two members '\" + name + \"'\");\n", "",
      "a manifest that was written twice into one file is believed", (STORE,)),
+    # --- the same bits for any number of lanes ---
+    ("fused_product", SIMD,
+     "    if constexpr(std::is_same<FT, double>::value)\n      CGAL_SURFACE_MESH_GEODESICS_KEEP_ROUNDED(product);\n", "",
+     "a compiler fuses products and sums of single numbers: last digits depend on the processor", (PRODUCTS,)),
+    ("fused_product_of_lanes", VECTORS,
+     "    CGAL_SURFACE_MESH_GEODESICS_KEEP_ROUNDED(product);\n", "",
+     "a compiler fuses products and sums of lanes: last digits depend on the number of lanes", (PRODUCTS,)),
+    ("fused_product_of_pairs", DOUBLE_PAIR,
+     "    CGAL_SURFACE_MESH_GEODESICS_KEEP_ROUNDED(product.v);\n", "",
+     "a compiler fuses products and sums of pairs: last digits depend on the processor", (PRODUCTS,)),
+    ("barrier_without_effect", SIMD,
+     "KEEP_ROUNDED(x) x = __builtin_assoc_barrier(x)", "KEEP_ROUNDED(x) static_cast<void>(x)",
+     "no product is rounded before it enters a sum", (PRODUCTS,)),
+    ("pair_divides_by_itself", DOUBLE_PAIR,
+     "_mm_div_pd(a.v, b.v)", "_mm_div_pd(b.v, a.v)",
+     "the quotient of two pairs is the wrong way round", (PRODUCTS,)),
+    ("pair_minimum_of_nan", DOUBLE_PAIR,
+     "_mm_min_pd(a.v, b.v)", "_mm_min_pd(b.v, a.v)",
+     "the minimum of a NaN and a number is the NaN: children of windows are lost", (PRODUCTS,)),
+    ("pair_maximum_of_nan", DOUBLE_PAIR,
+     "_mm_max_pd(b.v, a.v)", "_mm_max_pd(a.v, b.v)",
+     "the maximum of a NaN and a number is the number", (PRODUCTS,)),
+    ("pair_less_or_equal", DOUBLE_PAIR,
+     "{_mm_cmplt_pd(a.v, b.v)}", "{_mm_cmple_pd(a.v, b.v)}",
+     "ties of pairs are decided in another way than those of single numbers", (PRODUCTS,)),
+    ("pair_exception_reversed", DOUBLE_PAIR,
+     "{_mm_andnot_pd(b.v, a.v)}", "{_mm_andnot_pd(a.v, b.v)}",
+     "the lanes of a mask without those of another one are the wrong ones", (PRODUCTS,)),
+    ("pair_selects_the_other", DOUBLE_PAIR,
+     "_mm_or_pd(_mm_and_pd(m.v, a.v), _mm_andnot_pd(m.v, b.v))", "_mm_or_pd(_mm_and_pd(m.v, b.v), _mm_andnot_pd(m.v, a.v))",
+     "a selection takes the lanes of the other number", (PRODUCTS,)),
+    ("pair_of_words_selects_the_other", DOUBLE_PAIR,
+     "_mm_or_si128(_mm_and_si128(mask, a.v), _mm_andnot_si128(mask, b.v))",
+     "_mm_or_si128(_mm_and_si128(mask, b.v), _mm_andnot_si128(mask, a.v))",
+     "a selection takes the lanes of the other word", (PRODUCTS,)),
+    ("pair_shifts_down", DOUBLE_PAIR,
+     "_mm_shuffle_pd(previous.v, x.v, 1)", "_mm_shuffle_pd(previous.v, x.v, 2)",
+     "a window is compared with itself, not with its neighbor", (PRODUCTS,)),
+    ("pair_first_unsigned", DOUBLE_PAIR,
+     "Number(static_cast<double>(static_cast<std::int64_t>(n)))", "Number(static_cast<double>(n))",
+     "all lanes count in a step that begins behind the last window", (PRODUCTS,)),
+    ("pair_least_of_unset_lanes", DOUBLE_PAIR,
+     "bits == 1 || (bits == 3 && words[0] < words[1])", "words[0] < words[1]",
+     "the smallest word is that of a lane that does not count", (PRODUCTS,)),
+    ("pair_largest_number", DOUBLE_PAIR,
+     "numbers[0] < numbers[1] ? numbers[0] : numbers[1]", "numbers[0] < numbers[1] ? numbers[1] : numbers[0]",
+     "a list of windows is believed to be farther than it is", (PRODUCTS,)),
+    ("pair_counts_alike", DOUBLE_PAIR,
+     "{begin, begin + 1}", "{begin, begin}",
+     "both windows of a pair have the number of the first one", (PRODUCTS,)),
 ]
