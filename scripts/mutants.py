@@ -37,6 +37,7 @@ STRAIGHT = INTERNAL + "paths/Straight_piece.h"
 ISOLINES = INTERNAL + "paths/isoline_tracing.h"
 FACE_WINDOWS = INTERNAL + "window/Face_windows.h"
 REMOVAL = INTERNAL + "Voronoi/Redundant_window_removal.h"
+OWNERS = INTERNAL + "Voronoi/edges/Vertex_owners.h"
 ENTERING = INTERNAL + "Voronoi/edges/entering_windows.h"
 RELAY = INTERNAL + "propagation/parallel/Window_relay.h"
 WINDOW_FIELD = INTERNAL + "window/Edge_window_field.h"
@@ -514,10 +515,17 @@ MUTANTS = [
      "record.source = record.source == null_id || record.source == source ? source : several_sources;",
      "record.source = source;",
      "a face is said to be in one cell by the windows that have entered last", (BY_HAND, CUT, RANDOM_DIAGRAMS)),
-    ("source_known_for_ever", REMOVAL,
+    ("source_known_for_ever", OWNERS,
      "return m_source[v].distance == m_field->distance[v];", "return m_source[v].vertex != null_id;",
      "a pseudo-source that is reached from another source later still belongs to the first one",
      (RANDOM_DIAGRAMS, HOSTILE_DIAGRAMS)),
+    ("faces_of_a_batch_handed_over_again", REMOVAL,
+     "      finish_face(f);\n    m_closed_faces.clear();\n", "      finish_face(f);\n",
+     "a face that is divided is handed over once more with each later batch", (RANDOM_DIAGRAMS, BY_HAND)),
+    ("edges_of_a_batch_forgotten", REMOVAL,
+     "      close_edge(e.first, e.second);\n    m_due_edges.clear();\n",
+     "      if(e.second != null_id)\n        close_edge(e.first, e.second);\n    m_due_edges.clear();\n",
+     "faces at the border of the mesh are never handed over", (RANDOM_DIAGRAMS, HOSTILE_DIAGRAMS)),
     ("gaps_between_windows_not_bounded", ENTERING,
      "      bound = (std::max)(bound, bound_between(at_x, at_begin, FT(begin - x)));\n", "      bound = bound;\n",
      "a face is said to be done though there are larger distances between its windows",
