@@ -33,6 +33,14 @@ DIVISION = INTERNAL + "propagation/parallel/Wavefront_division.h"
 VERTEX_PARTS = INTERNAL + "propagation/parallel/Vertex_parts.h"
 SHARING = INTERNAL + "propagation/parallel/Work_sharing.h"
 FARTHEST = INTERNAL + "surface/Farthest_vertex_queue.h"
+STRIP = INTERNAL + "propagation/curves/Strip.h"
+STRIP_FRONT = INTERNAL + "propagation/curves/Strip_front.h"
+CURVE_RUN = INTERNAL + "propagation/curves/Curve_run.h"
+CURVE_INSERTION = INTERNAL + "surface/curves/Curve_insertion.h"
+CURVE_SIDES = INTERNAL + "surface/curves/Curve_sides.h"
+CURVE_PATH_WRITER = INTERNAL + "interface/curves/Curve_path_writer.h"
+CURVE_SEGMENTS = INTERNAL + "interface/curves/curve_segments.h"
+PATH_CURVE = "CGAL/Surface_mesh_geodesics/shortest_path_curve.h"
 STRAIGHT = INTERNAL + "paths/Straight_piece.h"
 ISOLINES = INTERNAL + "paths/isoline_tracing.h"
 FACE_WINDOWS = INTERNAL + "window/Face_windows.h"
@@ -115,6 +123,9 @@ BY_HAND = "test_Voronoi_by_hand"
 TRACE = "test_trace_geodesic"
 LOGARITHM = "test_logarithmic_map"
 OBSTACLES = "test_obstacles"
+CURVES = "test_curves"
+HOSTILE_CURVES = "test_curves_on_hostile_meshes"
+CURVES_OF_PATHS = "test_shortest_path_curve"
 BOUNDS = "test_radix_heap"
 KEPT_WINDOWS = "test_face_windows"
 PLANAR = "test_Voronoi_planar"
@@ -804,4 +815,68 @@ MUTANTS = [
     ("pair_counts_alike", DOUBLE_PAIR,
      "{begin, begin + 1}", "{begin, begin}",
      "both windows of a pair have the number of the first one", (PRODUCTS,)),
+
+    # --- curves as sources ---
+
+    ("strip_trimmed_from_left", STRIP,
+     "slope_left = 1 - left.factor * s.direction_x;", "slope_left = 1 + left.factor * s.direction_x;",
+     "a vertex beats rays that are shorter than the way by it", (CURVES, HOSTILE_CURVES)),
+    ("strip_trimmed_from_right", STRIP,
+     "slope_right = 1 + right.factor * s.direction_x;", "slope_right = 1 - right.factor * s.direction_x;",
+     "the same from the other end of the edge", (CURVES, HOSTILE_CURVES)),
+    ("strip_turned_to_wrong_side", STRIP,
+     "s.direction_x * angle.cosine + s.direction_y * angle.sine;",
+     "s.direction_x * angle.cosine - s.direction_y * angle.sine;",
+     "parallel rays bend where they cross an edge to the left", (CURVES,)),
+    ("strip_cut_at_apex", STRIP,
+     "s.end = end >= apex ? c.left_length :", "s.end = end >= apex ? c.left_length / 2 :",
+     "rays next to the apex get lost", (CURVES,)),
+    ("strip_distance_from_wrong_end", STRIP,
+     "s.distance = at_target - s.direction_x * c.right_length;", "s.distance = at_target;",
+     "distances of rays that cross to the right are those at the other end of the edge", (CURVES,)),
+    ("strip_foot_from_wrong_end", STRIP,
+     "s.foot = foot_of_target - s.direction_y * c.right_length;", "s.foot = foot_of_target;",
+     "the feet of rays that cross to the right are wrong", (CURVES,)),
+    ("strip_split_by_path_from_elsewhere", STRIP_FRONT,
+     "is_longer = comes_across && known <", "is_longer = known <",
+     "a path that enters the face across another edge decides which rays go on", (CURVES, HOSTILE_CURVES)),
+    ("strip_to_left_cut_too_far", STRIP_FRONT,
+     "is_longer ? (std::min)(apex, arrival.abscissa) : apex))", "is_longer ? s.begin : apex))",
+     "rays on the left of a better path to the apex get lost", (CURVES, HOSTILE_CURVES)),
+    ("bent_ray_taken_for_straight", STRIP_FRONT,
+     "FT(s.distance_at(x) + norm<FT>(c.apex_x - x, c.apex_y));", "distance_at_apex(s, c);",
+     "the apex gets the length of a ray that is not there", (CURVES,)),
+    ("strips_on_one_side", STRIP_FRONT,
+     "      add_first_strip(e.right, e.offset, 2 * i + 1);\n", "",
+     "no ray leaves a curve to the right", (CURVES,)),
+    ("vertices_of_curves_emit_nothing", STRIP_FRONT,
+     "      wavefront.add_source(v.vertex, v.offset, push);\n", "",
+     "corners and ends of curves are no sources", (CURVES,)),
+    ("foot_counted_from_wrong_end", CURVE_RUN,
+     "foot.side % 2 == 0 ? along : FT(1 - along)", "foot.side % 2 != 0 ? along : FT(1 - along)",
+     "the nearest point of a segment is mirrored", (CURVES,)),
+    ("curves_walked_once", CURVE_INSERTION,
+     "while(m_has_inserted && ++walks < most_walks);\n    if(m_has_inserted)", "while(false);\n    if(false)",
+     "edges of a curve that a later one divides get lost", (CURVES,)),
+    ("larger_offset_of_copies", CURVE_INSERTION,
+     "(name(a) == name(b) && a.offset < b.offset)", "(name(a) == name(b) && a.offset > b.offset)",
+     "where two curves run along one edge, the larger offset counts", (CURVES,)),
+    ("curves_along_twice_separate", CURVE_SIDES,
+     "if(e.copies % 2 == 1)", "if(true)",
+     "a part of a curve that is run along twice changes the side", (CURVES,)),
+    ("sides_without_contradictions", CURVE_SIDES,
+     "else if(m_face_sign[f] != s)", "else if(false)",
+     "curves that do not separate the surface are not rejected", (CURVES,)),
+    ("curve_points_mirrored_in_neighbor", CURVE_SEGMENTS,
+     "b[k] = h == m_edge ? m_source_weight : m_target_weight;", "b[k] = m_source_weight;",
+     "a point of an edge lies elsewhere in the other face of the edge", (CURVES,)),
+    ("curve_of_paths_through_avoided_faces", PATH_CURVE,
+     "if(avoids_faces || !internal::find_segment(", "if(!internal::find_segment(",
+     "a curve that should lead around a face runs through it", (CURVES_OF_PATHS,)),
+    ("curve_of_paths_ends_at_any_point", CURVE_PATH_WRITER,
+     "  paths.remove_all_sources();\n", "",
+     "a path to the next point ends at an earlier point that is nearer", (CURVES_OF_PATHS,)),
+    ("curve_of_paths_is_open", PATH_CURVE,
+     "i + 1 < places.size() + (is_closed ? 1 : 0)", "i + 1 < places.size()",
+     "the last point is not joined with the first one", (CURVES_OF_PATHS,)),
 ]

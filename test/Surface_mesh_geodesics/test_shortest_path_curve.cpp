@@ -159,6 +159,18 @@ void faces_are_avoided()
   CHECK_CLOSE(along.length(tm), .5, 1e-12);
   for(const Curve::Segment& s : along.segments())
     CHECK(std::find(middle.begin(), middle.end(), s.face) == middle.end());
+
+  // Two points on both sides of a corner of the rim. At two of the corners they have a face in common, which is avoided.
+  std::size_t with_common_face = 0;
+  for(const double x : {2., 4.})
+    for(const double y : {2., 4.})
+    {
+      const std::vector<Location> at_corner{location_in_plane(3 + (x - 3) / 2, y, tm),
+                                            location_in_plane(x, 3 + (y - 3) / 2, tm)};
+      with_common_face += SMG::shortest_path_curve(tm, at_corner).segments().size() == 1 ? 1 : 0;
+      CHECK_CLOSE(SMG::shortest_path_curve(tm, at_corner, false, np).length(tm), 1, 1e-12);
+    }
+  CHECK_EQUAL(with_common_face, std::size_t(2));
 }
 
 template <typename Function>
