@@ -160,7 +160,7 @@ void faces_are_avoided()
   for(const Curve::Segment& s : along.segments())
     CHECK(std::find(middle.begin(), middle.end(), s.face) == middle.end());
 
-  // Two points on both sides of a corner of the rim. At two of the corners they have a face in common, which is avoided.
+  // Two points on both sides of a corner of the rim. At two corners they have a face in common, which is avoided.
   std::size_t with_common_face = 0;
   for(const double x : {2., 4.})
     for(const double y : {2., 4.})
