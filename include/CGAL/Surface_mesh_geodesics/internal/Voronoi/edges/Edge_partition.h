@@ -119,7 +119,7 @@ public:
   {
     const std::size_t number_given = m_images.size();
     m_bends.clear();
-    while(!walk() && m_bends.size() <= number_given)
+    while(!walk()) // a walk that ends early has added a bend: one for each image, at most
     {
       m_images.resize(number_given);
       m_images.insert(m_images.end(), m_bends.begin(), m_bends.end());
@@ -431,14 +431,17 @@ private:
 
   // If image j takes over at x, where its interval begins, and is nearer by a jump, there is a gap before the interval:
   // distances do not jump. Paths to the gap bend at x; notes an image for them, for another walk. successor() does the
-  // same for gaps behind an interval, which the walk meets in time. Returns whether there is a gap.
+  // same for gaps behind an interval, which the walk meets in time. Returns whether there is a gap that is not known
+  // yet. (Where rounding keeps a known one from taking over, the walk goes on as if there were none.)
   bool bridge_gap(std::size_t j, const FT& x)
   {
     const Image& g = m_images[j];
     if(!(x > 0) || x != g.begin)
       return false;
     const FT at_x = g.distance_at(x);
-    m_has_met_gap = at_x < m_images[m_current].distance_at(x) * (1 - Tolerance<FT>::tie());
+    const auto is_known = [&](const Image& bend) { return bend.end == x && !(at_x < bend.weight); };
+    m_has_met_gap = at_x < m_images[m_current].distance_at(x) * (1 - Tolerance<FT>::tie())
+                 && std::none_of(m_bends.begin(), m_bends.end(), is_known);
     if(m_has_met_gap)
       m_bends.push_back(Image{FT(0), x, x, FT(0), at_x, g.site});
     return m_has_met_gap;
