@@ -33,11 +33,20 @@ DIVISION = INTERNAL + "propagation/parallel/Wavefront_division.h"
 VERTEX_PARTS = INTERNAL + "propagation/parallel/Vertex_parts.h"
 SHARING = INTERNAL + "propagation/parallel/Work_sharing.h"
 FARTHEST = INTERNAL + "surface/Farthest_vertex_queue.h"
+STRIP = INTERNAL + "propagation/curves/Strip.h"
+STRIP_FRONT = INTERNAL + "propagation/curves/Strip_front.h"
+CURVE_RUN = INTERNAL + "propagation/curves/Curve_run.h"
+CURVE_INSERTION = INTERNAL + "surface/curves/Curve_insertion.h"
+CURVE_SIDES = INTERNAL + "surface/curves/Curve_sides.h"
+CURVE_PATH_WRITER = INTERNAL + "interface/curves/Curve_path_writer.h"
+CURVE_SEGMENTS = INTERNAL + "interface/curves/curve_segments.h"
+PATH_CURVE = "CGAL/Surface_mesh_geodesics/shortest_path_curve.h"
 STRAIGHT = INTERNAL + "paths/Straight_piece.h"
 ISOLINES = INTERNAL + "paths/isoline_tracing.h"
 FACE_WINDOWS = INTERNAL + "window/Face_windows.h"
 REMOVAL = INTERNAL + "Voronoi/Redundant_window_removal.h"
-ENTERING = INTERNAL + "Voronoi/entering_windows.h"
+OWNERS = INTERNAL + "Voronoi/edges/Vertex_owners.h"
+ENTERING = INTERNAL + "Voronoi/edges/entering_windows.h"
 RELAY = INTERNAL + "propagation/parallel/Window_relay.h"
 WINDOW_FIELD = INTERNAL + "window/Edge_window_field.h"
 RADIX_HEAP = INTERNAL + "numeric/Radix_heap.h"
@@ -50,7 +59,7 @@ LAZY_PATHS = INTERNAL + "interface/Lazy_path_structure.h"
 UNFOLDING = INTERNAL + "surface/unfolding.h"
 INTRINSIC_FACE = INTERNAL + "surface/Intrinsic_face.h"
 FACE_SHAPE = INTERNAL + "surface/face_shape.h"
-EDGE_PARTITION = INTERNAL + "Voronoi/Edge_partition.h"
+EDGE_PARTITION = INTERNAL + "Voronoi/edges/Edge_partition.h"
 DIAGRAM_KEEPER = INTERNAL + "Voronoi/Diagram_window_keeper.h"
 DIAGRAM_CERTIFICATE = INTERNAL + "applications/Diagram_certifier.h"
 INTRINSIC_MESH = INTERNAL + "surface/Intrinsic_mesh.h"
@@ -114,6 +123,9 @@ BY_HAND = "test_Voronoi_by_hand"
 TRACE = "test_trace_geodesic"
 LOGARITHM = "test_logarithmic_map"
 OBSTACLES = "test_obstacles"
+CURVES = "test_curves"
+HOSTILE_CURVES = "test_curves_on_hostile_meshes"
+CURVES_OF_PATHS = "test_shortest_path_curve"
 BOUNDS = "test_radix_heap"
 KEPT_WINDOWS = "test_face_windows"
 PLANAR = "test_Voronoi_planar"
@@ -462,10 +474,10 @@ MUTANTS = [
      "    for(const Log& log : m_last_logs)\n      m_keeper.take_over(log, {}, log.position(), reached);\n",
      "windows are kept in an order that depends on the threads", (PARALLEL_KEEPERS,)),
     ("threads_divide_lists", WINDOW_FIELD,
-     "return Window_keeper(*m_field, false);", "return Window_keeper(*m_field);",
+     "    keeper.m_divides_lists = false;\n", "",
      "where a list is divided depends on the windows that a thread has kept before", (PARALLEL_KEEPERS,)),
     ("copies_of_keepers_share_memory", WINDOW_FIELD,
-     "  Window_keeper(const Window_keeper& other) : Window_keeper(*other.m_field, other.m_divides_lists) {}\n",
+     "  Window_keeper(const Window_keeper& other) : m_field(other.m_field), m_divides_lists(other.m_divides_lists) {}\n",
      "  Window_keeper(const Window_keeper&) = default;\n",
      "a thread overwrites the windows that another one has kept", (PARALLEL_KEEPERS,)),
     ("farthest_not_up_to_date", FARTHEST,
@@ -514,10 +526,21 @@ MUTANTS = [
      "record.source = record.source == null_id || record.source == source ? source : several_sources;",
      "record.source = source;",
      "a face is said to be in one cell by the windows that have entered last", (BY_HAND, CUT, RANDOM_DIAGRAMS)),
-    ("source_known_for_ever", REMOVAL,
+    ("source_known_for_ever", OWNERS,
      "return m_source[v].distance == m_field->distance[v];", "return m_source[v].vertex != null_id;",
      "a pseudo-source that is reached from another source later still belongs to the first one",
      (RANDOM_DIAGRAMS, HOSTILE_DIAGRAMS)),
+    ("faces_of_a_batch_handed_over_again", REMOVAL,
+     "      finish_face(f);\n    m_closed_faces.clear();\n", "      finish_face(f);\n",
+     "a face that is divided is handed over once more with each later batch", (RANDOM_DIAGRAMS, BY_HAND)),
+    ("edges_of_a_batch_forgotten", REMOVAL,
+     "      close_edge(e.first, e.second);\n    m_due_edges.clear();\n",
+     "      if(e.second != null_id)\n        close_edge(e.first, e.second);\n    m_due_edges.clear();\n",
+     "faces at the border of the mesh are never handed over", (RANDOM_DIAGRAMS, HOSTILE_DIAGRAMS)),
+    ("gaps_before_intervals_stay", EDGE_PARTITION,
+     "    else if(bridge_gap(next, x))\n      return false;\n", "",
+     "a farther site keeps an edge up to the interval of a nearer one, although paths bend there",
+     (FACE_LAWS,)),
     ("gaps_between_windows_not_bounded", ENTERING,
      "      bound = (std::max)(bound, bound_between(at_x, at_begin, FT(begin - x)));\n", "      bound = bound;\n",
      "a face is said to be done though there are larger distances between its windows",
@@ -796,4 +819,68 @@ MUTANTS = [
     ("pair_counts_alike", DOUBLE_PAIR,
      "{begin, begin + 1}", "{begin, begin}",
      "both windows of a pair have the number of the first one", (PRODUCTS,)),
+
+    # --- curves as sources ---
+
+    ("strip_trimmed_from_left", STRIP,
+     "slope_left = 1 - left.factor * s.direction_x;", "slope_left = 1 + left.factor * s.direction_x;",
+     "a vertex beats rays that are shorter than the way by it", (CURVES, HOSTILE_CURVES)),
+    ("strip_trimmed_from_right", STRIP,
+     "slope_right = 1 + right.factor * s.direction_x;", "slope_right = 1 - right.factor * s.direction_x;",
+     "the same from the other end of the edge", (CURVES, HOSTILE_CURVES)),
+    ("strip_turned_to_wrong_side", STRIP,
+     "s.direction_x * angle.cosine + s.direction_y * angle.sine;",
+     "s.direction_x * angle.cosine - s.direction_y * angle.sine;",
+     "parallel rays bend where they cross an edge to the left", (CURVES,)),
+    ("strip_cut_at_apex", STRIP,
+     "s.end = end >= apex ? c.left_length :", "s.end = end >= apex ? c.left_length / 2 :",
+     "rays next to the apex get lost", (CURVES,)),
+    ("strip_distance_from_wrong_end", STRIP,
+     "s.distance = at_target - s.direction_x * c.right_length;", "s.distance = at_target;",
+     "distances of rays that cross to the right are those at the other end of the edge", (CURVES,)),
+    ("strip_foot_from_wrong_end", STRIP,
+     "s.foot = foot_of_target - s.direction_y * c.right_length;", "s.foot = foot_of_target;",
+     "the feet of rays that cross to the right are wrong", (CURVES,)),
+    ("strip_split_by_path_from_elsewhere", STRIP_FRONT,
+     "is_longer = comes_across && known <", "is_longer = known <",
+     "a path that enters the face across another edge decides which rays go on", (CURVES, HOSTILE_CURVES)),
+    ("strip_to_left_cut_too_far", STRIP_FRONT,
+     "is_longer ? (std::min)(apex, arrival.abscissa) : apex))", "is_longer ? s.begin : apex))",
+     "rays on the left of a better path to the apex get lost", (CURVES, HOSTILE_CURVES)),
+    ("bent_ray_taken_for_straight", STRIP_FRONT,
+     "FT(s.distance_at(x) + norm<FT>(c.apex_x - x, c.apex_y));", "distance_at_apex(s, c);",
+     "the apex gets the length of a ray that is not there", (CURVES,)),
+    ("strips_on_one_side", STRIP_FRONT,
+     "      add_first_strip(e.right, e.offset, 2 * i + 1);\n", "",
+     "no ray leaves a curve to the right", (CURVES,)),
+    ("vertices_of_curves_emit_nothing", STRIP_FRONT,
+     "      wavefront.add_source(v.vertex, v.offset, push);\n", "",
+     "corners and ends of curves are no sources", (CURVES,)),
+    ("foot_counted_from_wrong_end", CURVE_RUN,
+     "foot.side % 2 == 0 ? along : FT(1 - along)", "foot.side % 2 != 0 ? along : FT(1 - along)",
+     "the nearest point of a segment is mirrored", (CURVES,)),
+    ("curves_walked_once", CURVE_INSERTION,
+     "while(m_has_inserted && ++walks < most_walks);\n    if(m_has_inserted)", "while(false);\n    if(false)",
+     "edges of a curve that a later one divides get lost", (CURVES,)),
+    ("larger_offset_of_copies", CURVE_INSERTION,
+     "(name(a) == name(b) && a.offset < b.offset)", "(name(a) == name(b) && a.offset > b.offset)",
+     "where two curves run along one edge, the larger offset counts", (CURVES,)),
+    ("curves_along_twice_separate", CURVE_SIDES,
+     "if(e.copies % 2 == 1)", "if(true)",
+     "a part of a curve that is run along twice changes the side", (CURVES,)),
+    ("sides_without_contradictions", CURVE_SIDES,
+     "else if(m_face_sign[f] != s)", "else if(false)",
+     "curves that do not separate the surface are not rejected", (CURVES,)),
+    ("curve_points_mirrored_in_neighbor", CURVE_SEGMENTS,
+     "b[k] = h == m_edge ? m_source_weight : m_target_weight;", "b[k] = m_source_weight;",
+     "a point of an edge lies elsewhere in the other face of the edge", (CURVES,)),
+    ("curve_of_paths_through_avoided_faces", PATH_CURVE,
+     "if(avoids_faces || !internal::find_segment(", "if(!internal::find_segment(",
+     "a curve that should lead around a face runs through it", (CURVES_OF_PATHS,)),
+    ("curve_of_paths_ends_at_any_point", CURVE_PATH_WRITER,
+     "  paths.remove_all_sources();\n", "",
+     "a path to the next point ends at an earlier point that is nearer", (CURVES_OF_PATHS,)),
+    ("curve_of_paths_is_open", PATH_CURVE,
+     "i + 1 < places.size() + (is_closed ? 1 : 0)", "i + 1 < places.size()",
+     "the last point is not joined with the first one", (CURVES_OF_PATHS,)),
 ]

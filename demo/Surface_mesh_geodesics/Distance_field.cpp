@@ -1,8 +1,13 @@
 #include "Distance_field.h"
 
+#include "Command_error.h"
 #include "Path_finder.h"
 
 #include <CGAL/Surface_mesh_geodesics/Geodesic_distance_solver.h>
+#include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
+#include <CGAL/Surface_mesh_geodesics/signed_geodesic_distances.h>
+
+#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <array>
@@ -18,14 +23,46 @@ double Distance_field::largest() const
 {
   double result = 0;
   for(const double d : distance)
-    result = std::isfinite(d) ? (std::max)(result, d) : result;
+    result = std::isfinite(d) ? (std::max)(result, std::abs(d)) : result;
   return result;
 }
+
+namespace {
+
+using CGAL::Surface_mesh_geodesics::Invalid_geodesic_input;
+using Solver = CGAL::Surface_mesh_geodesics::Geodesic_distance_solver<Mesh>;
+
+Distance_field field_of(const Mesh& mesh, const Solver& solver)
+{
+  Distance_field field;
+  for(const Vertex v : mesh.vertices())
+  {
+    field.distance.push_back(solver.distance(v));
+    field.source.push_back(solver.nearest_source(v));
+  }
+  return field;
+}
+
+// The nearest point of the curves: a vertex if it is at one, and nowhere if no curve reaches v.
+Location foot_of(const Mesh& mesh, const Solver& solver, const std::vector<Curve>& curves, Vertex v)
+{
+  Location result{Mesh::null_vertex(), Face_location(Mesh::null_face(), {0, 0, 0})};
+  const auto foot = solver.nearest_curve_point(v);
+  if(foot.curve == Solver::no_source)
+    return result;
+  const Curve& curve = curves[foot.curve];
+  if(curve.segments().empty())
+    result.vertex = curve.vertex();
+  else
+    result = as_location(curve.location(foot.segment, foot.parameter), mesh);
+  return result;
+}
+
+} // namespace
 
 Distance_field distances_from(const Mesh& mesh, const std::vector<Face>& avoided, const std::vector<Location>& sources,
                               double radius, const Console& console)
 {
-  using Solver = CGAL::Surface_mesh_geodesics::Geodesic_distance_solver<Mesh>;
   Solver solver = Solver::avoiding_faces(mesh, avoided);
   Progress_visitor visitor(console, "distances");
   const auto np = CGAL::parameters::maximum_distance(radius).visitor(std::ref(visitor));
@@ -34,11 +71,39 @@ Distance_field distances_from(const Mesh& mesh, const std::vector<Face>& avoided
     solver.compute_distances(vertices, np);
   else
     solver.compute_distances(as_face_locations(sources, mesh), np);
-  Distance_field field;
+  return field_of(mesh, solver);
+}
+
+Distance_field distances_from(const Mesh& mesh, const std::vector<Face>& avoided, const std::vector<Curve>& sources,
+                              double radius, const Console& console)
+{
+  Solver solver = Solver::avoiding_faces(mesh, avoided);
+  Progress_visitor visitor(console, "distances");
+  solver.compute_distances(sources, CGAL::parameters::maximum_distance(radius).visitor(std::ref(visitor)));
+  Distance_field field = field_of(mesh, solver);
   for(const Vertex v : mesh.vertices())
+    field.foot.push_back(foot_of(mesh, solver, sources, v));
+  return field;
+}
+
+Distance_field signed_distances_from(const Mesh& mesh, const std::vector<Face>& avoided,
+                                     const std::vector<Curve>& curves, double radius, const Console& console)
+{
+  Distance_field field;
+  field.distance.resize(mesh.number_of_vertices());
+  const auto map = boost::make_iterator_property_map(field.distance.begin(), get(boost::vertex_index, mesh));
+  Progress_visitor visitor(console, "distances");
+  try
   {
-    field.distance.push_back(solver.distance(v));
-    field.source.push_back(solver.nearest_source(v));
+    CGAL::Surface_mesh_geodesics::signed_geodesic_distances(
+      mesh, map, curves,
+      CGAL::parameters::maximum_distance(radius).visitor(std::ref(visitor)).faces_to_avoid(avoided));
+  }
+  catch(const Invalid_geodesic_input& error)
+  {
+    if(error.reason() != Invalid_geodesic_input::Reason::INVALID_CURVE)
+      throw;
+    throw Command_error(Exit_code::BAD_INPUT, std::string("--signed: ") + error.what());
   }
   return field;
 }

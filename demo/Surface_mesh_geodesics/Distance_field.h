@@ -2,6 +2,7 @@
 #define SURFACE_MESH_GEODESICS_DEMO_DISTANCE_FIELD_H
 
 #include "Console.h"
+#include "Curve_options.h"
 #include "Html_page.h"
 #include "Location_options.h"
 #include "Program_mesh.h"
@@ -21,15 +22,25 @@ struct Distance_field
   static constexpr std::size_t no_source = (std::numeric_limits<std::size_t>::max)();
 
   std::vector<double> distance;
-  std::vector<std::size_t> source;
+  std::vector<std::size_t> source; // empty if distances have a sign
+  std::vector<Location> foot; // if sources are curves without a sign: the nearest point of a curve, or nowhere
 
-  // The largest finite distance; 0 if there is none.
+  // The largest finite distance, without its sign; 0 if there is none.
   double largest() const;
 };
 
 // Computes the distances up to `radius` of paths that lead around the avoided faces.
 Distance_field distances_from(const Mesh& mesh, const std::vector<Face>& avoided, const std::vector<Location>& sources,
                               double radius, const Console& console);
+
+// The same from curves, and the nearest point of the curves for each vertex.
+Distance_field distances_from(const Mesh& mesh, const std::vector<Face>& avoided, const std::vector<Curve>& sources,
+                              double radius, const Console& console);
+
+// Distances that are negative on one side of the curves. Throws a Command_error if the curves do not separate the
+// surface.
+Distance_field signed_distances_from(const Mesh& mesh, const std::vector<Face>& avoided,
+                                     const std::vector<Curve>& curves, double radius, const Console& console);
 
 // All lines at one distance from the sources.
 struct Isoline

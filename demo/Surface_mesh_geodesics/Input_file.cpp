@@ -21,7 +21,7 @@ std::vector<std::string> names_of_inputs(const Arguments& arguments)
 {
   std::vector<std::string> names{mesh_argument(arguments)};
   for(const auto& [option, value] : arguments)
-    if(ends_with(option, "-file"))
+    if(ends_with(option, "-file") || ends_with(option, "-curve"))
       for(const std::string& name : all_values(arguments, option))
         names.push_back(name);
   for(const char* const option : {"distances", "avoid"})

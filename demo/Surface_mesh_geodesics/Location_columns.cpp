@@ -21,8 +21,8 @@ std::string coordinates(const Location& location, char separator)
 
 Location_columns::Location_columns(const std::string& prefix, const std::vector<Location>& locations)
 {
-  const bool has_points
-    = std::any_of(locations.begin(), locations.end(), [](const Location& p) { return !p.is_vertex(); });
+  const auto is_point = [](const Location& p) { return p.face_location.first != Mesh::null_face(); };
+  const bool has_points = std::any_of(locations.begin(), locations.end(), is_point);
   m_names = "," + prefix + "vertex";
   m_empty_cells = ",";
   if(has_points)
@@ -35,6 +35,8 @@ Location_columns::Location_columns(const std::string& prefix, const std::vector<
   {
     if(p.is_vertex())
       m_cells.push_back("," + std::to_string(p.vertex.idx()) + (has_points ? ",,,," : ""));
+    else if(!is_point(p))
+      m_cells.push_back(m_empty_cells);
     else
       m_cells.push_back(",," + std::to_string(p.face_location.first.idx()) + coordinates(p, ','));
   }

@@ -21,7 +21,7 @@ public:
   // With a comma before each name: ",source_vertex".
   const std::string& names() const { return m_names; }
 
-  // The cells of location i, with a comma before each; empty cells if there is no such location.
+  // The cells of location i, with a comma before each; empty cells if there is no such location or it is nowhere.
   const std::string& cells(std::size_t i) const { return i < m_cells.size() ? m_cells[i] : m_empty_cells; }
 
 private:

@@ -1,9 +1,9 @@
 #include "Location_options.h"
 
 #include "Command_error.h"
-#include "Face_tree.h"
 #include "Input_file.h"
 #include "Location_table.h"
+#include "Point_projection.h"
 #include "number_arguments.h"
 
 #include <CGAL/boost/graph/helpers.h>
@@ -14,9 +14,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <fstream>
-#include <memory>
+#include <limits>
 #include <random>
-#include <sstream>
 #include <utility>
 
 namespace geodesics_demo {
@@ -98,7 +97,7 @@ class Location_reader
 {
 public:
   Location_reader(const Mesh& mesh, Location_options::Kind kind, bool may_snap, const Console& console)
-    : m_mesh(mesh), m_kind(kind), m_may_snap(may_snap), m_console(console)
+    : m_mesh(mesh), m_kind(kind), m_projection(mesh, may_snap, console)
   {}
 
   std::vector<Location> locations;
@@ -125,26 +124,10 @@ public:
     std::array<double, 3> x;
     if(!parse_point(coordinates, x))
       complain_of_point(where, code);
-    check_is_near(x, where, code);
-    if(m_tree == nullptr)
-      m_tree.reset(new Face_tree(m_mesh));
-    const Point p(x[0], x[1], x[2]);
-    locations.push_back(at_face_location(m_tree->nearest_location(p)));
-    check_snap(p, where, code);
+    locations.push_back(at_face_location(m_projection.nearest_location(x, where, code)));
   }
 
-  // Remarks on the point that was farthest from the surface, if that was more than a rounding of its digits.
-  void remark_on_snaps() const
-  {
-    if(!(m_farthest_snap > largest_silent_snap))
-      return;
-    std::ostringstream text;
-    text << m_where_farthest << ": the point was moved to the surface, by " << m_farthest_snap
-         << " times the extent of the mesh";
-    if(m_number_of_snaps > 1)
-      text << "; the farthest of " << m_number_of_snaps << " points";
-    m_console.note(text.str());
-  }
+  void remark_on_snaps() const { m_projection.remark_on_snaps(); }
 
   // Reads one location per line: a vertex (one number), a point (three numbers), or a face with barycentric coordinates
   // (four numbers). A # begins a comment. A table that a command has written is such a file, too: its first line has
@@ -200,18 +183,6 @@ private:
       add_nearest_location(words, where, Exit_code::BAD_INPUT);
   }
 
-  // Rejects a point that is very far away: rounding would choose its nearest location, and the unit is probably wrong.
-  void check_is_near(const std::array<double, 3>& x, const std::string& where, Exit_code code)
-  {
-    if(m_limit < 0)
-      m_limit = 1e6 * extent(m_mesh);
-    const Point p = m_mesh.point(*m_mesh.vertices().begin());
-    for(int k = 0; k < 3 && m_limit > 0; ++k)
-      if(!(std::abs(x[static_cast<std::size_t>(k)] - p[k]) <= m_limit))
-        throw Command_error(code, where + ": the distance of the point from the mesh is more than a million times "
-                                          "the size of the mesh");
-  }
-
   void add_face_location(const std::vector<std::string>& words, const std::string& where)
   {
     std::size_t f = 0;
@@ -232,39 +203,9 @@ private:
     locations.push_back(at_face_location(Face_location(Face(static_cast<Mesh::size_type>(f)), b)));
   }
 
-  // Rejects a point that is so far from the surface that it was probably not meant to be on it.
-  void check_snap(const Point& p, const std::string& where, Exit_code code)
-  {
-    if(m_extent < 0)
-      m_extent = extent(m_mesh);
-    const auto v = p - point_of(locations.back(), m_mesh);
-    const double distance = std::hypot(v.x(), v.y(), v.z()), part = m_extent > 0 ? distance / m_extent : 0;
-    if(part > largest_snap && !m_may_snap)
-    {
-      std::ostringstream text;
-      text << where << ": the point is " << distance << " from the surface, " << part
-           << " times the extent of the mesh; --snap moves it to the surface all the same";
-      throw Command_error(code, text.str());
-    }
-    ++m_number_of_snaps;
-    if(!(part > m_farthest_snap))
-      return;
-    m_farthest_snap = part;
-    m_where_farthest = where;
-  }
-
-  // Parts of the extent of the mesh. Points with five digits are silent.
-  static constexpr double largest_silent_snap = 1e-4, largest_snap = 0.01;
-
   const Mesh& m_mesh;
   Location_options::Kind m_kind;
-  bool m_may_snap;
-  const Console& m_console;
-  std::size_t m_number_of_snaps = 0;
-  double m_farthest_snap = 0, m_extent = -1; // negative until it is computed
-  std::string m_where_farthest;
-  double m_limit = -1; // of the distances of points; negative until it is computed
-  std::unique_ptr<Face_tree> m_tree;
+  Point_projection m_projection;
 };
 
 } // namespace
@@ -372,6 +313,16 @@ Point point_of(const Face_location& location, const Mesh& mesh)
   const std::array<double, 3>& b = location.second;
   return CGAL::barycenter(mesh.point(mesh.source(h)), b[0], mesh.point(mesh.target(h)), b[1],
                           mesh.point(mesh.target(mesh.next(h))), b[2]);
+}
+
+Location as_location(const Face_location& location, const Mesh& mesh)
+{
+  constexpr double rounding = 64 * std::numeric_limits<double>::epsilon(); // as the package snaps coordinates
+  Mesh::Halfedge_index h = mesh.halfedge(location.first);
+  for(std::size_t k = 0; k < 3; ++k, h = mesh.next(h))
+    if(location.second[k] >= 1 - rounding)
+      return at_vertex(mesh.source(h));
+  return at_face_location(location);
 }
 
 std::vector<Vertex> as_vertices(const std::vector<Location>& locations)

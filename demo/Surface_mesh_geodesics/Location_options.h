@@ -11,6 +11,7 @@
 namespace geodesics_demo {
 
 // A location on a mesh: a vertex, or a point of a face.
+// Nowhere if both are null.
 struct Location
 {
   Vertex vertex;          // the null vertex for a point of a face
@@ -59,6 +60,9 @@ bool is_seed_unused(const Arguments& arguments);
 // The point of a location.
 Point point_of(const Location& location, const Mesh& mesh);
 Point point_of(const Face_location& location, const Mesh& mesh);
+
+// A point of a face as a location: a vertex if it is at one, up to rounding.
+Location as_location(const Face_location& location, const Mesh& mesh);
 
 // The vertices of the locations if all of them are vertices; else an empty range.
 std::vector<Vertex> as_vertices(const std::vector<Location>& locations);

@@ -1,5 +1,6 @@
 #include "Command_error.h"
 #include "Mesh_readers.h"
+#include "OBJ_indices.h"
 #include "Text_scanner.h"
 
 #include <algorithm>
@@ -34,7 +35,7 @@ public:
         remember_unknown(keyword);
       m_in.skip_line();
     }
-    check_largest_index();
+    m_indices.check_largest(m_file_name, m_soup.points.size());
     if(m_unknown_line > 0)
       m_console.note(m_file_name + ", line " + std::to_string(m_unknown_line) + ": '" + m_unknown
                      + "' is not a statement of OBJ that the program knows; such lines are ignored");
@@ -66,36 +67,9 @@ private:
   {
     m_soup.lines.push_back(m_in.line());
     while(m_in.has_word())
-      read_corner();
+      m_soup.corners.push_back(static_cast<Polygon_soup::Index>(
+        m_indices.read(m_in, m_soup.points.size(), "a corner of a face, such as 7, 7/7 or 7/7/7")));
     m_soup.end_face();
-  }
-
-  // V, V/T, V//N or V/T/N. A negative index counts from the last vertex back.
-  void read_corner()
-  {
-    const std::string_view word = m_in.peek_word();
-    const std::int64_t i = m_in.integer_before_slash(), n = static_cast<std::int64_t>(m_soup.points.size());
-    const std::string_view others = m_in.position() == word.data() + word.size() ? std::string_view() : m_in.word();
-    if(i == 0 || (!others.empty() && (others[0] != '/' || others.find_first_not_of("/-0123456789") != others.npos)))
-      m_in.complain_of(word, word == "0" || word.substr(0, 2) == "0/"
-                               ? "is not an index of a vertex: OBJ counts from 1"
-                               : "is not a corner of a face, such as 7, 7/7 or 7/7/7");
-    if(i < -n || i > most_points)
-      m_in.complain_of(word, "is not an index of a vertex: there are " + std::to_string(n) + " before this line");
-    if(i > m_largest)
-    {
-      m_largest = i;
-      m_line_of_largest = m_in.line();
-    }
-    m_soup.corners.push_back(static_cast<Polygon_soup::Index>(i > 0 ? i - 1 : n + i));
-  }
-
-  // A face may precede its vertices.
-  void check_largest_index() const
-  {
-    if(m_largest > static_cast<std::int64_t>(m_soup.points.size()))
-      reject_line(m_file_name, m_line_of_largest, "there is no vertex " + std::to_string(m_largest) + "; the file has "
-                                                    + std::to_string(m_soup.points.size()));
   }
 
   void remember_unknown(std::string_view keyword)
@@ -111,8 +85,8 @@ private:
   Text_scanner m_in;
   const Console& m_console;
   Polygon_soup m_soup;
-  std::int64_t m_largest = 0;
-  std::uint32_t m_line_of_largest = 0, m_unknown_line = 0;
+  OBJ_indices m_indices;
+  std::uint32_t m_unknown_line = 0;
   std::string m_unknown;
 };
 

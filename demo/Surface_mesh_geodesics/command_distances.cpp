@@ -2,6 +2,7 @@
 
 #include "Command.h"
 #include "Command_error.h"
+#include "Curve_options.h"
 #include "Distance_field.h"
 #include "Drawing.h"
 #include "Html_page.h"
@@ -34,8 +35,10 @@ constexpr std::size_t largest_number_of_isolines = 1000;
 void declare(Option_descriptions& options)
 {
   source_options.declare(options);
+  declare_curves(options);
   declare_seed(options);
   options.add_options()
+    ("signed", "negative distances on the left of the first curve; the curves have to separate the surface")
     ("radius", positive_value("radius")->value_name("R"), "only distances up to R")
     ("isolines", count_value("isolines", 0, largest_number_of_isolines)->value_name("N"),
      "N isolines in files of --lines and pages, evenly spaced up to the largest distance (at most 1000; "
@@ -71,13 +74,19 @@ std::vector<double> isoline_distances(const Arguments& arguments, double largest
 
 void write_table(std::ostream& os, const Distance_field& field, const std::vector<Location>& sources)
 {
-  const Location_columns columns("source_", sources);
-  os << "vertex,distance,source" << columns.names() << '\n';
+  const bool has_sources = !field.source.empty(), has_feet = !field.foot.empty();
+  const Location_columns columns("source_", has_feet ? field.foot : sources);
+  os << "vertex,distance" << (has_sources ? ",source" + columns.names() : "") << '\n';
   for(std::size_t v = 0; v < field.distance.size(); ++v)
-    os << v << ',' << Number_text(field.distance[v]) << ',' << source_text(field.source[v])
-       << columns.cells(field.source[v]) << '\n';
+  {
+    os << v << ',' << Number_text(field.distance[v]);
+    if(has_sources)
+      os << ',' << source_text(field.source[v]) << columns.cells(has_feet ? v : field.source[v]);
+    os << '\n';
+  }
 }
 
+// Distances with a sign take the colors from the largest one on the negative side to the largest one on the other.
 Drawing drawing_of_surface(const Mesh& mesh, const Distance_field& field)
 {
   Drawing drawing;
@@ -86,11 +95,13 @@ Drawing drawing_of_surface(const Mesh& mesh, const Distance_field& field)
   source.values.reserve(field.source.size());
   for(const std::size_t s : field.source)
     source.values.push_back(source_number(s));
-  const double largest = field.largest();
+  const double largest = field.largest(), least = field.source.empty() ? -largest : 0;
   drawing.colors.reserve(field.distance.size());
   for(const double d : field.distance)
-    drawing.colors.push_back(color_of_distance(d, largest));
-  drawing.point_columns = {Drawing_column{"distance", false, field.distance}, std::move(source)};
+    drawing.colors.push_back(color_of_distance(d - least, largest - least));
+  drawing.point_columns = {Drawing_column{"distance", false, field.distance}};
+  if(!field.source.empty())
+    drawing.point_columns.push_back(std::move(source));
   return drawing;
 }
 
@@ -121,6 +132,26 @@ Html_page page_of(const std::string& file_name, const Mesh& mesh, const std::vec
   return page;
 }
 
+// Isolines and pages need the windows of a propagation, which only points have.
+void check_curves(const Arguments& arguments, bool has_page)
+{
+  if(has(arguments, "signed") && !are_curves_given(arguments))
+    throw Command_error(Exit_code::BAD_USAGE, "--signed needs curves: --source-border or --source-curve");
+  for(const char* option : {"source-border", "source-curve"})
+    if(has(arguments, option) && (has(arguments, "lines") || has_page))
+      throw Command_error(Exit_code::BAD_USAGE, std::string("--") + option + " cannot be combined with "
+                                                  + (has_page ? "a page .html" : "--lines")
+                                                  + ": there are no isolines of distances from curves");
+}
+
+Distance_field distances_from_curves(const Arguments& arguments, const Mesh& mesh, const std::vector<Face>& avoided,
+                                     const std::vector<Location>& sources, double radius, const Console& console)
+{
+  const std::vector<Curve> curves = source_curves(arguments, mesh, sources, avoided, console);
+  return has(arguments, "signed") ? signed_distances_from(mesh, avoided, curves, radius, console)
+                                  : distances_from(mesh, avoided, curves, radius, console);
+}
+
 void run(const Arguments& arguments, const Console& console)
 {
   const double radius = positive_argument_or(arguments, "radius", std::numeric_limits<double>::infinity());
@@ -132,19 +163,25 @@ void run(const Arguments& arguments, const Console& console)
   Output_files files(has_output ? output_names(arguments, pages) : std::vector<std::string>(),
                      {"csv", "ply", "vtu", "vtk", "obj", "html"});
   check_no_page_of_obstacles(arguments, files.have({"html"}));
+  check_curves(arguments, files.have({"html"}));
   Output_files line_files(line_names, {"obj", "ply", "vtk", "vtu"});
   const bool has_lines = !line_names.empty() || files.have({"html"});
   for(const char* option : {"isolines", "spacing"})
     if(has(arguments, option) && !has_lines)
       console.note(std::string("--") + option + " has no effect without --lines or a page .html");
   const Mesh mesh = read_mesh(arguments, console);
-  const std::vector<Location> sources = source_options.required_locations(arguments, mesh, console);
+  const bool has_curves = are_curves_given(arguments);
+  const std::vector<Location> sources = has_curves ? source_options.locations(arguments, mesh, console)
+                                                   : source_options.required_locations(arguments, mesh, console);
   const std::vector<Face> avoided = avoided_faces(arguments, mesh);
   // One propagation: without lines, the one that keeps distances only.
   std::unique_ptr<Distance_run> run;
   if(has_lines)
     run.reset(new Distance_run(mesh, avoided, sources, radius, console));
-  const Distance_field field = has_lines ? run->field() : distances_from(mesh, avoided, sources, radius, console);
+  const Distance_field field
+    = has_curves  ? distances_from_curves(arguments, mesh, avoided, sources, radius, console)
+      : has_lines ? run->field()
+                  : distances_from(mesh, avoided, sources, radius, console);
   if(!has(arguments, "radius"))
     remark_on_unreached(mesh, field, has(arguments, "avoid"), console);
   const std::vector<double> limits
@@ -177,11 +214,15 @@ const Command distances_command{
   "distances of all vertices from the nearest source",
   "The table has a line for each vertex: its index, its distance in the unit of the mesh ('inf' if no source reaches\n"
   "it), the index of the source, counted from 0 in the order of the options below (-1 for none), and the vertex of\n"
-  "the source, or its face and barycentric coordinates. Files with geometry have the distances, too; unreached is NaN.",
+  "the source, or its face and barycentric coordinates. Files with geometry have the distances, too; unreached is\n"
+  "NaN. Where sources are curves, vertex and face are those of the nearest point of the curve. With --signed there\n"
+  "are distances only.",
   "  surface_mesh_geodesics distances bunny.off --source 0 > distances.csv\n"
   "  surface_mesh_geodesics distances bunny.off --source-point -0.1,0.1,0 --snap -o colors.ply --lines lines.obj\n"
   "  surface_mesh_geodesics distances bunny.off --source-random 10 --seed 7 --radius 0.2 -o near.csv\n"
-  "  surface_mesh_geodesics distances bunny.off --source 0 --html distances.html\n",
+  "  surface_mesh_geodesics distances bunny.off --source 0 --html distances.html\n"
+  "  surface_mesh_geodesics distances scan.off --source-border --source-curve cuts.obj -o colors.ply\n"
+  "  surface_mesh_geodesics distances scan.off --source-curve loop.polylines.txt --signed -o signed.csv\n",
   declare, run};
 
 } // namespace geodesics_demo

@@ -322,7 +322,12 @@ void test_offsets_and_feet()
     CHECK_EQUAL(solver.nearest_source(v), std::size_t(2));
   solver.compute_distances(curves, CGAL::parameters::source_offsets(std::vector<double>{1., .5, 100.}));
   for(const vertex_descriptor v : vertices(tm))
+  {
+    const Point_2 p = in_plane(tm, v);
+    const double size = n;
     CHECK_EQUAL(solver.nearest_source(v), std::size_t(1));
+    CHECK_NEAR(solver.distance(v), (std::min)({p[0], size - p[0], p[1], size - p[1]}) + .5, 1e-13);
+  }
 }
 
 struct Canceling_visitor

@@ -46,7 +46,7 @@
   const radius = data.radius || 1;
   turned.scale.setScalar(1 / radius);
   const isFlat = points.every((x, i) => i % 3 !== 2 || Math.abs(x) < 0.02 * radius);
-  const view = { distance: 1, x: 0, y: 0 };
+  const view = { distance: 1, x: 0, y: 0, isFilled: false }; // filled: chosen by fill(), and not moved since
 
   function draw() {
     camera.position.set(view.x, view.y, view.distance);
@@ -68,6 +68,7 @@
     renderer.setSize(w, h, false);
     resolution.value.set(canvas.width, canvas.height);
     camera.aspect = w / h;
+    fitRamp();
     drawSoon();
   }
 
@@ -135,7 +136,7 @@
       const half = Math.max(Math.abs(p.y - middle.y), Math.abs(p.x - middle.x) / camera.aspect);
       wanted = Math.max(wanted, p.z + half / slope);
     });
-    Object.assign(view, { distance: Math.max(1.06 * wanted, 0.05), x: middle.x, y: middle.y });
+    Object.assign(view, { distance: Math.max(1.06 * wanted, 0.05), x: middle.x, y: middle.y, isFilled: true });
     drawSoon();
   }
 
@@ -169,12 +170,14 @@
   // --- mouse, fingers and keys ---------------------------------------------------------------------------------------
 
   function turn(dx, dy) {
+    view.isFilled = false;
     const axis = new THREE.Vector3(dy, dx, 0), angle = axis.length();
     if (angle > 0) turned.quaternion.premultiply(new THREE.Quaternion().setFromAxisAngle(axis.normalize(), angle));
     drawSoon();
   }
 
   function move(dx, dy) {
+    view.isFilled = false;
     const scale = 2 * view.distance * Math.tan(camera.fov * Math.PI / 360) / canvas.clientHeight;
     view.x -= dx * scale;
     view.y += dy * scale;
@@ -182,6 +185,7 @@
   }
 
   function zoom(factor) {
+    view.isFilled = false;
     view.distance = Math.min(Math.max(view.distance * factor, 0.05), 50);
     drawSoon();
   }
@@ -244,7 +248,10 @@
     else return;
     event.preventDefault();
   });
-  window.addEventListener("resize", fit);
+  window.addEventListener("resize", () => {
+    fit();
+    if (view.isFilled) fill(); // a window of another shape needs another distance
+  });
 
   // --- clicks --------------------------------------------------------------------------------------------------------
 
@@ -435,6 +442,7 @@
       if (navigator.clipboard) navigator.clipboard.writeText(data.command);
     });
     window.matchMedia("(prefers-color-scheme: dark)").addEventListener("change", applyTheme);
+    legend.addEventListener("toggle", fitRamp);
   }
 
   // --- title and legend ----------------------------------------------------------------------------------------------
@@ -461,14 +469,27 @@
     element("div", keys, "in the unit of the mesh").className = "unit";
     const list = element("div", keys);
     list.className = "ramp";
-    const step = Math.ceil((limits.length + 1) / 12); // labels that fit
     element("small", list, "largest " + Number(data.largest.toPrecision(4)));
     for (let i = limits.length; i >= 0; --i) {
       const row = element("div", list);
       element("span", row, "", { background: css(bandColor(i)) });
-      const value = i === 0 ? 0 : limits[i - 1];
-      element("small", row, i % step === 0 ? rounded(value) : "");
+      element("small", row, rounded(i === 0 ? 0 : limits[i - 1]));
     }
+  }
+
+  // Makes the bands of the legend so low that all of them are in the window, and leaves out labels that do not fit. The
+  // label of 0, in the last row, stays.
+  function fitRamp() {
+    const rows = [...document.querySelectorAll(".ramp div")], highest = 15, label = 12;
+    const setHeight = (h) => rows.forEach((row) => { row.style.height = h + "px"; });
+    setHeight(highest);
+    const excess = Math.max(0, legend.scrollHeight - legend.clientHeight);
+    const height = Math.max(2, highest - excess / rows.length);
+    setHeight(height);
+    const step = Math.max(Math.ceil(rows.length / 12), Math.ceil(label / height));
+    rows.forEach((row, i) => {
+      row.lastChild.style.visibility = (rows.length - 1 - i) % step === 0 ? "" : "hidden";
+    });
   }
 
   function drawCells(keys) {

@@ -13,6 +13,7 @@
 #include <CGAL/license/Surface_mesh_geodesics.h>
 
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/Private_access.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/curves/curve_segments.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/source_range.h>
 
@@ -62,6 +63,7 @@ geodesic_distances(mesh, distance, curves);
 \sa `geodesic_distances()`
 \sa `signed_geodesic_distances()`
 \sa `border_curves()`
+\sa `shortest_path_curve()`
 */
 template <typename TriangleMesh>
 class Surface_curve
@@ -247,7 +249,14 @@ public:
   /// @}
 
 private:
+  friend internal::Private_access;
+
   Surface_curve() = default;
+
+  // Requires: each segment begins at the point where the one before ends; there is at least one.
+  Surface_curve(std::vector<Segment> segments, bool is_closed)
+    : m_segments(std::move(segments)), m_is_closed(is_closed)
+  {}
 
   void append_halfedge(const TriangleMesh& tm, halfedge_descriptor h, std::size_t position)
   {

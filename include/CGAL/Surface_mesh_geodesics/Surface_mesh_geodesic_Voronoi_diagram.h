@@ -23,6 +23,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Voronoi_cell_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Voronoi_cut_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Voronoi_handles.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/map_checks.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_checks.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/distance_in_space.h>
 
@@ -199,6 +200,10 @@ public:
   static constexpr std::size_t null_site() { return (std::numeric_limits<std::size_t>::max)(); }
 
 private:
+  static_assert(Surface_mesh_geodesics::internal::Maps_of_class<Triangle_mesh, Point_3, Vertex_index_map,
+                                                                Face_index_map, Vertex_point_map>::value,
+                "always true, if it compiles");
+
   using Self = Surface_mesh_geodesic_Voronoi_diagram;
   using Elements = Surface_mesh_geodesics::internal::Voronoi_handles<Self>;
   using Curve = Surface_mesh_geodesics::internal::Arc_curve;

@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Lazy_path_structure.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Surface_locations.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/map_checks.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/path_visitors.h>
 
 #include <CGAL/AABB_tree.h>
@@ -223,6 +224,10 @@ public:
   using Face_location = std::pair<face_descriptor, Barycentric_coordinates>;
 
 private:
+  static_assert(Surface_mesh_geodesics::internal::Maps_of_class<Triangle_mesh, Point_3, Vertex_index_map,
+                                                                Face_index_map, Vertex_point_map>::value,
+                "always true, if it compiles");
+
   using Structure
     = Surface_mesh_geodesics::internal::Lazy_path_structure<Traits, Vertex_index_map, Face_index_map, Vertex_point_map,
                                                             ConcurrencyTag>;

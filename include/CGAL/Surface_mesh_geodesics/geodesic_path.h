@@ -77,10 +77,10 @@ auto place_of(const Place& place)
       place.first, {{FT(place.second[0]), FT(place.second[1]), FT(place.second[2])}}};
 }
 
-// Calls query(paths) with a structure for paths from one source, which has the maps among the named parameters.
-// Returns the distance that it answers, with infinity for -1.
-template <typename TriangleMesh, typename Source, typename NamedParameters, typename Query>
-double query_paths(const TriangleMesh& tm, const Source& source, const NamedParameters& np, const Query& query)
+// Calls use(paths) with a structure for paths that has the maps among the named parameters, and leads around the faces
+// to avoid; it has no sources yet. Returns what use() returns.
+template <typename TriangleMesh, typename NamedParameters, typename Use>
+auto with_path_structure(const TriangleMesh& tm, const NamedParameters& np, const Use& use)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -94,10 +94,22 @@ double query_paths(const TriangleMesh& tm, const Source& source, const NamedPara
   Paths paths(tm, vim, fim, vpm, Traits());
   if constexpr(Has_parameter<NamedParameters, internal_np::faces_to_avoid_t>::value)
     paths.avoid_faces(parameters::get_parameter_reference(np, internal_np::faces_to_avoid));
-  paths.add_source(place_of<Paths, TriangleMesh>(source));
-  const double result = CGAL::to_double(query(paths).first);
-  if(Propagation_statistics* const statistics = statistics_parameter(np))
-    statistics->add(paths.statistics());
+  return use(paths);
+}
+
+// Calls query(paths) with a structure for paths from one source. Returns the distance that it answers, and infinity
+// for -1.
+template <typename TriangleMesh, typename Source, typename NamedParameters, typename Query>
+double query_paths(const TriangleMesh& tm, const Source& source, const NamedParameters& np, const Query& query)
+{
+  const double result = with_path_structure(tm, np, [&](auto& paths)
+  {
+    paths.add_source(place_of<std::decay_t<decltype(paths)>, TriangleMesh>(source));
+    const double distance = CGAL::to_double(query(paths).first);
+    if(Propagation_statistics* const statistics = statistics_parameter(np))
+      statistics->add(paths.statistics());
+    return distance;
+  });
   return result < 0 ? std::numeric_limits<double>::infinity() : result;
 }
 

@@ -60,7 +60,7 @@ function click(x, y) {
     + answer.replace(/\n/g, ", ");
 }'
 
-# opened <page> <script>: the page after the script has run in it
+# opened <page> <script> [<size>]: the page after the script has run in it, in a window of this size
 opened() {
   {
     head -n -2 "$1" # without the last two lines, </body> and </html>
@@ -68,7 +68,7 @@ opened() {
   } > opened.html
   # No sandbox: root has none, and the pages are our own. No network: every name is unknown.
   timeout 100 "$browser" --headless=new --no-sandbox --user-data-dir="$work/profile" --use-angle=swiftshader \
-    --enable-unsafe-swiftshader --hide-scrollbars --window-size=800,800 --virtual-time-budget=10000 \
+    --enable-unsafe-swiftshader --hide-scrollbars --window-size="${3:-800,800}" --virtual-time-budget=10000 \
     --host-resolver-rules='MAP * ~NOTFOUND' --dump-dom "file://$work/opened.html" 2> browser.log
 }
 
@@ -93,6 +93,29 @@ contains distances.dom "surface_mesh_geodesics distances $grid --source 0 --html
 contains distances.dom '>lines of equal distance</div>'
 contains distances.dom '>sources</div>'
 [ "$(number_of_colors distances.dom)" -gt 20 ] # one for each band and more
+
+# A low window shows the whole legend: the label of 0 is in it, and the labels that are shown do not overlap.
+is_silent distances "$grid" --source 0 --isolines 30 --html bands.html
+opened bands.html 'const legend = document.getElementById("legend").getBoundingClientRect();
+  const labels = [...document.querySelectorAll(".ramp div small")].filter((e) => e.style.visibility !== "hidden")
+    .map((e) => e.getBoundingClientRect());
+  document.body.dataset.zero = labels[labels.length - 1].bottom <= legend.bottom
+    && document.querySelector(".ramp div:last-child small").style.visibility !== "hidden";
+  document.body.dataset.overlap = labels.some((box, i) => i > 0 && box.top < labels[i - 1].bottom - 1);' \
+  1280,500 > low.dom
+contains low.dom 'data-zero="true"'
+contains low.dom 'data-overlap="false"'
+[ "$(grep -o '<div style="height: [0-9.]*px' low.dom | wc -l)" -gt 20 ]
+
+# The surface stays in a window that becomes narrow, unless the user has moved it.
+narrow='const canvas = document.getElementById("surface");
+  canvas.style.width = "300px";
+  window.dispatchEvent(new Event("resize"));'
+opened distances.html "$narrow click(0.005, 0.5); click(0.5, 0.5);" > narrow.dom
+contains narrow.dom '"|There is no surface here.|distance 0.70711, at (0.5, 0.5, 0)'
+opened distances.html \
+  'document.dispatchEvent(new KeyboardEvent("keydown", { key: "+" }));'" $narrow click(0.005, 0.5);" > moved.dom
+contains moved.dom 'data-answers="|distance '
 
 # Two components, one of them without a source.
 is_silent path "$data/two_components.off" --source 0 --target all --quiet --html path.html

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Checks that wrong named parameters do not compile, and that the compiler says why. Each case is a call and words of the
-# message. The first case is right, so that no other one fails for a reason of its own.
+# Checks that wrong named parameters and wrong maps do not compile, and that the compiler says why. Each case is a call
+# and words of the message. The first case is right, so that no other one fails for a reason of its own.
 # usage: check_rejected_programs.sh COMPILER WORK_FOLDER [options of the compiler]
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../../.." && pwd)
@@ -15,12 +15,15 @@ cat > "$work/frame.h" << 'END'
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/Geodesic_distance_solver.h>
+#include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_Voronoi_diagram.h>
+#include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_paths.h>
 #include <CGAL/Surface_mesh_geodesics/certify_geodesic_distances.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_Voronoi_labels.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_distance_matrix_store.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_distances.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_farthest_point_sampling.h>
 #include <iterator>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -28,6 +31,17 @@ namespace np = CGAL::parameters;
 using namespace CGAL::Surface_mesh_geodesics;
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 using Vertex = Mesh::Vertex_index;
+using Face = Mesh::Face_index;
+using Traits = CGAL::Surface_mesh_shortest_path_traits<CGAL::Simple_cartesian<double>, Mesh>;
+
+// Classes with other maps than the default ones.
+template <typename VIM, typename FIM = CGAL::Default, typename VPM = CGAL::Default>
+using Diagram = CGAL::Surface_mesh_geodesic_Voronoi_diagram<Traits, VIM, CGAL::Default, FIM, VPM>;
+template <typename VIM, typename FIM = CGAL::Default, typename VPM = CGAL::Default>
+using Paths = CGAL::Surface_mesh_geodesic_paths<Traits, VIM, CGAL::Default, FIM, VPM>;
+template <typename Key, typename Value>
+using Map = Mesh::Property_map<Key, Value>;
+using Point = Mesh::Point;
 END
 # Compiled once for all cases. The first error is enough.
 options=(-std=c++17 -I"$root/include" -Wfatal-errors "${options[@]}")
@@ -85,6 +99,23 @@ expect "does not take the named parameter" "${certificate}np::targets(vertices))
 expect "does not take the named parameter" "${sampling}np::maximum_distance(1.))"
 expect "does not take the named parameter" "${store}np::faces_to_avoid(vertices))"
 
+# The maps of classes.
+standard=CGAL::Default
+for class in Diagram Paths; do
+  expect '' "static_cast<void>(sizeof($class<$standard>))"
+  expect '' "static_cast<void>(sizeof($class<Map<Vertex, int>, Map<Face, unsigned short>, Map<Vertex, Point>>))"
+  for map in 'std::vector<std::size_t>' 'std::map<Vertex, int>' 'Map<Vertex, double>' 'Map<Vertex, Point>' \
+    'Map<Face, int>' 'Map<Vertex, std::string>'; do
+    expect "VIM is not a property map from the vertices of the mesh to indices" "static_cast<void>(sizeof($class<$map>))"
+  done
+  for map in 'std::vector<std::size_t>' 'Map<Vertex, std::size_t>' 'Map<Face, double>'; do
+    expect "FIM is not a property map from the faces of the mesh to indices" "static_cast<void>(sizeof($class<$standard, $map>))"
+  done
+  for map in 'std::vector<Point>' 'std::map<Vertex, Point>' 'Map<Vertex, double>' 'Map<Face, Point>'; do
+    expect "VPM is not a property map from the vertices of the mesh to points" "static_cast<void>(sizeof($class<$standard, $standard, $map>))"
+  done
+done
+
 # The value has another type.
 expect "is not a range of the documented elements" "${distances}np::targets(*vertices.begin()))"
 expect "is not a range of the documented elements" "${distances}np::targets(numbers))"
@@ -102,4 +133,4 @@ expect "takes a pointer" "${distances}np::statistics(counts))"
 expect "takes a pointer" "${solver}np::statistics(std::ref(counts)))"
 
 [ "$failures" = 0 ] || exit 1
-echo "The compiler rejects wrong parameters, and says why."
+echo "The compiler rejects wrong parameters and maps, and says why."

@@ -19,7 +19,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Face_partition.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Redundant_window_removal.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Voronoi_complex.h>
-#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/entering_windows.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/edges/entering_windows.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Kept_window.h>

@@ -14,7 +14,7 @@
 // (Redundant_window_removal.h) fills it and hands it over, after which the windows of the face are released; the
 // complex (Voronoi_complex.h) reads it. Neither of them knows the other one.
 
-#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Edge_partition.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/edges/Edge_partition.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/fronts/Site_image.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 

@@ -35,8 +35,9 @@
 // divided. After that its windows are released.
 
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Divided_face.h>
-#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Edge_partition.h>
-#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/entering_windows.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/edges/Edge_partition.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/edges/Vertex_owners.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/edges/entering_windows.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/site_images_of_face.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_table.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Radix_heap.h>
@@ -55,7 +56,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -98,21 +98,20 @@ public:
     m_is_early = is_early;
     const float unknown = std::numeric_limits<float>::infinity();
     m_faces.assign(mesh.number_of_faces(), Face_record{null_id, UNTOUCHED, 3, {unknown, unknown, unknown}});
-    m_source.assign(mesh.number_of_vertices(), Known_source{FT(-1), null_id});
-    m_first_of_equal.clear();
+    m_owner.reset(mesh.number_of_vertices(), field);
     m_windows.reset(mesh.number_of_faces());
     m_breakpoints.clear();
     m_range_of_edge.clear();
     m_queue.clear();
-    m_number_of_kept = 0;
-    m_final_distance = Field::infinity();
+    m_number_of_kept = m_lists_since_advance = 0;
+    m_due_faces.clear();
+    m_due_edges.clear();
+    m_closed_faces.clear();
   }
 
-  // Gives the cell of `source` to `first`, as the two tie everywhere up to rounding. (Otherwise rounding would decide
-  // for each edge anew which of them is nearer.) If another source is nearer to `first`, so that it has no cell itself,
-  // `source` keeps its cell. Call it after reset() and before the first keep(). `first` is not united with a third one:
-  // pairs do not form chains (for_each_equal_source()).
-  void unite(Vertex_id source, Vertex_id first) { m_first_of_equal[source] = first; }
+  // Gives the cell of one source to another one: see Vertex_owners::unite(). Call it after reset() and before the first
+  // keep().
+  void unite(Vertex_id source, Vertex_id first) { m_owner.unite(source, first); }
 
   // Keeps the windows of a list that the propagation carries across h into the face of h, unless that face is inactive.
   // The list is copied. Requires: it is not empty.
@@ -142,6 +141,7 @@ public:
       return w;
     });
     m_number_of_kept += n;
+    ++m_lists_since_advance;
     set_bound(h, bound());
     if(record.state == ACTIVE)
       return;
@@ -152,56 +152,52 @@ public:
 
   // Tells which distances are final: those up to `reached`. keep() may then come before the distances of the roots are
   // final, and remembers no source of a vertex whose path may still change. At first, all distances count as final.
-  void set_final_distance(const FT& reached) { m_final_distance = reached; }
+  void set_final_distance(const FT& reached) { m_owner.set_final_distance(reached); }
 
   // Lets the inactive region grow, as the wavefront has reached a distance (thesis, algorithm 4, step 4). A face with a
   // large bound is looked at again half-way, as bounds shrink. The margin below `reached` covers the error of images.
   // `limit` is the bound of the face when it was put into the queue; the smaller one of both bounds counts.
   // Requires: distances below `reached` are final, and windows with paths that short have been kept.
+  //
+  // Nothing happens before enough lists have been kept: one batch of faces needs the caches once, and the propagation
+  // has them for itself meanwhile. A face of the batch keeps the few windows that come later than they need to, which
+  // are nearest nowhere.
   void advance(const FT& reached)
   {
+    if(m_lists_since_advance < lists_per_batch)
+      return;
+    m_lists_since_advance = 0;
     const FT below = reached * (1 - Tolerance<FT>::succession());
     m_queue.advance(below, [&](Face_id f, std::size_t round) { prefetch_bound(f, round); },
                     [&](Face_id f, const FT& limit)
     {
       const FT last = (std::min)(limit, bound(f));
       if(last < below)
-        deactivate(f);
+        m_due_faces.push_back(f);
       else
         m_queue.push(f, last - below < longest_side(m_mesh->face(f)) / 4 ? last : FT(below + (last - below) / 2), last);
     });
+    deactivate_due_faces();
   }
 
   // Makes all faces inactive, as the propagation has ended. That includes those around sources, which no window may
   // have entered, and those that no site reaches; these have no owner, and count as redundant.
   void finish()
   {
-    m_final_distance = Field::infinity();
+    m_owner.set_final_distance(Field::infinity());
     m_queue.clear();
     for(Face_id f = 0; f < m_faces.size(); ++f)
+    {
       if(!is_inactive(f))
-        deactivate(f);
-  }
-
-  // Returns the nearest source of a vertex whose distance is final, null_id if none reaches it. Of two sources that
-  // have been united it is the first one, unless that has no cell. Takes constant time, amortized (source_of()).
-  Vertex_id owner(Vertex_id v)
-  {
-    const Vertex_id source = source_of(v), first = first_of_equal(source);
-    return first != source && m_field->is_source(first) ? first : source;
+        m_due_faces.push_back(f);
+      if(m_due_faces.size() == lists_per_batch)
+        deactivate_due_faces();
+    }
+    deactivate_due_faces();
   }
 
   // Returns the nearest source of each vertex after the end of the propagation, null_id where none arrives.
-  std::vector<Vertex_id> owners()
-  {
-    std::vector<Vertex_id> result(m_mesh->number_of_vertices());
-    for(Vertex_id v = 0; v < result.size(); ++v)
-    {
-      CGAL_expensive_assertion(source_of(v) == m_field->source_of(v));
-      result[v] = owner(v);
-    }
-    return result;
-  }
+  std::vector<Vertex_id> owners() { return m_owner.all(); }
 
   const Mesh& mesh() const { return *m_mesh; }
   Consumer& consumer() { return *m_consumer; }
@@ -214,52 +210,10 @@ public:
   std::size_t memory() const
   {
     return m_windows.memory() + m_queue.memory() + m_faces.capacity() * sizeof(Face_record)
-         + m_source.capacity() * sizeof(Known_source);
+         + m_owner.memory();
   }
 
 private:
-  // Returns the source whose cell `source` shares: another one after unite(), otherwise itself. (null_id stays.)
-  Vertex_id first_of_equal(Vertex_id source) const
-  {
-    if(m_first_of_equal.empty())
-      return source;
-    const auto it = m_first_of_equal.find(source);
-    return it != m_first_of_equal.end() ? it->second : source;
-  }
-
-  // The source from which a vertex is reached, valid as long as the vertex has this distance.
-  struct Known_source
-  {
-    FT distance;
-    Vertex_id vertex;
-  };
-
-  // (The distance of the entry is -1 before v is asked for the first time, which no vertex has.)
-  bool is_source_known(Vertex_id v) const { return m_source[v].distance == m_field->distance[v]; }
-
-  // Returns the source from which the shortest path to v known so far starts, null_id if there is none. Follows the
-  // roots back and remembers the answer for each of them whose distance is final, as that chain may be long. Amortized:
-  // each vertex is asked for its root once for each distance that it takes, if distances are final (see
-  // set_final_distance()).
-  Vertex_id source_of(Vertex_id v)
-  {
-    Vertex_id last = v;
-    while(!is_source_known(last))
-    {
-      const Vertex_id root = m_field->arrival[last].root;
-      if(root == null_id)
-        return null_id;
-      if(root == last)
-        m_source[last] = Known_source{m_field->distance[last], last};
-      last = root;
-    }
-    const Vertex_id source = m_source[last].vertex;
-    for(; !is_source_known(v); v = m_field->arrival[v].root)
-      if(!(m_final_distance < m_field->distance[v]))
-        m_source[v] = Known_source{m_field->distance[v], source};
-    return source;
-  }
-
   static constexpr Vertex_id several_sources = null_id - 1;
 
   // UNTOUCHED: no window has entered. ACTIVE: windows may still enter. INACTIVE: waits for its neighbors. DONE: has
@@ -288,7 +242,7 @@ private:
   {
     if(record.source == several_sources)
       return;
-    const Vertex_id source = first_of_equal(source_of(root));
+    const Vertex_id source = m_owner.first_of_equal(m_owner.source_of(root));
     record.source = record.source == null_id || record.source == source ? source : several_sources;
   }
 
@@ -343,9 +297,41 @@ private:
 
   bool is_inactive(Face_id f) const { return m_faces[f].state == INACTIVE || m_faces[f].state == DONE; }
 
-  // Makes a face inactive (procedure 3 of the thesis), and closes its edges to inactive neighbors. A redundant face
-  // releases its windows at once. Its edges are closed all the same, since the neighbors count them. The state comes
-  // first: close_edge() reads from it that an edge of a redundant face (DONE) is in one cell.
+  static constexpr std::size_t lists_per_batch = 32;
+
+  // Makes the faces of a batch inactive, divides the edges that they close, and hands over the faces whose edges are
+  // all closed. Each step is a loop of its own: their code does not fit into the instruction cache together.
+  void deactivate_due_faces()
+  {
+    for(const Face_id f : m_due_faces)
+      prefetch_neighbors(f);
+    for(const Face_id f : m_due_faces)
+      deactivate(f);
+    m_due_faces.clear();
+    for(const std::pair<Halfedge_id, Halfedge_id>& e : m_due_edges)
+      close_edge(e.first, e.second);
+    m_due_edges.clear();
+    for(const Face_id f : m_closed_faces)
+      finish_face(f);
+    m_closed_faces.clear();
+  }
+
+  // Fetches what deactivate(f) reads.
+  void prefetch_neighbors(Face_id f) const
+  {
+    const typename Mesh::Face& face = m_mesh->face(f);
+    m_windows.prefetch(halfedge_of(f, 0));
+    for(unsigned int k = 0; k < 3; ++k)
+    {
+      m_owner.prefetch(face.vertex[k]);
+      if(face.opposite[k] != null_id)
+        prefetch(&m_faces[face_of(face.opposite[k])]);
+    }
+  }
+
+  // Makes a face inactive (procedure 3 of the thesis), and lets its edges to inactive neighbors be closed. A redundant
+  // face releases its windows at once. Its edges are closed all the same, since the neighbors count them. The state
+  // comes first: close_edge() reads from it that an edge of a redundant face (DONE) is in one cell.
   void deactivate(Face_id f)
   {
     m_faces[f].state = INACTIVE;
@@ -355,11 +341,13 @@ private:
     {
       const Halfedge_id h = halfedge_of(f, k), o = m_mesh->opposite(h);
       if(o == null_id || face_of(o) == f)
-        close_edge(h, o);
+        m_due_edges.emplace_back(h, o);
       else if(is_inactive(face_of(o)))
-        close_edge((std::min)(h, o), (std::max)(h, o));
+        m_due_edges.emplace_back((std::min)(h, o), (std::max)(h, o));
     }
   }
+
+  Vertex_id owner(Vertex_id v) { return m_owner(v); }
 
   // Returns whether a face is redundant (definition 5.1): its corners and all windows that have entered have one
   // source. Then all of the face is in one cell, its border too: no shortest path to it comes from elsewhere. (owner()
@@ -369,7 +357,7 @@ private:
     const auto& corner = m_mesh->face(f).vertex;
     const Vertex_id source = owner(corner[0]);
     return owner(corner[1]) == source && owner(corner[2]) == source
-        && (m_faces[f].source == null_id || m_faces[f].source == first_of_equal(source));
+        && (m_faces[f].source == null_id || m_faces[f].source == m_owner.first_of_equal(source));
   }
 
   // Releases the windows of a face.
@@ -393,12 +381,17 @@ private:
       close_side(g);
   }
 
-  // Notes that one more side of a face is closed. When all of them are, the face is handed over if it lies in several
-  // cells, and releases its windows. In this order: hand_over() makes images of the windows.
+  // Notes that one more side of a face is closed.
   void close_side(Face_id f)
   {
-    if(--m_faces[f].open_edges != 0 || m_faces[f].state != INACTIVE)
-      return;
+    if(--m_faces[f].open_edges == 0 && m_faces[f].state == INACTIVE)
+      m_closed_faces.push_back(f);
+  }
+
+  // Hands a face over if it lies in several cells, and releases its windows. In this order: hand_over() makes images of
+  // the windows. Requires: all three edges are closed.
+  void finish_face(Face_id f)
+  {
     if(is_divided(f))
       hand_over(f);
     remove_windows(f);
@@ -570,14 +563,17 @@ private:
   Consumer* m_consumer = nullptr;
   bool m_is_early = true;
   std::vector<Face_record> m_faces;
-  std::vector<Known_source> m_source; // by vertex
-  std::unordered_map<Vertex_id, Vertex_id> m_first_of_equal;
+  Vertex_owners<FT> m_owner;
   Face_windows<FT> m_windows; // by the halfedge across which they have entered
   std::vector<Edge_breakpoint<FT>> m_breakpoints; // of all divided edges, one after the other, until reset()
   Index_table<Index_range> m_range_of_edge; // in m_breakpoints, by the halfedge with the smaller index
   Radix_heap m_queue;
   std::size_t m_number_of_kept = 0; // in all, also of those that have been released
-  FT m_final_distance = Field::infinity(); // see set_final_distance()
+  std::size_t m_lists_since_advance = 0; // the number of lists that keep() has got
+  // The faces that become inactive in this batch, the edges that they close, and the faces whose edges are all closed.
+  std::vector<Face_id> m_due_faces;
+  std::vector<std::pair<Halfedge_id, Halfedge_id>> m_due_edges;
+  std::vector<Face_id> m_closed_faces;
   Edge_partition<FT> m_edge; // the edge that is divided
   // The windows of that edge, and across which halfedge each has come. Image i + 2 of m_edge is candidate i.
   std::vector<std::pair<Halfedge_id, Kept_window<FT>>> m_candidates;

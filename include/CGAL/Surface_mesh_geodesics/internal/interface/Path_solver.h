@@ -21,6 +21,7 @@
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/Surface_mesh_geodesics/Propagation_statistics.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Surface_with_sources.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/run_with_visitor.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
 #include <CGAL/Surface_mesh_geodesics/internal/paths/Path_thinning.h>
 #include <CGAL/Surface_mesh_geodesics/internal/paths/distance_at_location.h>
@@ -137,8 +138,7 @@ public:
   template <typename GoOn>
   bool run(bool keeps_windows, GoOn go_on)
   {
-    return keeps_windows ? run_with_keeper([this] { return Window_keeper<double>(m_windows); }, go_on)
-                         : run_with_keeper([] { return No_window_keeper(); }, go_on);
+    return run_with_keeper([&] { return window_keeper(keeps_windows); }, go_on);
   }
 
   // Does the same with the keeper that make_keeper() returns. Calls it when the sources are vertices of the mesh. A
@@ -149,7 +149,7 @@ public:
   {
     m_has_run = false;
     m_surface.insert_sources();
-    m_has_run = propagate(m_field, make_keeper(), all_with(go_on));
+    m_has_run = propagate(m_field, make_keeper(), Go_on_reference(go_on, unit()));
     if(!m_has_run)
       forget_results();
     return m_has_run;
@@ -168,7 +168,7 @@ public:
     // propagate() replaces them, also by those of a run that ends early.
     const Propagation_statistics statistics = m_statistics;
     Vertex_distance_field<double> field;
-    const bool is_complete = propagate(field, Window_keeper<double>(m_windows), all_with(go_on));
+    const bool is_complete = propagate(field, window_keeper(true), Go_on_reference(go_on, unit()));
     if(!is_complete)
       m_statistics = statistics;
     return is_complete;
@@ -188,15 +188,15 @@ public:
     m_has_run = false;
     m_surface.insert_sources();
     const Query q = make_query();
-    if(needs_windows(q))
-      propagate(m_field, Window_keeper<double>(m_windows), [&](auto& propagation)
-      { return run_to_location(propagation, q); });
-    else
-      propagate(m_field, No_window_keeper(), [&](auto& propagation)
-      {
-        propagation.set_targets(&q.vertex, &q.vertex + 1);
-        return propagation.run(Goes_on_always());
-      });
+    propagate_with(m_field, window_keeper(needs_windows(q)), [&](auto& propagation)
+    {
+      Goes_on_always go_on;
+      const Go_on_reference always(go_on, 1);
+      if(needs_windows(q))
+        return run_to_location(propagation, q, always);
+      propagation.set_targets(&q.vertex, &q.vertex + 1);
+      return propagation.run(always);
+    });
     m_has_run = true;
     return q;
   }
@@ -423,34 +423,32 @@ private:
   };
 
   template <typename Propagation>
-  bool run_to_location(Propagation& propagation, const Query& q)
+  bool run_to_location(Propagation& propagation, const Query& q, const Go_on_reference& always)
   {
     const std::array<Vertex_id, 3> corners = mesh().face(q.face).vertex;
     propagation.set_targets(corners.data(), corners.data() + corners.size());
-    propagation.run(Goes_on_always());
+    propagation.run(always);
     propagation.set_targets(nullptr, nullptr);
     const double bound = arrival_at_location(mesh(), m_field, m_windows, q.face, q.coordinates).distance;
     if(!(bound < Vertex_distance_field<double>::infinity()))
       return true; // no source reaches the face
     propagation.set_maximum_distance(bound * (1 + Tolerance<double>::tie()));
-    return propagation.run(Goes_on_always());
+    return propagation.run(always);
   }
 
-  // Returns what propagates over all that the sources reach, as long as go_on() wants it: for propagate().
-  template <typename GoOn>
-  auto all_with(GoOn& go_on) const
+  // Propagates into a field over all that the sources reach, as long as go_on() wants it. Returns whether it is
+  // complete. See propagate_with() for what is reset and counted.
+  template <typename Keeper>
+  bool propagate(Vertex_distance_field<double>& field, Keeper keeper, const Go_on_reference& go_on)
   {
-    return [&go_on, factor = unit()](auto& propagation)
-    {
-      return propagation.run([&](std::size_t visits, double reached) { return go_on(visits, factor * reached); });
-    };
+    return propagate_with(field, keeper, [&](auto& propagation) { return propagation.run(go_on); });
   }
 
   // Propagates into a field: run(propagation) does so, and returns whether it is complete.
   // The windows are reset first, as the keeper may not keep any before. The memory of mesh and results counts for
   // intrinsic_mesh_bytes, that of kept windows for maximum_window_bytes.
   template <typename Keeper, typename Run>
-  bool propagate(Vertex_distance_field<double>& field, Keeper keeper, Run run)
+  bool propagate_with(Vertex_distance_field<double>& field, Keeper keeper, Run run)
   {
     const Source_set<double>& sources = m_surface.sources();
     m_windows.reset(keeps(keeper) ? mesh().number_of_faces() : 0);
@@ -464,8 +462,15 @@ private:
     return is_complete;
   }
 
+  // The keeper of all runs but those of a diagram. It has the same type whether it keeps windows or not: the loop of
+  // the propagation is a large text, and would be compiled once for each type of keeper.
+  Window_keeper<double> window_keeper(bool keeps_windows)
+  {
+    return keeps_windows ? Window_keeper<double>(m_windows) : Window_keeper<double>();
+  }
+
   // Whether a keeper fills m_windows.
-  static constexpr bool keeps(const Window_keeper<double>&) { return true; }
+  static bool keeps(const Window_keeper<double>& keeper) { return keeper.keeps_windows(); }
   template <typename Keeper>
   static constexpr bool keeps(const Keeper&)
   {

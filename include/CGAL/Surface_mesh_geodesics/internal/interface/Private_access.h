@@ -11,11 +11,12 @@
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_PRIVATE_ACCESS_H
 
 // The one friend of public classes. They have something for the functions of this package and not for users: the
-// functions that check construct certificates, and those for matrices use the surface that a solver has read.
+// functions that check construct certificates, those for matrices use the surface that a solver has read, and
+// shortest_path_curve() makes curves of segments.
 //
 // Friends that are functions would have to be declared with all their template parameters, before the classes. So the
-// classes name one struct, which lets the rooms above in: Geodesic_distance_certificate, Geodesic_Voronoi_certificate
-// and Geodesic_distance_solver do so.
+// classes name one struct, which lets the rooms above in: Geodesic_distance_certificate, Geodesic_Voronoi_certificate,
+// Geodesic_distance_solver and Surface_curve do so.
 
 #include <utility>
 

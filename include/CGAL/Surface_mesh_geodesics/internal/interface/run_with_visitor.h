@@ -92,6 +92,34 @@ bool run_with_visitor(Visitor& visitor, std::size_t number_of_vertices, Run run)
   return is_complete;
 }
 
+// A go_on() of any type, as above: one type for all visitors, so that the text of the propagation is compiled once for
+// all of them. The indirect call costs nothing beside the visit of a vertex.
+// The propagation tells distances in the unit of its mesh; they are multiplied by `factor` for the visitor.
+// Copies refer to the same object, which must outlive them. What its call throws passes through.
+class Go_on_reference
+{
+public:
+  template <typename GoOn>
+  Go_on_reference(GoOn& go_on, double factor) : m_go_on(&go_on), m_call(call<GoOn>), m_factor(factor)
+  {}
+
+  bool operator()(std::size_t number_of_visits, double distance) const
+  {
+    return m_call(m_go_on, number_of_visits, m_factor * distance);
+  }
+
+private:
+  template <typename GoOn>
+  static bool call(void* go_on, std::size_t number_of_visits, double distance)
+  {
+    return (*static_cast<GoOn*>(go_on))(number_of_visits, distance);
+  }
+
+  void* m_go_on;
+  bool (*m_call)(void*, std::size_t, double);
+  double m_factor;
+};
+
 // True for a visitor that follows the iterations of a relaxation (concept GeodesicRelaxationVisitor). The default
 // visitor does not, and a user's visitor that derives from it need not: the energies, which take time, are computed
 // only for a visitor that has the function.

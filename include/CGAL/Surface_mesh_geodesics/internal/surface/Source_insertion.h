@@ -28,6 +28,8 @@
 
 #include <CGAL/assertions.h>
 
+#include <boost/config.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -170,7 +172,9 @@ private:
 
   // Makes a face of a draft, instead of face f, or at the end if f is null_id; returns the halfedge that is side 0
   // of the draft. The opposites are not set. The shortest side becomes halfedge 0, the first one in a tie. `whole` is
-  // the face of the first mesh of which the new face is a part.
+  // the face of the first mesh of which the new face is a part. (Not inline: compilers would copy this long text into
+  // each of its calls.)
+  BOOST_NOINLINE
   Halfedge_id make_face(const Draft& draft, Face_id whole, Face_id f)
   {
     const unsigned int shift = static_cast<unsigned int>(

@@ -148,15 +148,26 @@ public:
   using Thread_keeper = Window_keeper;
   static constexpr bool is_deferred = false;
 
+  // Keeps nothing. (A run that may or may not keep windows has one keeper type, so that the text of the propagation is
+  // compiled once. One that never keeps any has No_window_keeper.)
+  Window_keeper() = default;
+
   // The field must be reset before the first keep(), and not after it, and must outlive the keeper. With
   // divides_lists = false, each list is one bundle.
   explicit Window_keeper(Edge_window_field<FT>& field, bool divides_lists = true)
     : m_field(&field), m_divides_lists(divides_lists)
   {}
-  Window_keeper(const Window_keeper& other) : Window_keeper(*other.m_field, other.m_divides_lists) {}
+  Window_keeper(const Window_keeper& other) : m_field(other.m_field), m_divides_lists(other.m_divides_lists) {}
   Window_keeper& operator=(const Window_keeper&) = delete;
 
-  Thread_keeper thread_keeper() const { return Window_keeper(*m_field, false); }
+  Thread_keeper thread_keeper() const
+  {
+    Window_keeper keeper(*this);
+    keeper.m_divides_lists = false;
+    return keeper;
+  }
+
+  bool keeps_windows() const { return m_field != nullptr; }
 
   // Keeps the windows of a list that a propagation carries across h, in the frame of h: copies what Kept_window has.
   // Takes constant time for each window, amortized. The new bundle becomes the head of the chain of h; entries of other
@@ -164,6 +175,17 @@ public:
   // Requires: the field has been reset for the mesh, refined by its sources; the list satisfies the invariants of a
   // stored list (Window_lists.h), it may be empty.
   void keep(Halfedge_id h, const Window_list<FT>& list)
+  {
+    if(keeps_windows())
+      append(h, list);
+  }
+
+  void advance(const FT&) const {}
+
+private:
+  using Bundle = typename Edge_window_field<FT>::Bundle;
+
+  void append(Halfedge_id h, const Window_list<FT>& list)
   {
     std::size_t done = 0;
     while(done < list.size)
@@ -183,11 +205,6 @@ public:
     }
   }
 
-  void advance(const FT&) const {}
-
-private:
-  using Bundle = typename Edge_window_field<FT>::Bundle;
-
   // Reserves memory for n windows and a bundle. If that throws, nothing has changed but the memory of the field. What
   // is left of the former chunk stays unused, so a list that is not divided may waste some.
   void get_memory(std::size_t n)
@@ -205,8 +222,8 @@ private:
     }
   }
 
-  Edge_window_field<FT>* m_field;
-  bool m_divides_lists;
+  Edge_window_field<FT>* m_field = nullptr;
+  bool m_divides_lists = true;
   Kept_window<FT>* m_window = nullptr; // where the next window goes, and how many windows fit from there on
   std::size_t m_free_windows = 0;
   Bundle* m_bundle = nullptr; // the same for bundles

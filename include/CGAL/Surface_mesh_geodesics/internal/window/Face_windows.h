@@ -14,19 +14,22 @@
 // halfedge can be released, and their memory is used again.
 //
 // Windows lie in chunks of a few. The links between chunks are stored apart from them and are small enough for the
-// caches: on large meshes, a chunk that is reused is rarely cached.
+// caches: on large meshes, a chunk that is reused is rarely cached. Chunks come in blocks, which never move and are not
+// initialized: fresh memory costs more than what is written there.
 //
 // Adding a window takes constant time, amortized; releasing all windows of a halfedge does, too, as the ring of its
 // chunks becomes part of the free list by one exchange. Memory is that of the largest number of windows at a time, and
 // of unused space in the last chunk of each halfedge.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/prefetch.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Kept_window.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -38,8 +41,8 @@ namespace internal {
 // ring of one halfedge or in the free list; size() is the number of windows in all rings. `number` of a link is that of
 // the windows in the ring up to this chunk, so the last link has the number of windows of the halfedge.
 //
-// All functions with a halfedge require that reset() has been called for a mesh with that halfedge. Windows move when
-// others are added: visitors get copies. An object is used by one thread at a time.
+// All functions with a halfedge require that reset() has been called for a mesh with that halfedge; reset() keeps the
+// blocks. An object is used by one thread at a time.
 template <typename FT>
 class Face_windows
 {
@@ -48,7 +51,6 @@ public:
   void reset(std::size_t number_of_faces)
   {
     m_last_chunk.assign(3 * number_of_faces, null_id);
-    m_chunks.clear();
     m_links.clear();
     m_first_free = null_id;
     m_size = m_maximum_size = 0;
@@ -76,8 +78,8 @@ public:
       std::uint32_t position = m_links[last].number % Chunk::capacity;
       const std::size_t end = (std::min)(n, i + (Chunk::capacity - position));
       m_links[last].number += static_cast<std::uint32_t>(end - i);
-      for(Chunk& chunk = m_chunks[last]; i < end; ++i)
-        chunk.put(position++, window(i));
+      for(Chunk& c = chunk(last); i < end; ++i)
+        c.put(position++, window(i));
     }
     m_size += n;
     m_maximum_size = (std::max)(m_maximum_size, m_size);
@@ -106,11 +108,14 @@ public:
     {
       const std::uint32_t size = c == last ? (m_links[c].number - 1) % Chunk::capacity + 1 : Chunk::capacity;
       for(std::uint32_t i = 0; i < size; ++i)
-        visit(m_chunks[c].get(i));
+        visit(chunk(c).get(i));
       if(c == last)
         return;
     }
   }
+
+  // Asks the processor to fetch what the first call about a halfedge of the same face reads.
+  void prefetch(Halfedge_id h) const { internal::prefetch(&m_last_chunk[dense_index(h)]); }
 
   // The number of windows, and its maximum since reset().
   std::size_t size() const { return m_size; }
@@ -118,7 +123,7 @@ public:
 
   std::size_t memory() const
   {
-    return m_chunks.capacity() * sizeof(Chunk) + m_links.capacity() * sizeof(Link)
+    return m_blocks.size() * sizeof(Block) + m_links.capacity() * sizeof(Link)
          + m_last_chunk.capacity() * sizeof(std::uint32_t);
   }
 
@@ -143,12 +148,21 @@ private:
     }
   };
 
+  struct Block
+  {
+    static constexpr std::uint32_t capacity = 64;
+    std::array<Chunk, capacity> chunk;
+  };
+
   // The chunks of a halfedge form a ring: the last one, which may have spare capacity, is followed by the first one.
   struct Link
   {
     std::uint32_t number; // of windows in this chunk and in those before it
     std::uint32_t next;
   };
+
+  Chunk& chunk(std::uint32_t c) { return m_blocks[c / Block::capacity]->chunk[c % Block::capacity]; }
+  const Chunk& chunk(std::uint32_t c) const { return m_blocks[c / Block::capacity]->chunk[c % Block::capacity]; }
 
   // Puts an empty chunk behind the last one, or makes it the only one. It becomes the last chunk, and takes over the
   // number of windows in those before it.
@@ -169,9 +183,10 @@ private:
   {
     if(m_first_free == null_id)
     {
-      m_chunks.emplace_back();
+      if(m_links.size() == m_blocks.size() * Block::capacity)
+        m_blocks.push_back(std::unique_ptr<Block>(new Block)); // (not initialized, as std::make_unique() would do)
       m_links.emplace_back();
-      return static_cast<std::uint32_t>(m_chunks.size() - 1);
+      return static_cast<std::uint32_t>(m_links.size() - 1);
     }
     const std::uint32_t c = m_first_free;
     m_first_free = m_links[c].next;
@@ -179,7 +194,7 @@ private:
   }
 
   std::vector<std::uint32_t> m_last_chunk; // by halfedge
-  std::vector<Chunk> m_chunks;
+  std::vector<std::unique_ptr<Block>> m_blocks;
   std::vector<Link> m_links; // by chunk
   std::uint32_t m_first_free = null_id; // the free chunks form a list along their links
   std::size_t m_size = 0, m_maximum_size = 0;

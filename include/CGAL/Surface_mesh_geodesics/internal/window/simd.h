@@ -37,7 +37,7 @@
 #if defined(CGAL_SURFACE_MESH_GEODESICS_NO_SIMD)
 #define CGAL_SURFACE_MESH_GEODESICS_MOST_LANES 1
 #elif defined(__x86_64__) && defined(CGAL_SURFACE_MESH_GEODESICS_HAS_VECTORS)
-#include <immintrin.h>
+#include <emmintrin.h>
 // (Stacks on Windows are not aligned for wider vectors.)
 #if defined(CGAL_SURFACE_MESH_GEODESICS_ONE_INSTRUCTION_SET) || defined(_WIN32)
 #define CGAL_SURFACE_MESH_GEODESICS_MOST_LANES 2
@@ -60,6 +60,13 @@
 #define CGAL_SURFACE_MESH_GEODESICS_SHUFFLE(a, b, ...) __builtin_shuffle(a, b, Mask{__VA_ARGS__})
 #else
 #define CGAL_SURFACE_MESH_GEODESICS_SHUFFLE(a, b, ...) __builtin_shufflevector(a, b, __VA_ARGS__)
+#endif
+
+// The square root of a vector, which newer versions of Clang have in the place of functions for each instruction set.
+#if defined(__clang__) && defined(__has_builtin)
+#if __has_builtin(__builtin_elementwise_sqrt)
+#define CGAL_SURFACE_MESH_GEODESICS_HAS_SQUARE_ROOT_OF_VECTORS
+#endif
 #endif
 
 #include <cmath>

@@ -165,11 +165,13 @@ private:
 // Two vertices may be in several common faces: both sides of their edge. Then the segment runs along that edge, in
 // whatever face it is given. (Where several edges join them, the first face decides; halfedges tell exactly.)
 //
-// Appends the segment from the point p, number `position` of the curve, to the point q. Prefers the faces in which the
-// points are given. Throws if no face has both. Linear in the degrees of vertices.
+// Appends the segment from the point p to the point q, and returns true, if some face has both. Prefers the face
+// `preferred`, which may be null, and then the faces in which the points are given. Linear in the degrees of vertices.
 template <typename Segment, typename TriangleMesh>
-void append_segment(const TriangleMesh& tm, const Point_of_faces<TriangleMesh>& p,
-                    const Point_of_faces<TriangleMesh>& q, std::size_t position, std::vector<Segment>& segments)
+bool find_segment(const TriangleMesh& tm, const Point_of_faces<TriangleMesh>& p, const Point_of_faces<TriangleMesh>& q,
+                  std::vector<Segment>& segments,
+                  typename boost::graph_traits<TriangleMesh>::face_descriptor preferred
+                  = boost::graph_traits<TriangleMesh>::null_face())
 {
   using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor;
   Segment segment;
@@ -181,12 +183,24 @@ void append_segment(const TriangleMesh& tm, const Point_of_faces<TriangleMesh>& 
     segment.face = f;
     is_found = true;
   };
+  try_face(preferred);
   try_face(p.own_face());
   try_face(q.own_face());
   p.for_each_face(tm, try_face);
-  if(!is_found)
+  if(is_found)
+    segments.push_back(segment);
+  return is_found;
+}
+
+// Does the same for point number `position` of a curve and the next one, and throws if no face has both.
+template <typename Segment, typename TriangleMesh>
+void append_segment(const TriangleMesh& tm, const Point_of_faces<TriangleMesh>& p,
+                    const Point_of_faces<TriangleMesh>& q, std::size_t position, std::vector<Segment>& segments,
+                    typename boost::graph_traits<TriangleMesh>::face_descriptor preferred
+                    = boost::graph_traits<TriangleMesh>::null_face())
+{
+  if(!find_segment(tm, p, q, segments, preferred))
     reject_curve(position, "and the next one are in no common face");
-  segments.push_back(segment);
 }
 
 } // namespace internal

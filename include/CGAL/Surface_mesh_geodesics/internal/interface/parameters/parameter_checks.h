@@ -17,8 +17,6 @@
 
 #include <CGAL/Named_function_parameters.h>
 
-#include <boost/property_map/property_map.hpp>
-
 #include <functional>
 #include <iterator>
 #include <type_traits>
@@ -130,7 +128,7 @@ using Relaxation_parameters = Extended_set<Mesh_and_visitor_parameters, internal
                                            internal_np::number_of_iterations_t>::type;
 using Remeshing_parameters = Relaxation_parameters;
 
-// --- types of values: each is false for a type that is something else altogether ---
+// --- types of values: false for a type that is something else altogether (for maps see map_checks.h) ---
 
 // True for a range whose elements convert to Element: what std::begin() and std::end() take, arrays included.
 template <typename Range, typename Element, typename = void>
@@ -142,21 +140,6 @@ template <typename Range, typename Element>
 struct Is_range_of<Range, Element, std::void_t<decltype(*std::begin(std::declval<const Range&>())),
                                                decltype(std::end(std::declval<const Range&>()))>>
   : std::is_convertible<decltype(*std::begin(std::declval<const Range&>())), Element>
-{};
-
-// True for a property map to which a Value can be written at a Key. It judges by the types that the map declares, so
-// that a map of another mesh, or of another type of values, is rejected here and not deep inside a computation.
-template <typename Map, typename Key, typename Value, typename = void>
-struct Is_map_for
-  : std::false_type
-{};
-
-template <typename Map, typename Key, typename Value>
-struct Is_map_for<Map, Key, Value, std::void_t<typename boost::property_traits<Map>::key_type,
-                                               typename boost::property_traits<Map>::value_type>>
-  : std::integral_constant<bool,
-                           std::is_convertible<Key, typename boost::property_traits<Map>::key_type>::value
-                             && std::is_convertible<Value, typename boost::property_traits<Map>::value_type>::value>
 {};
 
 } // namespace internal

@@ -25,8 +25,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
+#include <locale>
+#include <sstream>
 #include <string>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -288,19 +289,59 @@ private:
     return Json_value(std::move(elements));
   }
 
-  // JSON has no leading zeros, no plus sign and no bare points; from_chars() has no plus sign either.
+  // JSON has no leading zeros, no plus sign and no bare points. The stream is that of the standard library, in its own
+  // language, as libc++ 14 has no std::from_chars() for numbers with a point. Short integers, of which lists of sources
+  // are made, need no stream; they are exact.
   double read_number()
   {
     const std::size_t begin = m_next;
-    const std::size_t digits = begin + (begin < m_text.size() && m_text[begin] == '-' ? 1 : 0);
-    const auto is_digit = [this](std::size_t i) { return i < m_text.size() && m_text[i] >= '0' && m_text[i] <= '9'; };
-    double value = 0;
-    const std::from_chars_result end = std::from_chars(m_text.data() + begin, m_text.data() + m_text.size(), value);
-    if(end.ec != std::errc() || !is_digit(digits) || (m_text[digits] == '0' && is_digit(digits + 1))
-       || *(end.ptr - 1) == '.' || !std::isfinite(value))
+    m_next += m_next < m_text.size() && m_text[m_next] == '-' ? 1 : 0;
+    const std::size_t digits = m_next;
+    skip_digits();
+    if(m_next == digits || (m_text[digits] == '0' && m_next > digits + 1))
       complain("there is no number");
-    m_next = static_cast<std::size_t>(end.ptr - m_text.data());
+    const bool is_short_integer = digits == begin && m_next - digits <= 15;
+    double value = 0;
+    for(std::size_t i = digits; is_short_integer && i < m_next; ++i)
+      value = 10 * value + (m_text[i] - '0');
+    if(skip_fraction_and_exponent() || !is_short_integer)
+    {
+      std::istringstream number(m_text.substr(begin, m_next - begin));
+      number.imbue(std::locale::classic());
+      if(!(number >> value) || !std::isfinite(value))
+        complain("there is no number");
+    }
     return value;
+  }
+
+  bool is_digit(std::size_t i) const { return i < m_text.size() && m_text[i] >= '0' && m_text[i] <= '9'; }
+
+  void skip_digits()
+  {
+    while(is_digit(m_next))
+      ++m_next;
+  }
+
+  // Returns whether there is a fraction or an exponent.
+  bool skip_fraction_and_exponent()
+  {
+    const std::size_t begin = m_next;
+    if(m_next < m_text.size() && m_text[m_next] == '.')
+    {
+      if(!is_digit(++m_next))
+        complain("there is no number");
+      skip_digits();
+    }
+    if(m_next < m_text.size() && (m_text[m_next] == 'e' || m_text[m_next] == 'E'))
+    {
+      ++m_next;
+      if(m_next < m_text.size() && (m_text[m_next] == '+' || m_text[m_next] == '-'))
+        ++m_next;
+      if(!is_digit(m_next))
+        complain("there is no number");
+      skip_digits();
+    }
+    return m_next != begin;
   }
 
   // UTF-8 is not checked: it is the name of a file, and the system decides whether there is such a file.

@@ -11,6 +11,10 @@
 // many as this inclusion has lanes. One_lane (simd.h) documents the operations. The vectors are those of the language
 // extension of GCC and Clang, or Double_pair: +, -, * and / work as usual, also between a vector and a number.
 //
+// The few instructions of AVX2 and AVX-512 that the extension does not have are built-in functions of the compilers,
+// those that their header <immintrin.h> calls. That header has fifty thousand lines, and every program would pay for
+// them; the header for SSE2 is short, and CGAL includes it, too.
+//
 // Included once for each number of lanes; see README.md.
 
 #ifdef CGAL_SURFACE_MESH_GEODESICS_LANES
@@ -131,13 +135,17 @@ struct Lanes<double>
 #if CGAL_SURFACE_MESH_GEODESICS_LANES == 8
     // (By halves: GCC 12 assumes that the registers of AVX-512's masks are zero behind their eight bits, which they are
     // not.)
-    // (With a mask, since GCC 12 warns of its own function without one.)
-    const __m512d all_lanes = reinterpret_cast<__m512d>(m);
-    const __m256d lower = _mm512_maskz_extractf64x4_pd(0xff, all_lanes, 0),
-                  upper = _mm512_maskz_extractf64x4_pd(0xff, all_lanes, 1);
-    return static_cast<unsigned int>(_mm256_movemask_pd(lower) | _mm256_movemask_pd(upper) << 4);
+    const Number all_lanes = reinterpret_cast<Number>(m);
+#ifdef __clang__
+    const Half lower = __builtin_shufflevector(all_lanes, all_lanes, 0, 1, 2, 3),
+               upper = __builtin_shufflevector(all_lanes, all_lanes, 4, 5, 6, 7);
+#else
+    const Half lower = __builtin_ia32_extractf64x4_mask(all_lanes, 0, Half{}, -1),
+               upper = __builtin_ia32_extractf64x4_mask(all_lanes, 1, Half{}, -1);
+#endif
+    return static_cast<unsigned int>(__builtin_ia32_movmskpd256(lower) | __builtin_ia32_movmskpd256(upper) << 4);
 #elif CGAL_SURFACE_MESH_GEODESICS_LANES == 4
-    return static_cast<unsigned int>(_mm256_movemask_pd(reinterpret_cast<__m256d>(m)));
+    return static_cast<unsigned int>(__builtin_ia32_movmskpd256(reinterpret_cast<Number>(m)));
 #elif defined(__x86_64__)
     return static_cast<unsigned int>(_mm_movemask_pd(reinterpret_cast<__m128d>(m)));
 #else
@@ -147,7 +155,10 @@ struct Lanes<double>
 
 #if CGAL_SURFACE_MESH_GEODESICS_LANES == 4
   // (The operator ?: would first compare the mask with zero.)
-  static Number select(Mask m, Number a, Number b) { return _mm256_blendv_pd(b, a, reinterpret_cast<__m256d>(m)); }
+  static Number select(Mask m, Number a, Number b)
+  {
+    return __builtin_ia32_blendvpd256(b, a, reinterpret_cast<Number>(m));
+  }
   static Word select_word(Mask m, Word a, Word b)
   {
     return reinterpret_cast<Word>(select(m, reinterpret_cast<Number>(a), reinterpret_cast<Number>(b)));
@@ -172,10 +183,14 @@ struct Lanes<double>
 
   static Number square_root(Number x)
   {
-#if CGAL_SURFACE_MESH_GEODESICS_LANES == 8
-    return _mm512_maskz_sqrt_pd(0xff, x);
+#if CGAL_SURFACE_MESH_GEODESICS_LANES > 2 && defined(CGAL_SURFACE_MESH_GEODESICS_HAS_SQUARE_ROOT_OF_VECTORS)
+    return __builtin_elementwise_sqrt(x);
+#elif CGAL_SURFACE_MESH_GEODESICS_LANES == 8 && defined(__clang__)
+    return __builtin_ia32_sqrtpd512(x, 4); // 4: the rounding mode that is set
+#elif CGAL_SURFACE_MESH_GEODESICS_LANES == 8
+    return __builtin_ia32_sqrtpd512_mask(x, Number{}, -1, 4);
 #elif CGAL_SURFACE_MESH_GEODESICS_LANES == 4
-    return _mm256_sqrt_pd(x);
+    return __builtin_ia32_sqrtpd256(x);
 #elif defined(__x86_64__)
     return _mm_sqrt_pd(x);
 #else
@@ -193,6 +208,9 @@ struct Lanes<double>
   }
 
 private:
+#if CGAL_SURFACE_MESH_GEODESICS_LANES == 8
+  typedef double Half __attribute__((vector_size(32)));
+#endif
   // They may alias, as the memory that they read was written as plain numbers.
   typedef double Numbers_anywhere __attribute__((vector_size(8 * size), aligned(8), may_alias));
   typedef std::uint64_t Words_anywhere __attribute__((vector_size(8 * size), aligned(8), may_alias));

@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Surface_mesh_geodesics authors
 
-#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_ENTERING_WINDOWS_H
-#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_ENTERING_WINDOWS_H
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_EDGES_ENTERING_WINDOWS_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_EDGES_ENTERING_WINDOWS_H
 
 // What a list of windows that enters a face tells about the distances on the edge that it crosses. All functions read
 // the list, the mesh and the field, and nothing else, so the threads of a propagation may call them during visits. They
@@ -94,4 +94,4 @@ FT bound_by_windows(const Intrinsic_mesh<FT>& mesh, const Vertex_distance_field<
 } // namespace Surface_mesh_geodesics
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_ENTERING_WINDOWS_H
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_EDGES_ENTERING_WINDOWS_H

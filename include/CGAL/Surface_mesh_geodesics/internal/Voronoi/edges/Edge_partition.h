@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Surface_mesh_geodesics authors
 
-#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_EDGE_PARTITION_H
-#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_EDGE_PARTITION_H
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_EDGES_EDGE_PARTITION_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_EDGES_EDGE_PARTITION_H
 
 // Divides an edge into the intervals where one image is nearest: the lower envelope of the distances through the
 // windows of both sides and through the two ends (thesis, 5.2, the trimming rule). This decides which site owns each
@@ -113,17 +113,16 @@ public:
     m_images.push_back(g);
   }
 
-  // Finds the intervals and breakpoints. Takes time proportional to the number of images times that of intervals.
+  // Finds the intervals and breakpoints. Takes time proportional to the number of images times that of intervals, for
+  // each gap between intervals once more. In general there is none.
   void build()
   {
-    m_breakpoints.clear();
-    m_intervals.clear();
-    m_x = 0;
-    m_current = 0;
-    m_left_here.clear();
-    std::size_t steps = 8 * m_images.size() + 64; // a bound, in case rounding leads around in a circle
-    while(steps-- > 0 && take_over())
+    const std::size_t number_given = m_images.size();
+    m_bends.clear();
+    while(!walk()) // a walk that ends early has added a bend: one for each image, at most
     {
+      m_images.resize(number_given);
+      m_images.insert(m_images.end(), m_bends.begin(), m_bends.end());
     }
     m_intervals.push_back(Edge_interval<FT>{m_x, m_length, m_current});
     // If rounding has led the walk to another site than that of the last end, the end decides: it is a vertex, whose
@@ -139,6 +138,22 @@ public:
   const Image& image(std::size_t i) const { return m_images[i]; }
 
 private:
+  // Goes from the first end of the edge to the last one. Returns false if it has come to a gap (bridge_gap()).
+  bool walk()
+  {
+    m_breakpoints.clear();
+    m_intervals.clear();
+    m_x = 0;
+    m_current = 0;
+    m_left_here.clear();
+    m_has_met_gap = false;
+    std::size_t steps = 8 * m_images.size() + 64; // a bound, in case rounding leads around in a circle
+    while(steps-- > 0 && take_over())
+    {
+    }
+    return !m_has_met_gap;
+  }
+
   // Returns whether the intervals cover the edge without overlap, and the breakpoints ascend from site to site.
   bool is_partition() const
   {
@@ -199,6 +214,8 @@ private:
         return false;
       next = successor(x);
     }
+    else if(bridge_gap(next, x))
+      return false;
     if(m_x < x)
     {
       m_intervals.push_back(Edge_interval<FT>{m_x, x, m_current});
@@ -412,6 +429,24 @@ private:
     return best;
   }
 
+  // If image j takes over at x, where its interval begins, and is nearer by a jump, there is a gap before the interval:
+  // distances do not jump. Paths to the gap bend at x; notes an image for them, for another walk. successor() does the
+  // same for gaps behind an interval, which the walk meets in time. Returns whether there is a gap that is not known
+  // yet. (Where rounding keeps a known one from taking over, the walk goes on as if there were none.)
+  bool bridge_gap(std::size_t j, const FT& x)
+  {
+    const Image& g = m_images[j];
+    if(!(x > 0) || x != g.begin)
+      return false;
+    const FT at_x = g.distance_at(x);
+    const auto is_known = [&](const Image& bend) { return bend.end == x && !(at_x < bend.weight); };
+    m_has_met_gap = at_x < m_images[m_current].distance_at(x) * (1 - Tolerance<FT>::tie())
+                 && std::none_of(m_bends.begin(), m_bends.end(), is_known);
+    if(m_has_met_gap)
+      m_bends.push_back(Image{FT(0), x, x, FT(0), at_x, g.site});
+    return m_has_met_gap;
+  }
+
   // Notes that the cell of another site begins at x. A cell without width is dropped: the new site takes its place in
   // the last breakpoint, which goes, too, if the cell before it has the same site.
   void change_site(const FT& x, Vertex_id site)
@@ -437,10 +472,12 @@ private:
   FT m_x = 0;                // how far the walk has come
   std::size_t m_current = 0; // the image that is nearest from there on
   std::vector<std::size_t> m_left_here; // the images that have been left at m_x
+  std::vector<Image> m_bends; // at the begins of intervals behind gaps
+  bool m_has_met_gap = false; // by this walk
 };
 
 } // namespace internal
 } // namespace Surface_mesh_geodesics
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_EDGE_PARTITION_H
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_EDGES_EDGE_PARTITION_H

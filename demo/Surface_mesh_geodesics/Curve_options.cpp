@@ -1,0 +1,90 @@
+#include "Curve_options.h"
+
+#include "Command_error.h"
+#include "Curve_file.h"
+#include "Point_projection.h"
+
+#include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
+#include <CGAL/Surface_mesh_geodesics/shortest_path_curve.h>
+
+#include <cstddef>
+#include <string>
+#include <utility>
+
+namespace geodesics_demo {
+
+namespace {
+
+using CGAL::Surface_mesh_geodesics::Invalid_geodesic_input;
+
+Curve joined(const Mesh& mesh, const std::vector<Face_location>& locations, bool is_closed,
+             const std::vector<Face>& avoided)
+{
+  using CGAL::Surface_mesh_geodesics::shortest_path_curve;
+  return avoided.empty()
+           ? shortest_path_curve(mesh, locations, is_closed)
+           : shortest_path_curve(mesh, locations, is_closed, CGAL::parameters::faces_to_avoid(avoided));
+}
+
+void append_file(const std::string& file_name, const Mesh& mesh, const std::vector<Face>& avoided,
+                 Point_projection& projection, std::vector<Curve>& curves)
+{
+  for(const Polyline& polyline : read_polylines(file_name))
+  {
+    const auto where = [&](std::size_t i) { return file_name + ", line " + std::to_string(polyline.lines[i]); };
+    std::vector<Face_location> locations;
+    for(std::size_t i = 0; i < polyline.points.size(); ++i)
+      locations.push_back(projection.nearest_location(polyline.points[i], where(i), Exit_code::BAD_INPUT));
+    try
+    {
+      curves.push_back(joined(mesh, locations, polyline.is_closed, avoided));
+    }
+    catch(const Invalid_geodesic_input& error)
+    {
+      if(error.reason() != Invalid_geodesic_input::Reason::INVALID_CURVE || error.element() >= locations.size())
+        throw;
+      throw Command_error(Exit_code::BAD_INPUT,
+                          where(error.element()) + ": no path leads from this point of a curve to the next one");
+    }
+  }
+}
+
+} // namespace
+
+void declare_curves(Option_descriptions& options)
+{
+  options.add_options()
+    ("source-border", "all borders of the mesh, whole edges and not only their vertices")
+    ("source-curve", boost::program_options::value<std::vector<std::string>>()->value_name("FILE")->composing(),
+     "the curves in a file: the lines of an .obj, or a .polylines.txt; the points move to the surface, and shortest "
+     "paths join them");
+}
+
+bool are_curves_given(const Arguments& arguments)
+{
+  return has(arguments, "source-border") || has(arguments, "source-curve");
+}
+
+std::vector<Curve> source_curves(const Arguments& arguments, const Mesh& mesh, const std::vector<Location>& locations,
+                                 const std::vector<Face>& avoided, const Console& console)
+{
+  const Work_sign sign(console, "curves");
+  std::vector<Curve> curves;
+  for(const Location& p : locations)
+    curves.push_back(p.is_vertex() ? Curve(mesh, p.vertex) : Curve(mesh, p.face_location));
+  if(has(arguments, "source-border"))
+  {
+    std::vector<Curve> borders = CGAL::Surface_mesh_geodesics::border_curves(mesh);
+    if(borders.empty())
+      throw Command_error(Exit_code::BAD_USAGE, "--source-border: the surface has no border");
+    for(Curve& border : borders)
+      curves.push_back(std::move(border));
+  }
+  Point_projection projection(mesh, has(arguments, "snap"), console);
+  for(const std::string& file_name : all_values(arguments, "source-curve"))
+    append_file(file_name, mesh, avoided, projection, curves);
+  projection.remark_on_snaps();
+  return curves;
+}
+
+} // namespace geodesics_demo

@@ -1,0 +1,32 @@
+#ifndef SURFACE_MESH_GEODESICS_DEMO_CURVE_OPTIONS_H
+#define SURFACE_MESH_GEODESICS_DEMO_CURVE_OPTIONS_H
+
+#include "Command.h"
+#include "Console.h"
+#include "Location_options.h"
+#include "Program_mesh.h"
+
+#include <CGAL/Surface_mesh_geodesics/Surface_curve.h>
+
+#include <vector>
+
+namespace geodesics_demo {
+
+using Curve = CGAL::Surface_mesh_geodesics::Surface_curve<Mesh>;
+
+// The options for sources that are curves: --source-border and --source-curve. They go with those for locations, and
+// with --snap.
+void declare_curves(Option_descriptions& options);
+
+// Is at least one of the options given?
+bool are_curves_given(const Arguments& arguments);
+
+// The locations as curves of one point each, then the borders of the mesh, then the curves of files: their points move
+// to the surface, and shortest paths around the avoided faces join them. Remarks on how far the points were moved.
+// Throws a Command_error for a mesh without a border, and for what is wrong in a file, with the line.
+std::vector<Curve> source_curves(const Arguments& arguments, const Mesh& mesh, const std::vector<Location>& locations,
+                                 const std::vector<Face>& avoided, const Console& console);
+
+} // namespace geodesics_demo
+
+#endif // SURFACE_MESH_GEODESICS_DEMO_CURVE_OPTIONS_H

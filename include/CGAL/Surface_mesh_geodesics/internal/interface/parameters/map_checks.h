@@ -1,0 +1,82 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_PARAMETERS_MAP_CHECKS_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_PARAMETERS_MAP_CHECKS_H
+
+// Checks of property maps: those that classes take as template parameters, and those that functions write to. They
+// judge by the types that a map declares, so that a map of another mesh, or of another type of values, is rejected
+// where it is named, and not deep inside a computation.
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
+#include <type_traits>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+// The type of the values of a property map whose keys a Key converts to; void for anything else.
+template <typename Map, typename Key, typename = void>
+struct Value_of_map
+{
+  using type = void;
+};
+
+template <typename Map, typename Key>
+struct Value_of_map<Map, Key,
+                    std::enable_if_t<std::is_convertible<Key, typename boost::property_traits<Map>::key_type>::value>>
+{
+  using type = typename boost::property_traits<Map>::value_type;
+};
+
+// True for a property map to which a Value can be written at a Key.
+template <typename Map, typename Key, typename Value>
+struct Is_map_for
+  : std::is_convertible<Value, typename Value_of_map<Map, Key>::type>
+{};
+
+// True for a property map from which a Value can be read at a Key.
+template <typename Map, typename Key, typename Value>
+struct Is_readable_map
+  : std::is_convertible<typename Value_of_map<Map, Key>::type, Value>
+{};
+
+// True if the values are indices. A map of floating-point numbers, such as one of distances, has none, although they
+// convert.
+template <typename Map, typename Key>
+struct Is_index_map
+  : std::integral_constant<bool, Is_readable_map<Map, Key, std::size_t>::value
+                                   && !std::is_floating_point<typename Value_of_map<Map, Key>::type>::value>
+{};
+
+// Does not compile if a map of a class with the points of a mesh is wrong.
+template <typename TriangleMesh, typename Point, typename VertexIndexMap, typename FaceIndexMap,
+          typename VertexPointMap>
+struct Maps_of_class
+{
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor;
+
+  static_assert(Is_index_map<VertexIndexMap, vertex_descriptor>::value,
+                "VIM is not a property map from the vertices of the mesh to indices");
+  static_assert(Is_index_map<FaceIndexMap, face_descriptor>::value,
+                "FIM is not a property map from the faces of the mesh to indices");
+  static_assert(Is_readable_map<VertexPointMap, vertex_descriptor, Point>::value,
+                "VPM is not a property map from the vertices of the mesh to points of the traits");
+  static constexpr bool value = true;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_PARAMETERS_MAP_CHECKS_H
