@@ -11,10 +11,9 @@ root = pathlib.Path(__file__).resolve().parent
 version = re.search(r"VERSION (\d+\.\d+\.\d+)\n", (root.parent / "CMakeLists.txt").read_text(encoding="utf-8"))[1]
 has_tbb = any((pathlib.Path(prefix) / "include/tbb/task_arena.h").is_file() for prefix in ("/usr", "/usr/local"))
 
-# Of a function that several files have, the linker takes the first one: that of distances.cpp, which is compiled for
-# speed (FLAGS_OF_FILES).
-sources = sorted((str(path.relative_to(root)) for path in (root / "src").glob("*.cpp")),
-                 key=lambda name: (not name.endswith("distances.cpp"), name))
+# Two units, as two processors compile them in the least time. Of a function that both have, the linker takes that of the
+# first one, which is compiled for speed (FLAGS_OF_FILES).
+sources = ["src/unit_of_distances.cpp", "src/unit_of_lines.cpp"]
 
 extension = Pybind11Extension(
     "surface_mesh_geodesics._core",
@@ -33,10 +32,9 @@ extension = Pybind11Extension(
 
 # GCC bounds what it inlines by the size of the file, and the loops of distances get the less, the more the file holds
 # besides: without these limits, distances take as long as in a small program. (CMakeLists.txt has the same flags.)
-# Diagrams take half of the time of compiling, and are a few percent slower with -O2, at most.
-WITHOUT_LIMITS = ["--param", "large-unit-insns=200000", "--param", "large-function-growth=400"]
-FLAGS_OF_FILES = {"distances.cpp": WITHOUT_LIMITS, "stores.cpp": WITHOUT_LIMITS, "diagrams.cpp": ["-O2"],
-                  "module.cpp": ["-O2"]}
+# Diagrams and paths are a few percent slower with -O2, at most.
+FLAGS_OF_FILES = {"unit_of_distances.cpp": ["--param", "large-unit-insns=200000", "--param",
+                                            "large-function-growth=400"], "unit_of_lines.cpp": ["-O2"]}
 
 
 class build_with_flags_of_files(build_ext):

@@ -37,6 +37,11 @@ print(path)
 lines = s.isolines(d, np.arange(0.5, d.max(), 0.5))
 print(f"{len(lines)} isolines")
 
+# Distances from a whole curve: the path. Their feet are the nearest points of the curve.
+from_path, (foot_face, foot_weights) = s.distances(smg.Curve((path.faces, path.barycentric)), return_foot=True)
+feet = (V[F[foot_face]] * foot_weights[:, :, None]).sum(axis=1)
+print(f"no vertex is farther than {from_path.max():.6f} from the path, in space {np.linalg.norm(V - feet, axis=1).max():.6f}")
+
 # The directions in which shortest paths leave vertex 0. The straightest geodesic in one of them leads to the vertex,
 # unless the path bends on its way.
 d, angle = s.directions(0)
@@ -80,6 +85,8 @@ def draw(folder):
     pictures = {
         "distances": smg.plot(V, F, 0.5 * np.floor(2 * d), lines=in_front([p.points for p in s.paths(0, front)]),
                               points=V[front], title="distances in bands of 0.5, and shortest paths"),
+        "from_a_curve": smg.plot(V, F, 0.25 * np.floor(4 * from_path), lines=in_front([path.points]),
+                                 title="distances from a curve, in bands of 0.25"),
         "isolines": smg.plot(V, F, lines=in_front(lines), title="isolines"),
         "cells": smg.plot(V2, F2, np.random.default_rng(1).permutation(len(sites))[cell], cmap="tab20",
                           lines=in_front([line for i in range(len(sites)) for line in v.boundaries(i)]),

@@ -24,11 +24,8 @@ namespace geodesics = CGAL::Surface_mesh_geodesics;
 using Sequential_solver = geodesics::Geodesic_distance_solver<Mesh>;
 using Parallel_solver = geodesics::Geodesic_distance_solver<Mesh, Threads>;
 using Traits = CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>;
-
-// The classes that build in one thread, with Sequential_tag, and in those of the caller, with Threads.
-template <typename Tag>
-using Paths_with = CGAL::Surface_mesh_geodesic_paths<Traits, CGAL::Default, CGAL::Default, CGAL::Default, CGAL::Default,
-                                                     Tag>;
+using Paths = CGAL::Surface_mesh_geodesic_paths<Traits, CGAL::Default, CGAL::Default, CGAL::Default, CGAL::Default,
+                                                Threads>;
 
 } // namespace geodesics_python
 

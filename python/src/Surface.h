@@ -56,12 +56,12 @@ py::array_t<T> to_array(std::vector<T>&& values)
   return py::array_t<T>({owner->size()}, {sizeof(T)}, owner->data(), capsule);
 }
 
-// Moves a vector of n * columns numbers into an array of n rows.
+// Moves a vector of n * columns numbers into an array of n rows, or of one dimension if there is one column.
 template <typename T>
 py::array_t<T> to_rows(std::vector<T>&& values, std::size_t columns)
 {
   const std::size_t rows = values.size() / columns;
-  return to_array(std::move(values)).reshape({rows, columns});
+  return to_array(std::move(values)).reshape(columns == 1 ? std::vector{rows} : std::vector{rows, columns});
 }
 
 py::array_t<double> points_to_array(const std::vector<Point>& points);
@@ -72,8 +72,7 @@ py::tuple mesh_to_tuple(const Mesh& mesh);
 // A line on the surface as Python gets it: its points, a face of each, or -1, and the coordinates there.
 struct Line
 {
-  template <typename Numbers>
-  void add(const Numbers& p, const Location& location)
+  void add(const Point& p, const Location& location)
   {
     const auto& [f, b] = location;
     points.insert(points.end(), {p[0], p[1], p[2]});
@@ -177,37 +176,35 @@ private:
 
 // A property map for functions that take no visitor: they end with an exception if Python interrupts.
 template <typename Map>
-struct Interruptible_map
+struct Interruptible_map : Map // which has the types
 {
-  using key_type = typename boost::property_traits<Map>::key_type;
-  using value_type = typename boost::property_traits<Map>::value_type;
-  using reference = typename boost::property_traits<Map>::reference;
-  using category = typename boost::property_traits<Map>::category;
-
-  friend reference get(const Interruptible_map& map, const key_type& key)
+  friend typename Map::reference get(const Interruptible_map& map, const typename Map::key_type& key)
   {
     map.visitor->ask_sometimes_or_throw();
-    return get(map.map, key);
+    return get(static_cast<const Map&>(map), key);
   }
 
-  friend void put(const Interruptible_map& map, const key_type& key, const value_type& value)
+  friend void put(const Interruptible_map& map, const typename Map::key_type& key,
+                  const typename Map::value_type& value)
   {
     map.visitor->ask_sometimes_or_throw();
-    put(map.map, key, value);
+    put(static_cast<const Map&>(map), key, value);
   }
 
   Interruptible* visitor;
-  Map map;
 };
 
 template <typename Map>
-Interruptible_map<Map> interruptible(Interruptible& visitor, const Map& map)
-{
-  return {&visitor, map};
-}
+Interruptible_map<Map> interruptible(Interruptible& visitor, const Map& map) { return {map, &visitor}; }
 
-// Calls compute() without the interpreter's lock.
-void without_lock(const std::function<void()>& compute);
+// Returns compute(), which is called without the interpreter's lock.
+template <typename Compute>
+auto without_lock(const Compute& compute)
+{
+  decltype(compute()) result{};
+  Interruptible{py::none()}.run([&]() { result = compute(); });
+  return result;
+}
 
 // Calls compute() with at most this number of threads.
 void with_threads(std::size_t number, const std::function<void()>& compute);
@@ -228,17 +225,18 @@ struct Places
 
   // Calls use() with the vertices, or with locations if one of the places is a point of a face.
   template <typename Use>
-  auto visit(Use use) const
-  {
-    return are_vertices() ? use(vertices) : use(locations);
-  }
+  auto visit(Use use) const { return are_vertices() ? use(vertices) : use(locations); }
 
   std::vector<Vertex> vertices;
   std::vector<Location> locations;
 };
 
-std::vector<Vertex> to_vertices(const Array<std::int64_t>& ids);
-py::array_t<std::int64_t> to_ids(const std::vector<Vertex>& vertices);
+inline std::vector<Vertex> to_vertices(const Array<std::int64_t>& ids) { return {ids.data(), ids.data() + ids.size()}; }
+
+inline py::array_t<std::int64_t> to_ids(const std::vector<Vertex>& vertices)
+{
+  return to_array(std::vector<std::int64_t>(vertices.begin(), vertices.end()));
+}
 
 // --- the surface -----------------------------------------------------------------------------------------------------
 

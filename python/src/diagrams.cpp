@@ -1,5 +1,5 @@
-// Geodesic Voronoi diagrams, built by one thread or by several, and what the package makes with them: samples (in one
-// thread), relaxation, remeshing. (One file, as diagrams take long to compile.)
+// Geodesic Voronoi diagrams, and what the package makes with them: samples (in one thread), relaxation, remeshing. (One
+// file, as diagrams take long to compile.)
 
 #include "Engines.h"
 
@@ -11,6 +11,8 @@
 
 #include <pybind11/stl.h>
 
+#include <boost/iterator/function_output_iterator.hpp>
+
 #include <iterator>
 #include <limits>
 
@@ -18,12 +20,11 @@ namespace geodesics_python {
 
 namespace {
 
-// A diagram that is built, and the surface that it refers to.
-template <typename Tag>
+// A diagram that is built, and the surface that it refers to. As a number of Python, null_site() is -1.
 class Diagram
 {
   using Voronoi = CGAL::Surface_mesh_geodesic_Voronoi_diagram<Traits, CGAL::Default, CGAL::Default, CGAL::Default,
-                                                              CGAL::Default, Tag>;
+                                                              CGAL::Default, Threads>;
 
 public:
   Diagram(std::shared_ptr<Surface> surface, const Places& sites, const Array<double>& weights, const Call& call)
@@ -41,57 +42,56 @@ public:
     visitor.run([&]() { with_threads(call.first, [&]() { m_voronoi.build(visitor); }); });
   }
 
-  std::size_t number_of_sites() const { return m_voronoi.number_of_sites(); }
-
   // The nearest site of each vertex, -1 if none reaches it, and the distances.
   py::tuple at_vertices() const
   {
     std::vector<std::int64_t> labels;
     std::vector<double> distances;
-    without_lock([&]()
+    for(const Vertex v : m_surface->mesh().vertices())
     {
-      for(const Vertex v : m_surface->mesh().vertices())
-      {
-        labels.push_back(number(m_voronoi.nearest_site(v)));
-        const double d = m_voronoi.distance_to_nearest_site(v);
-        distances.push_back(labels.back() < 0 ? std::numeric_limits<double>::infinity() : d);
-      }
-    });
+      labels.push_back(std::int64_t(m_voronoi.nearest_site(v)));
+      const double d = m_voronoi.distance_to_nearest_site(v);
+      distances.push_back(labels.back() < 0 ? std::numeric_limits<double>::infinity() : d);
+    }
     return py::make_tuple(to_array(std::move(labels)), to_array(std::move(distances)));
   }
 
-  py::array_t<double> areas() const { return at_sites<double>([&](std::size_t i) { return m_voronoi.area(i); }); }
-  py::array_t<bool> are_disks() const { return at_sites<bool>([&](std::size_t i) { return m_voronoi.is_disk(i); }); }
+  py::array_t<double> areas() const
+  {
+    return of_sites<double>([&](std::size_t i, auto& areas) { areas.push_back(m_voronoi.area(i)); });
+  }
+
+  py::array_t<bool> are_disks() const
+  {
+    return of_sites<char>([&](std::size_t i, auto& bits) { bits.push_back(m_voronoi.is_disk(i)); }).view("bool");
+  }
 
   py::array_t<double> centroids() const
   {
-    return rows_of_sites<double>(3, [this](std::size_t i, std::vector<double>& row)
+    return of_sites<double>([&](std::size_t i, auto& rows)
     {
       const Point p = m_voronoi.centroid(i);
-      row.insert(row.end(), {p.x(), p.y(), p.z()});
-    });
+      rows.insert(rows.end(), {p.x(), p.y(), p.z()});
+    }, 3);
   }
 
   // The pairs of cells with a common edge, the smaller number first.
   py::array_t<std::int64_t> adjacency() const
   {
-    return rows_of_sites<std::int64_t>(2, [this](std::size_t i, std::vector<std::int64_t>& rows)
+    return of_sites<std::int64_t>([&](std::size_t i, auto& rows)
     {
       for(const std::size_t j : m_voronoi.adjacent_sites(i))
         if(i < j)
           rows.insert(rows.end(), {std::int64_t(i), std::int64_t(j)});
-    });
+    }, 2);
   }
 
   // Red, green and blue of each cell, from 0 to 255.
   py::array_t<std::int64_t> colors() const
   {
     std::vector<std::int64_t> result;
-    without_lock([&]()
-    {
-      for(const CGAL::IO::Color& c : geodesics::geodesic_Voronoi_cell_colors(m_voronoi))
-        result.insert(result.end(), {c.red(), c.green(), c.blue()});
-    });
+    for(const auto& c : without_lock([&]() { return geodesics::geodesic_Voronoi_cell_colors(m_voronoi); }))
+      result.insert(result.end(), {c.red(), c.green(), c.blue()});
     return to_rows(std::move(result), 3);
   }
 
@@ -99,34 +99,24 @@ public:
   // that they are, or -1, and whether it is closed.
   py::list boundary_polylines(std::size_t i, double tolerance, bool closes_at_border) const
   {
-    std::vector<typename Voronoi::Boundary_polyline> lines;
-    without_lock([&]() { lines = m_voronoi.boundary_polylines(i, tolerance, closes_at_border); });
     py::list result;
-    for(const auto& line : lines)
+    for(const auto& line : without_lock([&]() { return m_voronoi.boundary_polylines(i, tolerance, closes_at_border); }))
     {
       Line arrays;
-      std::vector<std::int64_t> vertices;
       for(const auto& location : line.locations)
         arrays.add(m_voronoi.point(location), location);
-      for(const std::size_t v : line.vertices)
-        vertices.push_back(number(v));
+      std::vector<std::int64_t> vertices(line.vertices.begin(), line.vertices.end());
       result.append(arrays.to_tuple() + py::make_tuple(to_array(std::move(vertices)), line.is_closed));
     }
     return result;
   }
 
-  double energy() const
-  {
-    double result = 0;
-    without_lock([&]() { result = m_voronoi.energy(); });
-    return result;
-  }
+  double energy() const { return without_lock([&]() { return m_voronoi.energy(); }); }
 
   // The findings about the dual, in the order of DualReport.
   py::tuple check_dual() const
   {
-    geodesics::Geodesic_dual_report r;
-    without_lock([&]() { r = geodesics::check_geodesic_dual(m_voronoi); });
+    const auto r = without_lock([&]() { return geodesics::check_geodesic_dual(m_voronoi); });
     return py::make_tuple(r.is_manifold(), r.is_triangulation(), r.is_polygon_mesh, r.cells_that_are_not_disks,
                           r.cells_with_several_boundaries, r.cells_without_triangle, r.pairs_with_several_edges,
                           r.pairs_without_triangle, r.triples_with_several_vertices, r.vertices_of_many_cells);
@@ -135,60 +125,41 @@ public:
   // The triples of sites around the vertices of the diagram.
   py::array_t<std::int64_t> dual() const
   {
-    std::vector<std::array<std::size_t, 3>> triples;
-    without_lock([&]() { m_voronoi.dual(std::back_inserter(triples)); });
     std::vector<std::int64_t> numbers;
-    for(const auto& triple : triples)
-      for(const std::size_t i : triple)
-        numbers.push_back(number(i));
+    const auto add = [&](const auto& triple) { numbers.insert(numbers.end(), triple.begin(), triple.end()); };
+    Interruptible{py::none()}.run([&]() { m_voronoi.dual(boost::make_function_output_iterator(add)); });
     return to_rows(std::move(numbers), 3);
   }
 
   // The mesh cut along the diagram: points, faces, the cell of each face.
   py::tuple cut(double tolerance) const
   {
-    return mesh_with_numbers<std::size_t>(
-      [&](Mesh& mesh, const auto& map) { m_voronoi.cut(mesh, map, tolerance); }, number);
+    return mesh_with_numbers<std::size_t>([&](Mesh& mesh, const auto& map) { m_voronoi.cut(mesh, map, tolerance); });
   }
 
   // One cell: points, faces, the face of the surface that each face lies in.
   py::tuple cell_mesh(std::size_t i, double tolerance) const
   {
-    return mesh_with_numbers<Face>([&](Mesh& mesh, const auto& map) { m_voronoi.cell_mesh(i, mesh, map, tolerance); },
-                                   [](Face f) { return std::int64_t(std::size_t(f)); });
+    return mesh_with_numbers<Face>([&](Mesh& mesh, const auto& map) { m_voronoi.cell_mesh(i, mesh, map, tolerance); });
   }
 
 private:
-  // A number for each site.
-  template <typename T, typename Compute>
-  py::array_t<T> at_sites(const Compute& compute) const
-  {
-    py::array_t<T> result(static_cast<py::ssize_t>(number_of_sites()));
-    T* const numbers = result.mutable_data();
-    without_lock([&]()
-    {
-      for(std::size_t i = 0; i < number_of_sites(); ++i)
-        numbers[i] = compute(i);
-    });
-    return result;
-  }
-
-  // Rows of numbers: add(i, numbers) adds those of site i.
+  // Numbers, or rows of numbers, of the sites: add(i, numbers) adds those of site i.
   template <typename T, typename Add>
-  py::array_t<T> rows_of_sites(std::size_t columns, const Add& add) const
+  py::array_t<T> of_sites(const Add& add, std::size_t columns = 1) const
   {
-    std::vector<T> numbers;
-    without_lock([&]()
+    return to_rows(without_lock([&]()
     {
-      for(std::size_t i = 0; i < number_of_sites(); ++i)
+      std::vector<T> numbers;
+      for(std::size_t i = 0; i < m_voronoi.number_of_sites(); ++i)
         add(i, numbers);
-    });
-    return to_rows(std::move(numbers), columns);
+      return numbers;
+    }), columns);
   }
 
   // Returns a mesh that make(mesh, map) fills, with the number of what the map has for each face.
-  template <typename T, typename Make, typename Number>
-  static py::tuple mesh_with_numbers(const Make& make, const Number& number_of)
+  template <typename T, typename Make>
+  static py::tuple mesh_with_numbers(const Make& make)
   {
     Mesh mesh;
     Interruptible visitor{py::none()};
@@ -196,82 +167,48 @@ private:
     visitor.run([&]() { make(mesh, interruptible(visitor, values)); });
     std::vector<std::int64_t> numbers;
     for(const Face f : mesh.faces())
-      numbers.push_back(number_of(values[f]));
+      numbers.push_back(std::int64_t(std::size_t(values[f])));
     return mesh_to_tuple(mesh) + py::make_tuple(to_array(std::move(numbers)));
   }
-
-  static std::int64_t number(std::size_t site) { return site == Voronoi::null_site() ? -1 : std::int64_t(site); }
 
   std::shared_ptr<Surface> m_surface;
   Voronoi m_voronoi;
 };
 
-template <typename Tag>
-void bind_diagram(py::module_& module, const char* name)
+std::unique_ptr<Diagram> diagram(const std::shared_ptr<Surface>& surface, const Place_arrays& places,
+                                 const Array<double>& site_weights, const Call& call)
 {
-  using Class = Diagram<Tag>;
-  py::class_<Class>(module, name)
-    .def("at_vertices", &Class::at_vertices)
-    .def("areas", &Class::areas)
-    .def("centroids", &Class::centroids)
-    .def("adjacency", &Class::adjacency)
-    .def("colors", &Class::colors)
-    .def("boundary_polylines", &Class::boundary_polylines)
-    .def("are_disks", &Class::are_disks)
-    .def("energy", &Class::energy)
-    .def("dual", &Class::dual)
-    .def("check_dual", &Class::check_dual)
-    .def("cut", &Class::cut)
-    .def("cell_mesh", &Class::cell_mesh);
-}
-
-py::object diagram(const std::shared_ptr<Surface>& surface, const Place_arrays& places,
-                   const Array<double>& site_weights, const Call& call)
-{
-  const Places sites(surface->mesh(), places);
-  if(call.first > 1)
-    return py::cast(std::make_unique<Diagram<Threads>>(surface, sites, site_weights, call));
-  return py::cast(std::make_unique<Diagram<CGAL::Sequential_tag>>(surface, sites, site_weights, call));
+  return std::make_unique<Diagram>(surface, Places(surface->mesh(), places), site_weights, call);
 }
 
 // Calls a Python function after each iteration of a relaxation. (A model of GeodesicRelaxationVisitor.)
-class Relaxation_visitor : public Interruptible
+struct Relaxation_visitor : Interruptible
 {
-public:
-  // `on_iteration` may be None.
-  Relaxation_visitor(py::object progress, std::size_t number_of_runs, py::object on_iteration)
-    : Interruptible(std::move(progress), number_of_runs), m_on_iteration(std::move(on_iteration))
-  {}
+  using Interruptible::Interruptible;
 
   void on_iteration(std::size_t iteration, double largest_move, double energy)
   {
-    if(go_further() && !m_on_iteration.is_none())
-      call_python([&]() { m_on_iteration(iteration, largest_move, energy); });
+    if(go_further() && !function.is_none())
+      call_python([&]() { function(iteration, largest_move, energy); });
   }
 
-private:
-  py::object m_on_iteration;
+  py::object function; // or None
 };
 
 // How many iterations, the threshold, and a function that is called after each one, or None.
 using Relaxation = std::tuple<unsigned int, double, py::object>;
 
-// Calls compute(tag, named parameters) in one thread with Sequential_tag, or in several with Threads.
+// Calls compute() with the named parameters of a relaxation.
 template <typename Compute>
 void relax_alone(Surface& surface, std::size_t number_of_runs, const Relaxation& relaxation, const Call& call,
                  const Compute& compute)
 {
   const auto& [iterations, threshold, on_iteration] = relaxation;
-  Relaxation_visitor visitor(call.second, number_of_runs + iterations, on_iteration);
+  Relaxation_visitor visitor(call.second, number_of_runs + iterations);
+  visitor.function = on_iteration;
   const auto np
     = CGAL::parameters::visitor(std::ref(visitor)).number_of_iterations(iterations).threshold_distance(threshold);
-  surface.run_alone(visitor, call.first, [&]()
-  {
-    if(call.first > 1)
-      compute(Threads(), np);
-    else
-      compute(CGAL::Sequential_tag(), np);
-  });
+  surface.run_alone(visitor, call.first, [&]() { compute(np); });
 }
 
 // Returns the samples, without the first ones, and the covering radius.
@@ -293,8 +230,8 @@ py::array_t<std::int64_t> relax(Surface& surface, const Array<std::int64_t>& sit
 {
   const std::vector<Vertex> before = to_vertices(sites);
   std::vector<Vertex> after;
-  relax_alone(surface, 1, relaxation, call, [&](auto tag, const auto& np)
-  { geodesics::geodesic_Lloyd_relaxation<decltype(tag)>(surface.mesh(), before, std::back_inserter(after), np); });
+  relax_alone(surface, 1, relaxation, call, [&](const auto& np)
+  { geodesics::geodesic_Lloyd_relaxation<Threads>(surface.mesh(), before, std::back_inserter(after), np); });
   return to_ids(after);
 }
 
@@ -302,8 +239,8 @@ py::array_t<std::int64_t> relax(Surface& surface, const Array<std::int64_t>& sit
 py::tuple remesh(Surface& surface, std::size_t n, const Relaxation& relaxation, const Call& call)
 {
   Mesh coarse;
-  relax_alone(surface, n + 1, relaxation, call, [&](auto tag, const auto& np)
-  { geodesics::geodesic_remeshing<decltype(tag)>(surface.mesh(), n, coarse, np); });
+  relax_alone(surface, n + 1, relaxation, call, [&](const auto& np)
+  { geodesics::geodesic_remeshing<Threads>(surface.mesh(), n, coarse, np); });
   return mesh_to_tuple(coarse);
 }
 
@@ -311,9 +248,19 @@ py::tuple remesh(Surface& surface, std::size_t n, const Relaxation& relaxation, 
 
 void bind_diagrams(py::module_& module, Surface_class& surface)
 {
-  bind_diagram<CGAL::Sequential_tag>(module, "Diagram");
-  if(has_threads)
-    bind_diagram<Threads>(module, "Parallel_diagram");
+  py::class_<Diagram>(module, "Diagram")
+    .def("at_vertices", &Diagram::at_vertices)
+    .def("areas", &Diagram::areas)
+    .def("centroids", &Diagram::centroids)
+    .def("adjacency", &Diagram::adjacency)
+    .def("colors", &Diagram::colors)
+    .def("boundary_polylines", &Diagram::boundary_polylines)
+    .def("are_disks", &Diagram::are_disks)
+    .def("energy", &Diagram::energy)
+    .def("dual", &Diagram::dual)
+    .def("check_dual", &Diagram::check_dual)
+    .def("cut", &Diagram::cut)
+    .def("cell_mesh", &Diagram::cell_mesh);
   surface.def("diagram", &diagram).def("sample", &sample).def("relax", &relax).def("remesh", &remesh);
 }
 

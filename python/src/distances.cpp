@@ -1,11 +1,16 @@
-// Distances, matrices of distances, certificates.
+// Distances from points and from curves, matrices of distances, certificates.
 
 #include "Engines.h"
 
 #include <CGAL/Surface_mesh_geodesics/certify_geodesic_distances.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_distance_matrix.h>
+#include <CGAL/Surface_mesh_geodesics/signed_geodesic_distances.h>
+
+#include <pybind11/stl.h>
 
 #include <boost/property_map/function_property_map.hpp>
+
+#include <type_traits>
 
 namespace geodesics_python {
 
@@ -41,12 +46,45 @@ auto parameters_of(const Array<double>& offsets, double radius)
     std::vector<double>(offsets.data(), offsets.data() + offsets.size()));
 }
 
-// Distances, and positions of the nearest sources.
-using Answer = std::pair<std::vector<double>, std::vector<std::int64_t>>;
+// Curves, and points among them. Python gives the places of each curve, and whether it is closed.
+struct Curves
+{
+  using Arrays = std::vector<std::pair<Place_arrays, bool>>;
+
+  Curves(const Mesh& mesh, const Arrays& arrays)
+  {
+    for(const auto& given : arrays)
+      Places(mesh, given.first).visit([&](const auto& range) { curves.emplace_back(mesh, range, given.second); });
+  }
+
+  template <typename Use>
+  auto visit(Use use) const { return use(curves); }
+
+  // Where a shortest path to a vertex begins; a null face where none leads.
+  template <typename Solver>
+  Location foot(const Solver& solver, const Mesh& mesh, Vertex v) const
+  {
+    const auto [i, segment, parameter] = solver.nearest_curve_point(v);
+    if(i == Solver::no_source)
+      return {Mesh::null_face(), {}};
+    return curves[i].segments().empty() ? Paths::face_location(curves[i].vertex(), mesh)
+                                        : curves[i].location(segment, parameter);
+  }
+
+  std::vector<geodesics::Surface_curve<Mesh>> curves;
+};
+
+// Distances, positions of the nearest sources, and feet on curves.
+struct Answer
+{
+  std::vector<double> distances;
+  std::vector<std::int64_t> nearest;
+  Line feet;
+};
 
 // Computes the distances of all vertices, or of the targets if there are some.
-template <typename Solver, typename NamedParameters>
-Answer answer_of(Solver& solver, const Surface& surface, const Places& sources, const std::vector<Vertex>& targets,
+template <typename Solver, typename Sources, typename NamedParameters>
+Answer answer_of(Solver& solver, const Surface& surface, const Sources& sources, const std::vector<Vertex>& targets,
                  bool with_nearest, const NamedParameters& np)
 {
   Answer answer;
@@ -57,24 +95,24 @@ Answer answer_of(Solver& solver, const Surface& surface, const Places& sources, 
   std::vector<Vertex> asked(targets);
   if(targets.empty())
     asked.assign(surface.mesh().vertices().begin(), surface.mesh().vertices().end());
-  answer.first.reserve(asked.size());
-  answer.second.reserve(with_nearest ? asked.size() : 0);
+  answer.distances.reserve(asked.size());
+  answer.nearest.reserve(with_nearest ? asked.size() : 0);
   for(const Vertex v : asked)
   {
-    answer.first.push_back(solver.distance(v));
+    answer.distances.push_back(solver.distance(v));
     if(with_nearest)
-    {
-      const std::size_t i = solver.nearest_source(v);
-      answer.second.push_back(i == Solver::no_source ? -1 : static_cast<std::int64_t>(i));
-    }
+      answer.nearest.push_back(static_cast<std::int64_t>(solver.nearest_source(v))); // -1 for no_source
+    if constexpr(std::is_same_v<Sources, Curves>)
+      answer.feet.add(CGAL::ORIGIN, sources.foot(solver, surface.mesh(), v));
   }
   return answer;
 }
 
-py::tuple distances(Surface& surface, const Place_arrays& places, const Array<double>& offsets,
+template <typename Sources, typename Arrays>
+py::tuple distances(Surface& surface, const Arrays& arrays, const Array<double>& offsets,
                     const Array<std::int64_t>& target, double radius, bool with_nearest, const Call& call)
 {
-  const Places sources(surface.mesh(), places);
+  const Sources sources(surface.mesh(), arrays);
   const std::vector<Vertex> targets = to_vertices(target);
   Interruptible visitor(call.second);
   const auto np = parameters_of(offsets, radius).visitor(std::ref(visitor));
@@ -83,12 +121,42 @@ py::tuple distances(Surface& surface, const Place_arrays& places, const Array<do
   {
     const auto compute
       = [&](auto& solver) { answer = answer_of(solver, surface, sources, targets, with_nearest, np); };
-    if(call.first <= 1 || !has_threads)
-      compute(solver_of(surface, &Distance_engine::sequential, visitor));
-    else
-      compute(solver_of(surface, &Distance_engine::parallel, visitor));
+    constexpr bool has_choice = has_threads && std::is_same_v<Sources, Places>; // curves take one thread
+    if constexpr(has_choice)
+      if(call.first > 1)
+        return compute(solver_of(surface, &Distance_engine::parallel, visitor));
+    compute(solver_of(surface, &Distance_engine::sequential, visitor));
   });
-  return py::make_tuple(to_array(std::move(answer.first)), to_array(std::move(answer.second)));
+  return py::make_tuple(to_array(std::move(answer.distances)), to_array(std::move(answer.nearest)))
+    + answer.feet.to_tuple();
+}
+
+// The distances from curves that separate the surface, negative on one side.
+py::array_t<double> signed_distances(Surface& surface, const Curves::Arrays& arrays, double radius, const Call& call)
+{
+  const Curves given(surface.mesh(), arrays);
+  std::vector<double> d(surface.mesh().number_of_vertices());
+  Interruptible visitor(call.second);
+  const auto np = CGAL::parameters::maximum_distance(radius).visitor(std::ref(visitor))
+                    .faces_to_avoid(surface.avoided_faces());
+  const auto map = boost::make_iterator_property_map(d.begin(), get(boost::vertex_index, surface.mesh()));
+  surface.run_alone(visitor, 1, [&]()
+  { geodesics::signed_geodesic_distances(surface.mesh(), map, given.curves, np); });
+  return to_array(std::move(d));
+}
+
+// The closed curves along the border: the points, faces and weights of their corners.
+py::list border_curves(const Surface& surface)
+{
+  py::list result;
+  for(const auto& curve : geodesics::border_curves(surface.mesh()))
+  {
+    Line corners;
+    for(const auto& segment : curve.segments())
+      corners.add(CGAL::ORIGIN, {segment.face, segment.source});
+    result.append(corners.to_tuple());
+  }
+  return result;
 }
 
 // Receives the rows of a matrix, one at a time, and lets Python end those that have begun.
@@ -201,7 +269,10 @@ py::tuple certify(Surface& surface, const Array<double>& d, const Place_arrays& 
 
 void bind_distances(Surface_class& surface)
 {
-  surface.def("distances", &distances)
+  surface.def("distances", &distances<Places, Place_arrays>)
+    .def("curve_distances", &distances<Curves, Curves::Arrays>)
+    .def("signed_distances", &signed_distances)
+    .def("border_curves", &border_curves)
     .def("matrix", &matrix)
     .def("sparse_matrix", &sparse_matrix)
     .def("certify", &certify);

@@ -10,6 +10,7 @@
 #include <tbb/task_arena.h>
 #endif
 
+#include <map>
 #include <set>
 #include <string>
 
@@ -130,12 +131,7 @@ void Interruptible::call_python(const std::function<void()>& call)
   m_is_in_python = false;
 }
 
-void without_lock(const std::function<void()>& compute)
-{
-  Interruptible{py::none()}.run(compute);
-}
-
-void with_threads(std::size_t number, const std::function<void()>& compute)
+void with_threads([[maybe_unused]] std::size_t number, const std::function<void()>& compute)
 {
 #ifdef CGAL_LINKED_WITH_TBB
   // More threads than this only take memory. (TBB starts no more than the machine has unless it is told to.)
@@ -143,35 +139,18 @@ void with_threads(std::size_t number, const std::function<void()>& compute)
   const int n = static_cast<int>((std::min)(number, most));
   const tbb::global_control control(tbb::global_control::max_allowed_parallelism,
                                     std::size_t((std::max)(n, tbb::info::default_concurrency())));
-  tbb::task_arena(n).execute(compute);
+  // An arena leaves some memory behind when it ends, so each thread keeps one for each number.
+  thread_local std::map<int, tbb::task_arena> arenas;
+  arenas.try_emplace(n, n).first->second.execute(compute);
 #else
-  static_cast<void>(number);
   compute();
 #endif
 }
 
-std::vector<Vertex> to_vertices(const Array<std::int64_t>& ids)
-{
-  std::vector<Vertex> result;
-  const auto id = ids.unchecked<1>();
-  for(py::ssize_t i = 0; i < id.shape(0); ++i)
-    result.push_back(Vertex(static_cast<Mesh::size_type>(id(i))));
-  return result;
-}
-
-py::array_t<std::int64_t> to_ids(const std::vector<Vertex>& vertices)
-{
-  std::vector<std::int64_t> ids;
-  for(const Vertex v : vertices)
-    ids.push_back(std::int64_t(std::size_t(v)));
-  return to_array(std::move(ids));
-}
-
 Surface::Surface(const Array<double>& points, const Array<std::int64_t>& faces, const Array<double>& lengths,
                  const Array<std::int64_t>& avoided)
+  : m_avoided(avoided.data(), avoided.data() + avoided.size())
 {
-  for(py::ssize_t i = 0; i < avoided.size(); ++i)
-    m_avoided.push_back(Face(static_cast<Mesh::size_type>(avoided.data()[i])));
   Interruptible visitor{py::none()};
   visitor.run([&]() { build(points, faces, lengths, visitor); });
 }
@@ -238,9 +217,7 @@ py::array_t<std::int64_t> oriented(std::size_t number_of_vertices, const Array<s
   const auto id = faces.unchecked<2>();
   for(py::ssize_t f = 0; f < id.shape(0); ++f)
     triangles.push_back({std::size_t(id(f, 0)), std::size_t(id(f, 1)), std::size_t(id(f, 2))});
-  bool is_oriented = false;
-  without_lock([&]() { is_oriented = CGAL::Polygon_mesh_processing::orient_polygon_soup(points, triangles); });
-  if(!is_oriented)
+  if(!without_lock([&]() { return CGAL::Polygon_mesh_processing::orient_polygon_soup(points, triangles); }))
     throw std::invalid_argument("the triangles cannot be oriented: they do not form a surface with two sides");
   std::vector<std::int64_t> result;
   for(const std::vector<std::size_t>& triangle : triangles)

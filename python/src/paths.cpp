@@ -3,17 +3,13 @@
 #include "Engines.h"
 
 #include <CGAL/Surface_mesh_geodesics/trace_geodesic.h>
-
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/parallel_for.h>
-#endif
+#include <CGAL/for_each.h>
 
 #include <pybind11/stl.h>
 
 #include <iterator>
 #include <limits>
 #include <string>
-#include <variant>
 
 namespace geodesics_python {
 
@@ -30,7 +26,7 @@ Places::Places(const Mesh& mesh, const Place_arrays& arrays)
     if(id(i) < 0)
       locations.emplace_back(Face(static_cast<Mesh::size_type>(f(i))), Barycentric{b(i, 0), b(i, 1), b(i, 2)});
     else
-      locations.push_back(Paths_with<CGAL::Sequential_tag>::face_location(vertices[std::size_t(i)], mesh));
+      locations.push_back(Paths::face_location(vertices[std::size_t(i)], mesh));
     if(locations.back().first == Mesh::null_face())
       throw std::invalid_argument("vertex " + std::to_string(id(i))
                                   + " has no face: it cannot stand beside points of faces");
@@ -38,47 +34,24 @@ Places::Places(const Mesh& mesh, const Place_arrays& arrays)
   vertices.clear();
 }
 
-// Paths from a set of sources, built by one thread or by several.
-class Path_engine
+// Paths from a set of sources.
+struct Path_engine
 {
-public:
-  // Calls use() with the paths.
-  template <typename Use>
-  auto visit(Use use) const
+  Path_engine(const Surface& surface, const Places& given) : sources(given), paths(surface.mesh())
   {
-    return std::visit([&](const auto& paths) { return use(*paths); }, m_paths);
+    paths.avoid_faces(surface.avoided_faces());
+    if(surface.has_lengths())
+      paths.use_edge_lengths(surface.lengths());
+    sources.visit([&](const auto& range) { paths.add_source_points(range.begin(), range.end()); });
   }
 
-  Path_engine(const Surface& surface, const Places& sources, bool is_parallel) : m_sources(sources)
+  bool has_sources(const Places& given) const
   {
-    if(is_parallel)
-      m_paths.emplace<1>(std::make_unique<Paths_with<Threads>>(surface.mesh()));
-    else
-      m_paths.emplace<0>(std::make_unique<Paths_with<CGAL::Sequential_tag>>(surface.mesh()));
-    visit([&](auto& paths)
-    {
-      paths.avoid_faces(surface.avoided_faces());
-      if(surface.has_lengths())
-        paths.use_edge_lengths(surface.lengths());
-      m_sources.visit([&](const auto& range) { paths.add_source_points(range.begin(), range.end()); });
-    });
+    return sources.vertices == given.vertices && sources.locations == given.locations;
   }
 
-  bool has_sources(const Places& sources) const
-  {
-    return m_sources.vertices == sources.vertices && m_sources.locations == sources.locations;
-  }
-
-  // Returns false if the visitor cancels.
-  bool build(bool everywhere, Interruptible& visitor)
-  {
-    return visit([&](auto& paths)
-    { return everywhere ? paths.build_sequence_tree_for_faces(visitor) : paths.build_sequence_tree(visitor); });
-  }
-
-private:
-  const Places m_sources;
-  std::variant<std::unique_ptr<Paths_with<CGAL::Sequential_tag>>, std::unique_ptr<Paths_with<Threads>>> m_paths;
+  const Places sources;
+  Paths paths;
 };
 
 namespace {
@@ -91,7 +64,6 @@ struct Path
 };
 
 // Collects the elements of a path, from the target to the source.
-template <typename Paths>
 class Path_writer
 {
 public:
@@ -126,10 +98,10 @@ private:
   std::vector<std::pair<Point, Location>> m_elements;
 };
 
-template <typename Paths, typename... Target>
+template <typename... Target>
 Path path_to(const Surface& surface, const Paths& paths, const Target&... target)
 {
-  Path_writer<Paths> writer(surface, paths);
+  Path_writer writer(surface, paths);
   const double length = paths.shortest_path_sequence_to_source_points(target..., writer).first;
   if(length < 0)
     return {};
@@ -138,24 +110,14 @@ Path path_to(const Surface& surface, const Paths& paths, const Target&... target
 
 // Returns an engine that is built for the sources; null if the visitor cancels. The last engine serves again if it has
 // the same sources, however many threads have built it. Call it inside Surface::run_alone().
-std::shared_ptr<Path_engine> engine_of(Surface& surface, const Places& sources, bool everywhere, std::size_t threads,
+std::shared_ptr<Path_engine> engine_of(Surface& surface, const Places& sources, bool everywhere,
                                        Interruptible& visitor)
 {
   if(surface.path_engine == nullptr || !surface.path_engine->has_sources(sources))
-    surface.path_engine = std::make_shared<Path_engine>(surface, sources, threads > 1);
-  return surface.path_engine->build(everywhere, visitor) ? surface.path_engine : nullptr;
-}
-
-// Calls work() for each number below n, in the threads of Surface::run_alone().
-template <typename Work>
-void for_each_target(std::size_t n, const Work& work)
-{
-#ifdef CGAL_LINKED_WITH_TBB
-  tbb::parallel_for(std::size_t(0), n, work);
-#else
-  for(std::size_t i = 0; i < n; ++i)
-    work(i);
-#endif
+    surface.path_engine = std::make_shared<Path_engine>(surface, sources);
+  Paths& paths = surface.path_engine->paths;
+  const bool is_built = everywhere ? paths.build_sequence_tree_for_faces(visitor) : paths.build_sequence_tree(visitor);
+  return is_built ? surface.path_engine : nullptr;
 }
 
 // Returns for each target the path from the nearest source: length, source, points, faces, weights.
@@ -167,21 +129,18 @@ py::list paths_to(Surface& surface, const Place_arrays& source_places, const Pla
   Interruptible visitor(call.second, 2);
   surface.run_alone(visitor, call.first, [&]()
   {
-    const auto engine = engine_of(surface, sources, !targets.are_vertices(), call.first, visitor);
+    const auto engine = engine_of(surface, sources, !targets.are_vertices(), visitor);
     if(engine == nullptr)
       return;
     std::atomic<std::size_t> number_done{0};
-    for_each_target(targets.size(), [&](std::size_t i)
+    CGAL::for_each<Threads>(paths, [&](Path& path)
     {
-      if(!visitor.ask_and_go_further())
-        return;
-      engine->visit([&](const auto& found)
-      {
-        paths[i] = targets.are_vertices()
-                     ? path_to(surface, found, targets.vertices[i])
-                     : path_to(surface, found, targets.locations[i].first, targets.locations[i].second);
-      });
+      const std::size_t i = std::size_t(&path - paths.data());
+      path = targets.are_vertices()
+               ? path_to(surface, engine->paths, targets.vertices[i])
+               : path_to(surface, engine->paths, targets.locations[i].first, targets.locations[i].second);
       visitor.set_part_done(1 + double(++number_done) / double(targets.size()));
+      return visitor.ask_and_go_further();
     });
   });
   py::list result;
@@ -199,10 +158,10 @@ py::list isolines(Surface& surface, const Place_arrays& places, const Array<doub
   Interruptible visitor(call.second, 1 + lines.size());
   surface.run_alone(visitor, call.first, [&]()
   {
-    const auto engine = engine_of(surface, sources, true, call.first, visitor);
+    const auto engine = engine_of(surface, sources, true, visitor);
     for(std::size_t i = 0; engine != nullptr && i < lines.size() && visitor.ask_and_go_further(); ++i)
     {
-      engine->visit([&](const auto& paths) { paths.isolines(level[i], std::back_inserter(lines[i])); });
+      engine->paths.isolines(level[i], std::back_inserter(lines[i]));
       visitor.set_part_done(double(i + 2));
     }
   });
@@ -232,19 +191,16 @@ py::tuple directions(Surface& surface, const Place_arrays& places, const Call& c
   };
   surface.run_alone(visitor, call.first, [&]()
   {
-    const auto engine = engine_of(surface, sources, false, call.first, visitor);
+    const auto engine = engine_of(surface, sources, false, visitor);
     if(engine == nullptr)
       return;
-    engine->visit([&](const auto& paths)
-    {
-      paths.shortest_distances_to_source_points(map_of(distance));
-      paths.directions_at_source(map_of(direction));
-      for(const Vertex v : surface.mesh().vertices())
-        if(double& d = distance[std::size_t(v)]; d >= 0)
-          source[std::size_t(v)] = static_cast<std::int64_t>(paths.nearest_source_point(v));
-        else
-          d = std::numeric_limits<double>::infinity();
-    });
+    engine->paths.shortest_distances_to_source_points(map_of(distance));
+    engine->paths.directions_at_source(map_of(direction));
+    for(const Vertex v : surface.mesh().vertices())
+      if(double& d = distance[std::size_t(v)]; d >= 0)
+        source[std::size_t(v)] = static_cast<std::int64_t>(engine->paths.nearest_source_point(v));
+      else
+        d = std::numeric_limits<double>::infinity();
   });
   return py::make_tuple(to_array(std::move(distance)), to_array(std::move(direction)), to_array(std::move(source)));
 }
@@ -271,7 +227,7 @@ py::tuple trace(const Surface& surface, const Place_arrays& arrays, double direc
     traced = places.visit(trace_from);
     traced.points.resize(traced.locations.size()); // zeros on a surface without points
     for(std::size_t i = 0; i < traced.locations.size(); ++i)
-      line.add(traced.points[i], traced.locations[i]);
+      line.add(Point(traced.points[i][0], traced.points[i][1], traced.points[i][2]), traced.locations[i]);
   });
   return py::make_tuple(traced.length, int(traced.end), traced.direction) + line.to_tuple();
 }

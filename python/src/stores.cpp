@@ -21,13 +21,8 @@ py::tuple store_matrix(const Surface& surface, const Place_arrays& places, const
   const std::vector<Vertex> range = to_vertices(targets);
   geodesics::Geodesic_matrix_store_status status;
   Interruptible visitor(call.second);
-  const auto np = CGAL::parameters::use_float32(use_float32)
-                    .use_symmetry(use_symmetry)
-                    .maximum_distance(radius)
-                    .first_row(rows.first)
-                    .end_row(rows.second)
-                    .mesh_name(mesh_name)
-                    .visitor(std::ref(visitor));
+  const auto np = CGAL::parameters::use_float32(use_float32).use_symmetry(use_symmetry).maximum_distance(radius)
+                    .first_row(rows.first).end_row(rows.second).mesh_name(mesh_name).visitor(std::ref(visitor));
   try
   {
     // This thread only listens to Python: if it computed, it would be deaf when it waits for the last files of others.

@@ -15,11 +15,11 @@ Lengths and distances have the unit of the points. Vertices and faces are counte
 
 from ._core import __version__
 from ._certificate import Certificate
-from ._path import Path, TracedGeodesic
+from ._path import Curve, Path, TracedGeodesic
 from ._solver import Solver
 from ._voronoi import Boundary, DualReport, Voronoi
 from .pages import Page, page
 from .pictures import plot
 
-__all__ = ["Boundary", "Certificate", "DualReport", "Page", "Path", "Solver", "TracedGeodesic", "Voronoi", "page",
-           "plot", "__version__"]
+__all__ = ["Boundary", "Certificate", "Curve", "DualReport", "Page", "Path", "Solver", "TracedGeodesic", "Voronoi",
+           "page", "plot", "__version__"]

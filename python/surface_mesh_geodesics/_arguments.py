@@ -8,6 +8,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from ._path import Curve
+
 LARGEST = np.finfo(np.float64).max
 
 
@@ -82,6 +84,25 @@ def places_of(name: str, values: Any, n_vertices: int, n_faces: int) -> Places:
         parts = [_place(f"{name}[{i}]", value, n_vertices, n_faces) for i, value in enumerate(values)]
         return Places(*(np.concatenate(arrays) for arrays in zip(*parts)))
     return Places(row_of_ids(name, values, n_vertices), np.zeros(0, dtype=np.int64), np.zeros((0, 3)))
+
+
+def has_curves(values: Any) -> bool:
+    return isinstance(values, Curve) or isinstance(values, (list, tuple)) and any(isinstance(v, Curve) for v in values)
+
+
+def curves_of(name: str, values: Any, n_vertices: int, n_faces: int) -> list[tuple[Places, bool]]:
+    """Reads a curve, or places of which some may be curves: the places of each curve, and whether it is closed."""
+    curves = []
+    for i, value in enumerate(values if has_curves(values) and not isinstance(values, Curve) else [values]):
+        if isinstance(value, Curve):
+            curves.append((places_of(f"places of {name}[{i}]", value.places, n_vertices, n_faces), bool(value.closed)))
+        else:
+            curves += [(place, False) for place in single_places(places_of(name, value, n_vertices, n_faces))]
+    return curves
+
+
+def single_places(places: Places) -> list[Places]:
+    return [Places(*(array[k:k + 1] for array in places)) for k in range(len(places.vertex))]
 
 
 def offsets_of(name: str, values: Any, n: int) -> np.ndarray:

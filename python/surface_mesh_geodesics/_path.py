@@ -1,8 +1,29 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
+
+
+@dataclass(frozen=True, eq=False)
+class Curve:
+    """A curve on a surface, which may be a source of distances: straight segments from place to place.
+
+    places  given as several sources are; two in a row are in one face, and so are the ends of a closed curve
+    closed  whether a last segment leads from the last place to the first one
+
+    A curve may cross, touch and repeat itself. The places of a `Path` p make the curve along it:
+    Curve((p.faces, p.barycentric)).
+
+    >>> import surface_mesh_geodesics as smg
+    >>> s = smg.Solver([[0, 0, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0]], [[0, 1, 2], [0, 2, 3]])
+    >>> s.distances(smg.Curve([0, 1]))
+    array([0., 0., 2., 2.])
+    """
+
+    places: Any
+    closed: bool = False
 
 
 @dataclass(frozen=True, eq=False)

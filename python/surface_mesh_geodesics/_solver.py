@@ -9,7 +9,7 @@ from . import _core
 from . import _arguments as arguments
 from ._certificate import Certificate, Condition
 from ._isolines import linear_isolines
-from ._path import Path, TracedGeodesic
+from ._path import Curve, Path, TracedGeodesic
 from ._voronoi import Voronoi
 
 Progress = Callable[[float], Any]
@@ -33,7 +33,7 @@ class Solver:
     Solver(3 vertices, 1 faces)
 
     A *source* is a vertex, or a pair (face, barycentric coordinates); several are given as a list, an array of
-    vertices, or a pair of arrays (faces, coordinates).
+    vertices, or a pair of arrays (faces, coordinates). A `Curve` is a source of `distances()`, too.
 
     Several threads may use one solver; computations of distances and paths wait for the one before. Computations run
     without the lock of the interpreter. Ctrl-C ends them, except that the first path or diagram prepares the mesh
@@ -97,14 +97,20 @@ class Solver:
     # --- distances ---
 
     def distances(self, sources: Any, *, offsets: Any = None, targets: Any = None, radius: float = np.inf,
-                  return_nearest: bool = False, threads: int | None = 1, progress: Progress | None = None) -> Any:
+                  return_nearest: bool = False, return_foot: bool = False, threads: int | None = 1,
+                  progress: Progress | None = None) -> Any:
         """Returns the distances of all vertices from their nearest sources, (n,) float64, inf where none reaches.
+
+        A source may be a `Curve`, or a list may mix curves with vertices and pairs. The distance from a curve is the
+        smallest one from any of its points, and exact. It takes one thread.
 
         offsets         a number for each source that is added to its distances
         targets         vertices: only their distances are computed and returned, in their order
         radius          distances beyond it are inf
-        return_nearest  return a pair: the distances, and (n,) the positions of the nearest sources, -1 where none
-                        reaches; of several that are equally near, any
+        return_nearest  also return (n,) the positions of the nearest sources, -1 where none reaches; of several that are
+                        equally near, any
+        return_foot     also return where the shortest paths begin: a pair of arrays, (n,) faces, -1 where none reaches,
+                        and (n, 3) coordinates
         threads         how many threads; None for all. All numbers above 1 give the same bits; 1 may give other last
                         digits
 
@@ -112,15 +118,50 @@ class Solver:
         >>> s = smg.Solver([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]])
         >>> s.distances([1, (0, [1, 0, 0])], offsets=[0, 1], return_nearest=True)
         (array([1., 0., 5.]), array([1, 0, 0]))
+        >>> s.distances([smg.Curve([0, 1]), 2])
+        array([0., 0., 0.])
         """
-        places = self._places("sources", sources)
+        has_curves = return_foot or arguments.has_curves(sources)
+        given = self._curves("sources", sources) if has_curves else self._places("sources", sources)
         ids = NO_IDS if targets is None else self._vertices("targets", targets)
-        options = (arguments.radius_of("radius", radius), bool(return_nearest), arguments.call_of(threads, progress))
-        added = arguments.offsets_of("offsets", offsets, len(places.vertex))
-        if targets is not None and len(ids) == 0:
-            return (np.zeros(0), NO_IDS.copy()) if return_nearest else np.zeros(0)
-        d, nearest = self._surface.distances(places, added, ids, *options)
-        return (d, nearest) if return_nearest else d
+        added = arguments.offsets_of("offsets", offsets, len(given) if has_curves else len(given[0]))
+        compute = self._surface.curve_distances if has_curves else self._surface.distances
+        found = compute(given, added, ids, arguments.radius_of("radius", radius), return_nearest or return_foot,
+                        arguments.call_of(threads, progress))
+        found = [array[:0] for array in found] if targets is not None and len(ids) == 0 else found
+        result = (found[0], *found[1:2] * return_nearest, *[found[3:]] * return_foot)
+        return result if len(result) > 1 else found[0]
+
+    def signed_distances(self, curves: Any, *, radius: float = np.inf, progress: Progress | None = None) -> np.ndarray:
+        """Returns the distances from curves that separate the surface, negative on one side, (n,) float64.
+
+        curves  a `Curve` or a list of them. Every way from one side to the other crosses a curve: they are closed, or
+                lead from border to border
+        radius  distances beyond it are inf or -inf
+
+        The negative side is on the left of the first segment of the first curve, seen from outside; in a component
+        without that segment, of the first one there. Components without a curve have inf. The surface needs points.
+        Takes one thread.
+
+        >>> import surface_mesh_geodesics as smg
+        >>> s = smg.Solver([[0, 0, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0]], [[0, 1, 2], [0, 2, 3]])
+        >>> s.signed_distances(smg.Curve([0, 2])).round(6)
+        array([ 0.      ,  1.414214,  0.      , -1.414214])
+        """
+        self._needs("signed_distances", points=True)
+        return self._surface.signed_distances(self._curves("curves", curves), arguments.radius_of("radius", radius),
+                                              arguments.call_of(1, progress))
+
+    def border_curves(self) -> list[Curve]:
+        """Returns the borders of the surface as closed curves.
+
+        >>> import surface_mesh_geodesics as smg
+        >>> s = smg.Solver([[0, 0, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0], [1, 1, 0]],
+        ...                [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]])
+        >>> s.distances(s.border_curves())
+        array([0., 0., 0., 0., 1.])
+        """
+        return [Curve(corners[1:], True) for corners in self._surface.border_curves()]
 
     def matrix(self, sources: Any = None, targets: Any = None, *, threads: int | None = None,
                progress: Progress | None = None) -> np.ndarray:
@@ -218,6 +259,27 @@ class Solver:
         worst, conditions = self._surface.certify(distances, places, added, arguments.radius_of("radius", radius),
                                                   arguments.call_of(threads, progress))
         return Certificate(worst, {name: Condition(*rest) for name, *rest in conditions})
+
+    def shortest_path_curve(self, places: Any, closed: bool = False, *, threads: int | None = 1,
+                            progress: Progress | None = None) -> Curve:
+        """Returns the curve that joins places by shortest paths, one after the other.
+
+        places  given as several sources are
+        closed  whether a last path leads from the last place to the first one
+
+        >>> import surface_mesh_geodesics as smg
+        >>> s = smg.Solver([[0, 0, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0]], [[0, 1, 2], [0, 2, 3]])
+        >>> s.distances(s.shortest_path_curve([1, 3])).round(6)
+        array([1.414214, 0.      , 1.414214, 0.      ])
+        """
+        ends = arguments.single_places(self._places("places", places))
+        call = arguments.call_of(threads, progress)
+        legs = [self._surface.paths(*pair, call)[0] for pair in zip(ends, ends[1:] + ends[:1] * bool(closed))]
+        for i, leg in enumerate(legs):
+            if leg[1] < 0:
+                raise ValueError(f"places[{i}] and the next place are not connected")
+        parts = [leg[3:] for leg in legs] if len(ends) > 1 else [self._surface.paths(*ends, *ends, call)[0][3:]]
+        return Curve(tuple(np.concatenate(arrays) for arrays in zip(*parts)), closed)
 
     # --- paths ---
 
@@ -375,8 +437,8 @@ class Solver:
             offsets = largest - given
         if np.isinf(offsets).any():
             raise ValueError(f"weights[{np.argmax(offsets)}] differs too much from the largest one")
-        d, nearest = self._surface.distances(places, offsets, NO_IDS, np.inf, True,
-                                             arguments.call_of(threads, progress))
+        d, nearest, *_ = self._surface.distances(places, offsets, NO_IDS, np.inf, True,
+                                                 arguments.call_of(threads, progress))
         return nearest, d - largest
 
     def sample(self, n: int, *, first: Any = None, covering_radius: float = 0.0, return_radius: bool = False,
@@ -412,7 +474,7 @@ class Solver:
         threshold     the relaxation ends when no site moves farther than this in space
         on_iteration  a function that is called after each iteration, with its number from 1, the largest move of a
                       site, and the energy before: the sum over the cells of the integrals of squared distances in space
-        threads       how many threads; None for all. All numbers above 1 give the same result
+        threads       how many threads; None for all. The result does not depend on it
 
         >>> import surface_mesh_geodesics as smg
         >>> V = [[x, y, 0] for x in range(5) for y in range(2)]
@@ -486,6 +548,9 @@ class Solver:
 
     def _places(self, name: str, values: Any) -> arguments.Places:
         return arguments.places_of(name, values, self.n_vertices, self.n_faces)
+
+    def _curves(self, name: str, values: Any) -> list[tuple[arguments.Places, bool]]:
+        return arguments.curves_of(name, values, self.n_vertices, self.n_faces)
 
     def _place(self, name: str, value: Any) -> arguments.Places:
         places = self._places(name, value)

@@ -105,13 +105,13 @@ def test_threads_do_not_change_paths_and_diagrams():
     V, F = sphere(40)
     by_threads = [smg.Solver(V, F) for _ in range(3)]
     one, two, three = (s.path(7, 500, threads=k + 1) for k, s in enumerate(by_threads))
-    assert np.array_equal(two.points, three.points) and two.length == pytest.approx(one.length, rel=1e-13)
+    assert np.array_equal(two.points, three.points) and np.array_equal(one.points, two.points)
+    assert one.length == two.length == three.length
     one, two, three = (s.voronoi([3, 300, 900], threads=k + 1) for k, s in enumerate(by_threads))
-    assert np.array_equal(two.areas, three.areas) and np.allclose(one.areas, two.areas, rtol=1e-12)
-    assert np.array_equal(two.labels, three.labels)
+    assert np.array_equal(two.areas, three.areas) and np.array_equal(one.areas, two.areas)
+    assert np.array_equal(two.labels, three.labels) and np.array_equal(one.labels, two.labels)
     one, two, three = (s.exact_isolines(7, 1, threads=k + 1)[0] for k, s in enumerate(by_threads))
-    assert all(np.array_equal(a, b) for a, b in zip(two, three))
-    assert all(np.allclose(a, b, atol=1e-9) for a, b in zip(one, two))
+    assert all(np.array_equal(a, b) and np.array_equal(b, c) for a, b, c in zip(one, two, three))
 
 
 def test_matrices():

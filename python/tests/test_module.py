@@ -33,7 +33,8 @@ from meshes import grid, sphere, write_off
                                   "s.trace(5, .3, 1e9)", "s.directions([0, 99])", "s.peeling_order()",
                                   "s.sparse_matrix(.5)", "smg.Solver(V, F).distances(0, radius=0)",
                                   "s.store_matrix(folder, threads=2)", "s.store_matrix(folder, threads=1)",
-                                  "s.store_matrix(folder, symmetric=True)"])
+                                  "s.store_matrix(folder, symmetric=True)", "s.distances(curve)",
+                                  "s.signed_distances(curve)", "s.shortest_path_curve(np.arange(0, n, 97))"])
 def test_ctrl_c(call, tmp_path):
     program = textwrap.dedent(f"""
         import numpy as np, os, signal, sys, threading, time
@@ -43,7 +44,7 @@ def test_ctrl_c(call, tmp_path):
         V, F = sphere(150)
         s = smg.Solver(V, F)
         n = s.n_vertices
-        d, v = s.distances(0), s.voronoi([0, 99])
+        d, v, curve = s.distances(0), s.voronoi([0, 99]), smg.Curve(1 + np.arange(150), closed=True)
         sent, folder = [], {str(tmp_path / "folder")!r}
         def interrupt():
             sent.append(time.process_time())
@@ -350,6 +351,9 @@ def test_same_numbers_as_the_program(mesh, tmp_path):
     write_off(file, V, F)
     rows = table("distances", file, "--source", 3)
     assert [float(r["distance"]) for r in rows] == s.distances(3).tolist()
+    if len(s.border_curves()) > 0:
+        rows = table("distances", file, "--source-border")
+        assert [float(r["distance"]) for r in rows] == s.distances(s.border_curves()).tolist()
     rows = table("path", file, "--source", 3, "--target", 70)
     assert float(rows[0]["length"]) == s.path(3, 70).length
     path = s.path(3, 70)

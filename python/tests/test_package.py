@@ -69,9 +69,7 @@ def test_the_stub_has_the_names_of_the_compiled_part():
             names.add(node.name)
         elif isinstance(node, ast.AnnAssign):
             names.add(node.target.id)
-        elif isinstance(node, ast.Assign) and node.targets[0].id == "Parallel_diagram":
-            names.add("Parallel_diagram")
-    assert public <= names and names - public <= {"Parallel_diagram"}
+    assert public == names
 
 
 def number_of_parameters(function):
@@ -118,7 +116,8 @@ def test_all_public_functions_have_types():
     assert count > 30 and (pathlib.Path(smg.__file__).parent / "py.typed").exists()
 
 
-ONE_THREAD = {"isolines", "sample", "trace", "direction_of", "peeling_order", "avoiding", "from_edge_lengths"}
+ONE_THREAD = {"isolines", "sample", "trace", "direction_of", "peeling_order", "avoiding", "from_edge_lengths",
+              "signed_distances", "border_curves"}
 
 
 def test_all_computations_take_threads():
@@ -126,8 +125,8 @@ def test_all_computations_take_threads():
     for name, member in vars(smg.Solver).items():
         if not name.startswith("_") and inspect.isfunction(member) and name not in ONE_THREAD:
             assert "threads" in inspect.signature(member).parameters, name
-    for name in ("isolines", "sample"):
-        assert "one thread" in getattr(smg.Solver, name).__doc__
+    for name in ("isolines", "sample", "signed_distances"):
+        assert "one thread" in getattr(smg.Solver, name).__doc__.lower()
 
 
 # --- its time and memory ---

@@ -1,0 +1,4 @@
+// Diagrams and paths in one unit.
+
+#include "diagrams.cpp"
+#include "paths.cpp"
