@@ -11,8 +11,8 @@ root = pathlib.Path(__file__).resolve().parent
 version = re.search(r"VERSION (\d+\.\d+\.\d+)\n", (root.parent / "CMakeLists.txt").read_text(encoding="utf-8"))[1]
 has_tbb = any((pathlib.Path(prefix) / "include/tbb/task_arena.h").is_file() for prefix in ("/usr", "/usr/local"))
 
-# Two units, as two processors compile them in the least time. Of a function that both have, the linker takes that of the
-# first one, which is compiled for speed (FLAGS_OF_FILES).
+# Two units, as two processors compile them in the least time. Of a function that both have, the linker takes that of
+# the first one, which is compiled for speed (FLAGS_OF_FILES).
 sources = ["src/unit_of_distances.cpp", "src/unit_of_lines.cpp"]
 
 extension = Pybind11Extension(

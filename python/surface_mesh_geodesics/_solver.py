@@ -107,8 +107,8 @@ class Solver:
         offsets         a number for each source that is added to its distances
         targets         vertices: only their distances are computed and returned, in their order
         radius          distances beyond it are inf
-        return_nearest  also return (n,) the positions of the nearest sources, -1 where none reaches; of several that are
-                        equally near, any
+        return_nearest  also return (n,) the positions of the nearest sources, -1 where none reaches; of several that
+                        are equally near, any
         return_foot     also return where the shortest paths begin: a pair of arrays, (n,) faces, -1 where none reaches,
                         and (n, 3) coordinates
         threads         how many threads; None for all. All numbers above 1 give the same bits; 1 may give other last
