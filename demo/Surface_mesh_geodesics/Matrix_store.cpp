@@ -121,6 +121,16 @@ void print(const Geodesic_matrix_store_status& status)
             << status.shards_in_work << '\n';
 }
 
+// Prints the status of a call that has ended, and tells what it has left to others: they may have died.
+void print_end(const Geodesic_matrix_store_status& status, const Console& console)
+{
+  print(status);
+  if(status.rows_done < status.rows)
+    console.note(std::to_string(status.rows - status.rows_done) + " rows are missing: "
+                 + std::to_string(status.shards_in_work)
+                 + " shards have locks of other processes. Use --resume when these have ended");
+}
+
 // Computes with sources in the form that the package takes: all are vertices, or all are locations in faces.
 template <typename Sources, typename Parameters>
 Geodesic_matrix_store_status store(const Mesh& mesh, const Sources& sources, const std::vector<Vertex>& targets,
@@ -219,15 +229,16 @@ void store_meshes(const Arguments& arguments, const Place_finder& find_places, c
     sum.shards_in_work += status.shards_in_work;
   }
   if(job == nullptr || job->rank() == 0)
-    print(sum);
+    print_end(sum, console);
 }
 
 void store_one(const Arguments& arguments, const Place_finder& find_places, const Console& console)
 {
   const std::string folder = arguments["store"].as<std::string>();
   check_is_new(folder, arguments);
-  print(store(mesh_argument(arguments), read_mesh(mesh_argument(arguments), console), folder, arguments, find_places,
-              nullptr, console));
+  print_end(store(mesh_argument(arguments), read_mesh(mesh_argument(arguments), console), folder, arguments,
+                  find_places, nullptr, console),
+            console);
 }
 
 // The same by all processes of a job. Rank 0 speaks for all.
@@ -250,7 +261,7 @@ void store_in_job(const Arguments& arguments, const Place_finder& find_places, c
   const Geodesic_matrix_store_status status
     = store(name, job.mesh(name, read, own_console), folder, arguments, find_places, &job, own_console);
   if(job.rank() == 0)
-    print(status);
+    print_end(status, own_console);
 }
 
 // --- checking ---

@@ -16,6 +16,8 @@
 
 using namespace matrix_store;
 using CGAL::Surface_mesh_geodesics::internal::Json_reader;
+using CGAL::Surface_mesh_geodesics::internal::Shard_entry;
+using CGAL::Surface_mesh_geodesics::internal::Store_folder;
 
 namespace {
 
@@ -374,10 +376,119 @@ void texts_of_json()
   }
 }
 
+// --- what else may lie in the folder ---
+
+// A process that is killed leaves records. If the user then removes the manifest and stores another matrix there, the
+// records must not pass for its shards.
+void records_of_another_matrix_do_not_count()
+{
+  test_support::Scope scope("records of another matrix");
+  const Mesh before = to_face_graph(noisy_sphere(1, .1, 5)), tm = to_face_graph(noisy_sphere(1, .1, 6));
+  Test_folder folder("records"), undisturbed("undisturbed");
+  Options options;
+  options.rows_per_shard = 5;
+  CHECK(store_all(before, folder, options).is_complete());
+  store_all(tm, undisturbed, options);
+  // What a kill before the next writing of the manifest leaves: the entries as records.
+  Store_folder store(folder.name());
+  store.open();
+  std::vector<Shard_entry> entries(store.layout().number_of_shards());
+  for(std::size_t shard = 0; shard < entries.size(); ++shard)
+  {
+    CHECK(store.find(shard, entries[shard]));
+    store.set_merging(false);
+    store.add(shard, entries[shard]);
+  }
+  fs::remove(folder.path() / "manifest.json");
+  Row_visitor visitor;
+  CHECK(store_all(tm, folder, options, visitor).is_complete());
+  CHECK_EQUAL(visitor.found, 0u);
+  CHECK(stored_numbers(folder.path()) == stored_numbers(undisturbed.path()));
+  check_is_tidy(folder.path());
+}
+
+void damaged_records_do_not_count()
+{
+  test_support::Scope scope("damaged records");
+  const Mesh tm = to_face_graph(icosphere(1));
+  Test_folder folder("damaged_records");
+  Options options;
+  options.rows_per_shard = 5;
+  store_all(tm, folder, options);
+  const std::vector<double> numbers = stored_numbers(folder.path());
+  fs::remove(folder.path() / "manifest.json");
+  std::ofstream(folder.path() / "rows_000000_000005.done") << "{\"rows\": [0,";
+  std::ofstream(folder.path() / "todo.done") << "buy milk";
+  fs::create_directory(folder.path() / "rows_000005_000010.done.folder");
+  CHECK(store_all(tm, folder, options).is_complete());
+  CHECK(stored_numbers(folder.path()) == numbers);
+  CHECK(!fs::exists(folder.path() / "rows_000000_000005.done"));
+  CHECK(fs::exists(folder.path() / "todo.done"));
+}
+
+void files_of_the_user_stay()
+{
+  test_support::Scope scope("files of the user");
+  const Mesh tm = to_face_graph(icosphere(0));
+  Test_folder folder("user");
+  fs::create_directories(folder.path());
+  const std::vector<std::string> names{"poetry.lock", "notes.tmp", "draft.2024.tmp", "rows.tmp", "rows_of_trees.lock"};
+  for(const std::string& name : names)
+  {
+    std::ofstream(folder.path() / name) << "text";
+    fs::last_write_time(folder.path() / name, fs::file_time_type::clock::now() - std::chrono::hours(24));
+  }
+  CHECK(store_all(tm, folder, Options()).is_complete());
+  for(const std::string& name : names)
+  {
+    CHECK(fs::exists(folder.path() / name));
+  }
+}
+
+// A process of another host has begun a file, and not written to it for an hour, but it refreshes its lock.
+void files_of_living_processes_stay()
+{
+  test_support::Scope scope("files of other hosts");
+  const Mesh tm = to_face_graph(icosphere(1));
+  Test_folder folder("hosts");
+  Options options;
+  options.rows_per_shard = 5;
+  store_all(tm, folder, options);
+  const fs::path lock = folder.path() / "rows_000000_000005.lock";
+  const fs::path temporary = folder.path() / "rows_000000_000005.npy.node7.example.org.123.456.0.tmp";
+  for(const fs::path& file : {lock, temporary})
+  {
+    std::ofstream(file) << "node7.example.org.123.456";
+  }
+  fs::last_write_time(temporary, fs::file_time_type::clock::now() - std::chrono::hours(1));
+  store_all(tm, folder, options);
+  CHECK(fs::exists(temporary) && fs::exists(lock));
+  fs::last_write_time(lock, fs::file_time_type::clock::now() - std::chrono::hours(1));
+  store_all(tm, folder, options);
+  store_all(tm, folder, options); // (the first call may meet the file before the lock)
+  CHECK(!fs::exists(temporary) && !fs::exists(lock));
+}
+
+// A folder in the place of the manifest cannot be read.
+void manifest_that_cannot_be_read()
+{
+  test_support::Scope scope("manifest that is a folder");
+  Test_folder folder("manifest");
+  fs::create_directories(folder.path() / "manifest.json");
+  const std::string message = message_of(
+    Store_error::Reason::NOT_A_STORE, [&] { store_all(to_face_graph(icosphere(0)), folder, Options()); });
+  CHECK(message.find("manifest.json") != std::string::npos);
+}
+
 } // namespace
 
 int main()
 {
+  records_of_another_matrix_do_not_count();
+  damaged_records_do_not_count();
+  files_of_the_user_stay();
+  files_of_living_processes_stay();
+  manifest_that_cannot_be_read();
   whole_rows();
   single_precision();
   upper_triangle();

@@ -41,6 +41,16 @@ done
 wait
 diff -r whole tasks
 
+# What another host has locked is left to it, with a remark.
+mkdir left
+printf node7.4711.99 > left/rows_000016_000032.lock
+"$program" matrix "$grid" --source all --store left > table 2> err
+equals "$(line table 2)" 81,65,6,5,1
+contains err "16 rows are missing: 1 shards have locks of other processes. Use --resume when these have ended"
+rm left/rows_000016_000032.lock
+is_silent matrix "$grid" --source all --store left --resume > table
+diff -r whole left
+
 # Signals leave a folder that can be completed. (The shell ignores Ctrl-C for processes in the background;
 # test_distance_matrix_store_kills sends it.)
 for signal in HUP TERM KILL; do

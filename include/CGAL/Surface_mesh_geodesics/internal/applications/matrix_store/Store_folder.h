@@ -196,13 +196,8 @@ public:
   bool find(std::size_t shard, Shard_entry& entry)
   {
     const std::lock_guard<std::mutex> guard(m_mutex);
-    const std::string record = text_of_file(file(shard, ".done"));
-    if(!record.empty())
-    {
-      const std::pair<std::size_t, Shard_entry> found = entry_from_json(Json_reader(record).read());
-      entry = found.second;
-      return found.first == shard;
-    }
+    if(read_record(shard, entry))
+      return true;
     read_manifest_if_changed();
     const auto found = m_entries.find(shard);
     if(found != m_entries.end())
@@ -234,7 +229,11 @@ public:
   void add(std::size_t shard, const Shard_entry& entry)
   {
     const std::filesystem::path record = file(shard, ".done");
-    write_renamed(record, to_json(shard, entry).written() + '\n');
+    // A record outlives its manifest, so it says what matrix it belongs to.
+    Json_value value = to_json(shard, entry);
+    value.add("mesh", m_description.mesh_hash);
+    value.add("matrix", m_description.hash());
+    write_renamed(record, value.written() + '\n');
     const std::lock_guard<std::mutex> guard(m_mutex);
     // The entry is known here at once; find() would see the record, too.
     m_entries[shard] = entry;
@@ -257,13 +256,15 @@ public:
   // --- the folder ---
 
   // Removes temporary files and locks of processes that are dead, or of other hosts and older than locks may be.
-  // Files of living processes stay: another process may be at work.
+  // Files of living processes stay: another process may be at work. So do files with other names: they are the user's.
   void remove_stale_files() const
   {
     const Folder_clock clock(m_path);
     std::error_code error;
     for(const auto& each : std::filesystem::directory_iterator(m_path, error))
-      if(each.path().extension() == ".tmp" && is_stale(each.path(), clock))
+      if(!is_name_of_store(each.path()))
+        continue;
+      else if(each.path().extension() == ".tmp" && is_stale(each.path(), clock))
         std::filesystem::remove(each.path(), error);
       else if(each.path().extension() == ".lock" && !Lock_file::is_held_by_other(each.path(), clock))
         Lock_file lock(each.path()); // takes it over, and ends: nobody asks for the lock of a shard that is done
@@ -279,9 +280,18 @@ private:
   std::filesystem::path manifest() const { return m_path / "manifest.json"; }
   std::filesystem::path manifest_lock() const { return m_path / "manifest.lock"; }
 
+  // Does the name begin as those of the manifest and of shards do?
+  static bool is_name_of_store(const std::filesystem::path& path)
+  {
+    const std::string name = path.filename().string(), base = name.substr(0, name.find('.'));
+    return base == "manifest"
+        || (base.compare(0, 5, "rows_") == 0 && base.find_first_not_of("0123456789_", 5) == std::string::npos);
+  }
+
   // The name ends with the owner, a count and ".tmp"; the name of the file comes first, and may contain dots. So the
-  // owner is searched for from each dot on.
-  static bool is_stale(const std::filesystem::path& path, const Folder_clock& clock)
+  // owner is searched for from each dot on. A process of another host may write a file for longer than locks may be old
+  // before its first buffer is full: as long as it has the lock, the file stays.
+  bool is_stale(const std::filesystem::path& path, const Folder_clock& clock) const
   {
     // without ".tmp" and without the count
     const std::string name = path.stem().stem().string();
@@ -291,7 +301,8 @@ private:
       if(parse_owner(name.substr(dot + 1), owner) && owner.host == this_process().host)
         return is_dead(owner);
     }
-    return clock.age(path) > Lock_file::patience;
+    const std::string whole = path.filename().string(), base = whole.substr(0, whole.find('.'));
+    return clock.age(path) > Lock_file::patience && !Lock_file::is_held_by_other(m_path / (base + ".lock"), clock);
   }
 
   // The usual way of all small files: written, synced, renamed, and the folder synced.
@@ -350,6 +361,9 @@ private:
   void read_manifest()
   {
     m_last_state = state_of_manifest();
+    // Somebody has removed it while this process was at work.
+    if(!has_manifest())
+      complain_of_file(manifest(), "is gone");
     try
     {
       take_manifest(Json_reader(text_of_file(manifest())).read());
@@ -410,12 +424,12 @@ private:
     std::error_code error;
     for(const auto& each : std::filesystem::directory_iterator(m_path, error))
     {
-      const std::string text = each.path().extension() == ".done" ? text_of_file(each.path()) : std::string();
-      if(text.empty())
+      // Records that say nothing stay: they are the user's, or their shards are computed again and have new ones.
+      std::pair<std::size_t, Shard_entry> found;
+      if(each.path().extension() != ".done" || !read_record(each.path(), found))
         continue;
       records.push_back(each.path());
-      const std::pair<std::size_t, Shard_entry> entry = entry_from_json(Json_reader(text).read());
-      m_entries[entry.first] = entry.second;
+      m_entries[found.first] = found.second;
     }
     m_last_merge = std::chrono::steady_clock::now();
     if(records.empty())
@@ -423,6 +437,38 @@ private:
     write_manifest();
     for(const std::filesystem::path& record : records)
       std::filesystem::remove(record, error);
+  }
+
+  // Reads the record of a shard. Returns false if there is none, if it cannot be read, or if it belongs to another
+  // matrix, which was in the folder before its manifest was removed: then the shard is computed, and has a new record.
+  bool read_record(const std::filesystem::path& path, std::pair<std::size_t, Shard_entry>& found) const
+  {
+    const std::string text = text_of_file(path);
+    if(text.empty())
+      return false;
+    try
+    {
+      const Json_value value = Json_reader(text).read();
+      if(!value.at("mesh").is_text(m_description.mesh_hash) || !value.at("matrix").is_text(m_description.hash()))
+        return false;
+      found = entry_from_json(value);
+    }
+    catch(const Geodesic_matrix_store_error&)
+    {
+      return false;
+    }
+    // A copy under another name, or a file of the user.
+    return path.filename() == layout().name(found.first) + ".done";
+  }
+
+  // The same for a shard whose name is known.
+  bool read_record(std::size_t shard, Shard_entry& entry) const
+  {
+    std::pair<std::size_t, Shard_entry> found;
+    if(!read_record(file(shard, ".done"), found))
+      return false;
+    entry = found.second;
+    return true;
   }
 
   // The names of files are for people: they follow from the rows.

@@ -218,7 +218,7 @@ bool run_with_mpi(const boost::mpi::communicator& world, Tag tag, Computation& c
   Mpi_shards list(world, shards);
   std::atomic<bool> is_finished{false};
   bool is_complete = false;
-  std::exception_ptr failure;
+  std::exception_ptr failure, failure_of_talk;
   std::thread thread([&]()
   {
     try
@@ -232,10 +232,20 @@ bool run_with_mpi(const boost::mpi::communicator& world, Tag tag, Computation& c
     }
     is_finished = true;
   });
-  list.serve(is_finished, rows_done, [&](std::size_t rows) { computation.report(tag, rows, 0); });
+  // A thread that is not joined would end the program before anybody sees the exception.
+  try
+  {
+    list.serve(is_finished, rows_done, [&](std::size_t rows) { computation.report(tag, rows, 0); });
+  }
+  catch(...) // of the visitor, or of MPI
+  {
+    failure_of_talk = std::current_exception();
+    list.stop();
+  }
   thread.join();
-  if(failure != nullptr)
-    std::rethrow_exception(failure);
+  for(const std::exception_ptr& each : {failure, failure_of_talk})
+    if(each != nullptr)
+      std::rethrow_exception(each);
   return is_complete;
 }
 

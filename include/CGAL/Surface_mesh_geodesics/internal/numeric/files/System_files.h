@@ -27,7 +27,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
+#include <sstream>
 #include <string>
 #include <system_error>
 
@@ -154,8 +154,10 @@ inline bool create_exclusively(const std::filesystem::path& path, const std::fil
 // between two calls reads as an empty one; callers treat both alike.
 inline std::string text_of_file(const std::filesystem::path& path)
 {
-  std::ifstream is(path, std::ios::binary);
-  return std::string(std::istreambuf_iterator<char>(is), std::istreambuf_iterator<char>());
+  // (The operator catches what a buffer throws that opens a folder, or loses its server.)
+  std::ostringstream text;
+  text << std::ifstream(path, std::ios::binary).rdbuf();
+  return text.str();
 }
 
 // --- processes ---
