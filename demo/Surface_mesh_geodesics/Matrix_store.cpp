@@ -126,9 +126,9 @@ void print_end(const Geodesic_matrix_store_status& status, const Console& consol
 {
   print(status);
   if(status.rows_done < status.rows)
-    console.note(std::to_string(status.rows - status.rows_done) + " rows are missing: "
-                 + std::to_string(status.shards_in_work)
-                 + " shards have locks of other processes. Use --resume when these have ended");
+    console.note("missing rows: " + std::to_string(status.rows - status.rows_done)
+                 + ", shards that other processes have locked: " + std::to_string(status.shards_in_work)
+                 + "; --resume computes what is missing when these have ended");
 }
 
 // Computes with sources in the form that the package takes: all are vertices, or all are locations in faces.

@@ -46,7 +46,7 @@ mkdir left
 printf node7.4711.99 > left/rows_000016_000032.lock
 "$program" matrix "$grid" --source all --store left > table 2> err
 equals "$(line table 2)" 81,65,6,5,1
-contains err "16 rows are missing: 1 shards have locks of other processes. Use --resume when these have ended"
+contains err "missing rows: 16, shards that other processes have locked: 1; --resume computes what is missing"
 rm left/rows_000016_000032.lock
 is_silent matrix "$grid" --source all --store left --resume > table
 diff -r whole left
