@@ -100,8 +100,9 @@ Answer answer_of(Solver& solver, const Surface& surface, const Sources& sources,
   for(const Vertex v : asked)
   {
     answer.distances.push_back(solver.distance(v));
-    if(with_nearest)
-      answer.nearest.push_back(static_cast<std::int64_t>(solver.nearest_source(v))); // -1 for no_source
+    if(!with_nearest)
+      continue;
+    answer.nearest.push_back(static_cast<std::int64_t>(solver.nearest_source(v))); // -1 for no_source
     if constexpr(std::is_same_v<Sources, Curves>)
       answer.feet.add(CGAL::ORIGIN, sources.foot(solver, surface.mesh(), v));
   }

@@ -125,11 +125,15 @@ class Solver:
         given = self._curves("sources", sources) if has_curves else self._places("sources", sources)
         ids = NO_IDS if targets is None else self._vertices("targets", targets)
         added = arguments.offsets_of("offsets", offsets, len(given) if has_curves else len(given[0]))
-        compute = self._surface.curve_distances if has_curves else self._surface.distances
-        found = compute(given, added, ids, arguments.radius_of("radius", radius), return_nearest or return_foot,
-                        arguments.call_of(threads, progress))
-        found = [array[:0] for array in found] if targets is not None and len(ids) == 0 else found
-        result = (found[0], *found[1:2] * return_nearest, *[found[3:]] * return_foot)
+        options = (arguments.radius_of("radius", radius), bool(return_nearest or return_foot),
+                   arguments.call_of(threads, progress))
+        if targets is not None and len(ids) == 0:
+            found = np.zeros(0), NO_IDS.copy(), np.zeros((0, 3)), NO_IDS.copy(), np.zeros((0, 3))
+        else:
+            compute = self._surface.curve_distances if has_curves else self._surface.distances
+            found = compute(given, added, ids, *options)
+        parts = (True, found[0]), (return_nearest, found[1]), (return_foot, found[3:])
+        result = tuple(part for is_wanted, part in parts if is_wanted)
         return result if len(result) > 1 else found[0]
 
     def signed_distances(self, curves: Any, *, radius: float = np.inf, progress: Progress | None = None) -> np.ndarray:

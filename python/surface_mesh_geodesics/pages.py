@@ -145,7 +145,10 @@ def _read(places: Sequence[pathlib.Path], what: str) -> str:
 
 
 def _license() -> str:
-    """The copyright and the conditions of three.js, out of Debian's file if it is that."""
+    """The copyright and the conditions of three.js, out of Debian's file."""
     text = _read(THREE_LICENSE, "the license of three.js")
-    parts = re.search(r"Files: \*\n(Copyright: .*)\n(?s:.*?)\nLicense: Expat\n((?: .*\n)*)", text)
-    return text if parts is None else f"{parts[1]}\n\n" + re.sub(r"(?m)^ \.?", "", parts[2])
+    owner = re.search(r"Files: \*\nCopyright: ([^\n]*)\nLicense: Expat", text)
+    conditions = re.search(r"\nLicense: Expat\n( [^\n]*(?:\n [^\n]*)*)", text)
+    if owner is None or conditions is None:
+        return text
+    return f"Copyright {owner[1]}\n\n" + re.sub(r"(?m)^ \.?", "", conditions[1])

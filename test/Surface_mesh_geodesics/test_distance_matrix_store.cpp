@@ -49,6 +49,13 @@ Status store_all(const Mesh& tm, const Test_folder& folder, const Options& optio
   return store_all(tm, folder, options, visitor);
 }
 
+Options shards_of_five_rows()
+{
+  Options options;
+  options.rows_per_shard = 5;
+  return options;
+}
+
 template <typename Function>
 std::string message_of(Store_error::Reason reason, Function function)
 {
@@ -75,8 +82,7 @@ void whole_rows()
   const Rows expected = expected_matrix(tm);
   const std::size_t n = expected.size();
   Test_folder folder("rows");
-  Options options;
-  options.rows_per_shard = 5;
+  const Options options = shards_of_five_rows();
   const Status status = store_all(tm, folder, options);
   CHECK(status.is_complete());
   CHECK_EQUAL(status.rows, n);
@@ -385,19 +391,18 @@ void records_of_another_matrix_do_not_count()
   test_support::Scope scope("records of another matrix");
   const Mesh before = to_face_graph(noisy_sphere(1, .1, 5)), tm = to_face_graph(noisy_sphere(1, .1, 6));
   Test_folder folder("records"), undisturbed("undisturbed");
-  Options options;
-  options.rows_per_shard = 5;
+  const Options options = shards_of_five_rows();
   CHECK(store_all(before, folder, options).is_complete());
-  store_all(tm, undisturbed, options);
+  CHECK(store_all(tm, undisturbed, options).is_complete());
   // What a kill before the next writing of the manifest leaves: the entries as records.
   Store_folder store(folder.name());
   store.open();
-  std::vector<Shard_entry> entries(store.layout().number_of_shards());
-  for(std::size_t shard = 0; shard < entries.size(); ++shard)
+  store.set_merging(false);
+  for(std::size_t shard = 0; shard < store.layout().number_of_shards(); ++shard)
   {
-    CHECK(store.find(shard, entries[shard]));
-    store.set_merging(false);
-    store.add(shard, entries[shard]);
+    Shard_entry entry;
+    CHECK(store.find(shard, entry));
+    store.add(shard, entry);
   }
   fs::remove(folder.path() / "manifest.json");
   Row_visitor visitor;
@@ -412,14 +417,13 @@ void damaged_records_do_not_count()
   test_support::Scope scope("damaged records");
   const Mesh tm = to_face_graph(icosphere(1));
   Test_folder folder("damaged_records");
-  Options options;
-  options.rows_per_shard = 5;
+  const Options options = shards_of_five_rows();
   store_all(tm, folder, options);
   const std::vector<double> numbers = stored_numbers(folder.path());
   fs::remove(folder.path() / "manifest.json");
   std::ofstream(folder.path() / "rows_000000_000005.done") << "{\"rows\": [0,";
   std::ofstream(folder.path() / "todo.done") << "buy milk";
-  fs::create_directory(folder.path() / "rows_000005_000010.done.folder");
+  fs::create_directory(folder.path() / "folder.done");
   CHECK(store_all(tm, folder, options).is_complete());
   CHECK(stored_numbers(folder.path()) == numbers);
   CHECK(!fs::exists(folder.path() / "rows_000000_000005.done"));
@@ -451,8 +455,7 @@ void files_of_living_processes_stay()
   test_support::Scope scope("files of other hosts");
   const Mesh tm = to_face_graph(icosphere(1));
   Test_folder folder("hosts");
-  Options options;
-  options.rows_per_shard = 5;
+  const Options options = shards_of_five_rows();
   store_all(tm, folder, options);
   const fs::path lock = folder.path() / "rows_000000_000005.lock";
   const fs::path temporary = folder.path() / "rows_000000_000005.npy.node7.example.org.123.456.0.tmp";

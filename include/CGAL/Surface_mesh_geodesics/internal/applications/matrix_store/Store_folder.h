@@ -172,8 +172,7 @@ public:
       check_is_same(description);
       return;
     }
-    m_description = description;
-    m_is_open = true;
+    describe(description, description.hash());
     write_manifest();
   }
 
@@ -196,8 +195,12 @@ public:
   bool find(std::size_t shard, Shard_entry& entry)
   {
     const std::lock_guard<std::mutex> guard(m_mutex);
-    if(read_record(shard, entry))
+    std::pair<std::size_t, Shard_entry> recorded;
+    if(read_record(file(shard, ".done"), recorded))
+    {
+      entry = recorded.second;
       return true;
+    }
     read_manifest_if_changed();
     const auto found = m_entries.find(shard);
     if(found != m_entries.end())
@@ -232,7 +235,7 @@ public:
     // A record outlives its manifest, so it says what matrix it belongs to.
     Json_value value = to_json(shard, entry);
     value.add("mesh", m_description.mesh_hash);
-    value.add("matrix", m_description.hash());
+    value.add("matrix", m_hash);
     write_renamed(record, value.written() + '\n');
     const std::lock_guard<std::mutex> guard(m_mutex);
     // The entry is known here at once; find() would see the record, too.
@@ -262,12 +265,15 @@ public:
     const Folder_clock clock(m_path);
     std::error_code error;
     for(const auto& each : std::filesystem::directory_iterator(m_path, error))
-      if(!is_name_of_store(each.path()))
+    {
+      const std::string base = base_of(each.path());
+      if(base != "manifest" && !Store_layout::is_name(base))
         continue;
-      else if(each.path().extension() == ".tmp" && is_stale(each.path(), clock))
+      if(each.path().extension() == ".tmp" && is_stale(each.path(), clock))
         std::filesystem::remove(each.path(), error);
       else if(each.path().extension() == ".lock" && !Lock_file::is_held_by_other(each.path(), clock))
         Lock_file lock(each.path()); // takes it over, and ends: nobody asks for the lock of a shard that is done
+    }
   }
 
   // Is another process, or another call in this one, at work on a shard?
@@ -280,12 +286,11 @@ private:
   std::filesystem::path manifest() const { return m_path / "manifest.json"; }
   std::filesystem::path manifest_lock() const { return m_path / "manifest.lock"; }
 
-  // Does the name begin as those of the manifest and of shards do?
-  static bool is_name_of_store(const std::filesystem::path& path)
+  // The name of a file up to the first dot: "manifest" or the name of a shard, unless the file is the user's.
+  static std::string base_of(const std::filesystem::path& path)
   {
-    const std::string name = path.filename().string(), base = name.substr(0, name.find('.'));
-    return base == "manifest"
-        || (base.compare(0, 5, "rows_") == 0 && base.find_first_not_of("0123456789_", 5) == std::string::npos);
+    const std::string name = path.filename().string();
+    return name.substr(0, name.find('.'));
   }
 
   // The name ends with the owner, a count and ".tmp"; the name of the file comes first, and may contain dots. So the
@@ -301,8 +306,8 @@ private:
       if(parse_owner(name.substr(dot + 1), owner) && owner.host == this_process().host)
         return is_dead(owner);
     }
-    const std::string whole = path.filename().string(), base = whole.substr(0, whole.find('.'));
-    return clock.age(path) > Lock_file::patience && !Lock_file::is_held_by_other(m_path / (base + ".lock"), clock);
+    return clock.age(path) > Lock_file::patience
+        && !Lock_file::is_held_by_other(m_path / (base_of(path) + ".lock"), clock);
   }
 
   // The usual way of all small files: written, synced, renamed, and the folder synced.
@@ -325,9 +330,9 @@ private:
       throw Geodesic_matrix_store_error(Reason::DIFFERENT_MESH,
                                         begin + "a mesh with the hash " + m_description.mesh_hash
                                           + ", and this mesh has the hash " + other.mesh_hash);
-    if(other.hash() != m_description.hash())
+    if(other.hash() != m_hash)
       throw Geodesic_matrix_store_error(Reason::DIFFERENT_MATRIX,
-                                        begin + "sources, targets and options with the hash " + m_description.hash()
+                                        begin + "sources, targets and options with the hash " + m_hash
                                           + ", and those of this call have the hash " + other.hash());
   }
 
@@ -345,7 +350,7 @@ private:
     value.add("matrix", m_description.layout.to_json());
     value.add("sources", m_description.sources);
     value.add("targets", m_description.targets);
-    value.add("hash", m_description.hash());
+    value.add("hash", m_hash);
     // The entries are sorted by shard, so equal folders have equal manifests.
     std::vector<Json_value> shards;
     for(const auto& entry : m_entries)
@@ -390,21 +395,29 @@ private:
     d.layout = Store_layout::from_json(value.at("matrix"));
     d.sources = value.at("sources");
     d.targets = value.at("targets");
-    if(!value.at("hash").is_text(d.hash()) || (m_is_open && !is_same(d)))
+    const std::string hash = d.hash();
+    if(!value.at("hash").is_text(hash) || (m_is_open && !is_same(d, hash)))
       Json_value::complain("its hash does not fit its contents");
     // Later readings find the same description, or an error: threads read it without the mutex.
     if(!m_is_open)
-      m_description = d;
-    m_is_open = true;
+      describe(d, hash);
     m_entries.clear();
     for(const Json_value& shard : value.at("shards").elements())
       m_entries.insert(entry_from_json(shard));
   }
 
-  // Other processes add shards to the manifest, and nothing else changes in it.
-  bool is_same(const Store_description& d) const
+  // Opens the folder.
+  void describe(const Store_description& description, const std::string& hash)
   {
-    return d.hash() == m_description.hash() && d.mesh_hash == m_description.mesh_hash
+    m_description = description;
+    m_hash = hash;
+    m_is_open = true;
+  }
+
+  // Other processes add shards to the manifest, and nothing else changes in it.
+  bool is_same(const Store_description& d, const std::string& hash) const
+  {
+    return hash == m_hash && d.mesh_hash == m_description.mesh_hash
         && d.layout.rows_per_shard == layout().rows_per_shard;
   }
 
@@ -449,7 +462,7 @@ private:
     try
     {
       const Json_value value = Json_reader(text).read();
-      if(!value.at("mesh").is_text(m_description.mesh_hash) || !value.at("matrix").is_text(m_description.hash()))
+      if(!value.at("mesh").is_text(m_description.mesh_hash) || !value.at("matrix").is_text(m_hash))
         return false;
       found = entry_from_json(value);
     }
@@ -457,18 +470,8 @@ private:
     {
       return false;
     }
-    // A copy under another name, or a file of the user.
+    // Another name: a copy, or a file of the user.
     return path.filename() == layout().name(found.first) + ".done";
-  }
-
-  // The same for a shard whose name is known.
-  bool read_record(std::size_t shard, Shard_entry& entry) const
-  {
-    std::pair<std::size_t, Shard_entry> found;
-    if(!read_record(file(shard, ".done"), found))
-      return false;
-    entry = found.second;
-    return true;
   }
 
   // The names of files are for people: they follow from the rows.
@@ -522,7 +525,10 @@ private:
 
   const std::filesystem::path m_path;
   mutable std::mutex m_mutex; // guards the members below
-  Store_description m_description; // constant after opening, so that it is read without the mutex
+  // Both are constant after opening, so that they are read without the mutex. The hash takes time for the list of
+  // sources, and each record has it.
+  Store_description m_description;
+  std::string m_hash;
   bool m_is_open = false;
   bool m_is_merging = true; // constant while threads use the object
   std::map<std::size_t, Shard_entry> m_entries;

@@ -70,6 +70,12 @@ struct Store_layout
     return "rows_" + digits(first_row(shard)) + '_' + digits(end_row(shard));
   }
 
+  // Is it such a name, of any layout?
+  static bool is_name(const std::string& text)
+  {
+    return text.compare(0, 5, "rows_") == 0 && text.find_first_not_of("0123456789_", 5) == std::string::npos;
+  }
+
   // --- elements ---
 
   // As in the names "<f4" and "<f8" of NumPy.
