@@ -4,6 +4,7 @@
 //   --float32, --symmetric, --radius R   what is stored
 //   --kill RANK ROWS                     that rank kills itself after so many rows. The others are slow, so that work
 //                                        is left when mpirun ends them
+//   --throw                              the visitor of rank 0 throws when it is told of rows of other ranks
 //   --threads                            several threads in each rank
 //   --alone                              without MPI, for the comparison
 //   --other-mesh                         of another mesh; each rank has to reject the folder
@@ -35,11 +36,18 @@ namespace SMG = CGAL::Surface_mesh_geodesics;
 
 namespace {
 
+struct Visitor_error
+{};
+
 struct Killing_visitor
   : SMG::Geodesic_default_visitor
 {
   void on_rows(std::size_t c, std::size_t f, std::size_t)
   {
+    if(throws && std::this_thread::get_id() == main_thread) // which talks to the other ranks
+    {
+      throw Visitor_error();
+    }
     computed = c;
     found = f;
     std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds_per_row));
@@ -49,6 +57,8 @@ struct Killing_visitor
     }
   }
 
+  const std::thread::id main_thread = std::this_thread::get_id();
+  bool throws = false;
   int milliseconds_per_row = 0;
   std::size_t computed = 0, found = 0, limit = (std::numeric_limits<std::size_t>::max)();
 };
@@ -72,6 +82,12 @@ int run(const boost::mpi::communicator& world, const Mesh& tm, const std::string
     std::cout << "rank " << world.rank() << ": " << error.what() << std::endl;
     return EXIT_SUCCESS;
   }
+  catch(const Visitor_error&)
+  {
+    std::cout << "rank " << world.rank() << ": the visitor has thrown" << std::endl;
+    boost::mpi::environment::abort(EXIT_FAILURE);
+    return EXIT_FAILURE;
+  }
 }
 
 } // namespace
@@ -93,6 +109,8 @@ int main(int argc, char* argv[])
       use_symmetry = true;
     else if(option == "--radius")
       radius = std::atof(argv[++k]);
+    else if(option == "--throw")
+      visitor.throws = world.rank() == 0;
     else if(option == "--threads")
       has_threads = true;
     else if(option == "--alone")

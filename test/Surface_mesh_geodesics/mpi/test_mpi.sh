@@ -67,3 +67,9 @@ diff -r alone folder
 start 2 folder --other-mesh > out
 [ "$(grep --count "the folder has the matrix of a mesh with the hash" out)" -eq 2 ]
 diff -r alone folder
+
+# An exception of the visitor reaches the caller, also from the thread that talks to the other ranks.
+status=0
+start 3 thrown --throw > out 2>&1 || status=$?
+[ "$status" -ne 0 ]
+grep --quiet "rank 0: the visitor has thrown" out
