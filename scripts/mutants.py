@@ -92,6 +92,8 @@ JSON = INTERNAL + "numeric/files/Json_value.h"
 STORE_FOLDER = INTERNAL + "applications/matrix_store/Store_folder.h"
 STORE_LAYOUT = INTERNAL + "applications/matrix_store/Store_layout.h"
 STORE_ROWS = INTERNAL + "applications/matrix_store/Store_computation.h"
+STORED_MATRIX = INTERNAL + "applications/matrix_store/Stored_matrix.h"
+STORE_CHECK = INTERNAL + "applications/matrix_store/check_stored_matrix.h"
 
 WINDOWS = "test_window_pruning"
 LAWS = "test_predicate_laws"
@@ -107,6 +109,7 @@ LANES = "test_numbers_of_lanes"
 NEEDLES = "test_needles_and_caps"
 OPTIONS = "test_options"
 STORE = "test_distance_matrix_store"
+STORE_FILES = "test_distance_matrix_store_folder"
 KILLS = "test_distance_matrix_store_kills"
 INVALID = "test_invalid_input"
 SOLVER = "test_distance_solver"
@@ -750,13 +753,25 @@ MUTANTS = [
      "a shard that another process has just finished is computed again", (STORE,)),
     ("records_of_any_mesh", STORE_FOLDER,
      "!value.at(\"mesh\").is_text(m_description.mesh_hash) || ", "",
-     "records that a killed process has left pass for shards of another mesh", (STORE,)),
+     "records that a killed process has left pass for shards of another mesh", (STORE_FILES,)),
     ("files_of_the_user_removed", STORE_FOLDER,
      "      if(base != \"manifest\" && !Store_layout::is_name(base))\n        continue;\n", "",
-     "old files of the user with the endings .tmp and .lock are removed", (STORE,)),
+     "old files of the user with the endings .tmp and .lock are removed", (STORE_FILES,)),
     ("files_of_lock_holders_removed", STORE_FOLDER,
      "\n        && !Lock_file::is_held_by_other(m_path / (base_of(path) + \".lock\"), clock)", "",
-     "a file that a process of another host writes slowly is removed", (STORE,)),
+     "a file that a process of another host writes slowly is removed", (STORE_FILES,)),
+    ("manifest_written_without_lock", STORE_FOLDER,
+     "if(!lock.is_owned())", "if(false)",
+     "a process that has lost the lock replaces a manifest by one without the entries of others", (STORE_FILES,)),
+    ("damaged_shards_of_others_count", STORED_MATRIX,
+     "std::find(doubtful.begin(), doubtful.end(), s) == doubtful.end()", "true",
+     "a damaged shard that another process has locked passes for done", (STORE_FILES,)),
+    ("columns_of_damaged_rows_unread", STORED_MATRIX,
+     "      if(column >= layout().columns)\n        complain_of_damage(m_folder.file(shard, \".indices.npy\"));\n", "",
+     "a damaged sparse row writes behind the end of memory", (STORE_FILES,)),
+    ("violations_relative_to_tiny_distances", STORE_CHECK,
+     "(a - b) / (std::max)(a, scale)", "(a - b) / a",
+     "the check of a stored matrix rejects meshes with needles", (STORE,)),
     ("triangle_offsets", STORE_LAYOUT,
      "return number * (columns - 1) - (number * (first + row - 1)) / 2;", "return number * (columns - 1);",
      "rows of an upper triangle are read from wrong places", (STORE,)),

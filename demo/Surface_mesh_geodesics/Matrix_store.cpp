@@ -21,6 +21,7 @@
 #include <string>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 namespace geodesics_demo {
 
@@ -72,7 +73,7 @@ po::typed_value<std::string>* checked_value(const char* option, const char* want
   });
 }
 
-auto store_parameters(const Arguments& arguments, const std::string& mesh_name)
+auto store_parameters(const Arguments& arguments, const std::string& mesh_name, bool compare_checksums)
 {
   std::size_t first = 0, end = (std::numeric_limits<std::size_t>::max)(), memory = std::size_t(64) << 20;
   if(has(arguments, "rows"))
@@ -87,7 +88,8 @@ auto store_parameters(const Arguments& arguments, const std::string& mesh_name)
     .first_row(first)
     .end_row(end)
     .memory_limit(memory)
-    .mesh_name(mesh_name);
+    .mesh_name(mesh_name)
+    .compare_checksums(compare_checksums);
 }
 
 // Whatever goes wrong with a folder, as the program reports it.
@@ -121,14 +123,19 @@ void print(const Geodesic_matrix_store_status& status)
             << status.shards_in_work << '\n';
 }
 
-// Prints the status of a call that has ended, and tells what it has left to others: they may have died.
-void print_end(const Geodesic_matrix_store_status& status, const Console& console)
+// Prints the status of a call that has ended. What it has left to others is missing: a program that goes on with the
+// matrix must not take it for a whole one. Rows without a shard are no mistake: an array job may have more tasks than
+// there are rows.
+void print_end(const Geodesic_matrix_store_status& status, const Arguments& arguments, const Console& console)
 {
   print(status);
-  if(status.rows_done < status.rows)
-    console.note("missing rows: " + std::to_string(status.rows - status.rows_done)
-                 + ", shards that other processes have locked: " + std::to_string(status.shards_in_work)
-                 + "; --resume computes what is missing when these have ended");
+  if(!status.is_complete())
+    throw Command_error(Exit_code::NO_RESULT,
+                        "missing rows: " + std::to_string(status.rows - status.rows_done)
+                          + ", shards that other processes have locked: " + std::to_string(status.shards_in_work)
+                          + "; --resume computes what is missing when these have ended");
+  if(status.shards == 0 && has(arguments, "rows"))
+    console.note("no shard begins in the rows " + arguments["rows"].as<std::string>() + ": nothing was computed");
 }
 
 // Computes with sources in the form that the package takes: all are vertices, or all are locations in faces.
@@ -149,11 +156,12 @@ Geodesic_matrix_store_status store(const Mesh& mesh, const Sources& sources, con
 
 Geodesic_matrix_store_status store(const std::string& mesh_name, const Mesh& mesh, const std::string& folder,
                                    const Arguments& arguments, const Place_finder& find_places, const Mpi_job* job,
-                                   const Console& console)
+                                   const Console& console, bool compare_checksums = true)
 {
   Matrix_places places = find_places(mesh);
   std::error_code error; // an absolute name: --verify finds it from any folder
-  const auto parameters = store_parameters(arguments, fs::absolute(mesh_name, error).string());
+  const auto parameters
+    = store_parameters(arguments, fs::absolute(mesh_name, error).string(), compare_checksums);
   Row_progress progress(console);
   std::vector<Vertex> vertices = as_vertices(places.sources);
   if(has(arguments, "peel") && vertices == places.targets) // others are rejected, as not symmetric
@@ -198,38 +206,71 @@ std::vector<std::string> meshes_of_list(const std::string& list)
   return names;
 }
 
-// A folder for each mesh, with the name of the mesh. Processes with the same list share the shards of each mesh by
-// their locks, and whoever finds none goes on to the next mesh.
-void store_meshes(const Arguments& arguments, const Place_finder& find_places, const Mpi_job* job,
-                  const Console& console)
+// A folder for each mesh, with the name of the mesh.
+std::vector<std::string> folders_of_meshes(const std::vector<std::string>& names, const Arguments& arguments)
 {
-  const std::string folder = arguments["store"].as<std::string>();
-  const std::vector<std::string> names = meshes_of_list(arguments["meshes"].as<std::string>());
   std::vector<std::string> folders;
   for(const std::string& name : names)
   {
-    folders.push_back((fs::path(folder) / fs::path(name).stem()).string());
+    const fs::path stem = fs::path(name).stem();
+    if(stem.empty() || stem == "." || stem == "..")
+      throw Command_error(Exit_code::BAD_USAGE, name + ": the name of the file gives no name for a folder");
+    folders.push_back((fs::path(arguments["store"].as<std::string>()) / stem).string());
     if(std::find(folders.begin(), folders.end() - 1, folders.back()) != folders.end() - 1)
       throw Command_error(Exit_code::BAD_USAGE, "two meshes of the list would have the folder " + folders.back());
-    if(job == nullptr) // the ranks of a job begin at different times
-      check_is_new(folders.back(), arguments);
   }
-  for(std::size_t k = 0; k < names.size(); ++k)
-    store(names[k], read_mesh(names[k], console), folders[k], arguments, find_places, nullptr, console);
-  if(job != nullptr)
-    job->wait_for_all();
+  return folders;
+}
+
+// The status of all folders.
+Geodesic_matrix_store_status sum_of_stores(const std::vector<std::string>& folders)
+{
   Geodesic_matrix_store_status sum;
-  for(const std::string& each : folders)
+  for(const std::string& folder : folders)
   {
-    const Geodesic_matrix_store_status status = Geodesic_distance_matrix_store(each).status();
+    const Geodesic_matrix_store_status status = Geodesic_distance_matrix_store(folder).status();
     sum.rows += status.rows;
     sum.rows_done += status.rows_done;
     sum.shards += status.shards;
     sum.shards_done += status.shards_done;
     sum.shards_in_work += status.shards_in_work;
   }
-  if(job == nullptr || job->rank() == 0)
-    print_end(sum, console);
+  return sum;
+}
+
+// Each process of a job begins with meshes of its own, so that it reads few and checks few files. When it is through
+// with them, it helps the others: the locks of shards make sure that each shard is computed once. A process alone, or
+// one of several that know nothing of each other, does the first part with all meshes.
+void store_meshes(const Arguments& arguments, const Place_finder& find_places, const Mpi_job* job,
+                  const Console& console)
+{
+  const std::vector<std::string> names = meshes_of_list(arguments["meshes"].as<std::string>());
+  const std::vector<std::string> folders = folders_of_meshes(names, arguments);
+  const std::size_t rank = job == nullptr ? 0 : static_cast<std::size_t>(job->rank());
+  const std::size_t ranks = job == nullptr ? 1 : static_cast<std::size_t>(job->size());
+  if(rank == 0)
+    for(const std::string& folder : folders)
+      check_is_new(folder, arguments);
+  if(job != nullptr)
+    job->wait_for_all(); // before the first folder is made
+  const auto store_mesh = [&](std::size_t k, bool compare_checksums)
+  {
+    store(names[k], read_mesh(names[k], console), folders[k], arguments, find_places, nullptr, console,
+          compare_checksums);
+  };
+  for(std::size_t k = rank; k < names.size(); k += ranks)
+    store_mesh(k, true);
+  for(std::size_t i = 0; job != nullptr && i < names.size(); ++i)
+  {
+    const std::size_t k = (rank + i) % names.size(); // not all help with the same mesh
+    if(!fs::exists(fs::path(folders[k]) / "manifest.json")
+       || !Geodesic_distance_matrix_store(folders[k]).status().is_complete())
+      store_mesh(k, false);
+  }
+  if(job != nullptr)
+    job->wait_for_all();
+  if(rank == 0)
+    print_end(sum_of_stores(folders), arguments, console);
 }
 
 void store_one(const Arguments& arguments, const Place_finder& find_places, const Console& console)
@@ -238,7 +279,7 @@ void store_one(const Arguments& arguments, const Place_finder& find_places, cons
   check_is_new(folder, arguments);
   print_end(store(mesh_argument(arguments), read_mesh(mesh_argument(arguments), console), folder, arguments,
                   find_places, nullptr, console),
-            console);
+            arguments, console);
 }
 
 // The same by all processes of a job. Rank 0 speaks for all.
@@ -261,7 +302,7 @@ void store_in_job(const Arguments& arguments, const Place_finder& find_places, c
   const Geodesic_matrix_store_status status
     = store(name, job.mesh(name, read, own_console), folder, arguments, find_places, &job, own_console);
   if(job.rank() == 0)
-    print_end(status, own_console);
+    print_end(status, arguments, own_console);
 }
 
 // --- checking ---
@@ -277,13 +318,13 @@ void verify(const Arguments& arguments, const Console& console)
   const std::string folder = arguments["verify"].as<std::string>();
   const Geodesic_distance_matrix_store matrix(folder);
   const Geodesic_matrix_store_status status = matrix.status();
-  const std::size_t damaged = matrix.damaged_shards().size();
-  for(const std::pair<std::size_t, std::size_t>& rows : matrix.damaged_shards())
+  const std::vector<std::pair<std::size_t, std::size_t>> damaged = matrix.damaged_shards();
+  for(const std::pair<std::size_t, std::size_t>& rows : damaged)
     console.note("the shard of the rows " + std::to_string(rows.first) + ':' + std::to_string(rows.second)
                  + " is damaged; --resume computes it again");
   std::cout << "check,number,failures,worst\n"
-            << "checksums of shards," << status.shards_done << ',' << damaged << ",\n";
-  if(damaged > 0)
+            << "checksums of shards," << status.shards_done << ',' << damaged.size() << ",\n";
+  if(!damaged.empty())
     throw Command_error(Exit_code::NO_RESULT, folder + ": some shards are damaged");
   const std::string mesh_name = has(arguments, "mesh") ? mesh_argument(arguments) : matrix.mesh_name();
   const Geodesic_matrix_store_check check

@@ -20,6 +20,11 @@ int Mpi_job::rank() const
   return m_world.rank();
 }
 
+int Mpi_job::size() const
+{
+  return m_world.size();
+}
+
 void Mpi_job::wait_for_all() const
 {
   m_world.barrier();
@@ -74,6 +79,11 @@ namespace geodesics_demo {
 int Mpi_job::rank() const
 {
   return 0;
+}
+
+int Mpi_job::size() const
+{
+  return 1;
 }
 
 void Mpi_job::wait_for_all() const

@@ -19,6 +19,7 @@ class Mpi_job
 {
 public:
   int rank() const;
+  int size() const;
 
   void wait_for_all() const;
 

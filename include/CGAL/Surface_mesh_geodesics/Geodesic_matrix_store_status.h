@@ -45,8 +45,8 @@ struct Geodesic_matrix_store_status
 \ingroup PkgSurfaceMeshGeodesicsClasses
 
 The class `Geodesic_matrix_store_check` is the result of `check_geodesic_distance_matrix()`. Violations are relative to
-the larger side of the inequality. Of exact distances in 64 bits they are a few units of 2<sup>-53</sup>, in 32 bits of
-2<sup>-24</sup>.
+the larger side of the inequality, or to the longest edge of the mesh if that is larger. Of exact distances in 64 bits
+they are a few units of 2<sup>-53</sup>, in 32 bits of 2<sup>-24</sup>.
 
 \sa `check_geodesic_distance_matrix()`
 */

@@ -144,6 +144,12 @@ that are done.
     \cgalParamType{`std::string`}
     \cgalParamDefault{an empty name}
   \cgalParamNEnd
+  \cgalParamNBegin{compare_checksums}
+    \cgalParamDescription{whether the files of shards that are done are read and compared with their checksums. Without,
+                          a call starts sooner, and does not see damage.}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`true`}
+  \cgalParamNEnd
   \cgalParamNBegin{visitor}
     \cgalParamDescription{a visitor that is told of rows, and can cancel: `on_propagation_begin(n)` with the number of
                           rows of the range, `on_progress(k, 0)` when `k` of them are done, and every now and
@@ -163,7 +169,8 @@ that are done.
 \throws Invalid_geodesic_input for a mesh, a source, a target or a radius that `sparse_geodesic_distance_matrix()`
 rejects
 \throws Geodesic_matrix_store_error if the folder belongs to another mesh, or to other sources, targets or parameters
-        (the message has both checksums), and if a file cannot be written
+        (the message has both checksums), if a file cannot be written, and if another process keeps the lock of a
+        folder that has no manifest yet for 20 seconds
 */
 template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename Sources, typename Targets,
           typename CGAL_NP_TEMPLATE_PARAMETERS>

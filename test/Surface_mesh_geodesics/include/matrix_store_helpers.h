@@ -15,6 +15,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <random>
 #include <string>
@@ -42,7 +43,8 @@ inline auto named(const Options& options)
     .first_row(options.first_row)
     .end_row(options.end_row)
     .memory_limit(options.memory_limit)
-    .mesh_name(options.mesh_name);
+    .mesh_name(options.mesh_name)
+    .compare_checksums(options.compare_checksums);
 }
 
 // Where temporary files are; in memory if the system has a place for that, as syncing a disk takes most of the time.
@@ -195,6 +197,60 @@ inline void check_is_tidy(const fs::path& folder)
 {
   CHECK_EQUAL(files_with(folder, ".npy").size() + 1, files_with(folder, "").size());
   CHECK(fs::exists(folder / "manifest.json"));
+}
+
+// --- calls ---
+
+// Counts rows, and cancels after a number of computed ones.
+struct Row_visitor
+  : SMG::Geodesic_default_visitor
+{
+  void on_rows(std::size_t c, std::size_t f, std::size_t n)
+  {
+    CHECK(c + f > computed + found && c + f <= n);
+    computed = c;
+    found = f;
+  }
+  void on_progress(std::size_t number, double) { CHECK_EQUAL(number, computed + found); }
+  bool go_further() { return computed < most; }
+
+  std::size_t computed = 0, found = 0, most = std::size_t(-1);
+};
+
+inline Status store_all(const Mesh& tm, const Test_folder& folder, const Options& options, Row_visitor& visitor)
+{
+  return SMG::store_geodesic_distance_matrix(tm, vertices(tm), vertices(tm), folder.name(),
+                                             named(options).visitor(std::ref(visitor)));
+}
+
+inline Status store_all(const Mesh& tm, const Test_folder& folder, const Options& options)
+{
+  Row_visitor visitor;
+  return store_all(tm, folder, options, visitor);
+}
+
+inline Options shards_of_five_rows()
+{
+  Options options;
+  options.rows_per_shard = 5;
+  return options;
+}
+
+template <typename Function>
+std::string message_of(Store_error::Reason reason, Function function)
+{
+  std::string message;
+  try
+  {
+    function();
+  }
+  catch(const Store_error& error)
+  {
+    CHECK(error.reason() == reason);
+    message = error.what();
+  }
+  CHECK(!message.empty()); // otherwise nothing was thrown
+  return message;
 }
 
 } // namespace matrix_store

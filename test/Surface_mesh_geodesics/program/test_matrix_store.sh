@@ -41,10 +41,17 @@ done
 wait
 diff -r whole tasks
 
-# What another host has locked is left to it, with a remark.
+# An array job may have more tasks than there are rows.
+"$program" matrix "$grid" --source all --store tasks --rows 81:90 > table 2> err
+equals "$(line table 2)" 0,0,0,0,0
+contains err "no shard begins in the rows 81:90: nothing was computed"
+
+# What another host has locked is left to it, and the matrix is not complete.
 mkdir left
 printf node7.4711.99 > left/rows_000016_000032.lock
-"$program" matrix "$grid" --source all --store left > table 2> err
+code=0
+"$program" matrix "$grid" --source all --store left > table 2> err || code=$?
+equals "$code" 1
 equals "$(line table 2)" 81,65,6,5,1
 contains err "missing rows: 16, shards that other processes have locked: 1; --resume computes what is missing"
 rm left/rows_000016_000032.lock
@@ -87,6 +94,32 @@ for file in whole/*.npy; do
   cmp "$file" "many/grid9/${file#whole/}"
 done
 equals "$(status many/grid4)" 16,16,1,1,0
+
+# The same by the processes of an MPI job, if there are any.
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1
+export OMPI_MCA_hwloc_base_binding_policy=none OMPI_MCA_btl_vader_single_copy_mechanism=none
+if command -v mpirun > mpirun.path && "$program" matrix "$grid" --source 0 --store alone --mpi > table 2> err; then
+  mpirun -n 3 "$program" matrix "$grid" --source all --store job --mpi > table
+  equals "$(line table 2)" 81,81,6,6,0
+  diff -r whole job
+  mpirun -n 3 "$program" matrix --meshes list --source all --store jobs --mpi > table
+  equals "$(line table 2)" 97,97,7,7,0
+  diff -r many jobs
+  code=0
+  mpirun -n 2 "$program" matrix --meshes list --source all --store jobs --mpi > table 2> err || code=$?
+  equals "$code" 2
+  contains err "the folder has a matrix; --resume computes what is missing of it"
+  printf 'x' | dd of=jobs/grid9/rows_000032_000048.npy bs=1 seek=777 conv=notrunc status=none
+  mpirun -n 3 "$program" matrix --meshes list --source all --store jobs --mpi --resume > table
+  diff -r many jobs
+else
+  echo "NOTICE: the program was built without MPI: it is not run by several processes."
+fi
+
+echo ...off > dots
+cp "$grid" ...off # its name without the ending is that of the folder above
+rejects 2 "...off: the name of the file gives no name for a folder" \
+  matrix --meshes dots --source all --store twice
 printf '%s\n%s\n' "$grid" "$grid" > list
 rejects 2 "two meshes of the list would have the folder twice/grid9" matrix --meshes list --source all --store twice
 

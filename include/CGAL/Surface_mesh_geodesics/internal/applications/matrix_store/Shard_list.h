@@ -60,6 +60,7 @@ public:
       m_is_last_round = true;
       m_next = 0;
       m_shards.swap(m_set_aside);
+      m_set_aside.clear();
     }
     if(m_next == m_shards.size())
       return false;
@@ -71,9 +72,12 @@ public:
   void set_aside(std::size_t shard)
   {
     const std::lock_guard<std::mutex> guard(m_mutex);
-    if(!m_is_last_round)
-      m_set_aside.push_back(shard);
+    m_set_aside.push_back(shard);
   }
+
+  // When all threads have ended: the shards that are left to others, at most once each. They may be done meanwhile; who
+  // wants to know looks them up in the folder.
+  const std::vector<std::size_t>& left() const { return m_set_aside; }
 
 private:
   std::mutex m_mutex;

@@ -16,6 +16,7 @@
 
 #include <CGAL/Surface_mesh_geodesics/internal/applications/matrix_store/Shard_writer.h>
 #include <CGAL/Surface_mesh_geodesics/internal/applications/matrix_store/Store_folder.h>
+#include <CGAL/Surface_mesh_geodesics/internal/applications/matrix_store/Store_options.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/files/Lock_file.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/rows/Distance_matrix.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Worker_team.h>
@@ -81,7 +82,7 @@ void isolate_from_threads(Parallel_tag, const Function& function)
 
 // Report(computed, found) is called for rows, one call at a time: those computed by this call, and those that were done
 // before; it returns whether to go on.
-template <typename Report>
+//
 // A thread's memory is that of one run and of one row, and its part of the buffers. Nothing else grows with the number
 // of rows, or with that of columns except for the row.
 //
@@ -90,6 +91,7 @@ template <typename Report>
 //
 // If a thread fails, the others stop before their next row; their incomplete shards are removed, and what is done
 // stays.
+template <typename Report>
 class Store_computation
 {
   using Matrix = Distance_matrix<double>;
@@ -97,10 +99,11 @@ class Store_computation
   using Landmarks = Matrix::Landmarks;
 
 public:
-  // All arguments are referred to. `memory` is the number of bytes for rows that are not written yet, of all threads.
+  // All arguments but the options are referred to.
   Store_computation(Store_folder& folder, const Matrix& matrix, const std::vector<Vertex_id>& targets,
-                    std::size_t number_of_vertices, std::size_t memory, Report& report)
-    : m_folder(folder), m_matrix(matrix), m_targets(targets), m_memory(memory), m_report(report)
+                    std::size_t number_of_vertices, const Store_options& options, Report& report)
+    : m_folder(folder), m_matrix(matrix), m_targets(targets), m_memory(options.memory_limit),
+      m_compares_checksums(options.compare_checksums), m_report(report)
   {
     if(folder.layout().kind == Store_kind::WITHIN_RADIUS)
       m_positions = std::make_unique<Matrix::Target_positions>(targets, number_of_vertices);
@@ -170,7 +173,7 @@ private:
             {
               worker = m_matrix.make_worker();
               if(m_folder.layout().kind == Store_kind::UPPER_TRIANGLE)
-                std::call_once(m_landmarks_once, [&]() { find_landmarks(tag); });
+                std::call_once(m_landmarks_once, [&]() { find_landmarks(tag, lock); });
             }
             compute(tag, *worker, shard, memory, lock);
           }
@@ -185,34 +188,38 @@ private:
     }
   }
 
-  // Returns whether a shard is done, with files that are what their checksums say, and reports its rows.
+  // Returns whether a shard is done, with files that are what their checksums say if these are to be compared, and
+  // reports its rows.
   template <typename Tag>
   bool is_finished(Tag tag, std::size_t shard)
   {
     Shard_entry entry;
-    if(!m_folder.find(shard, entry) || !m_folder.is_intact(shard, entry))
+    if(!m_folder.find(shard, entry) || (m_compares_checksums && !m_folder.is_intact(shard, entry)))
       return false;
     report(tag, 0, m_folder.layout().rows_of(shard));
     return true;
   }
 
-  // Returns whether a run is to go on, after each of its visits. Asks the report every now and then, as a row may take
-  // seconds. `visits` counts those of one thread.
+  // Returns whether a run is to go on, after each of its visits. A row may take minutes: every now and then, the report
+  // is asked, and the lock shows others that its owner lives. `visits` counts those of one thread.
   template <typename Tag>
-  bool goes_on(Tag tag, std::size_t& visits)
+  bool goes_on(Tag tag, Lock_file& lock, std::size_t& visits)
   {
     if(++visits % 4096 == 0)
+    {
+      lock.refresh();
       report(tag, 0, 0);
+    }
     return !m_stop;
   }
 
   // Makes the landmarks of the rows of a triangle, once for all threads, which wait. This takes as long as some rows;
   // if it is ended, no row is computed. A process that finds all shards done does not get here.
   template <typename Tag>
-  void find_landmarks(Tag tag)
+  void find_landmarks(Tag tag, Lock_file& lock)
   {
     std::size_t visits = 0;
-    m_matrix.find_landmarks(m_landmarks, [&]() { return goes_on(tag, visits); });
+    m_matrix.find_landmarks(m_landmarks, [&]() { return goes_on(tag, lock, visits); });
   }
 
   // Computes one shard, and notes that it is done. Returns without doing so if all have to stop. Requires: the lock is
@@ -228,7 +235,7 @@ private:
     Matrix::Dense_row row;
     Matrix::Sparse_row sparse_row;
     std::size_t visits = 0;
-    const auto go_further = [&]() { return goes_on(tag, visits); };
+    const auto go_further = [&]() { return goes_on(tag, lock, visits); };
     for(std::size_t i = layout.first_row(shard); i < layout.end_row(shard); ++i)
     {
       // Each row is a run of its own, with the bits that it has anywhere else.
@@ -257,7 +264,8 @@ private:
   // Set under the flag by the first thread that computes a row, and only read afterwards.
   std::once_flag m_landmarks_once;
   std::unique_ptr<const Landmarks> m_landmarks; // of a triangle with many rows, when a row is computed
-  std::size_t m_memory;
+  std::size_t m_memory; // for rows that are not written yet, of all threads, in bytes
+  bool m_compares_checksums; // of shards that are done
   Report& m_report;
   // Set once, by the report or by a failure; each thread looks at it after each row, and its run after each visit.
   Stop_flag m_stop{false};

@@ -165,15 +165,22 @@ public:
     // It may exist, and be a folder of the user with other files in it; these stay.
     if(error)
       complain_of_file(m_path, "cannot be made: " + error.message());
-    const Lock_file lock(manifest_lock(), Lock_file::Wait::YES);
-    if(has_manifest())
+    // Reading needs no lock. If there is no manifest, another process may be about to make it.
+    if(!has_manifest())
     {
-      read_manifest();
-      check_is_same(description);
-      return;
+      const Lock_file lock(manifest_lock(), longest_wait);
+      if(!lock.is_held())
+        complain_of_file(manifest_lock(), "another process has locked the folder (" + text_of_file(manifest_lock())
+                                            + "). Remove the file if that process does not live any more");
+      if(!has_manifest())
+      {
+        describe(description, description.hash());
+        if(write_manifest(lock))
+          return;
+      }
     }
-    describe(description, description.hash());
-    write_manifest();
+    read_manifest();
+    check_is_same(description);
   }
 
   // Requires, for the functions below: open() or open_or_create() has returned.
@@ -241,7 +248,7 @@ public:
     // The entry is known here at once; find() would see the record, too.
     m_entries[shard] = entry;
     if(m_is_merging && std::chrono::steady_clock::now() - m_last_merge > std::chrono::seconds(5))
-      merge_records();
+      merge_records(std::chrono::milliseconds(0)); // no thread waits: another process is at it
   }
 
   // Whether this object moves records into the manifest from time to time. Of several that know each other, one does.
@@ -249,11 +256,12 @@ public:
   void set_merging(bool is_merging) { m_is_merging = is_merging; }
 
   // Moves all records into the manifest.
-  // Called at the end of each call, so that a folder at rest has no records.
+  // Called at the end of each call, so that a folder at rest has no records, unless another process has locked the
+  // manifest for long. Then they stay; they count as the manifest does.
   void merge()
   {
     const std::lock_guard<std::mutex> guard(m_mutex);
-    merge_records();
+    merge_records(longest_wait);
   }
 
   // --- the folder ---
@@ -283,6 +291,9 @@ public:
   }
 
 private:
+  // For the lock of the manifest, which others have for a moment at a time.
+  static constexpr std::chrono::seconds longest_wait{20};
+
   std::filesystem::path manifest() const { return m_path / "manifest.json"; }
   std::filesystem::path manifest_lock() const { return m_path / "manifest.lock"; }
 
@@ -336,8 +347,10 @@ private:
                                           + ", and those of this call have the hash " + other.hash());
   }
 
-  // The shards come in the order of rows. Takes time for the number of shards and of sources.
-  void write_manifest()
+  // The shards come in the order of rows. Takes time for the number of shards and of sources. Returns false, and leaves
+  // the manifest as it is, if another process has taken over the lock meanwhile: it may have written entries that are
+  // not known here.
+  bool write_manifest(const Lock_file& lock)
   {
     Json_value mesh, value;
     mesh.add("name", m_description.mesh_name);
@@ -356,8 +369,23 @@ private:
     for(const auto& entry : m_entries)
       shards.push_back(to_json(entry.first, entry.second));
     value.add("shards", Json_value(std::move(shards)));
-    write_renamed(manifest(), value.written() + '\n');
+    return write_manifest(lock, value.written() + '\n');
+  }
+
+  bool write_manifest(const Lock_file& lock, const std::string& text)
+  {
+    const std::filesystem::path temporary = temporary_name(manifest());
+    write_synced(temporary, text);
+    if(!lock.is_owned())
+    {
+      std::error_code error;
+      std::filesystem::remove(temporary, error);
+      return false;
+    }
+    rename_file(temporary, manifest());
+    sync_folder(m_path);
     m_last_state = state_of_manifest();
+    return true;
   }
 
   // The state is taken before the contents: if the file changes in between, it is read once more, never too seldom.
@@ -427,11 +455,14 @@ private:
       read_manifest();
   }
 
-  // Requires: no other process writes the manifest meanwhile, which the lock makes sure of. If the process dies between
-  // the manifest and the removal of records, the next merge finds entries that it has already.
-  void merge_records()
+  // Does nothing if another process keeps the lock for longer than `wait`, or takes it over meanwhile. If the process
+  // dies between the manifest and the removal of records, the next merge finds entries that it has already.
+  void merge_records(std::chrono::milliseconds wait)
   {
-    const Lock_file lock(manifest_lock(), Lock_file::Wait::YES);
+    Lock_file lock(manifest_lock(), wait);
+    m_last_merge = std::chrono::steady_clock::now();
+    if(!lock.is_held())
+      return;
     read_manifest();
     std::vector<std::filesystem::path> records;
     std::error_code error;
@@ -439,15 +470,14 @@ private:
     {
       // Records that say nothing stay: they are the user's, or their shards are computed again and have new ones.
       std::pair<std::size_t, Shard_entry> found;
+      lock.refresh();
       if(each.path().extension() != ".done" || !read_record(each.path(), found))
         continue;
       records.push_back(each.path());
       m_entries[found.first] = found.second;
     }
-    m_last_merge = std::chrono::steady_clock::now();
-    if(records.empty())
+    if(records.empty() || !write_manifest(lock))
       return;
-    write_manifest();
     for(const std::filesystem::path& record : records)
       std::filesystem::remove(record, error);
   }

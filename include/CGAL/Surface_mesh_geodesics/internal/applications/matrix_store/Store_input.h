@@ -113,8 +113,8 @@ Json_value sources_to_json(const TriangleMesh& tm, const Sources& sources, Verte
 }
 
 // Sources of a manifest as descriptors of a mesh: either all are vertices, or all are locations.
-template <typename TriangleMesh>
 // Only one of the two lists has elements, since the type of a range decides about all of its sources.
+template <typename TriangleMesh>
 struct Stored_sources
 {
   using Graph_traits = boost::graph_traits<TriangleMesh>;

@@ -43,6 +43,8 @@ struct Store_options
   // The rows of all threads that wait for being written, in bytes; a thread has room for one row at least.
   std::size_t memory_limit = std::size_t(1) << 26;
   std::string mesh_name;
+  // Of shards that are done. Processes that have just seen each other write them need not read them again.
+  bool compare_checksums = true;
 };
 
 // Reads the parameters. Throws for values that are wrong for any mesh: Invalid_geodesic_input for the radius, and
@@ -61,6 +63,7 @@ Store_options store_options(const NamedParameters& np)
   options.end_row = value_parameter(np, internal_np::end_row, defaults.end_row);
   options.memory_limit = value_parameter(np, internal_np::memory_limit, defaults.memory_limit);
   options.mesh_name = value_parameter(np, internal_np::mesh_name, defaults.mesh_name);
+  options.compare_checksums = value_parameter(np, internal_np::compare_checksums, defaults.compare_checksums);
   check_maximum_distance(options.maximum_distance);
   if(options.use_symmetry && options.maximum_distance < defaults.maximum_distance)
     throw Geodesic_matrix_store_error(Reason::INVALID_OPTION,

@@ -23,6 +23,7 @@
 
 #include <CGAL/assertions.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -38,15 +39,19 @@ namespace internal {
 
 // Counts what is done of some shards. Locks are looked at only where something is missing, and compared with the clock
 // of the folder. Takes time for the number of shards. Shards that are done in the meantime may be counted as missing,
-// never the other way round.
-inline Geodesic_matrix_store_status status_of_shards(Store_folder& folder, const std::vector<std::size_t>& shards)
+// never the other way round. The files of `doubtful` shards are read, as they may be damaged.
+inline Geodesic_matrix_store_status status_of_shards(Store_folder& folder, const std::vector<std::size_t>& shards,
+                                                     const std::vector<std::size_t>& doubtful = {})
 {
   Geodesic_matrix_store_status status;
   std::vector<std::size_t> missing;
   for(const std::size_t s : shards)
   {
     Shard_entry entry;
-    const bool is_done = folder.find(s, entry);
+    // (Doubtful shards are few: one for each other process at most.)
+    const bool is_done = folder.find(s, entry)
+                      && (std::find(doubtful.begin(), doubtful.end(), s) == doubtful.end()
+                          || folder.is_intact(s, entry));
     status.rows += folder.layout().rows_of(s);
     status.rows_done += is_done ? folder.layout().rows_of(s) : 0;
     status.shards_done += is_done ? 1 : 0;
@@ -112,8 +117,8 @@ public:
     return distances(m_folder.file(shard, ".npy"), layout().entries_before(shard, i), layout().length_of_row(i));
   }
 
-  // Returns the entries of row i, with their columns. Throws as dense_row() does. Index pointers of a damaged file lead
-  // to an exception, not behind the end of a file. Requires: the matrix is sparse.
+  // Returns the entries of row i, with their columns. Throws as dense_row() does. Indices of a damaged file lead to an
+  // exception, not behind the end of a file or of a row. Requires: the matrix is sparse.
   Sparse_row sparse_row(std::size_t i) const
   {
     CGAL_precondition(i < layout().rows && layout().kind == Store_kind::WITHIN_RADIUS);
@@ -121,12 +126,14 @@ public:
     const std::vector<std::uint32_t> begins = read_npy_elements<std::uint32_t>(
       m_folder.file(shard, ".indptr.npy"), i - layout().first_row(shard), 2);
     if(begins[1] < begins[0])
-      throw Geodesic_matrix_store_error(Geodesic_matrix_store_error::Reason::DAMAGED,
-                                        m_folder.file(shard, ".indptr.npy").string() + ": the file is damaged");
+      complain_of_damage(m_folder.file(shard, ".indptr.npy"));
     // Rows may be empty; not that of a source that is a target itself.
     const std::size_t number = begins[1] - begins[0];
     const std::vector<std::uint32_t> columns
       = read_npy_elements<std::uint32_t>(m_folder.file(shard, ".indices.npy"), begins[0], number);
+    for(const std::uint32_t column : columns)
+      if(column >= layout().columns)
+        complain_of_damage(m_folder.file(shard, ".indices.npy"));
     const std::vector<double> values = distances(m_folder.file(shard, ".data.npy"), begins[0], number);
     Sparse_row row;
     for(std::size_t k = 0; k < number; ++k)
@@ -143,7 +150,7 @@ public:
     std::vector<double> row(layout().columns, otherwise);
     if(layout().kind == Store_kind::WITHIN_RADIUS)
       for(const std::pair<std::size_t, double>& entry : sparse_row(i))
-        row.at(entry.first) = entry.second;
+        row[entry.first] = entry.second;
     else
     {
       const std::vector<double> end = dense_row(i);
@@ -154,6 +161,14 @@ public:
   }
 
 private:
+  // What is read is not what the package has written. The checksum of the shard would tell, but a row is read without
+  // it: a shard may have gigabytes.
+  [[noreturn]] static void complain_of_damage(const std::filesystem::path& path)
+  {
+    throw Geodesic_matrix_store_error(Geodesic_matrix_store_error::Reason::DAMAGED,
+                                      path.string() + ": the file is damaged");
+  }
+
   // Returns the shard of a row. Throws if it is not done: a row is read from a complete file only.
   std::size_t shard_with(std::size_t i) const
   {

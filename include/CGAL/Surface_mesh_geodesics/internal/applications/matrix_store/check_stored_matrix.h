@@ -23,10 +23,13 @@
 #include <CGAL/Surface_mesh_geodesics/internal/applications/matrix_store/Stored_matrix.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Intrinsic_surface.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/distance_functions.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_checks.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/rows/Distance_matrix.h>
 
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/number_utils.h>
 #include <CGAL/tags.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -62,23 +65,48 @@ inline std::vector<std::size_t> sampled_rows(const Stored_matrix& matrix, std::s
   return rows;
 }
 
-// By how much is a greater than b, relative to the larger one? 0 if it is not. An infinite a is infinitely greater.
-// The larger one is the scale: of two tiny distances, a difference of rounding stays small.
-inline double relative_excess(double a, double b)
+// By how much is a greater than b, relative to the larger one or to `scale`, if that is larger? 0 if it is not. An
+// infinite a is infinitely greater.
+inline double relative_excess(double a, double b, double scale)
 {
   if(!(a > b))
     return 0;
-  return a < std::numeric_limits<double>::infinity() ? (a - b) / a : a;
+  return a < std::numeric_limits<double>::infinity() ? (a - b) / (std::max)(a, scale) : a;
+}
+
+// The length of the longest edge. A window is rounded where its triangles are unfolded, in parts of their edges: on a
+// needle, that is much more than a rounding of the distance between vertices of its short edge.
+template <typename TriangleMesh, typename VertexPointMap>
+double longest_edge_of_mesh(const TriangleMesh& tm, VertexPointMap vpm)
+{
+  // (A FaceListGraph has no list of edges; an edge between two faces is measured twice.)
+  double longest = 0;
+  for(const auto f : faces(tm))
+    for(const auto h : CGAL::halfedges_around_face(halfedge(f, tm), tm))
+    {
+      const auto& p = get(vpm, source(h, tm));
+      const auto& q = get(vpm, target(h, tm));
+      longest = (std::max)(longest, std::hypot(CGAL::to_double(p.x()) - CGAL::to_double(q.x()),
+                                               CGAL::to_double(p.y()) - CGAL::to_double(q.y()),
+                                               CGAL::to_double(p.z()) - CGAL::to_double(q.z())));
+    }
+  return longest;
 }
 
 // The rows of square matrices with the same vertices as sources and targets, compared with each other. What is not
 // stored is unknown: of a sparse matrix, it is greater than the radius.
-// Symmetry holds up to rounding only: the runs from both ends compute a distance by different windows.
-inline void compare_rows(const Stored_matrix& matrix, const std::vector<std::size_t>& rows,
+// Symmetry holds up to rounding only: the runs from both ends compute a distance by different windows. Violations are
+// relative to `longest_edge` where that is larger, and to the smallest number that the type of the shards has with all
+// digits.
+inline void compare_rows(const Stored_matrix& matrix, const std::vector<std::size_t>& rows, double longest_edge,
                          Geodesic_matrix_store_check& check)
 {
   const double unknown = -1;
   const Store_layout& layout = matrix.layout();
+  // A float below it has lost digits when it was stored.
+  const double smallest
+    = layout.is_float32 ? double((std::numeric_limits<float>::min)()) : (std::numeric_limits<double>::min)();
+  const double scale = (std::max)(longest_edge, smallest);
   // A missing entry of a sparse row is greater than the radius; of other rows, it is not known at all.
   const double radius = layout.kind == Store_kind::WITHIN_RADIUS ? layout.radius : 0;
   std::vector<std::vector<double>> d;
@@ -92,7 +120,8 @@ inline void compare_rows(const Stored_matrix& matrix, const std::vector<std::siz
       {
         // One that is not stored is at least the radius, and the other one at most.
         const double x = there == unknown ? radius : there, y = back == unknown ? radius : back;
-        check.worst_asymmetry = (std::max)({check.worst_asymmetry, relative_excess(x, y), relative_excess(y, x)});
+        check.worst_asymmetry = (std::max)(
+          {check.worst_asymmetry, relative_excess(x, y, scale), relative_excess(y, x, scale)});
         ++check.pairs_compared;
       }
       if(a == b || there == unknown)
@@ -103,7 +132,7 @@ inline void compare_rows(const Stored_matrix& matrix, const std::vector<std::siz
         {
           const double direct = d[a][k] == unknown ? radius : d[a][k];
           check.worst_triangle_violation
-            = (std::max)(check.worst_triangle_violation, relative_excess(direct, there + d[b][k]));
+            = (std::max)(check.worst_triangle_violation, relative_excess(direct, there + d[b][k], scale));
           ++check.triangles_checked;
         }
     }
@@ -160,12 +189,14 @@ Geodesic_matrix_store_check check_stored_matrix(const TriangleMesh& tm, const st
   using Graph_traits = boost::graph_traits<TriangleMesh>;
   using parameters::choose_parameter;
   using parameters::get_parameter;
+  check_parameters<Mesh_parameters>(np);
   const Stored_matrix stored(path);
   const Store_description& d = stored.description();
   const auto vim = CGAL::get_initialized_vertex_index_map(tm, np);
   const auto fim = CGAL::get_initialized_face_index_map(tm, np);
-  const std::string hash = hash_of_mesh(tm, vim, choose_parameter(get_parameter(np, internal_np::vertex_point),
-                                                                  get_const_property_map(CGAL::vertex_point, tm)));
+  const auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
+                                    get_const_property_map(CGAL::vertex_point, tm));
+  const std::string hash = hash_of_mesh(tm, vim, vpm);
   if(hash != d.mesh_hash || num_vertices(tm) != d.vertices)
     throw Geodesic_matrix_store_error(Geodesic_matrix_store_error::Reason::DIFFERENT_MESH,
                                       path + ": the folder has the matrix of a mesh with the hash " + d.mesh_hash
@@ -199,7 +230,7 @@ Geodesic_matrix_store_check check_stored_matrix(const TriangleMesh& tm, const st
   // Only a square matrix, with the same vertices in the same order, has entries there and back.
   const bool is_square = d.targets.is_text("sources") || (d.targets.is_text("all") && d.sources.is_text("all"));
   if(is_square && sources.locations.empty())
-    compare_rows(stored, rows, check);
+    compare_rows(stored, rows, longest_edge_of_mesh(tm, vpm), check);
   return check;
 }
 

@@ -99,8 +99,8 @@ Store_description describe(const TriangleMesh& tm, const Sources& sources, const
 }
 
 // Reads the mesh, opens the folder by open(folder, description), and computes the shards of the rows of the options.
-// compute(tag, computation, folder, shards, rows_reported) hands them out to the computation; `rows_reported` counts
-// rows while it works. Returns how much of the range is stored.
+// compute(tag, computation, shards, left, rows_reported) hands them out to the computation; `left` gets those that are
+// left to other processes, and `rows_reported` counts rows meanwhile. Returns how much of the range is stored.
 template <typename ConcurrencyTag, typename TriangleMesh, typename Sources, typename Targets, typename NamedParameters,
           typename Open, typename Compute>
 Geodesic_matrix_store_status store_matrix_with(const TriangleMesh& tm, const Sources& sources, const Targets& targets,
@@ -123,8 +123,9 @@ Geodesic_matrix_store_status store_matrix_with(const TriangleMesh& tm, const Sou
     open(folder, describe(tm, sources, targets, matrix.sources(), target_ids, options, np));
     // Remains of processes that were killed: they would otherwise stay until somebody wonders what they are.
     folder.remove_stale_files();
-    // Shards that are done are among them: their files are compared with their checksums.
+    // Shards that are done are among them: their files may be damaged.
     const std::vector<std::size_t> shards = shards_of_rows(folder.layout(), options.first_row, options.end_row);
+    std::vector<std::size_t> left;
     std::size_t rows = 0, rows_computed = 0, rows_found = 0;
     std::atomic<std::size_t> rows_reported{0};
     for(const std::size_t s : shards)
@@ -142,14 +143,15 @@ Geodesic_matrix_store_status store_matrix_with(const TriangleMesh& tm, const Sou
         return go_on(rows_computed + rows_found, 0.);
       };
       Store_computation<decltype(report)> computation(folder, matrix, target_ids, surface.mesh().number_of_vertices(),
-                                                      options.memory_limit, report);
-      return compute(typename Available_tag<ConcurrencyTag>::type(), computation, folder, shards, rows_reported);
+                                                      options, report);
+      return compute(typename Available_tag<ConcurrencyTag>::type(), computation, shards, left, rows_reported);
     });
     // Records of this call, and of others that were killed before they moved theirs.
     if(folder.is_merging())
       folder.merge();
-    // What counts is what the folder says at the end, not what this call has done.
-    status = status_of_shards(folder, shards);
+    // What counts is what the folder says at the end, not what this call has done. Others may be about to replace a
+    // damaged shard; its entry in the manifest still says that it is done, so its files are read.
+    status = status_of_shards(folder, shards, left);
     return true;
   });
   return status;
@@ -163,10 +165,12 @@ Geodesic_matrix_store_status store_matrix(const TriangleMesh& tm, const Sources&
   return store_matrix_with<ConcurrencyTag>(
     tm, sources, targets, path, np,
     [](Store_folder& folder, const Store_description& description) { folder.open_or_create(description); },
-    [](auto tag, auto& computation, Store_folder&, const std::vector<std::size_t>& shards, const auto&)
+    [](auto tag, auto& computation, const std::vector<std::size_t>& shards, std::vector<std::size_t>& left, const auto&)
     {
       Shard_list list(shards);
-      return computation.run(tag, list);
+      const bool is_complete = computation.run(tag, list);
+      left = list.left();
+      return is_complete;
     });
 }
 

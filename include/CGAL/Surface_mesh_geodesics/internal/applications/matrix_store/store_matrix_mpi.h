@@ -21,6 +21,7 @@
 //                                      <--    answer: 7
 //   question: 119 rows done            -->    reports 119 rows; the list is empty
 //                                      <--    answer: -1
+//   returned: 7                        -->    another job has locked shard 7: hands it out once more, at the end
 //   finished: 0 rows done              -->    ends when all ranks have said so, and merges the records
 //
 // A rank asks with the number of rows that it has done since it asked last, for the progress of rank 0, and gets a
@@ -30,6 +31,7 @@
 
 #include <CGAL/Surface_mesh_geodesics/Geodesic_matrix_store_error.h>
 #include <CGAL/Surface_mesh_geodesics/Geodesic_matrix_store_status.h>
+#include <CGAL/Surface_mesh_geodesics/internal/applications/matrix_store/Shard_list.h>
 #include <CGAL/Surface_mesh_geodesics/internal/applications/matrix_store/Store_folder.h>
 #include <CGAL/Surface_mesh_geodesics/internal/applications/matrix_store/store_matrix.h>
 
@@ -58,11 +60,9 @@ class Mpi_shards
 {
 public:
   // The list counts on rank 0 only.
-  Mpi_shards(const boost::mpi::communicator& world, const std::vector<std::size_t>& shards) : m_world(world)
-  {
-    if(world.rank() == 0)
-      m_shards.assign(shards.begin(), shards.end());
-  }
+  Mpi_shards(const boost::mpi::communicator& world, const std::vector<std::size_t>& shards)
+    : m_world(world), m_list(shards)
+  {}
 
   Mpi_shards(const Mpi_shards&) = delete;
   Mpi_shards& operator=(const Mpi_shards&) = delete;
@@ -71,12 +71,11 @@ public:
   bool next(std::size_t& shard)
   {
     std::unique_lock<std::mutex> lock(m_mutex);
-    if(m_world.rank() != 0)
-    {
-      ++m_number_waiting;
-      m_has_answer.wait(lock, [this]() { return !m_shards.empty() || m_is_over; });
-      --m_number_waiting;
-    }
+    if(m_world.rank() == 0)
+      return !m_is_over && m_list.next(shard);
+    ++m_number_waiting;
+    m_has_answer.wait(lock, [this]() { return !m_shards.empty() || m_is_over; });
+    --m_number_waiting;
     if(m_shards.empty())
       return false;
     shard = m_shards.front();
@@ -84,11 +83,22 @@ public:
     return true;
   }
 
-  // Another job has the shard. It is not handed out again, as that job lives.
-  void set_aside(std::size_t) {}
+  // Another job has the shard. Rank 0 hands it out once more, at the end: that job may have died meanwhile. A rank
+  // that has been told that the list is empty asks no more, so it is rank 0 itself that looks at the last ones.
+  void set_aside(std::size_t shard)
+  {
+    const std::lock_guard<std::mutex> guard(m_mutex);
+    if(m_world.rank() == 0)
+      m_list.set_aside(shard);
+    else
+      m_returned.push_back(shard);
+  }
 
-  // Threads that wait on other ranks learn it from their next question.
-  // Nothing more is handed out: a thread has failed.
+  // When serve() has returned, on rank 0: the shards that are left to other jobs.
+  const std::vector<std::size_t>& left() const { return m_list.left(); }
+
+  // Nothing more is handed out: a thread has failed. Threads that wait on other ranks learn it from their next
+  // question.
   void stop()
   {
     const std::lock_guard<std::mutex> guard(m_mutex);
@@ -113,12 +123,13 @@ public:
       // The answers to questions that no thread waits for any more.
       for(; m_number_asked > 0; pause())
         receive();
+      send_returned();
       m_world.send(0, finished_tag, news(rows_done));
     }
   }
 
 private:
-  enum : int { question_tag = 1, answer_tag = 2, finished_tag = 3 };
+  enum : int { question_tag = 1, answer_tag = 2, finished_tag = 3, returned_tag = 4 };
 
   // Short beside a row, long beside a look for messages.
   static void pause() { std::this_thread::sleep_for(std::chrono::milliseconds(1)); }
@@ -131,10 +142,15 @@ private:
   {
     while(const auto message = m_world.iprobe(boost::mpi::any_source, boost::mpi::any_tag))
     {
-      std::size_t rows = 0;
-      m_world.recv(message->source(), message->tag(), rows);
-      if(rows > 0)
-        report(rows);
+      std::size_t number = 0; // of rows, or of the shard that is returned
+      m_world.recv(message->source(), message->tag(), number);
+      if(message->tag() == returned_tag)
+      {
+        set_aside(number);
+        continue;
+      }
+      if(number > 0)
+        report(number);
       if(message->tag() == finished_tag)
         --others;
       else
@@ -142,23 +158,32 @@ private:
     }
   }
 
-  // Threads of rank 0 take from the same list at the same time.
-  // The next shard of the list; -1 if there is none.
+  // The next shard of the list; -1 if there is none. Threads of rank 0 take from the same list at the same time.
   long long take()
   {
-    const std::lock_guard<std::mutex> guard(m_mutex);
-    if(m_shards.empty())
-      return -1;
-    const long long shard = static_cast<long long>(m_shards.front());
-    m_shards.pop_front();
-    return shard;
+    std::size_t shard = 0;
+    return next(shard) ? static_cast<long long>(shard) : -1;
   }
 
   // --- the other ranks ---
 
+  // Tells rank 0 of shards that other jobs have locked. Before the next question: messages of one rank stay in order,
+  // so rank 0 knows what is left when it answers.
+  void send_returned()
+  {
+    std::vector<std::size_t> returned;
+    {
+      const std::lock_guard<std::mutex> guard(m_mutex);
+      returned.swap(m_returned);
+    }
+    for(const std::size_t shard : returned)
+      m_world.send(0, returned_tag, shard);
+  }
+
   // Asks for a shard for each thread that waits.
   void ask(const std::atomic<std::size_t>& rows_done)
   {
+    send_returned();
     std::size_t wanted = 0;
     {
       const std::lock_guard<std::mutex> guard(m_mutex);
@@ -201,19 +226,24 @@ private:
   std::size_t m_number_asked = 0, m_rows_told = 0; // of the thread that talks
   std::mutex m_mutex; // guards the members below
   std::condition_variable m_has_answer;
-  std::deque<std::size_t> m_shards; // on rank 0 all that are left, on others those that no thread has taken yet
+  Shard_list m_list; // on rank 0
+  std::deque<std::size_t> m_shards; // on other ranks those that no thread has taken yet
+  std::vector<std::size_t> m_returned; // on other ranks those of other jobs that rank 0 does not know of yet
   std::size_t m_number_waiting = 0;
   // Set when rank 0 has no more shards, and after a failure.
   bool m_is_over = false;
 };
 
-// Lets a computation work in a thread of its own while this one talks. Returns what the computation returns.
-template <typename Tag, typename Computation>
+// Lets a computation work in a thread of its own while this one talks. Returns what the computation returns. On rank 0,
+// `left` gets the shards that are left to other jobs.
+//
 // The computation runs in a thread of its own because the thread that has initialized MPI is the one that may talk. If
 // it fails on this rank, the rank still answers its questions and says that it has finished, so that the others can
 // end; then the exception passes on, and the program decides about the job.
+template <typename Tag, typename Computation>
 bool run_with_mpi(const boost::mpi::communicator& world, Tag tag, Computation& computation,
-                  const std::vector<std::size_t>& shards, const std::atomic<std::size_t>& rows_done)
+                  const std::vector<std::size_t>& shards, std::vector<std::size_t>& left,
+                  const std::atomic<std::size_t>& rows_done)
 {
   Mpi_shards list(world, shards);
   std::atomic<bool> is_finished{false};
@@ -246,6 +276,7 @@ bool run_with_mpi(const boost::mpi::communicator& world, Tag tag, Computation& c
   for(const std::exception_ptr& each : {failure, failure_of_talk})
     if(each != nullptr)
       std::rethrow_exception(each);
+  left = list.left();
   return is_complete;
 }
 
@@ -284,9 +315,9 @@ Geodesic_matrix_store_status store_matrix_mpi(const boost::mpi::communicator& wo
   Geodesic_matrix_store_status status = store_matrix_with<ConcurrencyTag>(
     tm, sources, targets, path, np,
     [&](Store_folder& folder, const Store_description& description) { open_with_mpi(world, folder, description); },
-    [&](auto tag, auto& computation, Store_folder&, const std::vector<std::size_t>& shards,
+    [&](auto tag, auto& computation, const std::vector<std::size_t>& shards, std::vector<std::size_t>& left,
         const std::atomic<std::size_t>& rows_done)
-    { return run_with_mpi(world, tag, computation, shards, rows_done); });
+    { return run_with_mpi(world, tag, computation, shards, left, rows_done); });
   // That of rank 0, which has waited for all others.
   for(std::size_t* const number :
       {&status.rows, &status.rows_done, &status.shards, &status.shards_done, &status.shards_in_work})

@@ -52,4 +52,6 @@ CGAL_add_named_parameter(end_row_t, end_row, end_row)
 CGAL_add_named_parameter(memory_limit_t, memory_limit, memory_limit)
 // stored matrices: the name of the mesh in the manifest
 CGAL_add_named_parameter(mesh_name_t, mesh_name, mesh_name)
+// stored matrices: whether files of shards that are done are compared with their checksums
+CGAL_add_named_parameter(compare_checksums_t, compare_checksums, compare_checksums)
 #endif

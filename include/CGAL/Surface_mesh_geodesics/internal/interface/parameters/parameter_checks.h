@@ -111,7 +111,8 @@ using Pair_parameters = Extended_set<Matrix_parameters, internal_np::statistics_
 using Store_parameters
   = Extended_set<Mesh_and_visitor_parameters, internal_np::maximum_distance_t, internal_np::use_float32_t,
                  internal_np::use_symmetry_t, internal_np::rows_per_shard_t, internal_np::first_row_t,
-                 internal_np::end_row_t, internal_np::memory_limit_t, internal_np::mesh_name_t>::type;
+                 internal_np::end_row_t, internal_np::memory_limit_t, internal_np::mesh_name_t,
+                 internal_np::compare_checksums_t>::type;
 using Distance_parameters = Extended_set<Edge_length_distance_parameters, internal_np::vertex_point_t>::type;
 
 using Edge_length_certificate_parameters

@@ -12,8 +12,8 @@
 
 // Values of JSON, a strict reader and a writer: as much as manifests need, which is objects, arrays, texts and numbers.
 //
-// The reader accepts RFC 8259 without `true`, `false` and `null`, which no manifest contains, with at most 20 levels,
-// and without two members of one name. The writer prints numbers so that reading them again gives the same bits.
+// The reader accepts RFC 8259 with at most 20 levels, and without two members of one name. The writer prints numbers so
+// that reading them again gives the same bits.
 //
 // Boost.PropertyTree, the only reader of JSON in the Boost of Debian 12, reads numbers as texts and accepts members
 // twice; it cannot write a number without quotation marks. A manifest decides whether hours of work are kept or done
@@ -40,7 +40,8 @@ namespace internal {
 class Json_value
 {
 public:
-  enum class Type { TEXT, NUMBER, ARRAY, OBJECT };
+  // A word is `true`, `false` or `null`. Manifests have none, but members that other programs have added may.
+  enum class Type { TEXT, NUMBER, ARRAY, OBJECT, WORD };
   using Members = std::vector<std::pair<std::string, Json_value>>;
 
   // An object without members.
@@ -55,6 +56,14 @@ public:
   Json_value(std::size_t number) : Json_value(static_cast<double>(number)) {}
   // The elements may have different types.
   Json_value(std::vector<Json_value> elements) : m_type(Type::ARRAY), m_elements(std::move(elements)) {}
+
+  // Requires: the text is one of the words.
+  static Json_value word(const std::string& text)
+  {
+    Json_value value(text);
+    value.m_type = Type::WORD;
+    return value;
+  }
 
   // Callers that accept a text or a list, as for sources, ask for the type.
   Type type() const { return m_type; }
@@ -103,6 +112,7 @@ public:
     {
       case Type::TEXT: return quoted(m_text);
       case Type::NUMBER: return written_number();
+      case Type::WORD: return m_text;
       case Type::ARRAY: return written_array(indentation);
       default: return written_object(indentation);
     }
@@ -238,8 +248,8 @@ private:
       complain(std::string("there is no '") + c + "'");
   }
 
-  // The first character decides about the type. What begins like nothing else must be a number. The level bounds the
-  // depth of the recursion, whatever the text is.
+  // The first character decides about the type. What begins like nothing else must be a word or a number. The level
+  // bounds the depth of the recursion, whatever the text is.
   Json_value read_value(int level)
   {
     if(level > most_levels)
@@ -249,8 +259,15 @@ private:
       case '{': return read_object(level);
       case '[': return read_array(level);
       case '"': return Json_value(read_text());
-      default: return Json_value(read_number());
+      default: break;
     }
+    for(const std::string word : {"true", "false", "null"})
+      if(m_text.compare(m_next, word.size(), word) == 0)
+      {
+        m_next += word.size();
+        return Json_value::word(word);
+      }
+    return Json_value(read_number());
   }
 
   // Names are compared with all before, which takes quadratic time; objects of manifests have few members.
@@ -365,7 +382,7 @@ private:
     return result;
   }
 
-  // Codes beyond ASCII are written as UTF-8 by every writer that keeps names of files, so \u is for control characters.
+  // Some writers escape all that is not ASCII; the result is UTF-8.
   void read_escape(std::string& result)
   {
     const std::string letters = "\"\\/bfnrt", meanings = "\"\\/\b\f\n\r\t";
@@ -376,14 +393,42 @@ private:
       result += meanings[k];
       return;
     }
+    if(c != 'u')
+      complain("a text contains an unknown escape");
+    unsigned int code = read_code_unit();
+    if(code >= 0xd800 && code < 0xdc00) // the first one of two, which are 10 bits each
+    {
+      const bool has_second = m_text.compare(m_next, 2, "\\u") == 0;
+      m_next += 2;
+      const unsigned int second = has_second ? read_code_unit() : 0;
+      if(second < 0xdc00 || second >= 0xe000)
+        complain("a text contains half of a character");
+      code = 0x10000 + ((code - 0xd800) << 10) + (second - 0xdc00);
+    }
+    else if(code >= 0xdc00 && code < 0xe000)
+      complain("a text contains half of a character");
+    append_utf8(result, code);
+  }
+
+  // The four digits behind \u.
+  unsigned int read_code_unit()
+  {
     unsigned int code = 0;
-    if(c != 'u' || m_next + 4 > m_text.size()
-       || std::from_chars(m_text.data() + m_next, m_text.data() + m_next + 4, code, 16).ptr
-            != m_text.data() + m_next + 4
-       || code > 0x7f)
+    const char* const begin = m_text.data() + m_next;
+    if(m_next + 4 > m_text.size() || std::from_chars(begin, begin + 4, code, 16).ptr != begin + 4)
       complain("a text contains an unknown escape");
     m_next += 4;
-    result += static_cast<char>(code);
+    return code;
+  }
+
+  // Six bits in each byte but the first one, which tells the number of bytes.
+  static void append_utf8(std::string& result, unsigned int code)
+  {
+    const unsigned int rest = code < 0x80 ? 0 : code < 0x800 ? 1 : code < 0x10000 ? 2 : 3;
+    const unsigned int marks[] = {0, 0xc0, 0xe0, 0xf0};
+    result += static_cast<char>(marks[rest] | code >> (6 * rest));
+    for(unsigned int k = rest; k-- > 0;)
+      result += static_cast<char>(0x80 | (code >> (6 * k) & 0x3f));
   }
 
   const std::string& m_text;

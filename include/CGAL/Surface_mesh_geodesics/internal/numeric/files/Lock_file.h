@@ -18,8 +18,9 @@
 // - it has not been refreshed for ten minutes: its host may be down. An owner refreshes its locks from row to row.
 //
 // Two processes can own one lock in rare cases: an owner that slept for more than ten minutes, or two that take over
-// one stale lock at the same instant. So a lock saves work and guards no data: each process writes files of its own,
-// complete ones get their names at once, and both would be equal.
+// one stale lock at the same instant. So a lock saves work: each process writes files of its own, complete ones get
+// their names at once, and the shards of both would be equal. A manifest is not: whoever replaces it asks is_owned()
+// right before, and begins again if the lock is gone.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/files/System_files.h>
 
@@ -41,16 +42,16 @@ namespace internal {
 class Lock_file
 {
 public:
-  enum class Wait { NO, YES };
-
   // After this time without a sign of life, the lock of another host is stale.
   static constexpr std::chrono::minutes patience{10};
 
-  // Tries to lock; with Wait::YES, waits until that succeeds.
-  explicit Lock_file(const std::filesystem::path& path, Wait wait = Wait::NO)
+  // Tries to lock, for as long as `longest_wait`.
+  explicit Lock_file(const std::filesystem::path& path,
+                     std::chrono::milliseconds longest_wait = std::chrono::milliseconds(0))
     : m_path(path), m_owner(this_process().text()), m_last_refreshment(Clock::now())
   {
-    for(m_is_held = try_to_lock(); !m_is_held && wait == Wait::YES; m_is_held = try_to_lock())
+    const Clock::time_point end = m_last_refreshment + longest_wait;
+    for(m_is_held = try_to_lock(); !m_is_held && Clock::now() < end; m_is_held = try_to_lock())
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
 
@@ -58,7 +59,7 @@ public:
   ~Lock_file()
   {
     std::error_code error;
-    if(m_is_held && text_of_file(m_path) == m_owner)
+    if(is_owned())
       std::filesystem::remove(m_path, error);
   }
 
@@ -68,15 +69,17 @@ public:
   // False if another process has the lock. The object does nothing then.
   bool is_held() const { return m_is_held; }
 
-  // A sign of life, at most one in ten seconds: cheap enough for each row.
+  // Is the lock held, and has no other process taken it over since? Reads the file.
+  bool is_owned() const { return m_is_held && text_of_file(m_path) == m_owner; }
+
+  // A sign of life, at most one in ten seconds: cheap enough for each visit of a run.
   void refresh()
   {
     const Clock::time_point now = Clock::now();
     if(now - m_last_refreshment < std::chrono::seconds(10))
       return;
     m_last_refreshment = now;
-    std::error_code error; // a lock that cannot be refreshed ages; others may compute the same
-    std::filesystem::last_write_time(m_path, std::filesystem::file_time_type::clock::now(), error);
+    set_time_to_now(m_path); // a lock that cannot be refreshed ages; others may compute the same
   }
 
   // Is there a lock that is not stale?

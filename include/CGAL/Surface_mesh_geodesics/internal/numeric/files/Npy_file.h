@@ -185,8 +185,8 @@ inline bool is_intact(const std::filesystem::path& path, const std::string& head
 }
 
 // Reads `number` unsigned integers of a file, which are the bits of its elements, from element `first` on.
-template <typename Unsigned>
 // Opens the file for each call: for samples and single rows. Whole shards are better mapped by the reader's own means.
+template <typename Unsigned>
 std::vector<Unsigned> read_npy_elements(const std::filesystem::path& path, std::size_t first, std::size_t number)
 {
   std::vector<unsigned char> bytes(number * sizeof(Unsigned));

@@ -39,6 +39,7 @@
 #else
 #include <fcntl.h>
 #include <signal.h>
+#include <sys/stat.h>
 #include <sys/types.h>
 #include <unistd.h>
 #endif
@@ -125,8 +126,10 @@ inline bool create_exclusively(const std::filesystem::path& path, const std::fil
       complain_of_file(temporary, "cannot be written: " + system_message());
   }
   std::filesystem::create_hard_link(temporary, path, error);
+  // A server may lose its answer: then the second name counts, not the error.
+  const bool has_second_name = std::filesystem::hard_link_count(temporary, no_error) == 2;
   std::filesystem::remove(temporary, no_error);
-  if(!error)
+  if(!error || has_second_name)
     return true;
   if(error == std::errc::file_exists)
     return false;
@@ -147,6 +150,18 @@ inline bool create_exclusively(const std::filesystem::path& path, const std::fil
   if(!is_written)
     complain_of_file(path, "cannot be created: " + system_message());
   return true;
+}
+
+// Sets the time of the last change to that of the file system's clock, which is the server's if it has one. A file that
+// does not exist stays so.
+inline void set_time_to_now(const std::filesystem::path& path)
+{
+#ifdef _WIN32
+  std::error_code error;
+  std::filesystem::last_write_time(path, std::filesystem::file_time_type::clock::now(), error);
+#else
+  static_cast<void>(::utimensat(AT_FDCWD, path.c_str(), nullptr, 0));
+#endif
 }
 
 // Returns the contents of a small file; an empty text if it cannot be read.
@@ -213,6 +228,19 @@ inline void read_process(long number, char& state, std::string& birth)
     birth = line.substr(begin, line.find(' ', begin) - begin);
 }
 
+// What the number of a process refers to besides the host: containers of one host may have its name, and they count
+// their processes anew. Empty outside of containers, and where the system does not tell.
+inline std::string container_of_processes()
+{
+  std::error_code error;
+  const std::string text = std::filesystem::read_symlink("/proc/self/ns/pid", error).string(); // "pid:[4026532201]"
+  const std::string of_the_host = "pid:[4026531836]"; // the same on all hosts
+  const std::size_t begin = text.find('[');
+  if(error || begin == std::string::npos || text == of_the_host)
+    return "";
+  return '-' + text.substr(begin + 1, text.find(']') - begin - 1);
+}
+
 // Not stored between calls: the number changes in a child process. Characters that cannot be in names of files are
 // replaced, as names of temporary files contain the owner.
 inline Process_owner this_process()
@@ -225,7 +253,7 @@ inline Process_owner this_process()
 #else
   char host[256] = "";
   if(gethostname(host, sizeof host - 1) == 0)
-    owner.host = host;
+    owner.host = host + container_of_processes();
   owner.number = static_cast<long>(getpid());
 #endif
   char state = '?';

@@ -1,0 +1,225 @@
+// The folders of stored matrices: records, locks and files of others and of the user, damaged shards.
+
+#include "matrix_store_helpers.h"
+
+#include <atomic>
+#include <chrono>
+#include <thread>
+
+using namespace matrix_store;
+using CGAL::Surface_mesh_geodesics::internal::Shard_entry;
+using CGAL::Surface_mesh_geodesics::internal::Store_folder;
+
+namespace {
+
+// --- what else may lie in the folder ---
+
+// A process that is killed leaves records. If the user then removes the manifest and stores another matrix there, the
+// records must not pass for its shards.
+void records_of_another_matrix_do_not_count()
+{
+  test_support::Scope scope("records of another matrix");
+  const Mesh before = to_face_graph(noisy_sphere(1, .1, 5)), tm = to_face_graph(noisy_sphere(1, .1, 6));
+  Test_folder folder("records"), undisturbed("undisturbed");
+  const Options options = shards_of_five_rows();
+  CHECK(store_all(before, folder, options).is_complete());
+  CHECK(store_all(tm, undisturbed, options).is_complete());
+  // What a kill before the next writing of the manifest leaves: the entries as records.
+  Store_folder store(folder.name());
+  store.open();
+  store.set_merging(false);
+  for(std::size_t shard = 0; shard < store.layout().number_of_shards(); ++shard)
+  {
+    Shard_entry entry;
+    CHECK(store.find(shard, entry));
+    store.add(shard, entry);
+  }
+  fs::remove(folder.path() / "manifest.json");
+  Row_visitor visitor;
+  CHECK(store_all(tm, folder, options, visitor).is_complete());
+  CHECK_EQUAL(visitor.found, 0u);
+  CHECK(stored_numbers(folder.path()) == stored_numbers(undisturbed.path()));
+  check_is_tidy(folder.path());
+}
+
+void damaged_records_do_not_count()
+{
+  test_support::Scope scope("damaged records");
+  const Mesh tm = to_face_graph(icosphere(1));
+  Test_folder folder("damaged_records");
+  const Options options = shards_of_five_rows();
+  store_all(tm, folder, options);
+  const std::vector<double> numbers = stored_numbers(folder.path());
+  fs::remove(folder.path() / "manifest.json");
+  std::ofstream(folder.path() / "rows_000000_000005.done") << "{\"rows\": [0,";
+  std::ofstream(folder.path() / "todo.done") << "buy milk";
+  fs::create_directory(folder.path() / "folder.done");
+  CHECK(store_all(tm, folder, options).is_complete());
+  CHECK(stored_numbers(folder.path()) == numbers);
+  CHECK(!fs::exists(folder.path() / "rows_000000_000005.done"));
+  CHECK(fs::exists(folder.path() / "todo.done"));
+}
+
+void files_of_the_user_stay()
+{
+  test_support::Scope scope("files of the user");
+  const Mesh tm = to_face_graph(icosphere(0));
+  Test_folder folder("user");
+  fs::create_directories(folder.path());
+  const std::vector<std::string> names{"poetry.lock", "notes.tmp", "draft.2024.tmp", "rows.tmp", "rows_of_trees.lock"};
+  for(const std::string& name : names)
+  {
+    std::ofstream(folder.path() / name) << "text";
+    fs::last_write_time(folder.path() / name, fs::file_time_type::clock::now() - std::chrono::hours(24));
+  }
+  CHECK(store_all(tm, folder, Options()).is_complete());
+  for(const std::string& name : names)
+  {
+    CHECK(fs::exists(folder.path() / name));
+  }
+}
+
+// A process of another host has begun a file, and not written to it for an hour, but it refreshes its lock.
+void files_of_living_processes_stay()
+{
+  test_support::Scope scope("files of other hosts");
+  const Mesh tm = to_face_graph(icosphere(1));
+  Test_folder folder("hosts");
+  const Options options = shards_of_five_rows();
+  store_all(tm, folder, options);
+  const fs::path lock = folder.path() / "rows_000000_000005.lock";
+  const fs::path temporary = folder.path() / "rows_000000_000005.npy.node7.example.org.123.456.0.tmp";
+  for(const fs::path& file : {lock, temporary})
+  {
+    std::ofstream(file) << "node7.example.org.123.456";
+  }
+  fs::last_write_time(temporary, fs::file_time_type::clock::now() - std::chrono::hours(1));
+  store_all(tm, folder, options);
+  CHECK(fs::exists(temporary) && fs::exists(lock));
+  fs::last_write_time(lock, fs::file_time_type::clock::now() - std::chrono::hours(1));
+  store_all(tm, folder, options);
+  store_all(tm, folder, options); // (the first call may meet the file before the lock)
+  CHECK(!fs::exists(temporary) && !fs::exists(lock));
+}
+
+// A shard of another process is damaged: until that process has replaced it, it is not done.
+void damaged_shards_of_others_are_not_done()
+{
+  test_support::Scope scope("damaged and locked");
+  const Mesh tm = to_face_graph(icosphere(1));
+  Test_folder folder("damaged_and_locked");
+  const Options options = shards_of_five_rows();
+  CHECK(store_all(tm, folder, options).is_complete());
+  const fs::path file = folder.path() / "rows_000010_000015.npy", lock = folder.path() / "rows_000010_000015.lock";
+  std::string bytes = bytes_of(file);
+  bytes[200] = static_cast<char>(bytes[200] ^ 1);
+  write_bytes(file, bytes);
+  write_bytes(lock, "node7.12.34");
+  const Status status = store_all(tm, folder, options);
+  CHECK_EQUAL(status.rows_done + 5, status.rows);
+  CHECK_EQUAL(status.shards_in_work, 1u);
+  // Without checksums, nobody notices.
+  Options trusting = options;
+  trusting.compare_checksums = false;
+  CHECK(store_all(tm, folder, trusting).is_complete());
+  fs::remove(lock);
+  Row_visitor visitor;
+  CHECK(store_all(tm, folder, options, visitor).is_complete());
+  CHECK_EQUAL(visitor.computed, 5u);
+  CHECK(stored_numbers(folder.path()) == flat(expected_matrix(tm)));
+}
+
+// The columns of a sparse row may be anything.
+void damaged_sparse_shards()
+{
+  test_support::Scope scope("damaged sparse shards");
+  const Mesh tm = to_face_graph(icosphere(1));
+  Test_folder folder("damaged_sparse");
+  Options options;
+  options.maximum_distance = .8;
+  CHECK(store_all(tm, folder, options).is_complete());
+  const fs::path file = files_with(folder.path(), ".indices.npy").front();
+  std::string bytes = bytes_of(file);
+  for(std::size_t i = 128; i < bytes.size(); ++i)
+  {
+    bytes[i] = '\x55';
+  }
+  write_bytes(file, bytes);
+  message_of(Store_error::Reason::DAMAGED, [&] { Store(folder.name()).sparse_row(0); });
+  message_of(Store_error::Reason::DAMAGED, [&] { SMG::check_geodesic_distance_matrix(tm, folder.name()); });
+}
+
+// --- the lock of the manifest ---
+
+// A process that lost the lock, because it slept for too long, must not replace the manifest by one without the entries
+// that others have added since.
+void manifest_of_a_lost_lock_is_not_written()
+{
+  test_support::Scope scope("lost lock");
+  const Mesh tm = to_face_graph(icosphere(2));
+  Options options;
+  options.rows_per_shard = 1;
+  bool is_kept = false;
+  // The other one has to come between the lock and the writing. It may come too late.
+  for(int attempt = 0; attempt < 50 && !is_kept; ++attempt)
+  {
+    Test_folder folder("lost");
+    CHECK(store_all(tm, folder, options).is_complete());
+    Store_folder store(folder.name());
+    store.open();
+    store.set_merging(false);
+    for(std::size_t shard = 0; shard < store.layout().number_of_shards(); ++shard)
+    {
+      Shard_entry entry;
+      CHECK(store.find(shard, entry));
+      store.add(shard, entry);
+    }
+    const fs::path lock = folder.path() / "manifest.lock", manifest = folder.path() / "manifest.json";
+    const fs::file_time_type before = fs::last_write_time(manifest);
+    std::atomic<bool> is_over{false};
+    std::thread other([&]
+    {
+      while(!is_over && !fs::exists(lock))
+      {
+      }
+      write_bytes(lock, "node7.12.34");
+    });
+    store.merge();
+    is_over = true;
+    other.join();
+    is_kept = fs::last_write_time(manifest) == before;
+    const std::size_t records = files_with(folder.path(), ".done").size();
+    CHECK_EQUAL(records, is_kept ? store.layout().number_of_shards() : 0u);
+    CHECK(files_with(folder.path(), ".tmp").empty());
+    fs::remove(lock);
+    CHECK(store_all(tm, folder, options).is_complete());
+    check_is_tidy(folder.path());
+  }
+  CHECK(is_kept);
+}
+
+// A folder in the place of the manifest cannot be read.
+void manifest_that_cannot_be_read()
+{
+  test_support::Scope scope("manifest that is a folder");
+  Test_folder folder("manifest");
+  fs::create_directories(folder.path() / "manifest.json");
+  const std::string message = message_of(
+    Store_error::Reason::NOT_A_STORE, [&] { store_all(to_face_graph(icosphere(0)), folder, Options()); });
+  CHECK(message.find("manifest.json") != std::string::npos);
+}
+
+} // namespace
+
+int main()
+{
+  records_of_another_matrix_do_not_count();
+  damaged_records_do_not_count();
+  files_of_the_user_stay();
+  files_of_living_processes_stay();
+  manifest_that_cannot_be_read();
+  damaged_shards_of_others_are_not_done();
+  damaged_sparse_shards();
+  manifest_of_a_lost_lock_is_not_written();
+  return test_result();
+}
