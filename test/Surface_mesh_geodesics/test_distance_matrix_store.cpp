@@ -176,12 +176,14 @@ void needles_pass_the_check()
 {
   test_support::Scope scope("needles");
   Indexed_mesh fan;
+  test_support::Random random(1);
   const int n = 40;
   fan.points.push_back({{0, 0, 0}});
   for(int k = 0; k <= n; ++k)
   {
     const double angle = 1e-9 * k;
-    fan.points.push_back({{std::cos(angle), std::sin(angle), .1 * (k % 2)}});
+    const double radius = random.uniform(1, 1 + 5e-9);
+    fan.points.push_back({{radius * std::cos(angle), radius * std::sin(angle), 0}});
   }
   for(std::size_t k = 1; k <= n; ++k)
   {

@@ -12,6 +12,19 @@ using CGAL::Surface_mesh_geodesics::internal::Store_folder;
 
 namespace {
 
+// What a kill before the next writing of the manifest leaves: the entries as records.
+void leave_records(Store_folder& store)
+{
+  store.open();
+  store.set_merging(false);
+  for(std::size_t shard = 0; shard < store.layout().number_of_shards(); ++shard)
+  {
+    Shard_entry entry;
+    CHECK(store.find(shard, entry));
+    store.add(shard, entry);
+  }
+}
+
 // --- what else may lie in the folder ---
 
 // A process that is killed leaves records. If the user then removes the manifest and stores another matrix there, the
@@ -24,16 +37,8 @@ void records_of_another_matrix_do_not_count()
   const Options options = shards_of_five_rows();
   CHECK(store_all(before, folder, options).is_complete());
   CHECK(store_all(tm, undisturbed, options).is_complete());
-  // What a kill before the next writing of the manifest leaves: the entries as records.
   Store_folder store(folder.name());
-  store.open();
-  store.set_merging(false);
-  for(std::size_t shard = 0; shard < store.layout().number_of_shards(); ++shard)
-  {
-    Shard_entry entry;
-    CHECK(store.find(shard, entry));
-    store.add(shard, entry);
-  }
+  leave_records(store);
   fs::remove(folder.path() / "manifest.json");
   Row_visitor visitor;
   CHECK(store_all(tm, folder, options, visitor).is_complete());
@@ -142,7 +147,7 @@ void damaged_sparse_shards()
   std::string bytes = bytes_of(file);
   for(std::size_t i = 128; i < bytes.size(); ++i)
   {
-    bytes[i] = '\x55';
+    bytes[i] = '\x11';
   }
   write_bytes(file, bytes);
   message_of(Store_error::Reason::DAMAGED, [&] { Store(folder.name()).sparse_row(0); });
@@ -166,14 +171,7 @@ void manifest_of_a_lost_lock_is_not_written()
     Test_folder folder("lost");
     CHECK(store_all(tm, folder, options).is_complete());
     Store_folder store(folder.name());
-    store.open();
-    store.set_merging(false);
-    for(std::size_t shard = 0; shard < store.layout().number_of_shards(); ++shard)
-    {
-      Shard_entry entry;
-      CHECK(store.find(shard, entry));
-      store.add(shard, entry);
-    }
+    leave_records(store);
     const fs::path lock = folder.path() / "manifest.lock", manifest = folder.path() / "manifest.json";
     const fs::file_time_type before = fs::last_write_time(manifest);
     std::atomic<bool> is_over{false};
