@@ -16,8 +16,7 @@ has_tbb = any((pathlib.Path(prefix) / "include/tbb/task_arena.h").is_file() for 
 sources = ["src/unit_of_distances.cpp", "src/unit_of_lines.cpp"]
 
 extension = Pybind11Extension(
-    "surface_mesh_geodesics._core",
-    sources,
+    "surface_mesh_geodesics._core", sources,
     include_dirs=[str(root.parent / "include")],
     libraries=["gmp", "mpfr"] + (["tbb"] if has_tbb else []),
     define_macros=[("NDEBUG", None), ("SURFACE_MESH_GEODESICS_VERSION", f'"{version}"')]
@@ -25,9 +24,7 @@ extension = Pybind11Extension(
     # Python's own flags have -fwrapv on many systems, which slows distances down by a twentieth, and a protector of the
     # stack, which takes another eighth of the instructions. Neither is needed.
     extra_compile_args=["-O3", "-g0", "-fno-wrapv", "-fno-stack-protector", "-frounding-math", "-pthread"],
-    extra_link_args=["-pthread"],
-    cxx_std=17,
-)
+    extra_link_args=["-pthread"], cxx_std=17)
 
 
 # GCC bounds what it inlines by the size of the file, and the loops of distances get the less, the more the file holds

@@ -98,15 +98,15 @@ using Call = std::pair<std::size_t, py::object>;
 // Runs a computation that Python can interrupt, in the calling thread and without the interpreter's lock. Twenty times
 // a second, the computation stops for a moment: it takes the lock, asks for signals (Ctrl-C), and calls the progress
 // function with a number from 0 to 1, which never falls. An exception of either one ends the computation and is passed
-// on. When the interpreter ends, so do the computations of daemon threads (stop_all()), and no new one starts: a thread
-// that returns to an interpreter that has ended would be aborted.
+// on. When the interpreter ends, so do the computations of daemon threads (stop_all()). These threads then sleep until
+// the process ends: one that returned to the interpreter would be aborted, and with it the program.
 //
 // It is also the visitor of the computation, a model of GeodesicPropagationVisitor.
 class Interruptible
 {
 public:
   // `progress` may be None. `number_of_runs` is how often a propagation begins. Make it in the thread that computes.
-  // Throws std::runtime_error after stop_all().
+  // After stop_all(), run() does not return, except in the thread that has called stop_all().
   explicit Interruptible(py::object progress, std::size_t number_of_runs = 1);
   ~Interruptible();
 
@@ -115,10 +115,12 @@ public:
 
   void on_propagation_begin(std::size_t number_of_vertices) { m_number_of_vertices = number_of_vertices; }
 
+  // With several threads, there may be hundreds of visits between two calls.
   void on_progress(std::size_t number_of_visits, double)
   {
-    if(++m_number_of_calls % 64 != 0)
+    if(number_of_visits - m_last_visits < 64) // (larger if a run begins)
       return;
+    m_last_visits = number_of_visits;
     set_part_done(double(m_run) + double(number_of_visits) / double(m_number_of_vertices + 1));
     ask_and_go_further();
   }
@@ -156,8 +158,8 @@ public:
   // Requires: this thread holds the interpreter's lock.
   void run(const std::function<void()>& compute);
 
-  // Stops all computations, and waits until they have ended, except those whose thread runs Python. A signal ends the
-  // wait. Requires: this thread holds the interpreter's lock.
+  // Stops all computations, and waits until their threads sleep; no longer than two seconds for those that run Python.
+  // A signal ends the wait. Requires: this thread holds the interpreter's lock.
   static void stop_all();
 
 protected:
@@ -169,9 +171,9 @@ private:
   std::chrono::steady_clock::time_point m_next_question;
   py::object m_progress;
   std::exception_ptr m_interruption; // what Python has thrown
-  std::size_t m_number_of_runs, m_run = 0, m_number_of_vertices = 0, m_number_of_calls = 0;
+  std::size_t m_number_of_runs, m_run = 0, m_number_of_vertices = 0, m_last_visits = 0;
   std::atomic<double> m_part_done{0};
-  std::atomic<bool> m_is_stopped{false}, m_is_in_python{false};
+  std::atomic<bool> m_is_stopped{false}, m_is_in_python{false}, m_is_at_end{false};
 };
 
 // A property map for functions that take no visitor: they end with an exception if Python interrupts.

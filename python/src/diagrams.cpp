@@ -148,13 +148,14 @@ private:
   template <typename T, typename Add>
   py::array_t<T> of_sites(const Add& add, std::size_t columns = 1) const
   {
-    return to_rows(without_lock([&]()
+    std::vector<T> numbers;
+    Interruptible visitor{py::none()};
+    visitor.run([&]()
     {
-      std::vector<T> numbers;
-      for(std::size_t i = 0; i < m_voronoi.number_of_sites(); ++i)
+      for(std::size_t i = 0; i < m_voronoi.number_of_sites() && visitor.ask_and_go_further(); ++i)
         add(i, numbers);
-      return numbers;
-    }), columns);
+    });
+    return to_rows(std::move(numbers), columns);
   }
 
   // Returns a mesh that make(mesh, map) fills, with the number of what the map has for each face.
@@ -249,18 +250,11 @@ py::tuple remesh(Surface& surface, std::size_t n, const Relaxation& relaxation, 
 void bind_diagrams(py::module_& module, Surface_class& surface)
 {
   py::class_<Diagram>(module, "Diagram")
-    .def("at_vertices", &Diagram::at_vertices)
-    .def("areas", &Diagram::areas)
-    .def("centroids", &Diagram::centroids)
-    .def("adjacency", &Diagram::adjacency)
-    .def("colors", &Diagram::colors)
-    .def("boundary_polylines", &Diagram::boundary_polylines)
-    .def("are_disks", &Diagram::are_disks)
-    .def("energy", &Diagram::energy)
-    .def("dual", &Diagram::dual)
-    .def("check_dual", &Diagram::check_dual)
-    .def("cut", &Diagram::cut)
-    .def("cell_mesh", &Diagram::cell_mesh);
+    .def("at_vertices", &Diagram::at_vertices).def("areas", &Diagram::areas).def("centroids", &Diagram::centroids)
+    .def("adjacency", &Diagram::adjacency).def("colors", &Diagram::colors).def("are_disks", &Diagram::are_disks)
+    .def("boundary_polylines", &Diagram::boundary_polylines).def("energy", &Diagram::energy)
+    .def("dual", &Diagram::dual).def("check_dual", &Diagram::check_dual)
+    .def("cut", &Diagram::cut).def("cell_mesh", &Diagram::cell_mesh);
   surface.def("diagram", &diagram).def("sample", &sample).def("relax", &relax).def("remesh", &remesh);
 }
 

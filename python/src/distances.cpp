@@ -270,13 +270,9 @@ py::tuple certify(Surface& surface, const Array<double>& d, const Place_arrays& 
 
 void bind_distances(Surface_class& surface)
 {
-  surface.def("distances", &distances<Places, Place_arrays>)
-    .def("curve_distances", &distances<Curves, Curves::Arrays>)
-    .def("signed_distances", &signed_distances)
-    .def("border_curves", &border_curves)
-    .def("matrix", &matrix)
-    .def("sparse_matrix", &sparse_matrix)
-    .def("certify", &certify);
+  surface.def("distances", &distances<Places, Place_arrays>).def("curve_distances", &distances<Curves, Curves::Arrays>)
+    .def("signed_distances", &signed_distances).def("border_curves", &border_curves)
+    .def("matrix", &matrix).def("sparse_matrix", &sparse_matrix).def("certify", &certify);
 }
 
 } // namespace geodesics_python

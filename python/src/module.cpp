@@ -27,33 +27,26 @@ py::array_t<double> points_to_array(const std::vector<Point>& points)
 
 py::tuple mesh_to_tuple(const Mesh& mesh)
 {
-  std::vector<Point> points;
+  const std::vector<Point> points(mesh.points().begin(), mesh.points().end());
   std::vector<std::int64_t> faces;
-  for(const Vertex v : mesh.vertices())
-    points.push_back(mesh.point(v));
-  for(const Face f : mesh.faces())
-    for(const Vertex v : mesh.vertices_around_face(mesh.halfedge(f)))
-      faces.push_back(std::int64_t(std::size_t(v)));
+  for(const Face f : mesh.faces()) // in the order of Surface::add_faces()
+    for(const auto h : mesh.halfedges_around_face(mesh.halfedge(f)))
+      faces.push_back(std::int64_t(std::size_t(mesh.source(h))));
   return py::make_tuple(points_to_array(points), to_rows(std::move(faces), 3));
 }
 
-namespace {
+// The computations that run now, and the thread that ends the program.
+static std::mutex running_mutex;
+static std::set<Interruptible*> running;
+static std::thread::id ending_thread;
 
-// The computations that run now.
-std::mutex running_mutex;
-std::set<Interruptible*> running;
-bool has_ended = false;
-
-constexpr std::chrono::milliseconds time_between_questions(50);
-
-} // namespace
+static constexpr std::chrono::milliseconds time_between_questions(50);
 
 Interruptible::Interruptible(py::object progress, std::size_t number_of_runs)
   : m_progress(std::move(progress)), m_number_of_runs(number_of_runs)
 {
   const std::lock_guard<std::mutex> lock(running_mutex);
-  if(has_ended)
-    throw std::runtime_error("the program ends");
+  m_is_stopped = ending_thread != std::thread::id() && ending_thread != m_thread;
   running.insert(this);
 }
 
@@ -65,18 +58,20 @@ Interruptible::~Interruptible()
 
 void Interruptible::stop_all()
 {
-  for(bool is_done = false; !is_done;)
+  int rounds = 0;
+  for(bool is_done = false; !is_done; ++rounds)
   {
     if(PyErr_CheckSignals() != 0)
       throw py::error_already_set();
     const py::gil_scoped_release release;
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
     const std::lock_guard<std::mutex> lock(running_mutex);
-    has_ended = is_done = true;
+    ending_thread = std::this_thread::get_id();
+    is_done = true;
     for(Interruptible* i : running)
     {
       i->m_is_stopped = true;
-      is_done = is_done && i->m_is_in_python;
+      is_done = is_done && (i->m_is_at_end || (i->m_is_in_python && rounds > 2000));
     }
   }
 }
@@ -84,20 +79,24 @@ void Interruptible::stop_all()
 void Interruptible::run(const std::function<void()>& compute)
 {
   m_next_question = std::chrono::steady_clock::now() + time_between_questions;
-  try
+  std::exception_ptr failure;
   {
     const py::gil_scoped_release release;
-    compute();
+    try
+    {
+      if(!m_is_stopped)
+        compute();
+    }
+    catch(...)
+    {
+      failure = std::current_exception();
+    }
+    m_is_at_end = m_is_stopped && m_interruption == nullptr; // stopped by stop_all(), maybe before it began
+    while(m_is_at_end)
+      std::this_thread::sleep_for(std::chrono::hours(1));
   }
-  catch(...)
-  {
-    if(m_interruption == nullptr)
-      throw;
-  }
-  if(m_interruption != nullptr)
-    std::rethrow_exception(m_interruption);
-  if(m_is_stopped)
-    throw std::runtime_error("the program ends");
+  if(m_interruption != nullptr || failure != nullptr)
+    std::rethrow_exception(m_interruption != nullptr ? m_interruption : failure);
 }
 
 bool Interruptible::ask_and_go_further()
@@ -179,11 +178,11 @@ void Surface::add_faces(const Array<std::int64_t>& faces, Interruptible& visitor
     for(std::size_t k = 0; k < 3; ++k)
       corners[k] = Vertex(static_cast<Mesh::size_type>(id(f, py::ssize_t(k))));
     if(corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0])
-      throw std::invalid_argument("face " + std::to_string(f) + " has a vertex twice");
+      throw std::invalid_argument("F[" + std::to_string(f) + "] has a vertex twice");
     const Face face = m_mesh.add_face(corners);
     if(face == Mesh::null_face())
-      throw std::invalid_argument("face " + std::to_string(f)
-                                  + " does not fit the faces before it: an edge has more than two faces, or two faces "
+      throw std::invalid_argument("F[" + std::to_string(f)
+                                  + "] does not fit the faces before it: an edge has more than two faces, or two faces "
                                     "of opposite orientation, or too many parts of the surface meet at a vertex");
     // Weights belong to the corners in the order of the array.
     while(m_mesh.source(m_mesh.halfedge(face)) != corners[0])
@@ -253,7 +252,8 @@ PYBIND11_MODULE(_core, module)
   module.def("oriented", &oriented);
   Surface_class surface(module, "Surface");
   surface.def(py::init<const Array<double>&, const Array<std::int64_t>&, const Array<double>&,
-                       const Array<std::int64_t>&>());
+                       const Array<std::int64_t>&>())
+    .def("arrays", [](const Surface& s) { return mesh_to_tuple(s.mesh()); });
   bind_distances(surface);
   bind_paths(surface);
   bind_stores(surface);

@@ -243,11 +243,8 @@ double direction_of(const Surface& surface, const Place_arrays& places, const st
 
 void bind_paths(Surface_class& surface)
 {
-  surface.def("paths", &paths_to)
-    .def("isolines", &isolines)
-    .def("directions", &directions)
-    .def("trace", &trace)
-    .def("direction_of", &direction_of);
+  surface.def("paths", &paths_to).def("isolines", &isolines).def("directions", &directions)
+    .def("trace", &trace).def("direction_of", &direction_of);
 }
 
 } // namespace geodesics_python

@@ -10,10 +10,8 @@
 
 namespace geodesics_python {
 
-namespace {
-
 // Returns the number of rows of the range that are stored, and the number of rows of the range.
-py::tuple store_matrix(const Surface& surface, const Place_arrays& places, const Array<std::int64_t>& targets,
+static py::tuple store_matrix(const Surface& surface, const Place_arrays& places, const Array<std::int64_t>& targets,
                        const std::string& folder, bool use_float32, bool use_symmetry, double radius,
                        const std::pair<std::size_t, std::size_t>& rows, const std::string& mesh_name, const Call& call)
 {
@@ -53,7 +51,7 @@ py::tuple store_matrix(const Surface& surface, const Place_arrays& places, const
 }
 
 // Returns vertices in the order in which the rows of a symmetric matrix take little time.
-py::array_t<std::int64_t> peeling_order(const Surface& surface, const Array<std::int64_t>& range)
+static py::array_t<std::int64_t> peeling_order(const Surface& surface, const Array<std::int64_t>& range)
 {
   const std::vector<Vertex> vertices = to_vertices(range);
   std::vector<Vertex> order;
@@ -64,12 +62,9 @@ py::array_t<std::int64_t> peeling_order(const Surface& surface, const Array<std:
   return to_ids(order);
 }
 
-} // namespace
-
 void bind_stores(Surface_class& surface)
 {
-  surface.def("store_matrix", &store_matrix);
-  surface.def("peeling_order", &peeling_order);
+  surface.def("store_matrix", &store_matrix).def("peeling_order", &peeling_order);
 }
 
 } // namespace geodesics_python

@@ -13,6 +13,7 @@ Lengths and distances have the unit of the points. Vertices and faces are counte
 (face, barycentric coordinates), with the coordinates in the order of the corners in F.
 """
 
+from . import gdist
 from ._core import __version__
 from ._certificate import Certificate
 from ._path import Curve, Path, TracedGeodesic
@@ -22,4 +23,4 @@ from .pages import Page, page
 from .pictures import plot
 
 __all__ = ["Boundary", "Certificate", "Curve", "DualReport", "Page", "Path", "Solver", "TracedGeodesic", "Voronoi",
-           "page", "plot", "__version__"]
+           "gdist", "page", "plot", "__version__"]

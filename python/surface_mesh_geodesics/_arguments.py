@@ -18,7 +18,8 @@ def points_of(name: str, values: Any) -> np.ndarray:
     array = numbers_of(name, values)
     if array.ndim != 2 or array.shape[1] != 3:
         raise ValueError(f"{name} has shape {array.shape}, but (n, 3) is needed")
-    array = np.ascontiguousarray(array, dtype=np.float64)
+    with np.errstate(over="ignore"):
+        array = np.ascontiguousarray(array, dtype=np.float64)
     check_elements(name, array, ~np.isfinite(array), "not a finite number")
     return array
 
@@ -58,10 +59,11 @@ def row_of_ids(name: str, values: Any, n: int, what: str = "vertices") -> np.nda
 
 def faces_of(name: str, values: Any, m: int) -> np.ndarray:
     """Returns ids of faces; they may be given as m booleans."""
-    if getattr(values, "dtype", None) != np.bool_:
+    are_flags = isinstance(values, (list, tuple)) and len(values) > 0 and all(isinstance(v, bool) for v in values)
+    if not are_flags and getattr(values, "dtype", None) != np.bool_:
         return row_of_ids(name, values, m, "faces")
-    if values.shape != (m,):
-        raise ValueError(f"{name} has shape {values.shape}, but there are {m} faces")
+    if np.shape(values) != (m,):
+        raise ValueError(f"{name} has shape {np.shape(values)}, but there are {m} faces")
     return np.flatnonzero(values).astype(np.int64)
 
 
@@ -95,7 +97,11 @@ def curves_of(name: str, values: Any, n_vertices: int, n_faces: int) -> list[tup
     curves = []
     for i, value in enumerate(values if has_curves(values) and not isinstance(values, Curve) else [values]):
         if isinstance(value, Curve):
-            curves.append((places_of(f"places of {name}[{i}]", value.places, n_vertices, n_faces), bool(value.closed)))
+            curve = name if value is values else f"{name}[{i}]"
+            places = places_of(f"places of {curve}", value.places, n_vertices, n_faces)
+            if len(places.vertex) == 0:
+                raise ValueError(f"{curve} is a curve without places")
+            curves.append((places, bool(value.closed)))
         else:
             curves += [(place, False) for place in single_places(places_of(name, value, n_vertices, n_faces))]
     return curves
@@ -109,7 +115,7 @@ def offsets_of(name: str, values: Any, n: int) -> np.ndarray:
     """Returns n numbers that are finite and not negative, or none."""
     array = weights_of(name, values, n)
     check_elements(name, array, array < 0, "but it must not be negative")
-    return array
+    return array + 0.0  # without a sign
 
 
 def weights_of(name: str, values: Any, n: int) -> np.ndarray:
@@ -157,7 +163,7 @@ def length_of(name: str, value: Any, least: float, rule: str, most: float = np.i
     array = numbers_of(name, value)
     if array.ndim != 0 or not least <= array <= most:
         raise ValueError(f"{name} is {value!r}: it must be {rule}")
-    return float(array)
+    return float(array) + 0.0  # a zero has no sign
 
 
 def finite_of(name: str, value: Any, least: float = -LARGEST, rule: str = "a finite number") -> float:
@@ -248,9 +254,16 @@ def _points_of_faces(name: str, values: Any, n_faces: int) -> Places:
 
 def _is_pair(name: str, value: Any) -> bool:
     """Is this (face, coordinates) or (faces, coordinates), and not two vertices or two places?"""
-    return (isinstance(value, tuple) and len(value) == 2 and hasattr(value[1], "__len__")
-            and not any(isinstance(part, (str, bytes)) or isinstance(part, tuple) and len(part) == 2 for part in value)
-            and numbers_of(f"coordinates of {name}", value[1]).size > 1)
+    if not (isinstance(value, tuple) and len(value) == 2 and hasattr(value[1], "__len__")):
+        return False
+    if any(isinstance(part, (str, bytes)) or _is_place(part) for part in value):
+        return False
+    coordinates = numbers_of(f"coordinates of {name}", value[1])
+    return coordinates.size > 1 or coordinates.ndim == 2
+
+
+def _is_place(part: Any) -> bool:
+    return isinstance(part, tuple) and len(part) == 2 and not hasattr(part[0], "__len__") and hasattr(part[1], "__len__")
 
 
 def check_elements(name: str, array: np.ndarray, is_bad: np.ndarray, rule: str) -> None:

@@ -36,10 +36,11 @@ class Solver:
     vertices, or a pair of arrays (faces, coordinates). A `Curve` is a source of `distances()`, too.
 
     Several threads may use one solver; computations of distances and paths wait for the one before. Computations run
-    without the lock of the interpreter. Ctrl-C ends them, except that the first path or diagram prepares the mesh
-    before it listens (about 0.3 s for a million faces). `progress` is called with a number from 0 to 1 some twenty
-    times a second, and never if the call is short. Solvers can be pickled, as those of derived classes with their
-    attributes; the mesh is read again then. A process must not be forked while another of its threads computes.
+    without the lock of the interpreter. Ctrl-C ends them, except while the first path or diagram prepares the mesh and
+    while the last step of a diagram is made, about a second each for a million faces. `progress` is called with a
+    number from 0 to 1 some twenty times a second, and never if the call is short; it must not use the solver that
+    computes (RuntimeError). Solvers can be pickled, as those of derived classes with their attributes; the mesh is read
+    again then. A process must not be forked while another of its threads computes.
     """
 
     def __init__(self, V: Any, F: Any) -> None:
@@ -69,6 +70,8 @@ class Solver:
             raise ValueError(f"L has shape {lengths.shape}, but F has {faces.shape}")
         lengths = arguments.points_of("L", lengths.reshape(-1, 3))
         arguments.check_elements("L", lengths, lengths < 0, "but a length must not be negative")
+        most = (1 + 1e-9) * (np.roll(lengths, 1, 1) + np.roll(lengths, 2, 1))  # beyond rounding
+        arguments.check_elements("L", lengths, lengths > most, "longer than the two other edges together")
         solver = cls.__new__(cls)
         solver._set_up(np.zeros((n, 3)), faces, lengths)
         return solver
@@ -226,7 +229,7 @@ class Solver:
         """
         self._needs("store_matrix", points=True, all_faces=True)
         places, ids = self._rows_and_columns(sources, targets)
-        return self._surface.store_matrix(places, ids, os.fspath(folder), bool(float32), bool(symmetric),
+        return self._surface.store_matrix(places, ids, os.fsencode(folder), bool(float32), bool(symmetric),
                                           arguments.radius_of("radius", radius), arguments.rows_of("rows", rows),
                                           str(mesh_name), arguments.call_of(threads, progress))
 
@@ -278,12 +281,15 @@ class Solver:
         """
         ends = arguments.single_places(self._places("places", places))
         call = arguments.call_of(threads, progress)
+        if len(ends) == 0:
+            raise ValueError("places has no places, but a curve has at least one")
+        if len(ends) == 1:
+            return Curve(places, closed)
         legs = [self._surface.paths(*pair, call)[0] for pair in zip(ends, ends[1:] + ends[:1] * bool(closed))]
         for i, leg in enumerate(legs):
             if leg[1] < 0:
                 raise ValueError(f"places[{i}] and the next place are not connected")
-        parts = [leg[3:] for leg in legs] if len(ends) > 1 else [self._surface.paths(*ends, *ends, call)[0][3:]]
-        return Curve(tuple(np.concatenate(arrays) for arrays in zip(*parts)), closed)
+        return Curve(tuple(np.concatenate(arrays) for arrays in zip(*(leg[3:] for leg in legs))), closed)
 
     # --- paths ---
 
@@ -344,7 +350,7 @@ class Solver:
         """
         self._needs("isolines", points=True)
         values = arguments.row_without_nan("d", arguments.values_of("d", d, self.n_vertices))
-        return linear_isolines(self._points, self._faces, values, arguments.row_without_nan("levels", levels))
+        return linear_isolines(*self._surface.arrays(), values, arguments.row_without_nan("levels", levels))
 
     # --- directions ---
 
@@ -417,11 +423,9 @@ class Solver:
         >>> v.labels, v.areas.round(12), v.adjacency
         (array([0, 1, 1, 0]), array([2., 2.]), array([[0, 1]]))
         """
-        places = self._places("sites", sites)
+        places = arguments.Places(*(array.copy() for array in self._places("sites", sites)))
         n = len(places.vertex)
-        diagram = self._surface.diagram(places, arguments.weights_of("weights", weights, n),
-                                        arguments.call_of(threads, progress))
-        return Voronoi(diagram, n, self._extent(), self._lengths is None)
+        return self._voronoi(places, arguments.weights_of("weights", weights, n), arguments.call_of(threads, progress))
 
     def labels(self, sites: Any, weights: Any = None, *, threads: int | None = 1,
                progress: Progress | None = None) -> tuple[np.ndarray, np.ndarray]:
@@ -522,7 +526,7 @@ class Solver:
         >>> smg.Solver([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]]).n_vertices
         3
         """
-        return len(self._points)
+        return self._sizes[0]
 
     @property
     def n_faces(self) -> int:
@@ -532,23 +536,28 @@ class Solver:
         >>> smg.Solver([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]]).n_faces
         1
         """
-        return len(self._faces)
+        return self._sizes[1]
 
     def __repr__(self) -> str:
         return f"Solver({self.n_vertices} vertices, {self.n_faces} faces)"
 
     def __getstate__(self) -> dict:
-        return {name: value for name, value in self.__dict__.items() if name != "_surface"}
+        return {**self.__dict__, "_surface": self._surface.arrays()}
 
     def __setstate__(self, state: dict) -> None:
         self.__dict__.update(state)
         lengths = np.zeros((0, 3)) if self._lengths is None else self._lengths
-        self._surface = _core.Surface(self._points, self._faces, lengths, self._avoided)
+        self._surface = _core.Surface(*state["_surface"], lengths, self._avoided)
 
     def _set_up(self, points: np.ndarray, faces: np.ndarray, lengths: np.ndarray | None) -> None:
-        # Copies: the arrays of the caller may change.
-        self.__setstate__({"_points": points.copy(), "_faces": faces.copy(), "_avoided": NO_IDS,
-                           "_lengths": None if lengths is None else lengths.copy()})
+        self.__setstate__({"_surface": (points, faces), "_sizes": (len(points), len(faces)), "_avoided": NO_IDS,
+                           "_lengths": None if lengths is None else lengths.copy()})  # the caller's may change
+
+    def _voronoi(self, places: arguments.Places, weights: np.ndarray, call: tuple[int, Any]) -> Voronoi:
+        voronoi = Voronoi(self._surface.diagram(places, weights, call), len(places.vertex), self._extent(),
+                          self._lengths is None)
+        voronoi._origin = self._voronoi, (places, weights.copy(), (call[0], None))
+        return voronoi
 
     def _places(self, name: str, values: Any) -> arguments.Places:
         return arguments.places_of(name, values, self.n_vertices, self.n_faces)
@@ -579,5 +588,4 @@ class Solver:
     def _extent(self) -> float:
         if self._lengths is not None:
             return float(self._lengths.max(initial=0.0))
-        points = self._points if self.n_vertices > 0 else np.zeros((1, 3))
-        return float(np.linalg.norm(np.ptp(points, axis=0)))
+        return float(np.linalg.norm(np.ptp(self._surface.arrays()[0], axis=0))) if self.n_vertices > 0 else 0.0

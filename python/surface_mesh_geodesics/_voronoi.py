@@ -53,6 +53,8 @@ class Voronoi:
     labels     (n,) the site that is nearest to each vertex; -1 where no site reaches
     distances  (n,) the distances of the vertices from their sites, minus the weights of the sites
 
+    A diagram can be pickled; it is computed again then.
+
     >>> import surface_mesh_geodesics as smg
     >>> s = smg.Solver([[0, 0, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0]], [[0, 1, 2], [0, 2, 3]])
     >>> v = s.voronoi([0, 1])
@@ -66,6 +68,9 @@ class Voronoi:
         self._has_points = has_points
         self.n_sites = n_sites
         self.labels, self.distances = diagram.at_vertices()
+
+    def __reduce__(self) -> tuple:
+        return self._origin  # the diagram is computed again
 
     @property
     def areas(self) -> np.ndarray:

@@ -30,8 +30,7 @@ def compute_gdist(vertices: Any, triangles: Any, source_indices: Any = None, tar
     return solver.distances(sources, targets=target_indices, radius=radius)
 
 
-def local_gdist_matrix(vertices: Any, triangles: Any, max_distance: float = 1e100,
-                       is_one_indexed: bool = False) -> Any:
+def local_gdist_matrix(vertices: Any, triangles: Any, max_distance: float = 1e100, is_one_indexed: bool = False) -> Any:
     """Returns the distances between all pairs of vertices up to max_distance, as a scipy.sparse.csc_matrix.
 
     Pairs at distance 0 have no entry. Needs SciPy.

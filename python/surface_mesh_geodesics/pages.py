@@ -75,7 +75,7 @@ def page(V: Any, F: Any, distances: Any, *, sources: Any = None, paths: Path | S
     if np.isinf(levels).any() or largest > np.finfo(np.float32).max:
         raise ValueError("a page shows finite levels, and distances up to 3e38")
     cell_data = {} if cells is None else _cells(cells, colors, len(F))
-    if sources is None or np.ndim(sources) < 2:
+    if sources is None or arguments.numbers_of("sources", sources).ndim < 2:
         shown = V[arguments.row_of_ids("sources", int(np.argmin(d)) if sources is None else sources, len(V))]
     else:
         shown = arguments.points_of("sources", sources)

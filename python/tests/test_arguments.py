@@ -66,9 +66,9 @@ def nan_points():
     (V, [[0, 1, 2], [0, 1]], ValueError, r"F\[1\] has 2 corners"),
     (V, F.ravel(), ValueError, r"F has shape"),
     (V, F > 2, ValueError, "bool"),
-    (V, [[0, 1, 1]], ValueError, "face 0 has a vertex twice"),
-    (V, [[0, 1, 2], [0, 1, 3]], ValueError, "face 1 does not fit"),
-    (V, np.vstack([F, F[:1, ::-1]]), ValueError, r"face \d+ does not fit"),
+    (V, [[0, 1, 1]], ValueError, r"F\[0\] has a vertex twice"),
+    (V, [[0, 1, 2], [0, 1, 3]], ValueError, r"F\[1\] does not fit"),
+    (V, np.vstack([F, F[:1, ::-1]]), ValueError, r"F\[\d+\] does not fit"),
 ])
 def test_bad_meshes(points, faces, error, message):
     with pytest.raises(error, match=message):
@@ -116,6 +116,50 @@ def test_bad_sources(sources, error, message):
 def test_bad_options(options, message):
     with pytest.raises(ValueError, match=message):
         smg.Solver(V, F).distances(0, **options)
+
+
+def test_pairs_of_arrays_of_any_length():
+    s = smg.Solver(V, F)
+    rows = np.eye(3)
+    for faces, weights in (([0, 1], rows[:2]), ((0, 1), rows[:2].tolist()), ((0, 1), ((1, 0, 0), (0, 1, 0))),
+                           ([0, 1, 2], rows), ((0, 1, 2), rows)):
+        assert (s.distances((faces, weights)) == s.distances(list(zip(faces, weights)))).all()
+    assert np.isinf(s.distances((np.array([], int), np.zeros((0, 3))))).all()
+    assert np.isinf(s.distances(([], np.zeros((0, 3))))).all()
+    assert (s.distances((3, 4)) == s.distances([3, 4])).all()
+    assert (s.distances(((0, [1, 0, 0]), (1, [0, 1, 0]))) == s.distances(([0, 1], rows[:2]))).all()
+    with pytest.raises(ValueError, match="coordinates of sources have the shape"):
+        s.distances((0, (1, 0)))
+
+
+def test_faces_as_booleans():
+    s = smg.Solver(V, F)
+    flags = [f % 7 == 0 for f in range(len(F))]
+    d = s.avoiding(flags).distances(12)
+    assert (d == s.avoiding(np.array(flags)).distances(12)).all()
+    assert (d == s.avoiding(np.flatnonzero(flags)).distances(12)).all()
+    with pytest.raises(ValueError, match="faces has shape"):
+        s.avoiding([True, False])
+
+
+def test_zeros_without_a_sign():
+    s = smg.Solver(V, F)
+    assert not np.signbit(s.distances(0, offsets=-0.0)[0])
+    assert not np.signbit(s.trace(12, 0, -0.0).length)
+
+
+def test_edges_that_form_no_triangle():
+    with pytest.raises(ValueError, match=r"L\[0, 2\] is 5.0, longer than the two other edges together"):
+        smg.Solver.from_edge_lengths(3, [[0, 1, 2]], [[1, 1, 5]])
+
+
+def test_the_mesh_is_copied():
+    points, faces = V.copy(), F.copy()
+    s = smg.Solver(points, faces)
+    points[:], faces[:] = 0, 0
+    other = pickle.loads(pickle.dumps(s))
+    assert (other.matrix() == smg.Solver(V, F).matrix()).all() and (s.matrix() == other.matrix()).all()
+    assert other.distances((3, [.5, .25, .25])).tolist() == s.distances((3, [.5, .25, .25])).tolist()
 
 
 def test_coordinates_of_other_types():

@@ -113,6 +113,15 @@ def test_shortest_paths_make_curves():
         smg.Solver(V, F).shortest_path_curve([0, 1, 20])
 
 
+def test_curves_of_no_place_and_of_one():
+    s = smg.Solver(np.eye(3), np.zeros((0, 3), int))
+    assert s.distances(s.shortest_path_curve([1])).tolist() == [np.inf, 0, np.inf]
+    for call in (lambda: s.shortest_path_curve([]), lambda: s.distances(smg.Curve([])),
+                 lambda: s.distances([0, smg.Curve(([], np.zeros((0, 3))))])):
+        with pytest.raises(ValueError, match="places"):
+            call()
+
+
 def test_curves_on_surfaces_without_points_and_around_faces():
     V, F = grid(6)
     plain = smg.Solver(V, F)

@@ -1,3 +1,6 @@
+import copy
+import pickle
+
 import numpy as np
 import pytest
 
@@ -67,6 +70,15 @@ def test_diagram_outlives_its_solver():
     V, F = sphere(12)
     v = smg.Solver(V, F).voronoi([0, 50])
     assert v.areas.sum() == pytest.approx(area(V, F).sum(), rel=1e-12)
+
+
+def test_diagrams_can_be_pickled():
+    s = smg.Solver(*sphere(12))
+    sites, weights = np.array([3, 50, 70]), np.array([0, .1, 0])
+    v = s.voronoi(sites, weights)
+    sites[0], weights[0] = 9, 5  # the diagram keeps its own
+    for other in (pickle.loads(pickle.dumps(v)), copy.deepcopy(v)):
+        assert (other.labels == v.labels).all() and (other.areas == v.areas).all()
 
 
 def test_samples_and_remeshing():

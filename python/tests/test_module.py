@@ -104,6 +104,34 @@ def test_program_ends_while_a_daemon_thread_computes():
     assert done.returncode == 0 and done.stdout == "end\n", done.stderr
 
 
+@pytest.mark.parametrize("progress", ["lambda part: time.sleep(.01)", "lambda part: np.ones(10**6).sum()", "print"])
+def test_program_ends_while_a_progress_function_runs(progress):
+    program = textwrap.dedent(f"""
+        import atexit, sys, threading, time
+        atexit.register(lambda: print(s.distances(0).max() > 0))  # after the daemon thread has stopped
+        sys.path.insert(0, {os.path.dirname(__file__)!r})
+        import numpy as np, surface_mesh_geodesics as smg
+        from meshes import sphere
+        V, F = sphere(100)
+        s, other = smg.Solver(V, F), smg.Solver(V, F)
+        threading.Thread(target=lambda: other.matrix(progress={progress}), daemon=True).start()
+        time.sleep(.3)
+        """)
+    for _ in range(3):
+        done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=100)
+        assert done.returncode == 0 and done.stdout.endswith("True\n"), done.stderr
+
+
+@pytest.mark.parametrize("call", ["voronoi(sites)", "voronoi(sites, threads=2)", "relax(sites, iterations=2)",
+                                  "distances(sites, threads=2)", "labels(sites, threads=2)"])
+def test_progress_is_called_during_runs_from_many_sites(call):
+    s = smg.Solver(*sphere(250))
+    sites = list(range(0, s.n_vertices, 20))
+    parts = []
+    eval(f"s.{call.replace(')', ', progress=parts.append)')}", {"s": s, "sites": sites, "parts": parts})
+    assert any(0 < part < 1 for part in parts)
+
+
 def test_progress_is_called_and_may_raise():
     s = smg.Solver(*sphere(150))
     parts = []
@@ -217,6 +245,11 @@ def test_import_is_light():
     program = ("import sys, numpy; import surface_mesh_geodesics; "
                "print([m for m in ('scipy', 'matplotlib') if m in sys.modules])")
     assert subprocess.run([sys.executable, "-c", program], capture_output=True, text=True).stdout.strip() == "[]"
+
+
+def test_gdist_needs_no_import_of_its_own():
+    program = "import surface_mesh_geodesics as smg; print(smg.gdist.compute_gdist.__name__)"
+    assert subprocess.check_output([sys.executable, "-c", program], text=True) == "compute_gdist\n"
 
 
 def test_gdist():

@@ -24,10 +24,12 @@
 
 #include <CGAL/assertions.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -70,15 +72,13 @@ public:
 
   Cell_triangles(const Mesh& mesh, const Complex& complex) : m_mesh(mesh), m_complex(complex) {}
 
-  // Cuts all faces that the cell of a site is in. The tolerance is in the unit of the intrinsic mesh. Takes time linear
-  // in the number of faces of the mesh, plus the time of the cuts.
+  // Cuts all faces that the cell of a site is in, in ascending order. The tolerance is in the unit of the intrinsic
+  // mesh. Takes time for the faces of the cell and those around it, plus the time of the cuts.
   void build(Vertex_id site, double tolerance)
   {
     Voronoi_face_cut cut(m_mesh, m_complex);
-    for(Face_id f = 0; f < m_mesh.number_of_faces(); ++f)
+    for(const Face_id f : faces_of_cell(site))
     {
-      if(!is_in_cell(f, site))
-        continue;
       cut.cut(f, tolerance);
       name_border(f);
       CGAL_assertion(m_vertex_names.size() == cut.number_of_border_vertices());
@@ -98,6 +98,42 @@ private:
   // A vertex of the refined mesh is (vertex, 0), a vertex on an edge (halfedge with the smaller index, position from
   // its source). The piece of an edge that begins at a position has the name of that position.
   using Name = std::pair<std::uint32_t, std::uint32_t>;
+
+  // Returns the faces that the cell of a site is in, ascending. A cell is connected, as the shortest paths to its site
+  // stay in it; they may lead through vertices. So one face after the other is found around the corners of those before.
+  // The faces of the boundary come first, in case that rounding parts a cell.
+  std::vector<Face_id> faces_of_cell(Vertex_id site) const
+  {
+    std::vector<Face_id> found;
+    std::unordered_set<Face_id> seen;
+    const auto look_at = [&](Face_id f)
+    {
+      if(seen.insert(f).second && is_in_cell(f, site))
+        found.push_back(f);
+    };
+    const auto look_around = [&](Vertex_id v)
+    { m_mesh.for_each_halfedge_around(v, [&](Halfedge_id h) { look_at(face_of(h)); }); };
+    look_around(site);
+    for(const Voronoi_boundary_part& part : m_complex.boundary(site))
+      for(const Oriented_index& c : part.chains)
+        for(const Oriented_index& a : m_complex.chains()[c.first].arcs)
+          look_at(m_complex.arcs()[a.first].face);
+    for(std::size_t k = 0; k < found.size(); ++k)
+      for(const Vertex_id v : m_mesh.face(found[k]).vertex)
+        look_around(v);
+    std::sort(found.begin(), found.end());
+    CGAL_expensive_assertion(found.size() == number_of_faces_of_cell(site));
+    return found;
+  }
+
+  // The same number, found in all faces of the mesh.
+  std::size_t number_of_faces_of_cell(Vertex_id site) const
+  {
+    std::size_t number = 0;
+    for(Face_id f = 0; f < m_mesh.number_of_faces(); ++f)
+      number += is_in_cell(f, site) ? 1 : 0;
+    return number;
+  }
 
   // Returns whether a part of a face is in a cell.
   bool is_in_cell(Face_id f, Vertex_id site) const
