@@ -24,14 +24,15 @@ apt-get "${options[@]}" --quiet --yes --no-install-recommends --download-only in
   findutils g++ grep libcgal-dev libjs-three libtbb-dev pybind11-dev python3-dev python3-joblib python3-matplotlib \
   python3-numpy python3-pip python3-pybind11 python3-pytest python3-scipy python3-setuptools python3-wheel sed
 
-# No script of a package runs. What these would have set up and is needed: the null device, the certificates, without
-# which pip does not start, and the names of BLAS (below).
+# No script of a package runs. What these would have set up and is needed: the null device, the folder of semaphores,
+# the certificates, without which pip does not start, and the names of BLAS (below).
 rm -rf "$system"
 mkdir -p "$system"
 for package in "$apt"/cache/archives/base-files_*.deb "$apt"/cache/archives/*.deb; do
   dpkg --extract "$package" "$system"
 done
 mknod -m 666 "$system/dev/null" c 1 3
+mkdir -m 1777 "$system/dev/shm"
 mkdir -p "$system/etc/ssl/certs"
 cat "$system"/usr/share/ca-certificates/mozilla/*.crt > "$system/etc/ssl/certs/ca-certificates.crt"
 mkdir -p "$system/package"
