@@ -6,6 +6,7 @@
 #include "Row_progress.h"
 #include "number_arguments.h"
 
+#include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_distance_matrix.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_distance_matrix_mpi.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_distance_matrix_store.h>
@@ -238,9 +239,33 @@ Geodesic_matrix_store_status sum_of_stores(const std::vector<std::string>& folde
   return sum;
 }
 
+// Calls function(), and returns what is wrong with the mesh, or with its matrix; an empty text if nothing is. What the
+// next mesh would suffer from, too, passes through.
+template <typename Function>
+std::string fault_of_mesh(const Function& function)
+{
+  try
+  {
+    with_store_errors(function);
+  }
+  catch(const Command_error& error)
+  {
+    if(error.code() != Exit_code::BAD_INPUT && error.code() != Exit_code::NO_RESULT)
+      throw;
+    return error.what();
+  }
+  catch(const CGAL::Surface_mesh_geodesics::Invalid_geodesic_input& error)
+  {
+    return error.what();
+  }
+  return "";
+}
+
 // Each process of a job begins with meshes of its own, so that it reads few and checks few files. When it is through
 // with them, it helps the others: the locks of shards make sure that each shard is computed once. A process alone, or
 // one of several that know nothing of each other, does the first part with all meshes.
+//
+// A mesh with a fault is left out, and the program ends with an error when the others are done.
 void store_meshes(const Arguments& arguments, const Place_finder& find_places, const Mpi_job* job,
                   const Console& console)
 {
@@ -253,10 +278,21 @@ void store_meshes(const Arguments& arguments, const Place_finder& find_places, c
       check_is_new(folder, arguments);
   if(job != nullptr)
     job->wait_for_all(); // before the first folder is made
+  std::size_t number_of_faults = 0;
+  std::vector<char> is_complete(names.size(), true);
   const auto store_mesh = [&](std::size_t k, bool compare_checksums)
   {
-    store(names[k], read_mesh(names[k], console), folders[k], arguments, find_places, nullptr, console,
-          compare_checksums);
+    const std::string fault = fault_of_mesh([&]()
+    {
+      is_complete[k] = store(names[k], read_mesh(names[k], console), folders[k], arguments, find_places, nullptr,
+                             console, compare_checksums)
+                         .is_complete();
+    });
+    if(!fault.empty() && compare_checksums)
+    {
+      ++number_of_faults;
+      Console(false).note(fault + (fault.find(names[k]) == 0 ? "" : " (" + names[k] + ")"));
+    }
   };
   for(std::size_t k = rank; k < names.size(); k += ranks)
     store_mesh(k, true);
@@ -269,6 +305,13 @@ void store_meshes(const Arguments& arguments, const Place_finder& find_places, c
   }
   if(job != nullptr)
     job->wait_for_all();
+  // What this process has left to others may be a damaged shard that they have not replaced.
+  for(std::size_t k = 0; k < names.size(); ++k)
+    if(!is_complete[k] && !Geodesic_distance_matrix_store(folders[k]).damaged_shards().empty())
+      throw Command_error(Exit_code::NO_RESULT, folders[k] + ": other processes have locked damaged shards; --resume "
+                                                             "computes them again when these have ended");
+  if(number_of_faults > 0)
+    throw Command_error(Exit_code::BAD_INPUT, std::to_string(number_of_faults) + " of the meshes have faults");
   if(rank == 0)
     print_end(sum_of_stores(folders), arguments, console);
 }
@@ -322,6 +365,8 @@ void verify(const Arguments& arguments, const Console& console)
   for(const std::pair<std::size_t, std::size_t>& rows : damaged)
     console.note("the shard of the rows " + std::to_string(rows.first) + ':' + std::to_string(rows.second)
                  + " is damaged; --resume computes it again");
+  if(status.shards_done == 0 && status.shards > 0)
+    throw Command_error(Exit_code::NO_RESULT, folder + ": nothing is stored that could be checked");
   std::cout << "check,number,failures,worst\n"
             << "checksums of shards," << status.shards_done << ',' << damaged.size() << ",\n";
   if(!damaged.empty())
@@ -351,7 +396,8 @@ void declare_matrix_store(Option_descriptions& options)
                ->value_name("A:B"),
      "only the shards whose first row is at least A and less than B, for the tasks of an array job")
     ("float32", "store numbers of 32 bits: distances are rounded to the nearest one")
-    ("symmetric", "store distances of different sources only, and each pair once")
+    ("symmetric", "store distances of different sources only, and each pair once: half of the space. Rows take less "
+                  "time only with --peel")
     ("peel", "with --symmetric: sort the vertices so that rows take less time; the manifest lists them in this order")
     ("resume", "compute what is missing of the matrix in the folder")
     ("memory", checked_value("memory", "a number of bytes, such as 500M or 2G",
@@ -379,6 +425,10 @@ void check_matrix_store_options(const Arguments& arguments)
       throw Command_error(Exit_code::BAD_USAGE, std::string("--") + option + " needs --store");
   if(works_on_stored_matrix(arguments) && has(arguments, "avoid"))
     throw Command_error(Exit_code::BAD_USAGE, "a stored matrix has no faces to avoid");
+  if(has(arguments, "store") && arguments["store"].as<std::string>().empty())
+    throw Command_error(Exit_code::BAD_USAGE, "--store needs the name of a folder");
+  if(has(arguments, "status") && has(arguments, "mesh"))
+    throw Command_error(Exit_code::BAD_USAGE, "with --status, no mesh can be given");
   if(has(arguments, "store") && has(arguments, "output"))
     throw Command_error(Exit_code::BAD_USAGE, "--store and --output exclude each other");
   if(works_on_stored_matrix(arguments) && has(arguments, "repair")) // --verify reads the file as it is

@@ -10,8 +10,8 @@
 
 namespace geodesics_demo {
 
-// Shows on a terminal how many rows of a stored matrix are done, how many are computed per second, and how long the
-// rest will take.
+// Shows how many rows of a stored matrix are done, how many are computed per second, and how long the rest will take:
+// on a terminal in one line, elsewhere, such as in the log of a job, in a line for each minute.
 class Row_progress
   : public CGAL::Surface_mesh_geodesics::Geodesic_default_visitor
 {
@@ -28,7 +28,7 @@ public:
 private:
   using Clock = std::chrono::steady_clock;
 
-  bool m_is_on, m_has_drawn = false;
+  bool m_is_on, m_is_on_terminal, m_has_drawn = false;
   Clock::time_point m_start, m_next_drawing;
 };
 

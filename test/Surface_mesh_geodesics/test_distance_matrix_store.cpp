@@ -8,6 +8,8 @@
 #include <tbb/task_arena.h>
 #endif
 
+#include <boost/property_map/function_property_map.hpp>
+
 #include <array>
 #include <cmath>
 #include <functional>
@@ -77,6 +79,12 @@ void single_precision()
   Test_folder other("large");
   message_of(Store_error::Reason::NOT_REPRESENTABLE, [&] { store_all(large, other, options); });
   CHECK(files_with(other.path(), ".npy").empty() && files_with(other.path(), ".tmp").empty());
+  for(const vertex_descriptor v : vertices(large))
+  {
+    large.point(v) = Kernel::Point_3(1e-60 * tm.point(v).x(), 1e-60 * tm.point(v).y(), 1e-60 * tm.point(v).z());
+  }
+  Test_folder small("small");
+  message_of(Store_error::Reason::NOT_REPRESENTABLE, [&] { store_all(large, small, options); });
 }
 
 void upper_triangle()
@@ -98,7 +106,10 @@ void upper_triangle()
     CHECK(store.row(i) == row);
   }
   CHECK(stored_numbers(folder.path()) == numbers);
-  CHECK_EQUAL(SMG::check_geodesic_distance_matrix(tm, folder.name()).rows_different, 0u);
+  const auto check = SMG::check_geodesic_distance_matrix(tm, folder.name());
+  CHECK_EQUAL(check.rows_different, 0u);
+  CHECK_EQUAL(check.pairs_compared, 45u); // the runs from both ends of each pair of ten samples
+  CHECK(check.worst_asymmetry < 1e-14 && check.worst_triangle_violation < 1e-14);
   const std::vector<vertex_descriptor> some{vertex(1)};
   message_of(Store_error::Reason::INVALID_OPTION, [&]
              { SMG::store_geodesic_distance_matrix(tm, some, vertices(tm), folder.name(), named(options)); });
@@ -151,6 +162,33 @@ void within_radius()
   CHECK_EQUAL(check.rows_compared, expected.size());
   CHECK_EQUAL(check.rows_different, 0u);
   CHECK(check.pairs_compared > 0 && check.worst_asymmetry < 1e-14 && check.worst_triangle_violation < 1e-14);
+  // Samples are near each other, however small the radius is.
+  const Mesh fine = to_face_graph(icosphere(3));
+  Test_folder small("small_radius");
+  options.maximum_distance = .2;
+  CHECK(store_all(fine, small, options).is_complete());
+  const auto near = SMG::check_geodesic_distance_matrix(fine, small.name());
+  CHECK(near.rows_compared == 10 && near.rows_different == 0);
+  CHECK(near.pairs_compared >= 3 && near.triangles_checked > 20);
+}
+
+// Faces are named by their indices, so another map is another mesh.
+void other_indices_of_faces_are_rejected()
+{
+  test_support::Scope scope("indices of faces");
+  const Mesh tm = to_face_graph(icosphere(1));
+  const std::size_t n = num_faces(tm);
+  const std::vector<Face_location> sources{{face(10), {.2, .3, .5}}};
+  Test_folder folder("faces");
+  const auto store = [&](bool is_reversed)
+  {
+    const auto map = boost::make_function_property_map<Mesh::Face_index>(
+      [=](Mesh::Face_index f) { return is_reversed ? n - 1 - std::size_t(f) : std::size_t(f); });
+    SMG::store_geodesic_distance_matrix(tm, sources, vertices(tm), folder.name(),
+                                        CGAL::parameters::face_index_map(map));
+  };
+  store(false);
+  message_of(Store_error::Reason::DIFFERENT_MESH, [&] { store(true); });
 }
 
 void locations_and_targets()
@@ -370,6 +408,7 @@ int main()
   single_precision();
   upper_triangle();
   within_radius();
+  other_indices_of_faces_are_rejected();
   locations_and_targets();
   needles_pass_the_check();
   later_calls_compute_what_is_missing();

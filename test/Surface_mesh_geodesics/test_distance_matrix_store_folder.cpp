@@ -71,7 +71,9 @@ void files_of_the_user_stay()
   const Mesh tm = to_face_graph(icosphere(0));
   Test_folder folder("user");
   fs::create_directories(folder.path());
-  const std::vector<std::string> names{"poetry.lock", "notes.tmp", "draft.2024.tmp", "rows.tmp", "rows_of_trees.lock"};
+  const std::vector<std::string> names{"poetry.lock", "notes.tmp", "draft.2024.tmp", "rows.tmp",
+                                       "rows_of_trees.lock", "manifest.before.tmp", "rows_2024.tmp", "clock.tmp",
+                                       "rows_2024.npy.my.0.tmp"};
   for(const std::string& name : names)
   {
     std::ofstream(folder.path() / name) << "text";
@@ -94,17 +96,40 @@ void files_of_living_processes_stay()
   store_all(tm, folder, options);
   const fs::path lock = folder.path() / "rows_000000_000005.lock";
   const fs::path temporary = folder.path() / "rows_000000_000005.npy.node7.example.org.123.456.0.tmp";
-  for(const fs::path& file : {lock, temporary})
+  // The name of another host may end with that of this one.
+  const std::string host = CGAL::Surface_mesh_geodesics::internal::this_process().host;
+  const fs::path other = folder.path() / ("rows_000005_000010.npy.node7." + host + ".999999.5.0.tmp");
+  for(const fs::path& file : {lock, temporary, other})
   {
     std::ofstream(file) << "node7.example.org.123.456";
   }
   fs::last_write_time(temporary, fs::file_time_type::clock::now() - std::chrono::hours(1));
   store_all(tm, folder, options);
-  CHECK(fs::exists(temporary) && fs::exists(lock));
+  CHECK(fs::exists(temporary) && fs::exists(lock) && fs::exists(other));
+  fs::remove(other);
   fs::last_write_time(lock, fs::file_time_type::clock::now() - std::chrono::hours(1));
   store_all(tm, folder, options);
   store_all(tm, folder, options); // (the first call may meet the file before the lock)
   CHECK(!fs::exists(temporary) && !fs::exists(lock));
+}
+
+// A lock from a host whose clock went wrong, and the clock file of a process of this host that was killed.
+void files_of_dead_processes_go()
+{
+  test_support::Scope scope("files of dead processes");
+  const Mesh tm = to_face_graph(icosphere(1));
+  Test_folder folder("dead");
+  const Options options = shards_of_five_rows();
+  store_all(tm, folder, options);
+  auto owner = CGAL::Surface_mesh_geodesics::internal::this_process();
+  owner.birth = "1"; // an earlier process of this number
+  write_bytes(folder.path() / ("clock." + owner.text() + ".3.tmp"), " ");
+  fs::remove(folder.path() / "rows_000005_000010.npy");
+  const fs::path lock = folder.path() / "rows_000005_000010.lock";
+  write_bytes(lock, "node7.12.34");
+  fs::last_write_time(lock, fs::file_time_type::clock::now() + std::chrono::hours(1000));
+  CHECK(store_all(tm, folder, options).is_complete());
+  check_is_tidy(folder.path());
 }
 
 // A shard of another process is damaged: until that process has replaced it, it is not done.
@@ -215,6 +240,7 @@ int main()
   damaged_records_do_not_count();
   files_of_the_user_stay();
   files_of_living_processes_stay();
+  files_of_dead_processes_go();
   manifest_that_cannot_be_read();
   damaged_shards_of_others_are_not_done();
   damaged_sparse_shards();

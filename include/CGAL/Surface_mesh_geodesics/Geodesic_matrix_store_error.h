@@ -56,7 +56,7 @@ public:
     INVALID_OPTION,   ///< an option is out of its range, or does not fit the others
     NOT_STORED,       ///< a row is asked for that has not been stored yet
     DAMAGED,          ///< a shard is not what its checksum says
-    NOT_REPRESENTABLE, ///< a finite distance is too large for the type of the stored numbers
+    NOT_REPRESENTABLE, ///< a finite distance is too large for the type of the stored numbers, or would become zero
     FILE_ERROR        ///< a file or a folder cannot be read or written
   };
 

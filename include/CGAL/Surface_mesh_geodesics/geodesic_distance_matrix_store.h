@@ -169,8 +169,8 @@ that are done.
 \throws Invalid_geodesic_input for a mesh, a source, a target or a radius that `sparse_geodesic_distance_matrix()`
 rejects
 \throws Geodesic_matrix_store_error if the folder belongs to another mesh, or to other sources, targets or parameters
-        (the message has both checksums), if a file cannot be written, and if another process keeps the lock of a
-        folder that has no manifest yet for 20 seconds
+        (the message has both checksums), if a file cannot be written, and for numbers of 32 bits if a distance is too
+        large, or so small that it would become zero
 */
 template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename Sources, typename Targets,
           typename CGAL_NP_TEMPLATE_PARAMETERS>
@@ -267,14 +267,15 @@ the triangle inequality, if sources and targets are the same vertices. Checksums
 `Geodesic_distance_matrix_store::damaged_shards()`.
 
 <b>Complexity.</b> `samples` rows are computed; the inequalities take time for the square of `samples`, times the number
-of columns.
+of columns. Memory: the rows of the samples.
 
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tm the mesh of the matrix
 \param folder the name of the folder
-\param samples the number of rows, which are chosen at random, the same ones in each call
+\param samples the number of rows, which are chosen at random, the same ones in each call; of a sparse matrix, half of
+       them are those of targets of others
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": the maps of
        `store_geodesic_distance_matrix()`
 

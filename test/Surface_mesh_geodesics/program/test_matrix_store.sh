@@ -116,6 +116,25 @@ else
   echo "NOTICE: the program was built without MPI: it is not run by several processes."
 fi
 
+# A mesh with a fault does not keep others from being stored. The larger file comes first.
+(cat "$data/grid4.off"; seq -f '# %g' 2000) > bad.off
+sed -i '3s/.*/nan 0 0/' bad.off
+printf '%s\n' bad.off "$data/grid4.off" > faulty
+code=0
+"$program" matrix --meshes faulty --source all --store faults > table 2> err || code=$?
+equals "$code" 3
+contains err "bad.off, line 3: 'nan' is not a finite number"
+contains err "1 of the meshes have faults"
+equals "$(status faults/grid4)" 16,16,1,1,0
+
+# A damaged shard that another process has locked is not done.
+printf 'x' | dd of=many/grid9/rows_000032_000048.npy bs=1 seek=777 conv=notrunc status=none
+printf node7.4711.99 > many/grid9/rows_000032_000048.lock
+rejects 1 "many/grid9: other processes have locked damaged shards" \
+  matrix --meshes list --source all --store many --resume
+rm many/grid9/rows_000032_000048.lock
+is_silent matrix --meshes list --source all --store many --resume > table
+
 echo ...off > dots
 cp "$grid" ...off # its name without the ending is that of the folder above
 rejects 2 "...off: the name of the file gives no name for a folder" \
@@ -132,6 +151,10 @@ rejects 2 "--memory: '1T' is not a number of bytes" matrix "$grid" --source all 
 rejects 2 "--store and --output exclude each other" matrix "$grid" --source all --store x -o x.csv
 rejects 3 "none: the folder has no manifest.json" matrix --status none
 rejects 2 "no mesh is given" matrix --source all --store x
+rejects 2 "--store needs the name of a folder" matrix "$grid" --source all --store ""
+rejects 2 "with --status, no mesh can be given" matrix "$grid" --status whole
+awk 'NR > 2 && NF == 3 { print $1 "e-60", $2 "e-60", $3 "e-60"; next } { print }' "$data/grid4.off" > tiny.off
+rejects 1 "a distance is too small for a number of 32 bits" matrix tiny.off --source all --store tiny --float32
 [ ! -e x ]
 
 # NumPy and SciPy read the files, if one of the interpreters has them.

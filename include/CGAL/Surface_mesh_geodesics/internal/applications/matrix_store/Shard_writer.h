@@ -26,6 +26,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -102,12 +103,13 @@ private:
       writer.put(bits_of(distance));
       return;
     }
-    // Distances that are not reached are infinite in both types.
+    // Distances that are not reached are infinite in both types. A distance that would become zero is nothing any more.
     const float rounded = static_cast<float>(distance);
-    if(std::isinf(rounded) && !std::isinf(distance))
+    const bool is_too_large = std::isinf(rounded) && !std::isinf(distance);
+    if(is_too_large || (rounded == 0 && distance > 0))
       throw Geodesic_matrix_store_error(Geodesic_matrix_store_error::Reason::NOT_REPRESENTABLE,
-                                        "a distance is too large for a number of 32 bits: store 64 bits, or scale "
-                                        "the mesh");
+                                        std::string("a distance is too ") + (is_too_large ? "large" : "small")
+                                          + " for a number of 32 bits: store 64 bits, or scale the mesh");
     writer.put(bits_of(rounded));
   }
 

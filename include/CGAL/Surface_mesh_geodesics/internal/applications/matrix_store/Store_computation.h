@@ -84,7 +84,7 @@ void isolate_from_threads(Parallel_tag, const Function& function)
 // before; it returns whether to go on.
 //
 // A thread's memory is that of one run and of one row, and its part of the buffers. Nothing else grows with the number
-// of rows, or with that of columns except for the row.
+// of columns except for the row; with the number of rows, only the list of shards and the manifest grow.
 //
 // The matrix, the targets and the folder are shared and only read, apart from the folder's entries, which have a mutex.
 // A worker is that of one thread. If sources are in faces, it has a copy of the mesh, so memory grows with the threads.

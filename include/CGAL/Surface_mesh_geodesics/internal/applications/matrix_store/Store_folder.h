@@ -111,7 +111,7 @@ struct Shard_entry
 
 // What other processes do to the folder meanwhile: they add shards, move records into the manifest, replace damaged
 // files by equal ones without the damage, and make and remove locks and temporary files. Nothing that is done is
-// undone.
+// undone, except by a process that sleeps for ten minutes at a bad instant (write_manifest()).
 //
 // The order of steps makes each instant safe:
 // - files of a shard, then the folder is synced, then the record: a record without its files cannot be;
@@ -165,19 +165,13 @@ public:
     // It may exist, and be a folder of the user with other files in it; these stay.
     if(error)
       complain_of_file(m_path, "cannot be made: " + error.message());
-    // Reading needs no lock. If there is no manifest, another process may be about to make it.
     if(!has_manifest())
     {
-      const Lock_file lock(manifest_lock(), longest_wait);
-      if(!lock.is_held())
-        complain_of_file(manifest_lock(), "another process has locked the folder (" + text_of_file(manifest_lock())
-                                            + "). Remove the file if that process does not live any more");
-      if(!has_manifest())
-      {
-        describe(description, description.hash());
-        if(write_manifest(lock))
-          return;
-      }
+      sync_folder(std::filesystem::absolute(m_path, error).parent_path());
+      const std::filesystem::path temporary = temporary_name(manifest());
+      write_synced(temporary, text_of_manifest(description, description.hash()));
+      static_cast<void>(give_new_name(temporary, manifest())); // another process may have been faster
+      sync_folder(m_path);
     }
     read_manifest();
     check_is_same(description);
@@ -267,7 +261,8 @@ public:
   // --- the folder ---
 
   // Removes temporary files and locks of processes that are dead, or of other hosts and older than locks may be.
-  // Files of living processes stay: another process may be at work. So do files with other names: they are the user's.
+  // Files of living processes stay: another process may be at work. So do files whose names are not those that this
+  // class gives: they are the user's.
   void remove_stale_files() const
   {
     const Folder_clock clock(m_path);
@@ -275,7 +270,7 @@ public:
     for(const auto& each : std::filesystem::directory_iterator(m_path, error))
     {
       const std::string base = base_of(each.path());
-      if(base != "manifest" && !Store_layout::is_name(base))
+      if(base != "manifest" && base != "clock" && !Store_layout::is_name(base))
         continue;
       if(each.path().extension() == ".tmp" && is_stale(each.path(), clock))
         std::filesystem::remove(each.path(), error);
@@ -304,20 +299,28 @@ private:
     return name.substr(0, name.find('.'));
   }
 
-  // The name ends with the owner, a count and ".tmp"; the name of the file comes first, and may contain dots. So the
-  // owner is searched for from each dot on. A process of another host may write a file for longer than locks may be old
-  // before its first buffer is full: as long as it has the lock, the file stays.
+  // The owner in the name of a temporary file (temporary_name()): behind the name of the file, whose endings are known
+  // here, and before the count. Returns false for other names: names of hosts may contain dots, so nothing is guessed.
+  static bool find_owner(const std::filesystem::path& path, Process_owner& owner)
+  {
+    const std::string name = path.stem().stem().string().substr(base_of(path).size()); // without ".tmp" and the count
+    for(const std::string ending : {".indptr.npy.", ".indices.npy.", ".data.npy.", ".npy.", ".json.", ".lock.",
+                                    ".done.", "."}) // the last one for "clock"
+      if(name.compare(0, ending.size(), ending) == 0)
+        return parse_owner(name.substr(ending.size()), owner);
+    return false;
+  }
+
+  // A process of another host may write a file for longer than locks may be old before its first buffer is full: as
+  // long as it has the lock, the file stays.
   bool is_stale(const std::filesystem::path& path, const Folder_clock& clock) const
   {
-    // without ".tmp" and without the count
-    const std::string name = path.stem().stem().string();
-    for(std::size_t dot = name.find('.'); dot != std::string::npos; dot = name.find('.', dot + 1))
-    {
-      Process_owner owner;
-      if(parse_owner(name.substr(dot + 1), owner) && owner.host == this_process().host)
-        return is_dead(owner);
-    }
-    return clock.age(path) > Lock_file::patience
+    Process_owner owner;
+    if(!find_owner(path, owner))
+      return false;
+    if(owner.host == this_process().host)
+      return is_dead(owner);
+    return clock.distance(path) > Lock_file::patience
         && !Lock_file::is_held_by_other(m_path / (base_of(path) + ".lock"), clock);
   }
 
@@ -347,35 +350,36 @@ private:
                                           + ", and those of this call have the hash " + other.hash());
   }
 
-  // The shards come in the order of rows. Takes time for the number of shards and of sources. Returns false, and leaves
-  // the manifest as it is, if another process has taken over the lock meanwhile: it may have written entries that are
-  // not known here.
-  bool write_manifest(const Lock_file& lock)
+  // The shards come in the order of rows. Takes time for the number of shards and of sources.
+  std::string text_of_manifest(const Store_description& description, const std::string& hash) const
   {
     Json_value mesh, value;
-    mesh.add("name", m_description.mesh_name);
-    mesh.add("vertices", m_description.vertices);
-    mesh.add("faces", m_description.faces);
-    mesh.add("hash", m_description.mesh_hash);
+    mesh.add("name", description.mesh_name);
+    mesh.add("vertices", description.vertices);
+    mesh.add("faces", description.faces);
+    mesh.add("hash", description.mesh_hash);
     value.add("format", format());
     value.add("version", std::size_t(1));
     value.add("mesh", mesh);
-    value.add("matrix", m_description.layout.to_json());
-    value.add("sources", m_description.sources);
-    value.add("targets", m_description.targets);
-    value.add("hash", m_hash);
+    value.add("matrix", description.layout.to_json());
+    value.add("sources", description.sources);
+    value.add("targets", description.targets);
+    value.add("hash", hash);
     // The entries are sorted by shard, so equal folders have equal manifests.
     std::vector<Json_value> shards;
     for(const auto& entry : m_entries)
       shards.push_back(to_json(entry.first, entry.second));
     value.add("shards", Json_value(std::move(shards)));
-    return write_manifest(lock, value.written() + '\n');
+    return value.written() + '\n';
   }
 
-  bool write_manifest(const Lock_file& lock, const std::string& text)
+  // Replaces the manifest. Returns false, and leaves it as it is, if another process has taken over the lock meanwhile:
+  // it may have written entries that are not known here. (A process that sleeps for ten minutes between the question
+  // and the renaming undoes entries nevertheless. Their shards are computed again then, and are the same.)
+  bool write_manifest(const Lock_file& lock)
   {
     const std::filesystem::path temporary = temporary_name(manifest());
-    write_synced(temporary, text);
+    write_synced(temporary, text_of_manifest(m_description, m_hash));
     if(!lock.is_owned())
     {
       std::error_code error;
@@ -459,8 +463,10 @@ private:
   // dies between the manifest and the removal of records, the next merge finds entries that it has already.
   void merge_records(std::chrono::milliseconds wait)
   {
-    Lock_file lock(manifest_lock(), wait);
     m_last_merge = std::chrono::steady_clock::now();
+    if(!has_records()) // the folder may be one that can only be read
+      return;
+    Lock_file lock(manifest_lock(), wait);
     if(!lock.is_held())
       return;
     read_manifest();
@@ -480,6 +486,15 @@ private:
       return;
     for(const std::filesystem::path& record : records)
       std::filesystem::remove(record, error);
+  }
+
+  bool has_records() const
+  {
+    std::error_code error;
+    for(const auto& each : std::filesystem::directory_iterator(m_path, error))
+      if(each.path().extension() == ".done")
+        return true;
+    return false;
   }
 
   // Reads the record of a shard. Returns false if there is none, if it cannot be read, or if it belongs to another
@@ -533,10 +548,14 @@ private:
        || rows[1].count() != layout().end_row(shard))
       Json_value::complain("a shard does not fit the matrix");
     Shard_entry entry;
+    std::vector<std::size_t> elements;
     for(const Json_value& file : value.at("files").elements())
+    {
       entry.arrays.emplace_back(file.at("elements").count(), file.at("checksum").text());
-    if(entry.arrays.size() != layout().arrays().size())
-      Json_value::complain("a shard has another number of files");
+      elements.push_back(entry.arrays.back().first);
+    }
+    if(!layout().may_have(shard, elements))
+      Json_value::complain("a shard has other numbers of files or of elements than the matrix");
     return {shard, entry};
   }
 

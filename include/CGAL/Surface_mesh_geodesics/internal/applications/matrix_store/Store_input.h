@@ -37,12 +37,12 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// The checksum of connectivity and coordinates. The order of vertices, of faces and of the corners of a face counts:
-// the last digits of distances may depend on it. Takes linear time. Coordinates count with all their bits, as numbers
-// of type double: a mesh that was written with fewer digits is another one. Requires: coordinates are finite and faces
-// are triangles, which reading the mesh has checked.
-template <typename TriangleMesh, typename VertexIndexMap, typename VertexPointMap>
-std::string hash_of_mesh(const TriangleMesh& tm, VertexIndexMap vim, VertexPointMap vpm)
+// The checksum of connectivity and coordinates. The order of vertices, of faces and of the corners of a face counts,
+// and so do the indices: sources are named by them, and the last digits of distances may depend on the order. Takes
+// linear time. Coordinates count with all their bits, as numbers of type double: a mesh that was written with fewer
+// digits is another one. Requires: coordinates are finite and faces are triangles, which reading the mesh has checked.
+template <typename TriangleMesh, typename VertexIndexMap, typename FaceIndexMap, typename VertexPointMap>
+std::string hash_of_mesh(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim, VertexPointMap vpm)
 {
   Checksum sum;
   sum.add(static_cast<std::uint64_t>(num_vertices(tm)));
@@ -57,8 +57,11 @@ std::string hash_of_mesh(const TriangleMesh& tm, VertexIndexMap vim, VertexPoint
   sum.add(static_cast<std::uint64_t>(num_faces(tm)));
   // The corners begin at the halfedge of the face, whose corner is the first one of locations.
   for(const auto f : faces(tm))
+  {
+    sum.add(static_cast<std::uint64_t>(get(fim, f)));
     for(const auto v : CGAL::vertices_around_face(halfedge(f, tm), tm))
       sum.add(static_cast<std::uint64_t>(get(vim, v)));
+  }
   return sum.text();
 }
 
@@ -105,7 +108,7 @@ Json_value sources_to_json(const TriangleMesh& tm, const Sources& sources, Verte
     {
       std::vector<Json_value> location{static_cast<std::size_t>(get(fim, source.first))};
       for(std::size_t k = 0; k < 3; ++k)
-        location.push_back(CGAL::to_double(source.second[static_cast<unsigned int>(k)]));
+        location.push_back(CGAL::to_double(source.second[static_cast<unsigned int>(k)]) + 0.); // a zero has no sign
       values.push_back(Json_value(std::move(location)));
     }
   });

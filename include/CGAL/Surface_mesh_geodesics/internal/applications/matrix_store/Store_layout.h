@@ -100,8 +100,7 @@ struct Store_layout
     return number * (columns - 1) - (number * (first + row - 1)) / 2; // row i has columns - 1 - i entries
   }
 
-  // The arrays of a shard, in the order in which they get their names.
-  // The order is that in which the writer gives the files their names, the largest last.
+  // The arrays of a shard, in the order in which they get their names, the largest last.
   std::vector<Shard_array> arrays() const
   {
     const std::string distance = is_float32 ? "<f4" : "<f8";
@@ -116,6 +115,14 @@ struct Store_layout
     if(kind == Store_kind::FULL)
       return {rows_of(shard), columns};
     return {elements};
+  }
+
+  // May the arrays of a shard have these numbers of elements? Of a dense matrix, the layout tells it.
+  bool may_have(std::size_t shard, const std::vector<std::size_t>& elements) const
+  {
+    if(kind != Store_kind::WITHIN_RADIUS)
+      return elements.size() == 1 && elements[0] == entries_before(shard, end_row(shard));
+    return elements.size() == 3 && elements[0] == rows_of(shard) + 1 && elements[1] == elements[2];
   }
 
   // --- in a manifest ---
@@ -156,14 +163,14 @@ struct Store_layout
   }
 
   // The size of shards if the user does not choose it: about 16 MB, at most 1024 rows, and small enough for 64 shards
-  // of 16 rows or more, so that many processes find work.
+  // of 16 rows or more, so that many processes find work. No more than 10,000 shards, as the manifest lists them.
   // A shard that is lost costs its rows once more, and each shard costs some syncs: seconds of work are a good size.
   std::size_t default_rows_per_shard() const
   {
     const std::size_t by_size = (std::size_t(1) << 24) / (std::max)(std::size_t(1), columns * bytes_per_distance());
     // few rows have few shards; many rows have many, up to those of the size
     const std::size_t by_number = (std::max)(std::size_t(16), (rows + 63) / 64);
-    return (std::max)(std::size_t(1), (std::min)({by_size, by_number, std::size_t(1024)}));
+    return (std::max)((std::min)({by_size, by_number, std::size_t(1024)}), rows / 10000 + 1);
   }
 
   // The indices of SciPy's sparse matrices have 32 bits here, so a shard has fewer than 2^31 entries.

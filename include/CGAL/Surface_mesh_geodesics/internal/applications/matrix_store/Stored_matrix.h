@@ -141,22 +141,13 @@ public:
     return row;
   }
 
-  // Returns row i with an entry for each column, for comparisons: `otherwise` where nothing is stored. A sparse row
-  // becomes as long as the matrix is wide, so this is for samples only.
+  // Returns row i of a sparse matrix with an entry for each column, for comparisons: `otherwise` where nothing is
+  // stored. The row is as long as the matrix is wide, so this is for samples only.
   std::vector<double> whole_row(std::size_t i, double otherwise) const
   {
-    if(layout().kind == Store_kind::FULL)
-      return dense_row(i);
     std::vector<double> row(layout().columns, otherwise);
-    if(layout().kind == Store_kind::WITHIN_RADIUS)
-      for(const std::pair<std::size_t, double>& entry : sparse_row(i))
-        row[entry.first] = entry.second;
-    else
-    {
-      const std::vector<double> end = dense_row(i);
-      for(std::size_t k = 0; k < end.size(); ++k)
-        row[i + 1 + k] = end[k];
-    }
+    for(const std::pair<std::size_t, double>& entry : sparse_row(i))
+      row[entry.first] = entry.second;
     return row;
   }
 

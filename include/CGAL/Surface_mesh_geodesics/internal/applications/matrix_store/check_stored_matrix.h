@@ -39,6 +39,7 @@
 #include <cstddef>
 #include <limits>
 #include <random>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -49,20 +50,33 @@ namespace internal {
 
 // Different rows that are stored, at random, in ascending order; all of them if there are not more than `number`.
 // The first steps of a shuffle. The same rows each time, so that a check can be repeated.
-inline std::vector<std::size_t> sampled_rows(const Stored_matrix& matrix, std::size_t number)
+//
+// If a square matrix is sparse, rows come in pairs: a random one, and that of one of its targets. Rows of random
+// sources seldom have a target in common, so there would be nothing to compare.
+inline std::vector<std::size_t> sampled_rows(const Stored_matrix& matrix, bool is_square, std::size_t number)
 {
   std::vector<std::size_t> rows;
   for(std::size_t i = 0; i < matrix.layout().rows; ++i)
     if(matrix.is_done(i))
       rows.push_back(i);
   std::mt19937_64 random(0);
+  // (The remainder of a random number is not evenly spread, by less than one in 2^30.)
+  const auto position = [&](std::size_t n) { return static_cast<std::size_t>(random() % n); };
   number = (std::min)(number, rows.size());
-  for(std::size_t k = 0; k < number; ++k)
-    // (The remainder of a random number is not evenly spread, by less than one in 2^30.)
-    std::swap(rows[k], rows[k + static_cast<std::size_t>(random() % (rows.size() - k))]);
-  rows.resize(number);
-  std::sort(rows.begin(), rows.end());
-  return rows;
+  std::set<std::size_t> chosen;
+  for(std::size_t k = 0; chosen.size() < number; ++k)
+  {
+    std::swap(rows[k], rows[k + position(rows.size() - k)]);
+    chosen.insert(rows[k]);
+    if(is_square && matrix.layout().kind == Store_kind::WITHIN_RADIUS)
+    {
+      const Stored_matrix::Sparse_row row = matrix.sparse_row(rows[k]); // not empty: it has the source itself
+      const std::size_t near = row.empty() ? rows[k] : row[position(row.size())].first;
+      if(chosen.size() < number && matrix.is_done(near))
+        chosen.insert(near);
+    }
+  }
+  return std::vector<std::size_t>(chosen.begin(), chosen.end());
 }
 
 // By how much is a greater than b, relative to the larger one or to `scale`, if that is larger? 0 if it is not. An
@@ -93,30 +107,30 @@ double longest_edge_of_mesh(const TriangleMesh& tm, VertexPointMap vpm)
   return longest;
 }
 
-// The rows of square matrices with the same vertices as sources and targets, compared with each other. What is not
-// stored is unknown: of a sparse matrix, it is greater than the radius.
+// A column of a row that is not stored in a sparse matrix.
+constexpr double unknown_distance = -1;
+
+// The rows `d` of square matrices with the same vertices as sources and targets, compared with each other; `rows` are
+// their numbers. What is unknown is greater than the radius.
 // Symmetry holds up to rounding only: the runs from both ends compute a distance by different windows. Violations are
 // relative to `longest_edge` where that is larger, and to the smallest number that the type of the shards has with all
 // digits.
-inline void compare_rows(const Stored_matrix& matrix, const std::vector<std::size_t>& rows, double longest_edge,
+inline void compare_rows(const Store_layout& layout, const std::vector<std::size_t>& rows,
+                         const std::vector<std::vector<double>>& d, double longest_edge,
                          Geodesic_matrix_store_check& check)
 {
-  const double unknown = -1;
-  const Store_layout& layout = matrix.layout();
+  const double unknown = unknown_distance;
   // A float below it has lost digits when it was stored.
   const double smallest
     = layout.is_float32 ? double((std::numeric_limits<float>::min)()) : (std::numeric_limits<double>::min)();
   const double scale = (std::max)(longest_edge, smallest);
   // A missing entry of a sparse row is greater than the radius; of other rows, it is not known at all.
   const double radius = layout.kind == Store_kind::WITHIN_RADIUS ? layout.radius : 0;
-  std::vector<std::vector<double>> d;
-  for(const std::size_t i : rows)
-    d.push_back(matrix.whole_row(i, unknown));
   for(std::size_t a = 0; a < rows.size(); ++a)
     for(std::size_t b = 0; b < rows.size(); ++b)
     {
       const double there = d[a][rows[b]], back = d[b][rows[a]];
-      if(a < b && (layout.kind != Store_kind::UPPER_TRIANGLE) && (there != unknown || back != unknown))
+      if(a < b && (there != unknown || back != unknown))
       {
         // One that is not stored is at least the radius, and the other one at most.
         const double x = there == unknown ? radius : there, y = back == unknown ? radius : back;
@@ -141,10 +155,13 @@ inline void compare_rows(const Stored_matrix& matrix, const std::vector<std::siz
 // Computes one row anew, and returns whether it has the bits that are stored. `position` is the number of the row among
 // the samples, which are the sources of `matrix`; i is its number in the folder. Nothing but the same computation gives
 // the same bits: a row that another version of the package has stored may differ in the last ones.
+//
+// Sets `whole` to the row for comparisons with others, with all columns. The first ones of an upper triangle are not
+// stored: they are those that were computed now. So each pair is compared with the run from its other end.
 inline bool is_row_equal(const Stored_matrix& stored, std::size_t i, const Distance_matrix<double>& matrix,
                          Distance_matrix<double>::Worker& worker, std::size_t position,
                          const std::vector<Vertex_id>& targets,
-                         const Distance_matrix<double>::Target_positions& positions)
+                         const Distance_matrix<double>::Target_positions& positions, std::vector<double>& whole)
 {
   const auto go_further = []() { return true; };
   const auto rounded = [&](double x)
@@ -156,14 +173,17 @@ inline bool is_row_equal(const Stored_matrix& stored, std::size_t i, const Dista
     matrix.fill_sparse_row(worker, position, positions, stored.layout().radius, row, go_further);
     for(auto& entry : row)
       entry.second = rounded(entry.second);
+    whole = stored.whole_row(i, unknown_distance);
     return row == stored.sparse_row(i);
   }
-  std::vector<double> row;
-  matrix.fill_dense_row(worker, position, targets.data() + targets.size() - stored.layout().length_of_row(i),
-                        targets.data() + targets.size(), row, go_further);
-  for(double& x : row)
+  matrix.fill_dense_row(worker, position, targets.data(), targets.data() + targets.size(), whole, go_further);
+  for(double& x : whole)
     x = rounded(x);
-  return row == stored.dense_row(i);
+  const std::vector<double> row = stored.dense_row(i);
+  const auto first = whole.end() - static_cast<std::ptrdiff_t>(row.size());
+  const bool is_equal = std::equal(row.begin(), row.end(), first);
+  std::copy(row.begin(), row.end(), first); // what is stored is what is compared
+  return is_equal;
 }
 
 // Returns the targets of a manifest as vertices of a mesh. They are needed for the rows that are computed anew;
@@ -196,8 +216,8 @@ Geodesic_matrix_store_check check_stored_matrix(const TriangleMesh& tm, const st
   const auto fim = CGAL::get_initialized_face_index_map(tm, np);
   const auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
                                     get_const_property_map(CGAL::vertex_point, tm));
-  const std::string hash = hash_of_mesh(tm, vim, vpm);
-  if(hash != d.mesh_hash || num_vertices(tm) != d.vertices)
+  const std::string hash = hash_of_mesh(tm, vim, fim, vpm);
+  if(hash != d.mesh_hash)
     throw Geodesic_matrix_store_error(Geodesic_matrix_store_error::Reason::DIFFERENT_MESH,
                                       path + ": the folder has the matrix of a mesh with the hash " + d.mesh_hash
                                         + ", and this mesh has the hash " + hash);
@@ -210,7 +230,10 @@ Geodesic_matrix_store_check check_stored_matrix(const TriangleMesh& tm, const st
     face_of_index[static_cast<std::size_t>(get(fim, f))] = f;
 
   Geodesic_matrix_store_check check;
-  const std::vector<std::size_t> rows = sampled_rows(stored, samples);
+  // Only a square matrix, with the same vertices in the same order, has entries there and back.
+  const bool is_square = d.targets.is_text("sources") || (d.targets.is_text("all") && d.sources.is_text("all"));
+  const std::vector<std::size_t> rows = sampled_rows(stored, is_square, samples);
+  std::vector<std::vector<double>> whole_rows(rows.size());
   Stored_sources<TriangleMesh> sources;
   for(const std::size_t i : rows)
     sources.add(d.sources, i, vertex_of_index, face_of_index);
@@ -224,13 +247,12 @@ Geodesic_matrix_store_check check_stored_matrix(const TriangleMesh& tm, const st
     const Distance_matrix<double>::Target_positions positions(targets, surface.mesh().number_of_vertices());
     const auto worker = matrix.make_worker();
     for(std::size_t k = 0; k < rows.size(); ++k, ++check.rows_compared)
-      check.rows_different += is_row_equal(stored, rows[k], matrix, *worker, k, targets, positions) ? 0 : 1;
+      check.rows_different
+        += is_row_equal(stored, rows[k], matrix, *worker, k, targets, positions, whole_rows[k]) ? 0 : 1;
     return true;
   });
-  // Only a square matrix, with the same vertices in the same order, has entries there and back.
-  const bool is_square = d.targets.is_text("sources") || (d.targets.is_text("all") && d.sources.is_text("all"));
   if(is_square && sources.locations.empty())
-    compare_rows(stored, rows, longest_edge_of_mesh(tm, vpm), check);
+    compare_rows(stored.layout(), rows, whole_rows, longest_edge_of_mesh(tm, vpm), check);
   return check;
 }
 

@@ -57,9 +57,9 @@ struct Follows_rows<Visitor, std::void_t<decltype(std::declval<Visitor&>().on_ro
   : std::true_type
 {};
 
-// The rows of a shard are decided here for a new folder; the manifest of an old one counts instead.
 // The description of a matrix on a surface that has been read: all sources and targets are valid. The targets of an
-// upper triangle must be the sources, which must be vertices.
+// upper triangle must be the sources, which must be vertices. The size of shards is that of a new folder; the manifest
+// of an old one counts instead.
 template <typename TriangleMesh, typename Sources, typename Targets, typename NamedParameters>
 Store_description describe(const TriangleMesh& tm, const Sources& sources, const Targets& targets,
                            const Source_set<double>& source_set, const std::vector<Vertex_id>& target_ids,
@@ -74,8 +74,8 @@ Store_description describe(const TriangleMesh& tm, const Sources& sources, const
   const auto fim = CGAL::get_initialized_face_index_map(tm, np);
   Store_description d;
   d.mesh_name = options.mesh_name;
-  d.mesh_hash = hash_of_mesh(tm, vim, choose_parameter(get_parameter(np, internal_np::vertex_point),
-                                                       get_const_property_map(CGAL::vertex_point, tm)));
+  d.mesh_hash = hash_of_mesh(tm, vim, fim, choose_parameter(get_parameter(np, internal_np::vertex_point),
+                                                            get_const_property_map(CGAL::vertex_point, tm)));
   d.vertices = num_vertices(tm);
   d.faces = num_faces(tm);
   d.sources = sources_to_json(tm, sources, vim, fim);

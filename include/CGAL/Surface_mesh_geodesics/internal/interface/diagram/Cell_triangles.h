@@ -100,10 +100,11 @@ private:
   using Name = std::pair<std::uint32_t, std::uint32_t>;
 
   // Returns the faces that the cell of a site is in, ascending. A cell is connected, as the shortest paths to its site
-  // stay in it; they may lead through vertices. So one face after the other is found around the corners of those before.
-  // The faces of the boundary come first, in case that rounding parts a cell.
+  // stay in it; they may lead through vertices. So one face after the other is found around the corners of those
+  // before. The faces of the boundary come first, in case that rounding parts a cell.
   std::vector<Face_id> faces_of_cell(Vertex_id site) const
   {
+    // A set, not a flag for each face: of many cells, each costs what its own faces cost.
     std::vector<Face_id> found;
     std::unordered_set<Face_id> seen;
     const auto look_at = [&](Face_id f)
@@ -121,6 +122,7 @@ private:
     for(std::size_t k = 0; k < found.size(); ++k)
       for(const Vertex_id v : m_mesh.face(found[k]).vertex)
         look_around(v);
+    // The numbers of vertices and triangles depend on the order of the faces.
     std::sort(found.begin(), found.end());
     CGAL_expensive_assertion(found.size() == number_of_faces_of_cell(site));
     return found;

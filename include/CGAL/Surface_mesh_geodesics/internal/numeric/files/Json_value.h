@@ -152,9 +152,12 @@ private:
     return result + '"';
   }
 
-  // The shortest text that leads back to the number, in any locale.
+  // The shortest text that leads back to the number, in any locale. Whole numbers have neither a point nor an exponent:
+  // other readers tell integers by that.
   std::string written_number() const
   {
+    if(m_number == std::floor(m_number) && std::abs(m_number) < 9007199254740992.)
+      return std::to_string(static_cast<long long>(m_number));
     char text[40];
     const std::to_chars_result end = std::to_chars(text, text + sizeof text, m_number);
     return std::string(text, end.ptr);

@@ -15,7 +15,8 @@
 //
 // A lock is stale, and the next process takes it over, if
 // - its owner ran on this host and is dead, or
-// - it has not been refreshed for ten minutes: its host may be down. An owner refreshes its locks from row to row.
+// - it has not been refreshed for ten minutes: its host may be down. An owner refreshes its locks every ten seconds. (A
+//   time that lies ten minutes in the future is no sign of life either.)
 //
 // Two processes can own one lock in rare cases: an owner that slept for more than ten minutes, or two that take over
 // one stale lock at the same instant. So a lock saves work: each process writes files of its own, complete ones get
@@ -92,7 +93,7 @@ public:
     if(!std::filesystem::exists(path, error))
       return false;
     Process_owner owner;
-    return !(parse_owner(text, owner) && is_dead(owner)) && clock.age(path) < patience;
+    return !(parse_owner(text, owner) && is_dead(owner)) && clock.distance(path) < patience;
   }
 
 private:

@@ -74,7 +74,7 @@ inline bool sync_stream(std::FILE* file)
 }
 
 // Returns when the names in a folder are on the disk, as far as the system can tell: Windows has no such call, and some
-// file systems reject it for folders.
+// file systems reject it for folders. Throws if the disk fails.
 inline void sync_folder(const std::filesystem::path& folder)
 {
 #ifdef _WIN32
@@ -83,8 +83,11 @@ inline void sync_folder(const std::filesystem::path& folder)
   const int file = ::open(folder.c_str(), O_RDONLY | O_CLOEXEC);
   if(file < 0)
     return;
-  static_cast<void>(::fsync(file));
+  errno = 0;
+  const bool has_failed = ::fsync(file) != 0 && errno == EIO;
   ::close(file);
+  if(has_failed)
+    complain_of_file(folder, "cannot be written: " + std::generic_category().message(EIO));
 #endif
 }
 
@@ -97,9 +100,27 @@ inline void rename_file(const std::filesystem::path& from, const std::filesystem
     complain_of_file(to, "cannot be written: " + error.message());
 }
 
+// Gives a complete file its final name, unless there is a file of that name; returns whether it did. Of several
+// processes that try, one gets true. (On file systems without second names, two may get it within an instant of each
+// other.)
+inline bool give_new_name(const std::filesystem::path& from, const std::filesystem::path& to)
+{
+  std::error_code error, no_error;
+  std::filesystem::create_hard_link(from, to, error);
+  // A server may lose its answer: then the second name counts, not the error.
+  const bool has_second_name = !error || std::filesystem::hard_link_count(from, no_error) == 2;
+  if(!has_second_name && error != std::errc::file_exists && !std::filesystem::exists(to, no_error))
+  {
+    rename_file(from, to);
+    return true;
+  }
+  std::filesystem::remove(from, no_error);
+  return has_second_name;
+}
+
 // Writes a new file and syncs it, but not its folder.
 // Requires: nobody else writes a file of this name, which temporary_name() makes sure of. The file may be incomplete if
-// the function throws, or if the process ends meanwhile.
+// the process ends meanwhile; if the function throws, it is gone.
 inline void write_synced(const std::filesystem::path& path, const std::string& text)
 {
   errno = 0;
@@ -108,8 +129,11 @@ inline void write_synced(const std::filesystem::path& path, const std::string& t
     complain_of_file(path, "cannot be written: " + system_message());
   const bool is_written = std::fwrite(text.data(), 1, text.size(), file) == text.size() && sync_stream(file);
   const std::string message = system_message();
-  if(std::fclose(file) != 0 || !is_written)
-    complain_of_file(path, "cannot be written: " + message);
+  if(std::fclose(file) == 0 && is_written)
+    return;
+  std::error_code error;
+  std::filesystem::remove(path, error);
+  complain_of_file(path, "cannot be written: " + message);
 }
 
 // Creates a file with a text; returns false if it exists already. Of several processes that try, one gets true. The
@@ -123,7 +147,12 @@ inline bool create_exclusively(const std::filesystem::path& path, const std::fil
     std::ofstream os(temporary, std::ios::binary | std::ios::trunc);
     os << text;
     if(!os.flush())
-      complain_of_file(temporary, "cannot be written: " + system_message());
+    {
+      const std::string message = system_message();
+      os.close();
+      std::filesystem::remove(temporary, no_error);
+      complain_of_file(path, "cannot be written: " + message);
+    }
   }
   std::filesystem::create_hard_link(temporary, path, error);
   // A server may lose its answer: then the second name counts, not the error.
@@ -313,12 +342,14 @@ public:
     std::filesystem::remove(probe, other_error);
   }
 
-  // How long ago was a file of the folder written? 0 if it does not exist.
-  std::chrono::seconds age(const std::filesystem::path& path) const
+  // How far from now was a file of the folder written, before or after? 0 if it does not exist.
+  std::chrono::seconds distance(const std::filesystem::path& path) const
   {
     std::error_code error;
     const auto written = std::filesystem::last_write_time(path, error);
-    return error ? std::chrono::seconds(0) : std::chrono::duration_cast<std::chrono::seconds>(m_now - written);
+    if(error)
+      return std::chrono::seconds(0);
+    return std::chrono::duration_cast<std::chrono::seconds>(written < m_now ? m_now - written : written - m_now);
   }
 
 private:
