@@ -411,3 +411,44 @@ def test_same_numbers_as_the_program(mesh, tmp_path):
     # diagonal.
     assert head == ["source", "3", "8"] and found[:, 0].tolist() == [3, 8]
     assert np.array_equal(np.triu(found[:, 1:]), np.triu(s.matrix([3, 8], [3, 8])))
+
+
+@pytest.mark.skipif(PROGRAM is None, reason="SURFACE_MESH_GEODESICS_PROGRAM names no program")
+@pytest.mark.parametrize("mesh", [sphere(20), grid(15, 0.3)])
+def test_same_numbers_of_sources_obstacles_meshes_and_stores(mesh, tmp_path):
+    V, F = mesh
+    s = smg.Solver(V, F)
+    file, places, avoided, coarse = (tmp_path / name for name in ("mesh.off", "places", "avoided", "coarse.off"))
+    write_off(file, V, F)
+    places.write_text("7 0.2 0.3 0.5\n11 0.5 0.25 0.25\n")
+    sources = ([7, 11], [[.2, .3, .5], [.5, .25, .25]])
+    rows = table("distances", file, "--source-file", places, "--radius", .6)
+    d, nearest = s.distances(sources, radius=.6, return_nearest=True)
+    assert [float(r["distance"]) for r in rows] == d.tolist() and np.isinf(d).any()
+    assert [int(r["source"]) for r in rows] == nearest.tolist()
+
+    avoided.write_text("\n".join(map(str, range(40, 60))))
+    rows = table("distances", file, "--source", 3, "--avoid", avoided, "--quiet")
+    d = s.avoiding(range(40, 60)).distances(3)
+    assert [float(r["distance"]) for r in rows] == d.tolist() and (d > s.distances(3)).any()
+    path = table("path", file, "--source", 3, "--target", 120, "--avoid", avoided)[0]
+    assert float(path["length"]) == s.avoiding(range(40, 60)).path(3, 120).length
+
+    V = V * np.random.default_rng(1).uniform(.97, 1.03, V.shape)  # symmetric samples are ties, which last digits decide
+    s = smg.Solver(V, F)
+    write_off(file, V, F)
+    run("remesh", file, "--number", 30, "--iterations", 3, "-o", coarse, "--quiet")
+    points, faces = s.remesh(30, iterations=3)
+    _, sizes, *lines = [line for line in coarse.read_text().splitlines() if line.strip() and not line.startswith("#")]
+    n, m = map(int, sizes.split()[:2])
+    assert [[float(x) for x in line.split()] for line in lines[:n]] == points.tolist()
+    assert [[int(x) for x in line.split()[1:4]] for line in lines[n:n + m]] == faces.tolist()
+
+    for name, options, more in (("whole", {}, []), ("half", {"symmetric": True}, ["--symmetric"]),
+                                ("near", {"radius": .5, "float32": True}, ["--radius", .5, "--float32"])):
+        ours, theirs = tmp_path / f"{name}_ours", tmp_path / f"{name}_theirs"
+        s.store_matrix(ours, **options)
+        run("matrix", file, "--source", "all", "--store", theirs, *more)
+        assert sorted(f.name for f in ours.iterdir()) == sorted(f.name for f in theirs.iterdir())
+        for f in ours.glob("*.npy"):
+            assert f.read_bytes() == (theirs / f.name).read_bytes()
