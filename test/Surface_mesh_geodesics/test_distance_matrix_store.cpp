@@ -392,6 +392,13 @@ void texts_of_json()
   // As Python's json module writes it: characters of one to four bytes in UTF-8.
   const std::string escaped = "\"\\u0041\\u00e4\\u20ac\\ud83d\\ude00\"";
   CHECK_EQUAL(Json_reader(escaped).read().text(), "A\xc3\xa4\xe2\x82\xac\xf0\x9f\x98\x80");
+  // Names of files may be no UTF-8: single bytes, more bytes than needed, halves of characters, codes beyond the last.
+  const std::string bytes
+    = "\xff/\xc3\xa4\xc3/\xc0\xaf\xe0\x80\x80\xed\xa0\x80\xf4\x90\x80\x80\xf0\x9f\x98\x80\xe2\x82";
+  const std::string written = CGAL::Surface_mesh_geodesics::internal::Json_value(bytes).written();
+  CHECK_EQUAL(Json_reader(written).read().text(), bytes);
+  CHECK_EQUAL(written.substr(1, 13), "\\udcff/\xc3\xa4\\udc");
+  CHECK_EQUAL(written.substr(written.size() - 17), "\xf0\x9f\x98\x80\\udce2\\udc82\"");
   test_support::Random random(1);
   for(int k = 0; k < 1000; ++k)
   {

@@ -129,6 +129,14 @@ void parameters_come_in_any_order()
 }
 
 // A function that receives parameters of CGAL adds some of this package.
+// A sequence that starts with a parameter of the package may be one for a function of CGAL.
+void sequences_go_on_with_all_parameters_of_cgal()
+{
+  const auto sequence = np::maximum_distance(4.).do_project(false).number_of_relaxation_steps(7u);
+  CHECK_EQUAL(np::get_parameter(sequence, CGAL::internal_np::number_of_relaxation_steps), 7u);
+  CHECK(!np::get_parameter(sequence, CGAL::internal_np::do_project));
+}
+
 void sequences_are_combined()
 {
   Fixture f;
@@ -250,6 +258,7 @@ void each_function_takes_its_parameters()
 int main()
 {
   parameters_come_in_any_order();
+  sequences_go_on_with_all_parameters_of_cgal();
   sequences_are_combined();
   any_range_is_accepted();
   sequences_of_cgal_are_unchanged();

@@ -1,5 +1,5 @@
-// Macros with short names that headers of Windows, of X11 and of old C libraries define. The headers of the package
-// must compile after them. The libraries are included first, because some of them do not.
+// Macros with short names that headers of Windows, of X11, of Qt and of old C libraries define. The headers of the
+// package must compile after them. The libraries are included first, because some of them do not.
 
 #ifndef MACROS_OF_OTHER_HEADERS_H
 #define MACROS_OF_OTHER_HEADERS_H
@@ -147,5 +147,12 @@
 #define _S 0x08
 #define _U 0x01
 #define _X 0x40
+
+// Qt, unless QT_NO_KEYWORDS is defined
+#define signals public
+#define slots
+#define emit
+#define foreach(variable, container) for(variable : container)
+#define forever for(;;)
 
 #endif // MACROS_OF_OTHER_HEADERS_H

@@ -28,6 +28,21 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
+// True for a model of GeodesicPropagationVisitor. Only the calls that run_with_visitor() makes are looked at: functions
+// with default arguments, or templates, will do.
+template <typename Visitor, typename = void>
+struct Is_visitor
+  : std::false_type
+{};
+
+template <typename Visitor>
+struct Is_visitor<Visitor, std::void_t<decltype(std::declval<Visitor&>().on_propagation_begin(std::size_t())),
+                                       decltype(std::declval<Visitor&>().on_progress(std::size_t(), 0.)),
+                                       decltype(bool(std::declval<Visitor&>().go_further())),
+                                       decltype(std::declval<Visitor&>().on_propagation_end())>>
+  : std::true_type
+{};
+
 // The visitor among named parameters: the object of the user if it was passed with std::ref(), a copy of it if not, and
 // one that does nothing if there is none.
 //
@@ -46,6 +61,12 @@ class Visitor_parameter
   static constexpr bool is_default = std::is_same<Value, CGAL::internal_np::Param_not_found>::value;
   static constexpr bool is_referred_to
     = std::is_lvalue_reference<Found>::value && !std::is_const<std::remove_reference_t<Found>>::value;
+  // The first message of the compiler says what is wrong; those about members follow. (CGAL's own parameter `visitor`
+  // takes anything, so nothing has checked it before.)
+  static_assert(is_default || Is_visitor<Value>::value,
+                "the value of the named parameter visitor is not a model of GeodesicPropagationVisitor");
+  static_assert(is_default || is_referred_to || std::is_copy_constructible<Value>::value,
+                "a visitor that cannot be copied is passed with std::ref()");
   using Copy_or_reference = std::conditional_t<is_referred_to, Found, Value>;
   using Visitor = std::conditional_t<is_default, Geodesic_default_visitor, Copy_or_reference>;
 

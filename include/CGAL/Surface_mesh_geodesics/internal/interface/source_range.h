@@ -88,6 +88,20 @@ struct Are_curves<Sources, std::void_t<decltype(*std::begin(std::declval<const S
   : Is_curve<std::decay_t<decltype(*std::begin(std::declval<const Sources&>()))>>
 {};
 
+// True for a range of sources, an array included. Asking before the loop gives one error instead of those of the loop.
+// All elements have one type, so the first one decides.
+template <typename TriangleMesh, typename Sources, typename = void>
+struct Is_range_of_sources
+  : std::false_type
+{};
+
+template <typename TriangleMesh, typename Sources>
+struct Is_range_of_sources<TriangleMesh, Sources,
+                           std::void_t<decltype(*std::begin(std::declval<const Sources&>())),
+                                       decltype(std::end(std::declval<const Sources&>()))>>
+  : Is_source<TriangleMesh, std::decay_t<decltype(*std::begin(std::declval<const Sources&>()))>>
+{};
+
 // Calls visit(source) for a single source, or for each source of a range, in its order. Callers pass the same range
 // twice, to find the components that are reached and to number the sources, so it must allow several passes.
 template <typename TriangleMesh, typename Sources, typename Visit>
@@ -96,13 +110,14 @@ void for_each_source(const Sources& sources, Visit visit)
   if constexpr(Is_source<TriangleMesh, Sources>::value)
     visit(sources);
   else
-    for(const auto& source : sources)
-    {
-      static_assert(Is_source<TriangleMesh, std::decay_t<decltype(source)>>::value,
-                    "a source is a vertex descriptor, a pair of a face descriptor and three barycentric "
-                    "coordinates, or a curve");
-      visit(source);
-    }
+  {
+    static_assert(Is_range_of_sources<TriangleMesh, Sources>::value,
+                  "a source is a vertex descriptor, a pair of a face descriptor and three barycentric coordinates, or "
+                  "a curve; several sources are a range of these");
+    if constexpr(Is_range_of_sources<TriangleMesh, Sources>::value)
+      for(const auto& source : sources)
+        visit(source);
+  }
 }
 
 // --- validity of descriptors, before the mesh is read ---
@@ -211,6 +226,9 @@ std::vector<char> flags_of_avoided_faces(const TriangleMesh& tm, const FaceIndex
   };
   if constexpr(Is_property_map<Faces>::value)
   {
+    // Numbers convert to bool, too: a map of patches would avoid all faces but those of patch 0.
+    static_assert(std::is_same<typename Faces::value_type, bool>::value,
+                  "the value of the named parameter faces_to_avoid is a map, but its values are not of type bool");
     for(const face_descriptor f : faces(tm))
       if(get(avoided, f) && is_face_of(f, tm, fim)) // an index out of range is rejected when the mesh is read
         mark(f);

@@ -21,7 +21,8 @@
 // "The error of images" is the error that the images of pseudo-sources accumulate from face to face; see distance().
 
 // Flags that take the ground away from all of this.
-#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0) || defined(_M_FP_FAST)
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0) || defined(_M_FP_FAST)     \
+  || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
 #error Surface_mesh_geodesics relies on infinities, NaN and the order of operations: compile without -ffast-math
 #endif
 #if (defined(__GNUC__) && !defined(__EXCEPTIONS)) || (defined(_MSC_VER) && !defined(_CPPUNWIND))

@@ -87,8 +87,8 @@ public:
   // Linear in the area that the last run reached.
   void restart()
   {
-    const std::array<Window_list_slots*, 1> slots{&m_slots};
-    m_wavefront.restart(m_stars.pool(), slots);
+    const std::array<Window_list_slots*, 1> own_slots{&m_slots};
+    m_wavefront.restart(m_stars.pool(), own_slots);
     m_queue.restart(m_mesh.number_of_vertices());
     m_maximum_windows_alive = 0;
     m_stars.restart();

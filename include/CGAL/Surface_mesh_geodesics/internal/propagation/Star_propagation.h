@@ -113,7 +113,7 @@ public:
     }
     turn_clockwise(star);
     if(star.emits)
-      emit(star);
+      emit_windows(star);
     turn_counterclockwise(star);
     CGAL_expensive_assertion(star.nothing_waits());
   }
@@ -144,7 +144,7 @@ private:
   //
   // The window is in the frame of the halfedge ba, which belongs to the face beyond: seen from v, b is on the left. The
   // distances of its ends are those along the edges vb and va.
-  void emit(Star& star)
+  void emit_windows(Star& star)
   {
     for(std::size_t i = 0; i < star.faces.size(); ++i)
     {

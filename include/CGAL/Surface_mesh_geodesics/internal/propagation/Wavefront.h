@@ -78,13 +78,13 @@ public:
   // Removes all sources, distances and windows, in time proportional to what has been reached. The mesh may have
   // changed since. `slots` are those of all threads; `pool` may be the pool of any. Requires: no star is taken out.
   template <typename RangeOfSlots>
-  void restart(Window_pool<FT>& pool, const RangeOfSlots& slots)
+  void restart(Window_pool<FT>& pool, const RangeOfSlots& own_slots)
   {
     for(const Vertex_id v : m_field.reached)
       m_emission[v] = 0;
     m_emission.resize(m_mesh.number_of_vertices(), 0);
     m_field.restart(m_mesh.number_of_vertices());
-    m_lists.restart(m_mesh.number_of_faces(), pool, slots);
+    m_lists.restart(m_mesh.number_of_faces(), pool, own_slots);
     m_stale_up_to = -1;
     m_reached_at_last_start = 0;
   }
@@ -113,11 +113,11 @@ public:
   // Moves what waits around a vertex into its star, and copies distances there. `key` is the queue key of the vertex.
   // Linear in the degree of the vertex. Requires: star.surround() was called; the vertex has left the queue; no star
   // of a neighbor is taken out.
-  void take(Star& star, const FT& key, Window_list_slots& slots)
+  void take(Star& star, const FT& key, Window_list_slots& own_slots)
   {
     copy_distances(star);
     star.has_stale_windows = key <= m_stale_up_to;
-    take_lists(star, slots);
+    take_lists(star, own_slots);
   }
 
   // Takes over the lists that leave a star. Linear in the degree of the vertex, plus the windows of lists that have to
@@ -126,7 +126,7 @@ public:
   // A list is queued at the nearer end of its edge, as the star knows the ends; of ends at the same distance, at the
   // target of its halfedge.
   template <typename Push>
-  void put_lists(Star& star, Window_pool<FT>& pool, Window_list_slots& slots, Push push)
+  void put_lists(Star& star, Window_pool<FT>& pool, Window_list_slots& own_slots, Push push)
   {
     CGAL_expensive_assertion(star.nothing_waits());
     for_each_marked(star.marks, star.faces, [](const Star_face<FT>& f) { return f.outward.size > 0; },
@@ -136,7 +136,7 @@ public:
       const Halfedge_id h = m_mesh.opposite(next_halfedge(f.halfedge));
       CGAL_expensive_assertion(h != null_id && f.outward_distance < Field::infinity());
       prefetch(&m_mesh.face(face_of(h))); // not visited before, so in no cache
-      m_lists.put(h, f.outward, pool, slots);
+      m_lists.put(h, f.outward, pool, own_slots);
       push(b.distance < a.distance ? b.vertex : a.vertex, f.outward_distance);
     });
   }
@@ -263,7 +263,7 @@ private:
 
   // Moves the lists of all halfedges that lead into the star, and marks the faces that they wait to enter. The flags of
   // all faces are read first, without a branch; then only the lists that exist are visited.
-  void take_lists(Star& star, Window_list_slots& slots)
+  void take_lists(Star& star, Window_list_slots& own_slots)
   {
     const std::size_t n = star.faces.size();
     star.waiting.reset(n);
@@ -275,11 +275,11 @@ private:
       star.waiting_from_last.insert(n - 1 - i, m_lists.has(previous_halfedge(h)));
     }
     star.waiting.for_each(
-      [&](std::size_t i) { m_lists.take(star.faces[i].halfedge, star.faces[i].counterclockwise, slots); });
+      [&](std::size_t i) { m_lists.take(star.faces[i].halfedge, star.faces[i].counterclockwise, own_slots); });
     star.waiting_from_last.for_each([&](std::size_t i)
     {
       Star_face<FT>& f = star.faces[n - 1 - i];
-      m_lists.take(previous_halfedge(f.halfedge), f.clockwise, slots);
+      m_lists.take(previous_halfedge(f.halfedge), f.clockwise, own_slots);
     });
   }
 

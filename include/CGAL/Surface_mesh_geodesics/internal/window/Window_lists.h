@@ -447,9 +447,9 @@ public:
       m_free_slots.push_back(static_cast<std::uint32_t>(slot));
     }
     std::size_t number_of_threads = 0;
-    for(Window_list_slots* slots : slots_of_threads)
+    for(Window_list_slots* own_slots : slots_of_threads)
     {
-      *slots = Window_list_slots();
+      *own_slots = Window_list_slots();
       ++number_of_threads;
     }
     resize(number_of_faces, number_of_threads);
@@ -459,35 +459,35 @@ public:
 
   // Moves the list of h to `list`. The slot stays with the thread of `slots`. Requires: has(h), and `list` has no
   // block.
-  void take(Halfedge_id h, List& list, Window_list_slots& slots)
+  void take(Halfedge_id h, List& list, Window_list_slots& own_slots)
   {
     CGAL_assertion(has(h) && list.columns.height == 0);
     const std::uint32_t slot = m_slot_of_halfedge[dense_index(h)];
-    slots.free.push_back(slot); // first: if it throws, nothing has changed
+    own_slots.free.push_back(slot); // first: if it throws, nothing has changed
     m_slot_of_halfedge[dense_index(h)] = null_id;
     Slot& s = at(slot);
     list = s.list;
     s.list = List();
     s.halfedge = null_id;
-    slots.number_of_windows -= static_cast<std::ptrdiff_t>(list.size);
+    own_slots.number_of_windows -= static_cast<std::ptrdiff_t>(list.size);
   }
 
   // Moves a list to h, where it is merged with the list that waits already. Of windows with the same key, those of that
   // one come first. `pool` and `slots` are those of the calling thread. Requires: the list is not empty.
-  void put(Halfedge_id h, List& list, Window_pool<FT>& pool, Window_list_slots& slots)
+  void put(Halfedge_id h, List& list, Window_pool<FT>& pool, Window_list_slots& own_slots)
   {
     CGAL_assertion(list.size > 0);
-    slots.number_of_windows += static_cast<std::ptrdiff_t>(list.size);
+    own_slots.number_of_windows += static_cast<std::ptrdiff_t>(list.size);
     const std::uint32_t occupied = m_slot_of_halfedge[dense_index(h)];
     if(occupied != null_id)
     {
       pool.join(at(occupied).list, list);
       return;
     }
-    if(slots.free.empty())
-      make_slots(slots);
-    const std::uint32_t slot = slots.free.back();
-    slots.free.pop_back();
+    if(own_slots.free.empty())
+      make_slots(own_slots);
+    const std::uint32_t slot = own_slots.free.back();
+    own_slots.free.pop_back();
     m_slot_of_halfedge[dense_index(h)] = slot;
     at(slot).halfedge = h;
     at(slot).list = list;
@@ -496,12 +496,12 @@ public:
 
   // Lets other threads use slots that a thread has too many of. Requires: no thread takes or puts lists meanwhile, as
   // this takes no lock.
-  void share_surplus(Window_list_slots& slots)
+  void share_surplus(Window_list_slots& own_slots)
   {
-    if(slots.free.size() <= 2 * slots_in_chunk)
+    if(own_slots.free.size() <= 2 * slots_in_chunk)
       return;
-    m_free_slots.insert(m_free_slots.end(), slots.free.begin() + slots_in_chunk, slots.free.end());
-    slots.free.resize(slots_in_chunk);
+    m_free_slots.insert(m_free_slots.end(), own_slots.free.begin() + slots_in_chunk, own_slots.free.end());
+    own_slots.free.resize(slots_in_chunk);
   }
 
   std::size_t memory() const { return m_number_of_slots * sizeof(Slot); }
@@ -531,10 +531,10 @@ private:
   }
 
   // Gives a thread slots that are free.
-  void make_slots(Window_list_slots& slots)
+  void make_slots(Window_list_slots& own_slots)
   {
     const std::lock_guard<std::mutex> lock(m_mutex);
-    slots.free.reserve(slots_in_chunk); // what follows changes nothing if it throws
+    own_slots.free.reserve(slots_in_chunk); // what follows changes nothing if it throws
     if(m_free_slots.empty())
     {
       m_free_slots.reserve(slots_in_chunk);
@@ -545,7 +545,7 @@ private:
     }
     for(std::size_t i = 0; i < slots_in_chunk && !m_free_slots.empty(); ++i)
     {
-      slots.free.push_back(m_free_slots.back());
+      own_slots.free.push_back(m_free_slots.back());
       m_free_slots.pop_back();
     }
   }

@@ -15,9 +15,9 @@
 //
 // Each link of a sequence is a call of a member function, and nobody can add a member to CGAL's class from outside. So
 // a sequence has to start with a parameter of this package, which makes a specialization of CGAL's class that has
-// members for all parameters that the package uses. The specialization is for a tag of this package. (One for CGAL's
-// tags would serve sequences that start with a parameter of CGAL, too. But two units of a program, one with this header
-// and one without, would then define one class in two ways.)
+// members for all parameters of the package and of CGAL. The specialization is for a tag of this package. (One for
+// CGAL's tags would serve sequences that start with a parameter of CGAL, too. But two units of a program, one with this
+// header and one without, would then define one class in two ways.)
 //
 // The example above has this type, from the last link to the first one:
 //
@@ -105,6 +105,32 @@ using Sequence_data = CGAL::internal_np::Named_params_impl<Sequence_end, Sequenc
 template <typename Link>
 using Parameter_sequence = Named_function_parameters<Sequence_end, Sequence_end_tag, Link>;
 
+// The members of CGAL's sequences: a sequence that starts with a parameter of this package goes on with any of CGAL,
+// also for functions of CGAL. `Self` is the class that has them; its own members come first where a name is in both
+// lists.
+template <typename Self>
+struct Members_of_CGAL
+{
+#define CGAL_add_named_parameter(X, Y, Z)                                                                              \
+  template <typename K>                                                                                                \
+  auto Z(const K& value) const                                                                                         \
+  {                                                                                                                    \
+    return static_cast<const Self&>(*this).template append<CGAL::internal_np::X>(value);                               \
+  }
+// Newer versions have packages whose parameters are objects, not functions; a sequence for them starts with one of
+// those.
+#define CGAL_add_named_parameter_with_compatibility(X, Y, Z)
+#define CGAL_add_named_parameter_with_compatibility_cref_only(X, Y, Z)
+#define CGAL_add_named_parameter_with_compatibility_ref_only(X, Y, Z)
+#define CGAL_add_extra_named_parameter_with_compatibility(X, Y, Z)
+#include <CGAL/STL_Extension/internal/parameters_interface.h>
+#undef CGAL_add_named_parameter
+#undef CGAL_add_named_parameter_with_compatibility
+#undef CGAL_add_named_parameter_with_compatibility_cref_only
+#undef CGAL_add_named_parameter_with_compatibility_ref_only
+#undef CGAL_add_extra_named_parameter_with_compatibility
+};
+
 } // namespace internal
 } // namespace Surface_mesh_geodesics
 
@@ -113,7 +139,10 @@ using Parameter_sequence = Named_function_parameters<Sequence_end, Sequence_end_
 template <typename Link>
 struct Named_function_parameters<Surface_mesh_geodesics::internal::Sequence_end,
                                  Surface_mesh_geodesics::internal::Sequence_end_tag, Link>
-  : Surface_mesh_geodesics::internal::Sequence_data<Link>
+  : Surface_mesh_geodesics::internal::Sequence_data<Link>,
+    Surface_mesh_geodesics::internal::Members_of_CGAL<
+      Named_function_parameters<Surface_mesh_geodesics::internal::Sequence_end,
+                                Surface_mesh_geodesics::internal::Sequence_end_tag, Link>>
 {
   // The names that CGAL's functions expect.
   using base = Surface_mesh_geodesics::internal::Sequence_data<Link>;
@@ -130,15 +159,6 @@ struct Named_function_parameters<Surface_mesh_geodesics::internal::Sequence_end,
   }
 #define CGAL_add_named_parameter_of_newer_CGAL CGAL_add_named_parameter
 #include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/geodesic_parameters_interface.h>
-  // The parameters of CGAL that the package uses.
-  CGAL_add_named_parameter(vertex_point_t, vertex_point, vertex_point_map)
-  CGAL_add_named_parameter(vertex_index_t, vertex_index, vertex_index_map)
-  CGAL_add_named_parameter(halfedge_index_t, halfedge_index, halfedge_index_map)
-  CGAL_add_named_parameter(face_index_t, face_index, face_index_map)
-  CGAL_add_named_parameter(geom_traits_t, geom_traits, geom_traits)
-  CGAL_add_named_parameter(visitor_t, visitor, visitor)
-  CGAL_add_named_parameter(number_of_iterations_t, number_of_iterations, number_of_iterations)
-  CGAL_add_named_parameter(threshold_distance_t, threshold_distance, threshold_distance)
 #undef CGAL_add_named_parameter
 #undef CGAL_add_named_parameter_of_newer_CGAL
 
@@ -157,6 +177,7 @@ struct Named_function_parameters<Surface_mesh_geodesics::internal::Sequence_end,
 private:
   template <typename, typename, typename>
   friend struct Named_function_parameters;
+  friend struct Surface_mesh_geodesics::internal::Members_of_CGAL<Named_function_parameters>;
 
   // Appends one parameter: a link behind the last one, and the end behind that. Copies the values that are there; the
   // compiler removes the copies of small ones, and users pass large ranges with std::cref().
@@ -211,7 +232,8 @@ namespace parameters {
 // A radius is an arithmetic number; others are converted by the caller.
 //
 // These are functions, not templates: where CGAL has a template of the same name, overload resolution prefers them for
-// each of these types. The tag is that of CGAL then, so the functions of CGAL take the result as well.
+// each of these types. The tag is that of CGAL then, so the functions of CGAL take the result as well, and so they do
+// with further parameters behind it.
 #define CGAL_SURFACE_MESH_GEODESICS_MAXIMUM_DISTANCE(Number)                                                           \
   inline auto maximum_distance(const Number& value)                                                                    \
   {                                                                                                                    \

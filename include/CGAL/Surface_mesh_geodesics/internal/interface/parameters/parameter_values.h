@@ -22,6 +22,7 @@
 #include <CGAL/Named_function_parameters.h>
 
 #include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
 #include <iterator>
@@ -107,8 +108,10 @@ std::vector<Element> range_parameter(const NamedParameters& np, Tag tag)
     const auto& range = parameters::get_parameter_reference(np, tag);
     static_assert(Is_range_of<std::remove_const_t<std::remove_reference_t<decltype(range)>>, Element>::value,
                   "the value of the named parameter 'Tag' is not a range of the documented elements");
-    for(const auto& element : range)
-      elements.push_back(static_cast<Element>(element));
+    // (Without the question, the errors of the loop would follow the message.)
+    if constexpr(Is_range_of<std::remove_const_t<std::remove_reference_t<decltype(range)>>, Element>::value)
+      for(const auto& element : range)
+        elements.push_back(static_cast<Element>(element));
   }
   return elements;
 }
@@ -153,6 +156,13 @@ auto distance_options(const NamedParameters& np)
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
   auto map
     = map_parameter<vertex_descriptor, std::size_t, No_nearest_source_map>(np, internal_np::nearest_source_map);
+  if constexpr(Has_parameter<NamedParameters, internal_np::nearest_source_map_t>::value)
+  {
+    // A map of distances would take the numbers as well, and no_source would be one of them.
+    using Value = typename boost::property_traits<decltype(map)>::value_type;
+    static_assert(std::is_integral<Value>::value && !std::is_same<Value, bool>::value,
+                  "the values of the named parameter nearest_source_map are not integers");
+  }
   Distance_options<TriangleMesh, decltype(map)> options{
     number_parameter(np, internal_np::maximum_distance, std::numeric_limits<double>::infinity()),
     range_parameter<vertex_descriptor>(np, internal_np::targets),

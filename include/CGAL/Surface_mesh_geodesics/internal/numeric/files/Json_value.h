@@ -132,22 +132,42 @@ private:
       complain(std::string("a value is not ") + what);
   }
 
-  // Only what JSON requires is escaped: quotation marks, backslashes, control characters.
+  // The number of bytes of the character of UTF-8 at a position; 0 if there is none.
+  static std::size_t bytes_of_character(const std::string& text, std::size_t i)
+  {
+    const auto byte = [&](std::size_t k) { return k < text.size() ? static_cast<unsigned char>(text[k]) : 0u; };
+    const unsigned int first = byte(i), second = byte(i + 1);
+    const std::size_t n
+      = first < 0x80 ? 1 : first < 0xc2 ? 0 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : first < 0xf5 ? 4 : 0;
+    for(std::size_t k = 1; k < n; ++k)
+      if((byte(i + k) & 0xc0) != 0x80)
+        return 0;
+    // More bytes than needed, halves of characters, and codes beyond the last one.
+    const bool is_wrong = (first == 0xe0 && second < 0xa0) || (first == 0xed && second >= 0xa0)
+                       || (first == 0xf0 && second < 0x90) || (first == 0xf4 && second >= 0x90);
+    return is_wrong ? 0 : n;
+  }
+
+  // Only what JSON requires is escaped: quotation marks, backslashes, control characters. Bytes that are not UTF-8, as
+  // names of files may have, become the codes U+DC80 to U+DCFF, as in Python.
   static std::string quoted(const std::string& text)
   {
     std::string result = "\"";
-    for(const char c : text)
+    for(std::size_t i = 0; i < text.size();)
     {
+      const std::size_t n = bytes_of_character(text, i);
+      const unsigned int c = static_cast<unsigned char>(text[i]);
       if(c == '"' || c == '\\')
-        (result += '\\') += c;
-      else if(static_cast<unsigned char>(c) < 0x20)
+        result += '\\';
+      if(n == 0 || c < 0x20)
       {
         char code[8];
-        std::snprintf(code, sizeof code, "\\u%04x", static_cast<unsigned int>(static_cast<unsigned char>(c)));
+        std::snprintf(code, sizeof code, "\\u%04x", n == 0 ? 0xdc00 + c : c);
         result += code;
       }
       else
-        result += c; // UTF-8 stays as it is
+        result.append(text, i, n);
+      i += n == 0 ? 1 : n;
     }
     return result + '"';
   }
@@ -407,6 +427,11 @@ private:
       if(second < 0xdc00 || second >= 0xe000)
         complain("a text contains half of a character");
       code = 0x10000 + ((code - 0xd800) << 10) + (second - 0xdc00);
+    }
+    else if(code >= 0xdc80 && code < 0xdd00) // a byte that is not UTF-8
+    {
+      result += static_cast<char>(code - 0xdc00);
+      return;
     }
     else if(code >= 0xdc00 && code < 0xe000)
       complain("a text contains half of a character");

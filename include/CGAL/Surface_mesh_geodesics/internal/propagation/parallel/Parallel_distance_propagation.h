@@ -229,7 +229,7 @@ private:
     const std::size_t number;
     Star_propagation<FT, Rules, Thread_keeper> stars;
     Vertex_star<FT> star; // of the vertex that is visited; a buffer between visits
-    Window_list_slots slots;
+    Window_list_slots own_slots;
     std::vector<Messages> messages; // by part
 
     Worker(std::size_t i, const Mesh& mesh, const std::vector<FT>& distance, const Thread_keeper& keeper)
@@ -336,7 +336,7 @@ private:
     m_size_of_last_batch = n;
     m_maximum_windows_alive = (std::max)(m_maximum_windows_alive, number_of_windows());
     for(const std::unique_ptr<Worker>& worker : m_workers)
-      m_wavefront.lists().share_surplus(worker->slots);
+      m_wavefront.lists().share_surplus(worker->own_slots);
   }
 
   // Divides the batches of all parts, n vertices, into units. Each thread gets those of its parts.
@@ -377,7 +377,7 @@ private:
   {
     std::ptrdiff_t n = 0;
     for(const std::unique_ptr<Worker>& worker : m_workers)
-      n += worker->slots.number_of_windows;
+      n += worker->own_slots.number_of_windows;
     return static_cast<std::size_t>(n);
   }
 
@@ -435,7 +435,7 @@ private:
       push(q.vertex, q.key, part, worker);
       return;
     }
-    m_wavefront.take(worker.star, q.key, worker.slots);
+    m_wavefront.take(worker.star, q.key, worker.own_slots);
     worker.stars.propagate(worker.star);
     m_mesh.prefetch_faces_of_star(next);
     m_wavefront.for_each_improved_link(worker.star, [&](const Link_vertex<FT>& link)
@@ -443,7 +443,7 @@ private:
       worker.messages[m_division.part_of(link.vertex, part)].improvements.push_back(
         {link.vertex, q.vertex, link.distance, link.arrival, link.image});
     });
-    m_wavefront.put_lists(worker.star, worker.stars.pool(), worker.slots,
+    m_wavefront.put_lists(worker.star, worker.stars.pool(), worker.own_slots,
                           [&](Vertex_id v, const FT& key) { push(v, key, part, worker); });
   }
 
@@ -485,10 +485,10 @@ private:
 
   std::vector<Window_list_slots*> slots_of_workers() const
   {
-    std::vector<Window_list_slots*> slots;
+    std::vector<Window_list_slots*> own_slots;
     for(const std::unique_ptr<Worker>& worker : m_workers)
-      slots.push_back(&worker->slots);
-    return slots;
+      own_slots.push_back(&worker->own_slots);
+    return own_slots;
   }
 
   // Empties the parts, one for each worker.
