@@ -71,9 +71,9 @@ inline std::vector<std::size_t> sampled_rows(const Stored_matrix& matrix, bool i
     if(is_square && matrix.layout().kind == Store_kind::WITHIN_RADIUS)
     {
       const Stored_matrix::Sparse_row row = matrix.sparse_row(rows[k]); // not empty: it has the source itself
-      const std::size_t near = row.empty() ? rows[k] : row[position(row.size())].first;
-      if(chosen.size() < number && matrix.is_done(near))
-        chosen.insert(near);
+      const std::size_t partner = row.empty() ? rows[k] : row[position(row.size())].first;
+      if(chosen.size() < number && matrix.is_done(partner))
+        chosen.insert(partner);
     }
   }
   return std::vector<std::size_t>(chosen.begin(), chosen.end());
