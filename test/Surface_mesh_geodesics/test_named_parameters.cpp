@@ -137,6 +137,24 @@ void sequences_go_on_with_all_parameters_of_cgal()
   CHECK(!np::get_parameter(sequence, CGAL::internal_np::do_project));
 }
 
+// With CGAL 6, a function of CGAL has the same name.
+void radii_of_any_type()
+{
+  Fixture f;
+  const double radius = 2;
+  const std::vector<double> expected = distances_with_parameters(f.tm, f.sources, np::maximum_distance(radius));
+  const auto check = [&](const auto& value)
+  {
+    CHECK(distances_with_parameters(f.tm, f.sources, np::maximum_distance(value).targets(f.targets).targets(
+                                                       std::vector<vertex_descriptor>())) == expected);
+  };
+  check(2.f);
+  check(2);
+  check(2u);
+  check(short(2));
+  check(std::cref(radius));
+}
+
 void sequences_are_combined()
 {
   Fixture f;
@@ -259,6 +277,7 @@ int main()
 {
   parameters_come_in_any_order();
   sequences_go_on_with_all_parameters_of_cgal();
+  radii_of_any_type();
   sequences_are_combined();
   any_range_is_accepted();
   sequences_of_cgal_are_unchanged();

@@ -33,6 +33,7 @@
 
 #include <CGAL/Named_function_parameters.h>
 
+#include <functional>
 #include <type_traits>
 #include <utility>
 
@@ -243,6 +244,8 @@ namespace parameters {
 CGAL_SURFACE_MESH_GEODESICS_MAXIMUM_DISTANCE(double)
 CGAL_SURFACE_MESH_GEODESICS_MAXIMUM_DISTANCE(float)
 CGAL_SURFACE_MESH_GEODESICS_MAXIMUM_DISTANCE(long double)
+CGAL_SURFACE_MESH_GEODESICS_MAXIMUM_DISTANCE(short)
+CGAL_SURFACE_MESH_GEODESICS_MAXIMUM_DISTANCE(unsigned short)
 CGAL_SURFACE_MESH_GEODESICS_MAXIMUM_DISTANCE(int)
 CGAL_SURFACE_MESH_GEODESICS_MAXIMUM_DISTANCE(unsigned int)
 CGAL_SURFACE_MESH_GEODESICS_MAXIMUM_DISTANCE(long)
@@ -250,6 +253,14 @@ CGAL_SURFACE_MESH_GEODESICS_MAXIMUM_DISTANCE(unsigned long)
 CGAL_SURFACE_MESH_GEODESICS_MAXIMUM_DISTANCE(long long)
 CGAL_SURFACE_MESH_GEODESICS_MAXIMUM_DISTANCE(unsigned long long)
 #undef CGAL_SURFACE_MESH_GEODESICS_MAXIMUM_DISTANCE
+
+// A number in std::ref() or std::cref(). The overload is more special than a template of CGAL.
+template <typename Number>
+auto maximum_distance(const std::reference_wrapper<Number>& value)
+{
+  using Tag = Surface_mesh_geodesics::internal_np::maximum_distance_t;
+  return Surface_mesh_geodesics::internal::new_sequence<Tag>(value);
+}
 
 } // namespace parameters
 } // namespace CGAL
