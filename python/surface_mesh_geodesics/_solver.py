@@ -36,11 +36,11 @@ class Solver:
     vertices, or a pair of arrays (faces, coordinates). A `Curve` is a source of `distances()`, too.
 
     Several threads may use one solver; computations of distances and paths wait for the one before. Computations run
-    without the lock of the interpreter. Ctrl-C ends them, except while the first path or diagram prepares the mesh and
-    while the last step of a diagram is made, about a second each for a million faces. `progress` is called with a
-    number from 0 to 1 some twenty times a second, and never if the call is short; it must not use the solver that
-    computes (RuntimeError). Solvers can be pickled, as those of derived classes with their attributes; the mesh is read
-    again then. A process must not be forked while another of its threads computes.
+    without the lock of the interpreter. Ctrl-C ends them, but waits while the first path or diagram prepares the mesh,
+    and for the last step of a diagram or of a remeshing: seconds, if there are a million faces. `progress` is called
+    with a number from 0 to 1 some twenty times a second, and never if the call is short; it must not use the solver
+    that computes (RuntimeError). Solvers can be pickled, as those of derived classes with their attributes; the mesh is
+    read again then. A process must not be forked while another of its threads computes.
     """
 
     def __init__(self, V: Any, F: Any) -> None:
@@ -550,11 +550,15 @@ class Solver:
         self._surface = _core.Surface(*state["_surface"], lengths, self._avoided)
 
     def _set_up(self, points: np.ndarray, faces: np.ndarray, lengths: np.ndarray | None) -> None:
+        if lengths is not None:
+            extent = lengths.max(initial=0.0)
+        else:
+            extent = np.linalg.norm(np.ptp(points, axis=0)) if len(points) > 0 else 0.0
         self.__setstate__({"_surface": (points, faces), "_sizes": (len(points), len(faces)), "_avoided": NO_IDS,
-                           "_lengths": None if lengths is None else lengths.copy()})  # the caller's may change
+                           "_extent": float(extent), "_lengths": None if lengths is None else lengths.copy()})
 
     def _voronoi(self, places: arguments.Places, weights: np.ndarray, call: tuple[int, Any]) -> Voronoi:
-        voronoi = Voronoi(self._surface.diagram(places, weights, call), len(places.vertex), self._extent(),
+        voronoi = Voronoi(self._surface.diagram(places, weights, call), len(places.vertex), self._extent,
                           self._lengths is None)
         voronoi._origin = self._voronoi, (places, weights.copy(), (call[0], None))
         return voronoi
@@ -584,8 +588,3 @@ class Solver:
             raise ValueError(f"{name}() needs points, but this surface is given by edge lengths")
         if all_faces and len(self._avoided) > 0:
             raise ValueError(f"{name}() cannot lead around faces, but this solver avoids some")
-
-    def _extent(self) -> float:
-        if self._lengths is not None:
-            return float(self._lengths.max(initial=0.0))
-        return float(np.linalg.norm(np.ptp(self._surface.arrays()[0], axis=0))) if self.n_vertices > 0 else 0.0

@@ -25,6 +25,20 @@ void leave_records(Store_folder& store)
   }
 }
 
+// A sphere with its stored matrix.
+struct Stored_sphere
+{
+  explicit Stored_sphere(const std::string& name) : folder(name) { CHECK(store_again().is_complete()); }
+
+  Status store_again() const { return store_all(tm, folder, options); }
+
+  fs::path file(const std::string& name) const { return folder.path() / name; }
+
+  const Mesh tm = to_face_graph(icosphere(1));
+  const Options options = shards_of_five_rows();
+  const Test_folder folder;
+};
+
 // --- what else may lie in the folder ---
 
 // A process that is killed leaves records. If the user then removes the manifest and stores another matrix there, the
@@ -50,19 +64,16 @@ void records_of_another_matrix_do_not_count()
 void damaged_records_do_not_count()
 {
   test_support::Scope scope("damaged records");
-  const Mesh tm = to_face_graph(icosphere(1));
-  Test_folder folder("damaged_records");
-  const Options options = shards_of_five_rows();
-  store_all(tm, folder, options);
-  const std::vector<double> numbers = stored_numbers(folder.path());
-  fs::remove(folder.path() / "manifest.json");
-  std::ofstream(folder.path() / "rows_000000_000005.done") << "{\"rows\": [0,";
-  std::ofstream(folder.path() / "todo.done") << "buy milk";
-  fs::create_directory(folder.path() / "folder.done");
-  CHECK(store_all(tm, folder, options).is_complete());
-  CHECK(stored_numbers(folder.path()) == numbers);
-  CHECK(!fs::exists(folder.path() / "rows_000000_000005.done"));
-  CHECK(fs::exists(folder.path() / "todo.done"));
+  const Stored_sphere sphere("damaged_records");
+  const std::vector<double> numbers = stored_numbers(sphere.folder.path());
+  fs::remove(sphere.file("manifest.json"));
+  std::ofstream(sphere.file("rows_000000_000005.done")) << "{\"rows\": [0,";
+  std::ofstream(sphere.file("todo.done")) << "buy milk";
+  fs::create_directory(sphere.file("folder.done"));
+  CHECK(sphere.store_again().is_complete());
+  CHECK(stored_numbers(sphere.folder.path()) == numbers);
+  CHECK(!fs::exists(sphere.file("rows_000000_000005.done")));
+  CHECK(fs::exists(sphere.file("todo.done")));
 }
 
 void files_of_the_user_stay()
@@ -90,26 +101,23 @@ void files_of_the_user_stay()
 void files_of_living_processes_stay()
 {
   test_support::Scope scope("files of other hosts");
-  const Mesh tm = to_face_graph(icosphere(1));
-  Test_folder folder("hosts");
-  const Options options = shards_of_five_rows();
-  store_all(tm, folder, options);
-  const fs::path lock = folder.path() / "rows_000000_000005.lock";
-  const fs::path temporary = folder.path() / "rows_000000_000005.npy.node7.example.org.123.456.0.tmp";
+  const Stored_sphere sphere("hosts");
+  const fs::path lock = sphere.file("rows_000000_000005.lock");
+  const fs::path temporary = sphere.file("rows_000000_000005.npy.node7.example.org.123.456.0.tmp");
   // The name of another host may end with that of this one.
   const std::string host = CGAL::Surface_mesh_geodesics::internal::this_process().host;
-  const fs::path other = folder.path() / ("rows_000005_000010.npy.node7." + host + ".999999.5.0.tmp");
+  const fs::path other = sphere.file("rows_000005_000010.npy.node7." + host + ".999999.5.0.tmp");
   for(const fs::path& file : {lock, temporary, other})
   {
     std::ofstream(file) << "node7.example.org.123.456";
   }
   fs::last_write_time(temporary, fs::file_time_type::clock::now() - std::chrono::hours(1));
-  store_all(tm, folder, options);
+  sphere.store_again();
   CHECK(fs::exists(temporary) && fs::exists(lock) && fs::exists(other));
   fs::remove(other);
   fs::last_write_time(lock, fs::file_time_type::clock::now() - std::chrono::hours(1));
-  store_all(tm, folder, options);
-  store_all(tm, folder, options); // (the first call may meet the file before the lock)
+  sphere.store_again();
+  sphere.store_again(); // (the first call may meet the file before the lock)
   CHECK(!fs::exists(temporary) && !fs::exists(lock));
 }
 
@@ -117,46 +125,40 @@ void files_of_living_processes_stay()
 void files_of_dead_processes_go()
 {
   test_support::Scope scope("files of dead processes");
-  const Mesh tm = to_face_graph(icosphere(1));
-  Test_folder folder("dead");
-  const Options options = shards_of_five_rows();
-  store_all(tm, folder, options);
+  const Stored_sphere sphere("dead");
   auto owner = CGAL::Surface_mesh_geodesics::internal::this_process();
   owner.birth = "1"; // an earlier process of this number
-  write_bytes(folder.path() / ("clock." + owner.text() + ".3.tmp"), " ");
-  fs::remove(folder.path() / "rows_000005_000010.npy");
-  const fs::path lock = folder.path() / "rows_000005_000010.lock";
+  write_bytes(sphere.file("clock." + owner.text() + ".3.tmp"), " ");
+  fs::remove(sphere.file("rows_000005_000010.npy"));
+  const fs::path lock = sphere.file("rows_000005_000010.lock");
   write_bytes(lock, "node7.12.34");
   fs::last_write_time(lock, fs::file_time_type::clock::now() + std::chrono::hours(1000));
-  CHECK(store_all(tm, folder, options).is_complete());
-  check_is_tidy(folder.path());
+  CHECK(sphere.store_again().is_complete());
+  check_is_tidy(sphere.folder.path());
 }
 
 // A shard of another process is damaged: until that process has replaced it, it is not done.
 void damaged_shards_of_others_are_not_done()
 {
   test_support::Scope scope("damaged and locked");
-  const Mesh tm = to_face_graph(icosphere(1));
-  Test_folder folder("damaged_and_locked");
-  const Options options = shards_of_five_rows();
-  CHECK(store_all(tm, folder, options).is_complete());
-  const fs::path file = folder.path() / "rows_000010_000015.npy", lock = folder.path() / "rows_000010_000015.lock";
+  const Stored_sphere sphere("damaged_and_locked");
+  const fs::path file = sphere.file("rows_000010_000015.npy"), lock = sphere.file("rows_000010_000015.lock");
   std::string bytes = bytes_of(file);
   bytes[200] = static_cast<char>(bytes[200] ^ 1);
   write_bytes(file, bytes);
   write_bytes(lock, "node7.12.34");
-  const Status status = store_all(tm, folder, options);
+  const Status status = sphere.store_again();
   CHECK_EQUAL(status.rows_done + 5, status.rows);
   CHECK_EQUAL(status.shards_in_work, 1u);
   // Without checksums, nobody notices.
-  Options trusting = options;
+  Options trusting = sphere.options;
   trusting.compare_checksums = false;
-  CHECK(store_all(tm, folder, trusting).is_complete());
+  CHECK(store_all(sphere.tm, sphere.folder, trusting).is_complete());
   fs::remove(lock);
   Row_visitor visitor;
-  CHECK(store_all(tm, folder, options, visitor).is_complete());
+  CHECK(store_all(sphere.tm, sphere.folder, sphere.options, visitor).is_complete());
   CHECK_EQUAL(visitor.computed, 5u);
-  CHECK(stored_numbers(folder.path()) == flat(expected_matrix(tm)));
+  CHECK(stored_numbers(sphere.folder.path()) == flat(expected_matrix(sphere.tm)));
 }
 
 // The columns of a sparse row may be anything.

@@ -141,16 +141,6 @@ public:
     return row;
   }
 
-  // Returns row i of a sparse matrix with an entry for each column, for comparisons: `otherwise` where nothing is
-  // stored. The row is as long as the matrix is wide, so this is for samples only.
-  std::vector<double> whole_row(std::size_t i, double otherwise) const
-  {
-    std::vector<double> row(layout().columns, otherwise);
-    for(const std::pair<std::size_t, double>& entry : sparse_row(i))
-      row[entry.first] = entry.second;
-    return row;
-  }
-
 private:
   // What is read is not what the package has written. The checksum of the shard would tell, but a row is read without
   // it: a shard may have gigabytes.

@@ -173,8 +173,11 @@ inline bool is_row_equal(const Stored_matrix& stored, std::size_t i, const Dista
     matrix.fill_sparse_row(worker, position, positions, stored.layout().radius, row, go_further);
     for(auto& entry : row)
       entry.second = rounded(entry.second);
-    whole = stored.whole_row(i, unknown_distance);
-    return row == stored.sparse_row(i);
+    const Stored_matrix::Sparse_row stored_row = stored.sparse_row(i);
+    whole.assign(stored.layout().columns, unknown_distance);
+    for(const std::pair<std::size_t, double>& entry : stored_row)
+      whole[entry.first] = entry.second;
+    return row == stored_row;
   }
   matrix.fill_dense_row(worker, position, targets.data(), targets.data() + targets.size(), whole, go_further);
   for(double& x : whole)

@@ -106,10 +106,12 @@ std::vector<Element> range_parameter(const NamedParameters& np, Tag tag)
   if constexpr(Has_parameter<NamedParameters, Tag>::value)
   {
     const auto& range = parameters::get_parameter_reference(np, tag);
-    static_assert(Is_range_of<std::remove_const_t<std::remove_reference_t<decltype(range)>>, Element>::value,
-                  "the value of the named parameter 'Tag' is not a range of the documented elements");
-    // (Without the question, the errors of the loop would follow the message.)
-    if constexpr(Is_range_of<std::remove_const_t<std::remove_reference_t<decltype(range)>>, Element>::value)
+    constexpr bool is_range
+      = Is_range_of<std::remove_const_t<std::remove_reference_t<decltype(range)>>, Element>::value;
+    static_assert(is_range, "the value of the named parameter 'Tag' is not a range of the documented elements");
+    // Without the question, the errors of the loop would follow the message, and a user reads the last error of a long
+    // list first.
+    if constexpr(is_range)
       for(const auto& element : range)
         elements.push_back(static_cast<Element>(element));
   }

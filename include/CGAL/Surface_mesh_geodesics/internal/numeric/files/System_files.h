@@ -100,15 +100,23 @@ inline void rename_file(const std::filesystem::path& from, const std::filesystem
     complain_of_file(to, "cannot be written: " + error.message());
 }
 
+// Gives a file a second name; returns whether it has it. If not, `error` says why: another file may have that name, or
+// the file system knows no second names.
+inline bool add_name(const std::filesystem::path& from, const std::filesystem::path& to, std::error_code& error)
+{
+  std::error_code no_error;
+  std::filesystem::create_hard_link(from, to, error);
+  // A server may lose its answer: then the second name counts, not the error.
+  return !error || std::filesystem::hard_link_count(from, no_error) == 2;
+}
+
 // Gives a complete file its final name, unless there is a file of that name; returns whether it did. Of several
 // processes that try, one gets true. (On file systems without second names, two may get it within an instant of each
 // other.)
 inline bool give_new_name(const std::filesystem::path& from, const std::filesystem::path& to)
 {
   std::error_code error, no_error;
-  std::filesystem::create_hard_link(from, to, error);
-  // A server may lose its answer: then the second name counts, not the error.
-  const bool has_second_name = !error || std::filesystem::hard_link_count(from, no_error) == 2;
+  const bool has_second_name = add_name(from, to, error);
   if(!has_second_name && error != std::errc::file_exists && !std::filesystem::exists(to, no_error))
   {
     rename_file(from, to);
@@ -154,11 +162,9 @@ inline bool create_exclusively(const std::filesystem::path& path, const std::fil
       complain_of_file(path, "cannot be written: " + message);
     }
   }
-  std::filesystem::create_hard_link(temporary, path, error);
-  // A server may lose its answer: then the second name counts, not the error.
-  const bool has_second_name = std::filesystem::hard_link_count(temporary, no_error) == 2;
+  const bool has_second_name = add_name(temporary, path, error);
   std::filesystem::remove(temporary, no_error);
-  if(!error || has_second_name)
+  if(has_second_name)
     return true;
   if(error == std::errc::file_exists)
     return false;
