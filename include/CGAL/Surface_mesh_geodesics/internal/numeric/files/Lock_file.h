@@ -21,7 +21,7 @@
 // Two processes can own one lock in rare cases: an owner that slept for more than ten minutes, or two that take over
 // one stale lock at the same instant. So a lock saves work: each process writes files of its own, complete ones get
 // their names at once, and the shards of both would be equal. A manifest is not: whoever replaces it asks is_owned()
-// right before, and begins again if the lock is gone.
+// right before, and leaves it as it is if the lock is gone.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/files/System_files.h>
 
