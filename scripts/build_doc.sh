@@ -53,6 +53,12 @@ grep -ohE "\`($rooms)/[A-Za-z0-9_/]+\.h\`" doc/Surface_mesh_geodesics/*.txt | tr
   [ -f "include/CGAL/Surface_mesh_geodesics/internal/$file" ] || echo "the manual names $file, which does not exist" >> "$log"
 done
 
+# The table of platforms has a row for each platform that the script tries.
+if command -v g++ > /dev/null; then
+  diff <(sed -nE '/^\| platform /,/^$/s/^\| ([^|]*[^ |]) +\|.*/\1/p' doc/Surface_mesh_geodesics/Platforms.txt | sed 1d) \
+    <(WORK_FOLDER=$output/platforms bash scripts/check_platforms.sh --list) | sed '/g++ [0-9.]*$/d; /^[0-9]/d' >> "$log"
+fi
+
 if [ -s "$log" ]; then
   cat "$log" >&2
   echo "$(wc -l < "$log") lines of warnings" >&2

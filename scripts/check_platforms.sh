@@ -10,7 +10,7 @@
 # A row that cannot run here says why. NEWER_CGAL is the include folder of CGAL 6, for compilers that CGAL 5.5 does not
 # know (default: what --install and run_tests_with_newer_cgal.sh have unpacked). PROGRAM is the program for the command
 # line of this machine, for the comparison with that for Windows (default: it is built). WORK_FOLDER is the folder to
-# build in. It takes about half an hour.
+# build in. It takes about half an hour. NEWEST_CGAL is another include folder of CGAL: that of the newest Debian.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 source "$root/scripts/own_archive.sh"
@@ -23,6 +23,7 @@ if [ "${1:-}" = --install ]; then
   apt-get install --yes --quiet --no-install-recommends g++ g++-11 clang-14 clang-19 libc++-14-dev libc++abi-14-dev \
     g++-aarch64-linux-gnu qemu-user-static g++-mingw-w64-x86-64-posix wine64 wine > "$work/install.log"
   unpack_newer_cgal "$root/build/cgal_of_trixie" trixie >> "$work/install.log"
+  unpack_newer_cgal "$root/build/cgal_of_sid" sid >> "$work/install.log"
 fi
 
 with_tests=no only_names=no
@@ -57,6 +58,7 @@ for library in CGAL boost; do
 done
 cross=(-isystem "$cross_include" -DCGAL_DISABLE_GMP -DCGAL_DISABLE_MPFR -DBOOST_ERROR_CODE_HEADER_ONLY -static)
 newer_cgal=${NEWER_CGAL:-$root/build/cgal_of_trixie/package/usr/include}
+newest_cgal=${NEWEST_CGAL:-$root/build/cgal_of_sid/package/usr/include}
 common=(-std=c++17 -DNDEBUG "-I$root/include" "-I$root/test/Surface_mesh_geodesics/include")
 
 # Lanes, threads, distances, curves, paths, diagrams: programs that an emulator runs in seconds or a few minutes.
@@ -141,6 +143,18 @@ reference_row()
   row "$reference_name" direct g++ -frounding-math -- -lgmp -lmpfr
 }
 
+# row_with_cgal NAME COMPILER FOLDER FLAGS...: a row with the CGAL of a folder, whose version ends the name.
+row_with_cgal()
+{
+  local name=$1 compiler=$2 folder=$3
+  shift 3
+  if [ "$only_names" = no ] && ! grep -qs "define CGAL_VERSION ${name##* }" "$folder/CGAL/version.h"; then
+    ! is_wanted "$name" || printf '| %s | not run: it is not in %s | |\n' "$name" "$folder"
+    return 0
+  fi
+  row "$name" direct "$compiler" "$@" -isystem "$folder" -- -lgmp -lmpfr
+}
+
 # run RUNNER PROGRAM: prints the hashes of all meshes, with the ends of lines of this system and without paths.
 run()
 {
@@ -174,11 +188,11 @@ rejected()
 # The program for the command line: it writes the same files on Windows as here.
 program_row()
 {
-  local name=$1 log=$work/program.log here=${PROGRAM:-} there answers
+  local name=$1 log=$work/program.log here=${PROGRAM:-} there answers headers=compile
   is_wanted "$name" || return 0
   are_installed "$name" x86_64-w64-mingw32-g++-posix wine || return 0
   if ! there=$(WORK_FOLDER=$work/program_windows bash "$root/scripts/build_program_for_windows.sh" 2> "$log"); then
-    answers="does not build, see $work/program_windows/build.log"
+    headers=FAIL answers="does not build, see $work/program_windows/build.log"
   elif [ -z "$here" ] && ! here=$(build_program_here); then
     answers="the program of this machine does not build, see $log"
   elif ! write_files "$here" "$work/files_here" || ! write_files "$there" "$work/files_windows"; then
@@ -188,7 +202,7 @@ program_row()
   else
     answers="other files: $(echo "$answers" | sed -n 's|.* and .*/\(.*\) differ$|\1|p' | paste -sd ' ')"
   fi
-  printf '| %s | compile | %s |\n' "$name" "$answers"
+  printf '| %s | %s | %s |\n' "$name" "$headers" "$answers"
   case "$answers" in "the same "*) ;; *) status=1 ;; esac
 }
 
@@ -253,13 +267,13 @@ row "g++, two lanes in classes" direct g++ -frounding-math -DCGAL_SURFACE_MESH_G
 row "g++, -march=native" direct g++ -frounding-math -march=native -ffp-contract=off "${libraries[@]}"
 row "clang++-14" direct clang++-14 "${libraries[@]}"
 row "clang++-14 with libc++" direct clang++-14 -stdlib=libc++ "${libraries[@]}"
-if [ -d "$newer_cgal/CGAL" ] || [ "$only_names" = yes ]; then
-  row "clang++-19, CGAL 6" direct clang++-19 -isystem "$newer_cgal" "${libraries[@]}"
-elif is_wanted "clang++-19, CGAL 6"; then
-  printf '| clang++-19, CGAL 6 | not run: there is no CGAL 6 in %s | |\n' "$newer_cgal"
-fi
-row "clang++-14, extensions of Visual C++" direct clang++-14 -fms-extensions -fdelayed-template-parsing \
-  "${libraries[@]}"
+row_with_cgal "clang++-19, CGAL 6.0" clang++-19 "$newer_cgal"
+row_with_cgal "g++, CGAL 6.2" g++ "$newest_cgal" -frounding-math
+row_with_cgal "clang++-19, CGAL 6.2" clang++-19 "$newest_cgal"
+# Clang as close to Visual C++ as it comes with the headers of this system, which need some macros that are gone then.
+{ clang++-14 -dM -E -x c++ /dev/null 2> /dev/null || true; } | grep __GCC_ATOMIC > "$work/macros_of_gcc.h" || true
+row "clang++-14 as Visual C++" direct clang++-14 -fms-compatibility -fms-compatibility-version=19.29 -fms-extensions \
+  -fdelayed-template-parsing -U__OPTIMIZE__ -include "$work/macros_of_gcc.h" "${libraries[@]}"
 row "ARM64, g++ 12, emulated" qemu-aarch64-static aarch64-linux-gnu-g++ -frounding-math -ffp-contract=off "${cross[@]}"
 row "Windows, MinGW-w64, Wine" wine x86_64-w64-mingw32-g++-posix -frounding-math "${cross[@]}"
 program_row "program for the command line, Windows, MinGW-w64, Wine"

@@ -97,7 +97,7 @@ Geodesic_Voronoi_certificate certify_geodesic_Voronoi_diagram(
   const Surface_mesh_geodesic_Voronoi_diagram<Traits, VIM, HIM, FIM, VPM, ConcurrencyTag>& diagram,
   const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  internal::check_parameters<internal::Mesh_parameters>(np);
+  internal::check_parameters<internal::Mesh_parameters>(diagram.triangle_mesh(), np);
   return internal::Private_access::make<Geodesic_Voronoi_certificate>(
     internal::certify_diagram_with_points<Surface_mesh_geodesic_paths, Traits>(diagram, np));
 }
@@ -126,7 +126,7 @@ Geodesic_Voronoi_certificate certify_geodesic_Voronoi_diagram_from_edge_lengths(
   const Surface_mesh_geodesic_Voronoi_diagram<Traits, VIM, HIM, FIM, VPM, ConcurrencyTag>& diagram,
   EdgeLengthMap edge_length_map, const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  internal::check_parameters<internal::Mesh_parameters>(np);
+  internal::check_parameters<internal::Mesh_parameters>(diagram.triangle_mesh(), np);
   return internal::Private_access::make<Geodesic_Voronoi_certificate>(
     internal::certify_diagram_with_edge_lengths<Surface_mesh_geodesic_paths, Traits>(diagram, edge_length_map, np));
 }

@@ -124,7 +124,7 @@ no thread modifies them; see `geodesic_distances()`.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-How to write sequences of parameters: \ref Surface_mesh_geodesics_named_parameters.
+How to write sequences of parameters, and which one comes first: \ref Surface_mesh_geodesics_named_parameters.
 
 \return for each condition, how far it is violated and where. The function does not throw because distances are wrong.
 
@@ -138,7 +138,7 @@ Geodesic_distance_certificate<TriangleMesh>
 certify_geodesic_distances(const TriangleMesh& tm, VertexDistanceMap vertex_distance_map, const Sources& sources,
                            const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  internal::check_parameters<internal::Distance_certificate_parameters>(np);
+  internal::check_parameters<internal::Distance_certificate_parameters>(tm, np);
   return internal::certify_distances<ConcurrencyTag, Geodesic_distance_certificate<TriangleMesh>>(
     tm, vertex_distance_map, sources, [&]() { return internal::shape_from_points<double>(tm, np); }, np);
 }
@@ -174,7 +174,7 @@ certify_geodesic_distances_from_edge_lengths(const TriangleMesh& tm, EdgeLengthM
                                              VertexDistanceMap vertex_distance_map, const Sources& sources,
                                              const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  internal::check_parameters<internal::Edge_length_certificate_parameters>(np);
+  internal::check_parameters<internal::Edge_length_certificate_parameters>(tm, np);
   return internal::certify_distances<ConcurrencyTag, Geodesic_distance_certificate<TriangleMesh>>(
     tm, vertex_distance_map, sources,
     [&]()

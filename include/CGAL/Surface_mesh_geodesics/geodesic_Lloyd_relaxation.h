@@ -132,7 +132,7 @@ std::size_t geodesic_Lloyd_relaxation(const TriangleMesh& tm, const VertexRange&
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  internal::check_parameters<internal::Relaxation_parameters>(np);
+  internal::check_parameters<internal::Relaxation_parameters>(tm, np);
   internal::Visitor_parameter<CGAL_NP_CLASS> visitor_parameter(np);
   auto& visitor = visitor_parameter.visitor();
   std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> moved(sites.begin(), sites.end());

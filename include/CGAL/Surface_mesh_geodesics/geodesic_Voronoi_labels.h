@@ -99,7 +99,7 @@ empty. If several sites are equally near, a vertex gets one of them; of several 
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-How to write sequences of parameters: \ref Surface_mesh_geodesics_named_parameters.
+How to write sequences of parameters, and which one comes first: \ref Surface_mesh_geodesics_named_parameters.
 
 \return `true`, or `false` if the visitor canceled the computation; the maps are unchanged then.
 
@@ -116,7 +116,7 @@ template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typen
 bool geodesic_Voronoi_labels(const TriangleMesh& tm, VertexSiteMap vertex_site_map, const Sites& sites,
                              const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  internal::check_parameters<internal::Label_parameters>(np);
+  internal::check_parameters<internal::Label_parameters>(tm, np);
   return internal::compute_Voronoi_labels<ConcurrencyTag>(tm, vertex_site_map, sites, np);
 }
 

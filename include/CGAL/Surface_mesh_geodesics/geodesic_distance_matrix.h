@@ -108,7 +108,7 @@ template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typen
 bool geodesic_distance_matrix(const TriangleMesh& tm, const Sources& sources, const Targets& targets,
                               RowOutput row_output, const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  internal::check_parameters<internal::Matrix_parameters>(np);
+  internal::check_parameters<internal::Matrix_parameters>(tm, np);
   return internal::with_surface<ConcurrencyTag>(tm, np, [&](const auto& surface)
   {
     return internal::put_distance_matrix<ConcurrencyTag>(surface, sources, targets, row_output);
@@ -186,7 +186,7 @@ template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typen
 bool symmetric_geodesic_distance_matrix(const TriangleMesh& tm, const Vertices& vertices, RowOutput row_output,
                                         const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  internal::check_parameters<internal::Matrix_parameters>(np);
+  internal::check_parameters<internal::Matrix_parameters>(tm, np);
   return internal::with_surface<ConcurrencyTag>(tm, np, [&](const auto& surface)
   {
     return internal::put_symmetric_distance_matrix<ConcurrencyTag>(surface, vertices, row_output);
@@ -249,7 +249,7 @@ template <typename TriangleMesh, typename Vertices, typename CGAL_NP_TEMPLATE_PA
 auto geodesic_peeling_order(const TriangleMesh& tm, const Vertices& vertices,
                             const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  internal::check_parameters<internal::Peeling_parameters>(np);
+  internal::check_parameters<internal::Peeling_parameters>(tm, np);
   internal::Visitor_parameter<CGAL_NP_CLASS> parameter(np);
   std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> result;
   internal::with_surface<Sequential_tag>(tm, np, [&](const auto& surface)
@@ -323,7 +323,7 @@ bool sparse_geodesic_distance_matrix(const TriangleMesh& tm, const Sources& sour
                                      const CGAL_NP_CLASS& np = parameters::default_values())
 {
   internal::check_maximum_distance(maximum_distance);
-  internal::check_parameters<internal::Matrix_parameters>(np);
+  internal::check_parameters<internal::Matrix_parameters>(tm, np);
   return internal::with_surface<ConcurrencyTag>(tm, np, [&](const auto& surface)
   {
     return internal::put_sparse_distance_matrix<ConcurrencyTag>(surface, sources, targets, maximum_distance,

@@ -43,9 +43,9 @@ length, faces without area, duplicate points, borders, several components and is
 allowed. Of several components, only those are processed that a source can reach. In the others, neither their sizes
 nor the agreement of neighbors about their edge is checked.
 
-The algorithm is VTP \cgalCite{qin2016fast}: a wavefront of vertices, nearest first, moves lists of
-windows from edge to edge, and prunes them in each triangle. In the worst case it takes
-\cgalBigO{n^2} time and memory for \f$ n \f$ vertices (thesis, section 4.4). The memory holds the mesh, the
+The algorithm is VTP (vertex-oriented triangle propagation), by Qin et al. \cgalCite{qin2016fast}. A wavefront of
+vertices, nearest first, moves lists of windows from edge to edge, and prunes them in each triangle. In the worst case
+it takes \cgalBigO{n^2} time and memory for \f$ n \f$ vertices (thesis, section 4.4). The memory holds the mesh, the
 distances and the windows on the wavefront. Usual meshes take far less of both: see \ref
 Surface_mesh_geodesics_performance. With a radius or with targets, the propagation takes time proportional to the
 number of windows in the area that it reaches. Each call still reads the whole mesh, in linear time; a
@@ -159,7 +159,7 @@ those of `Polyhedron_items_with_id_3`) must be set before, as the first call wou
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-How to write sequences of parameters: \ref Surface_mesh_geodesics_named_parameters.
+How to write sequences of parameters, and which one comes first: \ref Surface_mesh_geodesics_named_parameters.
 
 \return `true`, or `false` if the visitor canceled the computation; only the statistics have changed then.
 
@@ -179,7 +179,7 @@ bool geodesic_distances(const TriangleMesh& tm, VertexDistanceMap vertex_distanc
                         const Sources& sources,
                         const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  internal::check_parameters<internal::Distance_parameters>(np);
+  internal::check_parameters<internal::Distance_parameters>(tm, np);
   return internal::compute_distances_with_parameters<ConcurrencyTag>(
     tm, vertex_distance_map, sources, internal::shape_from_points<double>(tm, np), np);
 }
@@ -218,7 +218,7 @@ bool geodesic_distances_from_edge_lengths(const TriangleMesh& tm, EdgeLengthMap 
                                           VertexDistanceMap vertex_distance_map, const Sources& sources,
                                           const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  internal::check_parameters<internal::Edge_length_distance_parameters>(np);
+  internal::check_parameters<internal::Edge_length_distance_parameters>(tm, np);
   return internal::compute_distances_with_parameters<ConcurrencyTag>(
     tm, vertex_distance_map, sources,
     internal::Shape_from_edge_lengths<double, TriangleMesh, EdgeLengthMap>(tm, edge_length_map), np);

@@ -103,7 +103,7 @@ call writes to an output of its own; see `geodesic_distances()`.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-How to write sequences of parameters: \ref Surface_mesh_geodesics_named_parameters.
+How to write sequences of parameters, and which one comes first: \ref Surface_mesh_geodesics_named_parameters.
 
 \return the covering radius: the largest distance of a vertex from its nearest sample, in the unit of the mesh. It is
         infinite if no sample reaches some vertex that has a face. If the visitor canceled a propagation, the function
@@ -116,7 +116,7 @@ template <typename TriangleMesh, typename OutputIterator, typename CGAL_NP_TEMPL
 double geodesic_farthest_point_sampling(const TriangleMesh& tm, std::size_t n, OutputIterator output,
                                         const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  internal::check_parameters<internal::Sampling_parameters>(np);
+  internal::check_parameters<internal::Sampling_parameters>(tm, np);
   return internal::sample_farthest_points(tm, n, output, internal::sampling_options<TriangleMesh>(np), np);
 }
 

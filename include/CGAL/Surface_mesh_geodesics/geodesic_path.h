@@ -185,7 +185,7 @@ double geodesic_distance(const TriangleMesh& tm, const Point1& a, const Point2& 
 {
   internal::check_place<TriangleMesh, Point1>();
   internal::check_place<TriangleMesh, Point2>();
-  internal::check_parameters<internal::Pair_parameters>(np);
+  internal::check_parameters<internal::Pair_parameters>(tm, np);
   if constexpr(internal::Is_vertex<TriangleMesh, Point2>::value)
     return internal::distance_of_vertex(tm, a, b, np);
   else if constexpr(internal::Is_vertex<TriangleMesh, Point1>::value)
@@ -234,7 +234,7 @@ double geodesic_path(const TriangleMesh& tm, const Point1& a, const Point2& b, O
 {
   internal::check_place<TriangleMesh, Point1>();
   internal::check_place<TriangleMesh, Point2>();
-  internal::check_parameters<internal::Pair_parameters>(np);
+  internal::check_parameters<internal::Pair_parameters>(tm, np);
   // The structure writes paths to their source.
   return internal::query_paths(tm, b, np, [&](auto& paths)
   {

@@ -293,7 +293,7 @@ template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typen
 Geodesic_remeshing_report geodesic_remeshing(const TriangleMesh& tm, std::size_t n, OutputMesh& output,
                                              const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  internal::check_parameters<internal::Remeshing_parameters>(np);
+  internal::check_parameters<internal::Remeshing_parameters>(tm, np);
   internal::Visitor_parameter<CGAL_NP_CLASS> visitor(np);
   return internal::remesh<Surface_mesh_geodesic_Voronoi_diagram, ConcurrencyTag, Geodesic_remeshing_report>(
     tm, n, output, visitor.visitor(), np);

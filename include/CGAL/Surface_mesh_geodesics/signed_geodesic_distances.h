@@ -65,7 +65,7 @@ template <typename TriangleMesh, typename VertexDistanceMap, typename Curves,
 bool signed_geodesic_distances(const TriangleMesh& tm, VertexDistanceMap vertex_distance_map, const Curves& curves,
                                const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  internal::check_parameters<internal::Signed_distance_parameters>(np);
+  internal::check_parameters<internal::Signed_distance_parameters>(tm, np);
   return internal::compute_signed_distances(tm, vertex_distance_map, curves,
                                             internal::shape_from_points<double>(tm, np), np);
 }

@@ -5,7 +5,6 @@
 #define MACROS_OF_OTHER_HEADERS_H
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Default.h>

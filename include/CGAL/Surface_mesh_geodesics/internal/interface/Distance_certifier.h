@@ -26,6 +26,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/certificate/Worst_violation.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Intrinsic_surface.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Private_access.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/map_checks.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_values.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/run_with_visitor.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Available_tag.h>
@@ -46,6 +47,7 @@
 #include <array>
 #include <cstddef>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -254,6 +256,9 @@ Certificate certify_distances(const TriangleMesh& tm, VertexDistanceMap vertex_d
   using parameters::choose_parameter;
   using parameters::get_parameter;
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  static_assert(!std::is_void<typename Value_of_map<VertexDistanceMap, vertex_descriptor>::type>::value,
+                "distances cannot be read from this argument; it is a property map of the vertices of the mesh, and "
+                "comes before the sources");
 
   auto vim = CGAL::get_initialized_vertex_index_map(tm, np);
   auto fim = CGAL::get_initialized_face_index_map(tm, np);

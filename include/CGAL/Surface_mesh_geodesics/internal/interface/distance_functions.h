@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Distance_solver.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Face_shapes.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Intrinsic_surface.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/map_checks.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_checks.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_values.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/run_with_visitor.h>
@@ -123,6 +124,10 @@ template <typename ConcurrencyTag, typename TriangleMesh, typename VertexDistanc
 bool compute_distances_with_parameters(const TriangleMesh& tm, VertexDistanceMap vertex_distance_map,
                                        const Sources& sources, Shape shape, const NamedParameters& np)
 {
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  static_assert(Is_map_for<VertexDistanceMap, vertex_descriptor, double>::value,
+                "distances cannot be written to this argument; it is a property map from the vertices of the mesh to "
+                "floating-point numbers, and comes before the sources");
   Visitor_parameter<NamedParameters> visitor_parameter(np);
   auto& visitor = visitor_parameter.visitor();
   return compute_geodesic_distances<ConcurrencyTag>(tm, vertex_distance_map, sources,
@@ -142,6 +147,10 @@ template <typename TriangleMesh, typename VertexDistanceMap, typename Curves, ty
 bool compute_signed_distances(const TriangleMesh& tm, VertexDistanceMap vertex_distance_map, const Curves& curves,
                               Shape shape, const NamedParameters& np)
 {
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  static_assert(Is_map_for<VertexDistanceMap, vertex_descriptor, double>::value,
+                "distances cannot be written to this argument; it is a property map from the vertices of the mesh to "
+                "floating-point numbers, and comes before the curves");
   static_assert(Are_curves<Curves>::value, "signed distances are measured from curves");
   using Value = typename boost::property_traits<VertexDistanceMap>::value_type;
   auto vim = CGAL::get_initialized_vertex_index_map(tm, np);

@@ -212,7 +212,7 @@ Geodesic_matrix_store_check check_stored_matrix(const TriangleMesh& tm, const st
   using Graph_traits = boost::graph_traits<TriangleMesh>;
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  check_parameters<Mesh_parameters>(np);
+  check_parameters<Mesh_parameters>(tm, np);
   const Stored_matrix stored(path);
   const Store_description& d = stored.description();
   const auto vim = CGAL::get_initialized_vertex_index_map(tm, np);

@@ -108,7 +108,7 @@ Geodesic_matrix_store_status store_matrix_with(const TriangleMesh& tm, const Sou
                                                Compute compute)
 {
   // Faces to avoid are not among them: a manifest does not know them.
-  check_parameters<Store_parameters>(np);
+  check_parameters<Store_parameters>(tm, np);
   const Store_options options = store_options(np);
   // a copy of the user's visitor, or a reference to it
   Visitor_parameter<NamedParameters> parameter(np);

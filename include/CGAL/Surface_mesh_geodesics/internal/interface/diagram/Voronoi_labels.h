@@ -18,6 +18,7 @@
 
 #include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Weighted_site_list.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/distance_functions.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/map_checks.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_values.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/run_with_visitor.h>
 
@@ -25,6 +26,7 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -94,6 +96,9 @@ template <typename ConcurrencyTag, typename TriangleMesh, typename SiteMap, type
 bool compute_Voronoi_labels(const TriangleMesh& tm, SiteMap site_map, const Sites& sites, const NamedParameters& np)
 {
   using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  static_assert(std::is_integral<typename Value_of_map<SiteMap, Vertex>::type>::value,
+                "labels cannot be written to this argument; it is a property map from the vertices of the mesh to "
+                "integers, and comes before the sites");
   auto distance_map = map_parameter<Vertex, double, No_distance_map<Vertex>>(np, internal_np::vertex_distance_map);
   const Offsets_of_weights from_weights(range_parameter<double>(np, internal_np::site_weights));
   const Distance_options<TriangleMesh, SiteMap> options{

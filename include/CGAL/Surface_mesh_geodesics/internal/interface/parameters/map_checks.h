@@ -14,11 +14,14 @@
 // judge by the types that a map declares, so that a map of another mesh, or of another type of values, is rejected
 // where it is named, and not deep inside a computation.
 
+#include <CGAL/Named_function_parameters.h>
+
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
 #include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Surface_mesh_geodesics {
@@ -38,10 +41,12 @@ struct Value_of_map<Map, Key,
   using type = typename boost::property_traits<Map>::value_type;
 };
 
-// True for a property map to which a Value can be written at a Key.
+// True for a property map to which a Value can be written at a Key. Integers would cut off the digits of distances.
 template <typename Map, typename Key, typename Value>
 struct Is_map_for
-  : std::is_convertible<Value, typename Value_of_map<Map, Key>::type>
+  : std::integral_constant<bool, std::is_convertible<Value, typename Value_of_map<Map, Key>::type>::value
+                                   && (!std::is_floating_point<Value>::value
+                                       || !std::is_integral<typename Value_of_map<Map, Key>::type>::value)>
 {};
 
 // True for a property map from which a Value can be read at a Key.
@@ -57,6 +62,56 @@ struct Is_index_map
   : std::integral_constant<bool, Is_readable_map<Map, Key, std::size_t>::value
                                    && !std::is_floating_point<typename Value_of_map<Map, Key>::type>::value>
 {};
+
+// True for a point in space, of any kernel or of the user.
+template <typename Point, typename = void>
+struct Is_point
+  : std::false_type
+{};
+
+template <typename Point>
+struct Is_point<Point, std::void_t<decltype(std::declval<const Point&>().x(), std::declval<const Point&>().y(),
+                                            std::declval<const Point&>().z())>>
+  : std::true_type
+{};
+
+// True if the sequence has a parameter with this tag. What a function does with a parameter that is not there is
+// decided at compile time: nothing is computed for a map that nobody wants.
+template <typename NamedParameters, typename Tag>
+struct Has_parameter
+  : std::integral_constant<bool, !CGAL::parameters::is_default_parameter<NamedParameters, Tag>::value>
+{};
+
+// The type of the value of a named parameter, without reference.
+template <typename NamedParameters, typename Tag>
+using Value_of_parameter = std::decay_t<decltype(CGAL::parameters::get_parameter(
+  std::declval<const NamedParameters&>(), std::declval<Tag>()))>;
+
+// Does not compile if a map of a mesh among the named parameters is wrong.
+template <typename TriangleMesh, typename NamedParameters>
+void check_maps(const NamedParameters&)
+{
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor;
+  if constexpr(Has_parameter<NamedParameters, CGAL::internal_np::vertex_index_t>::value)
+  {
+    using Map = Value_of_parameter<NamedParameters, CGAL::internal_np::vertex_index_t>;
+    static_assert(Is_index_map<Map, vertex_descriptor>::value,
+                  "the named parameter vertex_index_map is not a property map from the vertices of the mesh to indices");
+  }
+  if constexpr(Has_parameter<NamedParameters, CGAL::internal_np::face_index_t>::value)
+  {
+    using Map = Value_of_parameter<NamedParameters, CGAL::internal_np::face_index_t>;
+    static_assert(Is_index_map<Map, face_descriptor>::value,
+                  "the named parameter face_index_map is not a property map from the faces of the mesh to indices");
+  }
+  if constexpr(Has_parameter<NamedParameters, CGAL::internal_np::vertex_point_t>::value)
+  {
+    using Map = Value_of_parameter<NamedParameters, CGAL::internal_np::vertex_point_t>;
+    static_assert(Is_point<typename Value_of_map<Map, vertex_descriptor>::type>::value,
+                  "the named parameter vertex_point_map is not a property map from the vertices of the mesh to points");
+  }
+}
 
 // Does not compile if a map of a class with the points of a mesh is wrong.
 template <typename TriangleMesh, typename Point, typename VertexIndexMap, typename FaceIndexMap,

@@ -14,6 +14,7 @@
 // and a value of a wrong type. Nothing here remains at run time.
 
 #include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/Parameter_sequence.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/map_checks.h>
 
 #include <CGAL/Named_function_parameters.h>
 
@@ -69,6 +70,14 @@ template <typename Set, typename NamedParameters>
 void check_parameters(const NamedParameters&)
 {
   static_assert(Named_parameters<typename NamedParameters::base, Set>::value, "always true, if it compiles");
+}
+
+// The same for a function that reads a mesh: the maps of the mesh among `np` are checked, too.
+template <typename Set, typename TriangleMesh, typename NamedParameters>
+void check_parameters(const TriangleMesh&, const NamedParameters& np)
+{
+  check_parameters<Set>(np);
+  check_maps<TriangleMesh>(np);
 }
 
 // Two sets in one. The sets below say once what the reference pages of the functions list; a test compiles a call with

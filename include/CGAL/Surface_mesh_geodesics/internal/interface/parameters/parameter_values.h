@@ -63,13 +63,6 @@ struct Sampling_options
   Propagation_statistics* statistics = nullptr;
 };
 
-// True if the sequence has a parameter with this tag. What a function does with a parameter that is not there is
-// decided at compile time: nothing is computed for a map that nobody wants.
-template <typename NamedParameters, typename Tag>
-struct Has_parameter
-  : std::integral_constant<bool, !CGAL::parameters::is_default_parameter<NamedParameters, Tag>::value>
-{};
-
 // Each function below returns the value of a parameter, or the default. Takes time linear in the length of a range.
 
 // The value of a parameter that converts to T without a cast, or the default value.

@@ -31,6 +31,11 @@
 #include <cstdint>
 #include <vector>
 
+#ifdef _MSC_VER
+#pragma warning(push)
+#pragma warning(disable : 4324) // what threads change at once is padded to cache lines, on purpose
+#endif
+
 namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
@@ -231,5 +236,9 @@ private:
 } // namespace internal
 } // namespace Surface_mesh_geodesics
 } // namespace CGAL
+
+#ifdef _MSC_VER
+#pragma warning(pop)
+#endif
 
 #endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_PARALLEL_WAVEFRONT_PART_H

@@ -35,6 +35,11 @@
 #include <intrin.h>
 #endif
 
+#ifdef _MSC_VER
+#pragma warning(push)
+#pragma warning(disable : 4324) // what threads change at once is padded to cache lines, on purpose
+#endif
+
 namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
@@ -216,5 +221,9 @@ private:
 } // namespace internal
 } // namespace Surface_mesh_geodesics
 } // namespace CGAL
+
+#ifdef _MSC_VER
+#pragma warning(pop)
+#endif
 
 #endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_PARALLEL_WORK_SHARING_H
