@@ -187,6 +187,8 @@ struct Relaxation_visitor : Interruptible
 {
   using Interruptible::Interruptible;
 
+  bool go_further() { return ask_and_go_further(); } // also between the steps of an iteration
+
   void on_iteration(std::size_t iteration, double largest_move, double energy)
   {
     if(go_further() && !function.is_none())

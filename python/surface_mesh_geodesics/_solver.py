@@ -26,7 +26,7 @@ class Solver:
     The mesh is copied; the arrays are never changed. It may have borders, holes, handles, several components and
     isolated vertices, but an edge has at most two faces, of the same orientation, and two closed surfaces must not
     share a vertex. All calls raise ValueError or IndexError, with the argument, the element and the rule, if an
-    argument is wrong. A call without the argument `threads` takes one thread, the others as many as that says.
+    argument is wrong. `threads` says how many threads a call may take; without this argument, it takes one.
 
     >>> import surface_mesh_geodesics as smg
     >>> smg.Solver([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]])
@@ -36,8 +36,8 @@ class Solver:
     vertices, or a pair of arrays (faces, coordinates). A `Curve` is a source of `distances()`, too.
 
     Several threads may use one solver; computations of distances and paths wait for the one before. Computations run
-    without the lock of the interpreter. Ctrl-C ends them, but waits while the first path or diagram prepares the mesh,
-    and for the last step of a diagram or of a remeshing: seconds, if there are a million faces. `progress` is called
+    without the lock of the interpreter. Ctrl-C ends them within 0.2 seconds if there are 75,000 faces; of a million
+    faces, the last step of a relaxation or a remeshing takes seconds. `progress` is called
     with a number from 0 to 1 some twenty times a second, and never if the call is short; it must not use the solver
     that computes (RuntimeError). Solvers can be pickled, as those of derived classes with their attributes; the mesh is
     read again then. A process must not be forked while another of its threads computes.
@@ -139,7 +139,8 @@ class Solver:
         result = tuple(part for is_wanted, part in parts if is_wanted)
         return result if len(result) > 1 else found[0]
 
-    def signed_distances(self, curves: Any, *, radius: float = np.inf, progress: Progress | None = None) -> np.ndarray:
+    def signed_distances(self, curves: Any, *, radius: float = np.inf, threads: int | None = 1,
+                         progress: Progress | None = None) -> np.ndarray:
         """Returns the distances from curves that separate the surface, negative on one side, (n,) float64.
 
         curves  a `Curve` or a list of them. Every way from one side to the other crosses a curve: they are closed, or
@@ -148,7 +149,7 @@ class Solver:
 
         The negative side is on the left of the first segment of the first curve, seen from outside; in a component
         without that segment, of the first one there. Components without a curve have inf. The surface needs points.
-        Takes one thread.
+        Takes one thread, whatever `threads` says.
 
         >>> import surface_mesh_geodesics as smg
         >>> s = smg.Solver([[0, 0, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0]], [[0, 1, 2], [0, 2, 3]])
@@ -157,7 +158,7 @@ class Solver:
         """
         self._needs("signed_distances", points=True)
         return self._surface.signed_distances(self._curves("curves", curves), arguments.radius_of("radius", radius),
-                                              arguments.call_of(1, progress))
+                                              arguments.call_of(threads, progress))
 
     def border_curves(self) -> list[Curve]:
         """Returns the borders of the surface as closed curves.
@@ -261,9 +262,9 @@ class Solver:
         """
         self._needs("certify", all_faces=True)
         places = self._places("sources", sources)
-        distances = arguments.values_of("d", d, self.n_vertices)
         added = arguments.offsets_of("offsets", offsets, len(places.vertex))
-        worst, conditions = self._surface.certify(distances, places, added, arguments.radius_of("radius", radius),
+        worst, conditions = self._surface.certify(arguments.values_of("d", d, self.n_vertices), places, added,
+                                                  arguments.radius_of("radius", radius),
                                                   arguments.call_of(threads, progress))
         return Certificate(worst, {name: Condition(*rest) for name, *rest in conditions})
 
@@ -450,7 +451,7 @@ class Solver:
         return nearest, d - largest
 
     def sample(self, n: int, *, first: Any = None, covering_radius: float = 0.0, return_radius: bool = False,
-               progress: Progress | None = None) -> Any:
+               threads: int | None = 1, progress: Progress | None = None) -> Any:
         """Returns vertices that are spread evenly over the surface, each the farthest from those before it.
 
         first            vertices that are samples already; they count among the n and come first in the result, all of
@@ -458,7 +459,7 @@ class Solver:
         covering_radius  sampling ends when no vertex is farther from its nearest sample
         return_radius    return a pair: the samples, and the largest distance of a vertex from its nearest sample
 
-        Takes one thread: each sample depends on those before.
+        Takes one thread, whatever `threads` says: each sample depends on those before.
 
         >>> import surface_mesh_geodesics as smg
         >>> smg.Solver([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]]).sample(2, first=[1])
@@ -468,7 +469,7 @@ class Solver:
         given = NO_IDS if first is None else self._vertices("first", first)
         found, radius = self._surface.sample(arguments.count_of("n", n, 0), given,
                                              arguments.radius_of("covering_radius", covering_radius),
-                                             arguments.function_of("progress", progress))
+                                             arguments.call_of(threads, progress)[1])
         samples = np.concatenate([given, found])
         return (samples, radius) if return_radius else samples
 
@@ -550,10 +551,8 @@ class Solver:
         self._surface = _core.Surface(*state["_surface"], lengths, self._avoided)
 
     def _set_up(self, points: np.ndarray, faces: np.ndarray, lengths: np.ndarray | None) -> None:
-        if lengths is not None:
-            extent = lengths.max(initial=0.0)
-        else:
-            extent = np.linalg.norm(np.ptp(points, axis=0)) if len(points) > 0 else 0.0
+        extent = np.linalg.norm(np.ptp(points, axis=0)) if len(points) > 0 else 0.0
+        extent = extent if lengths is None else lengths.max(initial=0.0)
         self.__setstate__({"_surface": (points, faces), "_sizes": (len(points), len(faces)), "_avoided": NO_IDS,
                            "_extent": float(extent), "_lengths": None if lengths is None else lengths.copy()})
 

@@ -116,8 +116,7 @@ def test_all_public_functions_have_types():
     assert count > 30 and (pathlib.Path(smg.__file__).parent / "py.typed").exists()
 
 
-ONE_THREAD = {"isolines", "sample", "trace", "direction_of", "peeling_order", "avoiding", "from_edge_lengths",
-              "signed_distances", "border_curves"}
+ONE_THREAD = {"isolines", "trace", "direction_of", "peeling_order", "avoiding", "from_edge_lengths", "border_curves"}
 
 
 def test_all_computations_take_threads():

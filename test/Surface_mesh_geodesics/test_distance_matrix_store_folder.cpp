@@ -121,6 +121,18 @@ void files_of_living_processes_stay()
   CHECK(!fs::exists(temporary) && !fs::exists(lock));
 }
 
+// Makes temporary files so old that they count as those of dead processes, where the system does not tell.
+void let_temporary_files_grow_old(const fs::path& folder)
+{
+  if(!CGAL::Surface_mesh_geodesics::internal::knows_dead_processes)
+  {
+    for(const fs::path& file : files_with(folder, ".tmp"))
+    {
+      fs::last_write_time(file, fs::file_time_type::clock::now() - std::chrono::hours(1));
+    }
+  }
+}
+
 // A lock from a host whose clock went wrong, and the clock file of a process of this host that was killed.
 void files_of_dead_processes_go()
 {
@@ -129,6 +141,7 @@ void files_of_dead_processes_go()
   auto owner = CGAL::Surface_mesh_geodesics::internal::this_process();
   owner.birth = "1"; // an earlier process of this number
   write_bytes(sphere.file("clock." + owner.text() + ".3.tmp"), " ");
+  let_temporary_files_grow_old(sphere.folder.path());
   fs::remove(sphere.file("rows_000005_000010.npy"));
   const fs::path lock = sphere.file("rows_000005_000010.lock");
   write_bytes(lock, "node7.12.34");
@@ -215,7 +228,9 @@ void manifest_of_a_lost_lock_is_not_written()
     is_kept = fs::last_write_time(manifest) == before;
     const std::size_t records = files_with(folder.path(), ".done").size();
     CHECK_EQUAL(records, is_kept ? store.layout().number_of_shards() : 0u);
-    CHECK(files_with(folder.path(), ".tmp").empty());
+    // (Windows does not remove a file that the other one is writing, under another name.)
+    CHECK(files_with(folder.path(), ".tmp").empty() || !CGAL::Surface_mesh_geodesics::internal::knows_dead_processes);
+    let_temporary_files_grow_old(folder.path());
     fs::remove(lock);
     CHECK(store_all(tm, folder, options).is_complete());
     check_is_tidy(folder.path());

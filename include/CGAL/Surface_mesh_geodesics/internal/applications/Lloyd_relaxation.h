@@ -151,7 +151,8 @@ auto make_vertex_site_diagram(const TriangleMesh& tm, const NamedParameters& np)
 // squared distances, because that is the integral for the centroid plus the area times the squared distance from the
 // centroid. The next cells may raise it, as they are those of geodesic distances.
 //
-// Sites with is_fixed(v) do not move, as if they were central.
+// Sites with is_fixed(v) do not move, as if they were central. The visitor is asked between the steps of an iteration,
+// too: centroids and the energy of large meshes take long.
 template <template <typename...> class Diagram, typename ConcurrencyTag, typename TriangleMesh,
           typename vertex_descriptor, typename Visitor, typename NamedParameters, typename IsFixed>
 std::size_t relax_sites(const TriangleMesh& tm, std::vector<vertex_descriptor>& sites,
@@ -164,11 +165,16 @@ std::size_t relax_sites(const TriangleMesh& tm, std::vector<vertex_descriptor>& 
   for(; i < number_of_iterations; ++i)
   {
     diagram.set_sites(sites);
-    if(!diagram.diagram().build(visitor))
+    if(!diagram.diagram().build(visitor) || !visitor.go_further())
       break;
     const std::vector<vertex_descriptor> before = sites;
     const bool has_moved = diagram.move_to_centers(sites, is_fixed);
     const double largest_move = diagram.largest_move(before, sites);
+    if(!visitor.go_further())
+    {
+      sites = before;
+      break;
+    }
     if constexpr(Follows_iterations<Visitor>::value)
       visitor.on_iteration(i + 1, largest_move, diagram.diagram().energy());
     if(!has_moved)

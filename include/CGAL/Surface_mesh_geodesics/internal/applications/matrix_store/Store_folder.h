@@ -318,7 +318,7 @@ private:
     Process_owner owner;
     if(!find_owner(path, owner))
       return false;
-    if(owner.host == this_process().host)
+    if(knows_dead_processes && owner.host == this_process().host)
       return is_dead(owner);
     return clock.distance(path) > Lock_file::patience
         && !Lock_file::is_held_by_other(m_path / (base_of(path) + ".lock"), clock);

@@ -73,15 +73,20 @@ public:
 
 private:
   // Calls is_special(f) for the faces that the boundary of a cell runs through, until it returns true; returns whether
-  // it did.
+  // it did. Arcs of one face that follow each other are one call.
   template <typename IsSpecial>
   bool any_face(Vertex_id site, IsSpecial is_special) const
   {
+    Face_id last = null_id;
     for(const Voronoi_boundary_part& part : m_complex.boundary(site))
       for(const Oriented_index& c : part.chains)
         for(const Oriented_index& a : m_complex.chains()[c.first].arcs)
-          if(is_special(m_complex.arcs()[a.first].face))
+        {
+          const Face_id f = m_complex.arcs()[a.first].face;
+          if(f != last && is_special(f))
             return true;
+          last = f;
+        }
     return false;
   }
 
@@ -100,8 +105,10 @@ private:
   // Kinks that arcs without length join count as one: they are on one part of the boundary.
   bool has_equal_kinks_in(Face_id f, Vertex_id site) const
   {
-    const double size = longest_side(m_mesh.face(f));
     const std::pair<std::uint32_t, std::uint32_t> arcs = m_complex.arcs_of_face(f);
+    if(arcs.second - arcs.first < 3) // the arcs of two kinks, which may have one in common
+      return false;
+    const double size = longest_side(m_mesh.face(f));
     std::vector<std::uint32_t> kinks;
     for(std::uint32_t a = arcs.first; a < arcs.second; ++a)
     {

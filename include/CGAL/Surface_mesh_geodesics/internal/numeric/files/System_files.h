@@ -303,6 +303,14 @@ inline Process_owner this_process()
   return owner;
 }
 
+// Does the system tell whether a process of this host is dead? If not, the age of its files decides, as for processes of
+// other hosts.
+#ifdef _WIN32
+constexpr bool knows_dead_processes = false;
+#else
+constexpr bool knows_dead_processes = true;
+#endif
+
 // Is the process certainly dead? False for processes of other hosts, and where the system does not tell.
 inline bool is_dead(const Process_owner& owner)
 {
