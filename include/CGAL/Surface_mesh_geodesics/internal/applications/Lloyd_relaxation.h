@@ -170,7 +170,7 @@ std::size_t relax_sites(const TriangleMesh& tm, std::vector<vertex_descriptor>& 
     const std::vector<vertex_descriptor> before = sites;
     const bool has_moved = diagram.move_to_centers(sites, is_fixed);
     const double largest_move = diagram.largest_move(before, sites);
-    if(!visitor.go_further())
+    if(!visitor.go_further()) // the energy of large meshes takes as long as the centroids
     {
       sites = before;
       break;

@@ -256,6 +256,7 @@ Certificate certify_distances(const TriangleMesh& tm, VertexDistanceMap vertex_d
   using parameters::choose_parameter;
   using parameters::get_parameter;
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  // Numbers of any type will do: the distances may come from a program with another kernel.
   static_assert(!std::is_void<typename Value_of_map<VertexDistanceMap, vertex_descriptor>::type>::value,
                 "distances cannot be read from this argument; it is a property map of the vertices of the mesh, and "
                 "comes before the sources");

@@ -77,7 +77,7 @@ private:
   template <typename IsSpecial>
   bool any_face(Vertex_id site, IsSpecial is_special) const
   {
-    Face_id last = null_id;
+    Face_id last = null_id; // a boundary often crosses a face in several arcs, one after the other
     for(const Voronoi_boundary_part& part : m_complex.boundary(site))
       for(const Oriented_index& c : part.chains)
         for(const Oriented_index& a : m_complex.chains()[c.first].arcs)

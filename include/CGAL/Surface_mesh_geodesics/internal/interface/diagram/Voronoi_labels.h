@@ -95,6 +95,7 @@ private:
 template <typename ConcurrencyTag, typename TriangleMesh, typename SiteMap, typename Sites, typename NamedParameters>
 bool compute_Voronoi_labels(const TriangleMesh& tm, SiteMap site_map, const Sites& sites, const NamedParameters& np)
 {
+  // A map of distances would take the numbers of sites, too, and the number for no site would be lost in it.
   using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
   static_assert(std::is_integral<typename Value_of_map<SiteMap, Vertex>::type>::value,
                 "labels cannot be written to this argument; it is a property map from the vertices of the mesh to "

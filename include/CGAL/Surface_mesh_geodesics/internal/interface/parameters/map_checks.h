@@ -63,7 +63,8 @@ struct Is_index_map
                                    && !std::is_floating_point<typename Value_of_map<Map, Key>::type>::value>
 {};
 
-// True for a point in space, of any kernel or of the user.
+// True for a point in space: of any kernel, or a class of the user with these members. The functions read nothing else
+// of a point, so its traits are not asked.
 template <typename Point, typename = void>
 struct Is_point
   : std::false_type
@@ -82,12 +83,15 @@ struct Has_parameter
   : std::integral_constant<bool, !CGAL::parameters::is_default_parameter<NamedParameters, Tag>::value>
 {};
 
-// The type of the value of a named parameter, without reference.
+// The type of the value of a named parameter, without reference. A map in std::ref() is the map itself for CGAL, which
+// returns a reference to it.
 template <typename NamedParameters, typename Tag>
 using Value_of_parameter = std::decay_t<decltype(CGAL::parameters::get_parameter(
   std::declval<const NamedParameters&>(), std::declval<Tag>()))>;
 
-// Does not compile if a map of a mesh among the named parameters is wrong.
+// Does not compile if a map of a mesh among the named parameters is wrong. Without this, the compiler would complain of
+// the line where the map is read first, many calls below the one of the user; and a map of distances in the place of
+// one of indices would compile.
 template <typename TriangleMesh, typename NamedParameters>
 void check_maps(const NamedParameters&)
 {
@@ -97,19 +101,19 @@ void check_maps(const NamedParameters&)
   {
     using Map = Value_of_parameter<NamedParameters, CGAL::internal_np::vertex_index_t>;
     static_assert(Is_index_map<Map, vertex_descriptor>::value,
-                  "the named parameter vertex_index_map is not a property map from the vertices of the mesh to indices");
+                  "the named parameter vertex_index_map is not a property map from vertices of the mesh to indices");
   }
   if constexpr(Has_parameter<NamedParameters, CGAL::internal_np::face_index_t>::value)
   {
     using Map = Value_of_parameter<NamedParameters, CGAL::internal_np::face_index_t>;
     static_assert(Is_index_map<Map, face_descriptor>::value,
-                  "the named parameter face_index_map is not a property map from the faces of the mesh to indices");
+                  "the named parameter face_index_map is not a property map from faces of the mesh to indices");
   }
   if constexpr(Has_parameter<NamedParameters, CGAL::internal_np::vertex_point_t>::value)
   {
     using Map = Value_of_parameter<NamedParameters, CGAL::internal_np::vertex_point_t>;
     static_assert(Is_point<typename Value_of_map<Map, vertex_descriptor>::type>::value,
-                  "the named parameter vertex_point_map is not a property map from the vertices of the mesh to points");
+                  "the named parameter vertex_point_map is not a property map from vertices of the mesh to points");
   }
 }
 

@@ -303,8 +303,8 @@ inline Process_owner this_process()
   return owner;
 }
 
-// Does the system tell whether a process of this host is dead? If not, the age of its files decides, as for processes of
-// other hosts.
+// Does the system tell whether a process of this host is dead? If not, the age of its files decides, as for processes
+// of other hosts.
 #ifdef _WIN32
 constexpr bool knows_dead_processes = false;
 #else

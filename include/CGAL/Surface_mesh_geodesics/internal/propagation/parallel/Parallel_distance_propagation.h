@@ -65,9 +65,11 @@
 #include <utility>
 #include <vector>
 
+// Visual C++ warns of classes that are padded to cache lines. They are, on purpose: several threads change them at the
+// same time, and two on one line would wait for each other.
 #ifdef _MSC_VER
 #pragma warning(push)
-#pragma warning(disable : 4324) // what threads change at once is padded to cache lines, on purpose
+#pragma warning(disable : 4324)
 #endif
 
 namespace CGAL {
