@@ -33,9 +33,13 @@ DIVISION = INTERNAL + "propagation/parallel/Wavefront_division.h"
 VERTEX_PARTS = INTERNAL + "propagation/parallel/Vertex_parts.h"
 SHARING = INTERNAL + "propagation/parallel/Work_sharing.h"
 FARTHEST = INTERNAL + "surface/Farthest_vertex_queue.h"
-STRIP = INTERNAL + "propagation/curves/Strip.h"
+STRIP = INTERNAL + "window/strips/Strip.h"
 STRIP_FRONT = INTERNAL + "propagation/curves/Strip_front.h"
 CURVE_RUN = INTERNAL + "propagation/curves/Curve_run.h"
+CURVE_ARRIVALS = INTERNAL + "window/strips/Curve_arrivals.h"
+PATH_RUN = INTERNAL + "propagation/curves/Path_run_from_curves.h"
+PATH_SOLVER = INTERNAL + "interface/Path_solver.h"
+LOCATION_DISTANCE = INTERNAL + "paths/distance_at_location.h"
 CURVE_INSERTION = INTERNAL + "surface/curves/Curve_insertion.h"
 CURVE_SIDES = INTERNAL + "surface/curves/Curve_sides.h"
 CURVE_PATH_WRITER = INTERNAL + "interface/curves/Curve_path_writer.h"
@@ -128,6 +132,7 @@ LOGARITHM = "test_logarithmic_map"
 OBSTACLES = "test_obstacles"
 CURVES = "test_curves"
 HOSTILE_CURVES = "test_curves_on_hostile_meshes"
+CURVE_PATHS = "test_paths_from_curves"
 CURVES_OF_PATHS = "test_shortest_path_curve"
 BOUNDS = "test_radix_heap"
 KEPT_WINDOWS = "test_face_windows"
@@ -872,7 +877,7 @@ MUTANTS = [
      "is_longer ? (std::min)(apex, arrival.abscissa) : apex))", "is_longer ? s.begin : apex))",
      "rays on the left of a better path to the apex get lost", (CURVES, HOSTILE_CURVES)),
     ("bent_ray_taken_for_straight", STRIP_FRONT,
-     "FT(s.distance_at(x) + norm<FT>(c.apex_x - x, c.apex_y));", "distance_at_apex(s, c);",
+     "FT(ray + norm<FT>(c.apex_x - x, c.apex_y));", "distance_at_apex(s, c);",
      "the apex gets the length of a ray that is not there", (CURVES,)),
     ("strips_on_one_side", STRIP_FRONT,
      "      add_first_strip(e.right, e.offset, 2 * i + 1);\n", "",
@@ -880,9 +885,29 @@ MUTANTS = [
     ("vertices_of_curves_emit_nothing", STRIP_FRONT,
      "      wavefront.add_source(v.vertex, v.offset, push);\n", "",
      "corners and ends of curves are no sources", (CURVES,)),
-    ("foot_counted_from_wrong_end", CURVE_RUN,
+    ("foot_counted_from_wrong_end", CURVE_ARRIVALS,
      "foot.side % 2 == 0 ? along : FT(1 - along)", "foot.side % 2 != 0 ? along : FT(1 - along)",
      "the nearest point of a segment is mirrored", (CURVES,)),
+    ("rays_turned_by_lengths", STRIP,
+     "const FT height = s.direction_y * angle.cosine + s.direction_x * angle.sine;",
+     "const FT height = s.direction_y * (c.length - apex) / c.right_length;",
+     "beside a short edge, rays turn by a wrong angle, and distances are too small", (HOSTILE_CURVES,)),
+    ("sector_as_certain_as_its_distance", SECTOR,
+     "(star.distance + reach)", "star.distance",
+     "beside a source, a vertex leaves out windows that a shortest path needs", (HOSTILE_CURVES,)),
+    ("queries_without_strips", LOCATION_DISTANCE,
+     "if(strips != nullptr)", "if(false)",
+     "points of faces do not see the rays of curves", (CURVE_PATHS,)),
+    ("feet_inside_faces_unreported", PATH_SOLVER,
+     "    sink.location(end_of_path(steps));\n  }\n\n  // The surface", "  }\n\n  // The surface",
+     "a path ends one point before the curve", (CURVE_PATHS,)),
+    ("second_run_forgets_strips", PATH_RUN,
+     "propagation.strips().keep_in(&arrivals.strips);", "",
+     "strips are not kept", (CURVE_PATHS,)),
+    ("points_beside_curves_are_vertices", LAZY_PATHS,
+     "s.is_vertex ? m_solver.add_source_as_curve(s.vertex) : m_solver.add_source_as_curve(location);",
+     "continue;",
+     "points among curves are no sources", (CURVE_PATHS,)),
     ("curves_walked_once", CURVE_INSERTION,
      "while(m_has_inserted && ++walks < most_walks);\n    if(m_has_inserted)", "while(false);\n    if(false)",
      "edges of a curve that a later one divides get lost", (CURVES,)),

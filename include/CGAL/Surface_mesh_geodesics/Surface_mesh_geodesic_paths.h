@@ -332,6 +332,20 @@ public:
     return m_structure.add_sources(begin, end);
   }
 
+  /// adds a curve: all of its points are sources. Distances, paths and isolines are then those of the nearest point of
+  /// the curve, and exact. A path from the inside of a segment leaves the curve at a right angle. Curves and points may
+  /// be mixed. If there is a curve among the source points, a single thread computes, whatever the tag.
+  ///
+  /// \tparam Curve `Surface_mesh_geodesics::Surface_curve<Triangle_mesh>`
+  /// \param curve a curve on the mesh; it is copied
+  /// \return the iterator to the source point, whose location is the first point of the curve
+  template <typename Curve>
+  Source_point_iterator add_source_curve(const Curve& curve)
+  {
+    static_assert(Surface_mesh_geodesics::internal::Is_curve<Curve>::value, "the argument is not a Surface_curve");
+    return m_structure.add_source_curve(curve);
+  }
+
   /// removes a source point. Its iterator may be dereferenced until the next build, but it no longer leads to the next
   /// source point: a loop that removes source points advances its iterator first.
   ///
@@ -703,6 +717,25 @@ public:
   /// into which the path leaves. Tracing from the source in that direction, by the distance, leads back to the point if
   /// the path bends nowhere; a path that bends at a vertex is left there.
   /// @{
+
+  /// returns where the shortest path from a vertex ends: the point of the source points and curves that is nearest.
+  /// Takes the time of the path.
+  ///
+  /// \param v a vertex of the mesh
+  /// \return a face and coordinates in it; the null face if no source point reaches the vertex
+  /// \throws std::runtime_error if rounding hides the path
+  Face_location nearest_location_of_sources(vertex_descriptor v) const { return m_structure.end_of_path(v); }
+
+  /// returns where the shortest path from a point of a face ends.
+  ///
+  /// \param f a face of the mesh
+  /// \param location the barycentric coordinates of the point in `f`
+  /// \return a face and coordinates in it; the null face if no source point reaches the point
+  /// \throws std::runtime_error if rounding hides the path
+  Face_location nearest_location_of_sources(face_descriptor f, const Barycentric_coordinates& location) const
+  {
+    return m_structure.end_of_path(f, location);
+  }
 
   /// returns the direction in which the shortest path from a vertex to its source point arrives there, seen from the
   /// source: the direction in which the path leaves the source. The time is that of the straight piece of the path that

@@ -356,16 +356,7 @@ public:
   {
     std::vector<Located_curve<FT>> result;
     for_each_source<TriangleMesh>(curves, [&](const auto& curve)
-    {
-      const std::size_t position = result.size();
-      result.emplace_back();
-      Located_curve<FT>& located = result.back();
-      located.is_closed = curve.is_closed();
-      for(const auto& segment : curve.segments())
-        located.segments.push_back(curve_segment(segment, position));
-      if(located.segments.empty())
-        located.vertex = checked_id(curve.vertex(), "curve", position);
-    });
+    { result.push_back(located_curve(curve, result.size())); });
     // Offsets are checked and converted as those of points are, so that both reject the same numbers with the same
     // words.
     Source_set<FT> set; // of as many sources, for their offsets
@@ -374,6 +365,19 @@ public:
     for(std::size_t i = 0; i < offsets.size(); ++i)
       result[i].offset = set.offsets[i];
     return result;
+  }
+
+  // Returns a single curve, whose number is `position`. Throws as located_curves() does.
+  template <typename Curve>
+  Located_curve<FT> located_curve(const Curve& curve, std::size_t position) const
+  {
+    Located_curve<FT> located;
+    located.is_closed = curve.is_closed();
+    for(const auto& segment : curve.segments())
+      located.segments.push_back(curve_segment(segment, position));
+    if(located.segments.empty())
+      located.vertex = checked_id(curve.vertex(), "curve", position);
+    return located;
   }
 
   // Returns a segment of a curve in the order of the intrinsic face. A segment along the rim of what is avoided is

@@ -32,6 +32,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Path_solver.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Source_point_list.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Surface_locations.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/directions/path_directions.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/path_visitors.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/run_with_visitor.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/source_range.h>
@@ -46,6 +47,7 @@
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <cstddef>
@@ -102,7 +104,7 @@ public:
   Lazy_path_structure(const Triangle_mesh& tm, VertexIndexMap vertex_index_map, FaceIndexMap face_index_map,
                       VertexPointMap vertex_point_map, const Traits& traits)
     : m_traits(traits), m_tm(tm), m_vertex_index_map(vertex_index_map), m_face_index_map(face_index_map),
-      m_vertex_point_map(vertex_point_map),      m_solver(tm, vertex_index_map, face_index_map)
+      m_vertex_point_map(vertex_point_map), m_solver(tm, vertex_index_map, face_index_map)
   {}
 
   Lazy_path_structure(const Lazy_path_structure&) = delete;
@@ -121,17 +123,24 @@ public:
   bool has_changed() const { return m_ready.load(std::memory_order_acquire) == Stage::NOWHERE; }
 
   // Adds a vertex. build() rejects an invalid one.
-  Source_point_iterator add_source(vertex_descriptor v)
-  {
-    const bool is_vertex = is_vertex_of(v, m_tm, m_vertex_index_map);
-    return add_source_point(
-      {is_vertex ? Locations::location(v, m_tm, m_traits) : Locations::null_location(m_traits), true, v});
-  }
+  Source_point_iterator add_source(vertex_descriptor v) { return add_source_point({location_of(v), true, v}); }
 
   // Adds a point of a face. build() rejects an invalid one.
   Source_point_iterator add_source(const Face_location& location)
   {
     return add_source_point({location, false, Graph_traits::null_vertex()});
+  }
+
+  // Adds a curve, which is copied. build() rejects one of another mesh. The list keeps a function instead of the curve:
+  // programs without curves do not compile what runs from curves need.
+  template <typename Curve>
+  Source_point_iterator add_source_curve(const Curve& curve)
+  {
+    const auto& s = curve.segments();
+    return add_source_point(
+      {s.empty() ? location_of(curve.vertex())
+                 : Face_location(s[0].face, Locations::coordinates(s[0].source, m_traits)), false,
+       Graph_traits::null_vertex(), [this, curve] { m_solver.add_source_curve(curve); }});
   }
 
   // Adds vertices or locations. Returns the iterator to the first of them, end() if the range is empty. Copies the
@@ -264,20 +273,20 @@ public:
   // If the results are there, a vertex takes constant time (and time for the chain of pseudo-sources that leads to its
   // source), and a location takes time linear in the number of windows around its face.
 
+  // A place is a vertex, or a face and coordinates.
+  //
   // Returns the distance and the source point; -1 and end() if no source reaches the point.
-  Result distance(vertex_descriptor v) const { return result(query(v)); }
-
-  Result distance(face_descriptor f, const Barycentric_coordinates& location) const
+  template <typename... Place>
+  Result distance(const Place&... place) const
   {
-    return result(query(f, location));
+    return result(query(place...));
   }
 
   // Returns the number of the source point, in the order of the list, or no_source.
-  std::size_t nearest_source(vertex_descriptor v) const { return nearest_source(query(v)); }
-
-  std::size_t nearest_source(face_descriptor f, const Barycentric_coordinates& location) const
+  template <typename... Place>
+  std::size_t nearest_source(const Place&... place) const
   {
-    return nearest_source(query(f, location));
+    return nearest_source_of(query(place...));
   }
 
   // Calls the visitor for the vertices, edges and faces of the shortest path. Throws std::runtime_error if rounding
@@ -296,34 +305,28 @@ public:
   }
 
   // Returns the direction in which the shortest path leaves its source; not a number if no source reaches the point.
-  // Throws std::runtime_error if rounding hides the path.
-  double direction_at_source(vertex_descriptor v) const { return direction_at_source(query(v)); }
-
-  double direction_at_source(face_descriptor f, const Barycentric_coordinates& location) const
+  // May throw as sequence() does.
+  template <typename... Place>
+  double direction_at_source(const Place&... place) const
   {
-    return direction_at_source(query(f, location));
+    return direction_of_path(m_solver, query(place...),
+                             [this](std::size_t i) { return m_sources.by_number(i)->first; });
   }
 
-  // Writes the directions of all vertices, not a number for those that no source reaches. All vertices behind a bend
-  // have the direction of the path to the bend, which is traced once: that is what makes this cheap.
+  // Writes the directions of all vertices, not a number for those that no source reaches.
   template <typename VertexDirectionMap>
   void write_directions(VertexDirectionMap vertex_direction_map) const
   {
-    using Value = typename boost::property_traits<VertexDirectionMap>::value_type;
     prepare(Stage::AT_VERTICES);
-    std::vector<double> known(has_results() ? m_solver.mesh().number_of_vertices() : 0, -1.);
-    for(const vertex_descriptor v : vertices(m_tm))
-    {
-      double direction = std::numeric_limits<double>::quiet_NaN();
-      const Query q = query(v);
-      if(has_results() && is_reached(m_solver.arrival(q)))
-      {
-        double& d = known[m_solver.end_of_first_piece(q.vertex)];
-        d = d < 0 ? direction_at_source(q) : d;
-        direction = d;
-      }
-      put(vertex_direction_map, v, static_cast<Value>(direction));
-    }
+    put_directions(m_tm, m_solver, [this](std::size_t i) { return m_sources.by_number(i)->first; },
+                   vertex_direction_map);
+  }
+
+  // Returns where the shortest path ends; the null face if no source reaches the point. May throw as sequence() does.
+  template <typename... Place>
+  Face_location end_of_path(const Place&... place) const
+  {
+    return end_of_path_from(query(place...));
   }
 
   // Writes the distances of all vertices; -1 for those that no source reaches. (-1 as in the queries, since the value
@@ -380,8 +383,6 @@ private:
   using Query = typename Solver::Query;
   using Arrival = typename Solver::Arrival;
 
-  static constexpr double full_circle = 6.283185307179586;
-
   // For build(): a propagation without a visitor.
   struct Run_to_the_end
   {
@@ -397,6 +398,13 @@ private:
   bool is_ready(Stage wanted) const { return m_ready.load(std::memory_order_acquire) >= wanted; }
   void set_ready(Stage stage) const { m_ready.store(stage, std::memory_order_release); }
   void set_changed() { set_ready(Stage::NOWHERE); }
+
+  // Invalid vertices have the null location; build() rejects them.
+  Face_location location_of(vertex_descriptor v) const
+  {
+    return is_vertex_of(v, m_tm, m_vertex_index_map) ? Locations::location(v, m_tm, m_traits)
+                                                     : Locations::null_location(m_traits);
+  }
 
   Source_point_iterator add_source_point(const typename Sources::Source& source)
   {
@@ -447,11 +455,20 @@ private:
     if(!m_solver.has_mesh())
       m_solver.build_mesh(Shape_from_points<double, Triangle_mesh, VertexPointMap>(m_tm, m_vertex_point_map));
     m_solver.begin_sources();
-    for(const auto& s : m_sources.sources())
-      if(s.is_vertex)
-        m_solver.add_source(s.vertex);
+    // Points beside curves are curves without length: strips and windows need one numbering of all sources.
+    const auto& sources = m_sources.sources();
+    const bool have_curves
+      = std::any_of(sources.begin(), sources.end(), [](const auto& s) { return s.add_curve != nullptr; });
+    for(const auto& s : sources)
+    {
+      const auto location = std::make_pair(s.location.first, weights(s.location.second));
+      if(s.add_curve != nullptr)
+        s.add_curve();
+      else if(have_curves)
+        s.is_vertex ? m_solver.add_source_as_curve(s.vertex) : m_solver.add_source_as_curve(location);
       else
-        m_solver.add_source_location(std::make_pair(s.location.first, weights(s.location.second)));
+        s.is_vertex ? m_solver.add_source(s.vertex) : m_solver.add_source_location(location);
+    }
   }
 
   template <typename MakeQuery>
@@ -508,7 +525,7 @@ private:
     return b[0] == 1 || b[1] == 1 || b[2] == 1;
   }
 
-  static bool is_reached(const Arrival& a) { return a.root != null_id; }
+  static bool is_reached(const Arrival& a) { return a.is_reached(); }
 
   double distance_or_infinity(vertex_descriptor v) const
   {
@@ -525,7 +542,7 @@ private:
                          : no_result();
   }
 
-  std::size_t nearest_source(const Query& q) const
+  std::size_t nearest_source_of(const Query& q) const
   {
     if(!has_results())
       return no_source;
@@ -533,24 +550,18 @@ private:
     return is_reached(a) ? m_solver.source_number(a) : no_source;
   }
 
-  // Traces the first straight piece of the path only, the one at the source. Its end is a vertex, whose own path is
-  // this piece. A location whose path is straight has no such vertex, and is traced by itself.
-  double direction_at_source(Query q) const
+  // A source point that is no curve is the end itself, also a vertex without faces.
+  Face_location end_of_path_from(const Query& q) const
   {
-    if(!has_results())
-      return std::numeric_limits<double>::quiet_NaN();
-    Arrival a = m_solver.arrival(q);
-    if(!is_reached(a))
-      return std::numeric_limits<double>::quiet_NaN();
-    if(q.vertex != null_id || !m_solver.field().is_source(a.root))
-    {
-      q = Query();
-      q.vertex = m_solver.end_of_first_piece(a.root);
+    Arrival a;
+    if(has_results())
       a = m_solver.arrival(q);
-    }
-    const face_descriptor f = m_sources.by_number(m_solver.source_number(a))->first;
-    const double direction = std::remainder(m_solver.direction_at_source(q, m_solver.path(q, a), f), full_circle);
-    return direction < 0 ? direction + full_circle : direction;
+    if(!is_reached(a))
+      return Locations::null_location(m_traits);
+    if(!m_solver.has_curves())
+      return *m_sources.by_number(m_solver.source_number(a));
+    const auto end = m_solver.end_of_path(m_solver.path(q, a));
+    return Face_location(end.first, Locations::coordinates(end.second, m_traits));
   }
 
   // Traces the path before it calls the visitor, because tracing may throw.

@@ -28,10 +28,12 @@
 #include <CGAL/Surface_mesh_geodesics/internal/paths/isoline_tracing.h>
 #include <CGAL/Surface_mesh_geodesics/internal/paths/path_tracing.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Available_tag.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/curves/Path_run_from_curves.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Propagation_for_tag.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/equal_sources.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Edge_window_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Pruning_rules.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/strips/Curve_arrivals.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>
@@ -41,7 +43,9 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -117,6 +121,7 @@ public:
   {
     forget_results();
     m_surface.clear_sources();
+    m_curves.clear();
   }
 
   // Adds a source; throws Invalid_geodesic_input, with `what` in the message. The distances from it begin with its
@@ -131,6 +136,25 @@ public:
   {
     m_surface.add_source(location, offset, what);
   }
+
+  // Adds a curve. If there are curves among the sources, the points among them are added by add_source_as_curve(). The
+  // results are those of a single thread, as strips and windows share one wavefront.
+  template <typename Curve>
+  void add_source_curve(const Curve& curve)
+  {
+    m_surface.add_source_curve(curve);
+    if(m_curve_run == nullptr)
+      m_curve_run.reset(new Strip_path_run<double>());
+  }
+
+  template <typename Source>
+  void add_source_as_curve(const Source& source)
+  {
+    m_surface.add_source_as_curve(source, "source");
+  }
+
+  // Are there curves among the sources?
+  bool has_curves() const { return m_surface.has_curves(); }
 
   // Propagates from the sources, and keeps the windows if they are wanted. Returns false, and forgets all results, if
   // go_on(number of visits, distance in the user's unit) does. Requires: has_mesh(). Without sources, no vertex is
@@ -148,7 +172,7 @@ public:
   bool run_with_keeper(MakeKeeper make_keeper, GoOn go_on)
   {
     m_has_run = false;
-    m_surface.insert_sources();
+    insert_sources();
     m_has_run = propagate(m_field, make_keeper(), Go_on_reference(go_on, unit()));
     if(!m_has_run)
       forget_results();
@@ -167,7 +191,7 @@ public:
     CGAL_assertion(m_has_run);
     // propagate() replaces them, also by those of a run that ends early.
     const Propagation_statistics statistics = m_statistics;
-    Vertex_distance_field<double> field;
+    Vertex_distance_field<double> field; // of a second run, which propagate() tells by it
     const bool is_complete = propagate(field, window_keeper(true), Go_on_reference(go_on, unit()));
     if(!is_complete)
       m_statistics = statistics;
@@ -185,6 +209,7 @@ public:
   template <typename MakeQuery>
   Query run_to(MakeQuery make_query)
   {
+    CGAL_assertion(!has_curves());
     m_has_run = false;
     m_surface.insert_sources();
     const Query q = make_query();
@@ -262,23 +287,29 @@ public:
   // A point that is not a vertex of the refined mesh: the path to it may come through a window.
   bool needs_windows(const Query& q) const { return q.vertex == null_id; }
 
-  // Returns the arrival at the point; its root is null_id if no source reaches the point.
+  // Returns the arrival at the point, which may not be reached.
   // Requires: the windows are known if needs_windows(q). Takes time linear in the number of windows around the point.
   Arrival arrival(const Query& q) const
   {
     if(q.vertex == null_id)
-      return arrival_at_location(mesh(), m_field, m_windows, q.face, q.coordinates);
+      return arrival_at_location(mesh(), m_field, m_windows, q.face, q.coordinates, strips());
     Arrival a;
     a.distance = m_field.distance[q.vertex];
     a.root = m_field.arrival[q.vertex].root == null_id ? null_id : q.vertex;
     return a;
   }
 
-  // Returns the number of the source from which a path comes, in the order of add_source(). Requires: a.root is not
-  // null_id.
+  // Returns the number of the source from which a path comes, in the order of addition. Requires: a.is_reached().
   std::size_t source_number(const Arrival& a) const
   {
-    return source_at(m_field.source_of(a.root));
+    return has_curves() ? curve_point(a).curve : source_at(m_field.source_of(a.root));
+  }
+
+  // Returns the point of a source from which a path comes. Requires: a.is_reached(), and has_curves().
+  Curve_point<double> curve_point(const Arrival& a) const
+  {
+    return a.side != null_id ? curve_point_of_foot(m_curves.curves, Strip_foot<double>{a.side, a.foot})
+                             : m_curves.point_of(m_field, a.root);
   }
 
   // Returns the distance of a vertex of the mesh, in the user's unit. Requires: has_run(). Infinity if no source
@@ -291,7 +322,7 @@ public:
   Path_steps<double> path(const Query& q, const Arrival& a) const
   {
     Path_steps<double> steps;
-    const Path_tracer<double> tracer(mesh(), m_field);
+    const Path_tracer<double> tracer(mesh(), m_field, has_curves() ? &m_curves : nullptr);
     const bool is_found = q.vertex != null_id ? tracer.trace_from_vertex(q.vertex, steps)
                                               : tracer.trace_from_location(q.face, q.coordinates, a, steps);
     if(!is_found)
@@ -299,6 +330,8 @@ public:
     return steps;
   }
 
+  // The next two functions are for paths from points, which have a direction at their source. Requires: !has_curves().
+  //
   // Returns the first vertex behind the source at which the path to a vertex bends, or the vertex itself if the path is
   // straight. The paths to both leave the source in the same direction, as the first piece of a shortest path is one,
   // too. Requires: v is reached. Takes time linear in the number of bends.
@@ -325,10 +358,11 @@ public:
   }
 
   // Reports the path from a point to a sink, without the point itself if it is a location. Calls
-  // sink.vertex(vertex_descriptor); sink.edge(halfedge_descriptor, t) with t from source to target; sink.source(number)
-  // at the end if the source is not a vertex; and, if Sink::wants_faces, sink.face(face_descriptor) before each of them
-  // but the first. Requires: `steps` is path(q, a). (Of the inserted sources only the last one is met: paths
-  // are reported for sources without offsets, and no shortest path passes such a source.)
+  // sink.vertex(vertex_descriptor); sink.edge(halfedge_descriptor, t) with t from source to target; at the end, unless
+  // the path ends at a vertex or on an edge of the user, sink.source(number) or, on a curve, sink.location(pair of a
+  // face and coordinates); and, if Sink::wants_faces, sink.face(face_descriptor) before each of them but the first.
+  // Requires: `steps` is path(q, a). (Of the inserted sources only the last one is met: paths are reported for sources
+  // without offsets, and no shortest path passes such a source.)
   template <typename Sink>
   void report(const Query& q, const Arrival& a, const Path_steps<double>& steps, Sink& sink) const
   {
@@ -340,6 +374,8 @@ public:
         sink.edge(user_surface().descriptor_of_halfedge(item.halfedge), item.t);
       else if(item.vertex < user_surface().number_of_vertices())
         sink.vertex(user_surface().descriptor(item.vertex));
+      else if(has_curves())
+        sink.location(end_of_path(steps));
       else
         sink.source(source_number(a));
     };
@@ -349,6 +385,16 @@ public:
     for(const Path_step<double>& step : steps)
       thinning.add(step);
     thinning.finish();
+    report_foot(q, steps, sink);
+  }
+
+  // Returns the user's location of the point of the sources at which a path ends. Requires: `steps` is path(q, a).
+  std::pair<face_descriptor, Coordinates> end_of_path(const Path_steps<double>& steps) const
+  {
+    const Path_step<double>& end = steps.back();
+    if(end.vertex != null_id)
+      return location_of_vertex(end.vertex);
+    return user_location(Isoline_point<double>{end.halfedge, end.x / mesh().length(end.halfedge)});
   }
 
   // Calls line(points, is_closed) for each line of points at a distance, in the user's unit. A point is a pair of a
@@ -357,7 +403,7 @@ public:
   template <typename Line>
   void trace_isolines(double distance, double resolution, Line line) const
   {
-    Isoline_tracer<double> tracer(mesh(), m_field, m_windows, resolution);
+    Isoline_tracer<double> tracer(mesh(), m_field, m_windows, resolution, strips());
     tracer.trace(distance / mesh().unit(),
                  [&](const std::vector<Isoline_point<double>>& points, bool is_closed)
     {
@@ -372,6 +418,48 @@ public:
 private:
   using Surface = Surface_with_sources<TriangleMesh, VertexIndexMap, FaceIndexMap>;
   using Tag = typename Available_tag<ConcurrencyTag>::type;
+
+  // The strips of the last run that kept windows; null if there are no curves.
+  const Edge_strip_field<double>* strips() const { return has_curves() ? &m_curves.strips : nullptr; }
+
+  // Makes vertices of all sources, and edges of curves.
+  void insert_sources()
+  {
+    if(!has_curves())
+      return m_surface.insert_sources();
+    m_surface.insert_curves([&](const auto& curves, Source_insertion<double>& insertion)
+    { m_curve_run->insert(mesh(), insertion, curves, m_curves); });
+  }
+
+  // Ends of paths need it: corners of curves are vertices of the refined mesh that the user does not know.
+  //
+  // A vertex of the refined mesh as a location of the user. The null face for a vertex without faces.
+  std::pair<face_descriptor, Coordinates> location_of_vertex(Vertex_id v) const
+  {
+    const Halfedge_id h = mesh().halfedge(v);
+    if(h == null_id)
+      return {Graph_traits::null_face(), Coordinates{}};
+    Coordinates b{};
+    b[index_in_face(h)] = 1;
+    return user_location(face_of(h), b);
+  }
+
+  // Reports the end of a path that is at a foot inside of a face of the user: Path_thinning passes over edges that the
+  // user does not know. A path without length ends where it begins.
+  template <typename Sink>
+  void report_foot(const Query& q, const Path_steps<double>& steps, Sink& sink) const
+  {
+    const Path_step<double>& end = steps.back();
+    Halfedge_id h = end.halfedge;
+    double t = 0;
+    if(end.vertex != null_id || m_surface.parts().find_on_whole_edge(h, t))
+      return;
+    if(q.is_location && !(length_of(steps) > Tolerance<double>::gap() * extent_around(steps)))
+      return;
+    if(Sink::wants_faces)
+      sink.face(user_face(face_of(end.halfedge)));
+    sink.location(end_of_path(steps));
+  }
 
   // The surface as the user knows it: descriptors and their indices.
   const typename Surface::Surface& user_surface() const { return m_surface.surface(); }
@@ -413,6 +501,7 @@ private:
     m_field = Vertex_distance_field<double>();
     m_field.keeps_images = true;
     m_windows.clear();
+    m_curves.forget_paths();
     m_has_run = false;
   }
 
@@ -441,6 +530,9 @@ private:
   template <typename Keeper>
   bool propagate(Vertex_distance_field<double>& field, Keeper keeper, const Go_on_reference& go_on)
   {
+    if constexpr(std::is_same<Keeper, Window_keeper<double>>::value)
+      if(has_curves())
+        return propagate_from_curves(field, keeper, go_on);
     return propagate_with(field, keeper, [&](auto& propagation) { return propagation.run(go_on); });
   }
 
@@ -458,6 +550,19 @@ private:
     const bool is_complete = run(propagation);
     m_statistics = propagation.statistics();
     m_statistics.intrinsic_mesh_bytes += user_surface().memory() + field.memory();
+    m_statistics.maximum_window_bytes += keeps(keeper) ? m_windows.memory() : 0;
+    return is_complete;
+  }
+
+  // The same from curves. The second run of two has a field of its own, so the feet of the first one stay: other
+  // threads may be reading them. Nobody reads strips, as windows, before the second run is complete.
+  bool propagate_from_curves(Vertex_distance_field<double>& field, const Window_keeper<double>& keeper,
+                             const Go_on_reference& go_on)
+  {
+    m_windows.reset(keeps(keeper) ? mesh().number_of_faces() : 0);
+    const bool is_repetition = &field != &m_field;
+    const bool is_complete = m_curve_run->run(mesh(), field, keeper, m_curves, is_repetition, go_on, m_statistics);
+    m_statistics.intrinsic_mesh_bytes += user_surface().memory() + field.memory() + m_curves.memory();
     m_statistics.maximum_window_bytes += keeps(keeper) ? m_windows.memory() : 0;
     return is_complete;
   }
@@ -480,6 +585,8 @@ private:
   Surface m_surface;
   Vertex_distance_field<double> m_field;
   Edge_window_field<double> m_windows;
+  Curve_arrivals<double> m_curves; // as inserted, and what is known of paths from them
+  std::unique_ptr<Path_run_from_curves<double>> m_curve_run; // set if there have been curves
   Propagation_statistics m_statistics;
   bool m_has_run = false;
 };

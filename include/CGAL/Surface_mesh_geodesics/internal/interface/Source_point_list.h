@@ -22,6 +22,7 @@
 #include <CGAL/assertions.h>
 
 #include <cstddef>
+#include <functional>
 #include <iterator>
 #include <list>
 #include <vector>
@@ -30,13 +31,15 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// A source point as the user gave it. A vertex may be invalid, even null; so a flag says that it was given as one.
+// A source point as the user gave it. A vertex may be invalid, even null; so a flag says that it was given as one. A
+// curve counts as a source point, too: its location is the first one of the curve.
 template <typename FaceLocation, typename VertexDescriptor>
 struct Source_point
 {
   FaceLocation location;   // of a vertex: a corner of a face around it
   bool is_vertex;
   VertexDescriptor vertex; // if is_vertex
+  std::function<void()> add_curve = nullptr; // hands the curve to the solver; null for a point
   bool is_removed = false; // the list keeps it until the next build
 };
 

@@ -10,8 +10,9 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_SURFACE_WITH_SOURCES_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_SURFACE_WITH_SOURCES_H
 
-// A surface of the user on which sources are vertices. Sources inside faces and on edges refine the intrinsic mesh; the
-// class translates between the user's faces and the parts of the refined ones. All runs of a Path_solver from the same
+// A surface of the user on which sources are vertices, or, if there are curves among them, vertices and edges. Sources
+// inside faces and on edges refine the intrinsic mesh; the class translates between the user's faces and the parts of
+// the refined ones. All runs of a Path_solver from the same
 // sources use one object, also when it repeats a run to keep the windows.
 
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Intrinsic_surface.h>
@@ -22,12 +23,14 @@
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Source_insertion.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Source_set.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/barycentric_coordinates.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/curves/Source_curves.h>
 
 #include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_geodesics {
@@ -106,6 +109,7 @@ public:
     m_insertion.undo();
     m_are_inserted = false;
     m_sources = Source_set<double>();
+    m_curves.clear();
   }
 
   // Appends a source; throws Invalid_geodesic_input, with `what` in the message. The offset is in the user's unit,
@@ -120,8 +124,53 @@ public:
     m_surface.add_offset(offset, m_sources);
   }
 
+  // Appends a curve, or a point that counts as a curve. If there are curves among the sources, all are added in this
+  // way; they are numbered in the order of addition. Throws and requires what add_source() does.
+  template <typename Curve>
+  void add_source_curve(const Curve& curve)
+  {
+    CGAL_assertion(!m_are_inserted && m_sources.size() == 0);
+    m_curves.push_back(m_surface.located_curve(curve, m_curves.size()));
+  }
+
+  template <typename Source>
+  void add_source_as_curve(const Source& source, const char* what)
+  {
+    CGAL_assertion(!m_are_inserted && m_sources.size() == 0);
+    Source_set<double> set;
+    set.vertices.resize(m_curves.size(), null_id); // for the position in messages
+    m_surface.add_source(source, set, what);
+    Located_curve<double> curve;
+    curve.vertex = set.vertices.back();
+    if(!set.located.empty())
+      curve.segments.push_back({set.located[0].face, set.located[0].coordinates, set.located[0].coordinates});
+    m_curves.push_back(curve);
+  }
+
+  // Are all sources curves, or points that count as curves? The list tells, whether it is inserted or not.
+  bool has_curves() const { return !m_curves.empty(); }
+
+  // Inserts the curves unless that is done: insert(curves, insertion) makes edges and vertices of them. Throws what it
+  // throws; then nothing is inserted. Requires: has_curves().
+  template <typename Insert>
+  void insert_curves(Insert insert)
+  {
+    if(m_are_inserted)
+      return;
+    try
+    {
+      insert(m_curves, m_insertion);
+    }
+    catch(...)
+    {
+      m_insertion.undo();
+      throw;
+    }
+    m_are_inserted = true;
+  }
+
   // Makes vertices of all sources, unless they are vertices already. Does nothing if they are inserted, so that a run
-  // may be repeated. Sources at one point become one vertex.
+  // may be repeated. Sources at one point become one vertex. Requires: !has_curves().
   void insert_sources()
   {
     if(m_are_inserted)
@@ -248,6 +297,7 @@ private:
   Surface m_surface;
   Source_insertion<double> m_insertion;
   Source_set<double> m_sources; // as added; their vertices are known once they are inserted
+  std::vector<Located_curve<double>> m_curves; // all sources, if there are curves among them
   Source_numbers m_numbers;
   bool m_are_inserted = false;
 };

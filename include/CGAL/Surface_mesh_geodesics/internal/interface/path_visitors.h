@@ -157,19 +157,31 @@ public:
   void source(std::size_t number)
   {
     const typename Structure::Face_location& location = *m_structure.sources().by_number(number);
-    std::array<double, 3> b = m_structure.weights(location.second); // in the order of the user's corners
+    end_at(location.first, m_structure.weights(location.second), [&] { return location.second; });
+  }
+
+  // The same at a point of a curve, whose coordinates are in the order of the user's corners.
+  void location(const std::pair<face_descriptor, std::array<double, 3>>& l)
+  {
+    end_at(l.first, l.second, [&] { return Structure::Locations::coordinates(l.second, m_structure.traits()); });
+  }
+
+private:
+  // Coordinates in the user's type are made for points inside of faces only: few paths end there.
+  template <typename User_coordinates>
+  void end_at(face_descriptor f, std::array<double, 3> b, User_coordinates coordinates)
+  {
     snap_coordinates(b);
-    halfedge_descriptor h = halfedge(location.first, m_structure.mesh());
+    halfedge_descriptor h = halfedge(f, m_structure.mesh());
     for(std::size_t k = 0; k < 3; ++k, h = next(h, m_structure.mesh())) // h leads from corner k to corner k + 1
       if(b[(k + 2) % 3] == 0)
       {
         m_visitor(h, FT(b[(k + 1) % 3]));
         return;
       }
-    m_visitor(location.first, location.second);
+    m_visitor(f, coordinates());
   }
 
-private:
   const Structure& m_structure;
   Visitor& m_visitor;
 };

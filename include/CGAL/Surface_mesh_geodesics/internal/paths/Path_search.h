@@ -55,7 +55,10 @@ public:
   using Field = Vertex_distance_field<FT>;
   using Steps = Path_steps<FT>;
 
-  Path_search(const Mesh& mesh, const Field& field) : m_mesh(mesh), m_field(field) {}
+  // `curves` is null if all sources are points.
+  Path_search(const Mesh& mesh, const Field& field, const Curve_arrivals<FT>* curves = nullptr)
+    : m_mesh(mesh), m_field(field), m_curves(curves)
+  {}
 
   // Appends the path from v; the caller has appended v itself. The length of the path is the distance of v up to
   // `tolerance`, and up to twice that for the rounding of the sum. Returns false, and appends nothing, if no such path
@@ -64,7 +67,7 @@ public:
   bool from_vertex(Vertex_id v, const FT& tolerance, Steps& path)
   {
     CGAL_assertion(m_field.distance[v] < Field::infinity());
-    begin(v, m_field.distance[v], tolerance);
+    begin(source_of_path(m_field, m_curves, v), m_field.distance[v], tolerance);
     if(m_field.is_source(v))
       return true;
     m_seen.insert(v);
@@ -73,12 +76,12 @@ public:
     return go_on(path);
   }
 
-  // The same from the point of face f with the barycentric coordinates b, which is at `distance`. `root` is the root of
-  // its arrival; the path leads to the source of the root. Requires: the root is reached, b >= 0.
-  bool from_location(Face_id f, const std::array<FT, 3>& b, Vertex_id root, const FT& distance, const FT& tolerance,
-                     Steps& path)
+  // The same from the point of face f with the barycentric coordinates b, which is at `distance`. The path leads to
+  // `source`, as source_of_path() names it. Requires: b >= 0.
+  bool from_location(Face_id f, const std::array<FT, 3>& b, std::uint32_t source, const FT& distance,
+                     const FT& tolerance, Steps& path)
   {
-    begin(root, distance, tolerance);
+    begin(source, distance, tolerance);
     look_around(f, b);
     return go_on(path);
   }
@@ -109,10 +112,21 @@ private:
     Index cone, previous;
   };
 
-  // Starts a search for a path of length `distance` to the source of `root`. The memory of earlier searches is kept.
-  void begin(Vertex_id root, const FT& distance, const FT& tolerance)
+  // A foot on a source edge that ends the path: the point of the edge of `halfedge` at which a line leaves the face of
+  // that halfedge. The cone of the line is as add() gets it: in the frame of the halfedge behind the edge, if there is
+  // one.
+  struct Foot
   {
-    m_source = m_field.source_of(root);
+    Halfedge_id halfedge = null_id;
+    FT behind_abscissa = 0;
+    Cone cone{};
+  };
+
+  // Starts a search for a path of length `distance` to a source. The memory of earlier searches is kept.
+  void begin(std::uint32_t source, const FT& distance, const FT& tolerance)
+  {
+    m_source = source;
+    m_foot = Foot();
     m_distance = distance;
     m_tolerance = tolerance;
     m_stop = null_id;
@@ -137,6 +151,9 @@ private:
     std::size_t next_stop = 0;
     while(m_effort < maximum_effort)
     {
+      if(m_foot.halfedge != null_id && append_path_to_foot(path))
+        return true;
+      m_foot = Foot();
       if(next_stop < m_stops.size())
       {
         m_stop = static_cast<Index>(next_stop++);
@@ -189,12 +206,30 @@ private:
   void add_whole_edge(Halfedge_id h, const FT& x, const FT& y)
   {
     const FT length = m_mesh.length(h);
-    add(Cone{m_mesh.opposite(h), FT(0), length, FT(length - x), y, null_id, m_stop, null_id});
+    add(Cone{m_mesh.opposite(h), FT(0), length, FT(length - x), y, null_id, m_stop, null_id}, h);
   }
 
-  // Adds a cone unless it is empty, too far from the source, or dominated by a known cone or a vertex.
-  void add(Cone cone)
+  // Looks for the end of the path on a source edge that a cone meets. The nearest point of the edge is the foot of a
+  // ray at a right angle, or an end of the cone. `h` is the halfedge through which the cone leaves its face.
+  void look_for_foot(const Cone& cone, Halfedge_id h)
   {
+    using std::abs;
+    const std::uint32_t side = m_curves->side_of(h);
+    if(side == null_id || m_curves->curves.edges[side / 2].curve != m_source || !(cone.begin < cone.end)
+       || cone.image_depth < 0)
+      return;
+    const FT x = (std::min)((std::max)(cone.image_x, cone.begin), cone.end);
+    const FT rest = norm<FT>(x - cone.image_x, cone.image_depth) + m_curves->curves.edges[side / 2].offset;
+    if(abs(FT(m_length + rest - m_distance)) <= m_tolerance)
+      m_foot = Foot{h, x, cone};
+  }
+
+  // Adds a cone unless it is empty, too far from the source, or dominated by a known cone or a vertex. `h` is the
+  // halfedge through which it leaves its face; behind it is that of the cone.
+  void add(Cone cone, Halfedge_id h)
+  {
+    if(m_curves != nullptr && m_foot.halfedge == null_id)
+      look_for_foot(cone, h);
     if(cone.halfedge == null_id || !(cone.begin < cone.end) || cone.image_depth < 0
        || m_length + least_rest(cone) > m_distance + m_tolerance || is_beaten(cone) || is_hidden(cone))
       return;
@@ -264,7 +299,7 @@ private:
   {
     const auto known = m_shortest.find(v);
     return known != m_shortest.end() && known->second + from_vertex <= m_length + from_image
-        && m_field.source_of(v) == m_source;
+        && source_of_path(m_field, m_curves, v) == m_source;
   }
 
   // Notes that v can be reached by a way of length `gap` from the current stop. Makes v a stop if it is on the path:
@@ -276,8 +311,8 @@ private:
     const FT length = m_length + gap;
     const auto known = m_shortest.emplace(v, length);
     known.first->second = (std::min)(known.first->second, length);
-    if(!(abs(FT(length + m_field.distance[v] - m_distance)) <= m_tolerance) || m_field.source_of(v) != m_source
-       || !m_seen.insert(v).second)
+    if(!(abs(FT(length + m_field.distance[v] - m_distance)) <= m_tolerance)
+       || source_of_path(m_field, m_curves, v) != m_source || !m_seen.insert(v).second)
       return;
     m_stops.push_back(Stop{v, length, gap, f, cone, m_stop});
   }
@@ -304,9 +339,9 @@ private:
     reach(c.apex, norm<FT>(t - cone.image_x, cone.image_depth) + norm<FT>(c.apex_x - t, c.apex_y),
           face_of(cone.halfedge), i);
     if(c.left_length > 0)
-      add(left_part(cone, c, i, t));
+      add(left_part(cone, c, i, t), previous_halfedge(cone.halfedge));
     if(c.right_length > 0)
-      add(right_part(cone, c, i, t));
+      add(right_part(cone, c, i, t), next_halfedge(cone.halfedge));
   }
 
   // Returns the part of a cone on the side AC, through the points of AB from begin to t. Frame: that of the halfedge
@@ -352,11 +387,42 @@ private:
   // with an error of up to the tolerance; the sum over the gaps is rounded differently, so it may err by twice that.
   bool append_path(Steps& path) const
   {
-    using std::abs;
     Steps reversed;
-    for(Index i = m_stop; i != null_id; i = m_stops[i].previous)
+    return append_pieces(m_stop, m_field.distance[m_stops[m_stop].vertex], reversed, path);
+  }
+
+  // The same for the path to the foot. The last stop is that of its cone.
+  bool append_path_to_foot(Steps& path) const
+  {
+    const Cone& cone = m_foot.cone;
+    const FT length = m_mesh.length(m_foot.halfedge), t = m_foot.behind_abscissa;
+    Path_step<FT> step = step_on_edge<FT>(m_mesh, m_foot.halfedge, FT(length - t));
+    Steps reversed;
+    if(cone.parent == null_id)
+    {
+      step.gap = norm<FT>(t - cone.image_x, cone.image_depth);
+      reversed.push_back(step);
+    }
+    else
+    {
+      const std::array<FT, 2> p = point_behind(m_foot.halfedge, t, m_cones[cone.parent].halfedge);
+      add_crossings(cone.parent, p[0], p[1], step, reversed);
+    }
+    const std::uint32_t side = m_curves->side_of(m_foot.halfedge);
+    return append_pieces(cone.stop, m_curves->curves.edges[side / 2].offset, reversed, path);
+  }
+
+  // Both ends of a path, a vertex and a foot, come here: the length is that of the steps which the user gets, not that
+  // of the search, so that no path is accepted with a wrong one.
+  //
+  // Appends the pieces up to a stop in front of `reversed`, which holds what follows, and then both to the path, in
+  // order, if the sum of the gaps and the offset of the source is the distance.
+  bool append_pieces(Index stop, const FT& offset, Steps& reversed, Steps& path) const
+  {
+    using std::abs;
+    for(Index i = stop; i != null_id; i = m_stops[i].previous)
       add_piece(m_stops[i], reversed);
-    FT length = m_field.distance[m_stops[m_stop].vertex]; // the offset of the source
+    FT length = offset;
     for(const Path_step<FT>& step : reversed)
       length = length + step.gap;
     if(!(abs(FT(length - m_distance)) <= 2 * m_tolerance))
@@ -378,8 +444,14 @@ private:
       return;
     }
     const Face_frame<FT> last = m_mesh.face_frame(m_cones[stop.cone].halfedge);
-    FT x = last.apex_x, y = last.apex_y; // of the last step, in the frame of the cone
-    for(Index i = stop.cone; i != null_id; i = m_cones[i].parent)
+    add_crossings(stop.cone, last.apex_x, last.apex_y, step, reversed);
+  }
+
+  // Appends a step and the crossings before it, back to the beginning of its piece. The step is at (x, y) in the frame
+  // of cone i; its gap is set here.
+  void add_crossings(Index i, FT x, FT y, Path_step<FT> step, Steps& reversed) const
+  {
+    for(; i != null_id; i = m_cones[i].parent)
     {
       const Cone& cone = m_cones[i];
       const FT t = abscissa_of(cone, x, y);
@@ -393,20 +465,28 @@ private:
         reversed.push_back(step);
         return;
       }
-      // From the side to the frame of the parent. `part` is the fraction of the way from A to C, or from B to C: the
-      // halfedge behind AC runs from A to C, and that behind CB from C to B.
-      const Halfedge_id before = m_cones[cone.parent].halfedge;
-      const Face_frame<FT> c = m_mesh.face_frame(before);
-      const bool is_left = h == previous_halfedge(before);
-      const FT part = is_left ? FT(t / c.left_length) : FT(1 - t / c.right_length);
-      x = is_left ? FT(part * c.apex_x) : FT(c.length - part * c.apex_rest);
-      y = part * c.apex_y;
+      const std::array<FT, 2> p = point_behind(h, t, m_cones[cone.parent].halfedge);
+      x = p[0];
+      y = p[1];
     }
+  }
+
+  // Returns the point at the abscissa t of the halfedge behind h, in the frame of `before`, a side of the face of h.
+  // `part` is the fraction of the way from A to C, or from B to C: the halfedge behind AC runs from A to C, and that
+  // behind CB from C to B.
+  std::array<FT, 2> point_behind(Halfedge_id h, const FT& t, Halfedge_id before) const
+  {
+    const Face_frame<FT> c = m_mesh.face_frame(before);
+    const bool is_left = h == previous_halfedge(before);
+    const FT part = is_left ? FT(t / c.left_length) : FT(1 - t / c.right_length);
+    return {is_left ? FT(part * c.apex_x) : FT(c.length - part * c.apex_rest), FT(part * c.apex_y)};
   }
 
   const Mesh& m_mesh;
   const Field& m_field;
-  Vertex_id m_source = null_id;       // where the path has to end
+  const Curve_arrivals<FT>* m_curves;
+  std::uint32_t m_source = null_id;   // where the path has to end, as source_of_path() names it
+  Foot m_foot;                        // the end of the path, if it has been seen
   FT m_distance = 0, m_tolerance = 0; // the length that it has to have
   Index m_stop = null_id; // the current stop; null_id for the beginning
   FT m_length = 0;        // of the path to the current stop

@@ -34,11 +34,13 @@
 
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/strips/Curve_arrivals.h>
 
 #include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace CGAL {
@@ -91,9 +93,10 @@ Path_step<FT> step_on_edge(const Intrinsic_mesh<FT>& mesh, Halfedge_id h, const 
 
 // Where a piece begins: at the point (x, y) of the face of `halfedge`, in the frame of that halfedge. The piece runs
 // through the point `abscissa` of the halfedge to the image of `root` at (image_x, -image_depth). `distance` is the
-// distance of the point from its source.
+// distance of the point from its source. If `side` is not null_id, there is no root: the piece runs to the foot of a
+// ray, and ends where it leaves the face on that side of a source edge.
 //
-// Invariants: y >= 0, image_depth >= 0, distance is finite.
+// Invariants: y >= 0, image_depth >= 0, distance is finite; one of `root` and `side` is null_id.
 template <typename FT>
 struct Piece_start
 {
@@ -101,6 +104,27 @@ struct Piece_start
   FT x, y, abscissa, image_x, image_depth;
   Vertex_id root;
   FT distance;
+  std::uint32_t side = null_id;
+};
+
+// Names the source of a path: a vertex, or, if curves are among the sources, the number of a curve; null_id if the root
+// is not reached.
+template <typename FT>
+std::uint32_t source_of_path(const Vertex_distance_field<FT>& field, const Curve_arrivals<FT>* curves, Vertex_id root)
+{
+  const Vertex_id v = field.source_of(root);
+  return curves == nullptr || v == null_id ? v : curves->point_of(field, v).curve;
+}
+
+// Where a piece has ended: at a vertex, or at the foot of a ray on a source edge, where the path ends, too. If neither,
+// the line was wrong. The foot itself is the last step: the point where the line meets the edge. It need not be where
+// the propagation has noted it, as the line is the better known one of both.
+struct Piece_end
+{
+  Vertex_id vertex = null_id;
+  bool is_at_foot = false;
+
+  bool is_found() const { return vertex != null_id || is_at_foot; }
 };
 
 template <typename FT>
@@ -111,39 +135,42 @@ public:
   using Field = Vertex_distance_field<FT>;
 
   // Points are appended to `steps`. Tolerances are relative to the longest length on the way, but at least to
-  // `smallest_scale`.
-  Straight_piece(const Mesh& mesh, const Field& field, const FT& smallest_scale, Path_steps<FT>& steps)
-    : m_mesh(mesh), m_field(field), m_smallest_scale(smallest_scale), m_steps(steps)
+  // `smallest_scale`. `curves` is null if all sources are points.
+  Straight_piece(const Mesh& mesh, const Field& field, const FT& smallest_scale, Path_steps<FT>& steps,
+                 const Curve_arrivals<FT>* curves = nullptr)
+    : m_mesh(mesh), m_field(field), m_curves(curves), m_smallest_scale(smallest_scale), m_steps(steps)
   {}
 
-  // Follows a piece. Returns the vertex at which it ends, which is the root or another vertex of the path; null_id if
-  // the line is wrong, and then the steps that were appended are meaningless. Call it once.
+  // Follows a piece. Returns where it ends: at the root or another vertex of the path, or at the foot. If the line is
+  // wrong, the steps that were appended are meaningless. Call it once.
   // Complexity: linear in the number of faces crossed, of which there are at most mesh.most_faces_crossed() + 1.
-  Vertex_id trace(const Piece_start<FT>& start)
+  Piece_end trace(const Piece_start<FT>& start)
   {
-    CGAL_assertion(start.halfedge != null_id && start.root != null_id);
+    CGAL_assertion(start.halfedge != null_id && (start.root == null_id) != (start.side == null_id));
+    CGAL_assertion(start.side == null_id || m_curves != nullptr);
     CGAL_assertion(start.y >= 0 && start.image_depth >= 0 && start.distance < Field::infinity());
     m_start = start;
     m_length = 0;
     m_scale = m_smallest_scale;
+    m_last_halfedge = start.side == null_id ? null_id : halfedge_of_side(m_curves->curves, start.side);
     State s = first_state();
-    if(m_end != null_id)
-      return has_right_length() ? m_end : null_id;
     for(std::size_t i = 0; i <= m_mesh.most_faces_crossed(); ++i)
     {
+      if(m_end != null_id || s.halfedge == m_last_halfedge)
+        return end_of_right_length();
       const Halfedge_id o = m_mesh.opposite(s.halfedge);
       if(o == null_id)
-        return null_id;
+        return {};
       const Face_frame<FT> c = m_mesh.face_frame(o);
       turn(c, s);
       if(!pass_apex(o, c, s))
-        return null_id;
+        return {};
       if(m_end != null_id)
-        return has_right_length() ? m_end : null_id;
+        return end_of_right_length();
       s = next_state(o, c, s);
       add_crossing(s.halfedge, s.abscissa);
     }
-    return null_id;
+    return {};
   }
 
 private:
@@ -301,7 +328,14 @@ private:
   bool may_run_through(Vertex_id v, const FT& gap) const
   {
     return m_field.distance[v] < m_start.distance && gap + m_field.distance[v] <= rest() + slack()
-        && m_field.source_of(v) == m_field.source_of(m_start.root);
+        && source_of_path(m_field, m_curves, v) == source_of_start();
+  }
+
+  // Names the source to which the piece leads.
+  std::uint32_t source_of_start() const
+  {
+    return m_start.side != null_id ? m_curves->curves.edges[m_start.side / 2].curve
+                                   : source_of_path(m_field, m_curves, m_start.root);
   }
 
   // The rest of the way, from the last step to the source.
@@ -316,10 +350,16 @@ private:
   // The error that rounding may cause in lengths and distances.
   FT slack() const { return Tolerance<FT>::lengthwise() * m_scale; }
 
+  Piece_end end_of_right_length() const
+  {
+    return has_right_length() ? Piece_end{m_end, m_end == null_id} : Piece_end();
+  }
+
   bool has_right_length() const
   {
     using std::abs;
-    const FT error = m_length + m_field.distance[m_end] - m_start.distance;
+    const FT behind = m_end != null_id ? m_field.distance[m_end] : m_curves->curves.edges[m_start.side / 2].offset;
+    const FT error = m_length + behind - m_start.distance;
     return abs(error) <= Tolerance<FT>::path() * m_start.distance + slack();
   }
 
@@ -350,9 +390,11 @@ private:
 
   const Mesh& m_mesh;
   const Field& m_field;
+  const Curve_arrivals<FT>* m_curves;
   FT m_smallest_scale;
   Path_steps<FT>& m_steps;
   Piece_start<FT> m_start{};
+  Halfedge_id m_last_halfedge = null_id; // where a piece to a foot ends
   FT m_scale = 0;  // the longest length that has been rounded
   FT m_length = 0; // of the piece, so far
   FT m_gap = 0;    // from the last step to the line

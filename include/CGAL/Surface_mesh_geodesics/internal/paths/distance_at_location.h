@@ -11,26 +11,30 @@
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PATHS_DISTANCE_AT_LOCATION_H
 
 // The distance at any point of a face. The shortest path to it comes straight from a corner of the face, or through one
-// of the edges with a window that has been kept there (Edge_window_field.h).
+// of the edges with a window that has been kept there (Edge_window_field.h), or with a strip (Edge_strip_field.h).
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Edge_window_field.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/strips/Edge_strip_field.h>
 
 #include <CGAL/assertions.h>
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
 
 namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// How the shortest path arrives at a point of a face. There are three cases:
-// - `root` is null_id: no source reaches the point, and `distance` is infinite.
+// How the shortest path arrives at a point of a face. There are four cases:
+// - `root` and `side` are null_id: no source reaches the point, and `distance` is infinite.
 // - `halfedge` is null_id: the path comes straight from `root`, which is a corner of the face.
-// - else the path comes from the image of `root` at (image_x, -image_depth), through the point `abscissa` of
-//   `halfedge`, to the point at (x, y), all in the frame of that halfedge.
+// - `side` is null_id: the path comes from the image of `root` at (image_x, -image_depth), through the point `abscissa`
+//   of `halfedge`, to the point at (x, y), all in the frame of that halfedge.
+// - else it comes in the same way from the foot of a ray, on this side of a source edge (Strip.h).
 // `inside` is the length of the path in the face.
 template <typename FT>
 struct Location_arrival
@@ -41,6 +45,10 @@ struct Location_arrival
   FT abscissa = 0, image_x = 0, image_depth = 0;
   FT inside = 0;
   FT x = 0, y = 0;
+  std::uint32_t side = null_id;
+  FT foot = 0; // the abscissa of the foot in the frame of the halfedge on that side
+
+  bool is_reached() const { return root != null_id || side != null_id; }
 };
 
 // Returns the point with the barycentric coordinates b in the frame of halfedge k of its face.
@@ -83,17 +91,46 @@ void improve_arrival(Location_arrival<FT>& arrival, const Kept_window<FT>& w, co
                                    norm<FT>(x - abscissa, y), x, y};
 }
 
+// A strip has no root: its rays come from the points of a source edge. What a path needs to run back is the same as for
+// a window, an image and the abscissa where it crosses the edge; the image is the foot of the ray, unfolded.
+//
+// The same for a strip: the ray through the point, or, if that passes beside the strip, the nearest ray with a bend at
+// the edge. On the curve itself, rounding may make the value of the linear function negative. Requires: y >= 0.
+template <typename FT>
+void improve_arrival(Location_arrival<FT>& arrival, const Strip<FT>& s, Halfedge_id h, const FT& x, const FT& y)
+{
+  const FT t = x - y * (s.direction_x / s.direction_y);
+  const FT abscissa = (std::min)(s.end, (std::max)(s.begin, t)), ray = (std::max)(FT(0), s.distance_at(abscissa));
+  const FT distance = abscissa == t ? (std::max)(FT(0), FT(s.distance_at(x) + s.direction_y * y))
+                                    : FT(ray + norm<FT>(x - abscissa, y));
+  if(!(distance < arrival.distance))
+    return;
+  arrival = Location_arrival<FT>();
+  arrival.distance = distance;
+  arrival.halfedge = h;
+  arrival.abscissa = abscissa;
+  arrival.image_x = abscissa - s.direction_x * ray;
+  arrival.image_depth = s.direction_y * ray;
+  arrival.inside = norm<FT>(x - abscissa, y);
+  arrival.x = x;
+  arrival.y = y;
+  arrival.side = s.side;
+  arrival.foot = s.foot_at(abscissa);
+}
+
 // Returns the arrival at the point of face f with the barycentric coordinates b: the minimum over the three corners and
 // the windows kept on the three edges. Ties go to the candidate that comes first: edges in the order of their index,
-// the corner at the source of an edge before its windows, windows of later lists before those of earlier ones.
-// Requires: `windows` holds those of the propagation that has filled `field`; b >= 0.
-// Complexity: linear in the number of windows kept on the three edges.
+// the corner at the source of an edge before its windows, windows of later lists before those of earlier ones, windows
+// before strips.
+// Requires: `windows` holds those of the propagation that has filled `field`, and `strips`, unless it is null, its
+// strips; b >= 0.
+// Complexity: linear in the number of windows and strips kept on the three edges.
 // Law: at corner k the distance is at most that of the vertex.
 template <typename FT>
 Location_arrival<FT> arrival_at_location(const Intrinsic_mesh<FT>& mesh,
                                          const Vertex_distance_field<FT>& field,
                                          const Edge_window_field<FT>& windows, Face_id f,
-                                         const std::array<FT, 3>& b)
+                                         const std::array<FT, 3>& b, const Edge_strip_field<FT>* strips = nullptr)
 {
   CGAL_assertion(f < mesh.number_of_faces());
   CGAL_expensive_assertion(b[0] >= 0 && b[1] >= 0 && b[2] >= 0);
@@ -114,6 +151,8 @@ Location_arrival<FT> arrival_at_location(const Intrinsic_mesh<FT>& mesh,
     }
     windows.for_each_window(h, [&](const Kept_window<FT>& w)
     { improve_arrival(arrival, w, field.distance[w.root], h, p[0], p[1]); });
+    if(strips != nullptr)
+      strips->for_each_strip(h, [&](const Strip<FT>& s) { improve_arrival(arrival, s, h, p[0], p[1]); });
   }
   return arrival;
 }

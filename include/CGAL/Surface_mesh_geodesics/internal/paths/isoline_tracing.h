@@ -29,6 +29,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Edge_window_field.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/strips/Edge_strip_field.h>
 
 #include <CGAL/assertions.h>
 
@@ -69,8 +70,10 @@ public:
 
   // The error of a point is at most `resolution` times the length of its edge, beyond that of the distances.
   // Requires: `windows` holds those of the propagation that has filled `field`; resolution > 0.
-  Isoline_tracer(const Mesh& mesh, const Field& field, const Windows& windows, const FT& resolution)
-    : m_mesh(mesh), m_field(field), m_windows(windows), m_resolution(resolution)
+  // `strips` are those of the same propagation if curves are among its sources, else null.
+  Isoline_tracer(const Mesh& mesh, const Field& field, const Windows& windows, const FT& resolution,
+                 const Edge_strip_field<FT>* strips = nullptr)
+    : m_mesh(mesh), m_field(field), m_windows(windows), m_strips(strips), m_resolution(resolution)
   {
     CGAL_assertion(resolution > 0);
   }
@@ -137,7 +140,7 @@ private:
   // Return the distance of a point of a face, and of the point at t of a halfedge, from the nearest source.
   FT distance_at(Face_id f, const std::array<FT, 3>& b) const
   {
-    return arrival_at_location(m_mesh, m_field, m_windows, f, b).distance;
+    return arrival_at_location(m_mesh, m_field, m_windows, f, b, m_strips).distance;
   }
 
   FT distance_on_edge(Halfedge_id h, const FT& t) const
@@ -304,6 +307,7 @@ private:
   const Mesh& m_mesh;
   const Field& m_field;
   const Windows& m_windows;
+  const Edge_strip_field<FT>* m_strips;
   FT m_resolution;
   std::vector<Point> m_points;
   std::vector<std::array<Point_index, 2>> m_neighbors;        // of each point, on its line; null_id if missing

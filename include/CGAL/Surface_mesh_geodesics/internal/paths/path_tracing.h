@@ -24,12 +24,14 @@
 #include <CGAL/Surface_mesh_geodesics/internal/paths/distance_at_location.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/strips/Curve_arrivals.h>
 
 #include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 namespace CGAL {
 namespace Surface_mesh_geodesics {
@@ -43,13 +45,16 @@ public:
   using Field = Vertex_distance_field<FT>;
   using Steps = Path_steps<FT>;
 
-  Path_tracer(const Mesh& mesh, const Field& field) : m_mesh(mesh), m_field(field) {}
+  // `curves` is null if all sources are points.
+  Path_tracer(const Mesh& mesh, const Field& field, const Curve_arrivals<FT>* curves = nullptr)
+    : m_mesh(mesh), m_field(field), m_curves(curves)
+  {}
 
   // Appends the path from v to its source, both included. Returns false if no path of the right length has been found;
   // `path` is meaningless then.
   // Requires: v is reached, `path` is empty, the field has images. If it returns true: points that follow each other
-  // share a face, the last one is a source, and the sum of the gaps plus the offset of the source is the distance of v,
-  // up to Tolerance::path() of the distance for each piece.
+  // share a face, the last one is a source or a point of a source edge, and the sum of the gaps plus the offset of the
+  // source is the distance of v, up to Tolerance::path() of the distance for each piece.
   // Complexity: linear in the number of faces crossed, unless the search is needed.
   bool trace_from_vertex(Vertex_id v, Steps& path) const
   {
@@ -69,17 +74,19 @@ public:
   }
 
   // The same from the point of face f with the barycentric coordinates b, which is not appended.
-  // Requires: `arrival` is that of the point, its root is not null_id.
+  // Requires: `arrival` is that of the point, which is reached.
   bool trace_from_location(Face_id f, const std::array<FT, 3>& b, const Location_arrival<FT>& arrival,
                            Steps& path) const
   {
-    CGAL_assertion(arrival.root != null_id && path.empty() && m_field.keeps_images);
+    CGAL_assertion(arrival.is_reached() && path.empty() && m_field.keeps_images);
     bool is_found = trace_along(f, arrival, path);
     if(!is_found)
     {
       path.clear();
+      const std::uint32_t source = arrival.side != null_id ? m_curves->curves.edges[arrival.side / 2].curve
+                                                           : source_of_path(m_field, m_curves, arrival.root);
       is_found = search(arrival.distance, [&](Path_search<FT>& s, const FT& tolerance)
-      { return s.from_location(f, b, arrival.root, arrival.distance, tolerance, path); });
+      { return s.from_location(f, b, source, arrival.distance, tolerance, path); });
     }
     CGAL_expensive_assertion(!is_found || is_path_of_length(path, arrival.distance));
     return is_found;
@@ -89,20 +96,20 @@ private:
   // Follows the path from a point of face f as it arrives there: straight from a corner, or through an edge.
   bool trace_along(Face_id f, const Location_arrival<FT>& arrival, Steps& path) const
   {
-    Vertex_id v = arrival.root;
+    Piece_end end{arrival.root};
     if(arrival.halfedge == null_id)
     {
       Path_step<FT> step;
-      step.vertex = v;
+      step.vertex = arrival.root;
       step.face = f;
       step.gap = arrival.inside;
       path.push_back(step);
     }
     else
-      v = trace_piece({arrival.halfedge, arrival.x, arrival.y, arrival.abscissa, arrival.image_x,
-                       arrival.image_depth, arrival.root, arrival.distance},
-                      path);
-    return v != null_id && trace_onwards(v, path);
+      end = trace_piece({arrival.halfedge, arrival.x, arrival.y, arrival.abscissa, arrival.image_x,
+                         arrival.image_depth, arrival.root, arrival.distance, arrival.side},
+                        path);
+    return end.is_at_foot || (end.vertex != null_id && trace_onwards(end.vertex, path));
   }
 
   // Searches for a path whose length is `distance`, with wider and wider tolerances: the first search should not stop
@@ -116,7 +123,7 @@ private:
   {
     using T = Tolerance<FT>;
     const FT relative = T::path() * distance;
-    Path_search<FT> s(m_mesh, m_field);
+    Path_search<FT> s(m_mesh, m_field, m_curves);
     for(const FT& tolerance :
         {FT(T::path_through_few_faces() * distance), relative, FT(relative + T::lengthwise()),
          FT(T::path_of_many_pieces() * distance + T::lengthwise_of_many_pieces())})
@@ -133,7 +140,10 @@ private:
     {
       if(m_field.is_source(v))
         return true;
-      v = trace_piece(piece_to(v), path);
+      const Piece_end end = trace_piece(piece_to(v), path);
+      if(end.is_at_foot)
+        return true;
+      v = end.vertex;
     }
     return false;
   }
@@ -146,26 +156,27 @@ private:
     const Vertex_arrival<FT>& arrival = m_field.arrival[v];
     const Arrival_image<FT>& image = m_field.image[v];
     const Face_frame<FT> c = m_mesh.face_frame(arrival.halfedge);
-    return {arrival.halfedge, c.apex_x, c.apex_y, arrival.abscissa, image.x, image.depth, arrival.root,
-            m_field.distance[v]};
+    const bool comes_from_foot = arrival.root == v; // a strip has reached it last
+    return {arrival.halfedge, c.apex_x, c.apex_y, arrival.abscissa, image.x, image.depth,
+            comes_from_foot ? Vertex_id(null_id) : arrival.root, m_field.distance[v],
+            comes_from_foot ? m_curves->foot[v].side : std::uint32_t(null_id)};
   }
 
-  // Appends a piece and returns the vertex where it ends; null_id, and nothing appended, if no attempt gives the right
-  // length. The tolerances of the first attempt are relative to the lengths on the way of the line. But the distance
-  // and the image may come from farther away, so those of the second one are relative to the longest length of the
-  // mesh, 1.
-  Vertex_id trace_piece(const Piece_start<FT>& start, Steps& path) const
+  // Appends a piece and returns where it ends; if no attempt gives the right length, nothing is appended. The
+  // tolerances of the first attempt are relative to the lengths on the way of the line. But the distance and the image
+  // may come from farther away, so those of the second one are relative to the longest length of the mesh, 1.
+  Piece_end trace_piece(const Piece_start<FT>& start, Steps& path) const
   {
     const std::size_t size = path.size();
     for(const int smallest_scale : {0, 1})
     {
-      Straight_piece<FT> piece(m_mesh, m_field, FT(smallest_scale), path);
-      const Vertex_id end = piece.trace(start);
-      if(end != null_id)
+      Straight_piece<FT> piece(m_mesh, m_field, FT(smallest_scale), path, m_curves);
+      const Piece_end end = piece.trace(start);
+      if(end.is_found())
         return end;
       path.resize(size);
     }
-    return null_id;
+    return {};
   }
 
   // Checks what the trace functions promise: a source at the end, and the length, with a tolerance for each step. (Each
@@ -175,15 +186,26 @@ private:
   {
     using std::abs;
     const FT one = Tolerance<FT>::path() * distance + Tolerance<FT>::lengthwise() * (std::max)(FT(1), distance);
-    const Vertex_id end = path.back().vertex;
     const std::size_t for_search = 2 * 64;
     const FT number = FT(static_cast<double>(path.size() + for_search));
-    return end != null_id && m_field.is_source(end)
-        && abs(FT(length_of(path) + m_field.distance[end] - distance)) <= number * one;
+    return abs(FT(length_of(path) + offset_at_end(path) - distance)) <= number * one;
+  }
+
+  // A path to a foot ends inside of a source edge of the refined mesh; no other step of a path may end it there.
+  //
+  // Returns the offset of the source at which a path ends; infinity if it ends somewhere else.
+  FT offset_at_end(const Steps& path) const
+  {
+    const Path_step<FT>& end = path.back();
+    if(end.vertex != null_id)
+      return m_field.is_source(end.vertex) ? m_field.distance[end.vertex] : Field::infinity();
+    const std::uint32_t side = m_curves != nullptr ? m_curves->side_of(end.halfedge) : std::uint32_t(null_id);
+    return side != null_id ? m_curves->curves.edges[side / 2].offset : Field::infinity();
   }
 
   const Mesh& m_mesh;
   const Field& m_field;
+  const Curve_arrivals<FT>* m_curves;
 };
 
 } // namespace internal

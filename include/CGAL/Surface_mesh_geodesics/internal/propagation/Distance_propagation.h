@@ -124,7 +124,9 @@ public:
     m_strips.start(curves, m_wavefront, pusher());
   }
 
+  // The strips, and what they know of paths. They may be told to keep themselves before a run.
   const Strips& strips() const { return m_strips; }
+  Strips& strips() { return m_strips; }
 
   // Does not propagate windows beyond d. Requires: d >= 0. Smaller distances are the same, bit by bit, as without
   // limit.

@@ -26,6 +26,7 @@
 
 #include <CGAL/assertions.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -149,13 +150,20 @@ private:
   // The angle by which the direction of arrival is uncertain. Paths whose directions of arrival differ by less have the
   // same length up to rounding: turning the last straight piece, of length l, by an angle t makes a path longer by
   // l t^2 / 2. Hence t = sqrt(2 rounding / l), with a factor of 2 sqrt 2 to spare, plus the error of a sum of angles.
-  static FT uncertainty_of_direction(const Face_frame<FT>& c, const Star& star)
+  //
+  // The lengths that are compared are those of paths beyond the vertex, at the edges and corners of the star: there the
+  // vertex wins ties, so it has to emit wherever rounding makes one. A source that is much nearer to the vertex than
+  // the edges are long has a small distance, but ties as far as the edges reach.
+  FT uncertainty_of_direction(const Face_frame<FT>& c, const Star& star) const
   {
     using std::sqrt;
     const FT piece = norm<FT>(c.apex_x - star.arrival.abscissa, c.apex_y);
     if(!(piece > 0))
       return 1;
-    const FT rounding = Tolerance<FT>::distance() * star.distance;
+    FT reach = 0; // the longest edge around the vertex
+    for(const auto& face : star.faces)
+      reach = (std::max)(reach, m_mesh.length(face.halfedge));
+    const FT rounding = Tolerance<FT>::distance() * (star.distance + reach);
     return 4 * sqrt(FT(rounding / piece)) + Tolerance<FT>::direction();
   }
 

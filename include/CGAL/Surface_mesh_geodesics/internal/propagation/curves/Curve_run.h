@@ -24,8 +24,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/surface/curves/Source_curves.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Edge_window_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Pruning_rules.h>
-
-#include <CGAL/assertions.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/strips/Curve_arrivals.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -92,20 +91,7 @@ public:
   // at which the path bends, and logarithmic in that of vertices on curves. Requires: v has been reached.
   Curve_point<FT> foot(Vertex_id v) const
   {
-    const Vertex_id root = m_field.source_of(v);
-    CGAL_assertion(root != null_id);
-    if(m_field.is_source(root))
-    {
-      const auto it = std::lower_bound(m_curves.vertices.begin(), m_curves.vertices.end(), root,
-                                       [](const Source_vertex<FT>& a, Vertex_id b) { return a.vertex < b; });
-      CGAL_assertion(it != m_curves.vertices.end() && it->vertex == root);
-      return it->point;
-    }
-    const auto& foot = m_propagation.strips().foot(root);
-    const Source_edge<FT>& e = m_curves.edges[foot.side / 2];
-    const FT along = (std::min)(FT(1), (std::max)(FT(0), FT(foot.abscissa / e.length)));
-    const FT t = foot.side % 2 == 0 ? along : FT(1 - along);
-    return {e.curve, e.segment, FT(e.first_parameter + t * (e.last_parameter - e.first_parameter))};
+    return curve_point_of_vertex(m_curves, m_field, [this](Vertex_id u) { return m_propagation.strips().foot(u); }, v);
   }
 
   // Returns all vertices that the last run touched, each once; also those of the refined mesh. For results of runs that

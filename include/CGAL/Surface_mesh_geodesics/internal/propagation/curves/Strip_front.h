@@ -27,12 +27,14 @@
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Wavefront.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Wavefront_queue.h>
-#include <CGAL/Surface_mesh_geodesics/internal/propagation/curves/Strip.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/curves/Source_curves.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/unfolding.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Vertex_rival.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/strips/Curve_arrivals.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/strips/Edge_strip_field.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/strips/Strip.h>
 
 #include <CGAL/assertions.h>
 
@@ -86,6 +88,10 @@ public:
     m_maximum_distance = Field::infinity();
     m_number_crossed = m_number_created = 0;
   }
+
+  // Keeps the strips that cross faces from now on, for queries; the field must be reset for the mesh, and outlive the
+  // run. Null keeps none.
+  void keep_in(Edge_strip_field<FT>* kept) { m_kept = kept; }
 
   // Drops strips that are farther away. Requires: d >= 0.
   void set_maximum_distance(const FT& d) { m_maximum_distance = d; }
@@ -153,13 +159,10 @@ public:
   // Where a strip last improved a vertex: the foot of that path. It counts for vertices that are their own roots, but
   // no sources: only then a strip has reached them last.
   // (The field of distances has no room for it: propagations from points would pay for that.)
-  struct Foot
-  {
-    std::uint32_t side; // see Strip
-    FT abscissa;        // in the frame of the halfedge on that side
-  };
+  const Strip_foot<FT>& foot(Vertex_id v) const { return m_foot[v]; }
 
-  const Foot& foot(Vertex_id v) const { return m_foot[v]; }
+  // The same of all vertices, for results that outlive the run.
+  const std::vector<Strip_foot<FT>>& feet() const { return m_foot; }
 
   std::size_t number_crossed() const { return m_number_crossed; }
   std::size_t number_created() const { return m_number_created; }
@@ -170,7 +173,8 @@ public:
     std::size_t n = m_crossing.capacity();
     for(const List& l : m_lists)
       n += l.capacity();
-    return n * sizeof(Strip<FT>) + m_foot.capacity() * sizeof(Foot) + 2 * m_slot.capacity() * sizeof(std::uint32_t);
+    return n * sizeof(Strip<FT>) + m_foot.capacity() * sizeof(Strip_foot<FT>)
+         + 2 * m_slot.capacity() * sizeof(std::uint32_t);
   }
 
 private:
@@ -267,6 +271,9 @@ private:
       if(!trim(s, c.length, a, b))
         continue;
       ++m_number_crossed;
+      // Also a sliver, which goes no farther: points of this face may lie on its rays.
+      if(m_kept != nullptr)
+        m_kept->keep(h, s);
       if(distance_at_apex(s, c) < m_field.distance[c.apex])
         are_windows_stale |= improve_apex(s, h, c, wavefront, push);
       if(!s.is_sliver(c.length) && s.faces_crossed < most_faces)
@@ -278,21 +285,30 @@ private:
 
   // Improves the apex by the ray through it, or by the nearest ray and a bend at AB. The latter keeps the apex reached
   // where rounding has moved the end of the interval past its ray.
+  //
+  // The image of the arrival is the foot of the ray, unfolded: paths run back to it as to the image of a root. (It is
+  // farther away where the source edge has an offset; directions are the same.)
   template <typename Wave, typename Push>
   bool improve_apex(const Strip<FT>& s, Halfedge_id h, const Face_frame<FT>& c, Wave& wavefront, Push push)
   {
     const FT apex = abscissa_of_apex(s, c), x = (std::min)(s.end, (std::max)(s.begin, apex));
-    const FT d = x == apex ? distance_at_apex(s, c) : FT(s.distance_at(x) + norm<FT>(c.apex_x - x, c.apex_y));
+    // Beside a curve, rounding may be larger than the distance: a negative one would beat the curve itself, and queries
+    // would take it for that of a point that no source reaches.
+    // `ray` is the length of the ray up to AB.
+    const FT ray = (std::max)(FT(0), s.distance_at(x));
+    const FT d = x == apex ? (std::max)(FT(0), distance_at_apex(s, c)) : FT(ray + norm<FT>(c.apex_x - x, c.apex_y));
     if(!(d < m_field.distance[c.apex]))
       return false;
     Vertex_arrival<FT> arrival;
     arrival.abscissa = x;
     arrival.halfedge = h;
     arrival.root = c.apex;
-    const bool are_windows_stale
-      = wavefront.improve(c.apex, d, arrival, Arrival_image<FT>(), wavefront.reached(), push);
+    Arrival_image<FT> image;
+    image.x = x - s.direction_x * ray;
+    image.depth = s.direction_y * ray;
+    const bool are_windows_stale = wavefront.improve(c.apex, d, arrival, image, wavefront.reached(), push);
     if(m_field.distance[c.apex] == d)
-      m_foot[c.apex] = Foot{s.side, s.foot_at(x)};
+      m_foot[c.apex] = Strip_foot<FT>{s.side, s.foot_at(x)};
     return are_windows_stale;
   }
 
@@ -303,7 +319,8 @@ private:
   std::deque<List> m_lists;
   std::vector<std::uint32_t> m_free;
   List m_crossing; // the strips that cross a face; a buffer between calls
-  std::vector<Foot> m_foot; // by vertex
+  std::vector<Strip_foot<FT>> m_foot; // by vertex
+  Edge_strip_field<FT>* m_kept = nullptr;
   FT m_maximum_distance = Field::infinity();
   std::size_t m_number_crossed = 0, m_number_created = 0;
 };

@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Surface_mesh_geodesics authors
 
-#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_CURVES_STRIP_H
-#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_CURVES_STRIP_H
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_STRIPS_STRIP_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_STRIPS_STRIP_H
 
 // A strip: parallel rays from a part of a source edge, all across the same edges. It is to a segment what a window is
 // to a point. From the inside of a segment, shortest paths leave at a right angle, to both sides; unfolded into one
@@ -104,21 +104,25 @@ FT distance_at_apex(const Strip<FT>& s, const Face_frame<FT>& c)
 // Requires: last <= apex, the abscissa of the ray through C. Then apex > 0 tells that rays cross AC at all. AC has a
 // length.
 //
-// Formulas. Rotation by the angle of AC. Abscissas on AC are those on AB times |AC| / apex (parallel projection), and
-// so are, inversely, the heights of the directions.
+// Formulas. The direction turns by the angle of AC. Abscissas on AC are those on AB times |AC| / apex (parallel
+// projection). That factor is also the inverse ratio of the heights of the directions, which is right to the last
+// digits beside sides that are much shorter than AB; there the difference of two abscissas on AB is not.
 template <typename FT>
 bool turn_left(Strip<FT>& s, const Face_frame<FT>& c, const Side_angle<FT>& angle, const FT& apex, const FT& last)
 {
   const FT end = (std::min)(s.end, last);
   if(!(apex > 0) || !(s.begin < end))
     return false;
-  const FT ratio = c.left_length / apex;
+  const FT height = s.direction_y * angle.cosine - s.direction_x * angle.sine;
+  if(!(height > 0))
+    return false;
+  const FT ratio = s.direction_y / height;
   s.begin = (std::min)(c.left_length, FT(s.begin * ratio));
   s.end = end >= apex ? c.left_length : (std::min)(c.left_length, FT(end * ratio));
   s.direction_x = s.direction_x * angle.cosine + s.direction_y * angle.sine;
-  s.direction_y = s.direction_y / ratio;
+  s.direction_y = height;
   ++s.faces_crossed;
-  return s.begin < s.end && s.direction_y > 0;
+  return s.begin < s.end;
 }
 
 // The mirror image: the part that crosses AB from `first` on, and then CB. `angle` is right_angle(c).
@@ -126,23 +130,24 @@ bool turn_left(Strip<FT>& s, const Face_frame<FT>& c, const Side_angle<FT>& angl
 template <typename FT>
 bool turn_right(Strip<FT>& s, const Face_frame<FT>& c, const Side_angle<FT>& angle, const FT& apex, const FT& first)
 {
-  const FT begin = (std::max)(s.begin, first), rest = c.length - apex;
-  if(!(rest > 0) || !(begin < s.end))
+  const FT begin = (std::max)(s.begin, first);
+  const FT height = s.direction_y * angle.cosine + s.direction_x * angle.sine;
+  if(!(height > 0) || !(c.length > apex) || !(begin < s.end))
     return false;
-  const FT ratio = c.right_length / rest;
+  const FT ratio = s.direction_y / height;
   const FT at_target = s.distance_at(c.length), foot_of_target = s.foot_at(c.length);
   s.begin = begin <= apex ? FT(0) : (std::max)(FT(0), FT(c.right_length - (c.length - begin) * ratio));
   s.end = (std::max)(FT(0), FT(c.right_length - (c.length - s.end) * ratio));
   s.direction_x = s.direction_x * angle.cosine - s.direction_y * angle.sine;
-  s.direction_y = s.direction_y / ratio;
+  s.direction_y = height;
   s.distance = at_target - s.direction_x * c.right_length;
   s.foot = foot_of_target - s.direction_y * c.right_length;
   ++s.faces_crossed;
-  return s.begin < s.end && s.direction_y > 0;
+  return s.begin < s.end;
 }
 
 } // namespace internal
 } // namespace Surface_mesh_geodesics
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PROPAGATION_CURVES_STRIP_H
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_STRIPS_STRIP_H

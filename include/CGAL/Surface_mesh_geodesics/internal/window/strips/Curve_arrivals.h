@@ -1,0 +1,142 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_STRIPS_CURVE_ARRIVALS_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_STRIPS_CURVE_ARRIVALS_H
+
+// Where paths from curves begin: what is known of them besides the field of distances. A path ends, seen from its
+// other end, at a vertex of a curve, as from any source; or it runs along a ray of a strip to the foot of that ray, a
+// point inside of a source edge.
+
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/curves/Source_curves.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/strips/Edge_strip_field.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+// The foot of a ray: on a side of a source edge (Strip::side), at an abscissa in the frame of the halfedge on that
+// side.
+template <typename FT>
+struct Strip_foot
+{
+  std::uint32_t side;
+  FT abscissa;
+};
+
+// The halfedge on a side of a source edge; its face is the one that the rays enter first.
+template <typename FT>
+Halfedge_id halfedge_of_side(const Source_curves<FT>& curves, std::uint32_t side)
+{
+  const Source_edge<FT>& e = curves.edges[side / 2];
+  return side % 2 == 0 ? e.left : e.right;
+}
+
+// The point of a curve at a foot. Rounding may have moved the foot past an end of its edge.
+template <typename FT>
+Curve_point<FT> curve_point_of_foot(const Source_curves<FT>& curves, const Strip_foot<FT>& foot)
+{
+  const Source_edge<FT>& e = curves.edges[foot.side / 2];
+  const FT along = (std::min)(FT(1), (std::max)(FT(0), FT(foot.abscissa / e.length)));
+  const FT t = foot.side % 2 == 0 ? along : FT(1 - along);
+  return {e.curve, e.segment, FT(e.first_parameter + t * (e.last_parameter - e.first_parameter))};
+}
+
+// The point of a curve from which the shortest path to v comes. A vertex that a strip has reached is its own root, but
+// no source; foot_of(vertex) is where that path begins. Takes time linear in the number of vertices at which the path
+// bends, and logarithmic in that of vertices on curves. Requires: v is reached.
+template <typename FT, typename FootOf>
+Curve_point<FT> curve_point_of_vertex(const Source_curves<FT>& curves, const Vertex_distance_field<FT>& field,
+                                      FootOf foot_of, Vertex_id v)
+{
+  const Vertex_id root = field.source_of(v);
+  CGAL_assertion(root != null_id);
+  if(!field.is_source(root))
+    return curve_point_of_foot(curves, foot_of(root));
+  const auto it = std::lower_bound(curves.vertices.begin(), curves.vertices.end(), root,
+                                   [](const Source_vertex<FT>& a, Vertex_id b) { return a.vertex < b; });
+  CGAL_assertion(it != curves.vertices.end() && it->vertex == root);
+  return it->point;
+}
+
+// What queries of paths read. The curves are inserted into the mesh as long as they are known here.
+//
+// Invariant: m_side has the halfedges on all sides of `curves.edges`.
+template <typename FT>
+struct Curve_arrivals
+{
+  Source_curves<FT> curves;
+  Edge_strip_field<FT> strips;
+  std::vector<Strip_foot<FT>> foot; // by vertex; counts for those that are their own roots, but no sources
+
+  // Replaces the curves and forgets what is known of paths. Linear in the number of source edges.
+  void set_curves(Source_curves<FT> inserted)
+  {
+    clear();
+    curves = std::move(inserted);
+    for(std::uint32_t side = 0; side < 2 * curves.edges.size(); ++side)
+      if(halfedge_of_side(curves, side) != null_id)
+        m_side.emplace(halfedge_of_side(curves, side), side);
+  }
+
+  void clear()
+  {
+    curves = Source_curves<FT>();
+    m_side.clear();
+    forget_paths();
+  }
+
+  // Forgets the result of a run, but not the curves, which stay inserted.
+  void forget_paths()
+  {
+    strips.clear();
+    foot = std::vector<Strip_foot<FT>>();
+  }
+
+  // Returns the side of a source edge that a halfedge is, or null_id.
+  std::uint32_t side_of(Halfedge_id h) const
+  {
+    const auto it = m_side.find(h);
+    return it == m_side.end() ? null_id : it->second;
+  }
+
+  // The point of a curve from which the shortest path to v comes. Requires: v is reached.
+  Curve_point<FT> point_of(const Vertex_distance_field<FT>& field, Vertex_id v) const
+  {
+    return curve_point_of_vertex(curves, field, [this](Vertex_id u) { return foot[u]; }, v);
+  }
+
+  // An estimate: nodes of the table are larger than their contents.
+  std::size_t memory() const
+  {
+    return strips.memory() + foot.capacity() * sizeof(Strip_foot<FT>)
+         + curves.edges.capacity() * sizeof(Source_edge<FT>) + curves.vertices.capacity() * sizeof(Source_vertex<FT>)
+         + m_side.size() * (sizeof(Halfedge_id) + sizeof(std::uint32_t));
+  }
+
+private:
+  std::unordered_map<Halfedge_id, std::uint32_t> m_side;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_STRIPS_CURVE_ARRIVALS_H

@@ -1,0 +1,90 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_STRIPS_EDGE_STRIP_FIELD_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_STRIPS_EDGE_STRIP_FIELD_H
+
+// The strips that a propagation has carried across each halfedge, kept for queries at any point of the surface. They
+// are to a propagation from curves what the windows of Edge_window_field.h are to any propagation.
+//
+// A kept strip has been trimmed by the vertices that were known when it crossed its edge. What vertices have beaten
+// since costs memory only: each ray is a path on the surface, and its length is right.
+
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/strips/Strip.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+// The strips of all halfedges in one vector, in the order in which they were kept. Those of a halfedge form a chain,
+// the latest first. Strips cross the faces in one thread, so nothing is guarded.
+//
+// Invariant: the chain of a halfedge leads from later strips to earlier ones, and so it ends.
+template <typename FT>
+class Edge_strip_field
+{
+public:
+  // Removes all strips, and prepares for a mesh with this number of faces. Linear in that number.
+  void reset(std::size_t number_of_faces)
+  {
+    m_last.assign(3 * number_of_faces, null_id);
+    m_strips.clear();
+  }
+
+  // Removes all strips and frees the memory.
+  void clear()
+  {
+    m_last = std::vector<std::uint32_t>();
+    m_strips = std::vector<Kept>();
+  }
+
+  // Keeps a strip that crosses h. Takes constant time, amortized. Requires: reset() for a mesh with h.
+  void keep(Halfedge_id h, const Strip<FT>& s)
+  {
+    std::uint32_t& last = m_last[dense_index(h)];
+    m_strips.push_back(Kept{s, last});
+    last = static_cast<std::uint32_t>(m_strips.size() - 1);
+  }
+
+  // Calls visit(strip) for all strips of h, the latest first. Linear in their number; none if nothing has been kept.
+  template <typename Visit>
+  void for_each_strip(Halfedge_id h, Visit visit) const
+  {
+    if(!m_strips.empty())
+      for(std::uint32_t i = m_last[dense_index(h)]; i != null_id; i = m_strips[i].previous)
+        visit(m_strips[i].strip);
+  }
+
+  std::size_t memory() const
+  {
+    return m_strips.capacity() * sizeof(Kept) + m_last.capacity() * sizeof(std::uint32_t);
+  }
+
+private:
+  struct Kept
+  {
+    Strip<FT> strip;
+    std::uint32_t previous; // on the same halfedge, or null_id
+  };
+
+  std::vector<std::uint32_t> m_last; // by halfedge
+  std::vector<Kept> m_strips;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_STRIPS_EDGE_STRIP_FIELD_H
