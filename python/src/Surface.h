@@ -115,10 +115,10 @@ public:
 
   void on_propagation_begin(std::size_t number_of_vertices) { m_number_of_vertices = number_of_vertices; }
 
-  // With several threads, there may be hundreds of visits between two calls.
+  // With several threads, there may be hundreds of visits between two calls; and none, while a certificate is checked.
   void on_progress(std::size_t number_of_visits, double)
   {
-    if(number_of_visits - m_last_visits < 64) // (larger if a run begins)
+    if(number_of_visits - m_last_visits < 64 && ++m_calls % 64 != 0) // (larger if a run begins)
       return;
     m_last_visits = number_of_visits;
     set_part_done(double(m_run) + double(number_of_visits) / double(m_number_of_vertices + 1));
@@ -171,7 +171,7 @@ private:
   std::chrono::steady_clock::time_point m_next_question;
   py::object m_progress;
   std::exception_ptr m_interruption; // what Python has thrown
-  std::size_t m_number_of_runs, m_run = 0, m_number_of_vertices = 0, m_last_visits = 0;
+  std::size_t m_number_of_runs, m_run = 0, m_number_of_vertices = 0, m_last_visits = 0, m_calls = 0;
   std::atomic<double> m_part_done{0};
   std::atomic<bool> m_is_stopped{false}, m_is_in_python{false}, m_is_at_end{false};
 };

@@ -36,8 +36,9 @@ class Solver:
     vertices, or a pair of arrays (faces, coordinates). A `Curve` is a source of `distances()`, too.
 
     Several threads may use one solver; computations of distances and paths wait for the one before. Computations run
-    without the lock of the interpreter. Ctrl-C ends them within 0.2 seconds if there are 75,000 faces; of a million
-    faces, the last step of a relaxation or a remeshing takes seconds. `progress` is called
+    without the lock of the interpreter. Ctrl-C ends them within 0.2 seconds if there are 75,000 faces. What
+    takes seconds is the last step of a relaxation or a remeshing of a million faces, and `areas`, `energy` and
+    `check_dual()` of a diagram with thousands of sites. `progress` is called
     with a number from 0 to 1 some twenty times a second, and never if the call is short; it must not use the solver
     that computes (RuntimeError). Solvers can be pickled, as those of derived classes with their attributes; the mesh is
     read again then. A process must not be forked while another of its threads computes.

@@ -61,7 +61,7 @@ def test_ctrl_c(call, tmp_path):
     assert "interrupted after" in done.stdout and "works" in done.stdout, done.stderr
     seconds = float(re.search("interrupted after (.*)", done.stdout)[1])  # of the processors, for all threads
     print(f"{call} ends after {seconds:.3f} s")  # pytest -s shows it
-    assert seconds < 5  # at once, for a program that would take minutes
+    assert seconds < 2  # at once, for a program that would take minutes; 0.2 s of an idle machine
 
 
 @pytest.mark.parametrize("call", ["s.distances(0)", "smg.Solver(V, F)", "v.areas", "s.matrix(range(9))", "v.cut()"])

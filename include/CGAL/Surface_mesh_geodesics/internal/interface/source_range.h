@@ -21,6 +21,7 @@
 #include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
 #include <iterator>
@@ -197,14 +198,15 @@ bool is_face_of(typename boost::graph_traits<TriangleMesh>::face_descriptor f, c
 // They are given to the reader as flags by the index of a face: the reader meets each face once, and asks with its
 // index at hand. So faces to avoid cost one array of bytes, and a mesh without them costs one test in all.
 
-// True for a property map: such types name their category. All other types are ranges. (Both may have begin().)
+// True for a property map: its traits name a category, also where a user has specialized them. All other types are
+// ranges. (Both may have begin().)
 template <typename T, typename = void>
 struct Is_property_map
   : std::false_type
 {};
 
 template <typename T>
-struct Is_property_map<T, std::void_t<typename T::category>>
+struct Is_property_map<T, std::void_t<typename boost::property_traits<T>::category>>
   : std::true_type
 {};
 
@@ -227,7 +229,7 @@ std::vector<char> flags_of_avoided_faces(const TriangleMesh& tm, const FaceIndex
   if constexpr(Is_property_map<Faces>::value)
   {
     // Numbers convert to bool, too: a map of patches would avoid all faces but those of patch 0.
-    static_assert(std::is_same<typename Faces::value_type, bool>::value,
+    static_assert(std::is_same<typename boost::property_traits<Faces>::value_type, bool>::value,
                   "the value of the named parameter faces_to_avoid is a map, but its values are not of type bool");
     for(const face_descriptor f : faces(tm))
       if(get(avoided, f) && is_face_of(f, tm, fim)) // an index out of range is rejected when the mesh is read

@@ -83,8 +83,8 @@ struct Has_parameter
   : std::integral_constant<bool, !CGAL::parameters::is_default_parameter<NamedParameters, Tag>::value>
 {};
 
-// The type of the value of a named parameter, without reference. A map in std::ref() is the map itself for CGAL, which
-// returns a reference to it.
+// The type of the value of a named parameter, without reference. (A map of the mesh in std::ref() is rejected: functions
+// of CGAL do not look through it either.)
 template <typename NamedParameters, typename Tag>
 using Value_of_parameter = std::decay_t<decltype(CGAL::parameters::get_parameter(
   std::declval<const NamedParameters&>(), std::declval<Tag>()))>;

@@ -20,6 +20,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_checks.h>
 
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/assertions.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -65,15 +66,27 @@ struct Sampling_options
 
 // Each function below returns the value of a parameter, or the default. Takes time linear in the length of a range.
 
-// The value of a parameter that converts to T without a cast, or the default value.
+// True if a value of type U means the same as a T. Fractions are no numbers of rows, texts and numbers no switches,
+// although they convert.
+template <typename U, typename T>
+constexpr bool is_value_of
+  = std::is_convertible<U, T>::value
+    && (!std::is_integral<T>::value
+        || (std::is_integral<U>::value && std::is_same<U, bool>::value == std::is_same<T, bool>::value));
+
+// The value of a parameter that means a T without a cast, or the default value. Requires: a value for an unsigned type
+// is not negative.
 template <typename T, typename Tag, typename NamedParameters>
 T value_parameter(const NamedParameters& np, Tag tag, const T& default_value)
 {
   if constexpr(Has_parameter<NamedParameters, Tag>::value)
   {
     const auto& value = parameters::get_parameter_reference(np, tag);
-    static_assert(std::is_convertible<decltype(value), T>::value,
+    using Value = std::remove_const_t<std::remove_reference_t<decltype(value)>>;
+    static_assert(is_value_of<Value, T>,
                   "the value of the named parameter 'Tag' does not convert to the documented type");
+    if constexpr(std::is_unsigned<T>::value && std::is_signed<Value>::value)
+      CGAL_precondition_msg(value >= 0, "the value of a named parameter is negative");
     return static_cast<T>(value);
   }
   else
@@ -155,8 +168,8 @@ auto distance_options(const NamedParameters& np)
   {
     // A map of distances would take the numbers as well, and no_source would be one of them.
     using Value = typename boost::property_traits<decltype(map)>::value_type;
-    static_assert(std::is_integral<Value>::value && !std::is_same<Value, bool>::value,
-                  "the values of the named parameter nearest_source_map are not integers");
+    static_assert(std::is_integral<Value>::value && sizeof(Value) >= 4,
+                  "the values of the named parameter nearest_source_map are not integers of at least 32 bits");
   }
   Distance_options<TriangleMesh, decltype(map)> options{
     number_parameter(np, internal_np::maximum_distance, std::numeric_limits<double>::infinity()),
