@@ -114,14 +114,32 @@ Distance_run::Distance_run(const Mesh& mesh, const std::vector<Face>& avoided, c
                            double radius, const Console& console)
   : m_mesh(mesh), m_console(console), m_paths(new Paths(mesh))
 {
+  run(avoided, sources, radius);
+}
+
+Distance_run::Distance_run(const Mesh& mesh, const std::vector<Face>& avoided, const std::vector<Curve>& sources,
+                           double radius, const Console& console)
+  : m_mesh(mesh), m_console(console), m_paths(new Paths(mesh))
+{
+  run(avoided, sources, radius);
+  const Location nowhere{Mesh::null_vertex(), Face_location(Mesh::null_face(), {0, 0, 0})};
+  for(const Vertex v : mesh.vertices())
+    m_field.foot.push_back(m_field.source[v] == Distance_field::no_source
+                             ? nowhere
+                             : as_location(m_paths->finder.nearest_location_of_sources(v), mesh));
+}
+
+template <typename Source>
+void Distance_run::run(const std::vector<Face>& avoided, const std::vector<Source>& sources, double radius)
+{
   Path_finder& finder = m_paths->finder;
   finder.avoid_faces(avoided);
   add_sources(finder, sources);
   {
-    Progress_visitor visitor(console, "distances");
+    Progress_visitor visitor(m_console, "distances");
     finder.build_sequence_tree_for_faces(visitor);
   }
-  for(const Vertex v : mesh.vertices())
+  for(const Vertex v : m_mesh.vertices())
   {
     const double d = finder.shortest_distance_to_source_points(v).first;
     const bool is_reached = d >= 0 && d <= radius; // -1: no source reaches the vertex

@@ -56,6 +56,8 @@ class Distance_run
 public:
   Distance_run(const Mesh& mesh, const std::vector<Face>& avoided, const std::vector<Location>& sources, double radius,
                const Console& console);
+  Distance_run(const Mesh& mesh, const std::vector<Face>& avoided, const std::vector<Curve>& sources, double radius,
+               const Console& console);
   ~Distance_run();
 
   Distance_run(const Distance_run&) = delete;
@@ -76,6 +78,9 @@ public:
   const Paths& paths() const { return *m_paths; }
 
 private:
+  template <typename Source>
+  void run(const std::vector<Face>& avoided, const std::vector<Source>& sources, double radius);
+
   const Mesh& m_mesh;
   const Console& m_console;
   std::unique_ptr<Paths> m_paths; // hides the headers of paths from the files that use this class

@@ -1,6 +1,7 @@
 #ifndef SURFACE_MESH_GEODESICS_DEMO_PATH_FINDER_H
 #define SURFACE_MESH_GEODESICS_DEMO_PATH_FINDER_H
 
+#include "Curve_options.h"
 #include "Distance_field.h"
 #include "Location_options.h"
 #include "Program_mesh.h"
@@ -29,6 +30,12 @@ inline void add_sources(Path_finder& paths, const std::vector<Location>& sources
     else
       paths.add_source_point(s.face_location);
   }
+}
+
+inline void add_sources(Path_finder& paths, const std::vector<Curve>& sources)
+{
+  for(const Curve& c : sources)
+    paths.add_source_curve(c);
 }
 
 } // namespace geodesics_demo

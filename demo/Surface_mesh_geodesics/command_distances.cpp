@@ -118,8 +118,26 @@ Drawing drawing_of_lines(const std::vector<Isoline>& isolines)
   return drawing;
 }
 
+Html_lines lines_along(const std::vector<Curve>& curves, const Mesh& mesh)
+{
+  Html_lines result{"curve", {}};
+  for(const Curve& c : curves)
+  {
+    std::vector<Point> points;
+    for(const Curve::Segment& s : c.segments())
+    {
+      if(points.empty())
+        points.push_back(point_of(as_location({s.face, s.source}, mesh), mesh));
+      points.push_back(point_of(as_location({s.face, s.target}, mesh), mesh));
+    }
+    if(!points.empty())
+      result.lines.push_back(points);
+  }
+  return result;
+}
+
 Html_page page_of(const std::string& file_name, const Mesh& mesh, const std::vector<Location>& sources,
-                  const Distance_run& run, const std::vector<double>& limits)
+                  const std::vector<Curve>& curves, const Distance_run& run, const std::vector<double>& limits)
 {
   Html_page page;
   page.title = "Geodesic distances";
@@ -127,29 +145,22 @@ Html_page page_of(const std::string& file_name, const Mesh& mesh, const std::vec
   page.mesh = &mesh;
   page.surface = run.surface();
   page.band_limits = limits;
-  page.lines = {run.lines_on(page.surface, limits)};
+  page.lines = {run.lines_on(page.surface, limits), lines_along(curves, mesh)};
   page.dots = {dots_at("source", sources, mesh)};
   return page;
 }
 
-// Isolines and pages need the windows of a propagation, which only points have.
+// Isolines and pages are those of distances without a sign.
 void check_curves(const Arguments& arguments, bool has_page)
 {
-  if(has(arguments, "signed") && !are_curves_given(arguments))
+  if(!has(arguments, "signed"))
+    return;
+  if(!are_curves_given(arguments))
     throw Command_error(Exit_code::BAD_USAGE, "--signed needs curves: --source-border or --source-curve");
-  for(const char* option : {"source-border", "source-curve"})
-    if(has(arguments, option) && (has(arguments, "lines") || has_page))
-      throw Command_error(Exit_code::BAD_USAGE, std::string("--") + option + " cannot be combined with "
-                                                  + (has_page ? "a page .html" : "--lines")
-                                                  + ": there are no isolines of distances from curves");
-}
-
-Distance_field distances_from_curves(const Arguments& arguments, const Mesh& mesh, const std::vector<Face>& avoided,
-                                     const std::vector<Location>& sources, double radius, const Console& console)
-{
-  const std::vector<Curve> curves = source_curves(arguments, mesh, sources, avoided, console);
-  return has(arguments, "signed") ? signed_distances_from(mesh, avoided, curves, radius, console)
-                                  : distances_from(mesh, avoided, curves, radius, console);
+  if(has(arguments, "lines") || has_page)
+    throw Command_error(Exit_code::BAD_USAGE, std::string("--signed cannot be combined with ")
+                                                + (has_page ? "a page .html" : "--lines")
+                                                + ", which show distances without a sign");
 }
 
 void run(const Arguments& arguments, const Console& console)
@@ -175,13 +186,16 @@ void run(const Arguments& arguments, const Console& console)
                                                    : source_options.required_locations(arguments, mesh, console);
   const std::vector<Face> avoided = avoided_faces(arguments, mesh);
   // One propagation: without lines, the one that keeps distances only.
+  const std::vector<Curve> curves
+    = has_curves ? source_curves(arguments, mesh, sources, avoided, console) : std::vector<Curve>();
   std::unique_ptr<Distance_run> run;
   if(has_lines)
-    run.reset(new Distance_run(mesh, avoided, sources, radius, console));
-  const Distance_field field
-    = has_curves  ? distances_from_curves(arguments, mesh, avoided, sources, radius, console)
-      : has_lines ? run->field()
-                  : distances_from(mesh, avoided, sources, radius, console);
+    run.reset(has_curves ? new Distance_run(mesh, avoided, curves, radius, console)
+                         : new Distance_run(mesh, avoided, sources, radius, console));
+  const Distance_field field = has_lines                  ? run->field()
+                               : has(arguments, "signed") ? signed_distances_from(mesh, avoided, curves, radius, console)
+                               : has_curves               ? distances_from(mesh, avoided, curves, radius, console)
+                                                          : distances_from(mesh, avoided, sources, radius, console);
   if(!has(arguments, "radius"))
     remark_on_unreached(mesh, field, has(arguments, "avoid"), console);
   const std::vector<double> limits
@@ -196,7 +210,7 @@ void run(const Arguments& arguments, const Console& console)
     if(format == "csv")
       write_table(os, field, sources);
     else if(format == "html")
-      write_html_page(os, page_of(mesh_argument(arguments), mesh, sources, *run, limits), console);
+      write_html_page(os, page_of(mesh_argument(arguments), mesh, sources, curves, *run, limits), console);
     else
     {
       Drawing drawing = drawing_of_surface(mesh, field);
@@ -222,6 +236,7 @@ const Command distances_command{
   "  surface_mesh_geodesics distances bunny.off --source-random 10 --seed 7 --radius 0.2 -o near.csv\n"
   "  surface_mesh_geodesics distances bunny.off --source 0 --html distances.html\n"
   "  surface_mesh_geodesics distances scan.off --source-border --source-curve cuts.obj -o colors.ply\n"
+  "  surface_mesh_geodesics distances scan.off --source-border --spacing 0.01 --lines parallels.obj\n"
   "  surface_mesh_geodesics distances scan.off --source-curve loop.polylines.txt --signed -o signed.csv\n",
   declare, run};
 

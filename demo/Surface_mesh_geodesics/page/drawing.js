@@ -9,6 +9,7 @@ function PageDrawing(data) {
     isoline: { color: "#1a1a1a", width: 1.2, text: "lines of equal distance" },
     clicked: { color: "#ff2fd6", width: 3, outline: 5.5, text: "path between two clicks" },
     path: { color: "#d55e00", width: 3, outline: 5.5, text: "shortest paths" },
+    curve: { color: "#ffffff", width: 3, outline: 5.5, text: "curves" },
     arc: { color: "#000000", width: 2.2, text: "boundaries of the cells" },
     source: { color: "#ffffff", text: "sources" },
     target: { color: "#d55e00", text: "targets" },

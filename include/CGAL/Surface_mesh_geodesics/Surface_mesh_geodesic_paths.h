@@ -136,7 +136,8 @@ number that stands for "no source point" is the constant `no_source`; for "no si
 - <em>One more template parameter</em>, the last one: the concurrency tag.
 - <em>More members:</em> `build_sequence_tree_for_faces()`, visitors of the progress that may cancel,
   `use_edge_lengths()`, `statistics()`, `nearest_source_point()`, `shortest_distances_to_source_points()`,
-  `farthest_vertex()`, `shortest_path_polyline_to_source_points()`, `isolines()`, and the static overload of
+  `farthest_vertex()`, `shortest_path_polyline_to_source_points()`, `isolines()`, `add_source_curve()`,
+  `nearest_location_of_sources()`, and the static overload of
   `build_aabb_tree()` for a mesh and a tree, which the original documents but does not have.
 - <em>Fewer members:</em> objects cannot be copied (copies of the original share memory that each of them frees). The
   undocumented members for debugging do not exist: `m_debugOutput`, and, with assertions, `peak_node_count()`,

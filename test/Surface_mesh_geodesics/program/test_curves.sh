@@ -135,12 +135,19 @@ awk 'NR == 2 { n = $1 } NR > 2 && NR <= n + 2' "$data/two_components.off" | sed 
   | awk 'NR == 1 { a = $0 } END { print 2, a, $0 }' > apart.polylines.txt
 rejects 3 "apart.polylines.txt, line 1: no path leads from this point of a curve to the next one" \
   distances "$data/two_components.off" --source-curve apart.polylines.txt
-rejects 2 "--source-border cannot be combined with --lines: there are no isolines of distances from curves" \
-  distances "$grid" --source-border --lines x.obj
-rejects 2 "--source-curve cannot be combined with --lines" distances "$grid" --source-curve segment.obj --lines x.obj
+rejects 2 "--signed cannot be combined with --lines" distances "$grid" --source-border --signed --lines x.obj
 if "$program" distances --help | grep --quiet -e --html; then
-  rejects 2 "--source-border cannot be combined with a page .html" distances "$grid" --source-border -o page.html
+  rejects 2 "--signed cannot be combined with a page .html" distances "$grid" --source-border --signed -o page.html
+  "$program" distances "$grid" --source-border -o page.html
+  grep --quiet '"role":"curve","lengths":' page.html
 fi
+# The same table, whether lines are written or not. Lines of points at 0.1, 0.2 and 0.3 from the border of the square.
+"$program" distances "$grid" --source-border -o without.csv
+"$program" distances "$grid" --source-border -o with.csv --lines parallels.obj --spacing 0.1
+cmp without.csv with.csv
+awk '$1 == "v" { x = $2 < 1 - $2 ? $2 : 1 - $2; y = $3 < 1 - $3 ? $3 : 1 - $3; d = 10 * (x < y ? x : y); n = int(d + .5)
+                 if(d - n > 1e-9 || n - d > 1e-9 || n < 1 || n > 3) bad = 1; seen[n]++ }
+     END { exit bad || seen[1] < 10 || seen[3] < 10 }' parallels.obj
 cp segment.obj kept.obj
 rejects 2 "this command reads the file" distances "$grid" --source-curve kept.obj -o kept.obj
 cmp kept.obj segment.obj
