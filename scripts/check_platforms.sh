@@ -6,7 +6,7 @@
 # --install installs the compilers and emulators, and unpacks the headers of CGAL 6, first. NAME is the beginning of a
 # row, such as "ARM64" (default: all); --list prints the names. The first row is also run for rows that compare their
 # bits with it. --tests also runs test programs in the emulators (run_tests_emulated.sh): those of the list
-# `tests_for_arm64` below, and those of the quick check on Windows, which take hours.
+# `tests_for_arm64` below, and those of the quick check on Windows, which takes half an hour more.
 # A row that cannot run here says why. NEWER_CGAL is the include folder of CGAL 6, for compilers that CGAL 5.5 does not
 # know (default: what --install and run_tests_with_newer_cgal.sh have unpacked). PROGRAM is the program for the command
 # line of this machine, for the comparison with that for Windows (default: it is built). WORK_FOLDER is the folder to

@@ -192,10 +192,11 @@ void run(const Arguments& arguments, const Console& console)
   if(has_lines)
     run.reset(has_curves ? new Distance_run(mesh, avoided, curves, radius, console)
                          : new Distance_run(mesh, avoided, sources, radius, console));
-  const Distance_field field = has_lines                  ? run->field()
-                               : has(arguments, "signed") ? signed_distances_from(mesh, avoided, curves, radius, console)
-                               : has_curves               ? distances_from(mesh, avoided, curves, radius, console)
-                                                          : distances_from(mesh, avoided, sources, radius, console);
+  const Distance_field field
+    = has_lines                  ? run->field()
+      : has(arguments, "signed") ? signed_distances_from(mesh, avoided, curves, radius, console)
+      : has_curves               ? distances_from(mesh, avoided, curves, radius, console)
+                                 : distances_from(mesh, avoided, sources, radius, console);
   if(!has(arguments, "radius"))
     remark_on_unreached(mesh, field, has(arguments, "avoid"), console);
   const std::vector<double> limits

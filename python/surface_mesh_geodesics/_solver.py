@@ -458,7 +458,7 @@ class Solver:
         first            vertices that are samples already; they count among the n and come first in the result, all of
                          them even if there are more than n
         covering_radius  sampling ends when no vertex is farther from its nearest sample
-        return_radius    return a pair: the samples, and the largest distance of a vertex from its nearest sample
+        return_radius    return a pair: the samples, and the largest finite distance of a vertex from its nearest sample
 
         Takes one thread, whatever `threads` says: each sample depends on those before.
 

@@ -367,7 +367,8 @@ public:
     return result;
   }
 
-  // Returns a single curve, whose number is `position`. Throws as located_curves() does.
+  // Returns a single curve, whose number is `position`. Throws as located_curves() does. A class that gets its curves
+  // one by one calls it, and has no offsets.
   template <typename Curve>
   Located_curve<FT> located_curve(const Curve& curve, std::size_t position) const
   {

@@ -274,8 +274,7 @@ public:
   // source), and a location takes time linear in the number of windows around its face.
 
   // A place is a vertex, or a face and coordinates.
-  //
-  // Returns the distance and the source point; -1 and end() if no source reaches the point.
+  // Returns the distance and the source point; -1 and end() if no source reaches it.
   template <typename... Place>
   Result distance(const Place&... place) const
   {

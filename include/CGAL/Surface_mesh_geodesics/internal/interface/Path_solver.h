@@ -153,7 +153,8 @@ public:
     m_surface.add_source_as_curve(source, "source");
   }
 
-  // Are there curves among the sources?
+  // Are there curves among the sources? The tests for it are at the level of calls, never inside loops: what points
+  // cost does not change.
   bool has_curves() const { return m_surface.has_curves(); }
 
   // Propagates from the sources, and keeps the windows if they are wanted. Returns false, and forgets all results, if
@@ -445,7 +446,8 @@ private:
   }
 
   // Reports the end of a path that is at a foot inside of a face of the user: Path_thinning passes over edges that the
-  // user does not know. A path without length ends where it begins.
+  // user does not know, and takes the length of what it passes over for the next point, which is this one. A path
+  // without length ends where it begins.
   template <typename Sink>
   void report_foot(const Query& q, const Path_steps<double>& steps, Sink& sink) const
   {

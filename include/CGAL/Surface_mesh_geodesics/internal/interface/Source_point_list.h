@@ -32,7 +32,8 @@ namespace Surface_mesh_geodesics {
 namespace internal {
 
 // A source point as the user gave it. A vertex may be invalid, even null; so a flag says that it was given as one. A
-// curve counts as a source point, too: its location is the first one of the curve.
+// curve counts as a source point, too: its location is the first one of the curve. The list does not know the class of
+// curves, nor the solver, so a function object has both.
 template <typename FaceLocation, typename VertexDescriptor>
 struct Source_point
 {

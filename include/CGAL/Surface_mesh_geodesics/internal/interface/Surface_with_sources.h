@@ -137,6 +137,7 @@ public:
   void add_source_as_curve(const Source& source, const char* what)
   {
     CGAL_assertion(!m_are_inserted && m_sources.size() == 0);
+    // The point is checked and located as any other source is, in a set of its own.
     Source_set<double> set;
     set.vertices.resize(m_curves.size(), null_id); // for the position in messages
     m_surface.add_source(source, set, what);
@@ -157,7 +158,7 @@ public:
   {
     if(m_are_inserted)
       return;
-    try
+    try // a part of the curves may be in the mesh when rounding shows that they cannot be told apart
     {
       insert(m_curves, m_insertion);
     }

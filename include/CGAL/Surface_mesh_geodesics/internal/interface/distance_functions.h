@@ -124,7 +124,7 @@ template <typename ConcurrencyTag, typename TriangleMesh, typename VertexDistanc
 bool compute_distances_with_parameters(const TriangleMesh& tm, VertexDistanceMap vertex_distance_map,
                                        const Sources& sources, Shape shape, const NamedParameters& np)
 {
-  // A user who swaps the map and the sources reads this first.
+  // A user who swaps the map and the sources reads this first; the errors that follow are about iterators.
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
   static_assert(Is_map_for<VertexDistanceMap, vertex_descriptor, double>::value,
                 "distances cannot be written to this argument; it is a property map from the vertices of the mesh to "

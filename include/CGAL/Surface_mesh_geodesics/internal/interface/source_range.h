@@ -228,6 +228,7 @@ std::vector<char> flags_of_avoided_faces(const TriangleMesh& tm, const FaceIndex
   };
   if constexpr(Is_property_map<Faces>::value)
   {
+    // The traits are asked, as a class of the user may have no members.
     // Numbers convert to bool, too: a map of patches would avoid all faces but those of patch 0.
     static_assert(std::is_same<typename boost::property_traits<Faces>::value_type, bool>::value,
                   "the value of the named parameter faces_to_avoid is a map, but its values are not of type bool");

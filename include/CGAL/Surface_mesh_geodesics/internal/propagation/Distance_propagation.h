@@ -124,7 +124,8 @@ public:
     m_strips.start(curves, m_wavefront, pusher());
   }
 
-  // The strips, and what they know of paths. They may be told to keep themselves before a run.
+  // The strips, and what they know of paths. They may be told to keep themselves before a run: that is no matter of the
+  // propagation, which only decides whose turn it is.
   const Strips& strips() const { return m_strips; }
   Strips& strips() { return m_strips; }
 

@@ -106,6 +106,7 @@ private:
   bool has_equal_kinks_in(Face_id f, Vertex_id site) const
   {
     const std::pair<std::uint32_t, std::uint32_t> arcs = m_complex.arcs_of_face(f);
+    // Most faces of a boundary have one arc, and cells have thousands of them: the test has to be cheap for these.
     if(arcs.second - arcs.first < 3) // the arcs of two kinks, which may have one in common
       return false;
     const double size = longest_side(m_mesh.face(f));

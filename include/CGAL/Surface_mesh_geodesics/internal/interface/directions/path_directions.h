@@ -14,7 +14,10 @@
 // logarithmic map. The solver computes the direction of one path (Departure.h); here is which path to look at.
 //
 // Solver is Path_solver, and `face_of_source(number)` is the face in which the user gave a source. Curves have no
-// tangent frame, so paths from them have no direction: not a number.
+// tangent frame, so paths from them have no direction: not a number. (The angle to the curve would be one, but at the
+// inside of a segment it is always a right angle, and at its corners it says little.)
+//
+// The functions only read the solver, so several threads may call them at once, as they may ask for paths.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 

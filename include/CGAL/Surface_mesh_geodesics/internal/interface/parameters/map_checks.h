@@ -41,7 +41,8 @@ struct Value_of_map<Map, Key,
   using type = typename boost::property_traits<Map>::value_type;
 };
 
-// True for a property map to which a Value can be written at a Key. Integers would cut off the digits of distances.
+// True for a property map to which a Value can be written at a Key. Integers would cut off the digits of distances,
+// without a word: they convert like any other type of numbers.
 template <typename Map, typename Key, typename Value>
 struct Is_map_for
   : std::integral_constant<bool, std::is_convertible<Value, typename Value_of_map<Map, Key>::type>::value
@@ -83,8 +84,8 @@ struct Has_parameter
   : std::integral_constant<bool, !CGAL::parameters::is_default_parameter<NamedParameters, Tag>::value>
 {};
 
-// The type of the value of a named parameter, without reference. (A map of the mesh in std::ref() is rejected: functions
-// of CGAL do not look through it either.)
+// The type of the value of a named parameter, without reference. (A map of the mesh in std::ref() is rejected:
+// functions of CGAL do not look through it either.)
 template <typename NamedParameters, typename Tag>
 using Value_of_parameter = std::decay_t<decltype(CGAL::parameters::get_parameter(
   std::declval<const NamedParameters&>(), std::declval<Tag>()))>;

@@ -72,6 +72,8 @@ void check_parameters(const NamedParameters&)
   static_assert(Named_parameters<typename NamedParameters::base, Set>::value, "always true, if it compiles");
 }
 
+// One call for both kinds of checks, so that no function forgets one of them.
+//
 // The same for a function that reads a mesh: the maps of the mesh among `np` are checked, too. Functions that write a
 // mesh, and solvers, which got their maps from a constructor, call the other overload.
 template <typename Set, typename TriangleMesh, typename NamedParameters>

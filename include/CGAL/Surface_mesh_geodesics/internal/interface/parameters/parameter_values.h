@@ -168,6 +168,7 @@ auto distance_options(const NamedParameters& np)
   {
     // A map of distances would take the numbers as well, and no_source would be one of them.
     using Value = typename boost::property_traits<decltype(map)>::value_type;
+    // Bytes would hold the numbers of 256 sources, and nobody would notice the others.
     static_assert(std::is_integral<Value>::value && sizeof(Value) >= 4,
                   "the values of the named parameter nearest_source_map are not integers of at least 32 bits");
   }

@@ -33,6 +33,12 @@
 #include <string>
 #include <vector>
 
+// Visual C++ warns of functions of the C library, such as std::fopen(), for which it has others of its own.
+#ifdef _MSC_VER
+#pragma warning(push)
+#pragma warning(disable : 4996)
+#endif
+
 namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
@@ -204,5 +210,9 @@ std::vector<Unsigned> read_npy_elements(const std::filesystem::path& path, std::
 } // namespace internal
 } // namespace Surface_mesh_geodesics
 } // namespace CGAL
+
+#ifdef _MSC_VER
+#pragma warning(pop)
+#endif
 
 #endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_FILES_NPY_FILE_H

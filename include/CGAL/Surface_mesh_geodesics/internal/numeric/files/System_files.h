@@ -44,6 +44,12 @@
 #include <unistd.h>
 #endif
 
+// Visual C++ warns of functions of the C library, such as std::fopen(), for which it has others of its own.
+#ifdef _MSC_VER
+#pragma warning(push)
+#pragma warning(disable : 4996)
+#endif
+
 namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
@@ -374,5 +380,9 @@ private:
 } // namespace internal
 } // namespace Surface_mesh_geodesics
 } // namespace CGAL
+
+#ifdef _MSC_VER
+#pragma warning(pop)
+#endif
 
 #endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_NUMERIC_FILES_SYSTEM_FILES_H

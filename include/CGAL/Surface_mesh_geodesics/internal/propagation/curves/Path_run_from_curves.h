@@ -68,6 +68,7 @@ public:
   void insert(const Intrinsic_mesh<FT>& mesh, Source_insertion<FT>& insertion,
               const std::vector<Located_curve<FT>>& curves, Curve_arrivals<FT>& arrivals) const override
   {
+    // What was known of other curves is void: their edges and vertices are gone.
     arrivals.set_curves(Curve_insertion<FT>(mesh, insertion).insert(curves));
   }
 
@@ -76,7 +77,7 @@ public:
            Propagation_statistics& statistics) const override
   {
     Distance_propagation<FT, All_pruning_rules, Window_keeper<FT>, Strip_front<FT>> propagation(mesh, field, keeper);
-    propagation.restart();
+    propagation.restart(); // gives the tables of strips the size of the mesh
     if(keeper.keeps_windows())
     {
       arrivals.strips.reset(mesh.number_of_faces());

@@ -89,6 +89,8 @@ public:
     m_number_crossed = m_number_created = 0;
   }
 
+  // Distances of vertices need no strip any more when it has crossed its face; distances of other points do.
+  //
   // Keeps the strips that cross faces from now on, for queries; the field must be reset for the mesh, and outlive the
   // run. Null keeps none.
   void keep_in(Edge_strip_field<FT>* kept) { m_kept = kept; }
@@ -161,7 +163,7 @@ public:
   // (The field of distances has no room for it: propagations from points would pay for that.)
   const Strip_foot<FT>& foot(Vertex_id v) const { return m_foot[v]; }
 
-  // The same of all vertices, for results that outlive the run.
+  // The same of all vertices, for results that outlive the run: paths are traced when the propagation is gone.
   const std::vector<Strip_foot<FT>>& feet() const { return m_foot; }
 
   std::size_t number_crossed() const { return m_number_crossed; }
@@ -303,6 +305,7 @@ private:
     arrival.abscissa = x;
     arrival.halfedge = h;
     arrival.root = c.apex;
+    // As in Straight_piece: a line to this point crosses the source edge at the foot.
     Arrival_image<FT> image;
     image.x = x - s.direction_x * ray;
     image.depth = s.direction_y * ray;
