@@ -222,7 +222,8 @@ py::tuple sample(Surface& surface, std::size_t n, const Array<std::int64_t>& fir
   double covered = 0;
   Interruptible visitor(progress, n + 1);
   const auto np
-    = CGAL::parameters::first_samples(to_vertices(first)).covering_radius(radius).visitor(std::ref(visitor));
+    = CGAL::parameters::first_samples(to_vertices(first)).covering_radius(radius)
+        .faces_to_avoid(surface.avoided_faces()).visitor(std::ref(visitor));
   surface.run_alone(visitor, 1, [&]()
   { covered = geodesics::geodesic_farthest_point_sampling(surface.mesh(), n, std::back_inserter(samples), np); });
   return py::make_tuple(to_ids(samples), covered);
@@ -234,7 +235,8 @@ py::array_t<std::int64_t> relax(Surface& surface, const Array<std::int64_t>& sit
   const std::vector<Vertex> before = to_vertices(sites);
   std::vector<Vertex> after;
   relax_alone(surface, 1, relaxation, call, [&](const auto& np)
-  { geodesics::geodesic_Lloyd_relaxation<Threads>(surface.mesh(), before, std::back_inserter(after), np); });
+  { geodesics::geodesic_Lloyd_relaxation<Threads>(surface.mesh(), before, std::back_inserter(after),
+      CGAL::parameters::faces_to_avoid(surface.avoided_faces()).combine(np)); });
   return to_ids(after);
 }
 

@@ -83,8 +83,9 @@ class Solver:
         faces  ids of faces, in place of those that this solver avoids, or (m,) booleans
 
         Distances are inf where no way leads around. A source or a place inside of the avoided faces is an error; one at
-        their rim is not. Vertices and faces keep their numbers. `certify()`, `sample()`, `relax()`, `remesh()`,
-        `trace()` and `store_matrix()` need a solver that avoids no faces. Surfaces without points cannot avoid any.
+        their rim is not. Vertices and faces keep their numbers. `certify()`, `remesh()`, `trace()`,
+        `store_matrix()` and `peeling_order()` need a solver that avoids no faces. Surfaces without points cannot avoid
+        any.
 
         >>> import surface_mesh_geodesics as smg
         >>> V = [[0, 0, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0], [1, 1, 0]]
@@ -466,7 +467,7 @@ class Solver:
         >>> smg.Solver([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]]).sample(2, first=[1])
         array([1, 2])
         """
-        self._needs("sample", points=True, all_faces=True)
+        self._needs("sample", points=True)
         given = NO_IDS if first is None else self._vertices("first", first)
         found, radius = self._surface.sample(arguments.count_of("n", n, 0), given,
                                              arguments.radius_of("covering_radius", covering_radius),
@@ -494,7 +495,7 @@ class Solver:
         2 0.0
         array([4, 5])
         """
-        self._needs("relax", points=True, all_faces=True)
+        self._needs("relax", points=True)
         return self._surface.relax(self._vertices("sites", sites),
                                    arguments.relaxation_of(iterations, threshold, on_iteration),
                                    arguments.call_of(threads, progress))

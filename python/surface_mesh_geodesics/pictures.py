@@ -37,14 +37,12 @@ def plot(V: Any, F: Any, values: Any = None, *, lines: Sequence[np.ndarray] = ()
     surface = axes.plot_trisurf(V[:, 0], V[:, 1], V[:, 2], triangles=F, color="0.85", linewidth=0, antialiased=False,
                                 shade=values is None)
     if values is not None:
-        numbers = _values_of_faces(arguments.row_of_numbers("values", values), V, F)
-        shown = np.ma.masked_invalid(numbers)
+        shown = np.ma.masked_invalid(_values_of_faces(arguments.row_of_numbers("values", values), V, F))
         colors = plt.get_cmap(cmap).with_extremes(bad="0.7")
         scale = plt.Normalize(shown.min() if shown.count() else 0, shown.max() if shown.count() else 1)
         surface.set_facecolor(colors(scale(shown)))
         axes.figure.colorbar(plt.cm.ScalarMappable(scale, colors), ax=axes, shrink=0.6)
-    is_one = isinstance(lines, Path) or isinstance(lines, np.ndarray) and lines.ndim == 2
-    lines = [lines] if is_one else lines
+    lines = [lines] if isinstance(lines, Path) or isinstance(lines, np.ndarray) and lines.ndim == 2 else lines
     # (Else Matplotlib hides all of a line behind the surface, or nothing.)
     axes.computed_zorder = False
     for i, line in enumerate(lines):

@@ -165,8 +165,18 @@ def test_solvers_of_derived_classes_stay_so():
     assert type(around) is Named and around.name == "hill"
 
 
-@pytest.mark.parametrize("call", [lambda s: s.certify(s.distances(0), 0), lambda s: s.sample(3),
-                                  lambda s: s.relax([0, 5]), lambda s: s.remesh(20), lambda s: s.trace(0, 0, 1)])
+def test_samples_and_sites_around_faces():
+    around, rest = smg.Solver(V, F).avoiding(range(70)), smg.Solver(V, F[70:])
+    corners = np.unique(F[70:])[[0, -1]]
+    assert around.sample(5, first=corners[:1]).tolist() == rest.sample(5, first=corners[:1]).tolist()
+    assert around.relax(corners, iterations=3).tolist() == rest.relax(corners, iterations=3).tolist()
+    with pytest.raises(ValueError, match="site"):
+        inside = np.setdiff1d(np.arange(len(V)), F[40:])[0]
+        around.relax([inside])
+
+
+@pytest.mark.parametrize("call", [lambda s: s.certify(s.distances(0), 0), lambda s: s.peeling_order(),
+                                  lambda s: s.remesh(20), lambda s: s.trace(0, 0, 1)])
 def test_what_needs_all_faces(call):
     with pytest.raises(ValueError, match="cannot lead around faces"):
         call(smg.Solver(V, F).avoiding([1]))

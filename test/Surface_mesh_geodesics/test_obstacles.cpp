@@ -10,9 +10,11 @@
 #include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_Voronoi_diagram.h>
 #include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_paths.h>
 #include <CGAL/Surface_mesh_geodesics/certify_geodesic_Voronoi_diagram.h>
+#include <CGAL/Surface_mesh_geodesics/geodesic_Lloyd_relaxation.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_Voronoi_labels.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_distance_matrix.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_distances.h>
+#include <CGAL/Surface_mesh_geodesics/geodesic_farthest_point_sampling.h>
 
 #include <CGAL/Surface_mesh_shortest_path.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
@@ -121,6 +123,44 @@ void check_against_filtered_graph(const Mesh& tm, double part, test_support::Ran
   paths.avoid_faces(std::vector<face_descriptor>());
   for(const vertex_descriptor v : vertices(tm))
     CHECK_EQUAL(distance_of(paths, v), distance_of(whole, v));
+}
+
+// Samples and relaxed sites are those of the mesh without the faces. The vertices of a filtered graph have another
+// order, which decides ties; so the meshes have none.
+void samples_and_sites()
+{
+  const test_support::Scope scope("samples and sites");
+  for(std::uint64_t seed = 1; seed <= 6; ++seed)
+  {
+    test_support::Random random(seed);
+    const Mesh tm = to_face_graph(noisy_sphere(3, .1, seed));
+    const std::vector<face_descriptor> avoided = random_faces(tm, .15, random), rest = other_faces(tm, avoided);
+    const Filtered filtered(tm, rest);
+    const std::vector<vertex_descriptor> first{target(halfedge(rest[0], tm), tm)};
+    std::vector<vertex_descriptor> expected, samples, by_map;
+    const auto np = CGAL::parameters::first_samples(first);
+    const double radius = CGAL::Surface_mesh_geodesics::geodesic_farthest_point_sampling(
+      filtered, 30, std::back_inserter(expected), np);
+    const double found = CGAL::Surface_mesh_geodesics::geodesic_farthest_point_sampling(
+      tm, 30, std::back_inserter(samples), np.faces_to_avoid(avoided));
+    const auto is_avoided = boost::make_function_property_map<face_descriptor>(
+      [&](face_descriptor f) { return std::count(avoided.begin(), avoided.end(), f) > 0; });
+    CGAL::Surface_mesh_geodesics::geodesic_farthest_point_sampling(tm, 30, std::back_inserter(by_map),
+                                                                   np.faces_to_avoid(is_avoided));
+    CHECK(!samples.empty() && samples == expected && samples == by_map);
+    CHECK_EQUAL(found, radius);
+    samples.push_back(first[0]);
+    std::vector<vertex_descriptor> relaxed, expected_sites, free;
+    const std::size_t n = CGAL::Surface_mesh_geodesics::geodesic_Lloyd_relaxation(
+      tm, samples, std::back_inserter(relaxed), CGAL::parameters::faces_to_avoid(avoided).number_of_iterations(4));
+    CHECK_EQUAL(n, CGAL::Surface_mesh_geodesics::geodesic_Lloyd_relaxation(
+                     filtered, samples, std::back_inserter(expected_sites),
+                     CGAL::parameters::number_of_iterations(4)));
+    CHECK(relaxed == expected_sites);
+    CGAL::Surface_mesh_geodesics::geodesic_Lloyd_relaxation(tm, samples, std::back_inserter(free),
+                                                            CGAL::parameters::number_of_iterations(4));
+    CHECK(relaxed != free);
+  }
 }
 
 void test_against_filtered_graph()
@@ -493,6 +533,7 @@ void test_invalid_input()
 int main()
 {
   test_against_filtered_graph();
+  samples_and_sites();
   test_all_functions();
   test_visibility_graph();
   test_rim();

@@ -117,6 +117,13 @@ The method serves remeshing (thesis, section 5.4.4), see `geodesic_remeshing()`.
     \cgalParamType{double}
     \cgalParamDefault{`0`: it ends when no site moves}
   \cgalParamNEnd
+  \cgalParamNBegin{faces_to_avoid}
+    \cgalParamDescription{the faces through which no path may lead, as for `geodesic_distances()`: cells end at their
+                          rim. Sites inside are invalid.}
+    \cgalParamType{a range of face descriptors of `TriangleMesh`, or a class model of `ReadablePropertyMap` with the
+                   face descriptor as key type and `bool` as value type}
+    \cgalParamDefault{an empty range: none}
+  \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \return the number of iterations that moved a site. It is less than `number_of_iterations` if no site moves any more, or

@@ -101,6 +101,13 @@ call writes to an output of its own; see `geodesic_distances()`.
     \cgalParamType{a pointer to `Propagation_statistics`}
     \cgalParamDefault{`nullptr`}
   \cgalParamNEnd
+  \cgalParamNBegin{faces_to_avoid}
+    \cgalParamDescription{the faces through which no path may lead, as for `geodesic_distances()`. Vertices whose faces
+                          are all to be avoided have no face that counts, and are never samples.}
+    \cgalParamType{a range of face descriptors of `TriangleMesh`, or a class model of `ReadablePropertyMap` with the
+                   face descriptor as key type and `bool` as value type}
+    \cgalParamDefault{an empty range: none}
+  \cgalParamNEnd
 \cgalNamedParamsEnd
 
 How to write sequences of parameters, and which one comes first: \ref Surface_mesh_geodesics_named_parameters.

@@ -74,6 +74,13 @@ public:
     m_diagram.add_sites(locations);
   }
 
+  // Leaves faces out; they are those of Surface_mesh_geodesic_Voronoi_diagram::avoid_faces().
+  template <typename Faces>
+  void avoid_faces(const Faces& avoided)
+  {
+    m_diagram.avoid_faces(avoided);
+  }
+
   const Diagram& diagram() const { return m_diagram; }
 
   // Moves each site to the vertex in its cell that is nearest in space to the centroid of the cell; of equally near
@@ -161,6 +168,8 @@ std::size_t relax_sites(const TriangleMesh& tm, std::vector<vertex_descriptor>& 
   const double threshold
     = parameters::choose_parameter(parameters::get_parameter(np, internal_np::threshold_distance), 0.);
   auto diagram = make_vertex_site_diagram<Diagram, ConcurrencyTag>(tm, np);
+  if constexpr(Has_parameter<NamedParameters, internal_np::faces_to_avoid_t>::value)
+    diagram.avoid_faces(parameters::get_parameter_reference(np, internal_np::faces_to_avoid));
   std::size_t i = 0;
   for(; i < number_of_iterations; ++i)
   {

@@ -136,10 +136,11 @@ using Distance_certificate_parameters
 using Label_parameters = Extended_set<Mesh_and_visitor_parameters, internal_np::vertex_distance_map_t,
                                       internal_np::site_weights_t, internal_np::faces_to_avoid_t>::type;
 using Sampling_parameters = Extended_set<Mesh_and_visitor_parameters, internal_np::first_samples_t,
-                                         internal_np::covering_radius_t, internal_np::statistics_t>::type;
-using Relaxation_parameters = Extended_set<Mesh_and_visitor_parameters, internal_np::threshold_distance_t,
-                                           internal_np::number_of_iterations_t>::type;
-using Remeshing_parameters = Relaxation_parameters;
+                                         internal_np::covering_radius_t, internal_np::statistics_t,
+                                         internal_np::faces_to_avoid_t>::type;
+using Remeshing_parameters = Extended_set<Mesh_and_visitor_parameters, internal_np::threshold_distance_t,
+                                          internal_np::number_of_iterations_t>::type;
+using Relaxation_parameters = Extended_set<Remeshing_parameters, internal_np::faces_to_avoid_t>::type;
 
 // --- types of values: false for a type that is something else altogether (for maps see map_checks.h) ---
 
