@@ -457,6 +457,40 @@ def test_same_numbers_of_sources_obstacles_meshes_and_stores(mesh, tmp_path):
             assert f.read_bytes() == (theirs / f.name).read_bytes()
 
 
+@pytest.mark.skipif(PROGRAM is None, reason="SURFACE_MESH_GEODESICS_PROGRAM names no program")
+def test_same_numbers_of_signs_lines_and_certificates(tmp_path):
+    V, F = grid(15, 0.3)
+    s = smg.Solver(V, F)
+    file, distances, lines = (tmp_path / name for name in ("mesh.off", "distances.csv", "lines.obj"))
+    write_off(file, V, F)
+    rows = table("distances", file, "--source-border", "--signed", "--quiet")
+    assert [float(r["distance"]) for r in rows] == s.signed_distances(s.border_curves()).tolist()
+
+    run("distances", file, "--source", 3, "-o", distances, "--lines", lines, "--spacing", .3)
+    d = s.distances(3)
+    levels = [.3 * i for i in range(1, 100) if .3 * i < d.max()]
+    ours = [point for lines_of_level in s.exact_isolines(3, levels) for line in lines_of_level for point in line]
+    theirs = [line.split()[1:] for line in lines.read_text().splitlines() if line.startswith("v ")]
+    assert len(levels) > 2
+    assert np.array_equal(np.unique(np.array(ours), axis=0), np.unique(np.array(theirs, float), axis=0))
+
+    for offset in (0, .125):  # right distances, and wrong ones
+        rows = distances.read_text().splitlines()
+        cells = rows[50].split(",")
+        cells[1] = repr(float(cells[1]) + offset)
+        d[int(cells[0])] += offset
+        distances.write_text("\n".join([*rows[:50], ",".join(cells), *rows[51:]]) + "\n")
+        done = subprocess.run([PROGRAM, "check", file, "--source", "3", "--distances", distances], capture_output=True,
+                              text=True)
+        found = {row.split(",")[0]: row.split(",")[1:] for row in done.stdout.splitlines()[1:] if row}
+        conditions = s.certify(d, 3).conditions
+        assert list(found) == list(conditions) and (done.returncode != 0) == (offset != 0)
+        for name, c in conditions.items():
+            vertex = "" if c.vertex < 0 else str(c.vertex)
+            assert [int(found[name][0]), float(found[name][1]), found[name][2]] == [
+                c.number_of_checks, c.violation, vertex], name
+
+
 def _triangles(V, F):
     """The triangles as sorted lists of points, each beginning with its least point."""
     return sorted(min([t[k:] + t[:k] for k in range(3)]) for t in V[F].tolist())
