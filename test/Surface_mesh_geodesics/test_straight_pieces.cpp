@@ -41,7 +41,7 @@ void check_piece(const Intrinsic_mesh& mesh, const Field& field, Vertex_id v)
 {
   internal::Path_steps<double> steps;
   internal::Straight_piece<double> piece(mesh, field, 0., steps);
-  const Vertex_id end = piece.trace(piece_to(mesh, field, v));
+  const Vertex_id end = piece.trace(piece_to(mesh, field, v)).vertex;
   if(!CHECK(end != internal::null_id))
   {
     return;
