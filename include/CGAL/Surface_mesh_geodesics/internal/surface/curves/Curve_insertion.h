@@ -163,7 +163,7 @@ private:
                                  "rounding hides where the segments of the curves run: some of them nearly coincide");
   }
 
-  // Walks along all segments of a curve. Its first point is added here, all others by the walks that reach them; a
+  // Walks along all segments of a curve. Its points are added here, and what the walks cross on the way by them; a
   // curve without a segment of any length is only that point.
   void add_curve(const Located_curve<FT>& curve, std::uint32_t number)
   {
@@ -177,6 +177,8 @@ private:
       const Face_id whole = curve.segments[i].face;
       walk(place(vertex[i], from, whole), place(vertex[i + 1], to, whole), whole, Curve_point<FT>{number, i, FT(0)},
            curve.offset);
+      // Also where a segment is too short to be walked along: the next one begins there.
+      m_result.vertices.push_back(Source_vertex<FT>{vertex[i + 1], curve.offset, Curve_point<FT>{number, i, FT(1)}});
     }
   }
 
