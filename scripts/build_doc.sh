@@ -55,8 +55,10 @@ done
 
 # The table of platforms has a row for each platform that the script tries.
 if command -v g++ > /dev/null; then
-  diff <(sed -nE '/^\| platform /,/^$/s/^\| ([^|]*[^ |]) +\|.*/\1/p' doc/Surface_mesh_geodesics/Platforms.txt | sed 1d) \
-    <(WORK_FOLDER=$output/platforms bash scripts/check_platforms.sh --list) | sed '/g++ [0-9.]*$/d; /^[0-9]/d' >> "$log"
+  {
+    diff <(sed -nE '/^\| platform /,/^$/s/^\| ([^|]*[^ |]) +\|.*/\1/p' doc/Surface_mesh_geodesics/Platforms.txt | sed 1d) \
+      <(WORK_FOLDER=$output/platforms bash scripts/check_platforms.sh --list) || true # lines that differ are warnings
+  } | sed '/g++ [0-9.]*$/d; /^[0-9]/d' >> "$log"
 fi
 
 if [ -s "$log" ]; then
