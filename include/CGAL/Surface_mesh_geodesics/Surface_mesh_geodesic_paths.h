@@ -548,6 +548,27 @@ public:
   /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the mesh or a source point is invalid
   std::pair<vertex_descriptor, FT> farthest_vertex() const { return m_structure.farthest_vertex(); }
 
+  /// returns where the shortest path from a vertex ends: the point of the source points and curves that is nearest.
+  /// Takes the time of the path.
+  ///
+  /// \param v a vertex of the mesh
+  /// \return a face and coordinates in it; the null face if no source point reaches the vertex
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if `v`, the mesh or a source point is invalid
+  /// \throws std::runtime_error if rounding hides the path
+  Face_location nearest_location_of_sources(vertex_descriptor v) const { return m_structure.end_of_path(v); }
+
+  /// returns where the shortest path from a point of a face ends.
+  ///
+  /// \param f a face of the mesh
+  /// \param location the barycentric coordinates of the point in `f`
+  /// \return a face and coordinates in it; the null face if no source point reaches the point
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the point, the mesh or a source point is invalid
+  /// \throws std::runtime_error if rounding hides the path
+  Face_location nearest_location_of_sources(face_descriptor f, const Barycentric_coordinates& location) const
+  {
+    return m_structure.end_of_path(f, location);
+  }
+
   /// @}
 
   /// \name Shortest Path Sequence Queries
@@ -718,25 +739,6 @@ public:
   /// into which the path leaves. Tracing from the source in that direction, by the distance, leads back to the point if
   /// the path bends nowhere; a path that bends at a vertex is left there.
   /// @{
-
-  /// returns where the shortest path from a vertex ends: the point of the source points and curves that is nearest.
-  /// Takes the time of the path.
-  ///
-  /// \param v a vertex of the mesh
-  /// \return a face and coordinates in it; the null face if no source point reaches the vertex
-  /// \throws std::runtime_error if rounding hides the path
-  Face_location nearest_location_of_sources(vertex_descriptor v) const { return m_structure.end_of_path(v); }
-
-  /// returns where the shortest path from a point of a face ends.
-  ///
-  /// \param f a face of the mesh
-  /// \param location the barycentric coordinates of the point in `f`
-  /// \return a face and coordinates in it; the null face if no source point reaches the point
-  /// \throws std::runtime_error if rounding hides the path
-  Face_location nearest_location_of_sources(face_descriptor f, const Barycentric_coordinates& location) const
-  {
-    return m_structure.end_of_path(f, location);
-  }
 
   /// returns the direction in which the shortest path from a vertex to its source point arrives there, seen from the
   /// source: the direction in which the path leaves the source. The time is that of the straight piece of the path that

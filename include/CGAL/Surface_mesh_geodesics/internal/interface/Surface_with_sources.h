@@ -12,8 +12,8 @@
 
 // A surface of the user on which sources are vertices, or, if there are curves among them, vertices and edges. Sources
 // inside faces and on edges refine the intrinsic mesh; the class translates between the user's faces and the parts of
-// the refined ones. All runs of a Path_solver from the same
-// sources use one object, also when it repeats a run to keep the windows.
+// the refined ones. All runs of a Path_solver from the same sources use one object, also when it repeats a run to keep
+// the windows.
 
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Intrinsic_surface.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/source_range.h>
