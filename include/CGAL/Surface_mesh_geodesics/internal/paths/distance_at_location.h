@@ -21,7 +21,6 @@
 
 #include <CGAL/assertions.h>
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -91,31 +90,25 @@ void improve_arrival(Location_arrival<FT>& arrival, const Kept_window<FT>& w, co
                                    norm<FT>(x - abscissa, y), x, y};
 }
 
-// A strip has no root: its rays come from the points of a source edge. What a path needs to run back is the same as for
-// a window, an image and the abscissa where it crosses the edge; the image is the foot of the ray, unfolded.
-//
-// The same for a strip: the ray through the point, or, if that passes beside the strip, the nearest ray with a bend at
-// the edge. On the curve itself, rounding may make the value of the linear function negative. Requires: y >= 0.
+// The same for a strip. It has no root: its rays come from the points of a source edge. What a path needs to run back
+// is the same as for a window, an image and the abscissa where it crosses the edge.
 template <typename FT>
 void improve_arrival(Location_arrival<FT>& arrival, const Strip<FT>& s, Halfedge_id h, const FT& x, const FT& y)
 {
-  const FT t = x - y * (s.direction_x / s.direction_y);
-  const FT abscissa = (std::min)(s.end, (std::max)(s.begin, t)), ray = (std::max)(FT(0), s.distance_at(abscissa));
-  const FT distance = abscissa == t ? (std::max)(FT(0), FT(s.distance_at(x) + s.direction_y * y))
-                                    : FT(ray + norm<FT>(x - abscissa, y));
-  if(!(distance < arrival.distance))
+  const Ray_arrival<FT> ray = arrival_of_ray(s, x, y);
+  if(!(ray.distance < arrival.distance))
     return;
   arrival = Location_arrival<FT>();
-  arrival.distance = distance;
+  arrival.distance = ray.distance;
   arrival.halfedge = h;
-  arrival.abscissa = abscissa;
-  arrival.image_x = abscissa - s.direction_x * ray;
-  arrival.image_depth = s.direction_y * ray;
-  arrival.inside = norm<FT>(x - abscissa, y);
+  arrival.abscissa = ray.abscissa;
+  arrival.image_x = ray.image_x;
+  arrival.image_depth = ray.image_depth;
+  arrival.inside = norm<FT>(x - ray.abscissa, y);
   arrival.x = x;
   arrival.y = y;
   arrival.side = s.side;
-  arrival.foot = s.foot_at(abscissa);
+  arrival.foot = s.foot_at(ray.abscissa);
 }
 
 // Returns the arrival at the point of face f with the barycentric coordinates b: the minimum over the three corners and

@@ -142,8 +142,8 @@ public:
     FT left_key = Field::infinity(), right_key = left_key;
     for(const Strip<FT>& s : m_crossing)
     {
-      const FT apex = abscissa_of_apex(s, c);
-      const bool is_longer = comes_across && known < distance_at_apex(s, c);
+      const FT apex = crossing_of_ray(s, c.apex_x, c.apex_y);
+      const bool is_longer = comes_across && known < distance_of_ray(s, c.apex_x, c.apex_y);
       Strip<FT> child = s;
       if(left != nullptr
          && turn_left(child, c, at_left, apex, is_longer ? (std::min)(apex, arrival.abscissa) : apex))
@@ -276,7 +276,7 @@ private:
       // Also a sliver, which goes no farther: points of this face may lie on its rays.
       if(m_kept != nullptr)
         m_kept->keep(h, s);
-      if(distance_at_apex(s, c) < m_field.distance[c.apex])
+      if(distance_of_ray(s, c.apex_x, c.apex_y) < m_field.distance[c.apex])
         are_windows_stale |= improve_apex(s, h, c, wavefront, push);
       if(!s.is_sliver(c.length) && s.faces_crossed < most_faces)
         m_crossing[n++] = s;
@@ -285,33 +285,24 @@ private:
     return are_windows_stale;
   }
 
-  // Improves the apex by the ray through it, or by the nearest ray and a bend at AB. The latter keeps the apex reached
-  // where rounding has moved the end of the interval past its ray.
-  //
-  // The image of the arrival is the foot of the ray, unfolded: paths run back to it as to the image of a root. (It is
-  // farther away where the source edge has an offset; directions are the same.)
+  // Improves the apex by a path along a ray. Paths run back to the image of its foot as to that of a root: as in
+  // Straight_piece, a line to this point crosses the source edge at the foot.
   template <typename Wave, typename Push>
   bool improve_apex(const Strip<FT>& s, Halfedge_id h, const Face_frame<FT>& c, Wave& wavefront, Push push)
   {
-    const FT apex = abscissa_of_apex(s, c), x = (std::min)(s.end, (std::max)(s.begin, apex));
-    // Beside a curve, rounding may be larger than the distance: a negative one would beat the curve itself, and queries
-    // would take it for that of a point that no source reaches.
-    // `ray` is the length of the ray up to AB.
-    const FT ray = (std::max)(FT(0), s.distance_at(x));
-    const FT d = x == apex ? (std::max)(FT(0), distance_at_apex(s, c)) : FT(ray + norm<FT>(c.apex_x - x, c.apex_y));
-    if(!(d < m_field.distance[c.apex]))
+    const Ray_arrival<FT> ray = arrival_of_ray(s, c.apex_x, c.apex_y);
+    if(!(ray.distance < m_field.distance[c.apex]))
       return false;
     Vertex_arrival<FT> arrival;
-    arrival.abscissa = x;
+    arrival.abscissa = ray.abscissa;
     arrival.halfedge = h;
     arrival.root = c.apex;
-    // As in Straight_piece: a line to this point crosses the source edge at the foot.
     Arrival_image<FT> image;
-    image.x = x - s.direction_x * ray;
-    image.depth = s.direction_y * ray;
-    const bool are_windows_stale = wavefront.improve(c.apex, d, arrival, image, wavefront.reached(), push);
-    if(m_field.distance[c.apex] == d)
-      m_foot[c.apex] = Strip_foot<FT>{s.side, s.foot_at(x)};
+    image.x = ray.image_x;
+    image.depth = ray.image_depth;
+    const bool are_windows_stale = wavefront.improve(c.apex, ray.distance, arrival, image, wavefront.reached(), push);
+    if(m_field.distance[c.apex] == ray.distance)
+      m_foot[c.apex] = Strip_foot<FT>{s.side, s.foot_at(ray.abscissa)};
     return are_windows_stale;
   }
 

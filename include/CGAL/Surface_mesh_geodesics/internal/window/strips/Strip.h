@@ -24,6 +24,7 @@
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/unfolding.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Vertex_rival.h>
@@ -85,18 +86,40 @@ bool trim(Strip<FT>& s, const FT& length, const Vertex_rival<FT>& left, const Ve
   return s.begin < s.end;
 }
 
-// Where the ray through C crosses AB. Requires: direction_y > 0.
+// Where the ray through (x, y) crosses AB.
 template <typename FT>
-FT abscissa_of_apex(const Strip<FT>& s, const Face_frame<FT>& c)
+FT crossing_of_ray(const Strip<FT>& s, const FT& x, const FT& y)
 {
-  return c.apex_x - c.apex_y * (s.direction_x / s.direction_y);
+  return x - y * (s.direction_x / s.direction_y);
 }
 
-// The value of the linear function at C. No ray of the strip leads to C with a bend at AB in a shorter way.
+// The value of the linear function at (x, y). No ray of the strip leads there with a bend at AB in a shorter way.
 template <typename FT>
-FT distance_at_apex(const Strip<FT>& s, const Face_frame<FT>& c)
+FT distance_of_ray(const Strip<FT>& s, const FT& x, const FT& y)
 {
-  return s.distance_at(c.apex_x) + s.direction_y * c.apex_y;
+  return s.distance_at(x) + s.direction_y * y;
+}
+
+// How a path along a ray arrives at a point above AB: through `abscissa` of AB, from the image of the foot of the ray
+// at (image_x, -image_depth). (The image is farther away where the source edge has an offset; directions are the same.)
+template <typename FT>
+struct Ray_arrival
+{
+  FT distance, abscissa, image_x, image_depth;
+};
+
+// The shortest of these paths: along the ray through (x, y), or, if that one passes beside the strip, along the nearest
+// ray with a bend at AB. The bend keeps a point reached where rounding has moved the end of the interval past its ray.
+// Beside a curve, rounding may be larger than the distance: a negative one would beat the curve itself, and queries
+// would take it for that of a point that no source reaches. Requires: y >= 0.
+template <typename FT>
+Ray_arrival<FT> arrival_of_ray(const Strip<FT>& s, const FT& x, const FT& y)
+{
+  const FT crossing = crossing_of_ray(s, x, y), abscissa = (std::min)(s.end, (std::max)(s.begin, crossing));
+  const FT up_to_edge = (std::max)(FT(0), s.distance_at(abscissa));
+  const FT distance = abscissa == crossing ? (std::max)(FT(0), distance_of_ray(s, x, y))
+                                           : FT(up_to_edge + norm<FT>(x - abscissa, y));
+  return {distance, abscissa, FT(abscissa - s.direction_x * up_to_edge), FT(s.direction_y * up_to_edge)};
 }
 
 // Turns a strip into the part of it that crosses AB up to `last` and then AC. Returns whether there is any. `angle` is
