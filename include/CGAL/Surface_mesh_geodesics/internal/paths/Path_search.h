@@ -215,11 +215,11 @@ private:
   {
     using std::abs;
     const std::uint32_t side = m_curves->side_of(h);
-    if(side == null_id || m_curves->curves.edges[side / 2].curve != m_source || !(cone.begin < cone.end)
+    if(side == null_id || m_curves->edge_of_side(side).curve != m_source || !(cone.begin < cone.end)
        || cone.image_depth < 0)
       return;
     const FT x = (std::min)((std::max)(cone.image_x, cone.begin), cone.end);
-    const FT rest = norm<FT>(x - cone.image_x, cone.image_depth) + m_curves->curves.edges[side / 2].offset;
+    const FT rest = norm<FT>(x - cone.image_x, cone.image_depth) + m_curves->edge_of_side(side).offset;
     if(abs(FT(m_length + rest - m_distance)) <= m_tolerance)
       m_foot = Foot{h, x, cone};
   }
@@ -409,7 +409,7 @@ private:
       add_crossings(cone.parent, p[0], p[1], step, reversed);
     }
     const std::uint32_t side = m_curves->side_of(m_foot.halfedge);
-    return append_pieces(cone.stop, m_curves->curves.edges[side / 2].offset, reversed, path);
+    return append_pieces(cone.stop, m_curves->edge_of_side(side).offset, reversed, path);
   }
 
   // Both ends of a path, a vertex and a foot, come here: the length is that of the steps which the user gets, not that

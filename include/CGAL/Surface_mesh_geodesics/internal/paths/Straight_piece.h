@@ -108,10 +108,13 @@ struct Piece_start
 };
 
 // Names the source of a path: a vertex, or, if curves are among the sources, the number of a curve; null_id if the root
-// is not reached.
+// is not reached. If `side` is not null_id, the path ends on that side of a source edge, and has no root.
 template <typename FT>
-std::uint32_t source_of_path(const Vertex_distance_field<FT>& field, const Curve_arrivals<FT>* curves, Vertex_id root)
+std::uint32_t source_of_path(const Vertex_distance_field<FT>& field, const Curve_arrivals<FT>* curves, Vertex_id root,
+                             std::uint32_t side = null_id)
 {
+  if(side != null_id)
+    return curves->edge_of_side(side).curve;
   const Vertex_id v = field.source_of(root);
   return curves == nullptr || v == null_id ? v : curves->point_of(field, v).curve;
 }
@@ -328,14 +331,8 @@ private:
   bool may_run_through(Vertex_id v, const FT& gap) const
   {
     return m_field.distance[v] < m_start.distance && gap + m_field.distance[v] <= rest() + slack()
-        && source_of_path(m_field, m_curves, v) == source_of_start();
-  }
-
-  // Names the source to which the piece leads.
-  std::uint32_t source_of_start() const
-  {
-    return m_start.side != null_id ? m_curves->curves.edges[m_start.side / 2].curve
-                                   : source_of_path(m_field, m_curves, m_start.root);
+        && source_of_path(m_field, m_curves, v)
+             == source_of_path(m_field, m_curves, m_start.root, m_start.side);
   }
 
   // The rest of the way, from the last step to the source.
@@ -358,7 +355,7 @@ private:
   bool has_right_length() const
   {
     using std::abs;
-    const FT behind = m_end != null_id ? m_field.distance[m_end] : m_curves->curves.edges[m_start.side / 2].offset;
+    const FT behind = m_end != null_id ? m_field.distance[m_end] : m_curves->edge_of_side(m_start.side).offset;
     const FT error = m_length + behind - m_start.distance;
     return abs(error) <= Tolerance<FT>::path() * m_start.distance + slack();
   }

@@ -91,7 +91,9 @@ void improve_arrival(Location_arrival<FT>& arrival, const Kept_window<FT>& w, co
 }
 
 // The same for a strip. It has no root: its rays come from the points of a source edge. What a path needs to run back
-// is the same as for a window, an image and the abscissa where it crosses the edge.
+// is the same as for a window, an image and the abscissa where it crosses the edge. The side and the foot tell where on
+// the curve the path begins.
+// Requires: y >= 0.
 template <typename FT>
 void improve_arrival(Location_arrival<FT>& arrival, const Strip<FT>& s, Halfedge_id h, const FT& x, const FT& y)
 {

@@ -83,8 +83,7 @@ public:
     if(!is_found)
     {
       path.clear();
-      const std::uint32_t source = arrival.side != null_id ? m_curves->curves.edges[arrival.side / 2].curve
-                                                           : source_of_path(m_field, m_curves, arrival.root);
+      const std::uint32_t source = source_of_path(m_field, m_curves, arrival.root, arrival.side);
       is_found = search(arrival.distance, [&](Path_search<FT>& s, const FT& tolerance)
       { return s.from_location(f, b, source, arrival.distance, tolerance, path); });
     }
@@ -200,7 +199,7 @@ private:
     if(end.vertex != null_id)
       return m_field.is_source(end.vertex) ? m_field.distance[end.vertex] : Field::infinity();
     const std::uint32_t side = m_curves != nullptr ? m_curves->side_of(end.halfedge) : std::uint32_t(null_id);
-    return side != null_id ? m_curves->curves.edges[side / 2].offset : Field::infinity();
+    return side != null_id ? m_curves->edge_of_side(side).offset : Field::infinity();
   }
 
   const Mesh& m_mesh;

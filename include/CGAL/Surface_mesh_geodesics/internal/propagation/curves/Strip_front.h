@@ -133,6 +133,7 @@ public:
     // path that enters the face across another edge decides nothing.
     const Vertex_arrival<FT>& arrival = m_field.arrival[c.apex];
     const bool comes_across = arrival.halfedge == h;
+    // Enlarged by the error of distances, so that ties keep the strip.
     const FT known = m_field.distance[c.apex] / (1 - Tolerance<FT>::distance());
     List* const left = c.left != null_id && c.left_length > 0 ? &list(c.left) : nullptr;
     List* const right = c.right != null_id && c.right_length > 0 ? &list(c.right) : nullptr;
@@ -276,6 +277,7 @@ private:
       // Also a sliver, which goes no farther: points of this face may lie on its rays.
       if(m_kept != nullptr)
         m_kept->keep(h, s);
+      // No path along a ray is shorter than the linear function, so most strips need no division to find the crossing.
       if(distance_of_ray(s, c.apex_x, c.apex_y) < m_field.distance[c.apex])
         are_windows_stale |= improve_apex(s, h, c, wavefront, push);
       if(!s.is_sliver(c.length) && s.faces_crossed < most_faces)
@@ -301,6 +303,7 @@ private:
     image.x = ray.image_x;
     image.depth = ray.image_depth;
     const bool are_windows_stale = wavefront.improve(c.apex, ray.distance, arrival, image, wavefront.reached(), push);
+    // At a vertex that emits windows, the wavefront refuses an improvement within rounding. The former foot stays then.
     if(m_field.distance[c.apex] == ray.distance)
       m_foot[c.apex] = Strip_foot<FT>{s.side, s.foot_at(ray.abscissa)};
     return are_windows_stale;

@@ -41,11 +41,18 @@ struct Strip_foot
   FT abscissa;
 };
 
+// The edge of which this is a side.
+template <typename FT>
+const Source_edge<FT>& edge_of_side(const Source_curves<FT>& curves, std::uint32_t side)
+{
+  return curves.edges[side / 2];
+}
+
 // The halfedge on a side of a source edge; its face is the one that the rays enter first.
 template <typename FT>
 Halfedge_id halfedge_of_side(const Source_curves<FT>& curves, std::uint32_t side)
 {
-  const Source_edge<FT>& e = curves.edges[side / 2];
+  const Source_edge<FT>& e = edge_of_side(curves, side);
   return side % 2 == 0 ? e.left : e.right;
 }
 
@@ -53,7 +60,7 @@ Halfedge_id halfedge_of_side(const Source_curves<FT>& curves, std::uint32_t side
 template <typename FT>
 Curve_point<FT> curve_point_of_foot(const Source_curves<FT>& curves, const Strip_foot<FT>& foot)
 {
-  const Source_edge<FT>& e = curves.edges[foot.side / 2];
+  const Source_edge<FT>& e = edge_of_side(curves, foot.side);
   const FT along = (std::min)(FT(1), (std::max)(FT(0), FT(foot.abscissa / e.length)));
   const FT t = foot.side % 2 == 0 ? along : FT(1 - along);
   return {e.curve, e.segment, FT(e.first_parameter + t * (e.last_parameter - e.first_parameter))};
@@ -116,6 +123,8 @@ struct Curve_arrivals
     const auto it = m_side.find(h);
     return it == m_side.end() ? null_id : it->second;
   }
+
+  const Source_edge<FT>& edge_of_side(std::uint32_t side) const { return internal::edge_of_side(curves, side); }
 
   // The point of a curve from which the shortest path to v comes. Requires: v is reached.
   Curve_point<FT> point_of(const Vertex_distance_field<FT>& field, Vertex_id v) const
