@@ -38,6 +38,7 @@ STRIP_FRONT = INTERNAL + "propagation/curves/Strip_front.h"
 CURVE_RUN = INTERNAL + "propagation/curves/Curve_run.h"
 CURVE_ARRIVALS = INTERNAL + "window/strips/Curve_arrivals.h"
 PATH_RUN = INTERNAL + "propagation/curves/Path_run_from_curves.h"
+SURFACE_SOURCES = INTERNAL + "interface/Surface_with_sources.h"
 PATH_SOLVER = INTERNAL + "interface/Path_solver.h"
 LOCATION_DISTANCE = INTERNAL + "paths/distance_at_location.h"
 CURVE_INSERTION = INTERNAL + "surface/curves/Curve_insertion.h"
@@ -904,10 +905,9 @@ MUTANTS = [
     ("second_run_forgets_strips", PATH_RUN,
      "propagation.strips().keep_in(&arrivals.strips);", "",
      "strips are not kept", (CURVE_PATHS,)),
-    ("points_beside_curves_are_vertices", LAZY_PATHS,
-     "s.is_vertex ? m_solver.add_source_as_curve(s.vertex) : m_solver.add_source_as_curve(location);",
-     "continue;",
-     "points among curves are no sources", (CURVE_PATHS,)),
+    ("vertices_beside_curves_at_one_place", SURFACE_SOURCES,
+     "result[i].vertex = m_sources.vertices[i];", "result[i].vertex = 0;",
+     "vertices among curves are taken for the first vertex of the mesh", (CURVE_PATHS,)),
     ("curves_walked_once", CURVE_INSERTION,
      "while(m_has_inserted && ++walks < most_walks);\n    if(m_has_inserted)", "while(false);\n    if(false)",
      "edges of a curve that a later one divides get lost", (CURVES,)),

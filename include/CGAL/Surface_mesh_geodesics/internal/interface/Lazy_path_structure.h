@@ -47,7 +47,6 @@
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
-#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <cstddef>
@@ -454,19 +453,14 @@ private:
     if(!m_solver.has_mesh())
       m_solver.build_mesh(Shape_from_points<double, Triangle_mesh, VertexPointMap>(m_tm, m_vertex_point_map));
     m_solver.begin_sources();
-    // Points beside curves are curves without length: strips and windows need one numbering of all sources.
-    const auto& sources = m_sources.sources();
-    const bool have_curves
-      = std::any_of(sources.begin(), sources.end(), [](const auto& s) { return s.add_curve != nullptr; });
-    for(const auto& s : sources)
+    for(const auto& s : m_sources.sources())
     {
-      const auto location = std::make_pair(s.location.first, weights(s.location.second));
       if(s.add_curve != nullptr)
         s.add_curve();
-      else if(have_curves)
-        s.is_vertex ? m_solver.add_source_as_curve(s.vertex) : m_solver.add_source_as_curve(location);
+      else if(s.is_vertex)
+        m_solver.add_source(s.vertex);
       else
-        s.is_vertex ? m_solver.add_source(s.vertex) : m_solver.add_source_location(location);
+        m_solver.add_source_location(std::make_pair(s.location.first, weights(s.location.second)));
     }
   }
 

@@ -137,20 +137,13 @@ public:
     m_surface.add_source(location, offset, what);
   }
 
-  // Adds a curve. If there are curves among the sources, the points among them are added by add_source_as_curve(). The
-  // results are those of a single thread, as strips and windows share one wavefront.
+  // Adds a curve. The results are then those of a single thread, as strips and windows share one wavefront.
   template <typename Curve>
   void add_source_curve(const Curve& curve)
   {
     m_surface.add_source_curve(curve);
     if(m_curve_run == nullptr)
       m_curve_run.reset(new Strip_path_run<double>());
-  }
-
-  template <typename Source>
-  void add_source_as_curve(const Source& source)
-  {
-    m_surface.add_source_as_curve(source, "source");
   }
 
   // Are there curves among the sources? The tests for it are at the level of calls, never inside loops: what points
@@ -528,7 +521,7 @@ private:
   }
 
   // Propagates into a field over all that the sources reach, as long as go_on() wants it. Returns whether it is
-  // complete. See propagate_with() for what is reset and counted.
+  // complete. See run_and_count() for what is reset and counted.
   template <typename Keeper>
   bool propagate(Vertex_distance_field<double>& field, Keeper keeper, const Go_on_reference& go_on)
   {
@@ -539,21 +532,19 @@ private:
   }
 
   // Propagates into a field: run(propagation) does so, and returns whether it is complete.
-  // The windows are reset first, as the keeper may not keep any before. The memory of mesh and results counts for
-  // intrinsic_mesh_bytes, that of kept windows for maximum_window_bytes.
   template <typename Keeper, typename Run>
   bool propagate_with(Vertex_distance_field<double>& field, Keeper keeper, Run run)
   {
-    const Source_set<double>& sources = m_surface.sources();
-    m_windows.reset(keeps(keeper) ? mesh().number_of_faces() : 0);
-    typename Propagation_for_tag<Tag, double, All_pruning_rules, Keeper>::type propagation(mesh(), field, keeper);
-    for(std::size_t i = 0; i < sources.size(); ++i)
-      propagation.add_source(sources.vertices[i], sources.offset(i));
-    const bool is_complete = run(propagation);
-    m_statistics = propagation.statistics();
-    m_statistics.intrinsic_mesh_bytes += user_surface().memory() + field.memory();
-    m_statistics.maximum_window_bytes += keeps(keeper) ? m_windows.memory() : 0;
-    return is_complete;
+    return run_and_count(field, keeper, [&]
+    {
+      const Source_set<double>& sources = m_surface.sources();
+      typename Propagation_for_tag<Tag, double, All_pruning_rules, Keeper>::type propagation(mesh(), field, keeper);
+      for(std::size_t i = 0; i < sources.size(); ++i)
+        propagation.add_source(sources.vertices[i], sources.offset(i));
+      const bool is_complete = run(propagation);
+      m_statistics = propagation.statistics();
+      return is_complete;
+    });
   }
 
   // The same from curves. The second run of two has a field of its own, so the feet of the first one stay: other
@@ -561,9 +552,18 @@ private:
   bool propagate_from_curves(Vertex_distance_field<double>& field, const Window_keeper<double>& keeper,
                              const Go_on_reference& go_on)
   {
+    return run_and_count(field, keeper, [&]
+    { return m_curve_run->run(mesh(), field, keeper, m_curves, &field != &m_field, go_on, m_statistics); });
+  }
+
+  // Calls run(), which propagates into the field and sets the statistics. The windows are reset before, as the keeper
+  // may not keep any. The memory of mesh and results counts for intrinsic_mesh_bytes, that of kept windows for
+  // maximum_window_bytes.
+  template <typename Keeper, typename Run>
+  bool run_and_count(const Vertex_distance_field<double>& field, const Keeper& keeper, Run run)
+  {
     m_windows.reset(keeps(keeper) ? mesh().number_of_faces() : 0);
-    const bool is_repetition = &field != &m_field;
-    const bool is_complete = m_curve_run->run(mesh(), field, keeper, m_curves, is_repetition, go_on, m_statistics);
+    const bool is_complete = run();
     m_statistics.intrinsic_mesh_bytes += user_surface().memory() + field.memory() + m_curves.memory();
     m_statistics.maximum_window_bytes += keeps(keeper) ? m_windows.memory() : 0;
     return is_complete;

@@ -27,7 +27,6 @@
 
 #include <CGAL/assertions.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -124,35 +123,21 @@ public:
     m_surface.add_offset(offset, m_sources);
   }
 
-  // Appends a curve, or a point that counts as a curve. If there are curves among the sources, all are added in this
-  // way; they are numbered in the order of addition. Throws and requires what add_source() does.
+  // Appends a curve, without an offset. Throws and requires what add_source() does.
   template <typename Curve>
   void add_source_curve(const Curve& curve)
   {
-    CGAL_assertion(!m_are_inserted && m_sources.size() == 0);
-    m_curves.push_back(m_surface.located_curve(curve, m_curves.size()));
+    CGAL_assertion(!m_are_inserted);
+    m_curves.emplace_back(m_sources.size(), m_surface.located_curve(curve, m_sources.size()));
+    m_sources.vertices.push_back(null_id);
+    m_sources.offsets.push_back(0);
   }
 
-  template <typename Source>
-  void add_source_as_curve(const Source& source, const char* what)
-  {
-    CGAL_assertion(!m_are_inserted && m_sources.size() == 0);
-    // The point is checked and located as any other source is, in a set of its own.
-    Source_set<double> set;
-    set.vertices.resize(m_curves.size(), null_id); // for the position in messages
-    m_surface.add_source(source, set, what);
-    Located_curve<double> curve;
-    curve.vertex = set.vertices.back();
-    if(!set.located.empty())
-      curve.segments.push_back({set.located[0].face, set.located[0].coordinates, set.located[0].coordinates});
-    m_curves.push_back(curve);
-  }
-
-  // Are all sources curves, or points that count as curves? The list tells, whether it is inserted or not.
+  // Are there curves among the sources? The list tells, whether it is inserted or not.
   bool has_curves() const { return !m_curves.empty(); }
 
-  // Inserts the curves unless that is done: insert(curves, insertion) makes edges and vertices of them. Throws what it
-  // throws; then nothing is inserted. Requires: has_curves().
+  // Inserts curves and points unless that is done: insert(curves, insertion) makes edges and vertices of them. Throws
+  // what it throws; then nothing is inserted. Requires: has_curves().
   template <typename Insert>
   void insert_curves(Insert insert)
   {
@@ -160,7 +145,7 @@ public:
       return;
     try // a part of the curves may be in the mesh when rounding shows that they cannot be told apart
     {
-      insert(m_curves, m_insertion);
+      insert(sources_as_curves(), m_insertion);
     }
     catch(...)
     {
@@ -282,6 +267,21 @@ public:
   }
 
 private:
+  // Strips and windows need one numbering of all sources, so points beside curves are curves without length.
+  std::vector<Located_curve<double>> sources_as_curves() const
+  {
+    std::vector<Located_curve<double>> result(m_sources.size());
+    for(std::size_t i = 0; i < result.size(); ++i)
+      result[i].vertex = m_sources.vertices[i];
+    for(const Located_source<double>& s : m_sources.located)
+      result[s.position].segments.push_back({s.face, s.coordinates, s.coordinates});
+    for(const auto& c : m_curves)
+      result[c.first] = c.second;
+    for(std::size_t i = 0; i < result.size(); ++i)
+      result[i].offset = m_sources.offset(i);
+    return result;
+  }
+
   static constexpr double full_circle() { return 6.283185307179586; }
 
   // Returns the vertex at corner k of a face of the mesh as it was before sources were inserted. After insertions, f is
@@ -297,8 +297,9 @@ private:
   // The mesh of m_surface is the one that m_insertion changes.
   Surface m_surface;
   Source_insertion<double> m_insertion;
-  Source_set<double> m_sources; // as added; their vertices are known once they are inserted
-  std::vector<Located_curve<double>> m_curves; // all sources, if there are curves among them
+  // As added; vertices are known once they are inserted. A curve has its number here, but neither a vertex nor a place.
+  Source_set<double> m_sources;
+  std::vector<std::pair<std::size_t, Located_curve<double>>> m_curves; // with their numbers
   Source_numbers m_numbers;
   bool m_are_inserted = false;
 };
