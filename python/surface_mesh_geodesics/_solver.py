@@ -36,12 +36,12 @@ class Solver:
     vertices, or a pair of arrays (faces, coordinates). A `Curve` is a source of `distances()`, too.
 
     Several threads may use one solver; computations of distances and paths wait for the one before. Computations run
-    without the lock of the interpreter. Ctrl-C ends them within 0.2 seconds if there are 75,000 faces. What
-    takes seconds is the last step of a relaxation or a remeshing of a million faces, and `areas`, `energy` and
-    `check_dual()` of a diagram with thousands of sites. `progress` is called
-    with a number from 0 to 1 some twenty times a second, and never if the call is short; it must not use the solver
-    that computes (RuntimeError). Solvers can be pickled, as those of derived classes with their attributes; the mesh is
-    read again then. A process must not be forked while another of its threads computes.
+    without the lock of the interpreter. Ctrl-C ends them within 0.2 seconds if there are 75,000 faces. What takes
+    seconds is the last step of a relaxation or a remeshing of a million faces, and `areas`, `energy` and `check_dual()`
+    of a diagram with thousands of sites. `progress` is called with a number from 0 to 1 some twenty times a second, and
+    never if the call is short; it must not use the solver that computes (RuntimeError). Solvers can be pickled, as
+    those of derived classes with their attributes; the mesh is read again then. A process must not be forked while
+    another of its threads computes.
     """
 
     def __init__(self, V: Any, F: Any) -> None:
@@ -553,8 +553,8 @@ class Solver:
         self._surface = _core.Surface(*state["_surface"], lengths, self._avoided)
 
     def _set_up(self, points: np.ndarray, faces: np.ndarray, lengths: np.ndarray | None) -> None:
-        extent = np.linalg.norm(np.ptp(points, axis=0)) if len(points) > 0 else 0.0
-        extent = extent if lengths is None else lengths.max(initial=0.0)
+        diagonal = np.ptp(points, axis=0) if len(points) > 0 else 0.0
+        extent = np.linalg.norm(diagonal) if lengths is None else lengths.max(initial=0.0)
         self.__setstate__({"_surface": (points, faces), "_sizes": (len(points), len(faces)), "_avoided": NO_IDS,
                            "_extent": float(extent), "_lengths": None if lengths is None else lengths.copy()})
 
