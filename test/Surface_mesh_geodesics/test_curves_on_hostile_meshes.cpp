@@ -37,7 +37,7 @@ void distances_are_right()
 // negative.
 void faults_do_not_come_back()
 {
-  for(const std::uint64_t seed : {116, 50085, 11148, 3009, 16982, 70995})
+  for(const std::uint64_t seed : {116u, 50085u, 11148u, 3009u, 16982u, 70995u})
   {
     const test_support::Scope scope("surface " + std::to_string(seed));
     test_support::Random random(seed);

@@ -16,6 +16,8 @@
 //
 // relax_sites() is the loop. Vertex_site_diagram holds the diagram, which all iterations share.
 
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/map_checks.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_values.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/run_with_visitor.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/distance_in_space.h>
 
