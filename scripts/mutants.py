@@ -30,7 +30,7 @@ SOURCES = INTERNAL + "surface/Source_insertion.h"
 PARALLEL = INTERNAL + "propagation/parallel/Parallel_distance_propagation.h"
 PART = INTERNAL + "propagation/parallel/Wavefront_part.h"
 DIVISION = INTERNAL + "propagation/parallel/Wavefront_division.h"
-VERTEX_PARTS = INTERNAL + "propagation/parallel/Vertex_parts.h"
+VERTEX_RECORDS = INTERNAL + "propagation/parallel/Vertex_records.h"
 SHARING = INTERNAL + "propagation/parallel/Work_sharing.h"
 FARTHEST = INTERNAL + "surface/Farthest_vertex_queue.h"
 STRIP = INTERNAL + "window/strips/Strip.h"
@@ -467,9 +467,9 @@ MUTANTS = [
      "        push(q.vertex, q.key);\n      part.batch().clear();", "        static_cast<void>(q);\n      part.batch().clear();",
      "a run that ends early loses the vertices of its last batch", (WORK_SHARING,)),
     ("moved_vertices_keep_their_part", DIVISION,
-     "      m_vertex_parts.set_part(q->vertex, to);\n", "      static_cast<void>(q->vertex);\n",
+     "      m_records.set_part(q->vertex, to);\n", "      static_cast<void>(q->vertex);\n",
      "vertices that another part visits go back to their first part", (WORK_SHARING,)),
-    ("two_part_of_vertex", VERTEX_PARTS,
+    ("two_part_of_vertex", VERTEX_RECORDS,
      "    return entry & part_mask; // another thread was faster", "    return part;",
      "two parts queue the same vertex", (WORK_SHARING,)),
     ("tail_unit_claimed_twice", SHARING,

@@ -5,7 +5,7 @@
 #include "thread_team.h"
 
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Batch_threshold.h>
-#include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Vertex_parts.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Vertex_records.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Wavefront_division.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Work_sharing.h>
 
@@ -81,24 +81,24 @@ void each_unit_is_done_once(std::size_t number_of_threads, bool units_fail, test
 void vertices_belong_to_one_part(std::size_t number_of_threads)
 {
   const std::size_t n = 3000;
-  internal::Vertex_parts part_of_vertex;
+  internal::Vertex_records<double> records;
   for(std::size_t run = 0; run < 3; ++run)
   {
-    part_of_vertex.restart(n + run * 500); // more vertices need a new table, as many keep it
-    part_of_vertex.restart(n);
+    records.restart(n + run * 500); // more vertices need a new table, as many keep it
+    records.restart(n);
     std::vector<std::vector<std::size_t>> answers(number_of_threads, std::vector<std::size_t>(n));
     Thread_team(number_of_threads).run(number_of_threads, [&](std::size_t thread)
     {
       for(internal::Vertex_id v = 0; v < n; ++v)
-        answers[thread][v] = part_of_vertex.part_of(v, thread);
+        answers[thread][v] = records.part_of(v, thread);
     });
     for(internal::Vertex_id v = 0; v < n; ++v)
     {
       CHECK(answers[0][v] < number_of_threads);
       for(const std::vector<std::size_t>& answer : answers)
         CHECK_EQUAL(answer[v], answers[0][v]);
-      part_of_vertex.set_part(v, 7);
-      CHECK_EQUAL(part_of_vertex.part_of(v, 3), 7u);
+      records.set_part(v, 7);
+      CHECK_EQUAL(records.part_of(v, 3), 7u);
     }
   }
 }

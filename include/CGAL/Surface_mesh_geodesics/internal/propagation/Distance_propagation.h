@@ -186,7 +186,8 @@ public:
       const FT key = m_queue.top_key();
       m_queue.pop();
       m_wavefront.take(m_star, key, m_slots);
-      // With many sources the vertex that will probably be next is far away: fetch its star meanwhile.
+      // The vertex that will probably be next is far away, with many sources or on a large mesh: fetch its star
+      // meanwhile. (A visit pushes vertices behind itself, so that it hardly ever is another one.)
       const Vertex_id next = m_queue.empty() ? m_star.vertex : m_queue.top();
       m_mesh.prefetch_star(next);
       m_stars.propagate(m_star);

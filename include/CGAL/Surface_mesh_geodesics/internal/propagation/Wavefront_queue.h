@@ -39,7 +39,7 @@ namespace internal {
 // Debug builds with CGAL_CHECK_EXPENSIVE check the neighborhood of each entry that moves, and the whole queue in
 // restart().
 //
-// `Table` is the type of the table of positions: a std::vector, or one that several queues share (Wavefront_part.h). Of
+// `Table` is the type of the table of positions: a std::vector, or one that several queues share (Vertex_records.h). Of
 // these queues, no two contain the same vertex.
 template <typename FT, typename Table = std::vector<std::uint32_t>>
 class Wavefront_queue

@@ -45,6 +45,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Vertex_star.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Wavefront.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Batch_threshold.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Vertex_records.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Wavefront_division.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Wavefront_part.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Window_relay.h>
@@ -100,7 +101,7 @@ struct No_phase_clock
 // Invariants, outside run() and at the beginning of each round:
 // - No star is taken out, and each list waits on a halfedge or not at all.
 // - A vertex that the wavefront needs is in the queue of its part, or in a message to it.
-// - m_marks[v].round == m_round exactly if v is in the batch of the last round.
+// - The mark of a vertex has the round m_round exactly if the vertex is in the batch of the last round.
 template <typename FT_, typename Rules_, typename Team, typename Keeper_ = No_window_keeper,
           typename Clock = No_phase_clock>
 class Parallel_distance_propagation
@@ -147,7 +148,6 @@ public:
     m_relay.restart(m_workers.size(), keepers());
     release_surplus();
     make_parts();
-    m_marks.resize(m_mesh.number_of_vertices());
     m_maximum_distance = Field::infinity();
     m_maximum_windows_alive = 0;
     m_end = Stopping_criterion<FT>();
@@ -221,8 +221,7 @@ public:
     }
     sum.maximum_windows_alive = m_maximum_windows_alive;
     sum.maximum_window_bytes += m_wavefront.memory() + m_relay.memory();
-    sum.intrinsic_mesh_bytes = m_wavefront.table_memory() + m_marks.capacity() * sizeof(Mark);
-    sum.intrinsic_mesh_bytes += m_division.table_memory(); // the caller adds the mesh and the results
+    sum.intrinsic_mesh_bytes = m_wavefront.table_memory() + m_division.table_memory(); // the caller adds the rest
     return sum;
   }
 
@@ -250,15 +249,7 @@ private:
     std::uint32_t part, first, last;
   };
 
-  // The batch to which a vertex belonged last, and its key there, rounded. Rounding makes ties but no other order, and
-  // neighbors see the same marks: of two neighbors in a batch, both agree which one is nearer. Round 0 is none.
-  struct Mark
-  {
-    std::uint32_t round = 0;
-    float key = 0;
-  };
-
-  // --- the conductor: the calling thread ---
+ // --- the conductor: the calling thread ---
 
   // Visits batches until nothing waits or a limit is reached. Returns false as soon as go_on() does. Each turn of the
   // loop is a round. A batch is empty if the threshold is below the nearest key; then only the threshold moves. go_on()
@@ -320,7 +311,7 @@ private:
   {
     if(m_round == (std::numeric_limits<std::uint32_t>::max)())
     {
-      std::fill(m_marks.begin(), m_marks.end(), Mark());
+      m_division.records().clear_marks();
       m_round = 0;
     }
     ++m_round;
@@ -406,7 +397,7 @@ private:
     part.take_over(m_messages_of_part[i], m_wavefront);
     part.fill_batch((std::min)(m_threshold.limit(), m_maximum_distance));
     for(const Queued_vertex<FT>& q : part.batch())
-      m_marks[q.vertex] = Mark{m_round, static_cast<float>(q.key)};
+      m_division.records()[q.vertex].mark = Batch_mark{m_round, static_cast<float>(q.key)};
     m_clock.end_unit();
   }
 
@@ -455,14 +446,16 @@ private:
   }
 
   // Is the vertex of a star nearer than all its neighbors in the batch, or as near and of a smaller number? Then no
-  // neighbor is visited. Requires: star.surround() was called.
+  // neighbor is visited. (All marks are read, without a branch: each is a different place in memory, and the processor
+  // asks for all of them at once. The visit needs the records again.) Requires: star.surround() was called.
   bool is_nearest_of_links(const Vertex_star<FT>& star) const
   {
-    const float key = m_marks[star.vertex].key;
+    const Vertex_records<FT>& records = m_division.records();
+    const float key = records[star.vertex].mark.key;
     bool is_nearest = true;
     for(const Link_vertex<FT>& link : star.links)
     {
-      const Mark& other = m_marks[link.vertex];
+      const Batch_mark& other = records[link.vertex].mark;
       const bool is_nearer = other.key < key || (!(key < other.key) && link.vertex < star.vertex);
       is_nearest = is_nearest && !(other.round == m_round && is_nearer);
     }
@@ -567,7 +560,6 @@ private:
   std::vector<std::unique_ptr<Worker>> m_workers; // the first one is the conductor's
   Wavefront_division<FT> m_division;
   std::vector<std::vector<Messages*>> m_messages_of_part; // those of all workers, by part
-  std::vector<Mark> m_marks;                              // by vertex
   std::uint32_t m_round = 0;
   std::size_t m_number_of_threads = 1;            // of the run
   std::size_t m_size_of_last_batch = 0;

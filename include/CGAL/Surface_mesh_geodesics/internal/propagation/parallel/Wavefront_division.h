@@ -22,7 +22,7 @@
 // The result does not depend on the division (Wavefront_part.h).
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
-#include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Vertex_parts.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Vertex_records.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Wavefront_part.h>
 
 #include <CGAL/assertions.h>
@@ -49,7 +49,7 @@ public:
   using Part = Wavefront_part<FT>;
   using Batch = std::vector<Queued_vertex<FT>>;
 
-  static constexpr std::size_t maximum_number_of_parts = Vertex_parts::maximum_number_of_parts;
+  static constexpr std::size_t maximum_number_of_parts = Vertex_records<FT>::maximum_number_of_parts;
 
   // Empties all parts. Linear in the number of queued vertices, and of vertices that are new; linear in the mesh if an
   // exception has ended the update of a part. Requires: 0 < n <= maximum_number_of_parts.
@@ -62,21 +62,23 @@ public:
       is_interrupted = is_interrupted || part.is_taking_over();
     }
     if(is_interrupted)
-      m_best.clear();
+      m_records.clear_best();
     m_parts.resize(n);
-    m_position.resize(number_of_vertices, null_id);
-    m_best.resize(number_of_vertices, nullptr);
-    m_vertex_parts.restart(number_of_vertices);
+    m_records.restart(number_of_vertices);
     for(Part& part : m_parts)
-      part.begin(Shared_table<std::uint32_t>(m_position), Shared_table<const Vertex_improvement<FT>*>(m_best));
+      part.begin(m_records);
   }
 
   std::size_t number_of_parts() const { return m_parts.size(); }
   Part& part(std::size_t i) { return m_parts[i]; }
   const Part& part(std::size_t i) const { return m_parts[i]; }
 
+  // What is known of each vertex. Requires of a vertex: it belongs to the mesh of the last restart().
+  Vertex_records<FT>& records() { return m_records; }
+  const Vertex_records<FT>& records() const { return m_records; }
+
   // The part of a vertex that a visit in the given part has met.
-  std::size_t part_of(Vertex_id v, std::size_t part) { return m_vertex_parts.part_of(v, part); }
+  std::size_t part_of(Vertex_id v, std::size_t part) { return m_records.part_of(v, part); }
 
   // Queues a vertex; one that belongs to no part belongs to the given one from now on.
   void push(Vertex_id v, const FT& key, std::size_t part = 0) { m_parts[part_of(v, part)].push(v, key); }
@@ -200,8 +202,7 @@ public:
 
   std::size_t table_memory() const
   {
-    return m_vertex_parts.memory() + m_position.capacity() * sizeof(m_position[0])
-         + m_best.capacity() * sizeof(m_best[0]);
+    return m_records.memory();
   }
 
 private:
@@ -232,15 +233,13 @@ private:
     const auto end = batch.begin() + static_cast<std::ptrdiff_t>(n);
     std::nth_element(batch.begin(), end - 1, batch.end(), order);
     for(auto q = batch.begin(); q != end; ++q)
-      m_vertex_parts.set_part(q->vertex, to);
+      m_records.set_part(q->vertex, to);
     m_parts[to].batch().insert(m_parts[to].batch().end(), batch.begin(), end);
     batch.erase(batch.begin(), end);
   }
 
   std::vector<Part> m_parts;
-  Vertex_parts m_vertex_parts;
-  std::vector<std::uint32_t> m_position;                 // in the queue of the part, by vertex
-  std::vector<const Vertex_improvement<FT>*> m_best;     // by vertex; null between updates
+  Vertex_records<FT> m_records;
   Batch m_buffer;
 };
 

@@ -23,6 +23,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Vertex_star.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Wavefront.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Wavefront_queue.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Vertex_records.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 
 #include <CGAL/assertions.h>
@@ -89,22 +90,6 @@ struct alignas(64) Wavefront_messages
   }
 };
 
-// A table by vertex that several parts share. Each uses the entries of its own vertices only.
-template <typename T>
-class Shared_table
-{
-public:
-  Shared_table() = default;
-  explicit Shared_table(std::vector<T>& table) : m_first(table.data()), m_size(table.size()) {}
-
-  T& operator[](std::size_t v) const { return m_first[v]; }
-  std::size_t size() const { return m_size; }
-
-private:
-  T* m_first = nullptr;
-  std::size_t m_size = 0;
-};
-
 // Invariant, after take_over(): all vertices of the part that must be visited are in the queue or in batch().
 //
 // Threads: one at a time updates a part (take_over(), fill_batch()), which writes distances of its own vertices only.
@@ -125,10 +110,10 @@ public:
   }
 
   // Begins with tables for the vertices of a mesh, whose entries are null_id and nullptr. Requires: clear() was called.
-  void begin(Shared_table<std::uint32_t> position, Shared_table<const Improvement*> best)
+  void begin(Vertex_records<FT>& records)
   {
-    m_queue = Queue(position);
-    m_best = best;
+    m_queue = Queue(Queue_positions<FT>(records));
+    m_records = &records;
     m_is_taking_over = false;
   }
 
@@ -152,7 +137,7 @@ public:
     for(const Messages* m : messages)
     {
       for(const Improvement& i : m->improvements)
-        if(m_best[i.vertex] == &i)
+        if(best_of(i) == &i)
           improve(i, wavefront);
       for(const Queued_vertex<FT>& q : m->queued)
         push(q.vertex, q.key);
@@ -160,7 +145,7 @@ public:
     for(Messages* m : messages)
     {
       for(const Improvement& i : m->improvements)
-        m_best[i.vertex] = nullptr;
+        best_of(i) = nullptr;
       m->clear();
     }
     m_is_taking_over = false;
@@ -213,7 +198,7 @@ private:
   // Keeps the best improvement of each vertex in mind.
   void consider(const Improvement& i)
   {
-    const Improvement*& best = m_best[i.vertex];
+    const Improvement*& best = best_of(i);
     if(best == nullptr || i.wins(*best))
       best = &i;
   }
@@ -225,10 +210,12 @@ private:
       has_stale_windows = true;
   }
 
-  using Queue = Wavefront_queue<FT, Shared_table<std::uint32_t>>;
+  const Improvement*& best_of(const Improvement& i) { return (*m_records)[i.vertex].best; }
 
-  Queue m_queue{Shared_table<std::uint32_t>()};
-  Shared_table<const Improvement*> m_best; // by vertex; null between calls
+  using Queue = Wavefront_queue<FT, Queue_positions<FT>>;
+
+  Queue m_queue{Queue_positions<FT>()};
+  Vertex_records<FT>* m_records = nullptr;
   std::vector<Queued_vertex<FT>> m_batch;
   FT m_nearest_key = 0, m_farthest_key = 0;
   std::vector<Vertex_id> m_reached; // since the last move_reached()
