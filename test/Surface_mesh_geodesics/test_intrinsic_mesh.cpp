@@ -7,12 +7,15 @@
 #include "test_support.h"
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/memory_hints.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Source_insertion.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/equal_sources.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/mesh_invariants.h>
 
+#include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -128,6 +131,25 @@ void least_offset_of_a_vertex_decides_about_equal_sources()
   CHECK(ties({u, u, v}, {.5, 0., .5}).empty());
 }
 
+// A table in large pages is a table like others, and the caller's error number stays. A table with elements is not
+// moved.
+void large_tables_are_reserved()
+{
+  for(const std::size_t n : {std::size_t(0), std::size_t(1), std::size_t(1000000), std::size_t(5000000)})
+  {
+    std::vector<int> table;
+    errno = 7;
+    internal::reserve_large(table, n);
+    CHECK_EQUAL(errno, 7);
+    CHECK(table.capacity() >= n && table.empty());
+    const int* const first = table.data();
+    table.resize(n, 3);
+    CHECK(table.data() == first && std::count(table.begin(), table.end(), 3) == static_cast<std::ptrdiff_t>(n));
+    internal::reserve_large(table, 2 * n + 1);
+    CHECK(n == 0 || table.data() == first);
+  }
+}
+
 } // namespace
 
 int main()
@@ -142,6 +164,7 @@ int main()
     equal_points_are_one_vertex(tm, random);
   }
   the_checks_find_faults();
+  large_tables_are_reserved();
   least_offset_of_a_vertex_decides_about_equal_sources();
   return test_result();
 }

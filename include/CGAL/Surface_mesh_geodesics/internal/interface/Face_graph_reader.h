@@ -29,6 +29,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Face_shapes.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/One_block.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/memory_hints.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh_builder.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/mesh_invariants.h>
@@ -155,8 +156,8 @@ private:
   {
     // (Some models count their elements in each call.)
     const std::size_t range_of_indices = num_faces(m_tm), number_of_vertices = num_vertices(m_tm);
-    m_faces.reserve(range_of_indices);
-    m_connected_faces.reserve(range_of_indices);
+    reserve_large(m_faces, range_of_indices);
+    reserve_large(m_connected_faces, range_of_indices);
     for(face_descriptor f : faces(m_tm))
     {
       if(is_left_out(f))

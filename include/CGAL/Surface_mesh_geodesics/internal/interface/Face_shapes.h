@@ -32,6 +32,7 @@
 
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/memory_hints.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_face.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/face_shape.h>
 
@@ -84,7 +85,7 @@ public:
   // coordinates that are too far from each other may each be valid.
   int prepare(const std::vector<vertex_descriptor>& numbered_vertices, std::size_t number_in_faces)
   {
-    m_points.reserve(numbered_vertices.size());
+    reserve_large(m_points, numbered_vertices.size());
     double largest = 0;
     for(vertex_descriptor v : numbered_vertices)
     {

@@ -28,7 +28,7 @@
 // and needs no separate code.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Bitset.h>
-#include <CGAL/Surface_mesh_geodesics/internal/numeric/prefetch.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/memory_hints.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Star_propagation.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Vertex_star.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>

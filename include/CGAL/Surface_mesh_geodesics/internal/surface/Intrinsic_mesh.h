@@ -26,8 +26,8 @@
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Angle_sum.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/One_block.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/memory_hints.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
-#include <CGAL/Surface_mesh_geodesics/internal/numeric/prefetch.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_face.h>
 
 #include <CGAL/assertions.h>
@@ -233,7 +233,7 @@ public:
   // New faces hold anything until the builder has set all their members; vertices are the former ones until finish().
   void reset(std::size_t number_of_faces)
   {
-    m_faces.reserve(number_of_faces + room_for_sources);
+    reserve_large(m_faces, number_of_faces + room_for_sources);
     m_faces.resize(number_of_faces);
     m_edge_components.clear();
     m_extents_of_added_faces.clear();
@@ -360,6 +360,7 @@ private:
   // halfedges that leave v, and then is the end of their row in m_star.
   void find_umbrellas()
   {
+    reserve_large(m_star_begin, number_of_vertices() + 1);
     m_star_begin.assign(number_of_vertices() + 1, 0);
     std::vector<Halfedge_id> at_border; // an umbrella with a border begins where there is no face on the right
     const Face_id n = static_cast<Face_id>(number_of_faces());
@@ -380,6 +381,7 @@ private:
         add_umbrella(source(h), h);
     for(Vertex_id v = 0; v < number_of_vertices(); ++v)
       m_star_begin[v + 1] += m_star_begin[v];
+    reserve_large(m_star, m_star_begin.back());
     m_star.assign(m_star_begin.back(), 0); // an entry that is not filled is some halfedge
   }
 

@@ -18,7 +18,7 @@
 
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
-#include <CGAL/Surface_mesh_geodesics/internal/numeric/prefetch.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/memory_hints.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/face_shape.h>
 
@@ -181,9 +181,11 @@ private:
   void number_faces(const std::vector<Connected_face>& faces)
   {
     const std::size_t n = faces.size();
+    reserve_large(m_order, n + 1);
     m_order.resize(n + 1); // one more: append() may write an entry that does not count
+    reserve_large(m_name, n);
     m_name.assign(n, null_id);
-    m_faces.reserve(n);
+    reserve_large(m_faces, n);
     std::size_t end = 0; // of m_order
     for(std::uint32_t first = 0; first < n; ++first)
     {

@@ -17,6 +17,7 @@
 // be read and removed in time proportional to the area that it reached.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/memory_hints.h>
 
 #include <CGAL/assertions.h>
 
@@ -67,8 +68,11 @@ struct Vertex_distance_field
   // Sets all distances to infinity. Takes time linear in the number of vertices.
   void reset(std::size_t number_of_vertices)
   {
+    reserve_large(image, keeps_images ? number_of_vertices : 0);
     image.assign(keeps_images ? number_of_vertices : 0, Arrival_image<FT>());
+    reserve_large(distance, number_of_vertices);
     distance.assign(number_of_vertices, infinity());
+    reserve_large(arrival, number_of_vertices);
     arrival.assign(number_of_vertices, Vertex_arrival<FT>());
     reached.clear();
   }

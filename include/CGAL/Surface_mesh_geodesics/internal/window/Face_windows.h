@@ -22,7 +22,7 @@
 // of unused space in the last chunk of each halfedge.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
-#include <CGAL/Surface_mesh_geodesics/internal/numeric/prefetch.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/memory_hints.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Kept_window.h>
 
 #include <algorithm>

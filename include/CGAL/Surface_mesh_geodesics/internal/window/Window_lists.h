@@ -25,8 +25,9 @@
 // the rows behind a list hold numbers whatever they mean; all columns are aligned (Window_pool::aligned()).
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
-#include <CGAL/Surface_mesh_geodesics/internal/window/Window.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/bit_counting.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/memory_hints.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/Window.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/simd.h>
 
 #include <CGAL/assertions.h>
@@ -524,6 +525,7 @@ private:
   // another one makes a chunk. Beside the slots in use, each thread has at most three chunks (share_surplus()).
   void resize(std::size_t number_of_faces, std::size_t number_of_threads)
   {
+    reserve_large(m_slot_of_halfedge, 3 * number_of_faces);
     m_slot_of_halfedge.resize(3 * number_of_faces, null_id);
     const std::size_t n = 3 * number_of_faces / slots_in_chunk + 1 + 3 * number_of_threads;
     if(m_chunks.size() < n)

@@ -14,7 +14,7 @@
 // the last pseudo-source on it; so the roots lead back to the source.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
-#include <CGAL/Surface_mesh_geodesics/internal/numeric/prefetch.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/memory_hints.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 
 #include <CGAL/assertions.h>
