@@ -47,11 +47,13 @@ CURVE_PATH_WRITER = INTERNAL + "interface/curves/Curve_path_writer.h"
 CURVE_SEGMENTS = INTERNAL + "interface/curves/curve_segments.h"
 PATH_CURVE = "CGAL/Surface_mesh_geodesics/shortest_path_curve.h"
 STRAIGHT = INTERNAL + "paths/Straight_piece.h"
-ISOLINES = INTERNAL + "paths/isoline_tracing.h"
+ISOLINES = INTERNAL + "paths/isoline_crossings.h"
+ISOLINE_SWEEP = INTERNAL + "paths/Isoline_sweep.h"
 FACE_WINDOWS = INTERNAL + "window/Face_windows.h"
 REMOVAL = INTERNAL + "Voronoi/Redundant_window_removal.h"
 OWNERS = INTERNAL + "Voronoi/edges/Vertex_owners.h"
-ENTERING = INTERNAL + "Voronoi/edges/entering_windows.h"
+ENTERING = INTERNAL + "window/passing/entering_windows.h"
+PASSED = INTERNAL + "window/passing/Passed_faces.h"
 RELAY = INTERNAL + "propagation/parallel/Window_relay.h"
 WINDOW_FIELD = INTERNAL + "window/Edge_window_field.h"
 RADIX_HEAP = INTERNAL + "numeric/Radix_heap.h"
@@ -127,6 +129,7 @@ PATHS = "test_paths_interface"
 PATHS_BUILDING = "test_paths_building"
 HOSTILE_PATHS = "test_paths_on_hostile_meshes"
 ISOLINE_TEST = "test_isolines"
+ISOLINES_TEST = "test_geodesic_isolines"
 BY_HAND = "test_Voronoi_by_hand"
 TRACE = "test_trace_geodesic"
 LOGARITHM = "test_logarithmic_map"
@@ -511,6 +514,15 @@ MUTANTS = [
     ("isoline_touching_edge", ISOLINES,
      "return nearest < value && value <= farthest;", "return false && nearest < farthest;",
      "lines that cross an edge twice are not found there", (ISOLINE_TEST,)),
+    ("windows_of_isolines_dropped", ISOLINE_SWEEP,
+     "*level <= nearest + longest + longest / 2 + margin;", "*level <= nearest;",
+     "windows that lead to a line are not kept", (ISOLINES_TEST,)),
+    ("windows_of_isolines_released_too_early", ISOLINE_SWEEP,
+     "    if(!has_lines)\n      release(f);\n", "    release(f);\n    m_faces[f].state = PASSED;\n    if(!has_lines)\n      return;\n",
+     "a face with many crossings has no windows when they are connected", (ISOLINES_TEST,)),
+    ("run_ends_at_the_last_level", INTERNAL + "interface/isolines/Isoline_run.h",
+     "(std::max)(limit, last + longest_edge())", "(std::max)(limit, last)",
+     "lines that cross an edge twice are lost at the end of a run", (ISOLINES_TEST,)),
 
     # --- Voronoi diagrams ---
     ("chunk_of_windows_lost", FACE_WINDOWS,
@@ -525,7 +537,7 @@ MUTANTS = [
     ("waiting_bucket_not_opened", RADIX_HEAP,
      "for(std::size_t i = 0; i <= last; ++i)", "for(std::size_t i = 0; i < last; ++i)",
      "faces that are done wait on", (BOUNDS,)),
-    ("face_done_too_early", REMOVAL,
+    ("face_done_too_early", PASSED,
      "FT(nearest + longest / 2), FT(nearest + longest)", "FT(nearest + longest / 2), FT(nearest + longest / 2)",
      "windows that come to a face after the first ones are left out", (BY_HAND, RANDOM_DIAGRAMS, CUT)),
     ("one_corner_is_enough", REMOVAL,

@@ -105,7 +105,7 @@ if [ -z "$programs" ]; then
   [ "$questions" = no ] || targets+=(benchmark_growth benchmark_anisotropy benchmark_sources benchmark_reach
                                      benchmark_rules benchmark_instruction_sets benchmark_schedulers
                                      benchmark_flat_vertices
-                                     benchmark_face_queries benchmark_threads benchmark_phases benchmark_matrix
+                                     benchmark_face_queries benchmark_isolines benchmark_threads benchmark_phases benchmark_matrix
                                      benchmark_matrix_store benchmark_rows benchmark_uses_of_diagrams)
   [ "$python" = no ] || targets+=(benchmark_python)
   [ "$certify" = no ] || targets+=(benchmark_certification)
@@ -359,6 +359,9 @@ if [ "$questions" = yes ]; then
       | tee -a "$build/flat_vertices.csv" >&2
   done
   ask face_queries "$meshes/bunny00.off"
+  ask isolines "$meshes/bunny00.off" "$meshes/armadillo.off"
+  "$programs/benchmark_isolines" --repetitions 3 --no-header --subdivide 1 "$meshes/bunny00.off" \
+    | tee -a "$build/isolines.csv" >&2
   # These measure wall-clock time: the machine must be idle.
   ask threads --subdivide 2 "$meshes/bunny00.off"
   ask phases --subdivide 2 "$meshes/bunny00.off"

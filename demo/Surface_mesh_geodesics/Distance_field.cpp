@@ -5,8 +5,10 @@
 
 #include <CGAL/Surface_mesh_geodesics/Geodesic_distance_solver.h>
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
+#include <CGAL/Surface_mesh_geodesics/geodesic_isolines.h>
 #include <CGAL/Surface_mesh_geodesics/signed_geodesic_distances.h>
 
+#include <boost/iterator/function_output_iterator.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
@@ -16,6 +18,7 @@
 #include <functional>
 #include <iterator>
 #include <limits>
+#include <utility>
 
 namespace geodesics_demo {
 
@@ -35,6 +38,8 @@ using Solver = CGAL::Surface_mesh_geodesics::Geodesic_distance_solver<Mesh>;
 Distance_field field_of(const Mesh& mesh, const Solver& solver)
 {
   Distance_field field;
+  field.distance.reserve(mesh.number_of_vertices());
+  field.source.reserve(mesh.number_of_vertices());
   for(const Vertex v : mesh.vertices())
   {
     field.distance.push_back(solver.distance(v));
@@ -129,6 +134,27 @@ Distance_run::Distance_run(const Mesh& mesh, const std::vector<Face>& avoided, c
                              : as_location(m_paths->finder.nearest_location_of_sources(v), mesh));
 }
 
+Distance_run::Distance_run(const Mesh& mesh, const std::vector<Face>& avoided, const std::vector<Location>& sources,
+                           double radius, const std::vector<double>& levels, const Console& console)
+  : m_mesh(mesh), m_console(console)
+{
+  m_field.distance.resize(mesh.number_of_vertices());
+  m_field.source.resize(mesh.number_of_vertices());
+  const auto index = get(boost::vertex_index, mesh);
+  Progress_visitor visitor(console, "distances and isolines");
+  const auto np = CGAL::parameters::maximum_distance(radius).visitor(std::ref(visitor)).faces_to_avoid(avoided)
+                    .vertex_distance_map(boost::make_iterator_property_map(m_field.distance.begin(), index))
+                    .nearest_source_map(boost::make_iterator_property_map(m_field.source.begin(), index));
+  const auto output = boost::make_function_output_iterator([&](std::pair<std::size_t, std::vector<Point>> line)
+  { m_isolines.push_back(Isoline{levels[line.first], std::move(line.second)}); });
+  using CGAL::Surface_mesh_geodesics::geodesic_isolines;
+  const std::vector<Vertex> vertices = as_vertices(sources);
+  if(!vertices.empty())
+    geodesic_isolines(mesh, vertices, levels, output, np);
+  else
+    geodesic_isolines(mesh, as_face_locations(sources, mesh), levels, output, np);
+}
+
 template <typename Source>
 void Distance_run::run(const std::vector<Face>& avoided, const std::vector<Source>& sources, double radius)
 {
@@ -151,6 +177,13 @@ void Distance_run::run(const std::vector<Face>& avoided, const std::vector<Sourc
 std::vector<Isoline> Distance_run::isolines(const std::vector<double>& distances) const
 {
   std::vector<Isoline> result;
+  if(m_paths == nullptr)
+  {
+    for(const Isoline& line : m_isolines)
+      if(std::find(distances.begin(), distances.end(), line.distance) != distances.end())
+        result.push_back(line);
+    return result;
+  }
   Progress_bar bar(m_console, "isolines", 1);
   for(std::size_t i = 0; i < distances.size(); ++i)
   {
@@ -161,26 +194,6 @@ std::vector<Isoline> Distance_run::isolines(const std::vector<double>& distances
     for(std::vector<Point>& line : lines)
       result.push_back(Isoline{d, std::move(line)});
   }
-  return result;
-}
-
-std::vector<double> evenly_spaced(std::size_t n, double largest)
-{
-  std::vector<double> result;
-  for(std::size_t i = 1; i <= n && largest > 0; ++i)
-    result.push_back(largest * (static_cast<double>(i) / static_cast<double>(n + 1)));
-  return result;
-}
-
-std::vector<double> at_round_distances(std::size_t n, double largest)
-{
-  std::vector<double> result;
-  if(!(largest > 0) || n == 0)
-    return result;
-  const double wanted = largest / static_cast<double>(n + 1), power = std::pow(10., std::floor(std::log10(wanted)));
-  const double digits = wanted / power, step = power * (digits < 1.5 ? 1 : digits < 3.5 ? 2 : digits < 7.5 ? 5 : 10);
-  for(int i = 1; i * step < largest && i < 1000; ++i)
-    result.push_back(i * step);
   return result;
 }
 

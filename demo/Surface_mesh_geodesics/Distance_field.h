@@ -49,15 +49,21 @@ struct Isoline
   std::vector<Point> points; // the first point is repeated at the end of a closed line
 };
 
-// One propagation that answers for all points of the surface, and not for vertices only: distances, isolines, and what
-// pages need. It keeps the windows on all edges, which takes several times the memory of distances_from().
+// One propagation that has more than the distances of vertices: isolines, and what pages need.
 class Distance_run
 {
 public:
+  // Answers for all points of the surface. It keeps the windows on all edges, which takes several times the memory of
+  // distances_from().
   Distance_run(const Mesh& mesh, const std::vector<Face>& avoided, const std::vector<Location>& sources, double radius,
                const Console& console);
   Distance_run(const Mesh& mesh, const std::vector<Face>& avoided, const std::vector<Curve>& sources, double radius,
                const Console& console);
+
+  // Finds the isolines of the given distances on its way, and keeps no windows: it takes little more memory than
+  // distances_from().
+  Distance_run(const Mesh& mesh, const std::vector<Face>& avoided, const std::vector<Location>& sources, double radius,
+               const std::vector<double>& levels, const Console& console);
   ~Distance_run();
 
   Distance_run(const Distance_run&) = delete;
@@ -65,15 +71,15 @@ public:
 
   const Distance_field& field() const { return m_field; }
 
-  // The lines at the given distances, in the same order.
+  // The lines at the given distances, in the same order. If no windows are kept, these are some of the levels.
   std::vector<Isoline> isolines(const std::vector<double>& distances) const;
 
   // For pages, if no faces are avoided: the surface, refined if it has few triangles, and its isolines at the given
-  // distances.
+  // distances. Requires: windows are kept, or the surface is not refined (is_refined()).
   Html_surface surface() const;
   Html_lines lines_on(const Html_surface& surface, const std::vector<double>& distances) const;
 
-  // The paths of this propagation. The class is in Path_finder.h.
+  // The paths of this propagation, if it keeps windows. The class is in Path_finder.h.
   struct Paths;
   const Paths& paths() const { return *m_paths; }
 
@@ -85,13 +91,8 @@ private:
   const Console& m_console;
   std::unique_ptr<Paths> m_paths; // hides the headers of paths from the files that use this class
   Distance_field m_field;
+  std::vector<Isoline> m_isolines; // of all levels, if no windows are kept
 };
-
-// n distances strictly between 0 and the largest one; none if the largest is 0.
-std::vector<double> evenly_spaced(std::size_t n, double largest);
-
-// About n distances strictly between 0 and the largest one: the multiples of a number with one digit, 1, 2 or 5.
-std::vector<double> at_round_distances(std::size_t n, double largest);
 
 // The index of a source for files and tables; -1 for no source.
 double source_number(std::size_t source);

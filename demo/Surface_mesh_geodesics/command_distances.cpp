@@ -4,6 +4,7 @@
 #include "Command_error.h"
 #include "Curve_options.h"
 #include "Distance_field.h"
+#include "Distance_levels.h"
 #include "Drawing.h"
 #include "Html_page.h"
 #include "Location_columns.h"
@@ -14,6 +15,7 @@
 #include "Reachability.h"
 #include "number_arguments.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <memory>
@@ -41,28 +43,29 @@ void declare(Option_descriptions& options)
     ("signed", "negative distances on the left of the first curve; the curves have to separate the surface")
     ("radius", positive_value("radius")->value_name("R"), "only distances up to R")
     ("isolines", count_value("isolines", 0, largest_number_of_isolines)->value_name("N"),
-     "N isolines in files of --lines and pages, evenly spaced up to the largest distance (at most 1000; "
-     "default: about 20, at round distances)")
+     "about N isolines in files of --lines and pages, at multiples of a round distance up to the largest one "
+     "(at most 1000; default: 20)")
     ("spacing", positive_value("spacing")->value_name("D"),
      "isolines at the distances D, 2 D, 3 D, ... instead; at most 1000")
     ("lines", boost::program_options::value<std::vector<std::string>>()->value_name("FILE")->composing(),
-     "the isolines in a file of their own: .obj, .ply, .vtk, .vtu; takes several times the memory");
+     "the isolines in a file of their own: .obj, .ply, .vtk, .vtu");
   declare_obstacles(options);
   declare_html(options);
   declare_output(options, "a table .csv (default: to standard output); the surface with colors and distances .ply, "
                           ".vtu, .vtk, .obj");
 }
 
+// The distances of the isolines, of which none is needed beyond `largest`. Where this is an upper bound that is known
+// before the run, a user who asks for too many lines learns it before the run, too.
 std::vector<double> isoline_distances(const Arguments& arguments, double largest)
 {
   if(!has(arguments, "spacing"))
-    return has(arguments, "isolines") ? evenly_spaced(count_argument_or(arguments, "isolines", 20), largest)
-                                      : at_round_distances(20, largest);
+    return at_round_distances(count_argument_or(arguments, "isolines", 20), largest);
   const double spacing = positive_argument_or(arguments, "spacing", largest);
   if(largest / spacing > static_cast<double>(largest_number_of_isolines))
   {
     std::ostringstream text;
-    text << "--spacing: more than " << largest_number_of_isolines << " lines up to the largest distance, " << largest
+    text << "--spacing: more than " << largest_number_of_isolines << " lines up to the distance " << largest
          << "; give " << largest / static_cast<double>(largest_number_of_isolines) << " or more";
     throw Command_error(Exit_code::BAD_USAGE, text.str());
   }
@@ -185,22 +188,31 @@ void run(const Arguments& arguments, const Console& console)
   const std::vector<Location> sources = has_curves ? source_options.locations(arguments, mesh, console)
                                                    : source_options.required_locations(arguments, mesh, console);
   const std::vector<Face> avoided = avoided_faces(arguments, mesh);
-  // One propagation: without lines, the one that keeps distances only.
+  // One propagation. From points, the lines are chosen before it and found on its way. Lines from curves, and pages of
+  // surfaces that are refined, need distances inside of faces afterwards.
   const std::vector<Curve> curves
     = has_curves ? source_curves(arguments, mesh, sources, avoided, console) : std::vector<Curve>();
+  std::vector<double> limits;
+  if(has_lines && !has_curves)
+    limits = isoline_distances(arguments, (std::min)(radius, bound_of_distances(mesh, avoided, sources)));
   std::unique_ptr<Distance_run> run;
-  if(has_lines)
-    run.reset(has_curves ? new Distance_run(mesh, avoided, curves, radius, console)
-                         : new Distance_run(mesh, avoided, sources, radius, console));
-  const Distance_field field
-    = has_lines                  ? run->field()
-      : has(arguments, "signed") ? signed_distances_from(mesh, avoided, curves, radius, console)
-      : has_curves               ? distances_from(mesh, avoided, curves, radius, console)
-                                 : distances_from(mesh, avoided, sources, radius, console);
+  Distance_field without_lines;
+  if(has_lines && has_curves)
+    run.reset(new Distance_run(mesh, avoided, curves, radius, console));
+  else if(has_lines && files.have({"html"}) && is_refined(mesh.number_of_faces()))
+    run.reset(new Distance_run(mesh, avoided, sources, radius, console));
+  else if(has_lines)
+    run.reset(new Distance_run(mesh, avoided, sources, radius, limits, console));
+  else
+    without_lines = has(arguments, "signed") ? signed_distances_from(mesh, avoided, curves, radius, console)
+                    : has_curves             ? distances_from(mesh, avoided, curves, radius, console)
+                                             : distances_from(mesh, avoided, sources, radius, console);
+  const Distance_field& field = has_lines ? run->field() : without_lines;
   if(!has(arguments, "radius"))
     remark_on_unreached(mesh, field, has(arguments, "avoid"), console);
-  const std::vector<double> limits
-    = has_lines ? isoline_distances(arguments, field.largest()) : std::vector<double>();
+  if(has_lines && has_curves)
+    limits = isoline_distances(arguments, field.largest());
+  limits.erase(std::lower_bound(limits.begin(), limits.end(), field.largest()), limits.end());
   if(!line_names.empty())
   {
     const Drawing lines = drawing_of_lines(run->isolines(limits));

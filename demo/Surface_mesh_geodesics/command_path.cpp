@@ -3,6 +3,7 @@
 #include "Command.h"
 #include "Command_error.h"
 #include "Distance_field.h"
+#include "Distance_levels.h"
 #include "Drawing.h"
 #include "Html_page.h"
 #include "Location_columns.h"

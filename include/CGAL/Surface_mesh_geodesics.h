@@ -35,6 +35,7 @@
 #include <CGAL/Surface_mesh_geodesics/geodesic_distance_matrix_store.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_distances.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_farthest_point_sampling.h>
+#include <CGAL/Surface_mesh_geodesics/geodesic_isolines.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_parameters.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_path.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_remeshing.h>

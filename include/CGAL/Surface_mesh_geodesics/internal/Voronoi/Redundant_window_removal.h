@@ -20,11 +20,7 @@
 // a face and its neighbors, as it keeps windows on edges.)
 //
 // *Inactive faces.* A face becomes inactive (proposition 5.1) when the wavefront has passed the distances of all points
-// of its border: no later window can change anything in it. Two upper bounds of these distances are used. The first is
-// the smallest distance of the windows that enter first, plus the longest side. The second is often smaller. It is
-// found for each side: a point of an edge AB of length l has at most the distance (d(A) + d(B) + l) / 2, and where a
-// window crosses the edge, at most the distance through this window. A face waits in a queue until a first guess is
-// reached, and then until its bound at that time is reached (5.2.2).
+// of its border: no later window can change anything in it (window/passing/Passed_faces.h).
 //
 // *Edges.* When the faces on both sides of an edge are inactive, the edge is divided (Edge_partition.h) into the
 // intervals where its windows are nearest: the trimming rule of 5.2, for all windows of an edge at once. Windows that
@@ -37,22 +33,19 @@
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Divided_face.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/edges/Edge_partition.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/edges/Vertex_owners.h>
-#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/edges/entering_windows.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/site_images_of_face.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_table.h>
-#include <CGAL/Surface_mesh_geodesics/internal/numeric/Radix_heap.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
-#include <CGAL/Surface_mesh_geodesics/internal/numeric/memory_hints.h>
-#include <CGAL/Surface_mesh_geodesics/internal/numeric/single_precision.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Face_windows.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/passing/Passed_faces.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Window_lists.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/passing/entering_windows.h>
 
 #include <CGAL/assertions.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -77,7 +70,6 @@ namespace internal {
 // - Each edge is closed once, when the last of its faces becomes inactive (deactivate()); open_edges counts the sides
 //   that are still to come. So a face is handed over after all of its edges, and both faces at an edge get the same
 //   breakpoints.
-// - Both faces at an edge have the same bound for it (bound_by_windows()).
 template <typename FT_, typename Consumer_>
 class Redundant_window_removal
 {
@@ -96,13 +88,11 @@ public:
     m_mesh = &mesh;
     m_field = &field;
     m_is_early = is_early;
-    const float unknown = std::numeric_limits<float>::infinity();
-    m_faces.assign(mesh.number_of_faces(), Face_record{null_id, UNTOUCHED, 3, {unknown, unknown, unknown}});
+    m_faces.reset(mesh, field, Face_record());
     m_owner.reset(mesh.number_of_vertices(), field);
     m_windows.reset(mesh.number_of_faces());
     m_breakpoints.clear();
     m_range_of_edge.clear();
-    m_queue.clear();
     m_number_of_kept = m_lists_since_advance = 0;
     m_due_faces.clear();
     m_due_edges.clear();
@@ -142,21 +132,19 @@ public:
     });
     m_number_of_kept += n;
     ++m_lists_since_advance;
-    set_bound(h, bound());
+    m_faces.set_bound(h, bound());
     if(record.state == ACTIVE)
       return;
     record.state = ACTIVE;
     if(m_is_early)
-      wait(f, smallest());
+      m_faces.wait(f, smallest());
   }
 
   // Tells which distances are final: those up to `reached`. keep() may then come before the distances of the roots are
   // final, and remembers no source of a vertex whose path may still change. At first, all distances count as final.
   void set_final_distance(const FT& reached) { m_owner.set_final_distance(reached); }
 
-  // Lets the inactive region grow, as the wavefront has reached a distance (thesis, algorithm 4, step 4). A face with a
-  // large bound is looked at again half-way, as bounds shrink. The margin below `reached` covers the error of images.
-  // `limit` is the bound of the face when it was put into the queue; the smaller one of both bounds counts.
+  // Lets the inactive region grow, as the wavefront has reached a distance (thesis, algorithm 4, step 4).
   // Requires: distances below `reached` are final, and windows with paths that short have been kept.
   //
   // Nothing happens before enough lists have been kept: one batch of faces needs the caches once, and the propagation
@@ -167,16 +155,7 @@ public:
     if(m_lists_since_advance < lists_per_batch)
       return;
     m_lists_since_advance = 0;
-    const FT below = reached * (1 - Tolerance<FT>::succession());
-    m_queue.advance(below, [&](Face_id f, std::size_t round) { prefetch_bound(f, round); },
-                    [&](Face_id f, const FT& limit)
-    {
-      const FT last = (std::min)(limit, bound(f));
-      if(last < below)
-        m_due_faces.push_back(f);
-      else
-        m_queue.push(f, last - below < longest_side(m_mesh->face(f)) / 4 ? last : FT(below + (last - below) / 2), last);
-    });
+    m_faces.advance(reached, [&](Face_id f) { m_due_faces.push_back(f); });
     deactivate_due_faces();
   }
 
@@ -185,7 +164,7 @@ public:
   void finish()
   {
     m_owner.set_final_distance(Field::infinity());
-    m_queue.clear();
+    m_faces.forget_waiting();
     for(Face_id f = 0; f < m_faces.size(); ++f)
     {
       if(!is_inactive(f))
@@ -209,8 +188,7 @@ public:
   // and buffers are small beside these, and are not counted.)
   std::size_t memory() const
   {
-    return m_windows.memory() + m_queue.memory() + m_faces.capacity() * sizeof(Face_record)
-         + m_owner.memory();
+    return m_windows.memory() + m_faces.memory() + m_owner.memory();
   }
 
 private:
@@ -220,16 +198,13 @@ private:
   // released its windows. A face in the queue is ACTIVE. Faces around a source may stay UNTOUCHED until finish().
   enum State : unsigned char { UNTOUCHED, ACTIVE, INACTIVE, DONE };
 
-  struct Face_record
+  struct Face_record : Side_bounds
   {
     // The source of all windows that have entered: null_id before the first one, then one source (the first one of
     // equal ones), or several_sources.
-    Vertex_id source;
-    State state;
-    unsigned char open_edges; // the number of sides that are not closed yet (close_edge())
-    // Of the distances on each side, by the windows that have crossed it in either direction; rounded up. Infinity if
-    // none has.
-    std::array<float, 3> bound;
+    Vertex_id source = null_id;
+    State state = UNTOUCHED;
+    unsigned char open_edges = 3; // the number of sides that are not closed yet (close_edge())
   };
 
   // Notes that windows of a pseudo-source have entered a face. The source known now is the final one: the pseudo-source
@@ -244,55 +219,6 @@ private:
       return;
     const Vertex_id source = m_owner.first_of_equal(m_owner.source_of(root));
     record.source = record.source == null_id || record.source == source ? source : several_sources;
-  }
-
-  // Puts a face into the queue when the first list enters it: until the bound of proposition 5.1, with a first look
-  // half a side earlier, since bound() is often smaller. A path through the nearest window, at the distance `nearest`,
-  // and straight on to any point of the face is at most that long.
-  void wait(Face_id f, const FT& nearest)
-  {
-    const FT longest = longest_side(m_mesh->face(f));
-    m_queue.push(f, FT(nearest + longest / 2), FT(nearest + longest));
-  }
-
-  // Fetches what bound(f) reads: first the face, then the distances of its corners. None of it is in a cache, as the
-  // wavefront has gone on since f was put into the queue.
-  void prefetch_bound(Face_id f, std::size_t round) const
-  {
-    if(round == 0)
-    {
-      prefetch(&m_mesh->face(f));
-      prefetch(&m_faces[f]);
-      return;
-    }
-    for(const Vertex_id corner : m_mesh->face(f).vertex)
-      prefetch(&m_field->distance[corner]);
-  }
-
-  // Returns a distance that no point of the border of a face exceeds, as known so far: the largest one of its sides,
-  // each of which has the smaller one of two bounds. Later windows and smaller distances of the corners may only reduce
-  // it. It is infinite as long as both bounds of some side are.
-  FT bound(Face_id f) const
-  {
-    const typename Mesh::Face& face = m_mesh->face(f);
-    FT largest = 0;
-    for(unsigned int k = 0; k < 3; ++k)
-    {
-      const FT by_ends = bound_between(m_field->distance[face.vertex[k]],
-                                       m_field->distance[face.vertex[next_corner(k)]], face.length[k]);
-      largest = (std::max)(largest, (std::min)(by_ends, FT(m_faces[f].bound[k])));
-    }
-    return largest;
-  }
-
-  // Notes that no distance on the edge of h exceeds `bound`.
-  void set_bound(Halfedge_id h, const FT& bound)
-  {
-    float& known = m_faces[face_of(h)].bound[index_in_face(h)];
-    known = (std::min)(known, Single_precision::not_less(bound));
-    const Halfedge_id o = m_mesh->opposite(h);
-    if(o != null_id)
-      m_faces[face_of(o)].bound[index_in_face(o)] = known;
   }
 
   bool is_inactive(Face_id f) const { return m_faces[f].state == INACTIVE || m_faces[f].state == DONE; }
@@ -325,7 +251,7 @@ private:
     {
       m_owner.prefetch(face.vertex[k]);
       if(face.opposite[k] != null_id)
-        prefetch(&m_faces[face_of(face.opposite[k])]);
+        m_faces.prefetch(face_of(face.opposite[k]));
     }
   }
 
@@ -562,12 +488,11 @@ private:
   const Field* m_field = nullptr;
   Consumer* m_consumer = nullptr;
   bool m_is_early = true;
-  std::vector<Face_record> m_faces;
+  Passed_faces<FT, Face_record> m_faces;
   Vertex_owners<FT> m_owner;
   Face_windows<FT> m_windows; // by the halfedge across which they have entered
   std::vector<Edge_breakpoint<FT>> m_breakpoints; // of all divided edges, one after the other, until reset()
   Index_table<Index_range> m_range_of_edge; // in m_breakpoints, by the halfedge with the smaller index
-  Radix_heap m_queue;
   std::size_t m_number_of_kept = 0; // in all, also of those that have been released
   std::size_t m_lists_since_advance = 0; // the number of lists that keep() has got
   // The faces that become inactive in this batch, the edges that they close, and the faces whose edges are all closed.

@@ -469,11 +469,7 @@ private:
 
   std::pair<face_descriptor, Coordinates> user_location(const Isoline_point<double>& p) const
   {
-    Coordinates b{};
-    const unsigned int k = index_in_face(p.halfedge);
-    b[k] = 1 - p.t;
-    b[next_corner(k)] = p.t;
-    return user_location(face_of(p.halfedge), b);
+    return user_location(face_of(p.halfedge), coordinates_on_halfedge(p.halfedge, p.t));
   }
 
   // Returns the query, a location, as a point of a path.

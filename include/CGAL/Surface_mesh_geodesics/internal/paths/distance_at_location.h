@@ -61,8 +61,8 @@ std::array<FT, 2> point_in_frame(const Face_frame<FT>& c, const std::array<FT, 3
   return {FT(b[next_corner(k)] * c.length + b[apex] * c.apex_x), FT(b[apex] * c.apex_y)};
 }
 
-// Replaces the arrival at the point (x, y) above the edge of h if a path through window w is shorter: straight from the
-// image, or, if the straight line passes beside the window, bent at the nearer end of it. A tie keeps the arrival.
+// Returns the length of the path through window w to the point (x, y) above its edge, and sets where it crosses the
+// edge: straight from the image, or, if the straight line passes beside the window, bent at the nearer end of it.
 // `root_distance` is the distance of the root of w.
 //
 // The straight line crosses the edge at (image_x y + x depth) / (y + depth); on the line of the edge itself, where that
@@ -71,20 +71,27 @@ std::array<FT, 2> point_in_frame(const Face_frame<FT>& c, const std::array<FT, 3
 // beyond the errors of the point and of the image, for which Tolerance::distance() derives a bound.
 // Requires: y >= 0.
 template <typename FT>
-void improve_arrival(Location_arrival<FT>& arrival, const Kept_window<FT>& w, const FT& root_distance,
-                     Halfedge_id h, const FT& x, const FT& y)
+FT distance_through_window(const Kept_window<FT>& w, const FT& root_distance, const FT& x, const FT& y, FT& abscissa)
 {
   const FT height = y + w.image_depth;
   const FT t = height > 0 ? FT((w.image_x * y + x * w.image_depth) / height) : x;
-  FT abscissa = t, distance;
+  abscissa = t;
   if(t < w.begin || t > w.end)
   {
     abscissa = t < w.begin ? w.begin : w.end;
-    distance = root_distance + norm<FT>(abscissa - w.image_x, w.image_depth)
-             + norm<FT>(x - abscissa, y);
+    return root_distance + norm<FT>(abscissa - w.image_x, w.image_depth) + norm<FT>(x - abscissa, y);
   }
-  else
-    distance = root_distance + norm<FT>(x - w.image_x, height);
+  return root_distance + norm<FT>(x - w.image_x, height);
+}
+
+// Replaces the arrival at the point (x, y) above the edge of h if a path through window w is shorter. A tie keeps the
+// arrival. Requires: y >= 0.
+template <typename FT>
+void improve_arrival(Location_arrival<FT>& arrival, const Kept_window<FT>& w, const FT& root_distance,
+                     Halfedge_id h, const FT& x, const FT& y)
+{
+  FT abscissa;
+  const FT distance = distance_through_window(w, root_distance, x, y, abscissa);
   if(distance < arrival.distance)
     arrival = Location_arrival<FT>{distance, w.root, h, abscissa, w.image_x, w.image_depth,
                                    norm<FT>(x - abscissa, y), x, y};

@@ -12,6 +12,7 @@
 
 // Barycentric coordinates of a point in a face: validity, rounding to the edges, and combinations.
 
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
 
 #include <CGAL/assertions.h>
@@ -28,6 +29,16 @@ namespace internal {
 // The coordinates of a point with respect to the corners 0, 1, 2 of a face. They sum up to 1.
 template <typename FT>
 using Barycentric = std::array<FT, 3>;
+
+// Returns the coordinates of the point at t of a halfedge, 0 at its source and 1 at its target, in its face.
+template <typename FT>
+Barycentric<FT> coordinates_on_halfedge(Halfedge_id h, const FT& t)
+{
+  Barycentric<FT> b{};
+  b[index_in_face(h)] = 1 - t;
+  b[next_corner(index_in_face(h))] = t;
+  return b;
+}
 
 // Returns whether b are the coordinates of a point of a face: none is below 0 or above 1, and the sum is 1, up to
 // Tolerance::location(). NaN is not valid.

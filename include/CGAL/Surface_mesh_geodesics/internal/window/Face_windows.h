@@ -56,6 +56,15 @@ public:
     m_size = m_maximum_size = 0;
   }
 
+  // Frees all memory. reset() has to follow before windows are added.
+  void clear()
+  {
+    m_blocks = std::vector<std::unique_ptr<Block>>();
+    m_links = std::vector<Link>();
+    reset(0);
+    m_last_chunk.shrink_to_fit();
+  }
+
   // Adds a window, behind those that h has.
   void add(Halfedge_id h, const Kept_window<FT>& w)
   {

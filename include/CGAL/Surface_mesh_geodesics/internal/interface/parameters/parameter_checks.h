@@ -117,6 +117,9 @@ using Edge_length_distance_parameters
 using Signed_distance_parameters
   = Extended_set<Mesh_and_visitor_parameters, internal_np::maximum_distance_t, internal_np::statistics_t,
                  internal_np::faces_to_avoid_t>::type;
+using Isoline_parameters
+  = Extended_set<Signed_distance_parameters, internal_np::source_offsets_t, internal_np::vertex_distance_map_t,
+                 internal_np::nearest_source_map_t>::type;
 using Matrix_parameters = Extended_set<Mesh_parameters, internal_np::faces_to_avoid_t>::type;
 using Peeling_parameters = Extended_set<Matrix_parameters, internal_np::visitor_t>::type;
 using Pair_parameters = Extended_set<Matrix_parameters, internal_np::statistics_t>::type;

@@ -7,14 +7,14 @@
 //
 // Author(s)     : The Surface_mesh_geodesics authors
 
-#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_EDGES_ENTERING_WINDOWS_H
-#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_EDGES_ENTERING_WINDOWS_H
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_PASSING_ENTERING_WINDOWS_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_PASSING_ENTERING_WINDOWS_H
 
 // What a list of windows that enters a face tells about the distances on the edge that it crosses. All functions read
 // the list, the mesh and the field, and nothing else, so the threads of a propagation may call them during visits. They
 // take time linear in the number of windows.
 //
-// Redundant_window_removal makes upper bounds of them that tell when a face is inactive (thesis, 5.1). Distances only
+// Passed_faces makes upper bounds of them that tell when a face is inactive (thesis, 5.1). Distances only
 // shrink while they are propagated, so a bound that has been true once stays true.
 
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
@@ -94,4 +94,4 @@ FT bound_by_windows(const Intrinsic_mesh<FT>& mesh, const Vertex_distance_field<
 } // namespace Surface_mesh_geodesics
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_VORONOI_EDGES_ENTERING_WINDOWS_H
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_WINDOW_PASSING_ENTERING_WINDOWS_H

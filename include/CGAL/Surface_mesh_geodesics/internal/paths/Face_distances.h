@@ -1,0 +1,143 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PATHS_FACE_DISTANCES_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PATHS_FACE_DISTANCES_H
+
+// The distances of many points of one face: those that arrival_at_location() finds, bit by bit, without the arrivals.
+// The frames of the face and its windows are read once, and lie one after the other then.
+//
+// Along an edge, points are asked for in narrower and narrower parts. Each candidate, a corner or a window, is the
+// length of a path, so that it changes by no more than the length walked. One that is farther than the nearest one by
+// more than twice the width of a part is nowhere the nearest there, and is not looked at.
+
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
+#include <CGAL/Surface_mesh_geodesics/internal/paths/distance_at_location.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/barycentric_coordinates.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/Face_windows.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/Kept_window.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+// Use: start() for a face, then at() for points of it; or start_edge() for one of its edges, then at() with fractions
+// of that edge, as Isoline_crossings wants it. What the distances are made of is copied, so that the windows may be
+// released meanwhile.
+//
+// Invariant: the first m_active of m_candidates may be nearest in the part that is looked at.
+template <typename FT>
+class Face_distances
+{
+public:
+  // Reads a face. Takes time linear in the number of its windows.
+  void start(const Intrinsic_mesh<FT>& mesh, const Vertex_distance_field<FT>& field, const Face_windows<FT>& windows,
+             Face_id f)
+  {
+    m_candidates.clear();
+    for(unsigned int k = 0; k < 3; ++k)
+    {
+      m_frame[k] = mesh.face_frame(halfedge_of(f, k));
+      m_candidates.push_back(Candidate{Kept_window<FT>(), field.distance[m_frame[k].origin], k, true});
+      windows.for_each(halfedge_of(f, k), [&](const Kept_window<FT>& w)
+      { m_candidates.push_back(Candidate{w, field.distance[w.root], k, false}); });
+    }
+    m_active = m_candidates.size();
+  }
+
+  // Returns the distance of the point with the barycentric coordinates b; infinity if no source reaches it.
+  // Requires: b >= 0, and no edge has been started since start().
+  FT at(const std::array<FT, 3>& b) const
+  {
+    const std::array<std::array<FT, 2>, 3> p = points_in_frames(b);
+    FT distance = Vertex_distance_field<FT>::infinity();
+    for(const Candidate& c : m_candidates)
+      distance = (std::min)(distance, distance_by(c, p[c.side]));
+    return distance;
+  }
+
+  // --- along an edge ---
+
+  // Begins with an edge of the face. Requires: h is a halfedge of the face.
+  void start_edge(Halfedge_id h)
+  {
+    m_halfedge = h;
+    m_active = m_candidates.size();
+  }
+
+  using Mark = std::size_t;
+  Mark mark() const { return m_active; }
+  void go_back(Mark mark) { m_active = mark; }
+
+  // Returns the distance at t of the edge, and forgets candidates that are nowhere the nearest within `width` of t,
+  // both as fractions of the edge. go_back() with an earlier mark knows them again. A margin covers rounding.
+  FT at(const FT& t, const FT& width)
+  {
+    const std::array<std::array<FT, 2>, 3> p = points_in_frames(coordinates_on_halfedge(m_halfedge, t));
+    FT distance = Vertex_distance_field<FT>::infinity();
+    for(std::size_t i = 0; i < m_active; ++i)
+    {
+      Candidate& c = m_candidates[i];
+      c.distance = distance_by(c, p[c.side]);
+      distance = (std::min)(distance, c.distance);
+    }
+    const FT farthest
+      = distance + 2 * width * m_frame[index_in_face(m_halfedge)].length + distance * Tolerance<FT>::tie();
+    const auto end = m_candidates.begin() + static_cast<std::ptrdiff_t>(m_active);
+    m_active = static_cast<std::size_t>(
+      std::partition(m_candidates.begin(), end, [&](const Candidate& c) { return c.distance <= farthest; })
+      - m_candidates.begin());
+    return distance;
+  }
+
+private:
+  // A window that has entered across a side, or the corner at the origin of the side.
+  struct Candidate
+  {
+    Kept_window<FT> window;
+    FT root_distance; // or that of the corner
+    unsigned int side;
+    bool is_corner;
+    FT distance = 0; // at the last point
+  };
+
+  // Returns a point in the frames of the three sides.
+  std::array<std::array<FT, 2>, 3> points_in_frames(const std::array<FT, 3>& b) const
+  {
+    return {{point_in_frame(m_frame[0], b, 0), point_in_frame(m_frame[1], b, 1), point_in_frame(m_frame[2], b, 2)}};
+  }
+
+  // Returns the length of the path through a candidate to a point in the frame of its side.
+  static FT distance_by(const Candidate& c, const std::array<FT, 2>& p)
+  {
+    FT abscissa;
+    return c.is_corner ? FT(c.root_distance + norm(p[0], p[1]))
+                       : distance_through_window(c.window, c.root_distance, p[0], p[1], abscissa);
+  }
+
+  std::array<Face_frame<FT>, 3> m_frame; // of the sides
+  std::vector<Candidate> m_candidates;
+  std::size_t m_active = 0;
+  Halfedge_id m_halfedge = null_id; // of the edge that was started
+};
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_PATHS_FACE_DISTANCES_H
