@@ -5,6 +5,7 @@
 #include "Curve_options.h"
 #include "Html_page.h"
 #include "Location_options.h"
+#include "Obstacle_option.h"
 #include "Program_mesh.h"
 
 #include <cstddef>
@@ -29,8 +30,8 @@ struct Distance_field
   double largest() const;
 };
 
-// Computes the distances up to `radius` of paths that lead around the avoided faces.
-Distance_field distances_from(const Mesh& mesh, const std::vector<Face>& avoided, const std::vector<Location>& sources,
+// Computes the distances up to `radius` of paths that lead around the avoided faces and edges.
+Distance_field distances_from(const Mesh& mesh, const Obstacles& avoided, const std::vector<Location>& sources,
                               double radius, const Console& console);
 
 // The same from curves, and the nearest point of the curves for each vertex.
@@ -54,9 +55,10 @@ struct Isoline
 class Distance_run
 {
 public:
-  Distance_run(const Mesh& mesh, const std::vector<Face>& avoided, const std::vector<Location>& sources, double radius,
+  Distance_run(const Mesh& mesh, const Obstacles& avoided, const std::vector<Location>& sources, double radius,
                const Console& console);
-  Distance_run(const Mesh& mesh, const std::vector<Face>& avoided, const std::vector<Curve>& sources, double radius,
+  // There must be no walls: curves that are sources take none.
+  Distance_run(const Mesh& mesh, const Obstacles& avoided, const std::vector<Curve>& sources, double radius,
                const Console& console);
   ~Distance_run();
 
@@ -68,7 +70,7 @@ public:
   // The lines at the given distances, in the same order.
   std::vector<Isoline> isolines(const std::vector<double>& distances) const;
 
-  // For pages, if no faces are avoided: the surface, refined if it has few triangles, and its isolines at the given
+  // For pages, if nothing is avoided: the surface, refined if it has few triangles, and its isolines at the given
   // distances.
   Html_surface surface() const;
   Html_lines lines_on(const Html_surface& surface, const std::vector<double>& distances) const;
@@ -79,7 +81,7 @@ public:
 
 private:
   template <typename Source>
-  void run(const std::vector<Face>& avoided, const std::vector<Source>& sources, double radius);
+  void run(const Obstacles& avoided, const std::vector<Source>& sources, double radius);
 
   const Mesh& m_mesh;
   const Console& m_console;

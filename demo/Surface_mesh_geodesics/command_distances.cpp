@@ -48,6 +48,7 @@ void declare(Option_descriptions& options)
     ("lines", boost::program_options::value<std::vector<std::string>>()->value_name("FILE")->composing(),
      "the isolines in a file of their own: .obj, .ply, .vtk, .vtu; takes several times the memory");
   declare_obstacles(options);
+  declare_walls(options);
   declare_html(options);
   declare_output(options, "a table .csv (default: to standard output); the surface with colors and distances .ply, "
                           ".vtu, .vtk, .obj");
@@ -175,6 +176,8 @@ void run(const Arguments& arguments, const Console& console)
                      {"csv", "ply", "vtu", "vtk", "obj", "html"});
   check_no_page_of_obstacles(arguments, files.have({"html"}));
   check_curves(arguments, files.have({"html"}));
+  if(has(arguments, "walls") && are_curves_given(arguments))
+    throw Command_error(Exit_code::BAD_USAGE, "--walls cannot be combined with curves as sources");
   Output_files line_files(line_names, {"obj", "ply", "vtk", "vtu"});
   const bool has_lines = !line_names.empty() || files.have({"html"});
   for(const char* option : {"isolines", "spacing"})
@@ -184,21 +187,21 @@ void run(const Arguments& arguments, const Console& console)
   const bool has_curves = are_curves_given(arguments);
   const std::vector<Location> sources = has_curves ? source_options.locations(arguments, mesh, console)
                                                    : source_options.required_locations(arguments, mesh, console);
-  const std::vector<Face> avoided = avoided_faces(arguments, mesh);
+  const Obstacles avoided = obstacles(arguments, mesh);
   // One propagation: without lines, the one that keeps distances only.
   const std::vector<Curve> curves
-    = has_curves ? source_curves(arguments, mesh, sources, avoided, console) : std::vector<Curve>();
+    = has_curves ? source_curves(arguments, mesh, sources, avoided.faces, console) : std::vector<Curve>();
   std::unique_ptr<Distance_run> run;
   if(has_lines)
     run.reset(has_curves ? new Distance_run(mesh, avoided, curves, radius, console)
                          : new Distance_run(mesh, avoided, sources, radius, console));
   const Distance_field field
     = has_lines                  ? run->field()
-      : has(arguments, "signed") ? signed_distances_from(mesh, avoided, curves, radius, console)
-      : has_curves               ? distances_from(mesh, avoided, curves, radius, console)
+      : has(arguments, "signed") ? signed_distances_from(mesh, avoided.faces, curves, radius, console)
+      : has_curves               ? distances_from(mesh, avoided.faces, curves, radius, console)
                                  : distances_from(mesh, avoided, sources, radius, console);
   if(!has(arguments, "radius"))
-    remark_on_unreached(mesh, field, has(arguments, "avoid"), console);
+    remark_on_unreached(mesh, field, has_obstacles(arguments), console);
   const std::vector<double> limits
     = has_lines ? isoline_distances(arguments, field.largest()) : std::vector<double>();
   if(!line_names.empty())

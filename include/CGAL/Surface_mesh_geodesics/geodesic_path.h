@@ -170,6 +170,13 @@ neither point is a vertex, the point type of the mesh must be that of a kernel o
                    face descriptor as key type and `bool` as value type}
     \cgalParamDefault{an empty range: none}
   \cgalParamNEnd
+  \cgalParamNBegin{edges_to_avoid}
+    \cgalParamDescription{the edges that no path may cross, as for `geodesic_distances()`. If one of the points is on
+                          such an edge, the function may propagate over the whole component.}
+    \cgalParamType{a range of edge descriptors of `TriangleMesh`, or a class model of `ReadablePropertyMap` with the
+                   edge descriptor as key type and `bool` as value type}
+    \cgalParamDefault{an empty range: none}
+  \cgalParamNEnd
   \cgalParamNBegin{statistics}
     \cgalParamDescription{if not null, the computation <em>adds</em> its counts to the object}
     \cgalParamType{a pointer to `Propagation_statistics`}

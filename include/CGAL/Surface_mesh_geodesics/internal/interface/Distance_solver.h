@@ -198,6 +198,7 @@ public:
   {
     for(const Vertex_id v : m_curve_run ? m_curve_run->vertices_reached() : m_runner.vertices_reached())
       if(v < m_surface.number_of_vertices() && distance_of(v) < Vertex_distance_field<FT>::infinity()
+         // A vertex with several copies that have been reached is visited by the nearest one.
          && (!m_surface.has_walls() || nearest_copy(m_surface.descriptor(v)) == v))
         visit(m_surface.descriptor(v), FT(distance_of(v) * m_surface.unit()));
   }
@@ -224,6 +225,7 @@ private:
   template <typename AnyRunner, typename Options, typename Visitor, typename Run>
   bool run_with_options(AnyRunner& runner, const Options& options, Visitor& visitor, Run run)
   {
+    // Any copy may be the nearest one, so all have to be final.
     std::vector<Vertex_id> targets;
     for(const Vertex_id v : m_surface.checked_ids(options.targets, "target"))
       m_surface.for_each_copy(v, [&](Vertex_id c) { targets.push_back(c); });

@@ -26,10 +26,12 @@
 // - distances of vertices, the nearest source, targets: Distance_solver takes the copy with the least distance, and
 //   waits for all of them;
 // - queries and the beginnings of paths: Path_solver::query() takes the side that is nearest;
-// - rows of matrices, sampling and diagrams: Distance_matrix, Farthest_point_sampling and Lazy_Voronoi_diagram;
-// - ends of paths, corners of cells and directions need descriptors only, which each copy has.
+// - the end of a path needs a descriptor only, which each copy has;
+// - directions at a source: Surface_with_sources::direction_at_vertex() counts them from a wall, as from a border.
 //
-// What refuses walls, as it does not ask: curves, signed distances, orders of peeling, stored matrices, certificates.
+// What does not ask takes no walls. The named parameter does not compile for matrices, signed distances, labels,
+// samples, relaxation and certificates, and diagrams have no function for it. Curves that are sources are rejected: by
+// the compiler in free functions, and by Intrinsic_surface::located_curve() in objects.
 //
 // The steps of read(), and who does them:
 // 1. read_faces() checks the faces, and collects their corners and neighbors. Wall_cut takes them apart along walls.
@@ -312,6 +314,9 @@ private:
     return number_in_faces;
   }
 
+  // The order of copies does not matter, so each one is linked right behind the first. The table is as long as that of
+  // the vertices, so that a query needs no search.
+  //
   // Gives copies the descriptor of their vertex, and links them behind it. Returns how many there are: a copy in a
   // component that was left out is none. (A vertex that is not known is not among those of the mesh, and is rejected.)
   static std::size_t connect_copies(const std::vector<std::uint32_t>& copied, std::size_t range_of_indices,

@@ -162,7 +162,8 @@ public:
   {
     if(m_are_inserted)
       return;
-    if(m_sources.behind_walls.empty()) // else an exception has ended an insertion
+    // The list of sources is complete only now. (If an exception has ended an insertion, they are listed already.)
+    if(m_sources.behind_walls.empty())
       m_surface.add_sources_behind_walls(m_sources);
     insert_located_sources(m_sources.located, m_insertion, m_sources.vertices);
     m_numbers.assign(m_sources);
@@ -213,7 +214,8 @@ public:
       double t = 0;
       return wanted != null_id && parts().find_on_whole_edge(h, t) && h == wanted;
     });
-    if(!a.is_closed && m_surface.has_walls()) // the first halfedge may be a wall
+    // Between walls, angles count from the first halfedge, as trace_geodesic() counts them.
+    if(!a.is_closed && m_surface.has_walls())
       a = angle_around(mesh(), d, [](Halfedge_id) { return false; });
     return a.is_closed && a.total > 0 ? a.angle / a.total * full_circle() : a.angle;
   }
@@ -306,6 +308,8 @@ public:
   }
 
 private:
+  // Queries of users come here, and the other sides of walls.
+  //
   // Returns the query for the point c of a face of the first mesh. Requires: the coordinates are snapped.
   Query query_at(Face_id f, Coordinates c) const
   {

@@ -264,6 +264,8 @@ std::vector<char> flags_of_avoided_faces(const TriangleMesh& tm, const FaceIndex
   return flags;
 }
 
+// Edges have no index among the maps of the user, so a wall is known by a face and the number of its halfedge there.
+//
 // The edge of the face of h that h is: 0 for halfedge(f, tm), 1 and 2 for those behind it, 3 for a halfedge that is not
 // among them: the faces of an invalid mesh need not be triangles.
 template <typename TriangleMesh>
@@ -276,6 +278,9 @@ unsigned int number_in_face(typename boost::graph_traits<TriangleMesh>::halfedge
   return k;
 }
 
+// A map is asked for the edges of faces, not for those of edges(tm), which a model of FaceListGraph need not have. Both
+// halfedges of an edge give the same edge, so both faces learn of a wall.
+//
 // Returns the walls by the index of a face; empty if there are none. They are the edges of a range, or those for which
 // a property map is true. An edge at the border or without faces is valid, and cuts nothing. Throws
 // Invalid_geodesic_input if an edge of the range is not one of the mesh; its position is that in the range. Linear.

@@ -118,6 +118,8 @@ void trace(const TriangleMesh& tm, const Layouts& layouts, const Location& locat
       result.points.push_back(layouts.point(halfedge(l.first, tm), l.second));
 }
 
+// Without the parameter, layouts answer the question for walls at compile time: a walk costs what it cost before.
+//
 // Returns the layouts by the point map among the named parameters, or by the points of the mesh; with the walls among
 // the named parameters, if there are any. Takes constant time, or that of sorting a range of walls. Throws
 // Invalid_geodesic_input for a wall that is not in the mesh.
