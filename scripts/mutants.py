@@ -84,6 +84,8 @@ SURFACE = INTERNAL + "interface/Intrinsic_surface.h"
 DEPARTURE = INTERNAL + "paths/Departure.h"
 WALK = INTERNAL + "interface/tracing/Straightest_walk.h"
 FAN = INTERNAL + "interface/tracing/Vertex_fan.h"
+WALL_CUT = INTERNAL + "surface/walls/Wall_cut.h"
+SOURCES_AT_WALLS = INTERNAL + "surface/walls/sources_at_walls.h"
 BLOCK_TEAM = INTERNAL + "propagation/Block_team.h"
 BUILDER = INTERNAL + "surface/Intrinsic_mesh_builder.h"
 CHUNKS = INTERNAL + "propagation/Chunk_team.h"
@@ -134,6 +136,7 @@ BY_HAND = "test_Voronoi_by_hand"
 TRACE = "test_trace_geodesic"
 LOGARITHM = "test_logarithmic_map"
 OBSTACLES = "test_obstacles"
+WALLS = "test_walls"
 CURVES = "test_curves"
 HOSTILE_CURVES = "test_curves_on_hostile_meshes"
 CURVE_PATHS = "test_paths_from_curves"
@@ -743,6 +746,18 @@ MUTANTS = [
      "const FT s = (-vj - vi) / area, t = (ui + uj) / area;",
      "const FT s = (vj - vi) / area, t = (ui + uj) / area;",
      "directions at sources in faces count from a line that is no side", (LOGARITHM,)),
+    ("walls_divide_no_vertex", WALL_CUT,
+     "if(number_of_sectors > number_of_umbrellas)", "if(number_of_sectors > number_of_umbrellas + 1)",
+     "paths pass through a vertex inside of a wall", (WALLS,)),
+    ("source_at_wall_on_one_side", SOURCES_AT_WALLS,
+     "if(behind.first == null_id)\n      continue;", "if(behind.first != null_id || true)\n      continue;",
+     "a source on the edge of a wall reaches only the side of its face", (WALLS,)),
+    ("first_copy_counts", SURFACE,
+     "if(distance(c) < distance(nearest))", "if(distance(nearest) < distance(nearest))",
+     "a vertex of a wall has the distance of one of its sides", (WALLS,)),
+    ("walk_through_wall", WALK,
+     "if(is_end_of_surface(o, m_tm, m_layouts))", "if(is_border(o, m_tm))",
+     "a geodesic goes on behind a wall", (WALLS,)),
     ("avoided_faces_shift_positions", READER,
      "m_indices_are_positions = m_indices_are_positions && !result;", "",
      "faces behind a face to avoid get wrong neighbors", (OBSTACLES,)),

@@ -65,10 +65,10 @@ Location foot_of(const Mesh& mesh, const Solver& solver, const std::vector<Curve
 
 } // namespace
 
-Distance_field distances_from(const Mesh& mesh, const std::vector<Face>& avoided, const std::vector<Location>& sources,
+Distance_field distances_from(const Mesh& mesh, const Obstacles& avoided, const std::vector<Location>& sources,
                               double radius, const Console& console)
 {
-  Solver solver = Solver::avoiding_faces(mesh, avoided);
+  Solver solver = Solver::avoiding_edges(mesh, avoided.walls, avoided.faces);
   Progress_visitor visitor(console, "distances");
   const auto np = CGAL::parameters::maximum_distance(radius).visitor(std::ref(visitor));
   const std::vector<Vertex> vertices = as_vertices(sources);
@@ -115,14 +115,14 @@ Distance_field signed_distances_from(const Mesh& mesh, const std::vector<Face>& 
 
 Distance_run::~Distance_run() = default;
 
-Distance_run::Distance_run(const Mesh& mesh, const std::vector<Face>& avoided, const std::vector<Location>& sources,
+Distance_run::Distance_run(const Mesh& mesh, const Obstacles& avoided, const std::vector<Location>& sources,
                            double radius, const Console& console)
   : m_mesh(mesh), m_console(console), m_paths(new Paths(mesh))
 {
   run(avoided, sources, radius);
 }
 
-Distance_run::Distance_run(const Mesh& mesh, const std::vector<Face>& avoided, const std::vector<Curve>& sources,
+Distance_run::Distance_run(const Mesh& mesh, const Obstacles& avoided, const std::vector<Curve>& sources,
                            double radius, const Console& console)
   : m_mesh(mesh), m_console(console), m_paths(new Paths(mesh))
 {
@@ -156,10 +156,11 @@ Distance_run::Distance_run(const Mesh& mesh, const std::vector<Face>& avoided, c
 }
 
 template <typename Source>
-void Distance_run::run(const std::vector<Face>& avoided, const std::vector<Source>& sources, double radius)
+void Distance_run::run(const Obstacles& avoided, const std::vector<Source>& sources, double radius)
 {
   Path_finder& finder = m_paths->finder;
-  finder.avoid_faces(avoided);
+  finder.avoid_faces(avoided.faces);
+  finder.avoid_edges(avoided.walls);
   add_sources(finder, sources);
   {
     Progress_visitor visitor(m_console, "distances");

@@ -5,6 +5,7 @@
 #include "Curve_options.h"
 #include "Html_page.h"
 #include "Location_options.h"
+#include "Obstacle_option.h"
 #include "Program_mesh.h"
 
 #include <cstddef>
@@ -29,8 +30,8 @@ struct Distance_field
   double largest() const;
 };
 
-// Computes the distances up to `radius` of paths that lead around the avoided faces.
-Distance_field distances_from(const Mesh& mesh, const std::vector<Face>& avoided, const std::vector<Location>& sources,
+// Computes the distances up to `radius` of paths that lead around the avoided faces and edges.
+Distance_field distances_from(const Mesh& mesh, const Obstacles& avoided, const std::vector<Location>& sources,
                               double radius, const Console& console);
 
 // The same from curves, and the nearest point of the curves for each vertex.
@@ -55,13 +56,14 @@ class Distance_run
 public:
   // Answers for all points of the surface. It keeps the windows on all edges, which takes several times the memory of
   // distances_from().
-  Distance_run(const Mesh& mesh, const std::vector<Face>& avoided, const std::vector<Location>& sources, double radius,
+  Distance_run(const Mesh& mesh, const Obstacles& avoided, const std::vector<Location>& sources, double radius,
                const Console& console);
-  Distance_run(const Mesh& mesh, const std::vector<Face>& avoided, const std::vector<Curve>& sources, double radius,
+  // There must be no walls: curves that are sources take none.
+  Distance_run(const Mesh& mesh, const Obstacles& avoided, const std::vector<Curve>& sources, double radius,
                const Console& console);
 
   // Finds the isolines of the given distances on its way, and keeps no windows: it takes little more memory than
-  // distances_from().
+  // distances_from(). There must be no walls.
   Distance_run(const Mesh& mesh, const std::vector<Face>& avoided, const std::vector<Location>& sources, double radius,
                const std::vector<double>& levels, const Console& console);
   ~Distance_run();
@@ -74,7 +76,7 @@ public:
   // The lines at the given distances, in the same order. If no windows are kept, these are some of the levels.
   std::vector<Isoline> isolines(const std::vector<double>& distances) const;
 
-  // For pages, if no faces are avoided: the surface, refined if it has few triangles, and its isolines at the given
+  // For pages, if nothing is avoided: the surface, refined if it has few triangles, and its isolines at the given
   // distances. Requires: windows are kept, or the surface is not refined (is_refined()).
   Html_surface surface() const;
   Html_lines lines_on(const Html_surface& surface, const std::vector<double>& distances) const;
@@ -85,7 +87,7 @@ public:
 
 private:
   template <typename Source>
-  void run(const std::vector<Face>& avoided, const std::vector<Source>& sources, double radius);
+  void run(const Obstacles& avoided, const std::vector<Source>& sources, double radius);
 
   const Mesh& m_mesh;
   const Console& m_console;

@@ -24,7 +24,7 @@ std::vector<std::string> names_of_inputs(const Arguments& arguments)
     if(ends_with(option, "-file") || ends_with(option, "-curve"))
       for(const std::string& name : all_values(arguments, option))
         names.push_back(name);
-  for(const char* const option : {"distances", "avoid"})
+  for(const char* const option : {"distances", "avoid", "walls"})
     if(has(arguments, option))
       names.push_back(arguments[option].as<std::string>());
   return names;

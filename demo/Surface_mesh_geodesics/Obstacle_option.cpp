@@ -5,9 +5,13 @@
 #include "number_arguments.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <fstream>
+#include <iterator>
 #include <sstream>
+#include <string>
+#include <vector>
 
 namespace geodesics_demo {
 
@@ -18,12 +22,19 @@ void declare_obstacles(Option_descriptions& options)
      "paths lead around the faces whose indices are in the file, and may run along their rim; not for pages");
 }
 
-std::vector<Face> avoided_faces(const Arguments& arguments, const Mesh& mesh)
+void declare_walls(Option_descriptions& options)
 {
-  std::vector<Face> faces;
-  if(!has(arguments, "avoid"))
-    return faces;
-  const std::string& file_name = arguments["avoid"].as<std::string>();
+  options.add_options()
+    ("walls", boost::program_options::value<std::string>()->value_name("FILE"),
+     "paths do not cross the edges in the file, two vertices on a line, and may run along them; not for pages");
+}
+
+namespace {
+
+// Calls take(words, number) for each line of a file, without its comment. The number counts from 1.
+template <typename Take>
+void for_each_line(const std::string& file_name, const Take& take)
+{
   std::ifstream file = opened_text_file(file_name);
   std::string line;
   for(std::size_t number = 1; std::getline(file, line); ++number)
@@ -31,26 +42,82 @@ std::vector<Face> avoided_faces(const Arguments& arguments, const Mesh& mesh)
     line.erase((std::min)(line.find('#'), line.size()));
     std::replace_if(line.begin(), line.end(), [](char c) { return c == ',' || c == ';'; }, ' ');
     std::istringstream words(line);
-    for(std::string word; words >> word;)
-    {
-      std::size_t f = 0;
-      if(!parse_index(word, f))
-        reject_line(file_name, number, "'" + word + "' is not the index of a face");
-      if(f >= mesh.number_of_faces())
-        reject_line(file_name, number, "there is no face " + word + ", but " + counted_faces(mesh.number_of_faces())
-                                         + ", counted from 0");
-      faces.push_back(Face(static_cast<Mesh::size_type>(f)));
-    }
+    take(std::vector<std::string>(std::istream_iterator<std::string>(words), {}), number);
   }
   if(file.bad())
     reject_file(file_name, "cannot be read");
+}
+
+// Reads the file of an option for an index below a number. `what` and `counted` name in messages what it is the index
+// of, and how many of them there are.
+std::size_t index_of(const std::string& word, std::size_t end, const std::string& what, const std::string& counted,
+                     const std::string& file_name, std::size_t line)
+{
+  std::size_t i = 0;
+  if(!parse_index(word, i))
+    reject_line(file_name, line, "'" + word + "' is not the index of a " + what);
+  if(i >= end)
+    reject_line(file_name, line, "there is no " + what + " " + word + ", but " + counted + ", counted from 0");
+  return i;
+}
+
+std::vector<Mesh::Edge_index> walls(const Arguments& arguments, const Mesh& mesh)
+{
+  std::vector<Mesh::Edge_index> edges;
+  if(!has(arguments, "walls"))
+    return edges;
+  const std::string& file_name = arguments["walls"].as<std::string>();
+  for_each_line(file_name, [&](const std::vector<std::string>& words, std::size_t number)
+  {
+    if(words.empty())
+      return;
+    if(words.size() != 2)
+      reject_line(file_name, number, "an edge is given by two vertices");
+    std::array<Vertex, 2> end;
+    for(std::size_t i = 0; i < 2; ++i)
+      end[i] = Vertex(static_cast<Mesh::size_type>(
+        index_of(words[i], mesh.number_of_vertices(), "vertex", counted_vertices(mesh.number_of_vertices()), file_name,
+                 number)));
+    const Mesh::Halfedge_index h = mesh.halfedge(end[0], end[1]);
+    if(h == Mesh::null_halfedge())
+      reject_line(file_name, number, "no edge joins the vertices " + words[0] + " and " + words[1]);
+    edges.push_back(mesh.edge(h));
+  });
+  return edges;
+}
+
+} // namespace
+
+std::vector<Face> avoided_faces(const Arguments& arguments, const Mesh& mesh)
+{
+  std::vector<Face> faces;
+  if(!has(arguments, "avoid"))
+    return faces;
+  const std::string& file_name = arguments["avoid"].as<std::string>();
+  for_each_line(file_name, [&](const std::vector<std::string>& words, std::size_t number)
+  {
+    for(const std::string& word : words)
+      faces.push_back(Face(static_cast<Mesh::size_type>(
+        index_of(word, mesh.number_of_faces(), "face", counted_faces(mesh.number_of_faces()), file_name, number))));
+  });
   return faces;
+}
+
+Obstacles obstacles(const Arguments& arguments, const Mesh& mesh)
+{
+  return {avoided_faces(arguments, mesh), walls(arguments, mesh)};
+}
+
+bool has_obstacles(const Arguments& arguments)
+{
+  return has(arguments, "avoid") || has(arguments, "walls");
 }
 
 void check_no_page_of_obstacles(const Arguments& arguments, bool has_page)
 {
-  if(has(arguments, "avoid") && has_page)
-    throw Command_error(Exit_code::BAD_USAGE, "--avoid cannot be combined with a page .html");
+  for(const char* const option : {"avoid", "walls"})
+    if(arguments.count(option) > 0 && has_page)
+      throw Command_error(Exit_code::BAD_USAGE, std::string("--") + option + " cannot be combined with a page .html");
 }
 
 } // namespace geodesics_demo

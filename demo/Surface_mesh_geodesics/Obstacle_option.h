@@ -8,14 +8,30 @@
 
 namespace geodesics_demo {
 
+// What paths avoid: they lead through none of the faces, and across none of the walls.
+struct Obstacles
+{
+  std::vector<Face> faces;
+  std::vector<Mesh::Edge_index> walls;
+};
+
 // The option --avoid: a file with the numbers of faces through which no path may lead.
 void declare_obstacles(Option_descriptions& options);
+
+// The option --walls: a file with edges that no path may cross, two numbers of vertices on a line.
+void declare_walls(Option_descriptions& options);
 
 // The faces of that file; none without the option. Throws a Command_error with the file and the line for what is not a
 // face of the mesh.
 std::vector<Face> avoided_faces(const Arguments& arguments, const Mesh& mesh);
 
-// Throws a Command_error if --avoid is given with a page: the paths that pages compute would lead through the faces.
+// The faces of --avoid and the edges of --walls. Throws a Command_error also for what is not an edge of the mesh.
+Obstacles obstacles(const Arguments& arguments, const Mesh& mesh);
+
+bool has_obstacles(const Arguments& arguments);
+
+// Throws a Command_error if --avoid or --walls is given with a page: the paths that pages compute would lead through
+// the faces and across the edges.
 void check_no_page_of_obstacles(const Arguments& arguments, bool has_page);
 
 } // namespace geodesics_demo

@@ -33,7 +33,7 @@ std::size_t number_of_components(const Mesh& mesh)
   return result;
 }
 
-std::string reason_for_unreached(const Mesh& mesh, bool avoids_faces)
+std::string reason_for_unreached(const Mesh& mesh, bool has_obstacles)
 {
   std::size_t isolated = 0;
   for(const Vertex v : mesh.vertices())
@@ -42,26 +42,26 @@ std::string reason_for_unreached(const Mesh& mesh, bool avoids_faces)
   std::string text = "; the mesh has " + std::to_string(components) + (components == 1 ? " component" : " components");
   if(isolated > 0)
     text += " and " + counted_vertices(isolated) + " without faces";
-  if(avoids_faces)
-    text += ", and paths avoid faces";
+  if(has_obstacles)
+    text += ", and paths avoid faces or edges";
   return text;
 }
 
-void remark_on_unreached(const Mesh& mesh, std::size_t number_of_vertices, bool avoids_faces,
+void remark_on_unreached(const Mesh& mesh, std::size_t number_of_vertices, bool has_obstacles,
                          const Console& console)
 {
   if(number_of_vertices > 0)
     console.note(std::to_string(number_of_vertices) + " of " + counted_vertices(mesh.number_of_vertices())
                  + (number_of_vertices == 1 ? " is" : " are") + " not reached"
-                 + reason_for_unreached(mesh, avoids_faces));
+                 + reason_for_unreached(mesh, has_obstacles));
 }
 
-void remark_on_unreached(const Mesh& mesh, const Distance_field& field, bool avoids_faces, const Console& console)
+void remark_on_unreached(const Mesh& mesh, const Distance_field& field, bool has_obstacles, const Console& console)
 {
   remark_on_unreached(mesh,
                       static_cast<std::size_t>(std::count_if(field.distance.begin(), field.distance.end(),
                                                              [](double d) { return !std::isfinite(d); })),
-                      avoids_faces, console);
+                      has_obstacles, console);
 }
 
 } // namespace geodesics_demo

@@ -14,11 +14,11 @@ std::size_t number_of_components(const Mesh& mesh);
 
 // "; the mesh has 45 components and 2 vertices without faces", or a part of it: why something is not reached. Faces to
 // avoid are named as another reason.
-std::string reason_for_unreached(const Mesh& mesh, bool avoids_faces = false);
+std::string reason_for_unreached(const Mesh& mesh, bool has_obstacles = false);
 
 // Remarks on vertices that no source reaches, if there are any.
-void remark_on_unreached(const Mesh& mesh, const Distance_field& field, bool avoids_faces, const Console& console);
-void remark_on_unreached(const Mesh& mesh, std::size_t number_of_vertices, bool avoids_faces,
+void remark_on_unreached(const Mesh& mesh, const Distance_field& field, bool has_obstacles, const Console& console);
+void remark_on_unreached(const Mesh& mesh, std::size_t number_of_vertices, bool has_obstacles,
                          const Console& console);
 
 } // namespace geodesics_demo

@@ -50,6 +50,7 @@ void declare(Option_descriptions& options)
     ("lines", boost::program_options::value<std::vector<std::string>>()->value_name("FILE")->composing(),
      "the isolines in a file of their own: .obj, .ply, .vtk, .vtu");
   declare_obstacles(options);
+  declare_walls(options);
   declare_html(options);
   declare_output(options, "a table .csv (default: to standard output); the surface with colors and distances .ply, "
                           ".vtu, .vtk, .obj");
@@ -178,6 +179,8 @@ void run(const Arguments& arguments, const Console& console)
                      {"csv", "ply", "vtu", "vtk", "obj", "html"});
   check_no_page_of_obstacles(arguments, files.have({"html"}));
   check_curves(arguments, files.have({"html"}));
+  if(has(arguments, "walls") && are_curves_given(arguments))
+    throw Command_error(Exit_code::BAD_USAGE, "--walls cannot be combined with curves as sources");
   Output_files line_files(line_names, {"obj", "ply", "vtk", "vtu"});
   const bool has_lines = !line_names.empty() || files.have({"html"});
   for(const char* option : {"isolines", "spacing"})
@@ -187,30 +190,31 @@ void run(const Arguments& arguments, const Console& console)
   const bool has_curves = are_curves_given(arguments);
   const std::vector<Location> sources = has_curves ? source_options.locations(arguments, mesh, console)
                                                    : source_options.required_locations(arguments, mesh, console);
-  const std::vector<Face> avoided = avoided_faces(arguments, mesh);
-  // One propagation. From points, the lines are chosen before it and found on its way. Lines from curves, and pages of
-  // surfaces that are refined, need distances inside of faces afterwards.
+  const Obstacles avoided = obstacles(arguments, mesh);
+  // One propagation. From points, the lines are chosen before it and found on its way. Lines from curves or around
+  // walls, and pages of surfaces that are refined, need distances inside of faces afterwards.
   const std::vector<Curve> curves
-    = has_curves ? source_curves(arguments, mesh, sources, avoided, console) : std::vector<Curve>();
+    = has_curves ? source_curves(arguments, mesh, sources, avoided.faces, console) : std::vector<Curve>();
+  const bool are_lines_chosen_before = has_lines && !has_curves && avoided.walls.empty();
   std::vector<double> limits;
-  if(has_lines && !has_curves)
-    limits = isoline_distances(arguments, (std::min)(radius, bound_of_distances(mesh, avoided, sources)));
+  if(are_lines_chosen_before)
+    limits = isoline_distances(arguments, (std::min)(radius, bound_of_distances(mesh, avoided.faces, sources)));
   std::unique_ptr<Distance_run> run;
   Distance_field without_lines;
   if(has_lines && has_curves)
     run.reset(new Distance_run(mesh, avoided, curves, radius, console));
-  else if(has_lines && files.have({"html"}) && is_refined(mesh.number_of_faces()))
+  else if(has_lines && (!are_lines_chosen_before || (files.have({"html"}) && is_refined(mesh.number_of_faces()))))
     run.reset(new Distance_run(mesh, avoided, sources, radius, console));
   else if(has_lines)
-    run.reset(new Distance_run(mesh, avoided, sources, radius, limits, console));
+    run.reset(new Distance_run(mesh, avoided.faces, sources, radius, limits, console));
   else
-    without_lines = has(arguments, "signed") ? signed_distances_from(mesh, avoided, curves, radius, console)
-                    : has_curves             ? distances_from(mesh, avoided, curves, radius, console)
+    without_lines = has(arguments, "signed") ? signed_distances_from(mesh, avoided.faces, curves, radius, console)
+                    : has_curves             ? distances_from(mesh, avoided.faces, curves, radius, console)
                                              : distances_from(mesh, avoided, sources, radius, console);
   const Distance_field& field = has_lines ? run->field() : without_lines;
   if(!has(arguments, "radius"))
-    remark_on_unreached(mesh, field, has(arguments, "avoid"), console);
-  if(has_lines && has_curves)
+    remark_on_unreached(mesh, field, has_obstacles(arguments), console);
+  if(has_lines && !are_lines_chosen_before)
     limits = isoline_distances(arguments, field.largest());
   limits.erase(std::lower_bound(limits.begin(), limits.end(), field.largest()), limits.end());
   if(!line_names.empty())

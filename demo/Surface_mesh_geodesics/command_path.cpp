@@ -34,6 +34,7 @@ void declare(Option_descriptions& options)
   declare_seed(options);
   options.add_options()("points", "the table has a line for each point of each path");
   declare_obstacles(options);
+  declare_walls(options);
   declare_html(options);
   declare_output(options, "a table .csv (default: to standard output); the paths as lines .obj, .ply, .vtk, "
                           ".vtu, .polylines.txt");
@@ -77,12 +78,13 @@ std::vector<Path> find_paths(const Path_finder& finder, const std::vector<Locati
 }
 
 // A path finder that answers for the targets.
-std::unique_ptr<Path_finder> finder_for(const Mesh& mesh, const std::vector<Face>& avoided,
+std::unique_ptr<Path_finder> finder_for(const Mesh& mesh, const Obstacles& avoided,
                                         const std::vector<Location>& sources,
                                         const std::vector<Location>& targets, const Console& console)
 {
   std::unique_ptr<Path_finder> finder(new Path_finder(mesh));
-  finder->avoid_faces(avoided);
+  finder->avoid_faces(avoided.faces);
+  finder->avoid_edges(avoided.walls);
   add_sources(*finder, sources);
   Progress_visitor visitor(console, "distances");
   if(as_vertices(targets).empty())
@@ -214,7 +216,7 @@ void run(const Arguments& arguments, const Console& console)
   const Mesh mesh = read_mesh(arguments, console);
   const std::vector<Location> sources = source_options.required_locations(arguments, mesh, console);
   const std::vector<Location> targets = target_options.required_locations(arguments, mesh, console);
-  const std::vector<Face> avoided = avoided_faces(arguments, mesh);
+  const Obstacles avoided = obstacles(arguments, mesh);
   // One propagation: that of the page answers for the targets, too.
   std::unique_ptr<Distance_run> distances;
   if(files.have({"html"}))
@@ -223,7 +225,7 @@ void run(const Arguments& arguments, const Console& console)
     = distances == nullptr ? finder_for(mesh, avoided, sources, targets, console) : std::unique_ptr<Path_finder>();
   const std::vector<Path> paths
     = find_paths(finder == nullptr ? distances->paths().finder : *finder, targets, console);
-  check_reached(mesh, targets, paths, has(arguments, "avoid"), console);
+  check_reached(mesh, targets, paths, has_obstacles(arguments), console);
   const Drawing drawing = drawing_of(sources, targets, paths);
   files.write([&](std::ostream& os, const std::string& format)
   {

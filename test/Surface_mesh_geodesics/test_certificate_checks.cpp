@@ -60,9 +60,9 @@ struct Witness
     const auto fim = get(boost::face_index, tm);
     const auto vpm = get(CGAL::vertex_point, tm);
     SMGI::Shape_from_points<double, Mesh, std::decay_t<decltype(vpm)>> shape(tm, vpm);
-    const std::vector<char> none_is_avoided;
+    const SMGI::Obstacles nothing_is_avoided;
     SMGI::Face_graph_reader<double, Mesh, std::decay_t<decltype(vim)>, std::decay_t<decltype(fim)>>(
-      tm, vim, fim, none_is_avoided)
+      tm, vim, fim, nothing_is_avoided)
       .read(shape, mesh, table, []() { return std::vector<char>(); }, SMGI::One_block());
     windows.reset(mesh.number_of_faces());
     field.keeps_images = true;

@@ -181,7 +181,33 @@ public:
     return Geodesic_distance_solver(std::unique_ptr<Solver>(
       new Solver(tm, CGAL::get_initialized_vertex_index_map(tm, parameters::default_values()), faces,
                  internal::Shape_from_points<double, TriangleMesh, std::decay_t<decltype(points)>>(tm, points),
-                 internal::flags_of_avoided_faces(tm, faces, faces_to_avoid))));
+                 internal::Obstacles{internal::flags_of_avoided_faces(tm, faces, faces_to_avoid), {}})));
+  }
+
+  /// returns a solver that leads no path across some edges, as with the parameter `edges_to_avoid` of
+  /// `geodesic_distances()`, and leaves faces out.
+  ///
+  /// \tparam Edges a range of edge descriptors, or a model of `ReadablePropertyMap` with the edge descriptor as
+  ///         key type and `bool` as value type
+  /// \tparam Faces as for `avoiding_faces()`
+  ///
+  /// \param tm the triangle mesh
+  /// \param edges_to_avoid the edges
+  /// \param faces_to_avoid the faces
+  ///
+  /// \throws Invalid_geodesic_input also if an edge or a face of the ranges is not one of the mesh.
+  ///         `compute_distances()` throws it for curves as sources.
+  template <typename Edges, typename Faces = std::array<typename boost::graph_traits<TriangleMesh>::face_descriptor, 0>>
+  static Geodesic_distance_solver avoiding_edges(const TriangleMesh& tm, const Edges& edges_to_avoid,
+                                                 const Faces& faces_to_avoid = Faces())
+  {
+    const auto points = get_const_property_map(CGAL::vertex_point, tm);
+    const auto faces = CGAL::get_initialized_face_index_map(tm, parameters::default_values());
+    return Geodesic_distance_solver(std::unique_ptr<Solver>(
+      new Solver(tm, CGAL::get_initialized_vertex_index_map(tm, parameters::default_values()), faces,
+                 internal::Shape_from_points<double, TriangleMesh, std::decay_t<decltype(points)>>(tm, points),
+                 internal::Obstacles{internal::flags_of_avoided_faces(tm, faces, faces_to_avoid),
+                                     internal::walls_of_edges(tm, faces, edges_to_avoid)})));
   }
 
   /// returns a solver for a surface that is given by the lengths of its edges.

@@ -440,6 +440,22 @@ public:
     m_structure.avoid_faces(faces_to_avoid);
   }
 
+  /// avoids edges: paths may run along these edges, also around the free end of a chain of them, but do not pass from
+  /// one side to the other, not even at a vertex inside of the chain. Source points and queries on such an edge belong
+  /// to both sides; the nearest side counts. All else is as for `avoid_faces()`, and both may be in use. A build throws
+  /// if there are curves among the source points.
+  ///
+  /// \tparam Edges a range of edge descriptors, or a model of `ReadablePropertyMap` with the edge descriptor as
+  ///         key type and `bool` as value type
+  /// \param edges_to_avoid the edges, in place of those of the last call; none if the range is empty
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if an edge of the range is not one of the mesh; nothing
+  ///         changes then
+  template <typename Edges>
+  void avoid_edges(const Edges& edges_to_avoid)
+  {
+    m_structure.avoid_edges(edges_to_avoid);
+  }
+
   /// removes all source points and drops all results; the object is as it was after construction. Call it if the mesh
   /// has changed. All iterators to source points become invalid. Edge lengths are taken from the points again.
   ///

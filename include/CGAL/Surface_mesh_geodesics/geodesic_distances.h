@@ -157,6 +157,16 @@ those of `Polyhedron_items_with_id_3`) must be set before, as the first call wou
     \cgalParamDefault{an empty range: none}
     \cgalParamExtra{Where `Invalid_geodesic_input::element()` is a face, faces to avoid do not count.}
   \cgalParamNEnd
+  \cgalParamNBegin{edges_to_avoid}
+    \cgalParamDescription{the edges that no path may cross. Paths may run along them and around the free end of a chain
+                          of them, but do not pass from one side to the other at a vertex inside of the chain. A source
+                          on such an edge is on both sides; a vertex has the least distance of its sides.}
+    \cgalParamType{a range of edge descriptors of `TriangleMesh`, or a class model of `ReadablePropertyMap` with the
+                   edge descriptor as key type and `bool` as value type}
+    \cgalParamDefault{an empty range: none}
+    \cgalParamExtra{Curves as sources do not compile with it. With `targets` on such edges, the computation waits for
+                    all of their sides, also for those that no source reaches.}
+  \cgalParamNEnd
 \cgalNamedParamsEnd
 
 How to write sequences of parameters, and which one comes first: \ref Surface_mesh_geodesics_named_parameters.

@@ -56,7 +56,7 @@ double distance_of_vertex(const TriangleMesh& tm, const Source& source, const Ve
   auto vim = CGAL::get_initialized_vertex_index_map(tm, np);
   auto fim = CGAL::get_initialized_face_index_map(tm, np);
   Distance_solver<Sequential_tag, double, TriangleMesh, decltype(vim), decltype(fim)> solver(
-    tm, vim, fim, shape_from_points<double>(tm, np), source, avoided_faces(tm, fim, np));
+    tm, vim, fim, shape_from_points<double>(tm, np), source, obstacles(tm, fim, np));
   Distance_options<TriangleMesh> options;
   options.targets.push_back(target);
   options.statistics = statistics_parameter(np);
@@ -78,7 +78,7 @@ auto place_of(const Place& place)
 }
 
 // Calls use(paths) with a structure for paths that has the maps among the named parameters, and leads around the faces
-// to avoid; it has no sources yet. Returns what use() returns.
+// and edges to avoid; it has no sources yet. Returns what use() returns.
 template <typename TriangleMesh, typename NamedParameters, typename Use>
 auto with_path_structure(const TriangleMesh& tm, const NamedParameters& np, const Use& use)
 {
@@ -94,6 +94,8 @@ auto with_path_structure(const TriangleMesh& tm, const NamedParameters& np, cons
   Paths paths(tm, vim, fim, vpm, Traits());
   if constexpr(Has_parameter<NamedParameters, internal_np::faces_to_avoid_t>::value)
     paths.avoid_faces(parameters::get_parameter_reference(np, internal_np::faces_to_avoid));
+  if constexpr(Has_parameter<NamedParameters, internal_np::edges_to_avoid_t>::value)
+    paths.avoid_edges(parameters::get_parameter_reference(np, internal_np::edges_to_avoid));
   return use(paths);
 }
 
@@ -166,6 +168,13 @@ neither point is a vertex, the point type of the mesh must be that of a kernel o
     \cgalParamDescription{the faces through which no path may lead, as for `geodesic_distances()`}
     \cgalParamType{a range of face descriptors of `TriangleMesh`, or a class model of `ReadablePropertyMap` with the
                    face descriptor as key type and `bool` as value type}
+    \cgalParamDefault{an empty range: none}
+  \cgalParamNEnd
+  \cgalParamNBegin{edges_to_avoid}
+    \cgalParamDescription{the edges that no path may cross, as for `geodesic_distances()`. If one of the points is on
+                          such an edge, the function may propagate over the whole component.}
+    \cgalParamType{a range of edge descriptors of `TriangleMesh`, or a class model of `ReadablePropertyMap` with the
+                   edge descriptor as key type and `bool` as value type}
     \cgalParamDefault{an empty range: none}
   \cgalParamNEnd
   \cgalParamNBegin{statistics}

@@ -66,8 +66,8 @@ other point is reached. With faces to avoid, all pairs do so.
 \param points the points, in the order in which the curve passes them. A single one makes a curve that is a point.
 \param is_closed whether the curve is closed, that is, whether a last path leads from the last point to the first one
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`, `vertex_index_map`,
-       `face_index_map`, `faces_to_avoid` and `statistics`, with the types and defaults of `geodesic_distance()`. The
-       statistics count all propagations.
+       `face_index_map`, `faces_to_avoid`, `edges_to_avoid` and `statistics`, with the types and defaults of
+       `geodesic_distance()`. The statistics count all propagations.
 
 \pre the value type of the point map is `Kernel::Point_3` for a kernel of \cgal
 

@@ -120,6 +120,17 @@ geodesic crosses, plus the degrees of the vertices that it passes.
                    as key type and a 3D point type with the members `x()`, `y()`, `z()` as value type}
     \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
   \cgalParamNEnd
+  \cgalParamNBegin{edges_to_avoid}
+    \cgalParamDescription{edges that count as border: the geodesic ends where it meets one of them, or a vertex of one.
+                          At such a vertex, directions are counted as at the border, from the first halfedge of the
+                          faces between two of these edges. A geodesic that begins on one of them stays on the side of
+                          the face of its location.}
+    \cgalParamType{a range of edge descriptors of `TriangleMesh`, or a class model of `ReadablePropertyMap` with the
+                   edge descriptor as key type and `bool` as value type}
+    \cgalParamDefault{an empty range: none}
+    \cgalParamExtra{A range is sorted, whereas a map is read only where the geodesic is. An edge of a range that is not
+                    one of the mesh is rejected by `Invalid_geodesic_input`.}
+  \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \return the geodesic. Its first location is `location`.

@@ -32,9 +32,9 @@ is_near "$(column labels.csv distance | line /dev/stdin 16)" "$around"
 seq 0 17 > all.txt
 rejects 3 "inside of the faces to avoid" distances "$grid" --source 5 --avoid all.txt
 awk 'NR == FNR { avoided[$1]; next } !($1 in avoided)' middle.txt all.txt > but_middle.txt
-remarks "of 16 vertices are not reached; the mesh has 1 component, and paths avoid faces" \
+remarks "of 16 vertices are not reached; the mesh has 1 component, and paths avoid faces or edges" \
   distances "$grid" --source 5 --avoid but_middle.txt
-rejects 1 "no source reaches vertex 0; the mesh has 1 component, and paths avoid faces" \
+rejects 1 "no source reaches vertex 0; the mesh has 1 component, and paths avoid faces or edges" \
   path "$grid" --source 5 --target 0 --avoid but_middle.txt
 
 # Wrong files.

@@ -98,6 +98,9 @@ expect "does not take the named parameter" "${solver}np::nearest_source_map(text
 expect "does not take the named parameter" "${certificate}np::targets(vertices))"
 expect "does not take the named parameter" "${sampling}np::maximum_distance(1.))"
 expect "does not take the named parameter" "${store}np::faces_to_avoid(vertices))"
+for call in "$store" "$labels" "$sampling" "$certificate"; do
+  expect "does not take the named parameter" "${call}np::edges_to_avoid(std::vector<Mesh::Edge_index>()))"
+done
 
 # The maps of classes.
 standard=CGAL::Default
@@ -135,6 +138,8 @@ expect "does not convert to the documented type" "${store}np::rows_per_shard(2.5
 expect "does not convert to the documented type" "${store}np::use_symmetry(\"no\"))"
 expect '' "${store}np::rows_per_shard(5).use_float32(true).mesh_name(\"a\"))"
 expect "are not of type bool" "${distances}np::faces_to_avoid(Map<Face, int>()))"
+expect "are not of type bool" "${distances}np::edges_to_avoid(Map<Mesh::Edge_index, int>()))"
+expect "is neither a range of edges" "${distances}np::edges_to_avoid(vertices))"
 expect "is not a model of GeodesicPropagationVisitor" "${distances}np::visitor(3))"
 expect "vertex_index_map is not a property map" "${distances}np::vertex_index_map(distance))"
 expect "vertex_index_map is not a property map" "${labels}np::vertex_index_map(numbers))"

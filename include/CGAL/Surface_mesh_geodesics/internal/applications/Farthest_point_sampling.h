@@ -57,8 +57,8 @@ public:
     : m_tm(tm), m_surface(tm, vim, fim)
   {}
 
-  // Leaves faces out when run() reads the mesh: flags by the index of a face, or none.
-  void avoid(std::vector<char> is_avoided) { m_surface.avoid(std::move(is_avoided)); }
+  // Avoids faces when run() reads the mesh.
+  void avoid(Obstacles obstacles) { m_surface.avoid(std::move(obstacles)); }
 
   // Writes samples until there are n, with those in the options, or the covering radius of the options is reached.
   // Returns the covering radius in the user's unit: the distance of the farthest vertex from its nearest sample. It is
@@ -161,7 +161,7 @@ double sample_farthest_points(const TriangleMesh& tm, std::size_t n, OutputItera
   Visitor_parameter<NamedParameters> visitor_parameter(np);
   auto& visitor = visitor_parameter.visitor();
   Farthest_point_sampling<TriangleMesh, decltype(vim), decltype(fim)> sampling(tm, vim, fim);
-  sampling.avoid(avoided_faces(tm, fim, np));
+  sampling.avoid(obstacles(tm, fim, np));
   return sampling.run(shape_from_points<double>(tm, np), n, output, options, visitor);
 }
 

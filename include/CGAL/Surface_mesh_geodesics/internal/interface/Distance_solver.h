@@ -70,13 +70,13 @@ public:
 
   static constexpr std::size_t no_source = Source_numbers::none;
 
-  // `is_avoided` are the faces that are left out (Intrinsic_surface).
+  // `obstacles` are faces that are left out, and walls (Intrinsic_surface). Runs from curves take no walls.
 
   // Reads the whole mesh, for runs from any sources; throws Invalid_geodesic_input. Takes linear time.
   template <typename Shape>
   Distance_solver(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim, Shape shape,
-                  std::vector<char> is_avoided = {})
-    : m_surface(tm, vim, fim, std::move(shape), Blocks(), std::move(is_avoided)), m_insertion(m_surface.mesh()),
+                  Obstacles obstacles = {})
+    : m_surface(tm, vim, fim, std::move(shape), Blocks(), std::move(obstacles)), m_insertion(m_surface.mesh()),
       m_runner(m_surface.mesh(), m_insertion)
   {}
 
@@ -85,8 +85,8 @@ public:
   // twice, here and by run(), so it must allow several passes.
   template <typename Shape, typename Sources>
   Distance_solver(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim, Shape shape, const Sources& sources,
-                  std::vector<char> is_avoided)
-    : m_surface(tm, vim, fim, std::move(shape), sources, Blocks(), std::move(is_avoided)),
+                  Obstacles obstacles)
+    : m_surface(tm, vim, fim, std::move(shape), sources, Blocks(), std::move(obstacles)),
       m_insertion(m_surface.mesh()), m_runner(m_surface.mesh(), m_insertion)
   {}
 
@@ -165,14 +165,14 @@ public:
 
   // Returns the distance of a vertex of the mesh in the user's unit, infinity if it was not reached. Requires: v is a
   // vertex of the mesh (not checked).
-  FT distance(vertex_descriptor v) const { return distance_of(m_surface.id(v)) * m_surface.unit(); }
+  FT distance(vertex_descriptor v) const { return distance_of(nearest_copy(v)) * m_surface.unit(); }
 
   // Returns the number of the source from which the distance of v is measured, or no_source if v is not reached. Takes
   // time logarithmic in the number of sources, and linear in the number of vertices where the path bends. Requires: v
   // is a vertex of the mesh (not checked).
   std::size_t nearest_source(vertex_descriptor v) const
   {
-    const Vertex_id i = m_surface.id(v);
+    const Vertex_id i = nearest_copy(v);
     if(!(distance_of(i) < Vertex_distance_field<FT>::infinity()))
       return no_source;
     return m_curve_run ? m_curve_run->foot(i).curve : m_numbers.number_at(m_runner.source_of(i));
@@ -197,13 +197,23 @@ public:
   void for_each_vertex_reached(Visit visit) const
   {
     for(const Vertex_id v : m_curve_run ? m_curve_run->vertices_reached() : m_runner.vertices_reached())
-      if(v < m_surface.number_of_vertices() && distance_of(v) < Vertex_distance_field<FT>::infinity())
+      if(v < m_surface.number_of_vertices() && distance_of(v) < Vertex_distance_field<FT>::infinity()
+         // A vertex with several copies that have been reached is visited by the nearest one.
+         && (!m_surface.has_walls() || nearest_copy(m_surface.descriptor(v)) == v))
         visit(m_surface.descriptor(v), FT(distance_of(v) * m_surface.unit()));
   }
 
 private:
   using Runner = Repeated_propagation<Propagation>;
   using Curve_runner = Curve_run<FT, Rules>;
+
+  // All answers about v come from one copy, so that its distance, its source and its foot belong together.
+  //
+  // The vertex of the intrinsic mesh at v; where walls divide v, the one that is nearest to the sources.
+  Vertex_id nearest_copy(vertex_descriptor v) const
+  {
+    return m_surface.nearest_copy(v, [this](Vertex_id c) { return distance_of(c); });
+  }
 
   // The distance of a vertex of the intrinsic mesh, in its unit, after the last run of either kind. Before the first
   // run and after one that failed no vertex is reached.
@@ -215,7 +225,10 @@ private:
   template <typename AnyRunner, typename Options, typename Visitor, typename Run>
   bool run_with_options(AnyRunner& runner, const Options& options, Visitor& visitor, Run run)
   {
-    const std::vector<Vertex_id> targets = m_surface.checked_ids(options.targets, "target");
+    // Any copy may be the nearest one, so all have to be final.
+    std::vector<Vertex_id> targets;
+    for(const Vertex_id v : m_surface.checked_ids(options.targets, "target"))
+      m_surface.for_each_copy(v, [&](Vertex_id c) { targets.push_back(c); });
     Run_limits<FT> limits;
     limits.maximum_distance = FT(options.maximum_distance) / m_surface.unit();
     limits.first_target = targets.data();

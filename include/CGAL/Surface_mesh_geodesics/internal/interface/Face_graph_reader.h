@@ -17,8 +17,24 @@
 // the range vertices(tm) or faces(tm); its *id* is that in the intrinsic mesh, which the builder chooses. Indices have
 // to be below num_vertices() and num_faces() and different from each other; they may have gaps at removed elements.
 //
+// Walls are edges that no path may cross. The intrinsic mesh is cut along them, and a vertex that they divide has
+// several vertices there, its *copies*; surface/walls/Wall_cut.h says which, and why. Descriptors of the user stay what
+// they are: the tables lead from a vertex of the user to all of its copies, and from each copy back to it. Without
+// walls no vertex has copies, and their table is empty. Who asks for it:
+//
+// - sources at a vertex, or on an edge: Intrinsic_surface::add_sources_behind_walls() makes one of each copy;
+// - distances of vertices, the nearest source, targets: Distance_solver takes the copy with the least distance, and
+//   waits for all of them;
+// - queries and the beginnings of paths: Path_solver::query() takes the side that is nearest;
+// - the end of a path needs a descriptor only, which each copy has;
+// - directions at a source: Surface_with_sources::direction_at_vertex() counts them from a wall, as from a border.
+//
+// What does not ask takes no walls. The named parameter does not compile for matrices, signed distances, labels,
+// samples, relaxation and certificates, and diagrams have no function for it. Curves that are sources are rejected: by
+// the compiler in free functions, and by Intrinsic_surface::located_curve() in objects.
+//
 // The steps of read(), and who does them:
-// 1. read_faces() checks the faces, and collects their corners and neighbors.
+// 1. read_faces() checks the faces, and collects their corners and neighbors. Wall_cut takes them apart along walls.
 // 2. The builder numbers the faces, breadth first in each component, and drops components that are not wanted.
 // 3. number_vertices() numbers the vertices in the order of the faces.
 // 4. The shape reads points or lengths and chooses the unit (Face_shapes.h). The builder makes the faces with it, and
@@ -27,12 +43,14 @@
 
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Face_shapes.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/source_range.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/One_block.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/memory_hints.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh_builder.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/mesh_invariants.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/walls/Wall_cut.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -58,6 +76,8 @@ namespace internal {
 // sides.
 //
 // Faces of components that have been left out are in no table: their entry is null_id, and their vertices are isolated.
+//
+// All copies of a vertex have its descriptor. The first one is that of vertex_of_index; the others follow by next_copy.
 template <typename TriangleMesh>
 struct Face_graph_correspondence
 {
@@ -69,11 +89,15 @@ struct Face_graph_correspondence
   std::vector<Vertex_id> vertex_of_index;  // by the index of the user's map, null_id if unused
   // By the index of the user's map: the halfedge of the intrinsic mesh that is halfedge(f, tm).
   std::vector<Halfedge_id> halfedge_of_face_index;
+  std::vector<Vertex_id> next_copy; // of a vertex of the intrinsic mesh, null_id behind the last one; empty: no copies
+
+  // Returns the next copy of the vertex of the user to which v belongs, null_id if v is the last one.
+  Vertex_id copy_behind(Vertex_id v) const { return next_copy.empty() ? null_id : next_copy[v]; }
 
   std::size_t memory() const
   {
     return vertices.capacity() * sizeof(vertex_descriptor) + faces.capacity() * sizeof(face_descriptor)
-         + vertex_of_index.capacity() * sizeof(Vertex_id)
+         + (vertex_of_index.capacity() + next_copy.capacity()) * sizeof(Vertex_id)
          + halfedge_of_face_index.capacity() * sizeof(Halfedge_id);
   }
 };
@@ -100,10 +124,10 @@ class Face_graph_reader
   using Reason = Invalid_geodesic_input::Reason;
 
 public:
-  // `is_avoided` has a flag for each index of a face, or is empty: faces that are marked are left out, as if they were
-  // not in faces(tm). It is referred to.
-  Face_graph_reader(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim, const std::vector<char>& is_avoided)
-    : m_tm(tm), m_vim(vim), m_fim(fim), m_is_avoided(is_avoided)
+  // Faces to avoid are left out, as if they were not in faces(tm), and the mesh is cut along walls. The obstacles are
+  // referred to.
+  Face_graph_reader(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim, const Obstacles& obstacles)
+    : m_tm(tm), m_vim(vim), m_fim(fim), m_obstacles(obstacles)
   {}
 
   // Builds the mesh and the tables; throws Invalid_geodesic_input. Both are incomplete then, so Intrinsic_surface
@@ -120,16 +144,23 @@ public:
             const Blocks& blocks)
   {
     read_faces();
+    std::vector<std::uint32_t> copied;
+    if(!m_obstacles.walls.empty())
+      copied = Wall_cut(m_connected_faces, m_walls, num_vertices(m_tm)).take_copied();
     Builder builder(m_connected_faces);
     // The builder has copied them in their new order. The first copy is freed before the mesh needs memory.
     m_connected_faces = std::vector<Connected_face>();
     if(builder.number_of_components() > 1)
     {
-      const std::vector<char> is_wanted = wanted_vertices();
+      std::vector<char> is_wanted = wanted_vertices();
       if(!is_wanted.empty())
+      {
+        for(const std::uint32_t index : copied)
+          is_wanted.push_back(is_wanted[index]);
         builder.keep_components_of(is_wanted);
+      }
     }
-    const std::size_t number_in_faces = number_vertices(builder, table);
+    const std::size_t number_in_faces = number_vertices(builder, copied, table);
     // The vertices are numbered before their points are read, so that points lie in the order in which faces need them.
     const int exponent = shape.prepare(table.vertices, number_in_faces);
     mesh.set_unit(FT(std::ldexp(1., exponent)));
@@ -167,6 +198,8 @@ private:
         throw_for_face(Reason::NOT_A_TRIANGLE, " is not a triangle");
       register_index(f, range_of_indices);
       m_faces.push_back(f);
+      if(!m_obstacles.walls.empty())
+        m_walls.push_back(index_of(f) < m_obstacles.walls.size() ? m_obstacles.walls[index_of(f)] : Wall_bits(0));
       m_connected_faces.push_back(
         {corners(h0, h1, h2, number_of_vertices), {neighbor(h0), neighbor(h1), neighbor(h2)}});
       if(m_faces.size() >= maximum_number_of_faces)
@@ -186,10 +219,10 @@ private:
   // behind it have other positions than indices. (An index that is out of range is rejected like that of any face.)
   bool is_left_out(face_descriptor f)
   {
-    if(m_is_avoided.empty())
+    if(m_obstacles.is_avoided.empty())
       return false;
     const std::size_t index = index_of(f);
-    const bool result = index < m_is_avoided.size() && m_is_avoided[index] != 0;
+    const bool result = index < m_obstacles.is_avoided.size() && m_obstacles.is_avoided[index] != 0;
     m_indices_are_positions = m_indices_are_positions && !result;
     return result;
   }
@@ -252,15 +285,15 @@ private:
   //
   // Corners come first: the builder has given them numbers below `number_in_faces`. The loop then meets all vertices in
   // the user's order, and gives the next numbers to those that no face has, among them the vertices of components that
-  // were left out.
-  std::size_t number_vertices(Builder& builder, Correspondence& table) const
+  // were left out. Copies are corners with indices of their own, behind those of the user.
+  std::size_t number_vertices(Builder& builder, const std::vector<std::uint32_t>& copied, Correspondence& table) const
   {
-    const std::size_t range_of_indices = num_vertices(m_tm);
-    table.vertex_of_index.assign(range_of_indices, null_id);
+    const std::size_t range_of_indices = num_vertices(m_tm), size = range_of_indices + copied.size();
+    table.vertex_of_index.assign(size, null_id);
     const std::size_t number_in_faces = builder.number_vertices(table.vertex_of_index);
     std::size_t n = number_in_faces;
-    table.vertices.resize(range_of_indices);
-    std::vector<char> is_known(range_of_indices, 0);
+    table.vertices.resize(size);
+    std::vector<char> is_known(size, 0);
     std::size_t number_known = 0;
     for(vertex_descriptor v : vertices(m_tm))
     {
@@ -272,12 +305,38 @@ private:
       ++number_known;
       table.vertices[id] = v;
     }
+    if(!copied.empty())
+      number_known += connect_copies(copied, range_of_indices, is_known, table);
     // Each number has to be known now: the loop has met n vertices, unless a corner was not among them.
     if(number_known != n)
       throw Invalid_geodesic_input(Reason::INVALID_INDEX_MAP,
                                    "a face has a vertex that is not among those of the mesh");
     table.vertices.resize(n); // num_vertices() may count vertices that have been removed
     return number_in_faces;
+  }
+
+  // The order of copies does not matter, so each one is linked right behind the first. The table is as long as that of
+  // the vertices, so that a query needs no search.
+  //
+  // Gives copies the descriptor of their vertex, and links them behind it. Returns how many there are: a copy in a
+  // component that was left out is none. (A vertex that is not known is not among those of the mesh, and is rejected.)
+  static std::size_t connect_copies(const std::vector<std::uint32_t>& copied, std::size_t range_of_indices,
+                                    const std::vector<char>& is_known, Correspondence& table)
+  {
+    std::size_t number = 0;
+    table.next_copy.assign(table.vertices.size(), null_id);
+    for(std::size_t i = 0; i < copied.size(); ++i)
+    {
+      const Vertex_id copy = table.vertex_of_index[range_of_indices + i], v = table.vertex_of_index[copied[i]];
+      if(copy == null_id || v == null_id || is_known[v] == 0)
+        continue;
+      table.vertices[copy] = table.vertices[v];
+      table.next_copy[copy] = table.next_copy[v];
+      table.next_copy[v] = copy;
+      ++number;
+    }
+    table.vertex_of_index.resize(range_of_indices);
+    return number;
   }
 
   // Returns the index of a vertex in the user's map; throws if it is out of range.
@@ -308,8 +367,9 @@ private:
   const TriangleMesh& m_tm;
   VertexIndexMap m_vim;
   FaceIndexMap m_fim;
-  const std::vector<char>& m_is_avoided; // by the index of the user's map, or empty
+  const Obstacles& m_obstacles;
   std::vector<face_descriptor> m_faces;          // by position
+  std::vector<Wall_bits> m_walls;                // by position, if there are walls
   std::vector<Connected_face> m_connected_faces; // by position; corners are indices of the user's map
   // By the index of the user's map; null_id for an index that no face has.
   std::vector<std::uint32_t> m_position_of_index;

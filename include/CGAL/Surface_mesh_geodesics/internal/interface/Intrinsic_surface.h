@@ -21,6 +21,7 @@
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Face_graph_reader.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Face_shapes.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/number_checks.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/source_range.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/One_block.h>
@@ -29,6 +30,8 @@
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/barycentric_coordinates.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/curves/Source_curves.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/walls/Wall_cut.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/walls/sources_at_walls.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -36,7 +39,6 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <string>
 #include <type_traits>
@@ -46,33 +48,6 @@
 namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
-
-// Throws unless the radius is a number that is not negative. Infinity is valid and means no radius.
-inline void check_maximum_distance(double maximum_distance)
-{
-  if(!(maximum_distance >= 0))
-    throw Invalid_geodesic_input(Invalid_geodesic_input::Reason::INVALID_RADIUS,
-                                 "the maximum distance is negative or not a number");
-}
-
-// Throws unless all offsets are finite and not negative.
-inline void check_offsets(const std::vector<double>& offsets)
-{
-  for(std::size_t i = 0; i < offsets.size(); ++i)
-    if(!(offsets[i] >= 0) || !std::isfinite(offsets[i]))
-      throw Invalid_geodesic_input(Invalid_geodesic_input::Reason::INVALID_OFFSET,
-                                   "the offset of source " + std::to_string(i)
-                                     + " is negative or not finite", i);
-}
-
-// Throws unless the numbers among the parameters of a public function are valid. Needs no mesh: each public function
-// calls this once, before it reads a mesh.
-template <typename Options>
-void check_numbers(const Options& options)
-{
-  check_maximum_distance(options.maximum_distance);
-  check_offsets(options.source_offsets);
-}
 
 // Refers to the user's mesh, which must outlive the object, and copies the index maps; keeps no map of points or
 // lengths. Functions that take a descriptor to be checked throw Invalid_geodesic_input; `what` and `position` name the
@@ -96,18 +71,17 @@ public:
 
   // --- reading ---
 
-  // A surface that has not been read. `is_avoided` has a flag for each index of a face, or is empty: the faces that are
-  // marked are left out (flags_of_avoided_faces()).
-  Intrinsic_surface(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim, std::vector<char> is_avoided = {})
-    : m_tm(tm), m_vim(vim), m_fim(fim), m_is_avoided(std::move(is_avoided))
+  // A surface that has not been read. `obstacles` are the faces that are left out, and the walls along which it is cut.
+  Intrinsic_surface(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim, Obstacles obstacles = {})
+    : m_tm(tm), m_vim(vim), m_fim(fim), m_obstacles(std::move(obstacles))
   {}
 
   // Reads the mesh; throws Invalid_geodesic_input. Shape is described in Face_shapes.h, Blocks in One_block.h. Takes
   // linear time.
   template <typename Shape, typename Blocks = One_block>
   Intrinsic_surface(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim, Shape shape, Blocks blocks = Blocks(),
-                    std::vector<char> is_avoided = {})
-    : Intrinsic_surface(tm, vim, fim, std::move(is_avoided))
+                    Obstacles obstacles = {})
+    : Intrinsic_surface(tm, vim, fim, std::move(obstacles))
   {
     read(std::move(shape), blocks);
   }
@@ -118,8 +92,8 @@ public:
   // source_set(), so it must allow several passes.
   template <typename Shape, typename Sources, typename Blocks>
   Intrinsic_surface(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim, Shape shape, const Sources& sources,
-                    Blocks blocks, std::vector<char> is_avoided = {})
-    : Intrinsic_surface(tm, vim, fim, std::move(is_avoided))
+                    Blocks blocks, Obstacles obstacles = {})
+    : Intrinsic_surface(tm, vim, fim, std::move(obstacles))
   {
     read_components(std::move(shape), blocks,
                     [&]() { return Shape::has_points ? marked_sources(sources) : std::vector<char>(); });
@@ -135,8 +109,10 @@ public:
 
   bool is_read() const { return m_is_read; }
 
-  // Leaves other faces out when the mesh is read the next time: flags as in the constructor.
-  void avoid(std::vector<char> is_avoided) { m_is_avoided = std::move(is_avoided); }
+  // Other obstacles when the mesh is read the next time, in place of those of the constructor.
+  void avoid(Obstacles obstacles) { m_obstacles = std::move(obstacles); }
+  const Obstacles& obstacles() const { return m_obstacles; }
+  bool has_walls() const { return !m_obstacles.walls.empty(); }
 
   // Frees the memory of mesh and tables. read() may follow.
   void forget()
@@ -156,11 +132,30 @@ public:
 
   // --- vertices ---
 
-  // The vertices of the user; those of inserted sources do not count.
+  // The vertices of the user, with their copies (Face_graph_reader.h); those of inserted sources do not count.
   std::size_t number_of_vertices() const { return m_table.vertices.size(); }
 
   // Requires: v < number_of_vertices().
   vertex_descriptor descriptor(Vertex_id v) const { return m_table.vertices[v]; }
+
+  // Calls visit(c) for all copies of the vertex of the user to which v belongs: for v alone, if there are no walls.
+  template <typename Visit>
+  void for_each_copy(Vertex_id v, Visit visit) const
+  {
+    for(Vertex_id c = m_table.next_copy.empty() ? v : id(descriptor(v)); c != null_id; c = m_table.copy_behind(c))
+      visit(c);
+  }
+
+  // Returns the copy of the vertex v of the user with the least distance(copy), the first one of several.
+  template <typename Distance>
+  Vertex_id nearest_copy(vertex_descriptor v, Distance distance) const
+  {
+    Vertex_id nearest = id(v);
+    for(Vertex_id c = m_table.copy_behind(nearest); c != null_id; c = m_table.copy_behind(c))
+      if(distance(c) < distance(nearest))
+        nearest = c;
+    return nearest;
+  }
 
   // Returns the null vertex for an inserted source.
   vertex_descriptor descriptor_or_null(Vertex_id v) const
@@ -168,8 +163,8 @@ public:
     return v < number_of_vertices() ? descriptor(v) : Graph_traits::null_vertex();
   }
 
-  // Requires: v is a vertex of the mesh. This is not checked: the index of v is looked up in a table without a test of
-  // its range.
+  // Returns the first copy. Requires: v is a vertex of the mesh. This is not checked: the index of v is looked up in a
+  // table without a test of its range.
   Vertex_id id(vertex_descriptor v) const
   {
     return m_table.vertex_of_index[static_cast<std::size_t>(get(m_vim, v))];
@@ -273,13 +268,14 @@ public:
   // Returns the sources of a range, or the single source. `offsets` are in the user's unit: none, or one for each
   // source. Throws if a source or the number of offsets is invalid, or if an offset is too large for the mesh.
   // Requires: check_offsets(offsets) does not throw. Takes linear time. Located sources stay as they are;
-  // insert_located_sources() makes vertices of them.
+  // insert_located_sources() makes vertices of them. Sources at walls are on all of their sides.
   template <typename Sources>
   Source_set<FT> source_set(const Sources& sources, const std::vector<double>& offsets = {}) const
   {
     Source_set<FT> set;
     for_each_source<TriangleMesh>(sources, [&](const auto& source) { add_source(source, set); });
     add_offsets(offsets, set);
+    add_sources_behind_walls(set);
     return set;
   }
 
@@ -290,6 +286,7 @@ public:
   {
     Source_set<FT> set;
     set.vertices = checked_ids(range, what);
+    add_sources_behind_walls(set);
     return set;
   }
 
@@ -304,7 +301,7 @@ public:
     {
       const Vertex_id v = checked_id(source, what, position);
       // A vertex that had faces and has none left is inside of what is avoided.
-      if(!m_is_avoided.empty() && m_mesh.halfedge(v) == null_id
+      if(!m_obstacles.is_avoided.empty() && m_mesh.halfedge(v) == null_id
          && halfedge(vertex_descriptor(source), m_tm) != Graph_traits::null_halfedge())
         reject_avoided(what, position);
       set.vertices.push_back(v);
@@ -315,6 +312,32 @@ public:
       set.located.push_back(Located_source<FT>{face_of(at.first), at.second, position});
       set.vertices.push_back(null_id);
     }
+  }
+
+  // Lists the sources at walls once more for each other side (sources_at_walls.h). Call it when all sources have been
+  // added, before they are inserted. Takes linear time.
+  void add_sources_behind_walls(Source_set<FT>& set) const
+  {
+    if(has_walls())
+      list_sources_behind_walls(
+        m_mesh, set, [this](Vertex_id v, auto visit) { this->for_each_copy(v, visit); },
+        [this](Face_id f, const Coordinates& c) { return location_behind_wall(f, c); });
+  }
+
+  // Returns the same point on the other side of a wall: a halfedge of the face there, and coordinates; null_id if the
+  // point is on no wall, or at a vertex. Requires: the coordinates are snapped, and f is a face of the mesh as it was
+  // read.
+  std::pair<Halfedge_id, Coordinates> location_behind_wall(Face_id f, const Coordinates& c) const
+  {
+    for(unsigned int k = 0; k < 3 && has_walls(); ++k)
+      if(c[k] != 0 && c[next_corner(k)] != 0 && c[previous_corner(k)] == 0)
+      {
+        const halfedge_descriptor o = opposite(descriptor_of_halfedge(halfedge_of(f, k)), m_tm);
+        if(!is_border(o, m_tm) && first_halfedge(face(o, m_tm)) != null_id
+           && is_wall(m_obstacles.walls[static_cast<std::size_t>(get(m_fim, face(o, m_tm)))], number_in_face(o, m_tm)))
+          return location_on_halfedge(o, c[next_corner(k)], c[k]);
+      }
+    return {null_id, c};
   }
 
   // Sources and queries both come here, so the rim has one meaning. Where faces around a vertex of the rim are left on
@@ -367,11 +390,16 @@ public:
     return result;
   }
 
-  // Returns a single curve, whose number is `position`. Throws as located_curves() does. A class that gets its curves
-  // one by one calls it, and has no offsets.
+  // A class that gets its curves one by one calls it, and has no offsets. A curve would have two sides at a wall.
+  //
+  // Returns a single curve, whose number is `position`. Throws as located_curves() does, and if there are walls.
   template <typename Curve>
   Located_curve<FT> located_curve(const Curve& curve, std::size_t position) const
   {
+    if(has_walls())
+      throw Invalid_geodesic_input(Invalid_geodesic_input::Reason::INVALID_CURVE,
+                                   "curve " + std::to_string(position) + " is a source, but there are edges to avoid",
+                                   position);
     Located_curve<FT> located;
     located.is_closed = curve.is_closed();
     for(const auto& segment : curve.segments())
@@ -453,7 +481,7 @@ private:
   {
     Intrinsic_mesh<FT> mesh;
     Face_graph_correspondence<TriangleMesh> table;
-    Face_graph_reader<FT, TriangleMesh, VertexIndexMap, FaceIndexMap>(m_tm, m_vim, m_fim, m_is_avoided)
+    Face_graph_reader<FT, TriangleMesh, VertexIndexMap, FaceIndexMap>(m_tm, m_vim, m_fim, m_obstacles)
       .read(shape, mesh, table, wanted_vertices, blocks);
     m_mesh = std::move(mesh);
     m_table = std::move(table);
@@ -502,8 +530,8 @@ private:
   // Is a face one of those to avoid? Not if it is none of the mesh, which checked_halfedge() rejects.
   bool is_avoided(face_descriptor f) const
   {
-    return !m_is_avoided.empty() && f != Graph_traits::null_face() && is_face_of(f, m_tm, m_fim)
-        && m_is_avoided[static_cast<std::size_t>(get(m_fim, f))] != 0;
+    return !m_obstacles.is_avoided.empty() && f != Graph_traits::null_face() && is_face_of(f, m_tm, m_fim)
+        && m_obstacles.is_avoided[static_cast<std::size_t>(get(m_fim, f))] != 0;
   }
 
   // The coordinates of a location in the order of the user's corners, which is that of a face whose first halfedge is
@@ -520,7 +548,7 @@ private:
   // are flags.
   bool is_open(halfedge_descriptor h) const
   {
-    return !is_border(h, m_tm) && m_is_avoided[static_cast<std::size_t>(get(m_fim, face(h, m_tm)))] == 0;
+    return !is_border(h, m_tm) && m_obstacles.is_avoided[static_cast<std::size_t>(get(m_fim, face(h, m_tm)))] == 0;
   }
 
   // The location on a halfedge with a face, by the coordinates of its source and its target. The third coordinate is an
@@ -561,7 +589,7 @@ private:
   Intrinsic_mesh<FT> m_mesh;
   Face_graph_correspondence<TriangleMesh> m_table;
   bool m_is_read = false;
-  std::vector<char> m_is_avoided; // by the index of the user's map, or empty
+  Obstacles m_obstacles;
 };
 
 } // namespace internal

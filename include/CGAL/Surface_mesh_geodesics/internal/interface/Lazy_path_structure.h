@@ -208,18 +208,17 @@ public:
       set_ready(Stage::EVERYWHERE);
   }
 
-  // The flags are made first, as the range may hold invalid faces, or be very large.
-  //
-  // Leaves faces out from now on. Forgets the results, and the mesh with its lengths: the next build reads points,
-  // unless lengths are given again. Throws Invalid_geodesic_input; then nothing changes. Takes linear time.
+  // Both avoid faces or edges from now on, in place of those before, and forget results, mesh and lengths: the next
+  // build reads points, unless lengths are given again. If they throw Invalid_geodesic_input, nothing changes.
   template <typename Faces>
   void avoid_faces(const Faces& avoided)
   {
-    std::vector<char> flags = flags_of_avoided_faces(m_tm, m_face_index_map, avoided);
-    m_solver.forget();
-    m_solver.avoid(std::move(flags));
-    if(m_sources.size() > 0)
-      set_changed();
+    avoid({flags_of_avoided_faces(m_tm, m_face_index_map, avoided), m_solver.obstacles().walls});
+  }
+  template <typename Edges>
+  void avoid_edges(const Edges& avoided)
+  {
+    avoid({m_solver.obstacles().is_avoided, walls_of_edges(m_tm, m_face_index_map, avoided)});
   }
 
   // Forgets sources, results, mesh and edge lengths. The next build reads points, also if lengths have been in use. The
@@ -397,6 +396,13 @@ private:
   void set_ready(Stage stage) const { m_ready.store(stage, std::memory_order_release); }
   void set_changed() { set_ready(Stage::NOWHERE); }
 
+  void avoid(Obstacles obstacles)
+  {
+    m_solver.forget();
+    m_solver.avoid(std::move(obstacles));
+    if(m_sources.size() > 0)
+      set_changed();
+  }
   // Invalid vertices have the null location; build() rejects them.
   Face_location location_of(vertex_descriptor v) const
   {
@@ -505,7 +511,7 @@ private:
     const Query q = m_solver.query(f, b);
     if(m_solver.needs_windows(q))
       prepare(Stage::EVERYWHERE);
-    return q;
+    return m_solver.nearest_side(q);
   }
 
   // Returns whether the location is a vertex of its face, after snapping. Returns false for an invalid

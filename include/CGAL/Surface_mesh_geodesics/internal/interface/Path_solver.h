@@ -104,9 +104,10 @@ public:
     m_has_run = false;
   }
 
-  // Leaves faces out when the mesh is read the next time (Intrinsic_surface). The mesh that has been read, if any, does
+  // Avoids faces and edges when the mesh is read the next time (Intrinsic_surface). The mesh that has been read does
   // not change: the caller forgets it first. Requires: !has_mesh().
-  void avoid(std::vector<char> is_avoided) { m_surface.avoid(std::move(is_avoided)); }
+  void avoid(Obstacles obstacles) { m_surface.avoid(std::move(obstacles)); }
+  const Obstacles& obstacles() const { return user_surface().obstacles(); }
 
   // Forgets the mesh, the sources and all results.
   void forget()
@@ -197,7 +198,8 @@ public:
   //
   // A vertex is a target of the propagation. A point of a face waits for the corners of its face first. Their distances
   // bound its own one, and no window beyond that bound leads to it. The margin is that of ties, so that the answer has
-  // the same bits as after run().
+  // the same bits as after run(). A vertex of a wall waits for all of its copies, and a point of the edge of a wall for
+  // everything, as the sources need not reach both sides.
   // Takes time for the area that is nearer to the sources than the point and the corners of its face.
   // Requires: has_mesh(). Throws what make_query() throws.
   template <typename MakeQuery>
@@ -207,17 +209,19 @@ public:
     m_has_run = false;
     m_surface.insert_sources();
     const Query q = make_query();
+    std::vector<Vertex_id> copies(1, q.vertex);
+    m_surface.for_each_other_side(q, [&](const Query& other) { copies.push_back(other.vertex); });
     propagate_with(m_field, window_keeper(needs_windows(q)), [&](auto& propagation)
     {
       Goes_on_always go_on;
       const Go_on_reference always(go_on, 1);
       if(needs_windows(q))
-        return run_to_location(propagation, q, always);
-      propagation.set_targets(&q.vertex, &q.vertex + 1);
+        return copies.size() > 1 ? propagation.run(always) : run_to_location(propagation, q, always);
+      propagation.set_targets(copies.data(), copies.data() + copies.size());
       return propagation.run(always);
     });
     m_has_run = true;
-    return q;
+    return nearest_side(q);
   }
 
   const Propagation_statistics& statistics() const { return m_statistics; }
@@ -258,12 +262,26 @@ public:
 
   // --- queries: they throw Invalid_geodesic_input for a point that is not on the mesh ---
 
-  Query query(vertex_descriptor v) const { return m_surface.query(v); }
+  Query query(vertex_descriptor v) const { return nearest_side(m_surface.query(v)); }
 
+  // A location at a wall is on one of its sides; nearest_side() may change that.
   template <typename BarycentricCoordinates>
   Query query(face_descriptor f, const BarycentricCoordinates& b) const
   {
     return m_surface.query(f, b);
+  }
+
+  // The point of a wall belongs to all of its sides, and a path to it comes on the one that is nearest.
+  //
+  // Returns the query for the same point on the side of a wall that is nearest to the sources. Requires: the windows
+  // are known if needs_windows(q) and there is a run.
+  Query nearest_side(const Query& q) const
+  {
+    Query nearest = q;
+    if(m_has_run)
+      m_surface.for_each_other_side(q, [&](const Query& other)
+      { nearest = arrival(other).distance < arrival(nearest).distance ? other : nearest; });
+    return nearest;
   }
 
   // Make the same checks before the mesh has been read, by indices alone.
@@ -308,7 +326,11 @@ public:
 
   // Returns the distance of a vertex of the mesh, in the user's unit. Requires: has_run(). Infinity if no source
   // reaches it. The vertex is not checked.
-  double distance(vertex_descriptor v) const { return m_field.distance[user_surface().id(v)] * unit(); }
+  double distance(vertex_descriptor v) const
+  {
+    const auto distance_of = [this](Vertex_id c) { return m_field.distance[c]; };
+    return distance_of(user_surface().nearest_copy(v, distance_of)) * unit();
+  }
 
   // Returns the path from a point to its source. Throws std::runtime_error if no path with the length of the distance
   // is found. Requires: the point is reached; `a` is arrival(q). Takes time linear in the number of faces that the path
@@ -375,7 +397,7 @@ public:
     };
     Path_thinning<double, decltype(report_item)> thinning(mesh(), m_surface.parts(), extent_around(steps), report_item);
     if(q.is_location)
-      thinning.begin_behind(path_item(q));
+      thinning.begin_behind(m_surface.path_item(q));
     for(const Path_step<double>& step : steps)
       thinning.add(step);
     thinning.finish();
@@ -388,7 +410,7 @@ public:
     const Path_step<double>& end = steps.back();
     if(end.vertex != null_id)
       return location_of_vertex(end.vertex);
-    return user_location(Isoline_point<double>{end.halfedge, end.x / mesh().length(end.halfedge)});
+    return m_surface.user_location_on_edge(end.halfedge, end.x / mesh().length(end.halfedge));
   }
 
   // Calls line(points, is_closed) for each line of points at a distance, in the user's unit. A point is a pair of a
@@ -404,7 +426,7 @@ public:
       std::vector<std::pair<face_descriptor, Coordinates>> located;
       located.reserve(points.size());
       for(const Isoline_point<double>& p : points)
-        located.push_back(user_location(p));
+        located.push_back(m_surface.user_location_on_edge(p.halfedge, p.t));
       line(located, is_closed);
     });
   }
@@ -465,25 +487,6 @@ private:
     const auto it = std::find_if(steps.begin(), steps.end(),
                                  [](const Path_step<double>& step) { return step.face != null_id; });
     return it == steps.end() ? 1 : mesh().extent_around(m_surface.parts().whole(it->face));
-  }
-
-  std::pair<face_descriptor, Coordinates> user_location(const Isoline_point<double>& p) const
-  {
-    return user_location(face_of(p.halfedge), coordinates_on_halfedge(p.halfedge, p.t));
-  }
-
-  // Returns the query, a location, as a point of a path.
-  Path_item<double> path_item(const Query& q) const
-  {
-    Path_item<double> item;
-    item.face = q.face;
-    if(!q.is_in_face)
-      item.vertex = q.vertex;
-    else if(q.is_on_edge && q.vertex == null_id)
-      for(unsigned int k = 0; k < 3; ++k)
-        if(q.coordinates[previous_corner(k)] == 0)
-          item.local_halfedge = halfedge_of(q.face, k);
-    return item;
   }
 
   // Frees the memory of the results. Paths need the images of arrivals, so the field is told to keep them.

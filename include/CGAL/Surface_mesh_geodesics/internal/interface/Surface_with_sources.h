@@ -19,6 +19,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/interface/source_range.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/paths/Departure.h>
+#include <CGAL/Surface_mesh_geodesics/internal/paths/Path_thinning.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Face_parts.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Source_insertion.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Source_set.h>
@@ -79,9 +80,9 @@ public:
 
   // --- building ---
 
-  // Leaves faces out when the mesh is read the next time (Intrinsic_surface). Sources and the mesh that has been read
-  // stay as they are until then.
-  void avoid(std::vector<char> is_avoided) { m_surface.avoid(std::move(is_avoided)); }
+  // Avoids faces and edges when the mesh is read the next time (Intrinsic_surface). Sources and the mesh that has been
+  // read stay as they are until then.
+  void avoid(Obstacles obstacles) { m_surface.avoid(std::move(obstacles)); }
 
   // Reads the user's mesh, and removes all sources. Throws Invalid_geodesic_input; then nothing changes.
   template <typename Shape, typename Blocks>
@@ -161,6 +162,9 @@ public:
   {
     if(m_are_inserted)
       return;
+    // The list of sources is complete only now. (If an exception has ended an insertion, they are listed already.)
+    if(m_sources.behind_walls.empty())
+      m_surface.add_sources_behind_walls(m_sources);
     insert_located_sources(m_sources.located, m_insertion, m_sources.vertices);
     m_numbers.assign(m_sources);
     m_are_inserted = true;
@@ -183,6 +187,15 @@ public:
     return m_surface.location(whole, b);
   }
 
+  // The same for the point at fraction t of a halfedge of the refined mesh.
+  std::pair<face_descriptor, Coordinates> user_location_on_edge(Halfedge_id h, double t) const
+  {
+    Coordinates b{};
+    b[index_in_face(h)] = 1 - t;
+    b[next_corner(index_in_face(h))] = t;
+    return user_location(face_of(h), b);
+  }
+
   // Returns the user's face of which a face is a part.
   face_descriptor user_face(Face_id f) const { return m_surface.descriptor_of_face(m_insertion.parts().whole(f)); }
 
@@ -196,11 +209,14 @@ public:
   double direction_at_vertex(const Departure<double>& d) const
   {
     const Halfedge_id wanted = m_surface.halfedge_of_frame(mesh().source(d.halfedge));
-    const Angle_around<double> a = angle_around(mesh(), d, [&](Halfedge_id h)
+    Angle_around<double> a = angle_around(mesh(), d, [&](Halfedge_id h)
     {
       double t = 0;
       return wanted != null_id && parts().find_on_whole_edge(h, t) && h == wanted;
     });
+    // Between walls, angles count from the first halfedge, as trace_geodesic() counts them.
+    if(!a.is_closed && m_surface.has_walls())
+      a = angle_around(mesh(), d, [](Halfedge_id) { return false; });
     return a.is_closed && a.total > 0 ? a.angle / a.total * full_circle() : a.angle;
   }
 
@@ -248,17 +264,66 @@ public:
     const Halfedge_id h = at.first;
     Coordinates c = at.second;
     snap_coordinates(c);
+    return query_at(face_of(h), c);
+  }
+
+  // A vertex has its copies in a table; a location is looked up in the face across, as only the user's mesh knows that
+  // face.
+  //
+  // Calls visit(Query) for the same point on each other side of the walls there. Linear in the number of sides, and in
+  // the number of parts of a face.
+  template <typename Visit>
+  void for_each_other_side(const Query& q, Visit visit) const
+  {
+    if(q.vertex < m_surface.number_of_vertices())
+      m_surface.for_each_copy(q.vertex, [&](Vertex_id c)
+      {
+        Query other = q;
+        other.vertex = c;
+        if(c != q.vertex)
+          visit(other);
+      });
+    else if(q.is_on_edge && m_surface.has_walls())
+    {
+      Coordinates c = q.coordinates;
+      const Face_id whole = parts().coordinates_in_whole(q.face, c);
+      const auto behind = m_surface.location_behind_wall(whole, c);
+      if(behind.first != null_id)
+        visit(query_at(face_of(behind.first), behind.second));
+    }
+  }
+
+  // Returns the query, a location, as a point of a path.
+  static Path_item<double> path_item(const Query& q)
+  {
+    Path_item<double> item;
+    item.face = q.face;
+    if(!q.is_in_face)
+      item.vertex = q.vertex;
+    else if(q.is_on_edge && q.vertex == null_id)
+      for(unsigned int k = 0; k < 3; ++k)
+        if(q.coordinates[previous_corner(k)] == 0)
+          item.local_halfedge = halfedge_of(q.face, k);
+    return item;
+  }
+
+private:
+  // Queries of users come here, and the other sides of walls.
+  //
+  // Returns the query for the point c of a face of the first mesh. Requires: the coordinates are snapped.
+  Query query_at(Face_id f, Coordinates c) const
+  {
     Query q;
     q.is_location = true;
     for(unsigned int k = 0; k < 3; ++k)
       if(c[k] == 1)
-        q.vertex = corner_vertex(face_of(h), k);
+        q.vertex = corner_vertex(f, k);
     if(q.vertex != null_id)
       return q;
     q.is_in_face = true;
     // The edges of the face as a whole count here. part_with() changes c to the coordinates in a part.
     q.is_on_edge = c[0] == 0 || c[1] == 0 || c[2] == 0;
-    q.face = parts().part_with(face_of(h), c);
+    q.face = parts().part_with(f, c);
     q.coordinates = c;
     for(unsigned int k = 0; k < 3; ++k) // at a source
       if(c[k] == 1)
@@ -266,7 +331,6 @@ public:
     return q;
   }
 
-private:
   // Strips and windows need one numbering of all sources, so points beside curves are curves without length.
   std::vector<Located_curve<double>> sources_as_curves() const
   {

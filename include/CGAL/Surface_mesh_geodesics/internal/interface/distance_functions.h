@@ -92,6 +92,34 @@ std::vector<char> avoided_faces(const TriangleMesh& tm, const FaceIndexMap& fim,
     return {};
 }
 
+// Walls are told to the faces on both sides, so that no index of edges is needed.
+//
+// The same for the edges to avoid.
+template <typename TriangleMesh, typename FaceIndexMap, typename NamedParameters>
+std::vector<Wall_bits> walls(const TriangleMesh& tm, const FaceIndexMap& fim, const NamedParameters& np)
+{
+  if constexpr(Has_parameter<NamedParameters, internal_np::edges_to_avoid_t>::value)
+  {
+    using edge_descriptor = typename boost::graph_traits<TriangleMesh>::edge_descriptor;
+    const auto& avoided = parameters::get_parameter_reference(np, internal_np::edges_to_avoid);
+    using Value = std::remove_const_t<std::remove_reference_t<decltype(avoided)>>;
+    static_assert(Is_property_map<Value>::value || Is_range_of<Value, edge_descriptor>::value,
+                  "the value of the named parameter edges_to_avoid is neither a range of edges nor a property map");
+    return walls_of_edges(tm, fim, avoided);
+  }
+  else
+    return {};
+}
+
+// One object carries both to where the mesh is read.
+//
+// Returns both. A function that takes no walls does not take the parameter either (parameter_checks.h).
+template <typename TriangleMesh, typename FaceIndexMap, typename NamedParameters>
+Obstacles obstacles(const TriangleMesh& tm, const FaceIndexMap& fim, const NamedParameters& np)
+{
+  return {avoided_faces(tm, fim, np), walls(tm, fim, np)};
+}
+
 // Computes the distances from sources with given options (parameter_values.h). `shape` tells where the lengths come
 // from (Face_shapes.h), `visitor` is told of the progress. Rules and FT, the pruning rules and the number type of the
 // computation, are the defaults except in tests and measurements. Checks the numbers in the options before it reads the
@@ -105,11 +133,13 @@ template <typename ConcurrencyTag, typename Rules = All_pruning_rules, typename 
 bool compute_geodesic_distances(const TriangleMesh& tm, VertexDistanceMap vertex_distance_map, const Sources& sources,
                                 const Options& options, Shape shape, Visitor& visitor, const NamedParameters& np)
 {
+  static_assert(!Are_curves<Sources>::value || !Has_parameter<NamedParameters, internal_np::edges_to_avoid_t>::value,
+                "edges_to_avoid is not offered where curves are sources");
   auto vim = CGAL::get_initialized_vertex_index_map(tm, np);
   auto fim = CGAL::get_initialized_face_index_map(tm, np);
   check_numbers(options);
   Distance_solver<ConcurrencyTag, FT, TriangleMesh, decltype(vim), decltype(fim), Rules> solver(
-    tm, vim, fim, std::move(shape), sources, avoided_faces(tm, fim, np));
+    tm, vim, fim, std::move(shape), sources, obstacles(tm, fim, np));
   if(!solver.run(sources, options, visitor))
     return false;
   write_distances(tm, solver, vertex_distance_map);
@@ -160,7 +190,7 @@ bool compute_signed_distances(const TriangleMesh& tm, VertexDistanceMap vertex_d
   check_numbers(options);
   Visitor_parameter<NamedParameters> visitor_parameter(np);
   Distance_solver<Sequential_tag, double, TriangleMesh, decltype(vim), decltype(fim)> solver(
-    tm, vim, fim, std::move(shape), curves, avoided_faces(tm, fim, np));
+    tm, vim, fim, std::move(shape), curves, obstacles(tm, fim, np));
   std::vector<char> is_negative; // by vertex of the intrinsic mesh, whose numbers are not those of the user
   if(!solver.run_with_sides(curves, options, visitor_parameter.visitor(), is_negative))
     return false;
@@ -196,7 +226,7 @@ bool with_surface(const TriangleMesh& tm, const NamedParameters& np, Use use)
   auto vim = CGAL::get_initialized_vertex_index_map(tm, np);
   auto fim = CGAL::get_initialized_face_index_map(tm, np);
   const Intrinsic_surface<double, TriangleMesh, decltype(vim), decltype(fim)> surface(
-    tm, vim, fim, shape_from_points<double>(tm, np), Blocks(), avoided_faces(tm, fim, np));
+    tm, vim, fim, shape_from_points<double>(tm, np), Blocks(), obstacles(tm, fim, np));
   return use(surface);
 }
 

@@ -10,14 +10,16 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_SOURCE_RANGE_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_SOURCE_RANGE_H
 
-// What a user may give as a source: a vertex descriptor, a location in a face, or a range of these; and how a
-// descriptor that is not valid is rejected. Intrinsic_surface::source_set() turns a range into a Source_set.
+// What a user may give as a source: a vertex descriptor, a location in a face, or a range of these; what as obstacles;
+// and how a descriptor that is not valid is rejected. Intrinsic_surface::source_set() turns a range into a Source_set.
 
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/barycentric_coordinates.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/walls/Wall_cut.h>
 
 #include <CGAL/Surface_mesh/Surface_mesh_fwd.h>
+#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -188,15 +190,27 @@ bool is_face_of(typename boost::graph_traits<TriangleMesh>::face_descriptor f, c
                     " is not in a face of the mesh");
 }
 
+[[noreturn]] inline void reject_edge(const char* what, std::size_t position)
+{
+  reject_descriptor(Invalid_geodesic_input::Reason::INVALID_DESCRIPTOR, what, position,
+                    " is not an edge of the mesh");
+}
+
 [[noreturn]] inline void reject_null_face(const char* what, std::size_t position)
 {
   reject_descriptor(Invalid_geodesic_input::Reason::INVALID_LOCATION, what, position, " has a null face");
 }
 
-// --- faces to avoid ---
+// --- obstacles: faces to avoid, and walls, which are edges to avoid ---
 
-// They are given to the reader as flags by the index of a face: the reader meets each face once, and asks with its
-// index at hand. So faces to avoid cost one array of bytes, and a mesh without them costs one test in all.
+// They are given to the reader by the index of a face: the reader meets each face once, and asks with its index at
+// hand. So faces to avoid and walls cost an array of bytes each, and a mesh without them costs one test in all. A wall
+// is told to both of its faces; an edge needs no index.
+struct Obstacles
+{
+  std::vector<char> is_avoided; // by the index of a face: is it left out? Or empty: none is.
+  std::vector<Wall_bits> walls; // by the index of a face: which of its edges are walls, from halfedge(f, tm). Or empty.
+};
 
 // True for a property map: its traits name a category, also where a user has specialized them. All other types are
 // ranges. (Both may have begin().)
@@ -248,6 +262,72 @@ std::vector<char> flags_of_avoided_faces(const TriangleMesh& tm, const FaceIndex
     }
   }
   return flags;
+}
+
+// Edges have no index among the maps of the user, so a wall is known by a face and the number of its halfedge there.
+//
+// The edge of the face of h that h is: 0 for halfedge(f, tm), 1 and 2 for those behind it, 3 for a halfedge that is not
+// among them: the faces of an invalid mesh need not be triangles.
+template <typename TriangleMesh>
+unsigned int number_in_face(typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h, const TriangleMesh& tm)
+{
+  auto g = halfedge(face(h, tm), tm);
+  unsigned int k = 0;
+  for(; k < 3 && g != h; ++k)
+    g = next(g, tm);
+  return k;
+}
+
+// A map is asked for the edges of faces, not for those of edges(tm), which a model of FaceListGraph need not have. Both
+// halfedges of an edge give the same edge, so both faces learn of a wall.
+//
+// Returns the walls by the index of a face; empty if there are none. They are the edges of a range, or those for which
+// a property map is true. An edge at the border or without faces is valid, and cuts nothing. Throws
+// Invalid_geodesic_input if an edge of the range is not one of the mesh; its position is that in the range. Linear.
+template <typename TriangleMesh, typename FaceIndexMap, typename Edges>
+std::vector<Wall_bits> walls_of_edges(const TriangleMesh& tm, const FaceIndexMap& fim, const Edges& avoided)
+{
+  using Graph_traits = boost::graph_traits<TriangleMesh>;
+  using edge_descriptor = typename Graph_traits::edge_descriptor;
+  using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
+  std::vector<Wall_bits> walls;
+  const auto mark = [&](typename Graph_traits::face_descriptor f, unsigned int k)
+  {
+    walls.resize(num_faces(tm), 0);
+    Wall_bits& bits = walls[static_cast<std::size_t>(get(fim, f))];
+    bits = static_cast<Wall_bits>(bits | 1u << k);
+  };
+  if constexpr(Is_property_map<Edges>::value)
+  {
+    static_assert(std::is_same<typename boost::property_traits<Edges>::value_type, bool>::value,
+                  "the value of the named parameter edges_to_avoid is a map, but its values are not of type bool");
+    for(const auto f : faces(tm))
+    {
+      halfedge_descriptor h = halfedge(f, tm);
+      for(unsigned int k = 0; k < 3; ++k, h = next(h, tm))
+        if(get(avoided, edge(h, tm)) && is_face_of(f, tm, fim)) // as for faces
+          mark(f, k);
+    }
+  }
+  else
+  {
+    std::size_t position = 0;
+    for(const edge_descriptor e : avoided)
+    {
+      if(Removed_elements<TriangleMesh>::contain(e, tm) || halfedge(e, tm) == Graph_traits::null_halfedge())
+        reject_edge("the edge to avoid", position);
+      for(const halfedge_descriptor h : {halfedge(e, tm), opposite(halfedge(e, tm), tm)})
+        if(!is_border(h, tm))
+        {
+          const unsigned int k = number_in_face(h, tm);
+          if(k == 3 || !is_face_of(face(h, tm), tm, fim))
+            reject_edge("the edge to avoid", position);
+          mark(face(h, tm), k);
+        }
+      ++position;
+    }
+  }
+  return walls;
 }
 
 // Returns the barycentric coordinates of a location in the order of the corners of the intrinsic face. The user's order

@@ -42,6 +42,9 @@ struct Located_source
 
 // All sources of a propagation. Intrinsic_surface makes a set from the user's sources, once all of them are checked.
 //
+// A source at a wall is on several sides of it, which have vertices of their own. Its first one has the number of the
+// user; the others are listed behind all sources, and number() tells to which of them they belong.
+//
 // Invariants: `offsets` is empty or has size() entries, all finite and not negative. Each number i has a vertex of the
 // mesh in vertices[i], or null_id there and one entry in `located` with the position i. After insert_located_sources()
 // no vertex is null_id; it stays valid until the insertion is undone. Several sources may be at one vertex.
@@ -51,8 +54,27 @@ struct Source_set
   std::vector<Vertex_id> vertices;         // by number; null_id for located ones that are not inserted
   std::vector<Located_source<FT>> located; // those in faces
   std::vector<FT> offsets;                 // by number; or empty: all are 0. In the unit of the intrinsic mesh.
+  std::vector<std::size_t> behind_walls;   // the numbers of the sources that the last entries repeat
 
   std::size_t size() const { return vertices.size(); }
+
+  // The sources of the user, without those that are repeated.
+  std::size_t number_of_sources() const { return vertices.size() - behind_walls.size(); }
+
+  // The number of the source of the user that entry i is. Requires: i < size().
+  std::size_t number(std::size_t i) const
+  {
+    return i < number_of_sources() ? i : behind_walls[i - number_of_sources()];
+  }
+
+  // Lists source i once more, at v; null_id if it is located.
+  void add_behind_wall(std::size_t i, Vertex_id v)
+  {
+    vertices.push_back(v);
+    behind_walls.push_back(i);
+    if(!offsets.empty())
+      offsets.push_back(FT(offsets[i]));
+  }
 
   // Requires: i < size().
   FT offset(std::size_t i) const { return offsets.empty() ? FT(0) : offsets[i]; }
@@ -90,11 +112,13 @@ public:
     for(std::size_t i = 0; i < set.size(); ++i)
     {
       CGAL_assertion(set.vertices[i] != null_id);
-      m_numbers.emplace_back(set.vertices[i], i);
+      m_numbers.emplace_back(set.vertices[i], set.number(i));
     }
-    std::stable_sort(m_numbers.begin(), m_numbers.end(), [&](const Entry& a, const Entry& b)
-                     { return a.first < b.first
-                           || (a.first == b.first && set.offset(a.second) < set.offset(b.second)); });
+    std::sort(m_numbers.begin(), m_numbers.end(), [&](const Entry& a, const Entry& b)
+              {
+                const FT offset_a = set.offset(a.second), offset_b = set.offset(b.second);
+                return std::tie(a.first, offset_a, a.second) < std::tie(b.first, offset_b, b.second);
+              });
     m_numbers.erase(std::unique(m_numbers.begin(), m_numbers.end(),
                                 [](const Entry& a, const Entry& b) { return a.first == b.first; }),
                     m_numbers.end());

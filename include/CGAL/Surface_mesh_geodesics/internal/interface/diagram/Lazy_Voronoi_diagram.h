@@ -166,9 +166,9 @@ public:
   template <typename Faces>
   void avoid_faces(const Faces& avoided)
   {
-    std::vector<char> flags = flags_of_avoided_faces(m_tm, m_face_index_map, avoided);
+    Obstacles obstacles{flags_of_avoided_faces(m_tm, m_face_index_map, avoided), {}};
     forget_mesh();
-    m_solver.avoid(std::move(flags));
+    m_solver.avoid(std::move(obstacles));
   }
 
   // --- building: all functions throw Invalid_geodesic_input if the mesh or a site is invalid ---

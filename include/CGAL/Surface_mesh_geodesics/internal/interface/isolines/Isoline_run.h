@@ -75,8 +75,8 @@ public:
   // targets, whose numbers have been checked. Throws Invalid_geodesic_input.
   template <typename Shape, typename Sources, typename Options>
   Isoline_run(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim, Shape shape, const Sources& sources,
-              const Options& options, std::vector<char> is_avoided)
-    : m_surface(tm, vim, fim, std::move(shape), sources, typename Blocks_for_tag<Tag>::type(), std::move(is_avoided)),
+              const Options& options, Obstacles obstacles)
+    : m_surface(tm, vim, fim, std::move(shape), sources, typename Blocks_for_tag<Tag>::type(), std::move(obstacles)),
       m_insertion(m_surface.mesh()), m_sources(m_surface.source_set(sources, options.source_offsets)),
       m_maximum_distance(options.maximum_distance / m_surface.unit())
   {
@@ -248,7 +248,7 @@ bool compute_isolines(const TriangleMesh& tm, const Sources& sources, const std:
                                           get_const_property_map(CGAL::vertex_point, tm));
   Visitor_parameter<NamedParameters> visitor_parameter(np);
   Isoline_run<ConcurrencyTag, TriangleMesh, decltype(vim), decltype(fim)> run(
-    tm, vim, fim, shape_from_points<double>(tm, np), sources, options, avoided_faces(tm, fim, np));
+    tm, vim, fim, shape_from_points<double>(tm, np), sources, options, obstacles(tm, fim, np));
   if(!run.run(levels, wants_distances || wants_sources, visitor_parameter.visitor(), options.statistics))
     return false;
   using Points = Points_in_faces<TriangleMesh, decltype(vpm)>;

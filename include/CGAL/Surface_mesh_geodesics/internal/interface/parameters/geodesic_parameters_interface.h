@@ -30,6 +30,8 @@ CGAL_add_named_parameter(nearest_source_map_t, nearest_source_map, nearest_sourc
 CGAL_add_named_parameter(statistics_t, statistics, statistics)
 // distances: the faces through which no path may lead
 CGAL_add_named_parameter(faces_to_avoid_t, faces_to_avoid, faces_to_avoid)
+// distances: the edges that no path may cross
+CGAL_add_named_parameter(edges_to_avoid_t, edges_to_avoid, edges_to_avoid)
 // labels: receives the distance of each vertex from its nearest site
 CGAL_add_named_parameter(vertex_distance_map_t, vertex_distance_map, vertex_distance_map)
 // labels: the lengths by which the distances from each site are reduced

@@ -113,7 +113,7 @@ using Solver_parameters
 using Edge_length_distance_parameters
   = Extended_set<Index_map_parameters, internal_np::visitor_t, internal_np::maximum_distance_t, internal_np::targets_t,
                  internal_np::source_offsets_t, internal_np::statistics_t, internal_np::nearest_source_map_t,
-                 internal_np::faces_to_avoid_t>::type;
+                 internal_np::faces_to_avoid_t, internal_np::edges_to_avoid_t>::type;
 using Signed_distance_parameters
   = Extended_set<Mesh_and_visitor_parameters, internal_np::maximum_distance_t, internal_np::statistics_t,
                  internal_np::faces_to_avoid_t>::type;
@@ -121,8 +121,10 @@ using Isoline_parameters
   = Extended_set<Signed_distance_parameters, internal_np::source_offsets_t, internal_np::vertex_distance_map_t,
                  internal_np::nearest_source_map_t>::type;
 using Matrix_parameters = Extended_set<Mesh_parameters, internal_np::faces_to_avoid_t>::type;
+using Tracing_parameters = Extended_set<Mesh_parameters, internal_np::edges_to_avoid_t>::type;
 using Peeling_parameters = Extended_set<Matrix_parameters, internal_np::visitor_t>::type;
-using Pair_parameters = Extended_set<Matrix_parameters, internal_np::statistics_t>::type;
+using Pair_parameters = Extended_set<Matrix_parameters, internal_np::edges_to_avoid_t,
+                                     internal_np::statistics_t>::type;
 using Store_parameters
   = Extended_set<Mesh_and_visitor_parameters, internal_np::maximum_distance_t, internal_np::use_float32_t,
                  internal_np::use_symmetry_t, internal_np::rows_per_shard_t, internal_np::first_row_t,

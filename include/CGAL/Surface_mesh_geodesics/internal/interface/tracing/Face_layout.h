@@ -118,6 +118,9 @@ class Layouts_from_points
 public:
   static constexpr bool has_points = true;
 
+  // There are no walls (Layouts_with_walls.h).
+  static constexpr bool is_wall(halfedge_descriptor) { return false; }
+
   Layouts_from_points(const TriangleMesh& tm, VertexPointMap vpm) : m_tm(tm), m_vpm(vpm) {}
 
   // Throws Invalid_geodesic_input if the face is not a triangle, or if a coordinate is not finite or too far from the
@@ -182,6 +185,9 @@ class Layouts_from_edge_lengths
 
 public:
   static constexpr bool has_points = false;
+
+  // There are no walls (Layouts_with_walls.h).
+  static constexpr bool is_wall(halfedge_descriptor) { return false; }
 
   Layouts_from_edge_lengths(const TriangleMesh& tm, EdgeLengthMap elm) : m_tm(tm), m_elm(elm) {}
 

@@ -26,6 +26,7 @@
 // ends, so they lose nothing near an end.
 
 #include <CGAL/Surface_mesh_geodesics/internal/interface/tracing/Face_layout.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/tracing/Layouts_with_walls.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/tracing/Vertex_fan.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
 
@@ -164,10 +165,11 @@ private:
                                       full_turn);
     const halfedge_descriptor o = opposite(h, m_tm);
     // Along the border, rounding must not lead out of the surface.
-    const double outward = is_border(o, m_tm) ? Tolerance<double>::barycentric() : 0.;
+    const bool is_end = is_end_of_surface(o, m_tm, m_layouts);
+    const double outward = is_end ? Tolerance<double>::barycentric() : 0.;
     const bool is_inward = turn <= half_turn + outward || full_turn - turn <= outward;
     const Vector d{std::cos(turn), is_inward ? (std::max)(std::sin(turn), 0.) : std::sin(turn)};
-    if(is_inward || is_border(o, m_tm) || !(m_rest > 0))
+    if(is_inward || is_end || !(m_rest > 0))
     {
       enter(h, {a, b, 0}, d, Start::ON_EDGE_AB);
       return is_inward || end_in_face(m_b, m_rest > 0 ? Result::AT_BORDER : Result::AT_LENGTH);
@@ -310,7 +312,7 @@ private:
   bool cross_edge(const Exit& exit)
   {
     const halfedge_descriptor h = halfedge_at(exit.k), o = opposite(h, m_tm);
-    if(is_border(o, m_tm))
+    if(is_end_of_surface(o, m_tm, m_layouts))
     {
       Coordinates b{0, 0, 0};
       b[exit.k] = exit.rest;

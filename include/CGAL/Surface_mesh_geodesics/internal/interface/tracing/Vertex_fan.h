@@ -14,6 +14,7 @@
 // first halfedge of the fan. trace_geodesic.h documents which one that is, and how users see these angles.
 
 #include <CGAL/Surface_mesh_geodesics/internal/interface/tracing/Face_layout.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/tracing/Layouts_with_walls.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
 
 #include <CGAL/boost/graph/helpers.h>
@@ -64,7 +65,7 @@ public:
   template <typename Layouts>
   Vertex_fan(halfedge_descriptor h, const TriangleMesh& tm, const Layouts& layouts)
   {
-    const halfedge_descriptor first = first_halfedge(h, tm);
+    const halfedge_descriptor first = first_halfedge(h, tm, layouts);
     halfedge_descriptor g = first;
     do
     {
@@ -73,8 +74,8 @@ public:
       m_total_angle += layout.angle(0);
       m_has_angles = m_has_angles && layout.has_angles();
       g = opposite(next(next(g, tm), tm), tm);
-    } while(g != first && !is_border(g, tm));
-    m_is_closed = g == first;
+    } while(g != first && !is_end_of_surface(g, tm, layouts));
+    m_is_closed = g == first && !is_end_of_surface(opposite(first, tm), tm, layouts);
     m_has_angles = m_has_angles && m_total_angle > 0;
   }
 
@@ -129,16 +130,17 @@ private:
   // Walks clockwise, until it is at the border or back at h. Users know the result as the halfedge with the direction
   // 0.
   //
-  // The first halfedge of the fan: at the border, the one with no face on its right; else opposite(halfedge(v, tm), tm)
-  // for the source v of h. If that one is in another umbrella, h itself.
-  static halfedge_descriptor first_halfedge(halfedge_descriptor h, const TriangleMesh& tm)
+  // The first halfedge of the fan: at the border, or at a wall, the one with no face on its right; else
+  // opposite(halfedge(v, tm), tm) for the source v of h. If that one is in another umbrella, h itself.
+  template <typename Layouts>
+  static halfedge_descriptor first_halfedge(halfedge_descriptor h, const TriangleMesh& tm, const Layouts& layouts)
   {
     const halfedge_descriptor wanted = opposite(halfedge(source(h, tm), tm), tm);
     halfedge_descriptor g = h;
     bool has_wanted = false;
     do
     {
-      if(is_border(opposite(g, tm), tm))
+      if(is_end_of_surface(opposite(g, tm), tm, layouts))
         return g;
       has_wanted = has_wanted || g == wanted;
       g = next(opposite(g, tm), tm);

@@ -14,7 +14,10 @@
 
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/source_range.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_checks.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_values.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/tracing/Face_layout.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/tracing/Layouts_with_walls.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/tracing/Straightest_walk.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/tracing/Vertex_fan.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/barycentric_coordinates.h>
@@ -31,6 +34,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 
 namespace CGAL {
@@ -114,7 +118,11 @@ void trace(const TriangleMesh& tm, const Layouts& layouts, const Location& locat
       result.points.push_back(layouts.point(halfedge(l.first, tm), l.second));
 }
 
-// Returns the layouts by the point map among the named parameters, or by the points of the mesh. Takes constant time.
+// Without the parameter, layouts answer the question for walls at compile time: a walk costs what it cost before.
+//
+// Returns the layouts by the point map among the named parameters, or by the points of the mesh; with the walls among
+// the named parameters, if there are any. Takes constant time, or that of sorting a range of walls. Throws
+// Invalid_geodesic_input for a wall that is not in the mesh.
 template <typename TriangleMesh, typename NamedParameters>
 auto layouts_from_points(const TriangleMesh& tm, const NamedParameters& np)
 {
@@ -122,7 +130,20 @@ auto layouts_from_points(const TriangleMesh& tm, const NamedParameters& np)
   using parameters::get_parameter;
   auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
                               get_const_property_map(CGAL::vertex_point, tm));
-  return Layouts_from_points<TriangleMesh, decltype(vpm)>(tm, vpm);
+  using Layouts = Layouts_from_points<TriangleMesh, decltype(vpm)>;
+  check_parameters<Tracing_parameters>(np);
+  if constexpr(Has_parameter<NamedParameters, internal_np::edges_to_avoid_t>::value)
+  {
+    const auto& avoided = parameters::get_parameter_reference(np, internal_np::edges_to_avoid);
+    using Value = std::remove_const_t<std::remove_reference_t<decltype(avoided)>>;
+    constexpr bool is_map = Is_property_map<Value>::value;
+    static_assert(is_map || Is_range_of<Value, typename boost::graph_traits<TriangleMesh>::edge_descriptor>::value,
+                  "the value of the named parameter edges_to_avoid is neither a range of edges nor a property map");
+    using Walls = std::conditional_t<is_map, Edge_map_set<Value>, Edge_set<TriangleMesh>>;
+    return Layouts_with_walls<TriangleMesh, Layouts, Walls>(tm, Layouts(tm, vpm), avoided);
+  }
+  else
+    return Layouts(tm, vpm);
 }
 
 // The differences of coordinates are divided by the unit of the layout, so that squares neither overflow nor vanish.
