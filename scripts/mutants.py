@@ -523,9 +523,6 @@ MUTANTS = [
     ("windows_of_isolines_released_too_early", ISOLINE_SWEEP,
      "    if(!has_lines)\n      release(f);\n", "    release(f);\n    m_faces[f].state = PASSED;\n    if(!has_lines)\n      return;\n",
      "a face with many crossings has no windows when they are connected", (ISOLINES_TEST,)),
-    ("run_ends_at_the_last_level", INTERNAL + "interface/isolines/Isoline_run.h",
-     "(std::max)(limit, last + longest_edge())", "(std::max)(limit, last)",
-     "lines that cross an edge twice are lost at the end of a run", (ISOLINES_TEST,)),
 
     # --- Voronoi diagrams ---
     ("chunk_of_windows_lost", FACE_WINDOWS,
