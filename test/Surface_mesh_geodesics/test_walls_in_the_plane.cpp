@@ -1,5 +1,5 @@
-// Walls in a plane domain: distances are the lengths of shortest ways in a visibility graph. Its nodes are the vertices,
-// once for each sector between walls.
+// Walls in a plane domain: distances are the lengths of shortest ways in a visibility graph. Its nodes are the
+// vertices, once for each sector between walls.
 
 #include "cut_mesh.h"
 #include "test_meshes.h"
