@@ -198,7 +198,7 @@ public:
   //
   // A vertex is a target of the propagation. A point of a face waits for the corners of its face first. Their distances
   // bound its own one, and no window beyond that bound leads to it. The margin is that of ties, so that the answer has
-  // the same bits as after run(). A vertex of a wall waits for its copies, a point on the edge of a wall for everything.
+  // the same bits as after run(). A vertex of a wall waits for its copies, a point on its edge for everything.
   // Takes time for the area that is nearer to the sources than the point and the corners of its face.
   // Requires: has_mesh(). Throws what make_query() throws.
   template <typename MakeQuery>
