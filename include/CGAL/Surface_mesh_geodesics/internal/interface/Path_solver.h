@@ -198,8 +198,7 @@ public:
   //
   // A vertex is a target of the propagation. A point of a face waits for the corners of its face first. Their distances
   // bound its own one, and no window beyond that bound leads to it. The margin is that of ties, so that the answer has
-  // the same bits as after run(). A vertex of a wall waits for all of its copies, and a point of the edge of a wall for
-  // everything, as the sources need not reach both sides.
+  // the same bits as after run(). A vertex of a wall waits for its copies, a point on its edge for everything.
   // Takes time for the area that is nearer to the sources than the point and the corners of its face.
   // Requires: has_mesh(). Throws what make_query() throws.
   template <typename MakeQuery>
@@ -211,11 +210,13 @@ public:
     const Query q = make_query();
     std::vector<Vertex_id> copies(1, q.vertex);
     m_surface.for_each_other_side(q, [&](const Query& other) { copies.push_back(other.vertex); });
-    propagate_with(m_field, window_keeper(needs_windows(q)), [&](auto& propagation)
+    // Rounding may find the vertex of a source on one side of a wall only.
+    const bool is_vertex = std::count(copies.begin(), copies.end(), Vertex_id(null_id)) == 0;
+    propagate_with(m_field, window_keeper(!is_vertex), [&](auto& propagation)
     {
       Goes_on_always go_on;
       const Go_on_reference always(go_on, 1);
-      if(needs_windows(q))
+      if(!is_vertex)
         return copies.size() > 1 ? propagation.run(always) : run_to_location(propagation, q, always);
       propagation.set_targets(copies.data(), copies.data() + copies.size());
       return propagation.run(always);
