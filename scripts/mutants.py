@@ -66,6 +66,8 @@ INTRINSIC_FACE = INTERNAL + "surface/Intrinsic_face.h"
 FACE_SHAPE = INTERNAL + "surface/face_shape.h"
 EDGE_PARTITION = INTERNAL + "Voronoi/edges/Edge_partition.h"
 DIAGRAM_KEEPER = INTERNAL + "Voronoi/Diagram_window_keeper.h"
+SEPARATION = INTERNAL + "applications/Location_separation.h"
+DISTANCE_CERTIFICATE = INTERNAL + "interface/Distance_certifier.h"
 DIAGRAM_CERTIFICATE = INTERNAL + "applications/Diagram_certifier.h"
 INTRINSIC_MESH = INTERNAL + "surface/Intrinsic_mesh.h"
 EQUAL_SOURCES = INTERNAL + "surface/equal_sources.h"
@@ -98,6 +100,7 @@ STORE_FOLDER = INTERNAL + "applications/matrix_store/Store_folder.h"
 STORE_LAYOUT = INTERNAL + "applications/matrix_store/Store_layout.h"
 STORE_ROWS = INTERNAL + "applications/matrix_store/Store_computation.h"
 STORED_MATRIX = INTERNAL + "applications/matrix_store/Stored_matrix.h"
+STORE_MATRIX = INTERNAL + "applications/matrix_store/store_matrix.h"
 STORE_CHECK = INTERNAL + "applications/matrix_store/check_stored_matrix.h"
 
 WINDOWS = "test_window_pruning"
@@ -131,6 +134,7 @@ BY_HAND = "test_Voronoi_by_hand"
 TRACE = "test_trace_geodesic"
 LOGARITHM = "test_logarithmic_map"
 OBSTACLES = "test_obstacles"
+OBSTACLES_OF_APPLICATIONS = "test_obstacles_of_applications"
 CURVES = "test_curves"
 HOSTILE_CURVES = "test_curves_on_hostile_meshes"
 CURVE_PATHS = "test_paths_from_curves"
@@ -675,7 +679,8 @@ MUTANTS = [
      "if(Polygon_mesh_processing::is_polygon_soup_a_polygon_mesh(faces))", "if(!faces.empty())",
      "edges with the same ends are taken for one", (REMESHING_TEST,)),
     ("pinched_vertices_stay", REMESHING_INPUT,
-     "m_number_of_splits = Polygon_mesh_processing::duplicate_non_manifold_vertices(m_mesh);",
+     "m_number_of_splits = Polygon_mesh_processing::duplicate_non_manifold_vertices(\n"
+     "      m_mesh, parameters::output_iterator(std::back_inserter(split)));",
      "m_number_of_splits = 0;",
      "cells around a pinched vertex are never disks", (REMESHING_TEST,)),
 
@@ -738,6 +743,27 @@ MUTANTS = [
      "if(c[k] != 0 && c[next_corner(k)] != 0 && c[previous_corner(k)] == 0 && is_open(opposite(h, m_tm)))",
      "if(c[k] != 0 && c[next_corner(k)] != 0 && c[previous_corner(k)] != 0 && is_open(opposite(h, m_tm)))",
      "a source on the rim is rejected, and one inside moves to the rim", (OBSTACLES,)),
+    ("store_without_faces_to_avoid", STORE_MATRIX,
+     "    if(is_avoided[f] != 0)\n", "    if(is_avoided[f] == 2)\n",
+     "a folder that was begun without faces to avoid is continued with them", (OBSTACLES_OF_APPLICATIONS,)),
+    ("verified_without_faces_to_avoid", STORE_CHECK,
+     "    is_avoided[f] = 1;", "    is_avoided[f] = 0;",
+     "a check computes rows through the faces to avoid", (OBSTACLES_OF_APPLICATIONS,)),
+    ("certificate_through_faces_to_avoid", DISTANCE_CERTIFICATE,
+     "One_block(), std::move(is_avoided))", "One_block())",
+     "distances around obstacles are compared with those through them", (OBSTACLES_OF_APPLICATIONS,)),
+    ("area_of_faces_to_avoid", DIAGRAM_CERTIFICATE,
+     "if(!m_diagram.avoids_face(f) && m_diagram.nearest_site", "if(m_diagram.nearest_site",
+     "cells have to cover the faces to avoid", (OBSTACLES_OF_APPLICATIONS,)),
+    ("rim_is_no_border", SEPARATION,
+     "  return !is_border(h, tm) && !diagram.avoids_face(face(h, tm));", "  return !is_border(h, tm);",
+     "boundaries of cells may not end at the rim", (OBSTACLES_OF_APPLICATIONS,)),
+    ("component_of_a_corner_inside", DIAGRAM_CERTIFICATE,
+     "      if(CGAL::to_double(l.second[k]) > largest)", "      if(k == 2)",
+     "the area of a site at the rim counts for no component", (OBSTACLES_OF_APPLICATIONS,)),
+    ("touching_faces_share_a_vertex", REMESHING_INPUT,
+     "    m_number_of_splits += Polygon_mesh_processing::duplicate_non_manifold_vertices(m_mesh);\n  }", "  }",
+     "faces that touch in a vertex only are joined there", (OBSTACLES_OF_APPLICATIONS,)),
     # --- stored matrices ---
     ("damage_unseen", NPY,
      "  return sum.text() == checksum;", "  return true;",

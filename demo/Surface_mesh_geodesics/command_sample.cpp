@@ -4,6 +4,7 @@
 #include "Command_error.h"
 #include "Drawing.h"
 #include "Location_options.h"
+#include "Obstacle_option.h"
 #include "Output_files.h"
 #include "Reachability.h"
 #include "number_arguments.h"
@@ -31,6 +32,7 @@ void declare(Option_descriptions& options)
      "stop when no vertex is farther than R from its nearest sample");
   first_options.declare(options);
   declare_seed(options);
+  declare_obstacles(options);
   declare_output(options, "a table .csv (default: to standard output); points .ply, .vtu, .vtk, .obj");
 }
 
@@ -59,7 +61,7 @@ Drawing drawing_of(const Mesh& mesh, const std::vector<Vertex>& samples)
 
 // Returns the samples, and prints the covering radius.
 std::vector<Vertex> samples_of(const Mesh& mesh, std::size_t n, double radius, const std::vector<Vertex>& first,
-                               const Console& console)
+                               const std::vector<Face>& avoided, const Console& console)
 {
   std::vector<Vertex> samples = first;
   double covering_radius = 0;
@@ -71,7 +73,7 @@ std::vector<Vertex> samples_of(const Mesh& mesh, std::size_t n, double radius, c
       bar.show(static_cast<double>(samples.size()) / static_cast<double>(n));
     });
     covering_radius = CGAL::Surface_mesh_geodesics::geodesic_farthest_point_sampling(
-      mesh, n, output, CGAL::parameters::first_samples(first).covering_radius(radius));
+      mesh, n, output, CGAL::parameters::first_samples(first).covering_radius(radius).faces_to_avoid(avoided));
   }
   if(samples.size() < n && !(radius > 0))
     console.note("--number: there are only " + counted_vertices(samples.size()));
@@ -80,7 +82,8 @@ std::vector<Vertex> samples_of(const Mesh& mesh, std::size_t n, double radius, c
   if(std::isfinite(covering_radius))
     text << "; the farthest vertex is " << covering_radius << " from its nearest one";
   else
-    text << (samples.size() == 1 ? " does" : " do") << " not reach all vertices" << reason_for_unreached(mesh);
+    text << (samples.size() == 1 ? " does" : " do") << " not reach all vertices" 
+         << reason_for_unreached(mesh, !avoided.empty());
   console.note(text.str());
   return samples;
 }
@@ -96,7 +99,8 @@ void run(const Arguments& arguments, const Console& console)
   const std::vector<Vertex> first = first_options.vertices(arguments, mesh, console);
   if(first.size() > n)
     throw Command_error(Exit_code::BAD_USAGE, "there are more first samples than --number");
-  const std::vector<Vertex> samples = samples_of(mesh, n, radius, first, console);
+  const std::vector<Vertex> samples = samples_of(mesh, n, radius, first, avoided_faces(arguments, mesh),
+                                                   console);
   const Drawing drawing = drawing_of(mesh, samples);
   files.write([&](std::ostream& os, const std::string& format)
   {

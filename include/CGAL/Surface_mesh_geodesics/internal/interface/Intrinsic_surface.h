@@ -138,6 +138,13 @@ public:
   // Leaves other faces out when the mesh is read the next time: flags as in the constructor.
   void avoid(std::vector<char> is_avoided) { m_is_avoided = std::move(is_avoided); }
 
+  // Is a face one of those to avoid? Not if it is none of the mesh, which checked_halfedge() rejects.
+  bool is_avoided(face_descriptor f) const
+  {
+    return !m_is_avoided.empty() && f != Graph_traits::null_face() && is_face_of(f, m_tm, m_fim)
+        && m_is_avoided[static_cast<std::size_t>(get(m_fim, f))] != 0;
+  }
+
   // Frees the memory of mesh and tables. read() may follow.
   void forget()
   {
@@ -497,13 +504,6 @@ private:
     if(f != Graph_traits::null_face() && is_face_of(f, m_tm, m_fim))
       for(const halfedge_descriptor h : halfedges_of_triangle(f, m_tm))
         is_marked[static_cast<std::size_t>(get(m_vim, target(h, m_tm)))] = 1;
-  }
-
-  // Is a face one of those to avoid? Not if it is none of the mesh, which checked_halfedge() rejects.
-  bool is_avoided(face_descriptor f) const
-  {
-    return !m_is_avoided.empty() && f != Graph_traits::null_face() && is_face_of(f, m_tm, m_fim)
-        && m_is_avoided[static_cast<std::size_t>(get(m_fim, f))] != 0;
   }
 
   // The coordinates of a location in the order of the user's corners, which is that of a face whose first halfedge is

@@ -104,9 +104,9 @@ public:
     m_has_run = false;
   }
 
-  // Leaves faces out when the mesh is read the next time (Intrinsic_surface). The mesh that has been read, if any, does
-  // not change: the caller forgets it first. Requires: !has_mesh().
+  // Leaves faces out when the mesh is read the next time (Intrinsic_surface). Requires: !has_mesh(), as it stays else.
   void avoid(std::vector<char> is_avoided) { m_surface.avoid(std::move(is_avoided)); }
+  bool is_avoided(face_descriptor f) const { return user_surface().is_avoided(f); }
 
   // Forgets the mesh, the sources and all results.
   void forget()

@@ -189,15 +189,26 @@ auto shape_from_points(const TriangleMesh& tm, const NamedParameters& np)
 
 // Reads a mesh with the maps among the named parameters, and returns use(surface). The surface ends with the call. All
 // components are read, as each row may start in another one. With Parallel_tag, threads share the work of reading.
-template <typename ConcurrencyTag, typename TriangleMesh, typename NamedParameters, typename Use>
-bool with_surface(const TriangleMesh& tm, const NamedParameters& np, Use use)
+//
+// flags_of(face index map) returns a flag for each index of a face, or none: faces that have one are left out. It is a
+// function, as index maps that CGAL makes itself cost linear time, and are made once.
+template <typename ConcurrencyTag, typename TriangleMesh, typename NamedParameters, typename FlagsOf, typename Use>
+bool with_surface_without(const TriangleMesh& tm, const NamedParameters& np, const FlagsOf& flags_of, Use use)
 {
   using Blocks = typename Blocks_for_tag<typename Available_tag<ConcurrencyTag>::type>::type;
   auto vim = CGAL::get_initialized_vertex_index_map(tm, np);
   auto fim = CGAL::get_initialized_face_index_map(tm, np);
   const Intrinsic_surface<double, TriangleMesh, decltype(vim), decltype(fim)> surface(
-    tm, vim, fim, shape_from_points<double>(tm, np), Blocks(), avoided_faces(tm, fim, np));
+    tm, vim, fim, shape_from_points<double>(tm, np), Blocks(), flags_of(fim));
   return use(surface);
+}
+
+// The same without the faces to avoid among the named parameters.
+template <typename ConcurrencyTag, typename TriangleMesh, typename NamedParameters, typename Use>
+bool with_surface(const TriangleMesh& tm, const NamedParameters& np, Use use)
+{
+  return with_surface_without<ConcurrencyTag>(
+    tm, np, [&](const auto& fim) { return avoided_faces(tm, fim, np); }, use);
 }
 
 // The functions below compute the rows of a matrix and pass them to `output`; they return false if `output` ends the
