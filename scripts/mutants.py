@@ -90,6 +90,7 @@ CHUNKS = INTERNAL + "propagation/Chunk_team.h"
 LOWER_BOUND = INTERNAL + "certificate/Lower_bound_check.h"
 EDGE_FUNCTION = INTERNAL + "certificate/Edge_distance_function.h"
 SAMPLE_PLACEMENT = INTERNAL + "applications/Sample_placement.h"
+SAMPLES = INTERNAL + "applications/Farthest_point_sampling.h"
 REMESHING = INTERNAL + "applications/Remeshing.h"
 REMESHING_INPUT = INTERNAL + "applications/Remeshing_input.h"
 FRONT_EVENT = INTERNAL + "Voronoi/fronts/Front_event.h"
@@ -134,6 +135,8 @@ BY_HAND = "test_Voronoi_by_hand"
 TRACE = "test_trace_geodesic"
 LOGARITHM = "test_logarithmic_map"
 OBSTACLES = "test_obstacles"
+SAMPLING_BESIDE_CURVES = "test_sampling_beside_curves"
+PATHS_WITH_OFFSETS = "test_paths_from_curves_with_offsets"
 OBSTACLES_OF_APPLICATIONS = "test_obstacles_of_applications"
 CURVES = "test_curves"
 HOSTILE_CURVES = "test_curves_on_hostile_meshes"
@@ -764,6 +767,19 @@ MUTANTS = [
     ("touching_faces_share_a_vertex", REMESHING_INPUT,
      "    m_number_of_splits += Polygon_mesh_processing::duplicate_non_manifold_vertices(m_mesh);\n  }", "  }",
      "faces that touch in a vertex only are joined there", (OBSTACLES_OF_APPLICATIONS,)),
+    ("corners_of_other_curves_end_paths", PATH_SOLVER,
+     "        sink.location(location_of_vertex(item.vertex));\n", "        sink.location(end_of_path(steps));\n",
+     "where a path runs through a corner of a curve with a larger offset, it jumps to its end", (PATHS_WITH_OFFSETS,)),
+    ("offsets_of_curves_ignored", SURFACE_SOURCES,
+     "    m_sources.vertices.push_back(null_id);\n    m_surface.add_offset(offset, m_sources);",
+     "    m_sources.vertices.push_back(null_id);\n    m_surface.add_offset(0, m_sources);",
+     "distances from a curve begin at 0, whatever its offset is", (PATHS_WITH_OFFSETS,)),
+    ("curves_without_a_first_run", SAMPLES,
+     "return (samples.empty() && !has_sources) ||", "return samples.empty() ||",
+     "the first sample is taken before distances from the curves are known", (SAMPLING_BESIDE_CURVES,)),
+    ("samples_at_corners_of_curves", SAMPLES,
+     "    std::size_t n = m_surface.number_of_vertices();\n", "    std::size_t n = m_field.distance.size();\n",
+     "vertices of curves that the user does not know become samples", (SAMPLING_BESIDE_CURVES,)),
     # --- stored matrices ---
     ("damage_unseen", NPY,
      "  return sum.text() == checksum;", "  return true;",

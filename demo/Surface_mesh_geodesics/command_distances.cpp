@@ -35,7 +35,7 @@ constexpr std::size_t largest_number_of_isolines = 1000;
 void declare(Option_descriptions& options)
 {
   source_options.declare(options);
-  declare_curves(options);
+  declare_curves(options, "source");
   declare_seed(options);
   options.add_options()
     ("signed", "negative distances on the left of the first curve; the curves have to separate the surface")
@@ -155,7 +155,7 @@ void check_curves(const Arguments& arguments, bool has_page)
 {
   if(!has(arguments, "signed"))
     return;
-  if(!are_curves_given(arguments))
+  if(!are_curves_given(arguments, "source"))
     throw Command_error(Exit_code::BAD_USAGE, "--signed needs curves: --source-border or --source-curve");
   if(has(arguments, "lines") || has_page)
     throw Command_error(Exit_code::BAD_USAGE, std::string("--signed cannot be combined with ")
@@ -181,13 +181,13 @@ void run(const Arguments& arguments, const Console& console)
     if(has(arguments, option) && !has_lines)
       console.note(std::string("--") + option + " has no effect without --lines or a page .html");
   const Mesh mesh = read_mesh(arguments, console);
-  const bool has_curves = are_curves_given(arguments);
+  const bool has_curves = are_curves_given(arguments, "source");
   const std::vector<Location> sources = has_curves ? source_options.locations(arguments, mesh, console)
                                                    : source_options.required_locations(arguments, mesh, console);
   const std::vector<Face> avoided = avoided_faces(arguments, mesh);
   // One propagation: without lines, the one that keeps distances only.
   const std::vector<Curve> curves
-    = has_curves ? source_curves(arguments, mesh, sources, avoided, console) : std::vector<Curve>();
+    = has_curves ? curves_of("source", arguments, mesh, sources, avoided, console) : std::vector<Curve>();
   std::unique_ptr<Distance_run> run;
   if(has_lines)
     run.reset(has_curves ? new Distance_run(mesh, avoided, curves, radius, console)

@@ -388,6 +388,7 @@ Diagram_violations certify_diagram(const Diagram& diagram, Length length, Separa
   auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
                               get_const_property_map(CGAL::vertex_point, tm));
   using Paths_with_maps = Paths<Traits, decltype(vim), decltype(him), decltype(fim), decltype(vpm)>;
+  // The diagram tells which faces it avoids, and nothing else about them: distances around them are computed apart.
   std::vector<typename boost::graph_traits<typename Diagram::Triangle_mesh>::face_descriptor> avoided;
   for(const auto f : faces(tm))
     if(diagram.avoids_face(f))

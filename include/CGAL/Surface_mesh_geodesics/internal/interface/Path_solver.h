@@ -139,9 +139,9 @@ public:
 
   // Adds a curve. The results are then those of a single thread, as strips and windows share one wavefront.
   template <typename Curve>
-  void add_source_curve(const Curve& curve)
+  void add_source_curve(const Curve& curve, double offset)
   {
-    m_surface.add_source_curve(curve);
+    m_surface.add_source_curve(curve, offset);
     if(m_curve_run == nullptr)
       m_curve_run.reset(new Strip_path_run<double>());
   }
@@ -355,8 +355,8 @@ public:
   // sink.vertex(vertex_descriptor); sink.edge(halfedge_descriptor, t) with t from source to target; at the end, unless
   // the path ends at a vertex or on an edge of the user, sink.source(number) or, on a curve, sink.location(pair of a
   // face and coordinates); and, if Sink::wants_faces, sink.face(face_descriptor) before each of them but the first.
-  // Requires: `steps` is path(q, a). (Of the inserted sources only the last one is met: paths are reported for sources
-  // without offsets, and no shortest path passes such a source.)
+  // Requires: `steps` is path(q, a). (Of sources without offsets only the last one is met, as no shortest path passes
+  // them. A path may run through the corners of a curve with a larger offset; they are reported where they are.)
   template <typename Sink>
   void report(const Query& q, const Arrival& a, const Path_steps<double>& steps, Sink& sink) const
   {
@@ -369,7 +369,7 @@ public:
       else if(item.vertex < user_surface().number_of_vertices())
         sink.vertex(user_surface().descriptor(item.vertex));
       else if(has_curves())
-        sink.location(end_of_path(steps));
+        sink.location(location_of_vertex(item.vertex));
       else
         sink.source(source_number(a));
     };

@@ -137,7 +137,7 @@ using Label_parameters = Extended_set<Mesh_and_visitor_parameters, internal_np::
                                       internal_np::site_weights_t, internal_np::faces_to_avoid_t>::type;
 using Sampling_parameters = Extended_set<Mesh_and_visitor_parameters, internal_np::first_samples_t,
                                          internal_np::covering_radius_t, internal_np::statistics_t,
-                                         internal_np::faces_to_avoid_t>::type;
+                                         internal_np::faces_to_avoid_t, internal_np::first_curves_t>::type;
 using Relaxation_parameters = Extended_set<Mesh_and_visitor_parameters, internal_np::threshold_distance_t,
                                            internal_np::number_of_iterations_t, internal_np::faces_to_avoid_t>::type;
 using Remeshing_parameters = Relaxation_parameters;
