@@ -46,6 +46,8 @@ CURVE_SIDES = INTERNAL + "surface/curves/Curve_sides.h"
 CURVE_PATH_WRITER = INTERNAL + "interface/curves/Curve_path_writer.h"
 CURVE_SEGMENTS = INTERNAL + "interface/curves/curve_segments.h"
 PATH_CURVE = "CGAL/Surface_mesh_geodesics/shortest_path_curve.h"
+RAY_SECTORS = INTERNAL + "paths/Ray_sectors.h"
+PATH_DIRECTIONS = INTERNAL + "interface/directions/path_directions.h"
 STRAIGHT = INTERNAL + "paths/Straight_piece.h"
 ISOLINES = INTERNAL + "paths/isoline_tracing.h"
 FACE_WINDOWS = INTERNAL + "window/Face_windows.h"
@@ -136,6 +138,7 @@ TRACE = "test_trace_geodesic"
 LOGARITHM = "test_logarithmic_map"
 OBSTACLES = "test_obstacles"
 SAMPLING_BESIDE_CURVES = "test_sampling_beside_curves"
+DIRECTIONS = "test_directions_of_all_vertices"
 PATHS_WITH_OFFSETS = "test_paths_from_curves_with_offsets"
 OBSTACLES_OF_APPLICATIONS = "test_obstacles_of_applications"
 CURVES = "test_curves"
@@ -735,6 +738,23 @@ MUTANTS = [
      "result.angle = corner_angle(mesh, result.halfedge)"
      " - atan2(FT(c.apex_y * x), FT(c.apex_x * (c.apex_x - x) + c.apex_y * c.apex_y));",
      "the angle in the first face counts from its other side", (LOGARITHM,)),
+    ("sectors_joined_at_cones", RAY_SECTORS,
+     " && sum.is_full() ? 1 : 0;", " ? 1 : 0;",
+     "rays on both sides of a cone count as neighbors", (DIRECTIONS,),
+     "their images differ beyond rounding, and sectors with different images are not joined"),
+    ("sectors_of_other_images", RAY_SECTORS,
+     "\n         && has_image(s, c, root))", ")",
+     "a path takes the direction of another one that crosses the same edge", (DIRECTIONS,)),
+    ("sectors_turn_backward", RAY_SECTORS,
+     "FT(s.cosine * side.cosine + s.sine * side.sine),", "FT(s.cosine * side.cosine - s.sine * side.sine),",
+     "the frame of an edge is turned the wrong way", (DIRECTIONS,)),
+    ("sectors_beyond_what_is_seen", RAY_SECTORS,
+     "FT low = shadow(here, side, s.low), high = shadow(here, side, s.high);",
+     "FT low = 0, high = m_mesh.length(here.halfedge);",
+     "a sector has the whole edge, although a cone hides a part of it", (DIRECTIONS,)),
+    ("directions_of_bends_by_vertex", PATH_DIRECTIONS,
+     "d = direction[end[q.vertex]];", "d = direction[q.vertex];",
+     "vertices behind a bend have no direction", (DIRECTIONS,)),
     ("side_of_part_by_first_corner", DEPARTURE,
      "const FT s = (-vj - vi) / area, t = (ui + uj) / area;",
      "const FT s = (vj - vi) / area, t = (ui + uj) / area;",

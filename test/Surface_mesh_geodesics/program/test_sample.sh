@@ -63,6 +63,7 @@ is_silent sample "$data/grid5.off" --number 2 --first-curve side.polylines.txt -
 equals "$(column away.csv y | paste -sd ' ')" "1 1"
 rejects 2 "--first-border: the surface has no border" sample "$data/cube.off" --number 3 --first-border
 rejects 3 "none.obj" sample "$grid" --number 3 --first-curve none.obj
+cp side.polylines.txt kept.csv
 rejects 2 "this command reads the file" sample "$grid" --number 3 --first-curve kept.csv -o kept.csv
 
 rejects 2 "neither --number nor --radius is given" sample "$grid"

@@ -196,8 +196,8 @@ private:
   std::vector<Vertex_id> m_rank;
 };
 
-// Samples a mesh with the maps and the visitor among the named parameters. See run() above. The parameter decides when it
-// is compiled whether there are curves: programs without them do not compile what strips need.
+// Samples a mesh with the maps and the visitor among the named parameters. See run() above. The types of the parameters
+// tell whether there are curves: programs without them do not compile what strips need.
 template <typename TriangleMesh, typename OutputIterator, typename Options, typename NamedParameters>
 double sample_farthest_points(const TriangleMesh& tm, std::size_t n, OutputIterator output, const Options& options,
                               const NamedParameters& np)

@@ -336,15 +336,11 @@ public:
     return v;
   }
 
-  // Returns the direction in which a path leaves its source, in the tangent frame of the source; 0 for a path without
-  // length. `steps` is path(q, a), and f the face of the user in which the source lies. The face does not matter if the
-  // source is a vertex of the mesh. Linear in the degree of the source.
-  double direction_at_source(const Query& q, const Path_steps<double>& steps, face_descriptor f) const
+  // Returns the direction of a departure from a source, in the tangent frame of the source; 0 for a path of no length.
+  // It is linear in the angle of the departure, which may be any number. f is the face of the user in which the source
+  // lies; it does not matter if the source is a vertex of the mesh. Takes time linear in the degree of the source.
+  double direction_of_departure(const Departure<double>& d, face_descriptor f) const
   {
-    // (A path from a location in a face begins behind the location.)
-    const Departure<double> d = steps.size() == 1 && q.vertex == null_id
-                                  ? departure_to_point(mesh(), steps.back().vertex, q.face, q.coordinates)
-                                  : departure(mesh(), steps);
     if(d.halfedge == null_id)
       return 0;
     return mesh().source(d.halfedge) < user_surface().number_of_vertices() ? m_surface.direction_at_vertex(d)
