@@ -46,6 +46,8 @@ CURVE_SIDES = INTERNAL + "surface/curves/Curve_sides.h"
 CURVE_PATH_WRITER = INTERNAL + "interface/curves/Curve_path_writer.h"
 CURVE_SEGMENTS = INTERNAL + "interface/curves/curve_segments.h"
 PATH_CURVE = "CGAL/Surface_mesh_geodesics/shortest_path_curve.h"
+RAY_SECTORS = INTERNAL + "paths/Ray_sectors.h"
+PATH_DIRECTIONS = INTERNAL + "interface/directions/path_directions.h"
 STRAIGHT = INTERNAL + "paths/Straight_piece.h"
 ISOLINES = INTERNAL + "paths/isoline_crossings.h"
 ISOLINE_SWEEP = INTERNAL + "paths/Isoline_sweep.h"
@@ -68,6 +70,8 @@ INTRINSIC_FACE = INTERNAL + "surface/Intrinsic_face.h"
 FACE_SHAPE = INTERNAL + "surface/face_shape.h"
 EDGE_PARTITION = INTERNAL + "Voronoi/edges/Edge_partition.h"
 DIAGRAM_KEEPER = INTERNAL + "Voronoi/Diagram_window_keeper.h"
+SEPARATION = INTERNAL + "applications/Location_separation.h"
+DISTANCE_CERTIFICATE = INTERNAL + "interface/Distance_certifier.h"
 DIAGRAM_CERTIFICATE = INTERNAL + "applications/Diagram_certifier.h"
 INTRINSIC_MESH = INTERNAL + "surface/Intrinsic_mesh.h"
 EQUAL_SOURCES = INTERNAL + "surface/equal_sources.h"
@@ -92,6 +96,7 @@ CHUNKS = INTERNAL + "propagation/Chunk_team.h"
 LOWER_BOUND = INTERNAL + "certificate/Lower_bound_check.h"
 EDGE_FUNCTION = INTERNAL + "certificate/Edge_distance_function.h"
 SAMPLE_PLACEMENT = INTERNAL + "applications/Sample_placement.h"
+SAMPLES = INTERNAL + "applications/Farthest_point_sampling.h"
 REMESHING = INTERNAL + "applications/Remeshing.h"
 REMESHING_INPUT = INTERNAL + "applications/Remeshing_input.h"
 FRONT_EVENT = INTERNAL + "Voronoi/fronts/Front_event.h"
@@ -102,6 +107,7 @@ STORE_FOLDER = INTERNAL + "applications/matrix_store/Store_folder.h"
 STORE_LAYOUT = INTERNAL + "applications/matrix_store/Store_layout.h"
 STORE_ROWS = INTERNAL + "applications/matrix_store/Store_computation.h"
 STORED_MATRIX = INTERNAL + "applications/matrix_store/Stored_matrix.h"
+STORE_MATRIX = INTERNAL + "applications/matrix_store/store_matrix.h"
 STORE_CHECK = INTERNAL + "applications/matrix_store/check_stored_matrix.h"
 
 WINDOWS = "test_window_pruning"
@@ -137,6 +143,10 @@ TRACE = "test_trace_geodesic"
 LOGARITHM = "test_logarithmic_map"
 OBSTACLES = "test_obstacles"
 WALLS = "test_walls"
+SAMPLING_BESIDE_CURVES = "test_sampling_beside_curves"
+DIRECTIONS = "test_directions_of_all_vertices"
+PATHS_WITH_OFFSETS = "test_paths_from_curves_with_offsets"
+OBSTACLES_OF_APPLICATIONS = "test_obstacles_of_applications"
 CURVES = "test_curves"
 HOSTILE_CURVES = "test_curves_on_hostile_meshes"
 CURVE_PATHS = "test_paths_from_curves"
@@ -687,7 +697,8 @@ MUTANTS = [
      "if(Polygon_mesh_processing::is_polygon_soup_a_polygon_mesh(faces))", "if(!faces.empty())",
      "edges with the same ends are taken for one", (REMESHING_TEST,)),
     ("pinched_vertices_stay", REMESHING_INPUT,
-     "m_number_of_splits = Polygon_mesh_processing::duplicate_non_manifold_vertices(m_mesh);",
+     "m_number_of_splits = Polygon_mesh_processing::duplicate_non_manifold_vertices(\n"
+     "      m_mesh, parameters::output_iterator(std::back_inserter(split)));",
      "m_number_of_splits = 0;",
      "cells around a pinched vertex are never disks", (REMESHING_TEST,)),
 
@@ -739,6 +750,23 @@ MUTANTS = [
      "result.angle = corner_angle(mesh, result.halfedge)"
      " - atan2(FT(c.apex_y * x), FT(c.apex_x * (c.apex_x - x) + c.apex_y * c.apex_y));",
      "the angle in the first face counts from its other side", (LOGARITHM,)),
+    ("sectors_joined_at_cones", RAY_SECTORS,
+     " && sum.is_full() ? 1 : 0;", " ? 1 : 0;",
+     "rays on both sides of a cone count as neighbors", (DIRECTIONS,),
+     "their images differ beyond rounding, and sectors with different images are not joined"),
+    ("sectors_of_other_images", RAY_SECTORS,
+     "\n         && has_image(s, c, root))", ")",
+     "a path takes the direction of another one that crosses the same edge", (DIRECTIONS,)),
+    ("sectors_turn_backward", RAY_SECTORS,
+     "FT(s.cosine * side.cosine + s.sine * side.sine),", "FT(s.cosine * side.cosine - s.sine * side.sine),",
+     "the frame of an edge is turned the wrong way", (DIRECTIONS,)),
+    ("sectors_beyond_what_is_seen", RAY_SECTORS,
+     "FT low = shadow(here, side, s.low), high = shadow(here, side, s.high);",
+     "FT low = 0, high = m_mesh.length(here.halfedge);",
+     "a sector has the whole edge, although a cone hides a part of it", (DIRECTIONS,)),
+    ("directions_of_bends_by_vertex", PATH_DIRECTIONS,
+     "d = direction[end[q.vertex]];", "d = direction[q.vertex];",
+     "vertices behind a bend have no direction", (DIRECTIONS,)),
     ("side_of_part_by_first_corner", DEPARTURE,
      "const FT s = (-vj - vi) / area, t = (ui + uj) / area;",
      "const FT s = (vj - vi) / area, t = (ui + uj) / area;",
@@ -762,6 +790,40 @@ MUTANTS = [
      "if(c[k] != 0 && c[next_corner(k)] != 0 && c[previous_corner(k)] == 0 && is_open(opposite(h, m_tm)))",
      "if(c[k] != 0 && c[next_corner(k)] != 0 && c[previous_corner(k)] != 0 && is_open(opposite(h, m_tm)))",
      "a source on the rim is rejected, and one inside moves to the rim", (OBSTACLES,)),
+    ("store_without_faces_to_avoid", STORE_MATRIX,
+     "    if(is_avoided[f] != 0)\n", "    if(is_avoided[f] == 2)\n",
+     "a folder that was begun without faces to avoid is continued with them", (OBSTACLES_OF_APPLICATIONS,)),
+    ("verified_without_faces_to_avoid", STORE_CHECK,
+     "    is_avoided[f] = 1;", "    is_avoided[f] = 0;",
+     "a check computes rows through the faces to avoid", (OBSTACLES_OF_APPLICATIONS,)),
+    ("certificate_through_faces_to_avoid", DISTANCE_CERTIFICATE,
+     "One_block(), std::move(is_avoided))", "One_block())",
+     "distances around obstacles are compared with those through them", (OBSTACLES_OF_APPLICATIONS,)),
+    ("area_of_faces_to_avoid", DIAGRAM_CERTIFICATE,
+     "if(!m_diagram.avoids_face(f) && m_diagram.nearest_site", "if(m_diagram.nearest_site",
+     "cells have to cover the faces to avoid", (OBSTACLES_OF_APPLICATIONS,)),
+    ("rim_is_no_border", SEPARATION,
+     "  return !is_border(h, tm) && !diagram.avoids_face(face(h, tm));", "  return !is_border(h, tm);",
+     "boundaries of cells may not end at the rim", (OBSTACLES_OF_APPLICATIONS,)),
+    ("component_of_a_corner_inside", DIAGRAM_CERTIFICATE,
+     "      if(CGAL::to_double(l.second[k]) > largest)", "      if(k == 2)",
+     "the area of a site at the rim counts for no component", (OBSTACLES_OF_APPLICATIONS,)),
+    ("touching_faces_share_a_vertex", REMESHING_INPUT,
+     "    m_number_of_splits += Polygon_mesh_processing::duplicate_non_manifold_vertices(m_mesh);\n  }", "  }",
+     "faces that touch in a vertex only are joined there", (OBSTACLES_OF_APPLICATIONS,)),
+    ("corners_of_other_curves_end_paths", PATH_SOLVER,
+     "        sink.location(location_of_vertex(item.vertex));\n", "        sink.location(end_of_path(steps));\n",
+     "where a path runs through a corner of a curve with a larger offset, it jumps to its end", (PATHS_WITH_OFFSETS,)),
+    ("offsets_of_curves_ignored", SURFACE_SOURCES,
+     "    m_sources.vertices.push_back(null_id);\n    m_surface.add_offset(offset, m_sources);",
+     "    m_sources.vertices.push_back(null_id);\n    m_surface.add_offset(0, m_sources);",
+     "distances from a curve begin at 0, whatever its offset is", (PATHS_WITH_OFFSETS,)),
+    ("curves_without_a_first_run", SAMPLES,
+     "return (samples.empty() && !has_sources) ||", "return samples.empty() ||",
+     "the first sample is taken before distances from the curves are known", (SAMPLING_BESIDE_CURVES,)),
+    ("samples_at_corners_of_curves", SAMPLES,
+     "    std::size_t n = m_surface.number_of_vertices();\n", "    std::size_t n = m_field.distance.size();\n",
+     "vertices of curves that the user does not know become samples", (SAMPLING_BESIDE_CURVES,)),
     # --- stored matrices ---
     ("damage_unseen", NPY,
      "  return sum.text() == checksum;", "  return true;",

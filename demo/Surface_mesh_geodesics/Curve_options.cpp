@@ -51,37 +51,41 @@ void append_file(const std::string& file_name, const Mesh& mesh, const std::vect
 
 } // namespace
 
-void declare_curves(Option_descriptions& options)
+void declare_curves(Option_descriptions& options, const std::string& role)
 {
   options.add_options()
-    ("source-border", "all borders of the mesh, whole edges and not only their vertices")
-    ("source-curve", boost::program_options::value<std::vector<std::string>>()->value_name("FILE")->composing(),
+    ((role + "-border").c_str(), "all borders of the mesh, whole edges and not only their vertices")
+    ((role + "-curve").c_str(),
+     boost::program_options::value<std::vector<std::string>>()->value_name("FILE")->composing(),
      "the curves in a file: the lines of an .obj, or a .polylines.txt; the points move to the surface, and shortest "
      "paths join them");
+  if(options.find_nothrow("snap", false) == nullptr)
+    options.add_options()("snap", "points may be farther from the surface than 1 % of the extent of the mesh");
 }
 
-bool are_curves_given(const Arguments& arguments)
+bool are_curves_given(const Arguments& arguments, const std::string& role)
 {
-  return has(arguments, "source-border") || has(arguments, "source-curve");
+  return has(arguments, role + "-border") || has(arguments, role + "-curve");
 }
 
-std::vector<Curve> source_curves(const Arguments& arguments, const Mesh& mesh, const std::vector<Location>& locations,
-                                 const std::vector<Face>& avoided, const Console& console)
+std::vector<Curve> curves_of(const std::string& role, const Arguments& arguments, const Mesh& mesh,
+                             const std::vector<Location>& locations, const std::vector<Face>& avoided,
+                             const Console& console)
 {
   const Work_sign sign(console, "curves");
   std::vector<Curve> curves;
   for(const Location& p : locations)
     curves.push_back(p.is_vertex() ? Curve(mesh, p.vertex) : Curve(mesh, p.face_location));
-  if(has(arguments, "source-border"))
+  if(has(arguments, role + "-border"))
   {
     std::vector<Curve> borders = CGAL::Surface_mesh_geodesics::border_curves(mesh);
     if(borders.empty())
-      throw Command_error(Exit_code::BAD_USAGE, "--source-border: the surface has no border");
+      throw Command_error(Exit_code::BAD_USAGE, "--" + role + "-border: the surface has no border");
     for(Curve& border : borders)
       curves.push_back(std::move(border));
   }
   Point_projection projection(mesh, has(arguments, "snap"), console);
-  for(const std::string& file_name : all_values(arguments, "source-curve"))
+  for(const std::string& file_name : all_values(arguments, role + "-curve"))
     append_file(file_name, mesh, avoided, projection, curves);
   projection.remark_on_snaps();
   return curves;

@@ -8,24 +8,26 @@
 
 #include <CGAL/Surface_mesh_geodesics/Surface_curve.h>
 
+#include <string>
 #include <vector>
 
 namespace geodesics_demo {
 
 using Curve = CGAL::Surface_mesh_geodesics::Surface_curve<Mesh>;
 
-// The options for sources that are curves: --source-border and --source-curve. They go with those for locations, and
-// with --snap.
-void declare_curves(Option_descriptions& options);
+// The options for curves in a role: --source-border and --source-curve for the role "source". They go with those for
+// locations, and with --snap.
+void declare_curves(Option_descriptions& options, const std::string& role);
 
 // Is at least one of the options given?
-bool are_curves_given(const Arguments& arguments);
+bool are_curves_given(const Arguments& arguments, const std::string& role);
 
 // The locations as curves of one point each, then the borders of the mesh, then the curves of files: their points move
 // to the surface, and shortest paths around the avoided faces join them. Remarks on how far the points were moved.
 // Throws a Command_error for a mesh without a border, and for what is wrong in a file, with the line.
-std::vector<Curve> source_curves(const Arguments& arguments, const Mesh& mesh, const std::vector<Location>& locations,
-                                 const std::vector<Face>& avoided, const Console& console);
+std::vector<Curve> curves_of(const std::string& role, const Arguments& arguments, const Mesh& mesh,
+                             const std::vector<Location>& locations, const std::vector<Face>& avoided,
+                             const Console& console);
 
 } // namespace geodesics_demo
 

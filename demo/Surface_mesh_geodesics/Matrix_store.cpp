@@ -3,6 +3,7 @@
 #include "Command_error.h"
 #include "Input_file.h"
 #include "Mpi_job.h"
+#include "Obstacle_option.h"
 #include "Row_progress.h"
 #include "number_arguments.h"
 
@@ -142,10 +143,10 @@ void print_end(const Geodesic_matrix_store_status& status, const Arguments& argu
 // Computes with sources in the form that the package takes: all are vertices, or all are locations in faces.
 template <typename Sources, typename Parameters>
 Geodesic_matrix_store_status store(const Mesh& mesh, const Sources& sources, const std::vector<Vertex>& targets,
-                                   const std::string& folder, const Parameters& parameters, const Mpi_job* job,
-                                   Row_progress& progress)
+                                   const std::vector<Face>& avoided, const std::string& folder,
+                                   const Parameters& parameters, const Mpi_job* job, Row_progress& progress)
 {
-  const auto np = parameters.visitor(std::ref(progress));
+  const auto np = parameters.visitor(std::ref(progress)).faces_to_avoid(avoided);
 #ifdef CGAL_SURFACE_MESH_GEODESICS_LINKED_WITH_MPI
   if(job != nullptr)
     return CGAL::Surface_mesh_geodesics::store_geodesic_distance_matrix_mpi<Tag>(job->world(), mesh, sources, targets,
@@ -163,16 +164,19 @@ Geodesic_matrix_store_status store(const std::string& mesh_name, const Mesh& mes
   std::error_code error; // an absolute name: --verify finds it from any folder
   const auto parameters
     = store_parameters(arguments, fs::absolute(mesh_name, error).string(), compare_checksums);
+  const std::vector<Face> avoided = avoided_faces(arguments, mesh);
   Row_progress progress(console);
   std::vector<Vertex> vertices = as_vertices(places.sources);
   if(has(arguments, "peel") && vertices == places.targets) // others are rejected, as not symmetric
   {
-    vertices = CGAL::Surface_mesh_geodesics::geodesic_peeling_order(mesh, vertices);
+    vertices = CGAL::Surface_mesh_geodesics::geodesic_peeling_order(
+      mesh, vertices, CGAL::parameters::faces_to_avoid(avoided));
     places.targets = vertices;
   }
   if(!vertices.empty())
-    return store(mesh, vertices, places.targets, folder, parameters, job, progress);
-  return store(mesh, as_face_locations(places.sources, mesh), places.targets, folder, parameters, job, progress);
+    return store(mesh, vertices, places.targets, avoided, folder, parameters, job, progress);
+  return store(mesh, as_face_locations(places.sources, mesh), places.targets, avoided, folder, parameters, job,
+               progress);
 }
 
 // Without --resume, a matrix that is there already is a mistake; an array job, whose tasks have rows, makes it at some
@@ -423,8 +427,10 @@ void check_matrix_store_options(const Arguments& arguments)
   for(const char* const option : options_of_stores)
     if(has(arguments, option) && !has(arguments, "store"))
       throw Command_error(Exit_code::BAD_USAGE, std::string("--") + option + " needs --store");
-  if(works_on_stored_matrix(arguments) && has(arguments, "avoid"))
-    throw Command_error(Exit_code::BAD_USAGE, "a stored matrix has no faces to avoid");
+  if((has(arguments, "status") || has(arguments, "verify")) && has(arguments, "avoid"))
+    throw Command_error(Exit_code::BAD_USAGE, "a stored matrix tells the faces to avoid: no --avoid");
+  if(has(arguments, "meshes") && has(arguments, "avoid"))
+    throw Command_error(Exit_code::BAD_USAGE, "--avoid names the faces of one mesh: not with --meshes");
   if(has(arguments, "store") && arguments["store"].as<std::string>().empty())
     throw Command_error(Exit_code::BAD_USAGE, "--store needs the name of a folder");
   if(has(arguments, "status") && has(arguments, "mesh"))

@@ -6,6 +6,7 @@
 #include "Input_file.h"
 #include "Output_files.h"
 #include "Location_options.h"
+#include "Obstacle_option.h"
 #include "Program_mesh.h"
 #include "number_arguments.h"
 
@@ -44,6 +45,7 @@ void declare(Option_descriptions& options)
     ("radius", positive_value("radius")->value_name("R"), "distances above R are infinite")
     ("tolerance", positive_value("tolerance")->value_name("T"),
      "the largest violation, relative to distance and longest edge (default: 2^-40)");
+  declare_obstacles(options);
   declare_output(options, "a table .csv (default: to standard output)");
 }
 
@@ -128,12 +130,12 @@ private:
 };
 
 Certificate certificate_of(Mesh& mesh, const std::vector<double>& distances, const std::vector<Location>& sources,
-                           double radius)
+                           const std::vector<Face>& avoided, double radius)
 {
   const auto map = mesh.add_property_map<Vertex, double>("v:checked_distance", 0).first;
   for(const Vertex v : mesh.vertices())
     map[v] = distances[v];
-  const auto np = CGAL::parameters::maximum_distance(radius);
+  const auto np = CGAL::parameters::maximum_distance(radius).faces_to_avoid(avoided);
   const std::vector<Vertex> vertices = as_vertices(sources);
   using CGAL::Surface_mesh_geodesics::certify_geodesic_distances;
   return vertices.empty() ? certify_geodesic_distances<Tag>(mesh, map, as_face_locations(sources, mesh), np)
@@ -203,14 +205,15 @@ void run(const Arguments& arguments, const Console& console)
   Output_files files(output_names(arguments), {"csv"});
   Mesh mesh = read_mesh(arguments, console);
   const std::vector<Location> sources = source_options.required_locations(arguments, mesh, console);
+  const std::vector<Face> avoided = avoided_faces(arguments, mesh);
   const std::vector<double> distances
     = has(arguments, "distances")
         ? Distance_table(arguments["distances"].as<std::string>(), mesh.number_of_vertices()).distances()
-        : distances_from(mesh, {}, sources, radius, console).distance;
+        : distances_from(mesh, avoided, sources, radius, console).distance;
   const Certificate certificate = [&]
   {
     const Work_sign sign(console, "certificate");
-    return certificate_of(mesh, distances, sources, radius);
+    return certificate_of(mesh, distances, sources, avoided, radius);
   }();
   files.write([&](std::ostream& os, const std::string&) { write_table(os, certificate); });
   if(!certificate.is_certified(tolerance))

@@ -37,7 +37,7 @@ constexpr std::size_t largest_number_of_isolines = 1000;
 void declare(Option_descriptions& options)
 {
   source_options.declare(options);
-  declare_curves(options);
+  declare_curves(options, "source");
   declare_seed(options);
   options.add_options()
     ("signed", "negative distances on the left of the first curve; the curves have to separate the surface")
@@ -159,7 +159,7 @@ void check_curves(const Arguments& arguments, bool has_page)
 {
   if(!has(arguments, "signed"))
     return;
-  if(!are_curves_given(arguments))
+  if(!are_curves_given(arguments, "source"))
     throw Command_error(Exit_code::BAD_USAGE, "--signed needs curves: --source-border or --source-curve");
   if(has(arguments, "lines") || has_page)
     throw Command_error(Exit_code::BAD_USAGE, std::string("--signed cannot be combined with ")
@@ -187,14 +187,14 @@ void run(const Arguments& arguments, const Console& console)
     if(has(arguments, option) && !has_lines)
       console.note(std::string("--") + option + " has no effect without --lines or a page .html");
   const Mesh mesh = read_mesh(arguments, console);
-  const bool has_curves = are_curves_given(arguments);
+  const bool has_curves = are_curves_given(arguments, "source");
   const std::vector<Location> sources = has_curves ? source_options.locations(arguments, mesh, console)
                                                    : source_options.required_locations(arguments, mesh, console);
   const Obstacles avoided = obstacles(arguments, mesh);
   // One propagation. From points, the lines are chosen before it and found on its way. Lines from curves or around
   // walls, and pages of surfaces that are refined, need distances inside of faces afterwards.
   const std::vector<Curve> curves
-    = has_curves ? source_curves(arguments, mesh, sources, avoided.faces, console) : std::vector<Curve>();
+    = has_curves ? curves_of("source", arguments, mesh, sources, avoided.faces, console) : std::vector<Curve>();
   const bool are_lines_chosen_before = has_lines && !has_curves && avoided.walls.empty();
   std::vector<double> limits;
   if(are_lines_chosen_before)

@@ -1,9 +1,11 @@
 // The subcommand remesh.
 
 #include "Command.h"
+#include "Command_error.h"
 #include "Console.h"
 #include "Face_tree.h"
 #include "Location_options.h"
+#include "Obstacle_option.h"
 #include "Output_files.h"
 #include "Program_mesh.h"
 #include "number_arguments.h"
@@ -16,8 +18,10 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <set>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace geodesics_demo {
 
@@ -30,6 +34,7 @@ void declare(Option_descriptions& options)
      "the number of vertices of the new mesh; more are added where the shape needs them")
     ("iterations", count_value("iterations", 0, 1000000)->value_name("K")->default_value("10"),
      "how often the vertices are moved to the centers of their cells, at most; up to 1000000");
+  declare_obstacles(options);
   declare_output(options, "the new mesh .off, .obj, .ply (default: OFF to standard output)");
 }
 
@@ -113,6 +118,22 @@ std::string short_number(double x)
   return text.str();
 }
 
+// The surface without some faces, for measuring: each face has vertices of its own, which no other face shares.
+Mesh mesh_without(const Mesh& mesh, const std::vector<Face>& avoided)
+{
+  const std::set<Face> is_avoided(avoided.begin(), avoided.end());
+  Mesh rest;
+  for(const Face f : mesh.faces())
+    if(is_avoided.count(f) == 0)
+    {
+      std::vector<Vertex> corners;
+      for(const Vertex v : mesh.vertices_around_face(mesh.halfedge(f)))
+        corners.push_back(rest.add_vertex(mesh.point(v)));
+      rest.add_face(corners);
+    }
+  return rest;
+}
+
 // Says what differs from what was asked for: numbers of vertices, and components that keep their faces.
 void explain(const Report& report, const Console& console)
 {
@@ -143,14 +164,18 @@ void run(const Arguments& arguments, const Console& console)
   const std::size_t n = count_argument_or(arguments, "number", 3);
   const unsigned int iterations = static_cast<unsigned int>(count_argument_or(arguments, "iterations", 10));
   Output_files files(output_names(arguments), {"off", "obj", "ply"});
-  const Mesh mesh = read_mesh(arguments, console);
+  Mesh mesh = read_mesh(arguments, console);
+  const std::vector<Face> avoided = avoided_faces(arguments, mesh);
   Mesh coarse;
   const Report report = [&]
   {
     Remeshing_visitor visitor(console, (std::min<std::size_t>)(n, mesh.number_of_vertices()), iterations);
-    const auto np = CGAL::parameters::number_of_iterations(iterations).visitor(std::ref(visitor));
+    const auto np = CGAL::parameters::faces_to_avoid(avoided).number_of_iterations(iterations)
+                      .visitor(std::ref(visitor));
     return CGAL::Surface_mesh_geodesics::geodesic_remeshing(mesh, n, coarse, np);
   }();
+  if(coarse.is_empty())
+    throw Command_error(Exit_code::NO_RESULT, "--avoid leaves no face");
   explain(report, console);
   console.note("from " + std::to_string(mesh.number_of_vertices()) + " to "
                + std::to_string(coarse.number_of_vertices()) + " vertices, " + counted_faces(coarse.number_of_faces()));
@@ -158,6 +183,8 @@ void run(const Arguments& arguments, const Console& console)
   if(!console.shows_notes())
     return;
   const Work_sign sign(console, "measuring the distance of the two surfaces");
+  if(!avoided.empty())
+    mesh = mesh_without(mesh, avoided);
   const double distance = (std::max)(distance_from(mesh, Face_tree(coarse), coarse),
                                      distance_from(coarse, Face_tree(mesh), mesh));
   console.note("the two surfaces are at most " + short_number(distance) + " apart, "

@@ -2,8 +2,10 @@
 
 #include "Command.h"
 #include "Command_error.h"
+#include "Curve_options.h"
 #include "Drawing.h"
 #include "Location_options.h"
+#include "Obstacle_option.h"
 #include "Output_files.h"
 #include "Reachability.h"
 #include "number_arguments.h"
@@ -30,7 +32,9 @@ void declare(Option_descriptions& options)
     ("radius", positive_value("radius")->value_name("R"),
      "stop when no vertex is farther than R from its nearest sample");
   first_options.declare(options);
+  declare_curves(options, "first");
   declare_seed(options);
+  declare_obstacles(options);
   declare_output(options, "a table .csv (default: to standard output); points .ply, .vtu, .vtk, .obj");
 }
 
@@ -59,6 +63,7 @@ Drawing drawing_of(const Mesh& mesh, const std::vector<Vertex>& samples)
 
 // Returns the samples, and prints the covering radius.
 std::vector<Vertex> samples_of(const Mesh& mesh, std::size_t n, double radius, const std::vector<Vertex>& first,
+                               const std::vector<Curve>& curves, const std::vector<Face>& avoided,
                                const Console& console)
 {
   std::vector<Vertex> samples = first;
@@ -70,17 +75,21 @@ std::vector<Vertex> samples_of(const Mesh& mesh, std::size_t n, double radius, c
       samples.push_back(v);
       bar.show(static_cast<double>(samples.size()) / static_cast<double>(n));
     });
-    covering_radius = CGAL::Surface_mesh_geodesics::geodesic_farthest_point_sampling(
-      mesh, n, output, CGAL::parameters::first_samples(first).covering_radius(radius));
+    using CGAL::Surface_mesh_geodesics::geodesic_farthest_point_sampling;
+    const auto np = CGAL::parameters::first_samples(first).covering_radius(radius).faces_to_avoid(avoided);
+    covering_radius = curves.empty() ? geodesic_farthest_point_sampling(mesh, n, output, np)
+                                     : geodesic_farthest_point_sampling(mesh, n, output, np.first_curves(curves));
   }
   if(samples.size() < n && !(radius > 0))
     console.note("--number: there are only " + counted_vertices(samples.size()));
   std::ostringstream text;
   text << samples.size() << (samples.size() == 1 ? " sample" : " samples");
   if(std::isfinite(covering_radius))
-    text << "; the farthest vertex is " << covering_radius << " from its nearest one";
+    text << "; the farthest vertex is " << covering_radius << " from its nearest one"
+         << (curves.empty() ? "" : " or the nearest curve");
   else
-    text << (samples.size() == 1 ? " does" : " do") << " not reach all vertices" << reason_for_unreached(mesh);
+    text << (samples.size() == 1 ? " does" : " do") << " not reach all vertices" 
+         << reason_for_unreached(mesh, !avoided.empty());
   console.note(text.str());
   return samples;
 }
@@ -96,7 +105,11 @@ void run(const Arguments& arguments, const Console& console)
   const std::vector<Vertex> first = first_options.vertices(arguments, mesh, console);
   if(first.size() > n)
     throw Command_error(Exit_code::BAD_USAGE, "there are more first samples than --number");
-  const std::vector<Vertex> samples = samples_of(mesh, n, radius, first, console);
+  const std::vector<Face> avoided = avoided_faces(arguments, mesh);
+  const std::vector<Curve> curves
+    = are_curves_given(arguments, "first") ? curves_of("first", arguments, mesh, {}, avoided, console)
+                                           : std::vector<Curve>();
+  const std::vector<Vertex> samples = samples_of(mesh, n, radius, first, curves, avoided, console);
   const Drawing drawing = drawing_of(mesh, samples);
   files.write([&](std::ostream& os, const std::string& format)
   {
@@ -114,9 +127,10 @@ const Command sample_command{
   "vertices spread evenly over the surface",
   "Each sample is the vertex that is farthest from all samples before it. The table has a line for each sample: its\n"
   "index, its vertex, and its point; options such as --source-file accept it. The error stream shows the distance of\n"
-  "the farthest vertex.",
+  "the farthest vertex. With --first-border or --first-curve, samples keep away from the border or from curves.",
   "  surface_mesh_geodesics sample bunny.off --number 100 > samples.csv\n"
-  "  surface_mesh_geodesics sample bunny.off --radius 0.1 --first 0 -o samples.ply\n",
+  "  surface_mesh_geodesics sample bunny.off --radius 0.1 --first 0 -o samples.ply\n"
+  "  surface_mesh_geodesics sample scan.off --number 100 --first-border > inside.csv\n",
   declare, run};
 
 } // namespace geodesics_demo

@@ -245,7 +245,8 @@ py::tuple remesh(Surface& surface, std::size_t n, const Relaxation& relaxation, 
 {
   Mesh coarse;
   relax_alone(surface, n + 1, relaxation, call, [&](const auto& np)
-  { geodesics::geodesic_remeshing<Threads>(surface.mesh(), n, coarse, np); });
+  { geodesics::geodesic_remeshing<Threads>(surface.mesh(), n, coarse,
+      CGAL::parameters::faces_to_avoid(surface.avoided_faces()).combine(np)); });
   return mesh_to_tuple(coarse);
 }
 

@@ -20,7 +20,8 @@ static py::tuple store_matrix(const Surface& surface, const Place_arrays& places
   geodesics::Geodesic_matrix_store_status status;
   Interruptible visitor(call.second);
   const auto np = CGAL::parameters::use_float32(use_float32).use_symmetry(use_symmetry).maximum_distance(radius)
-                    .first_row(rows.first).end_row(rows.second).mesh_name(mesh_name).visitor(std::ref(visitor));
+                    .first_row(rows.first).end_row(rows.second).mesh_name(mesh_name)
+                    .faces_to_avoid(surface.avoided_faces()).visitor(std::ref(visitor));
   try
   {
     // This thread only listens to Python: if it computed, it would be deaf when it waits for the last files of others.
@@ -56,7 +57,7 @@ static py::array_t<std::int64_t> peeling_order(const Surface& surface, const Arr
   const std::vector<Vertex> vertices = to_vertices(range);
   std::vector<Vertex> order;
   Interruptible visitor{py::none()};
-  const auto np = CGAL::parameters::visitor(std::ref(visitor))
+  const auto np = CGAL::parameters::faces_to_avoid(surface.avoided_faces()).visitor(std::ref(visitor))
                     .vertex_point_map(interruptible(visitor, surface.mesh().points()));
   visitor.run([&]() { order = geodesics::geodesic_peeling_order(surface.mesh(), vertices, np); });
   return to_ids(order);

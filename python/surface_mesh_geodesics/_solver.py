@@ -83,9 +83,8 @@ class Solver:
         faces  ids of faces, in place of those that this solver avoids, or (m,) booleans
 
         Distances are inf where no way leads around. A source or a place inside of the avoided faces is an error; one at
-        their rim is not. Vertices and faces keep their numbers. `certify()`, `remesh()`, `trace()`,
-        `store_matrix()` and `peeling_order()` need a solver that avoids no faces. Surfaces without points cannot avoid
-        any.
+        their rim is not. Vertices and faces keep their numbers. `remesh()` leaves the faces out. `trace()` needs a
+        solver that avoids no faces. Surfaces without points cannot avoid any.
 
         >>> import surface_mesh_geodesics as smg
         >>> V = [[0, 0, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0], [1, 1, 0]]
@@ -221,7 +220,7 @@ class Solver:
         The rows are in files of NumPy's format, rows_*.npy, whose names sort in the order of the rows. Several
         processes may work on one folder. Returns how many rows of the range are stored, and how many there are. What
         is stored stays after Ctrl-C. A folder with another matrix is a ValueError, and a file that cannot be written an
-        OSError. The surface needs points, and must not avoid faces.
+        OSError. The surface needs points.
 
         >>> import glob, tempfile, surface_mesh_geodesics as smg
         >>> s = smg.Solver([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]])
@@ -230,7 +229,7 @@ class Solver:
         ((2, 2), [array([[0., 3., 4.],
                [3., 0., 5.]])])
         """
-        self._needs("store_matrix", points=True, all_faces=True)
+        self._needs("store_matrix", points=True)
         places, ids = self._rows_and_columns(sources, targets)
         return self._surface.store_matrix(places, ids, os.fsencode(folder), bool(float32), bool(symmetric),
                                           arguments.radius_of("radius", radius), arguments.rows_of("rows", rows),
@@ -240,13 +239,13 @@ class Solver:
         """Returns vertices in an order in which the rows of a symmetric matrix take little time.
 
         In each component, they are sorted by descending distance from an end of it. None stands for all vertices. The
-        surface needs points, and must not avoid faces.
+        surface needs points.
 
         >>> import surface_mesh_geodesics as smg
         >>> smg.Solver([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]]).peeling_order()
         array([1, 0, 2])
         """
-        self._needs("peeling_order", points=True, all_faces=True)
+        self._needs("peeling_order", points=True)
         every = np.arange(self.n_vertices)
         return self._surface.peeling_order(self._vertices("vertices", every if vertices is None else vertices))
 
@@ -262,7 +261,6 @@ class Solver:
         >>> s.certify([3, 0, 5], 1).is_certified(), s.certify([3, 0, 5.1], 1).is_certified()
         (True, False)
         """
-        self._needs("certify", all_faces=True)
         places = self._places("sources", sources)
         added = arguments.offsets_of("offsets", offsets, len(places.vertex))
         worst, conditions = self._surface.certify(arguments.values_of("d", d, self.n_vertices), places, added,
@@ -393,7 +391,8 @@ class Solver:
         >>> t.length, t.end, t.points.round(12).tolist()
         (2.0, 'border', [[1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [1.0, 2.0, 0.0]])
         """
-        self._needs("trace", all_faces=True)
+        if len(self._avoided) > 0:
+            raise ValueError("trace() cannot lead around faces, but this solver avoids some")
         end = ("length", "border", "singularity")
         found = self._surface.trace(self._place("place", place), arguments.finite_of("direction", direction),
                                     arguments.finite_of("length", length, 0.0, "finite and not negative"))
@@ -514,7 +513,7 @@ class Solver:
         >>> V2.shape, F2.shape
         ((4, 3), (4, 3))
         """
-        self._needs("remesh", points=True, all_faces=True)
+        self._needs("remesh", points=True)
         return self._surface.remesh(arguments.count_of("n", n, 3, max(3, self.n_vertices)),
                                     arguments.relaxation_of(iterations, threshold, on_iteration),
                                     arguments.call_of(threads, progress))
@@ -584,8 +583,6 @@ class Solver:
         places = self._places("sources", every if sources is None else sources)
         return places, every if targets is None else self._vertices("targets", targets)
 
-    def _needs(self, name: str, *, points: bool = False, all_faces: bool = False) -> None:
+    def _needs(self, name: str, *, points: bool) -> None:
         if points and self._lengths is not None:
             raise ValueError(f"{name}() needs points, but this surface is given by edge lengths")
-        if all_faces and len(self._avoided) > 0:
-            raise ValueError(f"{name}() cannot lead around faces, but this solver avoids some")

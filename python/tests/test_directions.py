@@ -174,11 +174,26 @@ def test_samples_and_sites_around_faces():
         smg.Solver(V, F).avoiding((F == 33).any(axis=1)).relax([33])
 
 
-@pytest.mark.parametrize("call", [lambda s: s.certify(s.distances(0), 0), lambda s: s.peeling_order(),
-                                  lambda s: s.remesh(20), lambda s: s.trace(0, 0, 1)])
-def test_what_needs_all_faces(call):
+def test_applications_around_faces(tmp_path):
+    around, rest = smg.Solver(V, F).avoiding(range(70)), smg.Solver(V, F[70:])
+    corners = np.unique(F[70:])
+    d = around.distances(int(corners[0]))
+    assert around.certify(d, int(corners[0])).is_certified()
+    assert not around.certify(smg.Solver(V, F).distances(int(corners[0])), int(corners[0])).is_certified()
+    assert around.peeling_order(corners).tolist() == rest.peeling_order(corners).tolist()
+    assert around.store_matrix(tmp_path, corners[:5], corners) == (5, 5)
+    stored = np.concatenate([np.load(f) for f in sorted(tmp_path.glob("rows_*.npy"))])
+    assert np.array_equal(stored, rest.matrix(corners[:5], corners))
+    with pytest.raises(ValueError, match="of this call have the hash"):
+        smg.Solver(V, F).store_matrix(tmp_path, corners[:5], corners)
+    points, faces = around.remesh(20)
+    expected, _ = rest.remesh(20)
+    assert sorted(points.tolist()) == sorted(expected.tolist()) and faces.max() < len(points)
+
+
+def test_traces_need_all_faces():
     with pytest.raises(ValueError, match="cannot lead around faces"):
-        call(smg.Solver(V, F).avoiding([1]))
+        smg.Solver(V, F).avoiding([1]).trace(0, 0, 1)
 
 
 def test_bad_faces_to_avoid():

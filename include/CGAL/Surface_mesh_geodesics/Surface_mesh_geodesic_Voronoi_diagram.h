@@ -589,8 +589,7 @@ public:
   /// at their rim, also if their location is given in a face to avoid; a site inside is rejected by the next build.
   /// Sites are kept, and the faces stay left out until the next call.
   ///
-  /// Queries inside of these faces are rejected. So `certify_geodesic_Voronoi_diagram()`, which samples all faces of
-  /// the mesh, throws for a diagram with faces to avoid.
+  /// Queries inside of these faces are rejected.
   ///
   /// \tparam Faces a range of face descriptors, or a model of `ReadablePropertyMap` with the face descriptor as
   ///         key type and `bool` as value type
@@ -602,6 +601,11 @@ public:
   {
     m_lazy.avoid_faces(faces_to_avoid);
   }
+
+  /// returns whether a face is one of those that the last call of `avoid_faces()` has left out. Takes constant time.
+  ///
+  /// \param f a face of the mesh
+  bool avoids_face(face_descriptor f) const { return m_lazy.avoids(f); }
 
   /// returns the number of sites.
   std::size_t number_of_sites() const { return m_lazy.sites().size(); }

@@ -337,14 +337,21 @@ public:
   /// the curve, and exact. A path from the inside of a segment leaves the curve at a right angle. Curves and points may
   /// be mixed. If there is a curve among the source points, a single thread computes, whatever the tag.
   ///
+  /// The distances from the curve begin with its offset, as those from a source of `geodesic_distances()`. Queries and
+  /// isolines tell distances with offsets; the length of a path is the distance without the offset of the curve at its
+  /// end. A path may cross curves whose offset is larger. (A curve of one point is a point with an offset.)
+  ///
   /// \tparam Curve `Surface_mesh_geodesics::Surface_curve<Triangle_mesh>`
   /// \param curve a curve on the mesh; it is copied
+  /// \param offset the distance of the points of the curve, in the unit of the mesh; finite and not negative
   /// \return the iterator to the source point, whose location is the first point of the curve
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the offset is negative or not finite; nothing changes
+  ///         then
   template <typename Curve>
-  Source_point_iterator add_source_curve(const Curve& curve)
+  Source_point_iterator add_source_curve(const Curve& curve, double offset = 0)
   {
     static_assert(Surface_mesh_geodesics::internal::Is_curve<Curve>::value, "the argument is not a Surface_curve");
-    return m_structure.add_source_curve(curve);
+    return m_structure.add_source_curve(curve, offset);
   }
 
   /// removes a source point. Its iterator may be dereferenced until the next build, but it no longer leads to the next
@@ -779,8 +786,10 @@ public:
     return m_structure.direction_at_source(f, location);
   }
 
-  /// writes the direction at the source for each vertex of the mesh: the same values as one call for each vertex. The
-  /// time is that of the straight pieces that begin at sources: all other paths share one of these.
+  /// writes the direction at the source for each vertex of the mesh: the values of one call for each vertex, up to
+  /// rounding (1e-12); of several shortest paths, another one may count. All paths behind a bend share the straight
+  /// piece that begins at the source, and where the surface is flat, these pieces share what they cross. So the time is
+  /// usually less than that of the distances.
   ///
   /// \tparam VertexDirectionMap a model of `WritablePropertyMap` with `vertex_descriptor` as key type and a floating
   ///         point type as value type

@@ -42,6 +42,8 @@ them with what the diagram states:
   no normal number of type `double` (edges shorter than about 1e-154 or longer than 1e154), its last digits or all of
   them are unknown, and count for nothing.
 
+Faces that the diagram avoids (`avoid_faces()`) count as if the mesh did not have them.
+
 Distances are checked at these points, not between them; see \ref Surface_mesh_geodesics_certification for what this
 proves.
 

@@ -122,14 +122,21 @@ no thread modifies them; see `geodesic_distances()`.
     \cgalParamType{a range of numbers that convert to `double`}
     \cgalParamDefault{an empty range: all offsets are 0}
   \cgalParamNEnd
+  \cgalParamNBegin{faces_to_avoid}
+    \cgalParamDescription{the faces through which no path may lead, with which the distances were computed; see
+                          `geodesic_distances()`. The proof is one for the mesh without these faces.}
+    \cgalParamType{a range of face descriptors of `TriangleMesh`, or a class model of `ReadablePropertyMap` with the
+                   face descriptor as key type and `bool` as value type}
+    \cgalParamDefault{an empty range: none}
+  \cgalParamNEnd
 \cgalNamedParamsEnd
 
 How to write sequences of parameters, and which one comes first: \ref Surface_mesh_geodesics_named_parameters.
 
 \return for each condition, how far it is violated and where. The function does not throw because distances are wrong.
 
-\throws Invalid_geodesic_input if the mesh, a source, the radius or an offset is invalid, as `geodesic_distances()`
-        does
+\throws Invalid_geodesic_input if the mesh, a source, the radius, an offset or a face to avoid is invalid, as
+        `geodesic_distances()` does
 \throws std::bad_alloc if there is not enough memory for the windows
 */
 template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename VertexDistanceMap, typename Sources,

@@ -39,8 +39,9 @@ folder. A call that ends early, for whatever reason, leaves a folder with which 
 
 <b>The folder.</b> The rows are in shards: blocks of consecutive rows, in files of NumPy's format (`.npy`, version 1.0,
 little endian, C order) whose names sort in the order of the rows. `manifest.json` names the mesh, with a checksum of
-its connectivity and coordinates, the sources, the targets, the kind of the matrix, and the shards that are done, with
-the checksums of their elements (CRC-64/XZ). \ref Surface_mesh_geodesics_plan_bigger explains how to read it.
+its connectivity and coordinates, the sources, the targets, the faces to avoid, the kind of the matrix, and the shards
+that are done, with the checksums of their elements (CRC-64/XZ). \ref Surface_mesh_geodesics_plan_bigger explains how
+to read it.
 
 <b>Interruption.</b> A shard is written under a temporary name, synced, and renamed; the manifest is, too. A process
 that is killed loses the shards in work and nothing else. The next call removes its temporary files, computes shards
@@ -115,6 +116,14 @@ that are done.
     \cgalParamDefault{infinity}
     \cgalParamExtra{All calls for one folder need the same value.}
   \cgalParamNEnd
+  \cgalParamNBegin{faces_to_avoid}
+    \cgalParamDescription{the faces through which no path may lead, as for `geodesic_distances()`; the manifest names
+                          them by their indices}
+    \cgalParamType{a range of face descriptors of `TriangleMesh`, or a class model of `ReadablePropertyMap` with the
+                   face descriptor as key type and `bool` as value type}
+    \cgalParamDefault{an empty range: none}
+    \cgalParamExtra{All calls for one folder need the same faces.}
+  \cgalParamNEnd
   \cgalParamNBegin{rows_per_shard}
     \cgalParamDescription{the number of rows of a shard; 0 lets the function choose it. A folder that has a manifest
                           keeps its own number.}
@@ -166,8 +175,8 @@ that are done.
 \return how much of the range is stored. It is not complete if the visitor has canceled, or if other processes are still
         at work on some shards.
 
-\throws Invalid_geodesic_input for a mesh, a source, a target or a radius that `sparse_geodesic_distance_matrix()`
-rejects
+\throws Invalid_geodesic_input for a mesh, a source, a target, a radius or faces to avoid that
+        `sparse_geodesic_distance_matrix()` rejects
 \throws Geodesic_matrix_store_error if the folder belongs to another mesh, or to other sources, targets or parameters
         (the message has both checksums), if a file cannot be written, and for numbers of 32 bits if a distance is too
         large, or so small that it would become zero
@@ -224,6 +233,8 @@ public:
     return m_matrix.layout().kind == internal::Store_kind::WITHIN_RADIUS ? m_matrix.layout().radius
                                                                          : std::numeric_limits<double>::infinity();
   }
+  /// returns the indices of the faces to avoid, in ascending order.
+  const std::vector<std::size_t>& faces_to_avoid() const { return m_matrix.description().faces_to_avoid; }
   /// returns the number of rows of a shard; the last one may have fewer.
   std::size_t rows_per_shard() const { return m_matrix.layout().rows_per_shard; }
 
@@ -263,8 +274,8 @@ private:
 \ingroup PkgSurfaceMeshGeodesicsFunctions
 
 checks stored distances on samples: computes some rows anew, and compares these rows with each other by symmetry and by
-the triangle inequality, if sources and targets are the same vertices. Checksums are checked by
-`Geodesic_distance_matrix_store::damaged_shards()`.
+the triangle inequality, if sources and targets are the same vertices. The folder tells which faces paths avoid.
+Checksums are checked by `Geodesic_distance_matrix_store::damaged_shards()`.
 
 <b>Complexity.</b> `samples` rows are computed; the inequalities take time for the square of `samples`, times the number
 of columns. Memory: the rows of the samples.

@@ -44,6 +44,10 @@ Voronoi cell, and hardly farther; the rest is unchanged. So the first sample tak
 <b>Thread safety.</b> The function uses one thread. Several threads may call it at once, also on the same mesh, if each
 call writes to an output of its own; see `geodesic_distances()`.
 
+<b>Relaxation</b> takes no curves. The centers of cells beside a curve would need a diagram in which curves are sites,
+whose cells are bounded by other arcs than those of points. `geodesic_Lloyd_relaxation()` moves samples without regard
+to a border; `geodesic_remeshing()` keeps those on a border in place.
+
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam OutputIterator a model of `OutputIterator` that holds vertex descriptors of `TriangleMesh`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -90,6 +94,14 @@ call writes to an output of its own; see `geodesic_distances()`.
     \cgalParamType{a range of vertex descriptors of `TriangleMesh`}
     \cgalParamDefault{an empty range}
   \cgalParamNEnd
+  \cgalParamNBegin{first_curves}
+    \cgalParamDescription{curves from which the samples keep away, such as the border. They are sites, too: each sample
+                          is the vertex that is farthest from all samples and curves. They are not counted among the
+                          samples, and the covering radius is that of samples and curves. `Surface_curve` makes
+                          curves, `border_curves()` returns borders.}
+    \cgalParamType{a `Surface_curve` on `tm`, or a range of these}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
   \cgalParamNBegin{covering_radius}
     \cgalParamDescription{the sampling ends as soon as no vertex is farther from its nearest sample than this, in the
                           unit of the mesh; not negative}
@@ -117,7 +129,8 @@ How to write sequences of parameters, and which one comes first: \ref Surface_me
         returns the radius of the samples before that one, infinity if it was the first.
 
 \throws Invalid_geodesic_input if the mesh is invalid, as for `geodesic_distances()`, if a first sample is not a
-        vertex of `tm`, or if the radius is negative or not a number. Nothing has been written then.
+        vertex of `tm`, a curve is not one of `tm`, or the radius is negative or not a number. Nothing has been written
+        then.
 */
 template <typename TriangleMesh, typename OutputIterator, typename CGAL_NP_TEMPLATE_PARAMETERS>
 double geodesic_farthest_point_sampling(const TriangleMesh& tm, std::size_t n, OutputIterator output,

@@ -220,6 +220,9 @@ several umbrellas of faces, it counts as a mesh with a vertex for each umbrella.
 holds for components with few vertices, and for each mesh if `n` is at least the number of its vertices. The report
 tells where a component stays as it is although fewer samples were asked for.
 
+<b>Faces to avoid</b> are left out, as if `tm` did not have them: the new mesh has a border along their rim. Without
+them, `tm` may have more components, and more vertices with several umbrellas.
+
 <b>Complexity.</b> Takes the time of the sampling, of the relaxation, and of a diagram for each round; the report has
 the number of rounds. No component gets more samples than vertices, and there are at most 100 rounds. Often one to ten
 are enough. The memory is that of one diagram and of a copy of the mesh.
@@ -281,12 +284,18 @@ output of its own; see `geodesic_distances()`.
     \cgalParamType{double}
     \cgalParamDefault{`0`: it ends when no site moves}
   \cgalParamNEnd
+  \cgalParamNBegin{faces_to_avoid}
+    \cgalParamDescription{the faces that are left out, as for `geodesic_distances()`}
+    \cgalParamType{a range of face descriptors of `TriangleMesh`, or a class model of `ReadablePropertyMap` with the
+                   face descriptor as key type and `bool` as value type}
+    \cgalParamDefault{an empty range: none}
+  \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \return the numbers of samples and of rounds, and the components that stay as they are. If the visitor cancels, the
 result is a `Geodesic_remeshing_report()`, which is not complete.
 
-\throws Invalid_geodesic_input if the mesh is invalid; nothing has been added to `output` then
+\throws Invalid_geodesic_input if the mesh or a face to avoid is invalid; nothing has been added to `output` then
 */
 template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename OutputMesh,
           typename CGAL_NP_TEMPLATE_PARAMETERS>

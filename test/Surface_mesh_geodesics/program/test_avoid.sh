@@ -28,6 +28,33 @@ is_near "$(column cells.csv area | awk '{ s += $1 } END { printf "%.17g", s }')"
 is_silent voronoi "$grid" --site 0 --avoid middle.txt --vertices -o labels.csv
 is_near "$(column labels.csv distance | line /dev/stdin 16)" "$around"
 
+# A stored matrix names the faces, so it can be verified without the file, and continued only with it.
+"$program" matrix "$grid" --quiet --source all --avoid middle.txt --store stored > status.csv
+equals "$(column status.csv rows_done)" 16
+contains stored/manifest.json '"faces_to_avoid"'
+"$program" matrix --verify stored --quiet > verified.csv
+equals "$(column verified.csv failures | head -n 2 | paste -sd ' ')" "0 0"
+"$program" matrix "$grid" --quiet --source all --avoid comments.txt --store stored --resume > again.csv
+cmp again.csv status.csv
+rejects 3 "and those of this call have the hash" matrix "$grid" --source all --store stored --resume
+"$program" matrix "$grid" --quiet --source all --avoid middle.txt --store peeled --symmetric --peel > status.csv
+"$program" matrix --verify peeled --quiet > verified.csv
+equals "$(column verified.csv failures | head -n 2 | paste -sd ' ')" "0 0"
+
+# Certificates, samples and new meshes.
+is_silent check "$grid" --source 0 --avoid middle.txt -o certificate.csv
+is_silent check "$grid" --source 0 --avoid middle.txt --distances distances.csv -o certificate.csv
+rejects 1 "the distances are not certified" check "$grid" --source 0 --distances distances.csv \
+  -o uncertified.csv
+is_silent sample "$grid" --quiet --number 16 --first 0 --avoid middle.txt -o samples.csv
+equals "$(column samples.csv vertex | line /dev/stdin 2)" 15
+is_silent remesh "$grid" --quiet --number 16 --avoid middle.txt -o rest.off
+equals "$(line rest.off 2 | cut -d ' ' -f 1-2)" "16 16"
+"$program" remesh "$grid" --number 16 --avoid middle.txt -o rest.off 2> notes.txt
+awk -v d="$(sed -n "s/.*at most \([^ ]*\) apart.*/\1/p" notes.txt)" 'BEGIN { exit !(d != "" && d < 1e-12) }'
+seq 0 17 > every.txt
+rejects 1 "--avoid leaves no face" remesh "$grid" --number 16 --avoid every.txt
+
 # No way around.
 seq 0 17 > all.txt
 rejects 3 "inside of the faces to avoid" distances "$grid" --source 5 --avoid all.txt
@@ -51,7 +78,12 @@ rejects 2 "this command reads the file" distances "$grid" --source 0 --avoid kep
 cmp kept.csv middle.txt
 
 # What has no faces to avoid.
-rejects 2 "a stored matrix has no faces to avoid" matrix "$grid" --source all --store rows --avoid middle.txt
+rejects 2 "a stored matrix tells the faces to avoid: no --avoid" matrix --status stored --avoid middle.txt
+rejects 2 "a stored matrix tells the faces to avoid: no --avoid" matrix --verify stored --avoid middle.txt
+echo "$grid" > meshes.txt
+rejects 2 "--avoid names the faces of one mesh: not with --meshes" \
+  matrix --meshes meshes.txt --source all --store rows --avoid middle.txt
+[ ! -e rows ] || fail "a folder was made"
 if "$program" distances --help | grep --quiet -e --html; then
   rejects 2 "--avoid cannot be combined with a page .html" distances "$grid" --source 0 --avoid middle.txt -o page.html
   rejects 2 "--avoid cannot be combined with a page .html" voronoi "$grid" --site 0 --avoid middle.txt -o page.html

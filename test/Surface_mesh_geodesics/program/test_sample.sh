@@ -52,6 +52,20 @@ contains note "--number: there are only 16 vertices"
 "$program" sample "$data/two_components.off" --number 1 > one.csv 2> note
 contains note "1 sample does not reach all vertices; the mesh has 2 components"
 
+# Samples that keep away from the border, and from a curve.
+is_silent sample "$data/grid5.off" --number 1 --first-border --quiet > inside.csv
+is_near "$(column inside.csv x)" 0.5
+is_near "$(column inside.csv y)" 0.5
+"$program" sample "$data/grid5.off" --number 1 --first-border -o inside.csv 2> note
+contains note "1 sample; the farthest vertex is 0.25 from its nearest one or the nearest curve"
+printf '2 0 0 0 1 0 0\n' > side.polylines.txt
+is_silent sample "$data/grid5.off" --number 2 --first-curve side.polylines.txt --quiet > away.csv
+equals "$(column away.csv y | paste -sd ' ')" "1 1"
+rejects 2 "--first-border: the surface has no border" sample "$data/cube.off" --number 3 --first-border
+rejects 3 "none.obj" sample "$grid" --number 3 --first-curve none.obj
+cp side.polylines.txt kept.csv
+rejects 2 "this command reads the file" sample "$grid" --number 3 --first-curve kept.csv -o kept.csv
+
 rejects 2 "neither --number nor --radius is given" sample "$grid"
 rejects 2 "--number: '0' is not a whole number of 1 or more" sample none.off --number 0
 rejects 2 "--number: 'abc' is not a whole number of 1 or more" sample none.off --number abc

@@ -97,7 +97,7 @@ expect "does not take the named parameter" "${distances}np::targets(vertices).th
 expect "does not take the named parameter" "${solver}np::nearest_source_map(text))"
 expect "does not take the named parameter" "${certificate}np::targets(vertices))"
 expect "does not take the named parameter" "${sampling}np::maximum_distance(1.))"
-expect "does not take the named parameter" "${store}np::faces_to_avoid(vertices))"
+expect "neither a range of faces nor a property map" "${store}np::faces_to_avoid(numbers))"
 for call in "$store" "$labels" "$sampling" "$certificate"; do
   expect "does not take the named parameter" "${call}np::edges_to_avoid(std::vector<Mesh::Edge_index>()))"
 done

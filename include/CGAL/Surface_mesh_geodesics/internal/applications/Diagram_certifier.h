@@ -14,6 +14,8 @@
 // that are computed apart. What is checked is documented at certify_geodesic_Voronoi_diagram(). `Diagram` is a type
 // with the members of Surface_mesh_geodesic_Voronoi_diagram; tests pass one with wrong answers.
 //
+// Faces that the diagram avoids do not exist here: they have no samples and no area, and their rim is a border.
+//
 // The steps of run():
 // 1. find_components() measures the extents that violations are relative to.
 // 2. check_distances() compares samples (Diagram_samples.h) with the distances from each site.
@@ -109,12 +111,14 @@ private:
 
   // --- components ---
 
-  // Components have the index of one of their vertices.
+  // Components have the index of one of their vertices. Faces to avoid are in none.
   void find_components()
   {
     m_components = Component_extents<double>(num_vertices(m_tm));
     for(const face_descriptor f : faces(m_tm))
     {
+      if(m_diagram.avoids_face(f))
+        continue;
       std::array<std::size_t, 3> corners{};
       std::size_t k = 0;
       for(const vertex_descriptor v : CGAL::vertices_around_face(halfedge(f, m_tm), m_tm))
@@ -126,6 +130,21 @@ private:
 
   // Returns some corner of a face, which tells its component.
   vertex_descriptor corner(face_descriptor f) const { return target(halfedge(f, m_tm), m_tm); }
+
+  // The face of a site at the rim may be one to avoid, which is in no component; the corner that is nearest by its
+  // coordinate is at the rim, too.
+  vertex_descriptor corner_near(const Face_location& l) const
+  {
+    halfedge_descriptor h = halfedge(l.first, m_tm), best = h;
+    double largest = -1;
+    for(std::size_t k = 0; k < 3; ++k, h = next(h, m_tm))
+      if(CGAL::to_double(l.second[k]) > largest)
+      {
+        largest = CGAL::to_double(l.second[k]);
+        best = h;
+      }
+    return source(best, m_tm);
+  }
 
   std::size_t component_of(vertex_descriptor v) const { return m_components.component(get(m_vertex_index_map, v)); }
   std::size_t component_of(face_descriptor f) const { return component_of(corner(f)); }
@@ -287,16 +306,17 @@ private:
     std::vector<double> expected(num_vertices(m_tm), 0.), sum(expected), rounding(expected);
     // A face is reached if one of its corners is: all of a component is, or nothing.
     for(const face_descriptor f : faces(m_tm))
-      if(m_diagram.nearest_site(source(halfedge(f, m_tm), m_tm)) != no_site() && extent_around(f) > 0)
+      if(!m_diagram.avoids_face(f) && m_diagram.nearest_site(source(halfedge(f, m_tm), m_tm)) != no_site()
+         && extent_around(f) > 0)
         expected[component_of(f)] += area(f, power_of_two(extent_around(f)));
     for(std::size_t i = 0; i < m_diagram.number_of_sites(); ++i)
     {
-      const face_descriptor f = m_diagram.site(i).first;
-      if(f == Graph_traits::null_face() || !(extent_around(f) > 0))
+      const Face_location site = m_diagram.site(i);
+      if(site.first == Graph_traits::null_face() || !(extent_around(corner_near(site)) > 0))
         continue;
+      const std::size_t c = component_of(corner_near(site));
       // The unit is divided by twice, as its square may overflow or vanish.
-      const double unit = power_of_two(extent_around(f)), a = CGAL::to_double(m_diagram.area(i)) / unit / unit;
-      const std::size_t c = component_of(f);
+      const double unit = power_of_two(m_components.extent(c)), a = CGAL::to_double(m_diagram.area(i)) / unit / unit;
       sum[c] += a;
       rounding[c] += std::numeric_limits<double>::denorm_min() / unit / unit;
       record(DIAGRAM_AREAS, relative_area(-a, expected[c], c), i);
@@ -368,9 +388,15 @@ Diagram_violations certify_diagram(const Diagram& diagram, Length length, Separa
   auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
                               get_const_property_map(CGAL::vertex_point, tm));
   using Paths_with_maps = Paths<Traits, decltype(vim), decltype(him), decltype(fim), decltype(vpm)>;
+  // The diagram tells which faces it avoids, and nothing else about them: distances around them are computed apart.
+  std::vector<typename boost::graph_traits<typename Diagram::Triangle_mesh>::face_descriptor> avoided;
+  for(const auto f : faces(tm))
+    if(diagram.avoids_face(f))
+      avoided.push_back(f);
   const auto make_paths = [&]
   {
     auto paths = std::make_unique<Paths_with_maps>(tm, vim, him, fim, vpm);
+    paths->avoid_faces(avoided); // before lengths are given
     prepare(*paths);
     return paths;
   };

@@ -75,7 +75,8 @@ public:
       if(!is_isolated(v))
         add_vertex_of_mesh(v);
     for(const face_descriptor f : faces(m_tm))
-      add_points_of_face(f);
+      if(!m_diagram.avoids_face(f))
+        add_points_of_face(f);
   }
 
   const std::vector<Sample>& samples() const { return m_samples; }
@@ -139,14 +140,14 @@ private:
     m_sites.insert(m_sites.end(), sites.begin(), sites.end());
   }
 
-  // Is the vertex in no face? (It may have edges.) Such a vertex has no location, and no path of other sites leads to
-  // it; so it is not a sample.
+  // Is the vertex in no face that the diagram has? (It may have edges.) Such a vertex has no location, and no path of
+  // other sites leads to it; so it is not a sample.
   bool is_isolated(vertex_descriptor v) const
   {
     if(CGAL::halfedges_around_target(v, m_tm).empty())
       return true;
     for(const halfedge_descriptor h : CGAL::halfedges_around_target(v, m_tm))
-      if(!is_border(h, m_tm))
+      if(!is_border(h, m_tm) && !m_diagram.avoids_face(face(h, m_tm)))
         return false;
     return true;
   }

@@ -14,7 +14,8 @@
 // thesis, section 6.2, proposes it for remeshing.)
 //
 // Distances are propagated once. A new sample is a further source of the same propagation, whose windows cover its
-// Voronoi cell and little more (Distance_propagation::add_source() says why that is right).
+// Voronoi cell and little more (Distance_propagation::add_source() says why that is right). Curves from which samples
+// keep away are sources from the beginning.
 
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Intrinsic_surface.h>
@@ -22,15 +23,22 @@
 #include <CGAL/Surface_mesh_geodesics/internal/interface/run_with_visitor.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_propagation.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/curves/Strip_front.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Farthest_vertex_queue.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Source_insertion.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/curves/Curve_insertion.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/curves/Source_curves.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/Pruning_rules.h>
 
+#include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
 #include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -41,8 +49,9 @@ namespace internal {
 // Ties: of vertices that are equally far, the one that comes first in vertices(tm). Time: each sample costs the windows
 // of its cell and a little more; Farthest_vertex_queue finds the next one.
 //
-// The mesh is referred to, the index maps are copied. Samples are vertices, so the intrinsic mesh has no inserted
-// sources, and tables of vertices never grow: the queue may refer to the distances in m_field.
+// The mesh is referred to, the index maps are copied. Samples are vertices, and curves are inserted before the first
+// one, so tables of vertices never grow: the queue may refer to the distances in m_field. Vertices of curves that the
+// user does not know have the last numbers, behind all candidates.
 //
 // An object is used by one thread. run() may be called again, which reads the mesh anew.
 template <typename TriangleMesh, typename VertexIndexMap, typename FaceIndexMap>
@@ -50,7 +59,6 @@ class Farthest_point_sampling
 {
   using Surface = Intrinsic_surface<double, TriangleMesh, VertexIndexMap, FaceIndexMap>;
   using vertex_descriptor = typename Surface::vertex_descriptor;
-  using Propagation = Distance_propagation<double>;
 
 public:
   Farthest_point_sampling(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim)
@@ -71,13 +79,50 @@ public:
   template <typename Shape, typename OutputIterator, typename Options, typename Visitor>
   double run(Shape shape, std::size_t n, OutputIterator output, const Options& options, Visitor& visitor)
   {
+    check_radius(options);
+    m_surface.read(std::move(shape));
+    Distance_propagation<double> propagation(m_surface.mesh(), m_field);
+    return sample(propagation, n, output, options, visitor);
+  }
+
+  // The same beside curves: a curve, or a range of curves. They become edges of the mesh, from which strips start;
+  // samples are sources that are added when all strips have ended. Throws for a curve that is not on the mesh, too.
+  template <typename Shape, typename Curves, typename OutputIterator, typename Options, typename Visitor>
+  double run_beside_curves(Shape shape, const Curves& curves, std::size_t n, OutputIterator output,
+                           const Options& options, Visitor& visitor)
+  {
+    check_radius(options);
+    m_surface.read(std::move(shape));
+    Source_insertion<double> insertion(m_surface.mesh());
+    const Source_curves<double> inserted
+      = Curve_insertion<double>(m_surface.mesh(), insertion).insert(m_surface.located_curves(curves, {}));
+    Distance_propagation<double, All_pruning_rules, No_window_keeper, Strip_front<double>> propagation(
+      m_surface.mesh(), m_field);
+    propagation.restart(); // gives the tables of strips the size of the mesh
+    propagation.add_curves(inserted);
+    return sample(propagation, n, output, options, visitor, !inserted.vertices.empty());
+  }
+
+private:
+  template <typename Options>
+  static void check_radius(const Options& options)
+  {
     if(!(options.covering_radius >= 0))
       throw Invalid_geodesic_input(Invalid_geodesic_input::Reason::INVALID_RADIUS,
                                    "the covering radius is negative or not a number");
-    m_surface.read(std::move(shape));
-    Propagation propagation(m_surface.mesh(), m_field);
+  }
+
+  // Adds samples to a propagation, in which nothing has run. `has_sources` tells whether it has any sources, as curves
+  // are: then distances from these decide about the first sample. See run().
+  //
+  // A run that has ended may go on with new sources, also one with strips: none of them waits any more, and windows of
+  // a new sample are compared with the distances of vertices, which strips and windows have found alike.
+  template <typename Propagation, typename OutputIterator, typename Options, typename Visitor>
+  double sample(Propagation& propagation, std::size_t n, OutputIterator output, const Options& options,
+                Visitor& visitor, bool has_sources = false)
+  {
     std::size_t number = options.first_samples.size();
-    bool is_complete = add_first_samples(propagation, options.first_samples, visitor);
+    bool is_complete = add_first_samples(propagation, options.first_samples, visitor, has_sources);
     // From here on distances only shrink, as the queue requires.
     Farthest_vertex_queue<double> queue(m_field.distance, ranks(), number_of_candidates());
     const double unit = m_surface.unit();
@@ -102,20 +147,20 @@ public:
     return radius;
   }
 
-private:
-  // Makes sources of the samples that the user gives, and propagates from all of them at once. Returns false if the
+  // Makes sources of the samples that the user gives, and propagates from all sources at once. Returns false if the
   // visitor cancels. A vertex that is named twice counts twice among the n samples.
-  template <typename Visitor>
-  bool add_first_samples(Propagation& propagation, const std::vector<vertex_descriptor>& samples, Visitor& visitor)
+  template <typename Propagation, typename Visitor>
+  bool add_first_samples(Propagation& propagation, const std::vector<vertex_descriptor>& samples, Visitor& visitor,
+                         bool has_sources)
   {
     for(const Vertex_id v : m_surface.source_set_of_vertices(samples, "sample").vertices)
       propagation.add_source(v, 0);
-    return samples.empty() || propagate(propagation, visitor);
+    return (samples.empty() && !has_sources) || propagate(propagation, visitor);
   }
 
   // Continues the propagation with the sources that are new. Returns false if the visitor cancels. The distances that
   // the visitor gets begin at 0 each time.
-  template <typename Visitor>
+  template <typename Propagation, typename Visitor>
   bool propagate(Propagation& propagation, Visitor& visitor) const
   {
     return run_with_visitor(visitor, m_surface.number_of_vertices(), [&](auto go_on)
@@ -151,7 +196,8 @@ private:
   std::vector<Vertex_id> m_rank;
 };
 
-// Samples a mesh with the maps and the visitor among the named parameters. See run() above.
+// Samples a mesh with the maps and the visitor among the named parameters. See run() above. The types of the parameters
+// tell whether there are curves: programs without them do not compile what strips need.
 template <typename TriangleMesh, typename OutputIterator, typename Options, typename NamedParameters>
 double sample_farthest_points(const TriangleMesh& tm, std::size_t n, OutputIterator output, const Options& options,
                               const NamedParameters& np)
@@ -162,7 +208,15 @@ double sample_farthest_points(const TriangleMesh& tm, std::size_t n, OutputItera
   auto& visitor = visitor_parameter.visitor();
   Farthest_point_sampling<TriangleMesh, decltype(vim), decltype(fim)> sampling(tm, vim, fim);
   sampling.avoid(obstacles(tm, fim, np));
-  return sampling.run(shape_from_points<double>(tm, np), n, output, options, visitor);
+  if constexpr(Has_parameter<NamedParameters, internal_np::first_curves_t>::value)
+  {
+    const auto& curves = parameters::get_parameter_reference(np, internal_np::first_curves);
+    static_assert(Are_curves<std::decay_t<decltype(curves)>>::value,
+                  "the value of the named parameter first_curves is neither a curve nor a range of curves");
+    return sampling.run_beside_curves(shape_from_points<double>(tm, np), curves, n, output, options, visitor);
+  }
+  else
+    return sampling.run(shape_from_points<double>(tm, np), n, output, options, visitor);
 }
 
 } // namespace internal

@@ -17,7 +17,7 @@
 // Both are models of the same concept:
 //   separation(a, b)           the distance of two locations, 0 up to rounding if they are equal
 //   separation.from_border(a)  the distance of a location from the border; infinity if there is no border nearby
-// Distances are in the unit of the mesh.
+// Distances are in the unit of the mesh. The rim of faces that the diagram avoids is a border.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
 
@@ -47,6 +47,15 @@ double longest_edge(typename boost::graph_traits<TriangleMesh>::face_descriptor 
   return (std::max)(length(h), (std::max)(length(g), length(next(g, tm))));
 }
 
+// Has a halfedge a face that the diagram does not avoid?
+template <typename Diagram>
+bool is_inside(typename boost::graph_traits<typename Diagram::Triangle_mesh>::halfedge_descriptor h,
+               const Diagram& diagram)
+{
+  const auto& tm = diagram.triangle_mesh();
+  return !is_border(h, tm) && !diagram.avoids_face(face(h, tm));
+}
+
 // Measures straight through space, between the points of the locations. A distance in space is not greater than that on
 // the surface: two locations may be near each other in space only, so a fault may go unnoticed, but no two locations of
 // one point are taken for different ones.
@@ -63,7 +72,7 @@ public:
   {
     const auto& tm = diagram.triangle_mesh();
     for(const auto h : halfedges(tm))
-      if(is_border(h, tm))
+      if(!is_inside(h, diagram) && is_inside(opposite(h, tm), diagram))
         m_border.push_back({vector(get(vpm, source(h, tm))), vector(get(vpm, target(h, tm)))});
   }
 
@@ -139,8 +148,10 @@ class Separation_by_coordinates
   using Corners = std::array<typename Graph_traits::vertex_descriptor, 3>;
 
 public:
-  // `length(h)` gives the length of a halfedge. It is copied, the mesh is referred to.
-  Separation_by_coordinates(const Diagram& diagram, Length length) : m_tm(diagram.triangle_mesh()), m_length(length) {}
+  // `length(h)` gives the length of a halfedge. It is copied, the diagram is referred to.
+  Separation_by_coordinates(const Diagram& diagram, Length length)
+    : m_diagram(diagram), m_tm(diagram.triangle_mesh()), m_length(length)
+  {}
 
   double operator()(const Face_location& a, const Face_location& b) const
   {
@@ -162,10 +173,10 @@ public:
     auto h = halfedge(l.first, m_tm);
     for(std::size_t k = 0; k < 3; ++k, h = next(h, m_tm))
     {
-      if(is_border(opposite(h, m_tm), m_tm))
+      if(!is_inside(opposite(h, m_tm), m_diagram))
         smallest = (std::min)(smallest, std::abs(CGAL::to_double(l.second[(k + 2) % 3])));
       for(const auto g : CGAL::halfedges_around_source(h, m_tm))
-        if(is_border(g, m_tm))
+        if(!is_inside(g, m_diagram))
           smallest = (std::min)(smallest, std::abs(1 - CGAL::to_double(l.second[k])));
     }
     return smallest * longest_edge(l.first, m_tm, m_length);
@@ -188,6 +199,7 @@ private:
     return sum;
   }
 
+  const Diagram& m_diagram;
   const Triangle_mesh& m_tm;
   Length m_length;
 };

@@ -353,13 +353,23 @@ private:
 // Throws Invalid_geodesic_input if a mesh cannot be copied, or its copy cannot be remeshed: with the positions of
 // vertices and faces that the user knows, and before CGAL's functions meet faces that contradict each other. Takes
 // linear time.
+//
+// Returns a flag for each face in the order of faces(tm), set for the faces to avoid; none if there are no such faces.
+// They are not checked: distances ignore what is wrong with them, too.
 template <typename TriangleMesh, typename NamedParameters>
-void check_mesh(const TriangleMesh& tm, const NamedParameters& np)
+std::vector<char> check_mesh(const TriangleMesh& tm, const NamedParameters& np)
 {
   auto vim = CGAL::get_initialized_vertex_index_map(tm, np);
   auto fim = CGAL::get_initialized_face_index_map(tm, np);
-  Intrinsic_surface<double, TriangleMesh, decltype(vim), decltype(fim)> surface(tm, vim, fim);
+  const std::vector<char> is_avoided = avoided_faces(tm, fim, np);
+  Intrinsic_surface<double, TriangleMesh, decltype(vim), decltype(fim)> surface(tm, vim, fim,
+                                                                                  Obstacles{is_avoided, {}});
   surface.read(shape_from_points<double>(tm, np));
+  std::vector<char> flags;
+  if(!is_avoided.empty())
+    for(const auto f : faces(tm))
+      flags.push_back(is_avoided[static_cast<std::size_t>(get(fim, f))]);
+  return flags;
 }
 
 // Reads and remeshes a mesh, with the named parameters of geodesic_remeshing(), and adds the result to the output if
@@ -373,9 +383,10 @@ Report remesh(const TriangleMesh& tm, std::size_t n, OutputMesh& output, Visitor
   const std::size_t number_of_iterations = static_cast<std::size_t>(
     choose_parameter(get_parameter(np, internal_np::number_of_iterations), 5u));
   const double threshold = choose_parameter(get_parameter(np, internal_np::threshold_distance), 0.);
-  check_mesh(tm, np);
+  const std::vector<char> is_avoided = check_mesh(tm, np);
   const Remeshing_input input(tm, choose_parameter(get_parameter(np, internal_np::vertex_point),
-                                                   get_const_property_map(CGAL::vertex_point, tm)));
+                                                   get_const_property_map(CGAL::vertex_point, tm)),
+                              is_avoided);
   Remeshing<Diagram, ConcurrencyTag, Report> remeshing(input);
   const Report report
     = remeshing.run(n, number_of_iterations, visitor, parameters::threshold_distance(threshold));

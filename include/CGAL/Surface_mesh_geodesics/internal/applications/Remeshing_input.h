@@ -11,17 +11,22 @@
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_REMESHING_INPUT_H
 
 // The surface that is remeshed: a copy of the user's mesh in which each vertex has one umbrella of faces. Where the
-// mesh is pinched, the copy has several vertices at one point, as no manifold mesh could follow it there.
+// mesh is pinched, the copy has several vertices at one point, as no manifold mesh could follow it there. Faces to
+// avoid are not in the copy: it has a border where they were.
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/manifoldness.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <iterator>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -48,13 +53,19 @@ public:
     std::vector<Face> faces;
   };
 
-  // Copies a mesh, with its vertices and faces in their order. Requires: the faces are triangles and do not contradict
-  // each other. Takes linear time.
+  // Copies a mesh, with its vertices and faces in their order. `is_avoided` has a flag for each face, in that order, or
+  // is empty; faces with a flag are left out. Requires: the other faces are triangles, and no two faces contradict each
+  // other. Takes linear time.
   template <typename TriangleMesh, typename VertexPointMap>
-  Remeshing_input(const TriangleMesh& tm, VertexPointMap vpm)
+  Remeshing_input(const TriangleMesh& tm, VertexPointMap vpm, const std::vector<char>& is_avoided)
   {
     copy_face_graph(tm, m_mesh, parameters::vertex_point_map(vpm));
-    m_number_of_splits = Polygon_mesh_processing::duplicate_non_manifold_vertices(m_mesh);
+    // CGAL removes a vertex when the last face of an umbrella goes, so vertices are split before faces are removed.
+    std::vector<std::vector<Vertex>> split;
+    m_number_of_splits = Polygon_mesh_processing::duplicate_non_manifold_vertices(
+      m_mesh, parameters::output_iterator(std::back_inserter(split)));
+    if(!is_avoided.empty())
+      remove(is_avoided, split);
     collect_components();
   }
 
@@ -80,6 +91,28 @@ public:
   }
 
 private:
+  // Removes the faces that have a flag, and the vertices that have no face then. Vertices have one umbrella before and
+  // after that: the faces that are left around a vertex may touch there only. `split` has each vertex that was split
+  // before, and its copies; copies that are left beside another one count.
+  void remove(const std::vector<char>& is_avoided, const std::vector<std::vector<Vertex>>& split)
+  {
+    for(std::size_t f = 0; f < is_avoided.size(); ++f)
+      if(is_avoided[f] != 0)
+        Euler::remove_face(m_mesh.halfedge(Face(static_cast<Mesh::size_type>(f))), m_mesh);
+    m_number_of_splits = 0;
+    for(const std::vector<Vertex>& copies : split)
+    {
+      const std::size_t left = static_cast<std::size_t>(
+        std::count_if(copies.begin(), copies.end(), [this](Vertex v) { return !m_mesh.is_removed(v); }));
+      m_number_of_splits += left > 1 ? left - 1 : 0;
+    }
+    // Removed elements leave gaps; those that are left keep their order.
+    Mesh rest;
+    copy_face_graph(m_mesh, rest);
+    m_mesh = std::move(rest);
+    m_number_of_splits += Polygon_mesh_processing::duplicate_non_manifold_vertices(m_mesh);
+  }
+
   // Faces are in one component if a way leads from face to face across edges. As vertices have one umbrella, a way
   // across vertices leads no farther. Takes linear time.
   void collect_components()

@@ -26,9 +26,11 @@
 #include <CGAL/Surface_mesh_geodesics/internal/certificate/Worst_violation.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Intrinsic_surface.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Private_access.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/distance_functions.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/map_checks.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_values.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/run_with_visitor.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/One_block.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Available_tag.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_propagation.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Propagation_for_tag.h>
@@ -71,10 +73,12 @@ public:
   using Field = Vertex_distance_field<FT>;
 
   // Shape is described in Face_shapes.h. Reads all components, and throws Invalid_geodesic_input for a fault in any of
-  // them.
+  // them. Faces are left out that have a flag, as if they were not in the mesh.
   template <typename Shape>
-  Distance_certifier(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim, Shape shape)
-    : m_surface(tm, vim, fim, std::move(shape)), m_insertion(m_surface.mesh())
+  Distance_certifier(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim, Shape shape,
+                     std::vector<char> is_avoided)
+    : m_surface(tm, vim, fim, std::move(shape), One_block(), Obstacles{std::move(is_avoided), {}}),
+      m_insertion(m_surface.mesh())
   {}
 
   Distance_certifier(const Distance_certifier&) = delete;
@@ -265,7 +269,8 @@ Certificate certify_distances(const TriangleMesh& tm, VertexDistanceMap vertex_d
   auto fim = CGAL::get_initialized_face_index_map(tm, np);
   const auto options = distance_options<TriangleMesh>(np);
   check_numbers(options);
-  Distance_certifier<double, TriangleMesh, decltype(vim), decltype(fim)> certifier(tm, vim, fim, make_shape());
+  Distance_certifier<double, TriangleMesh, decltype(vim), decltype(fim)> certifier(tm, vim, fim, make_shape(),
+                                                                                   avoided_faces(tm, fim, np));
   certifier.set_sources(sources, options.source_offsets);
   Visitor_parameter<NamedParameters> visitor_parameter(np);
   const auto conditions = certifier.run(

@@ -114,6 +114,13 @@ public:
   const Obstacles& obstacles() const { return m_obstacles; }
   bool has_walls() const { return !m_obstacles.walls.empty(); }
 
+  // Is a face one of those to avoid? Not if it is none of the mesh, which checked_halfedge() rejects.
+  bool is_avoided(face_descriptor f) const
+  {
+    return !m_obstacles.is_avoided.empty() && f != Graph_traits::null_face() && is_face_of(f, m_tm, m_fim)
+        && m_obstacles.is_avoided[static_cast<std::size_t>(get(m_fim, f))] != 0;
+  }
+
   // Frees the memory of mesh and tables. read() may follow.
   void forget()
   {
@@ -525,13 +532,6 @@ private:
     if(f != Graph_traits::null_face() && is_face_of(f, m_tm, m_fim))
       for(const halfedge_descriptor h : halfedges_of_triangle(f, m_tm))
         is_marked[static_cast<std::size_t>(get(m_vim, target(h, m_tm)))] = 1;
-  }
-
-  // Is a face one of those to avoid? Not if it is none of the mesh, which checked_halfedge() rejects.
-  bool is_avoided(face_descriptor f) const
-  {
-    return !m_obstacles.is_avoided.empty() && f != Graph_traits::null_face() && is_face_of(f, m_tm, m_fim)
-        && m_obstacles.is_avoided[static_cast<std::size_t>(get(m_fim, f))] != 0;
   }
 
   // The coordinates of a location in the order of the user's corners, which is that of a face whose first halfedge is

@@ -108,6 +108,7 @@ public:
   // not change: the caller forgets it first. Requires: !has_mesh().
   void avoid(Obstacles obstacles) { m_surface.avoid(std::move(obstacles)); }
   const Obstacles& obstacles() const { return user_surface().obstacles(); }
+  bool is_avoided(face_descriptor f) const { return user_surface().is_avoided(f); }
 
   // Forgets the mesh, the sources and all results.
   void forget()
@@ -140,9 +141,9 @@ public:
 
   // Adds a curve. The results are then those of a single thread, as strips and windows share one wavefront.
   template <typename Curve>
-  void add_source_curve(const Curve& curve)
+  void add_source_curve(const Curve& curve, double offset)
   {
-    m_surface.add_source_curve(curve);
+    m_surface.add_source_curve(curve, offset);
     if(m_curve_run == nullptr)
       m_curve_run.reset(new Strip_path_run<double>());
   }
@@ -359,15 +360,11 @@ public:
     return v;
   }
 
-  // Returns the direction in which a path leaves its source, in the tangent frame of the source; 0 for a path without
-  // length. `steps` is path(q, a), and f the face of the user in which the source lies. The face does not matter if the
-  // source is a vertex of the mesh. Linear in the degree of the source.
-  double direction_at_source(const Query& q, const Path_steps<double>& steps, face_descriptor f) const
+  // Returns the direction of a departure from a source, in the tangent frame of the source; 0 for a path of no length.
+  // It is linear in the angle of the departure, which may be any number. f is the face of the user in which the source
+  // lies; it does not matter if the source is a vertex of the mesh. Takes time linear in the degree of the source.
+  double direction_of_departure(const Departure<double>& d, face_descriptor f) const
   {
-    // (A path from a location in a face begins behind the location.)
-    const Departure<double> d = steps.size() == 1 && q.vertex == null_id
-                                  ? departure_to_point(mesh(), steps.back().vertex, q.face, q.coordinates)
-                                  : departure(mesh(), steps);
     if(d.halfedge == null_id)
       return 0;
     return mesh().source(d.halfedge) < user_surface().number_of_vertices() ? m_surface.direction_at_vertex(d)
@@ -378,8 +375,8 @@ public:
   // sink.vertex(vertex_descriptor); sink.edge(halfedge_descriptor, t) with t from source to target; at the end, unless
   // the path ends at a vertex or on an edge of the user, sink.source(number) or, on a curve, sink.location(pair of a
   // face and coordinates); and, if Sink::wants_faces, sink.face(face_descriptor) before each of them but the first.
-  // Requires: `steps` is path(q, a). (Of the inserted sources only the last one is met: paths are reported for sources
-  // without offsets, and no shortest path passes such a source.)
+  // Requires: `steps` is path(q, a). (Of sources without offsets only the last one is met, as no shortest path passes
+  // them. A path may run through the corners of a curve with a larger offset; they are reported where they are.)
   template <typename Sink>
   void report(const Query& q, const Arrival& a, const Path_steps<double>& steps, Sink& sink) const
   {
@@ -392,7 +389,7 @@ public:
       else if(item.vertex < user_surface().number_of_vertices())
         sink.vertex(user_surface().descriptor(item.vertex));
       else if(has_curves())
-        sink.location(end_of_path(steps));
+        sink.location(location_of_vertex(item.vertex));
       else
         sink.source(source_number(a));
     };

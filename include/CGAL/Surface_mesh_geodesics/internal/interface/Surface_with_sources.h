@@ -124,14 +124,14 @@ public:
     m_surface.add_offset(offset, m_sources);
   }
 
-  // Appends a curve, without an offset. Throws and requires what add_source() does.
+  // Appends a curve. Throws and requires what add_source() does.
   template <typename Curve>
-  void add_source_curve(const Curve& curve)
+  void add_source_curve(const Curve& curve, double offset)
   {
     CGAL_assertion(!m_are_inserted);
     m_curves.emplace_back(m_sources.size(), m_surface.located_curve(curve, m_sources.size()));
     m_sources.vertices.push_back(null_id);
-    m_sources.offsets.push_back(0);
+    m_surface.add_offset(offset, m_sources);
   }
 
   // Are there curves among the sources? The list tells, whether it is inserted or not.

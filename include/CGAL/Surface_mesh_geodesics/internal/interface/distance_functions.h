@@ -219,15 +219,27 @@ auto shape_from_points(const TriangleMesh& tm, const NamedParameters& np)
 
 // Reads a mesh with the maps among the named parameters, and returns use(surface). The surface ends with the call. All
 // components are read, as each row may start in another one. With Parallel_tag, threads share the work of reading.
-template <typename ConcurrencyTag, typename TriangleMesh, typename NamedParameters, typename Use>
-bool with_surface(const TriangleMesh& tm, const NamedParameters& np, Use use)
+//
+// obstacles_of(face index map) returns what is avoided. It is a function, as index maps that CGAL makes itself cost
+// linear time, and are made once.
+template <typename ConcurrencyTag, typename TriangleMesh, typename NamedParameters, typename ObstaclesOf,
+          typename Use>
+bool with_surface_without(const TriangleMesh& tm, const NamedParameters& np, const ObstaclesOf& obstacles_of, Use use)
 {
   using Blocks = typename Blocks_for_tag<typename Available_tag<ConcurrencyTag>::type>::type;
   auto vim = CGAL::get_initialized_vertex_index_map(tm, np);
   auto fim = CGAL::get_initialized_face_index_map(tm, np);
   const Intrinsic_surface<double, TriangleMesh, decltype(vim), decltype(fim)> surface(
-    tm, vim, fim, shape_from_points<double>(tm, np), Blocks(), obstacles(tm, fim, np));
+    tm, vim, fim, shape_from_points<double>(tm, np), Blocks(), obstacles_of(fim));
   return use(surface);
+}
+
+// The same without the faces and edges to avoid among the named parameters.
+template <typename ConcurrencyTag, typename TriangleMesh, typename NamedParameters, typename Use>
+bool with_surface(const TriangleMesh& tm, const NamedParameters& np, Use use)
+{
+  return with_surface_without<ConcurrencyTag>(
+    tm, np, [&](const auto& fim) { return obstacles(tm, fim, np); }, use);
 }
 
 // The functions below compute the rows of a matrix and pass them to `output`; they return false if `output` ends the

@@ -72,6 +72,9 @@ struct Angle_sum
     return is_in_second_half() || !is_near_axis();
   }
 
+  // Is the sum 2 pi, up to the tolerance?
+  bool is_full() const { return (turns == 1 || (turns == 0 && sine < 0)) && cosine > 0 && is_near_axis(); }
+
   // Is the sum greater than pi by more than the tolerance?
   bool is_more_than_half() const
   {

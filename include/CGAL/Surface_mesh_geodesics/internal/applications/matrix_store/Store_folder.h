@@ -22,7 +22,8 @@
 //
 // A manifest, with one shard of two rows. Names of members are part of the format: a program that changes their meaning
 // has to change the version, too, and to read the old one. Members that a reader does not know are ignored, and lost
-// when the manifest is written again.
+// when the manifest is written again. Only a manifest with faces to avoid has that member; a reader that does not know
+// it finds that the hash does not fit.
 //
 //   {
 //     "format": "CGAL Surface_mesh_geodesics distance matrix",
@@ -42,6 +43,7 @@
 //     },
 //     "sources": [0, 3],
 //     "targets": "all",
+//     "faces_to_avoid": [2],
 //     "hash": "4c418aa5cc623c83",
 //     "shards": [
 //       {
@@ -57,8 +59,8 @@
 //     ]
 //   }
 
+#include <CGAL/Surface_mesh_geodesics/internal/applications/matrix_store/Store_description.h>
 #include <CGAL/Surface_mesh_geodesics/internal/applications/matrix_store/Store_layout.h>
-#include <CGAL/Surface_mesh_geodesics/internal/numeric/files/Checksum.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/files/Json_value.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/files/Lock_file.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/files/Npy_file.h>
@@ -78,29 +80,6 @@
 namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
-
-// What is stored, as the manifest tells it. `sources` and `targets` are "all", "sources" or a list of vertices and
-// locations (Store_input.h). Vertices and faces are named by their indices, as mesh files do. `mesh_name` is for people
-// and for --verify: it decides nothing, so a folder stays valid if the mesh moves.
-struct Store_description
-{
-  std::string mesh_name, mesh_hash;
-  std::size_t vertices = 0, faces = 0;
-  Store_layout layout;
-  Json_value sources, targets;
-
-  // The checksum of all that decides about the numbers, except the mesh. The size of shards does not.
-  std::string hash() const
-  {
-    Store_layout without_shards = layout;
-    without_shards.rows_per_shard = 1;
-    Checksum sum;
-    sum.add(without_shards.to_json().written());
-    sum.add(sources.written());
-    sum.add(targets.written());
-    return sum.text();
-  }
-};
 
 // A shard that is done: the number of elements and the checksum of each of its arrays.
 // In the order of Store_layout::arrays(). The checksum is that of the elements; header and size follow from the layout.
@@ -364,6 +343,8 @@ private:
     value.add("matrix", description.layout.to_json());
     value.add("sources", description.sources);
     value.add("targets", description.targets);
+    if(!description.faces_to_avoid.empty())
+      value.add("faces_to_avoid", description.faces_to_json());
     value.add("hash", hash);
     // The entries are sorted by shard, so equal folders have equal manifests.
     std::vector<Json_value> shards;
@@ -427,6 +408,8 @@ private:
     d.layout = Store_layout::from_json(value.at("matrix"));
     d.sources = value.at("sources");
     d.targets = value.at("targets");
+    if(const Json_value* const avoided = value.find("faces_to_avoid"))
+      d.set_faces_to_avoid(*avoided);
     const std::string hash = d.hash();
     if(!value.at("hash").is_text(hash) || (m_is_open && !is_same(d, hash)))
       Json_value::complain("its hash does not fit its contents");

@@ -203,8 +203,23 @@ stored_targets(const Stored_matrix& stored, const Vertices& vertex_of_index, con
   return targets.vertices;
 }
 
+// Returns a flag for each face, set for those that the paths of the matrix avoid; none if there are no such faces.
+// Throws if the manifest names a face that the mesh does not have.
+inline std::vector<char> stored_faces_to_avoid(const Store_description& description, std::size_t number_of_faces)
+{
+  std::vector<char> is_avoided;
+  for(const std::size_t f : description.faces_to_avoid)
+  {
+    if(f >= number_of_faces)
+      Json_value::complain("a face to avoid is not in the mesh");
+    is_avoided.resize(number_of_faces, 0);
+    is_avoided[f] = 1;
+  }
+  return is_avoided;
+}
+
 // The mesh must be that of the manifest: checksums are compared first. The new rows are computed by one thread, on one
-// reading of the mesh.
+// reading of the mesh. The manifest tells the faces to avoid, so the caller need not.
 template <typename TriangleMesh, typename NamedParameters>
 Geodesic_matrix_store_check check_stored_matrix(const TriangleMesh& tm, const std::string& path, std::size_t samples,
                                                 const NamedParameters& np)
@@ -240,7 +255,8 @@ Geodesic_matrix_store_check check_stored_matrix(const TriangleMesh& tm, const st
   Stored_sources<TriangleMesh> sources;
   for(const std::size_t i : rows)
     sources.add(d.sources, i, vertex_of_index, face_of_index);
-  with_surface<Sequential_tag>(tm, np, [&](const auto& surface)
+  const auto obstacles_of = [&](const auto&) { return Obstacles{stored_faces_to_avoid(d, num_faces(tm)), {}}; };
+  with_surface_without<Sequential_tag>(tm, np, obstacles_of, [&](const auto& surface)
   {
     const Distance_matrix<double> matrix(surface.mesh(), sources.vertices.empty()
                                                            ? surface.source_set(sources.locations)

@@ -59,11 +59,13 @@ struct Follows_rows<Visitor, std::void_t<decltype(std::declval<Visitor&>().on_ro
 
 // The description of a matrix on a surface that has been read: all sources and targets are valid. The targets of an
 // upper triangle must be the sources, which must be vertices. The size of shards is that of a new folder; the manifest
-// of an old one counts instead.
+// of an old one counts instead. `is_avoided` has flags by the index of a face, or none: the manifest names faces by
+// their indices, as it names vertices.
 template <typename TriangleMesh, typename Sources, typename Targets, typename NamedParameters>
 Store_description describe(const TriangleMesh& tm, const Sources& sources, const Targets& targets,
                            const Source_set<double>& source_set, const std::vector<Vertex_id>& target_ids,
-                           const Store_options& options, const NamedParameters& np)
+                           const std::vector<char>& is_avoided, const Store_options& options,
+                           const NamedParameters& np)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -83,6 +85,9 @@ Store_description describe(const TriangleMesh& tm, const Sources& sources, const
   // a list that is the same twice is stored once
   if(!d.targets.is_text("all") && d.targets.written() == d.sources.written())
     d.targets = Json_value("sources");
+  for(std::size_t f = 0; f < is_avoided.size(); ++f)
+    if(is_avoided[f] != 0)
+      d.faces_to_avoid.push_back(f);
   Store_layout& layout = d.layout;
   layout.kind = options.use_symmetry ? Store_kind::UPPER_TRIANGLE
               : options.maximum_distance < std::numeric_limits<double>::infinity() ? Store_kind::WITHIN_RADIUS
@@ -107,7 +112,6 @@ Geodesic_matrix_store_status store_matrix_with(const TriangleMesh& tm, const Sou
                                                const std::string& path, const NamedParameters& np, Open open,
                                                Compute compute)
 {
-  // Faces to avoid are not among them: a manifest does not know them.
   check_parameters<Store_parameters>(tm, np);
   const Store_options options = store_options(np);
   // a copy of the user's visitor, or a reference to it
@@ -115,12 +119,18 @@ Geodesic_matrix_store_status store_matrix_with(const TriangleMesh& tm, const Sou
   auto& visitor = parameter.visitor();
   using Visitor = std::remove_reference_t<decltype(visitor)>;
   Geodesic_matrix_store_status status;
-  with_surface<ConcurrencyTag>(tm, np, [&](const auto& surface)
+  std::vector<char> is_avoided;
+  const auto obstacles_of = [&](const auto& fim)
+  {
+    is_avoided = avoided_faces(tm, fim, np);
+    return Obstacles{is_avoided, {}};
+  };
+  with_surface_without<ConcurrencyTag>(tm, np, obstacles_of, [&](const auto& surface)
   {
     const Distance_matrix<double> matrix(surface.mesh(), surface.source_set(sources));
     const std::vector<Vertex_id> target_ids = surface.checked_ids(targets, "target");
     Store_folder folder(path);
-    open(folder, describe(tm, sources, targets, matrix.sources(), target_ids, options, np));
+    open(folder, describe(tm, sources, targets, matrix.sources(), target_ids, is_avoided, options, np));
     // Remains of processes that were killed: they would otherwise stay until somebody wonders what they are.
     folder.remove_stale_files();
     // Shards that are done are among them: their files may be damaged.

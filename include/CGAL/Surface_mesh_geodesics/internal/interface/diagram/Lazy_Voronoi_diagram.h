@@ -111,10 +111,9 @@ public:
 
   const Sites& sites() const { return m_sites; }
 
-  // Adds a vertex. build() rejects an invalid one.
+  // Adds a vertex, or a point of a face. build() rejects an invalid one.
   std::size_t add_site(vertex_descriptor v, const FT& weight) { return add({true, v, Face_location(), weight}); }
 
-  // Adds a point of a face. build() rejects an invalid one.
   std::size_t add_site(const Face_location& location, const FT& weight)
   {
     return add({false, Graph_traits::null_vertex(), location, weight});
@@ -170,6 +169,7 @@ public:
     forget_mesh();
     m_solver.avoid(std::move(obstacles));
   }
+  bool avoids(face_descriptor f) const { return m_solver.is_avoided(f); }
 
   // --- building: all functions throw Invalid_geodesic_input if the mesh or a site is invalid ---
 

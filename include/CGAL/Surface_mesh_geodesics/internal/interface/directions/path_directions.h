@@ -20,18 +20,30 @@
 // The functions only read the solver, so several threads may call them at once, as they may ask for paths.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
+#include <CGAL/Surface_mesh_geodesics/internal/paths/Departure.h>
+#include <CGAL/Surface_mesh_geodesics/internal/paths/Ray_sectors.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <array>
 #include <cmath>
-#include <cstddef>
 #include <limits>
+#include <unordered_map>
 #include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
+
+// Returns the angle in [0, 2 pi) of the same direction.
+inline double in_full_circle(double direction)
+{
+  constexpr double full_circle = 6.283185307179586;
+  const double d = std::remainder(direction, full_circle);
+  return d < 0 ? d + full_circle : d;
+}
 
 // Returns the direction of the path to a point, in [0, 2 pi); not a number if no source reaches it, or if there are
 // curves among the sources. Throws what Path_solver::path() throws.
@@ -41,7 +53,6 @@ namespace internal {
 template <typename Solver, typename FaceOfSource>
 double direction_of_path(const Solver& solver, typename Solver::Query q, FaceOfSource face_of_source)
 {
-  constexpr double full_circle = 6.283185307179586;
   if(!solver.has_run() || solver.has_curves())
     return std::numeric_limits<double>::quiet_NaN();
   typename Solver::Arrival a = solver.arrival(q);
@@ -53,33 +64,102 @@ double direction_of_path(const Solver& solver, typename Solver::Query q, FaceOfS
     q.vertex = solver.end_of_first_piece(a.root);
     a = solver.arrival(q);
   }
-  const auto f = face_of_source(solver.source_number(a));
-  const double direction = std::remainder(solver.direction_at_source(q, solver.path(q, a), f), full_circle);
-  return direction < 0 ? direction + full_circle : direction;
+  // (A path from a location in a face begins behind the location.)
+  const auto steps = solver.path(q, a);
+  const Departure<double> d = steps.size() == 1 && q.vertex == null_id
+                                ? departure_to_point(solver.mesh(), steps.back().vertex, q.face, q.coordinates)
+                                : departure(solver.mesh(), steps);
+  return in_full_circle(solver.direction_of_departure(d, face_of_source(solver.source_number(a))));
 }
 
-// Writes the directions of all vertices. All vertices behind a bend have the direction of the path to the bend, which
-// is traced once: that is what makes this cheap.
+// The directions of straight paths from sources to vertices. Requires: the solver has run, and has no curves. Objects
+// are made for one call: their tables have some numbers for each edge, which is more than all results together. No
+// other thread sees them, so several threads may ask for directions at once. What is asked of the solver does not
+// change it.
+// The tangent frame of a source is asked once for each face through which paths leave it: in a face, the direction is
+// linear in the angle.
+template <typename Solver, typename FaceOfSource>
+class Straight_directions
+{
+public:
+  Straight_directions(const Solver& solver, FaceOfSource face_of_source)
+    : m_solver(solver), m_face_of_source(face_of_source), m_sectors(solver.mesh(), solver.field())
+  {}
+
+  // Requires: v is reached, and is a source or has one as its root. A path is traced as for a single query near the
+  // source, where it is short, and where rounding hides the way. Both give the same direction, up to the rounding of
+  // images: a ray is measured where it crosses the last edge, and a path where it crosses the first one.
+  double operator()(Vertex_id v)
+  {
+    const auto ray = m_sectors.ray_to(v);
+    if(ray.halfedge == null_id)
+    {
+      typename Solver::Query q;
+      q.vertex = v;
+      return direction_of_path(m_solver, q, m_face_of_source);
+    }
+    const auto inserted = m_frames.insert({ray.halfedge, {{0, 0}}});
+    std::array<double, 2>& frame = inserted.first->second;
+    if(inserted.second)
+    {
+      const auto f = m_face_of_source(m_solver.source_at(m_solver.mesh().source(ray.halfedge)));
+      frame[0] = m_solver.direction_of_departure(Departure<double>{ray.halfedge, 0.}, f);
+      frame[1] = m_solver.direction_of_departure(Departure<double>{ray.halfedge, 1.}, f) - frame[0];
+    }
+    return in_full_circle(frame[0] + frame[1] * ray.angle);
+  }
+
+private:
+  const Solver& m_solver;
+  FaceOfSource m_face_of_source;
+  Ray_sectors<double> m_sectors;
+  std::unordered_map<Halfedge_id, std::array<double, 2>> m_frames; // directions at angle 0, and their growth
+};
+
+// Returns the first vertex behind the source at which the path to v bends, as Path_solver::end_of_first_piece() does;
+// `end` has those that are known, null_id for others. All vertices on the way get it, so that n calls take linear time.
+inline Vertex_id end_of_first_piece(const Vertex_distance_field<double>& field, Vertex_id v,
+                                    std::vector<Vertex_id>& end)
+{
+  Vertex_id last = v;
+  while(end[last] == null_id && !field.is_source(last) && !field.is_source(field.arrival[last].root))
+    last = field.arrival[last].root;
+  const Vertex_id result = end[last] == null_id ? last : end[last];
+  for(end[last] = result; v != last; v = field.arrival[v].root)
+    end[v] = result;
+  return result;
+}
+
+// Writes the directions of all vertices. All vertices behind a bend have the direction of the path to the bend. Nearer
+// vertices come first, roughly: then the sectors of edges are complete before farther paths ask for them.
 template <typename TriangleMesh, typename Solver, typename FaceOfSource, typename VertexDirectionMap>
 void put_directions(const TriangleMesh& tm, const Solver& solver, FaceOfSource face_of_source, VertexDirectionMap map)
 {
   using Value = typename boost::property_traits<VertexDirectionMap>::value_type;
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   const bool has_directions = solver.has_run() && !solver.has_curves();
-  std::vector<double> known(has_directions ? solver.mesh().number_of_vertices() : 0, -1.);
+  // By vertex of the refined mesh, which has the user's vertices first.
+  std::vector<double> direction;
+  std::vector<Vertex_id> end;
+  if(has_directions)
+  {
+    direction.assign(solver.mesh().number_of_vertices(), unknown);
+    end.assign(direction.size(), null_id);
+    Straight_directions<Solver, FaceOfSource> straight(solver, face_of_source);
+    for(const Vertex_id v : solver.field().reached)
+      if(end_of_first_piece(solver.field(), v, end) == v)
+        direction[v] = straight(v);
+  }
   for(const auto v : vertices(tm))
   {
-    double direction = std::numeric_limits<double>::quiet_NaN();
+    double d = unknown;
     if(has_directions)
     {
       const auto q = solver.query(v);
       if(solver.arrival(q).is_reached())
-      {
-        double& d = known[solver.end_of_first_piece(q.vertex)];
-        d = d < 0 ? direction_of_path(solver, q, face_of_source) : d;
-        direction = d;
-      }
+        d = direction[end[q.vertex]];
     }
-    put(map, v, static_cast<Value>(direction));
+    put(map, v, static_cast<Value>(d));
   }
 }
 
