@@ -797,7 +797,7 @@ MUTANTS = [
      "    is_avoided[f] = 1;", "    is_avoided[f] = 0;",
      "a check computes rows through the faces to avoid", (OBSTACLES_OF_APPLICATIONS,)),
     ("certificate_through_faces_to_avoid", DISTANCE_CERTIFICATE,
-     "One_block(), std::move(is_avoided))", "One_block())",
+     "One_block(), Obstacles{std::move(is_avoided), {}})", "One_block())",
      "distances around obstacles are compared with those through them", (OBSTACLES_OF_APPLICATIONS,)),
     ("area_of_faces_to_avoid", DIAGRAM_CERTIFICATE,
      "if(!m_diagram.avoids_face(f) && m_diagram.nearest_site", "if(m_diagram.nearest_site",

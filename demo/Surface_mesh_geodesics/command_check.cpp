@@ -209,7 +209,7 @@ void run(const Arguments& arguments, const Console& console)
   const std::vector<double> distances
     = has(arguments, "distances")
         ? Distance_table(arguments["distances"].as<std::string>(), mesh.number_of_vertices()).distances()
-        : distances_from(mesh, avoided, sources, radius, console).distance;
+        : distances_from(mesh, Obstacles{avoided, {}}, sources, radius, console).distance;
   const Certificate certificate = [&]
   {
     const Work_sign sign(console, "certificate");

@@ -179,7 +179,7 @@ void run(const Arguments& arguments, const Console& console)
                      {"csv", "ply", "vtu", "vtk", "obj", "html"});
   check_no_page_of_obstacles(arguments, files.have({"html"}));
   check_curves(arguments, files.have({"html"}));
-  if(has(arguments, "walls") && are_curves_given(arguments))
+  if(has(arguments, "walls") && are_curves_given(arguments, "source"))
     throw Command_error(Exit_code::BAD_USAGE, "--walls cannot be combined with curves as sources");
   Output_files line_files(line_names, {"obj", "ply", "vtk", "vtu"});
   const bool has_lines = !line_names.empty() || files.have({"html"});

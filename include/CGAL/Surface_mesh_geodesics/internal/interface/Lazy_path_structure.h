@@ -62,8 +62,7 @@ namespace Surface_mesh_geodesics {
 namespace internal {
 
 // Invariants, between the calls of functions that are not const:
-// - m_ready is NOWHERE if the sources have changed since the last build that succeeded, or if there are sources and the
-//   lengths have.
+// - m_ready is NOWHERE if the sources, or with sources the lengths, have changed since the last build that succeeded.
 // - From AT_VERTICES on, the solver has the results of the vertices for the present sources and lengths, and m_sources
 //   the numbers of the sources. An object without sources whose solver has no run is an exception: it is ready and has
 //   no results.
@@ -209,8 +208,8 @@ public:
       set_ready(Stage::EVERYWHERE);
   }
 
-  // Both avoid faces or edges from now on, in place of those before, and forget results, mesh and lengths: the next
-  // build reads points, unless lengths are given again. If they throw Invalid_geodesic_input, nothing changes.
+  // Avoid faces or edges from now on, in place of those before, and forget results, mesh and lengths. If they throw
+  // Invalid_geodesic_input, nothing changes.
   template <typename Faces>
   void avoid_faces(const Faces& avoided)
   {

@@ -119,18 +119,13 @@ Geodesic_matrix_store_status store_matrix_with(const TriangleMesh& tm, const Sou
   auto& visitor = parameter.visitor();
   using Visitor = std::remove_reference_t<decltype(visitor)>;
   Geodesic_matrix_store_status status;
-  std::vector<char> is_avoided;
-  const auto obstacles_of = [&](const auto& fim)
-  {
-    is_avoided = avoided_faces(tm, fim, np);
-    return Obstacles{is_avoided, {}};
-  };
-  with_surface_without<ConcurrencyTag>(tm, np, obstacles_of, [&](const auto& surface)
+  with_surface<ConcurrencyTag>(tm, np, [&](const auto& surface)
   {
     const Distance_matrix<double> matrix(surface.mesh(), surface.source_set(sources));
     const std::vector<Vertex_id> target_ids = surface.checked_ids(targets, "target");
     Store_folder folder(path);
-    open(folder, describe(tm, sources, targets, matrix.sources(), target_ids, is_avoided, options, np));
+    open(folder, describe(tm, sources, targets, matrix.sources(), target_ids, surface.obstacles().is_avoided, options,
+                          np));
     // Remains of processes that were killed: they would otherwise stay until somebody wonders what they are.
     folder.remove_stale_files();
     // Shards that are done are among them: their files may be damaged.
