@@ -217,8 +217,10 @@ auto shape_from_points(const TriangleMesh& tm, const NamedParameters& np)
 
 // --- matrices of distances ---
 
-// Reads a mesh with the maps among the named parameters, and returns use(surface). The surface ends with the call. All
-// components are read, as each row may start in another one. With Parallel_tag, threads share the work of reading.
+// Reads a mesh with the maps among the named parameters, and returns use(surface). The surface ends with the call. So
+// what is computed from it has to be copied, or written where the caller finds it.
+//
+// All components are read, as each row may start in another one. With Parallel_tag, threads share the work of reading.
 //
 // obstacles_of(face index map) returns what is avoided. It is a function, as index maps that CGAL makes itself cost
 // linear time, and are made once.

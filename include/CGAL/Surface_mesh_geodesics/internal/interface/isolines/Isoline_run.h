@@ -72,7 +72,8 @@ public:
   using Coordinates = std::array<double, 3>;
 
   // Reads what the sources can reach, checks the sources and inserts them. `options` are Distance_options without
-  // targets, whose numbers have been checked. Throws Invalid_geodesic_input.
+  // targets, whose numbers have been checked. Throws Invalid_geodesic_input. There must be no walls: a line that comes
+  // to a wall would have to end there and go on behind it.
   template <typename Shape, typename Sources, typename Options>
   Isoline_run(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim, Shape shape, const Sources& sources,
               const Options& options, Obstacles obstacles)
