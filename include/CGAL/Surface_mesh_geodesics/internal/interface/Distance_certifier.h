@@ -73,8 +73,8 @@ public:
   using Field = Vertex_distance_field<FT>;
 
   // Shape is described in Face_shapes.h. Reads all components, and throws Invalid_geodesic_input for a fault in any of
-  // them. Faces are left out that have a flag, as if they were not in the mesh. There are no walls: the certificate of a
-  // vertex on a wall would have to tell its sides apart.
+  // them. Faces are left out that have a flag, as if they were not in the mesh. There are no walls: the certificate of
+  // a vertex on a wall would have to tell its sides apart.
   template <typename Shape>
   Distance_certifier(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim, Shape shape,
                      std::vector<char> is_avoided)
