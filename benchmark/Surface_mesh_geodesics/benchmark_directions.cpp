@@ -1,7 +1,7 @@
 // The logarithmic map beside the distances: for each mesh and level of midpoint subdivision, the time of
 // geodesic_distances() from vertex 0, that of an object for paths which computes the distances, and that of
-// directions_at_source(). Prints one line of comma separated values; the ratios are the medians of those of runs in turn.
-// Processor times, without reading the mesh from its file.
+// directions_at_source(). Prints one line of comma separated values; the ratios are the medians of those of runs in
+// turn. Processor times, without reading the mesh from its file.
 
 #include "benchmark_surface.h"
 #include "runs_in_process.h"
