@@ -107,7 +107,7 @@ void against_single_directions()
     const test_support::Scope scope(indexed.name);
     const Mesh tm = to_face_graph(indexed);
     test_support::Random random(num_vertices(tm));
-    for(const std::size_t n : {1, 1, 1, 3, 20})
+    for(const std::size_t n : {1u, 1u, 1u, 3u, 20u})
     {
       Paths paths(tm);
       add_random_sources(tm, paths, n, random);

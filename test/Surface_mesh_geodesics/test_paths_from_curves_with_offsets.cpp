@@ -180,8 +180,8 @@ void circle_and_center()
   std::vector<Point> circle;
   for(int k = 0; k <= 24; ++k)
     circle.push_back(Point(4.05 + 2.5 * std::cos(k * CGAL_PI / 12), 3.95 + 2.5 * std::sin(k * CGAL_PI / 12), 0));
-  const auto number = check_in_plane(tm, {{circle, .7}, {{Point(4.05, 3.95, 0)}, .95}}, 8);
-  CHECK(number[0] > 200 && number[1] > 20);
+  const auto number = check_in_plane(tm, {{circle, .7}, {{Point(4.05, 3.95, 0)}, .3}}, 8);
+  CHECK(number[0] > 200 && number[1] > 15);
 }
 
 // --- surfaces ---
