@@ -244,9 +244,8 @@ py::tuple certify(Surface& surface, const Array<double>& d, const Place_arrays& 
   const auto map = boost::make_function_property_map<Vertex>([numbers](Vertex v) { return numbers[std::size_t(v)]; });
   std::unique_ptr<Certificate> certificate;
   Interruptible visitor(call.second, 1 + number_of_reverse_runs);
-  const auto np
-    = parameters_of(offsets, radius).faces_to_avoid(surface.avoided_faces()).visitor(std::ref(visitor))
-        .number_of_iterations(number_of_reverse_runs);
+  const auto np = parameters_of(offsets, radius).faces_to_avoid(surface.avoided_faces()).visitor(std::ref(visitor))
+                    .number_of_iterations(number_of_reverse_runs);
   const auto certify_from = [&](const auto& s)
   {
     return std::make_unique<Certificate>(

@@ -80,8 +80,6 @@ def test_errors(tmp_path):
     with pytest.raises(OSError):
         (tmp_path / "file").write_text("")
         S.store_matrix(tmp_path / "file" / "below", [0, 1])
-    with pytest.raises(ValueError, match="avoids some"):
-        S.avoiding([3]).store_matrix(tmp_path / "around")
     with pytest.raises(TypeError):
         S.store_matrix(7)
     with pytest.raises(ValueError, match="null character"):
