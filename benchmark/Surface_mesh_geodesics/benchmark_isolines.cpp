@@ -139,7 +139,7 @@ bool compare_on(const Settings& settings, const std::string& mesh)
   {
     std::cout << ',' << Spread(milliseconds[w]) << ',' << cell(median(megabytes[w]), 1);
   }
-  for(const std::size_t w : {1, 2})
+  for(const std::size_t w : {1u, 2u})
   {
     std::cout << ',' << cell(median(milliseconds[w]) / median(milliseconds[0]), 2) << ','
               << cell(median(megabytes[w]) / median(megabytes[0]), 2);
@@ -189,7 +189,7 @@ int main(int argc, char* argv[])
     {
       std::cout << ',' << spread_columns(way + "_ms") << ',' << way << "_mb";
     }
-    for(const std::size_t w : {1, 2})
+    for(const std::size_t w : {1u, 2u})
     {
       std::cout << ',' << ways[w] << "_time_ratio," << ways[w] << "_memory_ratio";
     }
