@@ -22,7 +22,7 @@ CSV_FILES = {
     "face_queries", "isolines", "certified_meshes", "growth", "anisotropy", "sources", "reach", "rules", "instruction_sets",
     "schedulers",
     "flat_vertices", "threads", "phases", "matrix", "matrix_store", "rows", "interleaved_rows",
-    "brain", "uses_of_diagrams", "python",
+    "brain", "uses_of_diagrams", "python", "compile_times",
     "remeshing")}
 
 # The picture in the manual -> the results that it shows; draw_plots.py draws it.
@@ -270,6 +270,8 @@ TABLES = {
         "ten iterations / diagram: relaxation_over_diagram .1", "certificate / diagram: certificate_over_diagram .1"),
     "python": table("python", MESH, FACES, "call: call $", "C++, ms: cpp_ms ~", "Python, ms: python_ms ~",
         "Python / C++: ratio .2"),
+    "compile_times": table("compile_times", "program: program $", "seconds: seconds ±", "memory, MB: memory_mb",
+        "time / original: ratio .2"),
     "matrix_plan": matrix_plan,
     "matrix_store": table("matrix_store", MESH, "vertices: vertices", "ms per row: ms_per_row ~",
         ("rows per second", lambda row: rounded(1000 / float(row["ms_per_row"]))),

@@ -18,6 +18,7 @@ usage: run_benchmark.sh [options]
                      plots if python3 has matplotlib
   --python           also measure what the Python module adds to the time of C++ (needs the module;
                      the variable PYTHON names the interpreter)
+  --compile          also measure how long programs take to compile
   --certify          also certify distances on all meshes of the data, and compare them with the original
   --remesh           also remesh all meshes of the data with 200, 1000 and 4000 samples
   --repetitions N    runs of each method on the standard meshes (5)
@@ -55,6 +56,7 @@ heat=no
 heat_repetitions=5
 questions=no
 python=no
+compile=no
 certify=no
 remesh=no
 
@@ -66,6 +68,7 @@ while [ $# -gt 0 ]; do
     --heat) heat=yes ;;
     --questions) questions=yes ;;
     --python) python=yes ;;
+    --compile) compile=yes ;;
     --certify) certify=yes ;;
     --remesh) remesh=yes ;;
     --no-standard) standard=no ;;
@@ -386,6 +389,10 @@ fi
 if [ "$python" = yes ]; then
   "${PYTHON:-python3}" "$here/benchmark_python.py" --flags "module of setup.py" --repetitions "$questions_repetitions" "$programs/benchmark_python" \
     "$meshes/bunny00.off" | tee "$build/python.csv" >&2
+fi
+
+if [ "$compile" = yes ]; then
+  "$here/measure_compile_times.sh" | tee "$build/compile_times.csv" >&2
 fi
 
 if [ "$certify" = yes ]; then
