@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 namespace {
@@ -87,10 +88,17 @@ void vertices_belong_to_one_part(std::size_t number_of_threads)
     records.restart(n + run * 500); // more vertices need a new table, as many keep it
     records.restart(n);
     std::vector<std::vector<std::size_t>> answers(number_of_threads, std::vector<std::size_t>(n));
+    // All threads come to each vertex at about the same time.
+    std::atomic<std::size_t> arrivals(0);
     Thread_team(number_of_threads).run(number_of_threads, [&](std::size_t thread)
     {
       for(internal::Vertex_id v = 0; v < n; ++v)
+      {
+        ++arrivals;
+        while(arrivals.load() < (v + std::size_t(1)) * number_of_threads)
+          std::this_thread::yield();
         answers[thread][v] = records.part_of(v, thread);
+      }
     });
     for(internal::Vertex_id v = 0; v < n; ++v)
     {
