@@ -190,10 +190,7 @@ public:
   // The same for the point at fraction t of a halfedge of the refined mesh.
   std::pair<face_descriptor, Coordinates> user_location_on_edge(Halfedge_id h, double t) const
   {
-    Coordinates b{};
-    b[index_in_face(h)] = 1 - t;
-    b[next_corner(index_in_face(h))] = t;
-    return user_location(face_of(h), b);
+    return user_location(face_of(h), coordinates_on_halfedge(h, t));
   }
 
   // Returns the user's face of which a face is a part.

@@ -221,7 +221,6 @@ struct Points_in_faces
   VertexPointMap vertex_point_map; // a handle, copied
 
   // Returns the point with the given coordinates, in the order of the user's corners. Takes constant time.
-
   Point_3 point(face_descriptor f, const std::array<double, 3>& b) const
   {
     const Traits traits;
@@ -229,9 +228,8 @@ struct Points_in_faces
   }
 };
 
-// Writes the lines in the order of the levels, then the maps of the user, as geodesic_isolines() documents. Returns
-// false if the visitor cancels.
-// Without a map of distances or of nearest sources the run ends at the last level.
+// Writes the lines in the order of the levels, then the maps of the user, as geodesic_isolines() documents. Without a
+// map of distances or of nearest sources the run ends at the last level. Returns false if the visitor cancels.
 template <typename ConcurrencyTag, typename TriangleMesh, typename Sources, typename OutputIterator,
           typename NamedParameters>
 bool compute_isolines(const TriangleMesh& tm, const Sources& sources, const std::vector<double>& levels,
