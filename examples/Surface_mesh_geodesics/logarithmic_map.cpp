@@ -52,9 +52,8 @@ int main(int argc, char* argv[])
     const auto& end = geodesic.points.back();
     const Kernel::Point_3 p(end[0], end[1], end[2]);
     std::cout << "vertex " << i << ": (" << distance[v] * std::cos(direction[v]) << ", "
-              << distance[v] * std::sin(direction[v]) << "), the geodesic crosses " << geodesic.locations.size() - 1
-              << " faces and ends " << (CGAL::squared_distance(p, mesh.point(v)) < 1e-20 ? "there" : "elsewhere")
-              << std::endl;
+              << distance[v] * std::sin(direction[v]) << "), the geodesic ends "
+              << (CGAL::squared_distance(p, mesh.point(v)) < 1e-20 ? "there" : "elsewhere") << std::endl;
   }
   return EXIT_SUCCESS;
 }
