@@ -159,11 +159,16 @@ private:
   // Tries the point at parameter t of an arc as an anchor. The segment starts there in the cell on the side of p.
   void add_anchor_on_arc(const Arc& a, const FT& t, Anchor& best) const
   {
+    using std::tan;
     const Weighted_bisector<FT> curve(a.left, a.right, a.first);
-    const Point q = is_curved(a, curve) ? curve.point_at_angle(t * curve.angle_near(a.last))
-                                        : Point{FT(a.first.x + t * (a.last.x - a.first.x)),
-                                                FT(a.first.y + t * (a.last.y - a.first.y))};
-    add_anchor(q, site_toward_p(a, curve, q), &a, best);
+    if(is_curved(a, curve))
+    {
+      const FT parameter = tan(t * curve.angle_near(a.last));
+      add_anchor(curve.point(parameter), site_beside_curve(a, curve, parameter), &a, best);
+      return;
+    }
+    const Point q{FT(a.first.x + t * (a.last.x - a.first.x)), FT(a.first.y + t * (a.last.y - a.first.y))};
+    add_anchor(q, site_beside_segment(a), &a, best);
   }
 
   // Keeps the anchor q if its clearance is larger than that of the best one.
@@ -209,13 +214,13 @@ private:
   {
     const Half_plane<FT> way = Half_plane<FT>::left_of(m_p, q);
     const Weighted_bisector<FT> curve(a.left, a.right, a.first);
-    const auto meet = [&](const Point& x)
+    // Returns whether x is in front of what the segment has met so far.
+    const auto meets = [&](const Point& x)
     {
       const FT along = (x.x - m_p.x) * way.b - (x.y - m_p.y) * way.a;
-      if(!(along >= 0 && along < first))
-        return;
-      first = along;
-      site = site_toward_p(a, curve, x);
+      const bool is_first = along >= 0 && along < first;
+      first = is_first ? along : first;
+      return is_first;
     };
     if(!is_curved(a, curve))
     {
@@ -224,25 +229,30 @@ private:
         return;
       const FT t = from / (from - to);
       const Point x{FT(a.first.x + t * (a.last.x - a.first.x)), FT(a.first.y + t * (a.last.y - a.first.y))};
-      meet(x);
+      if(meets(x))
+        site = site_beside_segment(a);
       return;
     }
     using std::atan;
     const FT end = curve.angle_near(a.last);
     for(const FT& t : curve.side(way).positive_roots())
-      if(t < std::numeric_limits<FT>::infinity() && atan(t) <= end)
-        meet(curve.point(t));
+      if(t < std::numeric_limits<FT>::infinity() && atan(t) <= end && meets(curve.point(t)))
+        site = site_beside_curve(a, curve, t);
   }
 
-  // Returns the cell of an arc on the side of p, as seen from a point x of the arc: the nearer one of its images a bit
-  // closer to p, or for a segment the side on which p is. Ties go to the right site.
-  Vertex_id site_toward_p(const Arc& a, const Weighted_bisector<FT>& curve, const Point& x) const
+  // Return the cell of an arc on the side of p, as seen from its point at parameter t. Ties go to the right site.
+  //
+  // The tangent tells the side. (Distances at a point between the two do not: where one image lies almost on the way
+  // from the other one, the curve is a hyperbola thinner than any step, and behind it the wrong image is nearer.)
+  Vertex_id site_beside_curve(const Arc& a, const Weighted_bisector<FT>& curve, const FT& t) const
   {
-    if(!is_curved(a, curve))
-      return Half_plane<FT>::left_of(a.first, a.last)(m_p) > 0 ? a.left_site : a.right_site;
-    const FT step = Tolerance<FT>::look_ahead();
-    const Point y{FT(x.x + (m_p.x - x.x) * step), FT(x.y + (m_p.y - x.y) * step)};
-    return a.left.distance_to(y) < a.right.distance_to(y) ? a.left_site : a.right_site;
+    const Point x = curve.point(t), u = curve.derivative(t);
+    return u.x * (m_p.y - x.y) - u.y * (m_p.x - x.x) > 0 ? a.left_site : a.right_site;
+  }
+
+  Vertex_id site_beside_segment(const Arc& a) const
+  {
+    return Half_plane<FT>::left_of(a.first, a.last)(m_p) > 0 ? a.left_site : a.right_site;
   }
 
   // Returns the distance below which two points count as one, in the unit of the layout.
