@@ -424,9 +424,9 @@ void write_html_page(std::ostream& os, const Html_page& page, const Console& con
   os << escaped(embedded(page_license, page_license_size));
   write_up_to("@THREE@");
   os << embedded(page_three, page_three_size);
-  write_up_to("@SOLVER@");
+  write_up_to("@exact_path.js@");
   os << embedded(page_solver, page_solver_size);
-  write_up_to("@DRAWING@");
+  write_up_to("@drawing.js@");
   os << embedded(page_drawing, page_drawing_size);
   write_up_to("@DATA@");
   std::ostringstream numbers;
@@ -437,7 +437,7 @@ void write_html_page(std::ostream& os, const Html_page& page, const Console& con
   if(text.size() > largest_silent_page)
     console.note("the page has " + std::to_string(text.size() / 1000000)
                  + " MB, which many browsers show slowly; fewer paths, isolines or faces make it smaller");
-  write_up_to("@SCRIPT@");
+  write_up_to("@page.js@");
   os << embedded(page_script, page_script_size) << rest;
 }
 
