@@ -529,7 +529,8 @@
       const { color, around, text } = ROLES[role];
       key(keys, "line", { borderColor: color, boxShadow: around ? "0 0 0 1.5px " + around : "" }, text);
     });
-    data.dots.forEach(({ role }) => key(keys, "dot", { background: ROLES[role].color }, ROLES[role].text));
+    data.dots.filter((group) => group.points) // none: all sources are curves
+      .forEach(({ role }) => key(keys, "dot", { background: ROLES[role].color }, ROLES[role].text));
     if (isMissing()) key(keys, "", { background: UNREACHED }, "not reached");
     const stripes = AVOIDED.map((color, i) => color + " " + 3 * i + "px " + 3 * (i + 1) + "px").join(", ");
     if (data.avoided)

@@ -1,7 +1,7 @@
 // Checks a page with obstacles: page_obstacles.js <page.html> <x> <top> <low>. The surface is the unit square with a
 // source at (0, 0), a wall from (x, 0) to (x, top) or none if `top` is 0, and faces to avoid in the corner with
-// coordinates from `low` on. So a shortest path is a segment, or two that meet at the end of the wall. Prints what is
-// wrong, and exits with 1 then.
+// coordinates from `low` on. So a shortest path is a segment, or two that meet at the end of the wall; if `top` is 1, no
+// path leads behind the wall. Prints what is wrong, and exits with 1 then.
 "use strict";
 const fs = require("fs");
 const [x, top, low] = process.argv.slice(3).map(Number);
@@ -26,6 +26,7 @@ function check(isRight, what) {
 
 // The distance of a point, as it is on the side of the wall where `near` is.
 function distance([a, b], near) {
+  if (top === 1 && near[0] > x) return Infinity;
   const isBehind = near[0] > x && b * x < top * a - 1e-12;
   return isBehind ? Math.hypot(x, top) + Math.hypot(a - x, b - top) : Math.hypot(a, b);
 }
@@ -43,7 +44,7 @@ for (let t = 0; 3 * t < triangles.length; ++t) {
   if (distance(near, near) > Math.hypot(...near)) ++numberBehind;
   ids.forEach((v, k) => {
     const expected = distance(corners[k], near);
-    check(Math.abs(distances[v] - expected) < EPSILON,
+    check(distances[v] === expected || Math.abs(distances[v] - expected) < EPSILON,
       "distance " + distances[v] + " instead of " + expected + " at " + corners[k] + " near " + near);
   });
 }
@@ -80,5 +81,5 @@ data.lines.forEach(({ role, lengths, points: code }) => {
     i += n;
   });
   if (role === "wall") check(Math.abs(height - top) < EPSILON, "the wall has the height " + height);
-  if (role === "isoline") check(left > 2 && right > 2, left + " and " + right + " ends of isolines at the wall");
+  if (role === "isoline") check(left > 2 && (right > 2) === (top < 1), left + " and " + right + " ends of isolines at the wall");
 });

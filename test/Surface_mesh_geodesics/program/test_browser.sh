@@ -134,6 +134,12 @@ contains path.dom '>shortest paths</div>'
 contains path.dom '>targets</div>'
 contains path.dom '>not reached</div>'
 
+# The legend names what is there: with curves as sources there are no dots.
+is_silent distances "$grid" --source-border --html border.html
+opened border.html "" > border.dom
+contains border.dom '>curves</div>'
+equals "$(grep -c '>sources</div>' border.dom)" 0
+
 # Vertex 0 is below on the left, vertex 15 above on the right: a click on either side of the boundary, at points that
 # are equally far.
 is_silent voronoi "$grid" --site 0,15 --html voronoi.html

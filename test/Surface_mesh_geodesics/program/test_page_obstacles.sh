@@ -8,10 +8,10 @@ if ! command -v node > /dev/null; then
   exit 77
 fi
 
-# square <n>: the unit square in square.off, with n^2 squares of two faces; a wall in the middle from below, of half the
-# height or one square less, and the faces of the square in the corner above on the right
+# square <n>: the unit square in square.off, with n^2 squares of two faces, n even; in the middle a wall from below, of
+# half the height, and to avoid the faces of the square in the corner above on the right
 square() {
-  awk -v n="$1" 'BEGIN { half = int(n / 2); print "OFF\n" (n + 1)^2, 2 * n^2, 0
+  awk -v n="$1" 'BEGIN { half = n / 2; print "OFF\n" (n + 1)^2, 2 * n^2, 0
     for(i = 0; i <= n; ++i) for(j = 0; j <= n; ++j) print i / n, j / n, 0
     for(i = 0; i < n; ++i) for(j = 0; j < n; ++j) { v = (n + 1) * i + j
       print 3, v, v + n + 1, v + n + 2; print 3, v, v + n + 2, v + 1 }
@@ -29,6 +29,10 @@ for n in 4 80; do
   is_silent path square.off --source 0 --target $last --walls walls.txt --avoid avoid.txt --quiet --html path.html
   node "$here/page_obstacles.js" path.html 0.5 0.5 "$corner"
   contains path.html '"role":"path"'
+  # up to the other border: what is behind the wall is not reached, nor is the wall from behind
+  awk -v n=$n 'BEGIN { for(j = 0; j < n; ++j) print (n + 1) * n / 2 + j, (n + 1) * n / 2 + j + 1 }' > rooms.txt
+  is_silent distances square.off --source 0 --walls rooms.txt --avoid avoid.txt --quiet --html rooms.html
+  node "$here/page_obstacles.js" rooms.html 0.5 1 "$corner"
 done
 
 # A diagram, whose cells end at the faces. Without faces or walls, the page names none.
