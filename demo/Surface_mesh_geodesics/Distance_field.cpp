@@ -117,16 +117,18 @@ Distance_run::~Distance_run() = default;
 
 Distance_run::Distance_run(const Mesh& mesh, const Obstacles& avoided, const std::vector<Location>& sources,
                            double radius, const Console& console)
-  : m_mesh(mesh), m_console(console), m_paths(new Paths(mesh))
+  : m_mesh(mesh), m_console(console), m_avoided(avoided), m_is_avoided(flags_of_faces(mesh, avoided.faces)),
+    m_radius(radius), m_paths(new Paths(mesh))
 {
-  run(avoided, sources, radius);
+  run(sources);
 }
 
 Distance_run::Distance_run(const Mesh& mesh, const Obstacles& avoided, const std::vector<Curve>& sources,
                            double radius, const Console& console)
-  : m_mesh(mesh), m_console(console), m_paths(new Paths(mesh))
+  : m_mesh(mesh), m_console(console), m_avoided(avoided), m_is_avoided(flags_of_faces(mesh, avoided.faces)),
+    m_radius(radius), m_paths(new Paths(mesh))
 {
-  run(avoided, sources, radius);
+  run(sources);
   const Location nowhere{Mesh::null_vertex(), Face_location(Mesh::null_face(), {0, 0, 0})};
   for(const Vertex v : mesh.vertices())
     m_field.foot.push_back(m_field.source[v] == Distance_field::no_source
@@ -136,7 +138,8 @@ Distance_run::Distance_run(const Mesh& mesh, const Obstacles& avoided, const std
 
 Distance_run::Distance_run(const Mesh& mesh, const std::vector<Face>& avoided, const std::vector<Location>& sources,
                            double radius, const std::vector<double>& levels, const Console& console)
-  : m_mesh(mesh), m_console(console)
+  : m_mesh(mesh), m_console(console), m_avoided{avoided, {}}, m_is_avoided(flags_of_faces(mesh, avoided)),
+    m_radius(radius)
 {
   m_field.distance.resize(mesh.number_of_vertices());
   m_field.source.resize(mesh.number_of_vertices());
@@ -156,11 +159,11 @@ Distance_run::Distance_run(const Mesh& mesh, const std::vector<Face>& avoided, c
 }
 
 template <typename Source>
-void Distance_run::run(const Obstacles& avoided, const std::vector<Source>& sources, double radius)
+void Distance_run::run(const std::vector<Source>& sources)
 {
   Path_finder& finder = m_paths->finder;
-  finder.avoid_faces(avoided.faces);
-  finder.avoid_edges(avoided.walls);
+  finder.avoid_faces(m_avoided.faces);
+  finder.avoid_edges(m_avoided.walls);
   add_sources(finder, sources);
   {
     Progress_visitor visitor(m_console, "distances");
@@ -169,7 +172,7 @@ void Distance_run::run(const Obstacles& avoided, const std::vector<Source>& sour
   for(const Vertex v : m_mesh.vertices())
   {
     const double d = finder.shortest_distance_to_source_points(v).first;
-    const bool is_reached = d >= 0 && d <= radius; // -1: no source reaches the vertex
+    const bool is_reached = d >= 0 && d <= m_radius; // -1: no source reaches the vertex
     m_field.distance.push_back(is_reached ? d : std::numeric_limits<double>::infinity());
     m_field.source.push_back(is_reached ? finder.nearest_source_point(v) : Distance_field::no_source);
   }
@@ -198,6 +201,72 @@ std::vector<Isoline> Distance_run::isolines(const std::vector<double>& distances
   return result;
 }
 
+// The faces around the target of a halfedge of a wall, in groups that are not divided by walls, by the border, or by
+// faces that paths avoid.
+std::vector<std::vector<Face>> Distance_run::sectors(Mesh::Halfedge_index on_wall,
+                                                     const std::vector<char>& is_wall) const
+{
+  std::vector<std::vector<Face>> result;
+  bool begins = true;
+  for(const Mesh::Halfedge_index h : halfedges_around_target(on_wall, m_mesh))
+  {
+    begins = begins || is_wall[m_mesh.edge(h)] != 0;
+    if(m_mesh.is_border(h) || is_avoided(m_mesh.face(h)))
+    {
+      begins = true;
+      continue;
+    }
+    if(begins)
+      result.emplace_back();
+    result.back().push_back(m_mesh.face(h));
+    begins = false;
+  }
+  return result;
+}
+
+// Gives the triangles of each sector of a vertex at a wall a point of their own.
+void Distance_run::divide_at_walls(Html_surface& surface) const
+{
+  std::vector<char> is_wall(m_mesh.number_of_edges(), 0), is_done(m_mesh.number_of_vertices(), 0);
+  for(const Mesh::Edge_index e : m_avoided.walls)
+    is_wall[e] = 1;
+  for(const Mesh::Edge_index e : m_avoided.walls)
+    for(const Mesh::Halfedge_index h : {m_mesh.halfedge(e, 0), m_mesh.halfedge(e, 1)})
+    {
+      const Vertex v = m_mesh.target(h);
+      if(std::exchange(is_done[v], 1) != 0)
+        continue;
+      const std::vector<std::vector<Face>> groups = sectors(h, is_wall);
+      for(std::size_t i = 0; groups.size() > 1 && i < groups.size(); ++i)
+      {
+        const std::size_t point = i == 0 ? v.idx() : surface.points.size();
+        surface.points.resize((std::max)(surface.points.size(), point + 1), m_mesh.point(v));
+        for(const Face f : groups[i])
+          std::replace(surface.triangles[f].begin(), surface.triangles[f].end(), std::size_t(v.idx()), point);
+        std::array<double, 3> b;
+        for(std::size_t k = 0; k < 3; ++k)
+          b[k] = surface.triangles[groups[i].front()][k] == point ? 1 : 0;
+        const double d = distance_within(groups[i].front(), b);
+        surface.distances.resize(surface.points.size());
+        surface.distances[point] = d <= m_radius ? d : std::numeric_limits<double>::infinity();
+      }
+    }
+}
+
+// A query on a wall answers for its nearest side. A point that has been moved into the face by a part of 10^-9 is on
+// the side of this face, and its distance has changed by less than the numbers of a page can tell.
+//
+// Returns the distance of a point on the side of a face; infinity if no source reaches it.
+double Distance_run::distance_within(Face f, std::array<double, 3> b) const
+{
+  constexpr double moved = 1e-9;
+  if(!m_avoided.walls.empty())
+    for(double& x : b)
+      x = (1 - moved) * x + moved / 3;
+  const double d = is_avoided(f) ? -1 : m_paths->finder.shortest_distance_to_source_points(f, b).first;
+  return d >= 0 ? d : std::numeric_limits<double>::infinity();
+}
+
 Html_surface Distance_run::surface() const
 {
   Html_surface surface;
@@ -209,16 +278,18 @@ Html_surface Distance_run::surface() const
     const Mesh::Halfedge_index h = m_mesh.halfedge(f);
     surface.triangles.push_back({m_mesh.source(h).idx(), m_mesh.target(h).idx(), m_mesh.target(m_mesh.next(h)).idx()});
   }
+  surface.is_avoided = m_is_avoided;
+  divide_at_walls(surface);
   if(!is_refined(surface.triangles.size()))
     return surface;
   return refined(surface, [&](std::size_t t, const std::array<double, 3>& b)
   {
-    const Face f(static_cast<Mesh::size_type>(t));
-    const double d = m_paths->finder.shortest_distance_to_source_points(f, b).first;
     // beyond --radius, or no source reaches it
-    const auto is_missing = [&](std::size_t v) { return !std::isfinite(m_field.distance[v]); };
+    const auto is_missing = [&](std::size_t v) { return !std::isfinite(surface.distances[v]); };
     const std::array<std::size_t, 3>& corners = surface.triangles[t];
-    return std::any_of(corners.begin(), corners.end(), is_missing) ? std::numeric_limits<double>::infinity() : d;
+    return std::any_of(corners.begin(), corners.end(), is_missing)
+             ? std::numeric_limits<double>::infinity()
+             : distance_within(Face(static_cast<Mesh::size_type>(t)), b);
   });
 }
 

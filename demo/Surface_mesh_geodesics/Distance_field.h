@@ -8,6 +8,7 @@
 #include "Obstacle_option.h"
 #include "Program_mesh.h"
 
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <memory>
@@ -76,8 +77,9 @@ public:
   // The lines at the given distances, in the same order. If no windows are kept, these are some of the levels.
   std::vector<Isoline> isolines(const std::vector<double>& distances) const;
 
-  // For pages, if nothing is avoided: the surface, refined if it has few triangles, and its isolines at the given
-  // distances. Requires: windows are kept, or the surface is not refined (is_refined()).
+  // For pages: the surface, refined if it has few triangles, and its isolines at the given distances. A point of a wall
+  // is there once for each side, with the distance on that side. Faces that paths avoid have infinite distances inside.
+  // Requires: windows are kept, or the surface is not refined (is_refined()).
   Html_surface surface() const;
   Html_lines lines_on(const Html_surface& surface, const std::vector<double>& distances) const;
 
@@ -87,10 +89,18 @@ public:
 
 private:
   template <typename Source>
-  void run(const Obstacles& avoided, const std::vector<Source>& sources, double radius);
+  void run(const std::vector<Source>& sources);
+
+  bool is_avoided(Face f) const { return !m_is_avoided.empty() && m_is_avoided[f] != 0; }
+  std::vector<std::vector<Face>> sectors(Mesh::Halfedge_index on_wall, const std::vector<char>& is_wall) const;
+  void divide_at_walls(Html_surface& surface) const;
+  double distance_within(Face f, std::array<double, 3> b) const;
 
   const Mesh& m_mesh;
   const Console& m_console;
+  const Obstacles m_avoided;
+  const std::vector<char> m_is_avoided; // by face, or empty
+  const double m_radius;
   std::unique_ptr<Paths> m_paths; // hides the headers of paths from the files that use this class
   Distance_field m_field;
   std::vector<Isoline> m_isolines; // of all levels, if no windows are kept

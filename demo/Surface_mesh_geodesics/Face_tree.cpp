@@ -29,9 +29,16 @@ struct Face_tree::Tree
   CGAL::AABB_tree<AABB_traits> faces;
 };
 
-Face_tree::Face_tree(const Mesh& mesh) : m_mesh(mesh), m_tree(new Tree)
+Face_tree::Face_tree(const Mesh& mesh, const std::vector<Face>& without) : m_mesh(mesh), m_tree(new Tree)
 {
-  Paths::build_aabb_tree(m_mesh, m_tree->faces);
+  std::vector<char> is_left_out(mesh.number_of_faces(), 0);
+  for(const Face f : without)
+    is_left_out[f] = 1;
+  std::vector<Face> faces;
+  for(const Face f : mesh.faces())
+    if(is_left_out[f] == 0)
+      faces.push_back(f);
+  m_tree->faces.rebuild(faces.begin(), faces.end(), m_mesh);
 }
 
 Face_tree::~Face_tree() = default;

@@ -4,6 +4,7 @@
 #include "Program_mesh.h"
 
 #include <memory>
+#include <vector>
 
 namespace geodesics_demo {
 
@@ -11,7 +12,8 @@ namespace geodesics_demo {
 class Face_tree
 {
 public:
-  explicit Face_tree(const Mesh& mesh);
+  // Locations are in none of the faces `without`; others must be left.
+  explicit Face_tree(const Mesh& mesh, const std::vector<Face>& without = {});
   ~Face_tree();
 
   Face_location nearest_location(const Point& p) const;

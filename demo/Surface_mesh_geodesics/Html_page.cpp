@@ -18,10 +18,10 @@ namespace geodesics_demo {
 namespace po = boost::program_options;
 
 // Embedded by embed_page.cmake. Without three.js, the script and its license are empty.
-extern const unsigned char page_template[], page_script[], page_three[], page_license[], page_solver[],
-  page_drawing[];
-extern const std::size_t page_template_size, page_script_size, page_three_size, page_license_size, page_solver_size,
-  page_drawing_size;
+extern const unsigned char page_template[], page_three[], page_license[], page_surface[], page_solver[],
+  page_drawing[], page_script[];
+extern const std::size_t page_template_size, page_three_size, page_license_size, page_surface_size, page_solver_size,
+  page_drawing_size, page_script_size;
 
 namespace {
 
@@ -164,6 +164,7 @@ public:
     write_string(m_os, command_line());
     write_surface();
     write_mesh();
+    write_walls();
     write_groups();
     m_os << '}';
   }
@@ -205,6 +206,7 @@ private:
       m_os << ",\"cells\":"; // "no cell" is the largest number of 32 bits
       write_indices(m_os, surface.cells);
     }
+    write_avoided(surface.is_avoided);
     m_os << ",\"cellColors\":[";
     for(std::size_t i = 0; i < m_page.cell_colors.size(); ++i)
       m_os << (i == 0 ? "" : ",") << '"' << hexadecimal(m_page.cell_colors[i]) << '"';
@@ -234,22 +236,52 @@ private:
     write_points(points);
     m_os << ",\"triangles\":";
     write_indices(m_os, corners);
+    write_avoided(flags_of_faces(*m_page.mesh, m_page.avoided.faces));
     m_os << '}';
+  }
+
+  // The triangles that paths avoid, if there are any.
+  void write_avoided(const std::vector<char>& is_avoided)
+  {
+    std::vector<std::size_t> triangles;
+    for(std::size_t t = 0; t < is_avoided.size(); ++t)
+      if(is_avoided[t] != 0)
+        triangles.push_back(t);
+    if(triangles.empty())
+      return;
+    m_os << ",\"avoided\":";
+    write_indices(m_os, triangles);
+  }
+
+  // Pairs of vertices of the file.
+  void write_walls()
+  {
+    if(m_page.avoided.walls.empty())
+      return;
+    std::vector<std::size_t> ends;
+    for(const Mesh::Edge_index e : m_page.avoided.walls)
+      for(const Vertex v : {m_page.mesh->vertex(e, 0), m_page.mesh->vertex(e, 1)})
+        ends.push_back(v.idx());
+    m_os << ",\"walls\":";
+    write_indices(m_os, ends);
   }
 
   void write_groups()
   {
     m_os << ",\"lines\":[";
-    for(std::size_t i = 0; i < m_page.lines.size(); ++i)
+    const char* separator = "";
+    for(const Html_lines& group : m_page.lines)
     {
       std::vector<Point> points;
       std::vector<std::size_t> lengths;
-      for(const std::vector<Point>& line : m_page.lines[i].lines)
+      for(const std::vector<Point>& line : group.lines)
       {
         points.insert(points.end(), line.begin(), line.end());
         lengths.push_back(line.size());
       }
-      m_os << (i == 0 ? "" : ",") << "{\"role\":\"" << m_page.lines[i].role << "\",\"lengths\":";
+      if(lengths.empty())
+        continue; // the legend names what is there
+      m_os << std::exchange(separator, ",") << "{\"role\":\"" << group.role << "\",\"lengths\":";
       write_indices(m_os, lengths);
       m_os << ",\"points\":";
       write_points(points);
@@ -303,6 +335,14 @@ Html_dots dots_at(const std::string& role, const std::vector<Location>& location
   return result;
 }
 
+Html_lines lines_of_walls(const std::vector<Mesh::Edge_index>& walls, const Mesh& mesh)
+{
+  Html_lines result{"wall", {}};
+  for(const Mesh::Edge_index e : walls)
+    result.lines.push_back({mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))});
+  return result;
+}
+
 std::string description_of(const std::string& file_name, const Mesh& mesh)
 {
   return std::filesystem::path(file_name).filename().string() + ": " + std::to_string(mesh.number_of_vertices())
@@ -347,6 +387,8 @@ Html_surface refined(const Html_surface& surface, const Distance_in_triangle& di
     }
     if(!surface.cells.empty())
       result.cells.resize(result.triangles.size(), surface.cells[t]);
+    if(!surface.is_avoided.empty())
+      result.is_avoided.resize(result.triangles.size(), surface.is_avoided[t]);
   }
   return result;
 }
@@ -424,9 +466,11 @@ void write_html_page(std::ostream& os, const Html_page& page, const Console& con
   os << escaped(embedded(page_license, page_license_size));
   write_up_to("@THREE@");
   os << embedded(page_three, page_three_size);
-  write_up_to("@SOLVER@");
+  write_up_to("@cut_surface.js@");
+  os << embedded(page_surface, page_surface_size);
+  write_up_to("@exact_path.js@");
   os << embedded(page_solver, page_solver_size);
-  write_up_to("@DRAWING@");
+  write_up_to("@drawing.js@");
   os << embedded(page_drawing, page_drawing_size);
   write_up_to("@DATA@");
   std::ostringstream numbers;
@@ -437,7 +481,7 @@ void write_html_page(std::ostream& os, const Html_page& page, const Console& con
   if(text.size() > largest_silent_page)
     console.note("the page has " + std::to_string(text.size() / 1000000)
                  + " MB, which many browsers show slowly; fewer paths, isolines or faces make it smaller");
-  write_up_to("@SCRIPT@");
+  write_up_to("@page.js@");
   os << embedded(page_script, page_script_size) << rest;
 }
 

@@ -3,6 +3,7 @@
 
 #include "Command.h"
 #include "Location_options.h"
+#include "Obstacle_option.h"
 #include "Program_mesh.h"
 
 #include <CGAL/IO/Color.h>
@@ -20,9 +21,10 @@ namespace geodesics_demo {
 struct Html_surface
 {
   std::vector<Point> points;
-  std::vector<double> distances; // infinite where no source reaches
+  std::vector<double> distances; // infinite where no source reaches; a wall has points for each of its sides
   std::vector<std::array<std::size_t, 3>> triangles;
   std::vector<std::size_t> cells; // by triangle, for a Voronoi diagram; else empty
+  std::vector<char> is_avoided; // by triangle; empty if paths avoid no faces
 };
 
 // Lines or dots on the surface. The role is one that page.js knows.
@@ -43,6 +45,7 @@ struct Html_page
 {
   std::string title, subtitle;
   const Mesh* mesh = nullptr; // of the file: clicks have its numbers of faces and vertices, and paths run on it
+  Obstacles avoided;
   Html_surface surface;
   std::vector<double> band_limits; // multiples of the first one
   std::vector<CGAL::IO::Color> cell_colors; // by site, for a Voronoi diagram; else empty
@@ -52,6 +55,9 @@ struct Html_page
 
 // The points of locations.
 Html_dots dots_at(const std::string& role, const std::vector<Location>& locations, const Mesh& mesh);
+
+// The lines of walls.
+Html_lines lines_of_walls(const std::vector<Mesh::Edge_index>& walls, const Mesh& mesh);
 
 // "bunny.off: 37706 vertices, 75408 faces", for the subtitle.
 std::string description_of(const std::string& file_name, const Mesh& mesh);

@@ -19,14 +19,14 @@ void declare_obstacles(Option_descriptions& options)
 {
   options.add_options()
     ("avoid", boost::program_options::value<std::string>()->value_name("FILE"),
-     "paths lead around the faces whose indices are in the file, and may run along their rim; not for pages");
+     "paths lead around the faces whose indices are in the file, and may run along their rim");
 }
 
 void declare_walls(Option_descriptions& options)
 {
   options.add_options()
     ("walls", boost::program_options::value<std::string>()->value_name("FILE"),
-     "paths do not cross the edges in the file, two vertices on a line, and may run along them; not for pages");
+     "paths do not cross the edges in the file, two vertices on a line, and may run along them");
 }
 
 namespace {
@@ -113,11 +113,12 @@ bool has_obstacles(const Arguments& arguments)
   return has(arguments, "avoid") || has(arguments, "walls");
 }
 
-void check_no_page_of_obstacles(const Arguments& arguments, bool has_page)
+std::vector<char> flags_of_faces(const Mesh& mesh, const std::vector<Face>& faces)
 {
-  for(const char* const option : {"avoid", "walls"})
-    if(arguments.count(option) > 0 && has_page)
-      throw Command_error(Exit_code::BAD_USAGE, std::string("--") + option + " cannot be combined with a page .html");
+  std::vector<char> flags(faces.empty() ? 0 : mesh.number_of_faces(), 0);
+  for(const Face f : faces)
+    flags[f] = 1;
+  return flags;
 }
 
 } // namespace geodesics_demo

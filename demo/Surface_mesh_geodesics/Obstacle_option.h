@@ -30,9 +30,8 @@ Obstacles obstacles(const Arguments& arguments, const Mesh& mesh);
 
 bool has_obstacles(const Arguments& arguments);
 
-// Throws a Command_error if --avoid or --walls is given with a page: the paths that pages compute would lead through
-// the faces and across the edges.
-void check_no_page_of_obstacles(const Arguments& arguments, bool has_page);
+// A flag for each face of the mesh, set for those of a list; no flags if the list is empty.
+std::vector<char> flags_of_faces(const Mesh& mesh, const std::vector<Face>& faces);
 
 } // namespace geodesics_demo
 

@@ -141,15 +141,17 @@ Html_lines lines_along(const std::vector<Curve>& curves, const Mesh& mesh)
 }
 
 Html_page page_of(const std::string& file_name, const Mesh& mesh, const std::vector<Location>& sources,
-                  const std::vector<Curve>& curves, const Distance_run& run, const std::vector<double>& limits)
+                  const std::vector<Curve>& curves, const Obstacles& avoided, const Distance_run& run,
+                  const std::vector<double>& limits)
 {
   Html_page page;
   page.title = "Geodesic distances";
   page.subtitle = description_of(file_name, mesh);
   page.mesh = &mesh;
+  page.avoided = avoided;
   page.surface = run.surface();
   page.band_limits = limits;
-  page.lines = {run.lines_on(page.surface, limits), lines_along(curves, mesh)};
+  page.lines = {run.lines_on(page.surface, limits), lines_of_walls(avoided.walls, mesh), lines_along(curves, mesh)};
   page.dots = {dots_at("source", sources, mesh)};
   return page;
 }
@@ -177,7 +179,6 @@ void run(const Arguments& arguments, const Console& console)
   const bool has_output = has(arguments, "output") || !pages.empty() || line_names.empty();
   Output_files files(has_output ? output_names(arguments, pages) : std::vector<std::string>(),
                      {"csv", "ply", "vtu", "vtk", "obj", "html"});
-  check_no_page_of_obstacles(arguments, files.have({"html"}));
   check_curves(arguments, files.have({"html"}));
   if(has(arguments, "walls") && are_curves_given(arguments, "source"))
     throw Command_error(Exit_code::BAD_USAGE, "--walls cannot be combined with curves as sources");
@@ -227,7 +228,8 @@ void run(const Arguments& arguments, const Console& console)
     if(format == "csv")
       write_table(os, field, sources);
     else if(format == "html")
-      write_html_page(os, page_of(mesh_argument(arguments), mesh, sources, curves, *run, limits), console);
+      write_html_page(os, page_of(mesh_argument(arguments), mesh, sources, curves, avoided, *run, limits),
+                      console);
     else
     {
       Drawing drawing = drawing_of_surface(mesh, field);

@@ -190,19 +190,21 @@ Drawing drawing_of(const std::vector<Location>& sources, const std::vector<Locat
 
 // Draws the paths on bands of distance, which they cross at right angles.
 Html_page page_of(const std::string& file_name, const Mesh& mesh, const std::vector<Location>& sources,
-                  const std::vector<Location>& targets, const std::vector<Path>& paths, const Distance_run& run)
+                  const std::vector<Location>& targets, const std::vector<Path>& paths, const Obstacles& avoided,
+                  const Distance_run& run)
 {
   Html_page page;
   page.title = "Shortest paths";
   page.subtitle = description_of(file_name, mesh);
   page.mesh = &mesh;
+  page.avoided = avoided;
   page.surface = run.surface();
   page.band_limits = at_round_distances(20, run.field().largest());
   Html_lines lines{"path", {}};
   for(const Path& path : paths)
     if(path.points.size() > 1)
       lines.lines.push_back(path.points);
-  page.lines = {run.lines_on(page.surface, page.band_limits), lines};
+  page.lines = {run.lines_on(page.surface, page.band_limits), lines_of_walls(avoided.walls, mesh), lines};
   page.dots = {dots_at("target", targets, mesh), dots_at("source", sources, mesh)};
   return page;
 }
@@ -212,7 +214,6 @@ void run(const Arguments& arguments, const Console& console)
   Output_files files(output_names(arguments, html_names(arguments)),
                      {"csv", "obj", "ply", "vtk", "vtu", "polylines.txt", "html"});
   files.remark_on_unused(arguments, "points", {"csv"}, console);
-  check_no_page_of_obstacles(arguments, files.have({"html"}));
   const Mesh mesh = read_mesh(arguments, console);
   const std::vector<Location> sources = source_options.required_locations(arguments, mesh, console);
   const std::vector<Location> targets = target_options.required_locations(arguments, mesh, console);
@@ -235,7 +236,8 @@ void run(const Arguments& arguments, const Console& console)
     else if(format == "polylines.txt")
       write_polylines(os, paths);
     else if(format == "html")
-      write_html_page(os, page_of(mesh_argument(arguments), mesh, sources, targets, paths, *distances), console);
+      write_html_page(os, page_of(mesh_argument(arguments), mesh, sources, targets, paths, avoided, *distances),
+                      console);
     else
       write_drawing(os, format, drawing);
   });

@@ -170,13 +170,32 @@ void write_geometry(std::ostream& os, const std::string& format, const Diagram& 
     Geodesics::write_geodesic_Voronoi_diagram_OBJ(os, diagram, tolerance);
 }
 
-// The mesh cut along the arcs, with the distance from the nearest site at each point.
-Html_surface cut_surface(const Mesh& mesh, const Diagram& diagram, double tolerance)
+// Adds the faces that paths avoid to a surface without them.
+void add_avoided_faces(const Mesh& mesh, const std::vector<Face>& avoided, Html_surface& surface)
+{
+  const std::vector<char> is_avoided = flags_of_faces(mesh, avoided);
+  surface.is_avoided.resize(avoided.empty() ? 0 : surface.triangles.size(), 0);
+  for(std::size_t f = 0; f < is_avoided.size(); ++f)
+  {
+    if(is_avoided[f] == 0)
+      continue;
+    const std::size_t n = surface.points.size();
+    for(const Vertex v : mesh.vertices_around_face(mesh.halfedge(Face(static_cast<Mesh::size_type>(f)))))
+      surface.points.push_back(mesh.point(v));
+    surface.triangles.push_back({n, n + 1, n + 2});
+    surface.cells.push_back(Diagram::null_site());
+    surface.is_avoided.push_back(1);
+  }
+}
+
+// The mesh cut along the arcs, with the distance from the nearest site at each point. The diagram has no faces that
+// paths avoid; they come last, so that they are drawn all the same.
+Html_surface cut_surface(const Mesh& mesh, const Diagram& diagram, const std::vector<Face>& avoided, double tolerance)
 {
   Mesh cut;
   auto site = cut.add_property_map<Face, std::size_t>("f:site").first;
   diagram.cut(cut, site, tolerance);
-  const Face_tree tree(mesh);
+  const Face_tree tree(mesh, avoided); // at the rim of what paths avoid, the face that has a distance
   const auto distance_at = [&](const Point& p)
   {
     const Face_location location = tree.nearest_location(p);
@@ -192,27 +211,33 @@ Html_surface cut_surface(const Mesh& mesh, const Diagram& diagram, double tolera
     surface.triangles.push_back({cut.source(h).idx(), cut.target(h).idx(), cut.target(cut.next(h)).idx()});
     surface.cells.push_back(site[f]);
   }
+  const std::size_t first_avoided = surface.triangles.size(), first_point = surface.points.size();
+  add_avoided_faces(mesh, avoided, surface);
   if(!is_refined(surface.triangles.size()))
   {
-    for(const Point& p : surface.points)
-      surface.distances.push_back(distance_at(p));
+    for(std::size_t v = 0; v < first_point; ++v)
+      surface.distances.push_back(distance_at(surface.points[v]));
+    surface.distances.resize(surface.points.size(), std::numeric_limits<double>::infinity());
     return surface;
   }
   return refined(surface, [&](std::size_t t, const std::array<double, 3>& b)
   {
+    if(t >= first_avoided)
+      return std::numeric_limits<double>::infinity();
     const auto [p, q, r] = surface.triangles[t];
     return distance_at(CGAL::barycenter(surface.points[p], b[0], surface.points[q], b[1], surface.points[r], b[2]));
   });
 }
 
 Html_page page_of(const std::string& file_name, const Mesh& mesh, const std::vector<Location>& sites,
-                  const Diagram& diagram, double tolerance)
+                  const Diagram& diagram, const std::vector<Face>& avoided, double tolerance)
 {
   Html_page page;
   page.title = "Geodesic Voronoi diagram";
   page.subtitle = description_of(file_name, mesh);
   page.mesh = &mesh;
-  page.surface = cut_surface(mesh, diagram, tolerance);
+  page.avoided.faces = avoided;
+  page.surface = cut_surface(mesh, diagram, avoided, tolerance);
   page.cell_colors = CGAL::Surface_mesh_geodesics::geodesic_Voronoi_cell_colors(diagram);
   Distance_field field;
   field.distance = page.surface.distances;
@@ -294,7 +319,6 @@ void run(const Arguments& arguments, const Console& console)
   files.remark_on_unused(arguments, "vertices", {"csv"}, console);
   files.remark_on_unused(arguments, "cell", {"off", "polylines.txt"}, console);
   files.remark_on_unused(arguments, "along-border", {"polylines.txt"}, console);
-  check_no_page_of_obstacles(arguments, files.have({"html"}));
   const Mesh mesh = read_mesh(arguments, console);
   const double tolerance = tolerance_of(arguments, mesh);
   const std::vector<Location> sites = site_options.required_locations(arguments, mesh, console);
@@ -315,7 +339,7 @@ void run(const Arguments& arguments, const Console& console)
   files.write([&](std::ostream& os, const std::string& format)
   {
     if(format == "html")
-      write_html_page(os, page_of(mesh_argument(arguments), mesh, sites, diagram, tolerance), console);
+      write_html_page(os, page_of(mesh_argument(arguments), mesh, sites, diagram, avoided, tolerance), console);
     else if(format == "off")
       write_cells_mesh(os, diagram, cell, tolerance);
     else if(format == "polylines.txt")

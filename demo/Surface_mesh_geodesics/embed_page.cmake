@@ -1,5 +1,5 @@
 # Writes a C++ source with the bytes of the files that a page is made of.
-# Needs -Doutput, -Dtemplate, -Dscript, -Dsolver, -Ddrawing, -Dthree and -Dlicense; the license is cut out of Debian's copyright file. Where
+# Needs -Doutput, -Dfolder (of the page), -Dthree and -Dlicense; the license is cut out of Debian's copyright file. Where
 # three.js is not there, the last two are empty, and the program gets no bytes of them.
 cmake_minimum_required(VERSION 3.19...3.31)
 
@@ -40,10 +40,11 @@ if(license)
   extract_license("${extracted_license}")
 endif()
 file(WRITE "${output}.new" "// Made by embed_page.cmake.\n\n#include <cstddef>\n\nnamespace geodesics_demo {\n\n")
-append_file(page_template "${template}")
-append_file(page_script "${script}")
-append_file(page_solver "${solver}")
-append_file(page_drawing "${drawing}")
+append_file(page_template "${folder}/page.html")
+append_file(page_surface "${folder}/cut_surface.js")
+append_file(page_solver "${folder}/exact_path.js")
+append_file(page_drawing "${folder}/drawing.js")
+append_file(page_script "${folder}/page.js")
 append_file(page_three "${three}")
 append_file(page_license "${extracted_license}")
 file(APPEND "${output}.new" "} // namespace geodesics_demo\n")

@@ -132,9 +132,9 @@ def _filled(data: dict, title: str) -> str:
     # No character of the data ends the script element.
     text = json.dumps(data).replace("<", "\\u003c").replace(">", "\\u003e").replace("&", "\\u0026")
     parts = {"TITLE": html.escape(title), "LICENSE": html.escape(_license()), "THREE": _read(THREE, "three.js"),
-             "DATA": text, "SCRIPT": (TEMPLATES / "page.js").read_text(encoding="utf-8")}
+             "DATA": text, **{p.name: p.read_text(encoding="utf-8") for p in TEMPLATES.glob("*.js")}}
     template = (TEMPLATES / "page.html").read_text(encoding="utf-8")
-    return re.sub("@(" + "|".join(parts) + ")@", lambda match: parts[match[1]], template)
+    return re.sub("@(" + "|".join(map(re.escape, parts)) + ")@", lambda match: parts[match[1]], template)
 
 
 def _read(places: Sequence[pathlib.Path], what: str) -> str:

@@ -5,7 +5,9 @@ function PageDrawing(data) {
   // Dark violet to light yellow, with increasing lightness: the order is visible without distinguishing red from green.
   const RAMP = [[76, 40, 140], [56, 96, 174], [30, 138, 160], [62, 178, 122], [168, 208, 70], [252, 232, 92]];
   const UNREACHED = "#9a9a9a";
+  const AVOIDED = ["#63666b", "#7d8085"]; // stripes, so that no value and no light is taken for it
   const ROLES = {
+    wall: { color: "#000000", width: 3.5, outline: 7, around: "#ffffff", text: "walls, which no path crosses" },
     isoline: { color: "#1a1a1a", width: 1.2, text: "lines of equal distance" },
     clicked: { color: "#ff2fd6", width: 3, outline: 5.5, text: "path between two clicks" },
     path: { color: "#d55e00", width: 3, outline: 5.5, text: "shortest paths" },
@@ -53,6 +55,8 @@ function PageDrawing(data) {
   const triangles = decode(data.triangles, Uint32Array);
   const distances = decode(data.distances, Float32Array);
   const cells = data.cells ? decode(data.cells, Uint32Array) : null;
+  const isAvoided = new Uint8Array(triangles.length / 3);
+  if (data.avoided) decode(data.avoided, Uint32Array).forEach((t) => { isAvoided[t] = 1; });
 
   // The sum of the normals of the faces around each point, weighted by area.
   function smoothNormals() {
@@ -74,7 +78,8 @@ function PageDrawing(data) {
   }
   const normals = smoothNormals();
 
-  // Each triangle has its own corners, because its color is that of its cell, or gray if a corner is not reached.
+  // Each triangle has its own corners, because its color is that of its cell, or gray if a corner is not reached, or if
+  // paths avoid it. Its distances are -1 then, or -2.
   function surfaceGeometry() {
     const n = triangles.length;
     const position = new Float32Array(3 * n), normal = new Float32Array(3 * n);
@@ -90,7 +95,7 @@ function PageDrawing(data) {
           normal[3 * (i + k) + j] = normals[3 * v + j];
         }
         shade.toArray(color, 3 * (i + k));
-        distance[i + k] = isReached ? distances[v] : -1;
+        distance[i + k] = isAvoided[i / 3] ? -2 : isReached ? distances[v] : -1;
         if (cells && cells[i / 3] !== NO_CELL) cell[i + k] = cells[i / 3];
       });
     }
@@ -126,6 +131,8 @@ function PageDrawing(data) {
         numberOfBands: { value: limits.length + 1 },
         spacing: { value: limits.length > 0 ? limits[0] : 1 },
         hasCells: { value: cells !== null },
+        avoided: { value: AVOIDED.map((color) => new THREE.Color(color)) },
+        pixelRatio: { value: window.devicePixelRatio },
         chosenCell: { value: -2 }
       },
       vertexShader: `
@@ -144,12 +151,17 @@ function PageDrawing(data) {
         uniform sampler2D bands;
         uniform float numberOfBands, spacing, chosenCell;
         uniform bool hasCells;
+        uniform vec3 avoided[2];
+        uniform float pixelRatio;
         varying float vDistance, vCell;
         varying vec3 vNormal, vCellColor;
         void main() {
           float band = clamp(floor(vDistance / spacing), 0.0, numberOfBands - 1.0);
           vec3 color = texture2D(bands, vec2((band + 0.5) / numberOfBands, 0.5)).rgb;
-          if(hasCells)
+          if(vDistance < -1.5)
+            color = mod(gl_FragCoord.x + gl_FragCoord.y, 12.0 * pixelRatio) < 6.0 * pixelRatio
+              ? avoided[0] : avoided[1];
+          else if(hasCells)
             color = (abs(vCell - chosenCell) < 0.5 ? mix(vCellColor, vec3(1.0), 0.55) : vCellColor)
               * (mod(band, 2.0) < 0.5 ? 1.0 : 0.93);
           else if(vDistance < 0.0)
@@ -302,7 +314,7 @@ function PageDrawing(data) {
     return object;
   }
 
-  return { ROLES, UNREACHED, NO_CELL, MOST_NUMBERS, limits, points, triangles, distances, cells, normals, resolution,
-    decode, rounded, css, bandColor, cellColor, surfaceGeometry, surfaceMaterial, lineMesh, lineMeshOf, dots,
-    numberedDots };
+  return { ROLES, UNREACHED, AVOIDED, NO_CELL, MOST_NUMBERS, limits, points, triangles, distances, cells, isAvoided,
+    normals, resolution, decode, rounded, css, bandColor, cellColor, surfaceGeometry, surfaceMaterial, lineMesh,
+    lineMeshOf, dots, numberedDots };
 }

@@ -1,4 +1,4 @@
-// Exact shortest paths between two points of the surface, computed in the page. Requires nothing but arrays.
+// Exact shortest paths between two points of the surface, computed in the page. Requires a CutSurface.
 //
 // Windows are propagated from the source across the edges, as in the algorithm of Chen and Han with the improvements of
 // Xin and Wang: a queue with the nearest windows first, distances at vertices that reject windows, and two children of
@@ -45,83 +45,17 @@
     }
   }
 
-  // The connections of the triangles. Halfedge 3 f + k leads from corner k of face f to the next one.
-  class Surface {
-    constructor(points, triangles) {
-      this.points = points;
-      this.triangles = triangles;
-      const n = points.length / 3, m = triangles.length;
-      this.first = new Uint32Array(n + 1); // the halfedges that leave vertex v: from leaving[first[v]] on
-      for (let h = 0; h < m; ++h) ++this.first[triangles[h] + 1];
-      for (let v = 0; v < n; ++v) this.first[v + 1] += this.first[v];
-      const next = this.first.slice(0, n);
-      this.leaving = new Uint32Array(m);
-      for (let h = 0; h < m; ++h) this.leaving[next[triangles[h]]++] = h;
-      this.twin = new Int32Array(m).fill(-1);
-      this.length = new Float64Array(m);
-      for (let h = 0; h < m; ++h) {
-        const u = this.source(h), v = this.target(h);
-        this.length[h] = this.distance(u, v);
-        for (let i = this.first[v]; i < this.first[v + 1]; ++i)
-          if (this.target(this.leaving[i]) === u) this.twin[h] = this.leaving[i];
-      }
-      this.isRoot = this.verticesWherePathsBend();
-    }
-
-    next(h) { return h % 3 === 2 ? h - 2 : h + 1; }
-    prev(h) { return h % 3 === 0 ? h + 2 : h - 1; }
-    source(h) { return this.triangles[h]; }
-    target(h) { return this.triangles[this.next(h)]; }
-    point(v) { return [this.points[3 * v], this.points[3 * v + 1], this.points[3 * v + 2]]; }
-
-    distance(u, v) {
-      const p = this.points;
-      return Math.hypot(p[3 * u] - p[3 * v], p[3 * u + 1] - p[3 * v + 1], p[3 * u + 2] - p[3 * v + 2]);
-    }
-
-    distanceTo(v, q) {
-      const p = this.points;
-      return Math.hypot(p[3 * v] - q[0], p[3 * v + 1] - q[1], p[3 * v + 2] - q[2]);
-    }
-
-    // The corner opposite a halfedge, in the frame with the halfedge on the first axis. A face without height gets a
-    // small one: windows cross it on the right side of the corner, and lengths change by a part of 10^-9 at most.
-    apex(h) {
-      const p = this.points, u = 3 * this.source(h), v = 3 * this.target(h), w = 3 * this.source(this.prev(h));
-      const ex = p[v] - p[u], ey = p[v + 1] - p[u + 1], ez = p[v + 2] - p[u + 2];
-      const ax = p[w] - p[u], ay = p[w + 1] - p[u + 1], az = p[w + 2] - p[u + 2], length = this.length[h];
-      const height = Math.hypot(ey * az - ez * ay, ez * ax - ex * az, ex * ay - ey * ax) / length;
-      return [(ex * ax + ey * ay + ez * az) / length, Math.max(height, 1e-9 * length)];
-    }
-
-    // Where the angles around a vertex sum up to 360 degrees or more, and on the border.
-    verticesWherePathsBend() {
-      const n = this.points.length / 3, angle = new Float64Array(n), result = new Uint8Array(n);
-      for (let h = 0; h < this.twin.length; ++h) {
-        const a = this.length[h], b = this.length[this.prev(h)], c = this.length[this.next(h)];
-        angle[this.source(h)] += Math.acos(Math.min(Math.max((a * a + b * b - c * c) / (2 * a * b), -1), 1));
-        if (this.twin[h] < 0) result[this.source(h)] = result[this.target(h)] = 1;
-      }
-      for (let v = 0; v < n; ++v) if (angle[v] > 2 * Math.PI - 1e-6) result[v] = 1;
-      return result;
-    }
-
-    pointAt(face, b) {
-      const result = [0, 0, 0];
-      for (let k = 0; k < 3; ++k)
-        for (let j = 0; j < 3; ++j) result[j] += b[k] * this.points[3 * this.triangles[3 * face + k] + j];
-      return result;
-    }
-  }
-
   // One search. step() works for some time and returns true when the path is known.
   class Search {
-    // `source` and `target` are { face, b } with barycentric coordinates.
+    // `source` and `target` are { face, b } with barycentric coordinates. On a wall they are on all of its sides.
     constructor(surface, source, target) {
       const n = surface.points.length / 3;
-      Object.assign(this, { surface, source: exactly(source), target: exactly(target), queue: new Queue() });
-      this.sourcePoint = surface.pointAt(source.face, this.source.b);
-      this.targetPoint = surface.pointAt(target.face, this.target.b);
+      const [sources, targets] = [source, target].map((location) => surface.sides(exactly(location)));
+      Object.assign(this, { surface, sources, queue: new Queue() });
+      this.sourcePoint = surface.pointAt(source.face, exactly(source).b);
+      this.targetPoint = surface.pointAt(target.face, exactly(target).b);
+      this.facesOfTarget = targets.flatMap((t) => this.facesAt(t));
+      this.cornersOfTarget = targets.flatMap((t) => surface.corners(t.face));
       this.distance = new Float64Array(n).fill(Infinity);
       this.from = new Array(n).fill(null); // how the path reaches a vertex
       this.bestAtApex = new Float64Array(surface.twin.length).fill(Infinity);
@@ -136,8 +70,8 @@
     begin() {
       const { surface } = this;
       this.boundByEdges();
-      const faces = this.facesAt(this.source);
-      this.facesAt(this.target).forEach((t) => faces.forEach((s) => {
+      const faces = this.sources.flatMap((s) => this.facesAt(s));
+      this.facesOfTarget.forEach((t) => faces.forEach((s) => {
         if (s.face === t.face) this.offer(distance(this.sourcePoint, this.targetPoint), { kind: "source" });
       }));
       faces.forEach(({ face, b }) => {
@@ -148,8 +82,10 @@
           if (b[(k + 2) % 3] > 0) this.addWholeEdge(h, this.planePoint(h, b), 0, -1);
         }
       });
-      const vertex = this.source.b.indexOf(1);
-      if (vertex >= 0) this.spread(surface.triangles[3 * this.source.face + vertex]);
+      this.sources.forEach((s) => {
+        const vertex = s.b.indexOf(1);
+        if (vertex >= 0) this.spread(surface.triangles[3 * s.face + vertex]);
+      });
     }
 
     // The location in each face that has it: two on an edge, several at a vertex.
@@ -158,20 +94,12 @@
       const number = zero.filter(Boolean).length;
       if (number === 1) {
         const h = 3 * face + (zero.indexOf(true) + 1) % 3, twin = surface.twin[h];
-        if (twin >= 0) {
-          const c = [0, 0, 0], weight = b[h % 3];
-          c[(twin + 1) % 3] = weight;
-          c[twin % 3] = 1 - weight;
-          result.push({ face: Math.floor(twin / 3), b: c });
-        }
+        if (twin >= 0) result.push(surface.across(twin, b[h % 3]));
       } else if (number === 2) {
         const v = surface.triangles[3 * face + zero.indexOf(false)];
         result.length = 0;
-        for (let i = surface.first[v]; i < surface.first[v + 1]; ++i) {
-          const c = [0, 0, 0], h = surface.leaving[i];
-          c[h % 3] = 1;
-          result.push({ face: Math.floor(h / 3), b: c });
-        }
+        for (let i = surface.first[v]; i < surface.first[v + 1]; ++i)
+          result.push(surface.across(surface.leaving[i], 0));
       }
       return result;
     }
@@ -192,16 +120,16 @@
         before[v] = u;
         queue.push(x + surface.distanceTo(v, targetPoint), v);
       };
-      const corners = (face) => [0, 1, 2].map((k) => surface.triangles[3 * face + k]);
-      corners(this.source.face).forEach((v) => offer(v, surface.distanceTo(v, this.sourcePoint), -1));
-      const targets = corners(this.target.face), isDone = new Uint8Array(n);
+      this.sources.forEach((s) => surface.corners(s.face)
+        .forEach((v) => offer(v, surface.distanceTo(v, this.sourcePoint), -1)));
+      const isDone = new Uint8Array(n);
       let last = -1;
       while (queue.size > 0) {
         const key = queue.keys[0], v = queue.pop();
         if (isDone[v]) continue;
         if (key >= this.best) break;
         isDone[v] = 1;
-        if (targets.includes(v)) {
+        if (this.cornersOfTarget.includes(v)) {
           const whole = d[v] + surface.distanceTo(v, targetPoint);
           if (whole < this.best) { this.best = whole; last = v; }
         }
@@ -229,7 +157,7 @@
       this.distance[v] = d;
       this.from[v] = how;
       const rest = surface.distanceTo(v, this.targetPoint);
-      if ([0, 1, 2].some((k) => surface.triangles[3 * this.target.face + k] === v))
+      if (this.cornersOfTarget.includes(v))
         this.offer(d + rest, { kind: "vertex", vertex: v });
       if (surface.isRoot[v] && d + rest < this.best) this.queue.push(d + rest, { vertex: v, distance: d });
     }
@@ -263,8 +191,6 @@
       const key = Math.max(nearest + this.rest(h, b0, b1), nearest);
       if (key >= this.best) return;
       const w = { h, b0, b1, x, y, sigma, parent, vertex };
-      if (Math.floor(h / 3) === this.target.face) this.arrive(w, this.target.b);
-      this.facesOfTarget = this.facesOfTarget || this.facesAt(this.target).slice(1);
       this.facesOfTarget.forEach((t) => { if (Math.floor(h / 3) === t.face) this.arrive(w, t.b); });
       this.windows.push(w);
       this.queue.push(key, { window: this.windows.length - 1 });
@@ -393,5 +319,5 @@
     return points.filter((p, i) => i === 0 || distance(p, points[i - 1]) > 0);
   }
 
-  root.ExactPath = { Surface, Search };
+  root.ExactPath = { Search };
 })(typeof module === "undefined" ? window : module.exports);

@@ -1,13 +1,14 @@
-// Draws the surface of the page, and answers clicks. Requires three.js, drawing.js and exact_path.js.
+// Draws the surface of the page, and answers clicks. Requires three.js, drawing.js, cut_surface.js and
+// exact_path.js.
 (function () {
   "use strict";
 
   const data = JSON.parse(document.getElementById("data").textContent);
   const canvas = document.getElementById("surface");
   const answer = document.getElementById("answer");
-  const { ROLES, UNREACHED, NO_CELL, MOST_NUMBERS, limits, points, triangles, distances, cells, normals, resolution,
-    decode, rounded, css, bandColor, cellColor, surfaceGeometry, surfaceMaterial, lineMesh, lineMeshOf, dots,
-    numberedDots } = PageDrawing(data);
+  const { ROLES, UNREACHED, AVOIDED, NO_CELL, MOST_NUMBERS, limits, points, triangles, distances, cells, isAvoided,
+    normals, resolution, decode, rounded, css, bandColor, cellColor, surfaceGeometry, surfaceMaterial, lineMesh,
+    lineMeshOf, dots, numberedDots } = PageDrawing(data);
 
   // --- the scene -----------------------------------------------------------------------------------------------------
 
@@ -29,7 +30,7 @@
   turned.add(surface);
   data.lines.forEach((group) => {
     const role = ROLES[group.role];
-    if (role.outline) turned.add(lineMesh(group, "#000000", role.outline));
+    if (role.outline) turned.add(lineMesh(group, role.around || "#000000", role.outline));
     turned.add(lineMesh(group, role.color, role.width));
   });
   data.dots.forEach((group) => {
@@ -259,6 +260,8 @@
   const mesh = data.mesh
     ? { points: decode(data.mesh.points, Float32Array), triangles: decode(data.mesh.triangles, Uint32Array) }
     : { points: points, triangles: triangles };
+  const avoidedFaces = new Set(decode((data.mesh || data).avoided || "", Uint32Array)); // of the mesh
+  const walls = decode(data.walls || "", Uint32Array); // pairs of its vertices
 
   function rayAt(x, y) {
     const box = canvas.getBoundingClientRect();
@@ -303,6 +306,10 @@
     const place = data.mesh ? firstHit(ray, mesh.points, mesh.triangles) : drawn;
     if (!drawn || !place) {
       answer.textContent = "There is no surface here.";
+      return;
+    }
+    if (isAvoided[drawn.face] || avoidedFaces.has(place.face)) {
+      answer.textContent = "Paths avoid face " + place.face + ": it has no distance, and no path begins or ends here.";
       return;
     }
     if (clicks.length === 2) forget();
@@ -353,7 +360,7 @@
     const mine = {};
     search = mine;
     window.setTimeout(() => {
-      connections = connections || new ExactPath.Surface(mesh.points, mesh.triangles);
+      connections = connections || new CutSurface(mesh.points, mesh.triangles, avoidedFaces, walls);
       const work = new ExactPath.Search(connections, clicks[0], clicks[1]);
       const go = () => {
         if (search !== mine) return;
@@ -366,7 +373,7 @@
 
   function finish(path, line) {
     line.textContent = path ? "exact path between the two clicks: " + rounded(path.length)
-      : "no path joins the two clicks";
+      : "no path joins the two clicks" + (avoidedFaces.size + walls.length > 0 ? " around what paths avoid" : "");
     document.body.dataset.path = path ? path.length : "none";
     document.body.dataset.ends = clicks.map((c) => c.face + " " + c.b.join(" ")).join("|");
     if (!path) return;
@@ -455,11 +462,10 @@
     return e;
   }
 
-  function key(parent, kind, color, text) {
+  function key(parent, kind, style, text) {
     const line = element("div", parent);
     line.className = "key";
-    const sign = element("span", line, "", kind === "line" ? { borderColor: color } : { background: color });
-    sign.className = kind;
+    element("span", line, "", style).className = kind;
     element("div", line, text);
   }
 
@@ -508,15 +514,27 @@
     if (limits.length > 0) element("p", keys, "shaded in bands of " + rounded(limits[0]), { margin: "4px 0 0" });
   }
 
+  // Is there a triangle that no source reaches, although paths do not avoid it?
+  function isMissing() {
+    return triangles.some((v, i) => !isFinite(distances[v]) && !isAvoided[Math.floor(i / 3)]);
+  }
+
   function write() {
     document.querySelector("#title h1").textContent = data.title;
     document.querySelector("#title p").textContent = data.subtitle;
     document.getElementById("command").textContent = data.command;
     const keys = document.getElementById("keys");
     if (cells) drawCells(keys); else drawRamp(keys);
-    data.lines.forEach((group) => key(keys, "line", ROLES[group.role].color, ROLES[group.role].text));
-    data.dots.forEach((group) => key(keys, "dot", ROLES[group.role].color, ROLES[group.role].text));
-    if (distances.some((d) => !isFinite(d))) key(keys, "", UNREACHED, "not reached");
+    data.lines.forEach(({ role }) => {
+      const { color, around, text } = ROLES[role];
+      key(keys, "line", { borderColor: color, boxShadow: around ? "0 0 0 1.5px " + around : "" }, text);
+    });
+    data.dots.filter((group) => group.points) // none: all sources are curves
+      .forEach(({ role }) => key(keys, "dot", { background: ROLES[role].color }, ROLES[role].text));
+    if (isMissing()) key(keys, "", { background: UNREACHED }, "not reached");
+    const stripes = AVOIDED.map((color, i) => color + " " + 3 * i + "px " + 3 * (i + 1) + "px").join(", ");
+    if (data.avoided)
+      key(keys, "", { background: "repeating-linear-gradient(-45deg, " + stripes + ")" }, "faces that paths avoid");
     if (window.matchMedia("(max-width: 700px)").matches) legend.open = false;
     if (window.matchMedia("(pointer: coarse)").matches)
       answer.textContent = "Tap the surface for the distance there, and a second time for the exact path between both "

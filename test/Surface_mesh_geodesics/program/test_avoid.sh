@@ -84,7 +84,3 @@ echo "$grid" > meshes.txt
 rejects 2 "--avoid names the faces of one mesh: not with --meshes" \
   matrix --meshes meshes.txt --source all --store rows --avoid middle.txt
 [ ! -e rows ] || fail "a folder was made"
-if "$program" distances --help | grep --quiet -e --html; then
-  rejects 2 "--avoid cannot be combined with a page .html" distances "$grid" --source 0 --avoid middle.txt -o page.html
-  rejects 2 "--avoid cannot be combined with a page .html" voronoi "$grid" --site 0 --avoid middle.txt -o page.html
-fi

@@ -18,7 +18,8 @@ fi
 # Actions of the user, and their effects. drag(): by some pixels; no answer. click(): at a point given as fractions of
 # the width and the height of the picture; the answer is added to an attribute. Then the number of colors of the
 # picture is added, which can be read only just after drawing. nearest(): the smallest distance that clicks in the
-# middle answer.
+# middle answer. shade(): adds how colorful the picture is at a point, the difference of the largest and the smallest one
+# of red, green and blue.
 user='function drag(x, y) {
   const canvas = document.getElementById("surface"), event = { pointerId: 1, button: 0, clientX: 100, clientY: 100 };
   canvas.dispatchEvent(new PointerEvent("pointerdown", event));
@@ -47,15 +48,23 @@ function nearest() {
     }
   document.body.dataset.nearest = distance;
 }
-function click(x, y) {
-  const canvas = document.getElementById("surface"), answer = press(x, y);
-  const copy = document.createElement("canvas");
+function pixels() {
+  const canvas = document.getElementById("surface"), copy = document.createElement("canvas");
   copy.width = canvas.width;
   copy.height = canvas.height;
   const context = copy.getContext("2d");
   context.drawImage(canvas, 0, 0);
-  const pixels = new Uint32Array(context.getImageData(0, 0, copy.width, copy.height).data.buffer);
-  document.body.dataset.colors = new Set(pixels).size;
+  return context.getImageData(0, 0, copy.width, copy.height);
+}
+function shade(x, y) {
+  press(x, y);
+  const picture = pixels(), i = Math.floor(y * picture.height) * picture.width + Math.floor(x * picture.width);
+  const rgb = [...picture.data.slice(4 * i, 4 * i + 3)];
+  document.body.dataset.shades = (document.body.dataset.shades || "") + " " + (Math.max(...rgb) - Math.min(...rgb));
+}
+function click(x, y) {
+  const answer = press(x, y);
+  document.body.dataset.colors = new Set(new Uint32Array(pixels().data.buffer)).size;
   document.body.dataset.answers = (document.body.dataset.answers || "") + "|"
     + answer.replace(/\n/g, ", ");
 }'
@@ -125,6 +134,12 @@ contains path.dom '>shortest paths</div>'
 contains path.dom '>targets</div>'
 contains path.dom '>not reached</div>'
 
+# The legend names what is there: with curves as sources there are no dots.
+is_silent distances "$grid" --source-border --html border.html
+opened border.html "" > border.dom
+contains border.dom '>curves</div>'
+equals "$(grep -c '>sources</div>' border.dom)" 0
+
 # Vertex 0 is below on the left, vertex 15 above on the right: a click on either side of the boundary, at points that
 # are equally far.
 is_silent voronoi "$grid" --site 0,15 --html voronoi.html
@@ -172,6 +187,37 @@ for clicks in "click(0.4, 0.4); click(0.6, 0.62);" "click(0.3, 0.5); click(0.7, 
     || fail "the path in the page has the length $length, not $(column clicks.csv length)"
   contains clicks.dom "exact path between the two clicks: "
 done
+
+# Walls and faces to avoid: the faces are gray and have no distance, a click there is none, and the paths between clicks
+# are those of the program. Two clicks are on both sides of the wall, and two in different rooms.
+printf '4 5\n5 6\n' > wall.txt
+seq 8 9 > middle.txt # of the square
+is_silent distances "$grid" --source 0 --walls wall.txt --avoid middle.txt --html avoid.html
+for clicks in "click(0.25, 0.8); click(0.5, 0.5); click(0.45, 0.8);" "click(0.25, 0.4); click(0.8, 0.8);"; do
+  opened avoid.html "$clicks" > avoid.dom
+  length=$(sed -n 's/.*data-path="\([^"]*\)".*/\1/p' avoid.dom)
+  sed -n 's/.*data-ends="\([^"]*\)".*/\1/p' avoid.dom | tr '|' '\n' > ends.txt
+  head -n 1 ends.txt > first.txt
+  tail -n 1 ends.txt > second.txt
+  "$program" path "$grid" --source-file first.txt --target-file second.txt --walls wall.txt --avoid middle.txt > avoid.csv
+  "$program" path "$grid" --source-file first.txt --target-file second.txt > free.csv
+  awk -v a="$length" -v b="$(column avoid.csv length)" -v c="$(column free.csv length)" \
+    'BEGIN { exit !(b > 1.05 * c && (a - b)^2 < 1e-12 * b^2) }' \
+    || fail "the path in the page has the length $length, not $(column avoid.csv length)"
+done
+contains avoid.dom '>walls, which no path crosses</div>'
+contains avoid.dom '>faces that paths avoid</div>'
+equals "$(grep -c '>not reached</div>' avoid.dom)" 0
+opened avoid.html "click(0.5, 0.45); shade(0.5, 0.45); shade(0.53, 0.5); shade(0.25, 0.8); shade(0.8, 0.2);" > gray.dom
+contains gray.dom '"|Paths avoid face 8: it has no distance, and no path begins or ends here."'
+shades=$(sed -n 's/.*data-shades="\([^"]*\)".*/\1/p' gray.dom)
+echo "$shades" | awk '{ exit !(NF == 4 && $1 < 15 && $2 < 15 && $3 > 40 && $4 > 40) }' || fail "the shades are$shades"
+printf '4 5\n5 6\n6 7\n' > rooms.txt
+is_silent distances "$grid" --source 0 --walls rooms.txt --quiet --html rooms.html
+opened rooms.html "click(0.25, 0.8); click(0.6, 0.8);" > rooms.dom
+contains rooms.dom 'data-path="none"'
+contains rooms.dom 'no path joins the two clicks around what paths avoid'
+contains rooms.dom '>not reached</div>'
 
 # A third click begins anew. Keys: axes, help, theme, and forgetting the clicks.
 opened clicks.html 'click(0.4, 0.4); click(0.6, 0.6); click(0.5, 0.5);

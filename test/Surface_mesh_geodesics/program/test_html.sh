@@ -16,7 +16,7 @@ for page in distances path voronoi; do
   contains $page.html "three.js authors"
   contains $page.html "Permission is hereby granted, free of charge"
   contains $page.html "The above copyright notice and this permission notice shall be included"
-  equals "$(grep -c '@TITLE@\|@SOLVER@\|@DRAWING@\|@DATA@\|@SCRIPT@\|@THREE@\|@LICENSE@' $page.html)" 0
+  equals "$(grep -c '@[A-Za-z_.]*@' $page.html)" 0 # no mark of the template
 done
 
 # The colors of cells are those in PLY files.

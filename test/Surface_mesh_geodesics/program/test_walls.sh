@@ -43,6 +43,3 @@ cmp kept.csv wall.txt
 
 # What has no walls.
 rejects 2 "--walls cannot be combined with curves" distances "$grid" --source-border --walls wall.txt
-if "$program" distances --help | grep --quiet -e --html; then
-  rejects 2 "--walls cannot be combined with a page .html" distances "$grid" --source 0 --walls wall.txt -o page.html
-fi
