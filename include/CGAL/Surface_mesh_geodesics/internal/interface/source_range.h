@@ -125,9 +125,10 @@ void for_each_source(const Sources& sources, Visit visit)
 
 // --- validity of descriptors, before the mesh is read ---
 
-// Elements that have been removed keep their index. Only the mesh can tell, and not every type of mesh can. For those
-// that cannot, like Polyhedron_3, whose descriptors point to freed memory then, nothing is known to be removed.
-template <typename TriangleMesh>
+// Elements that have been removed keep their index, and a filtered graph lacks elements of the graph below it. Only the
+// mesh can tell, and not every type of mesh can. For those that cannot, like Polyhedron_3, whose descriptors point to
+// freed memory then, nothing is known to be removed.
+template <typename TriangleMesh, typename = void>
 struct Removed_elements
 {
   template <typename Descriptor>
@@ -147,15 +148,32 @@ struct Removed_elements<CGAL::Surface_mesh<Point>>
   }
 };
 
+// CGAL::Face_filtered_graph, known by its members. It looks up the indices of its graph in tables, so that graph is
+// asked first.
+template <typename TriangleMesh>
+struct Removed_elements<TriangleMesh,
+                        std::void_t<decltype(std::declval<const TriangleMesh&>().graph()),
+                                    decltype(std::declval<const TriangleMesh&>().is_in_cc(
+                                      std::declval<typename boost::graph_traits<TriangleMesh>::face_descriptor>()))>>
+{
+  // Requires: d is not the null descriptor.
+  template <typename Descriptor>
+  static bool contain(const Descriptor& d, const TriangleMesh& tm)
+  {
+    using Graph = std::decay_t<decltype(tm.graph())>;
+    return Removed_elements<Graph>::contain(d, tm.graph()) || !tm.is_in_cc(d);
+  }
+};
+
 // Returns whether v is a vertex of the mesh, judged by its index. Takes constant time. A vertex of another mesh passes
 // if its index fits.
 template <typename TriangleMesh, typename VertexIndexMap>
 bool is_vertex_of(typename boost::graph_traits<TriangleMesh>::vertex_descriptor v, const TriangleMesh& tm,
                   const VertexIndexMap& vim)
 {
-  return v != boost::graph_traits<TriangleMesh>::null_vertex()
-      && static_cast<std::size_t>(get(vim, v)) < num_vertices(tm)
-      && !Removed_elements<TriangleMesh>::contain(v, tm);
+  // (The maps of a filtered graph may be asked for its own elements only.)
+  return v != boost::graph_traits<TriangleMesh>::null_vertex() && !Removed_elements<TriangleMesh>::contain(v, tm)
+      && static_cast<std::size_t>(get(vim, v)) < num_vertices(tm);
 }
 
 // Returns whether f is a face of the mesh, judged by its index. Requires: f is not the null face. (Callers reject that
@@ -164,7 +182,17 @@ template <typename TriangleMesh, typename FaceIndexMap>
 bool is_face_of(typename boost::graph_traits<TriangleMesh>::face_descriptor f, const TriangleMesh& tm,
                 const FaceIndexMap& fim)
 {
-  return static_cast<std::size_t>(get(fim, f)) < num_faces(tm) && !Removed_elements<TriangleMesh>::contain(f, tm);
+  return !Removed_elements<TriangleMesh>::contain(f, tm) && static_cast<std::size_t>(get(fim, f)) < num_faces(tm);
+}
+
+// Returns whether e is an edge of the mesh, as far as the mesh can tell: edges need no index. A null edge is the
+// same in all meshes.
+template <typename TriangleMesh>
+bool is_edge_of(typename boost::graph_traits<TriangleMesh>::edge_descriptor e, const TriangleMesh& tm)
+{
+  return e != typename boost::graph_traits<TriangleMesh>::edge_descriptor()
+      && !Removed_elements<TriangleMesh>::contain(e, tm)
+      && halfedge(e, tm) != boost::graph_traits<TriangleMesh>::null_halfedge();
 }
 
 // --- rejections: `what` and `position` name the culprit in the message, as in "source 3"; without a number for
@@ -314,7 +342,7 @@ std::vector<Wall_bits> walls_of_edges(const TriangleMesh& tm, const FaceIndexMap
     std::size_t position = 0;
     for(const edge_descriptor e : avoided)
     {
-      if(Removed_elements<TriangleMesh>::contain(e, tm) || halfedge(e, tm) == Graph_traits::null_halfedge())
+      if(!is_edge_of(e, tm))
         reject_edge("the edge to avoid", position);
       for(const halfedge_descriptor h : {halfedge(e, tm), opposite(halfedge(e, tm), tm)})
         if(!is_border(h, tm))

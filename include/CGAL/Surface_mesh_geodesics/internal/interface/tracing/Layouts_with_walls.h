@@ -38,7 +38,8 @@ bool is_end_of_surface(typename boost::graph_traits<TriangleMesh>::halfedge_desc
   return is_border(h, tm) || layouts.is_wall(h);
 }
 
-// A walk asks for few edges, but in no order, so the edges are sorted once.
+// A walk asks for few edges, but in no order, so they are sorted once. They are sorted as halfedges: the order of edge
+// descriptors may depend on the halfedge from which an edge was made, as in a linear cell complex.
 //
 // A range of edges, made ready for questions. Takes the time of sorting. Throws Invalid_geodesic_input for an edge that
 // is not one of the mesh, as far as the mesh can tell: no index map is needed for a walk.
@@ -46,6 +47,7 @@ template <typename TriangleMesh>
 class Edge_set
 {
   using edge_descriptor = typename boost::graph_traits<TriangleMesh>::edge_descriptor;
+  using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
 
 public:
   template <typename Edges>
@@ -53,18 +55,22 @@ public:
   {
     for(const edge_descriptor e : edges)
     {
-      if(Removed_elements<TriangleMesh>::contain(e, tm)
-         || halfedge(e, tm) == boost::graph_traits<TriangleMesh>::null_halfedge())
-        reject_edge("the edge to avoid", m_edges.size());
-      m_edges.push_back(e); // NOLINT(performance-inefficient-vector-operation): a range need not know its size
+      if(!is_edge_of(e, tm))
+        reject_edge("the edge to avoid", m_halfedges.size() / 2);
+      const halfedge_descriptor h = halfedge(e, tm);
+      m_halfedges.push_back(h); // NOLINT(performance-inefficient-vector-operation): a range need not know its size
+      m_halfedges.push_back(opposite(h, tm));
     }
-    std::sort(m_edges.begin(), m_edges.end());
+    std::sort(m_halfedges.begin(), m_halfedges.end());
   }
 
-  bool contains(edge_descriptor e) const { return std::binary_search(m_edges.begin(), m_edges.end(), e); }
+  bool contains(halfedge_descriptor h, const TriangleMesh&) const
+  {
+    return std::binary_search(m_halfedges.begin(), m_halfedges.end(), h);
+  }
 
 private:
-  std::vector<edge_descriptor> m_edges; // sorted
+  std::vector<halfedge_descriptor> m_halfedges; // sorted, both of each edge
 };
 
 // The edges for which a map of the user is true. The map is asked where the walk is, so its size does not matter.
@@ -79,10 +85,10 @@ public:
                   "the value of the named parameter edges_to_avoid is a map, but its values are not of type bool");
   }
 
-  template <typename Edge>
-  bool contains(const Edge& e) const
+  template <typename Halfedge, typename TriangleMesh>
+  bool contains(Halfedge h, const TriangleMesh& tm) const
   {
-    return get(m_map, e);
+    return get(m_map, edge(h, tm));
   }
 
 private:
@@ -103,7 +109,7 @@ public:
 
   bool is_wall(typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h) const
   {
-    return m_walls.contains(edge(h, m_mesh));
+    return m_walls.contains(h, m_mesh);
   }
 
 private:
