@@ -746,9 +746,8 @@ MUTANTS = [
      "return angle;",
      "directions at a vertex do not end at a full turn", (LOGARITHM, TRACE)),
     ("departure_mirrored", DEPARTURE,
-     "result.angle = atan2(FT(c.apex_y * x), FT(c.apex_x * (c.apex_x - x) + c.apex_y * c.apex_y));",
-     "result.angle = corner_angle(mesh, result.halfedge)"
-     " - atan2(FT(c.apex_y * x), FT(c.apex_x * (c.apex_x - x) + c.apex_y * c.apex_y));",
+     "return (std::min)((std::max)(FT(atan2(last.y, last.x)), FT(0)), corner);",
+     "return corner - (std::min)((std::max)(FT(atan2(last.y, last.x)), FT(0)), corner);",
      "the angle in the first face counts from its other side", (LOGARITHM,)),
     ("sectors_joined_at_cones", RAY_SECTORS,
      " && sum.is_full() ? 1 : 0;", " ? 1 : 0;",

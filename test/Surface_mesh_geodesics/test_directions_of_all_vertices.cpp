@@ -190,10 +190,41 @@ void hostile_surfaces()
   }
 }
 
+// A source beside an edge of its face has thin faces around it. A single direction leads straight on to its vertex all
+// the same, and is that of all vertices.
+void beside_edges()
+{
+  const Mesh tm = to_face_graph(flat_patch(8, 8, .15, true, 5));
+  std::size_t number = 0;
+  for(const double b : {1e-3, 1e-6, 1e-9, 1e-11})
+  {
+    const test_support::Scope scope("coordinate " + std::to_string(std::log10(b)));
+    const Paths::Face_location source(*std::next(faces(tm).begin(), 61), {{b, .3, .7 - b}});
+    Paths paths(tm);
+    paths.add_source_point(source);
+    const std::map<vertex_descriptor, double> all = directions(paths);
+    for(const vertex_descriptor v : vertices(tm))
+    {
+      const double distance = paths.shortest_distance_to_source_points(v).first;
+      const double in_plane = std::sqrt(CGAL::squared_distance(tm.point(v), paths.point(source.first, source.second)));
+      if(distance < 1 || distance > in_plane * (1 + 1e-12)) // the border bends others
+        continue;
+      const double alone = paths.direction_at_source(v);
+      CHECK(difference_of_angles(alone, all.at(v)) < 1e-12);
+      const auto g = CGAL::Surface_mesh_geodesics::trace_geodesic(tm, source, alone, distance);
+      const auto& p = g.points.back();
+      CHECK(CGAL::squared_distance(Kernel::Point_3(p[0], p[1], p[2]), tm.point(v)) < 1e-24);
+      ++number;
+    }
+  }
+  CHECK(number > 200);
+}
+
 } // namespace
 
 int main()
 {
+  beside_edges();
   against_single_directions();
   behind_bends();
   in_the_plane();

@@ -787,9 +787,9 @@ public:
   }
 
   /// writes the direction at the source for each vertex of the mesh: the values of one call for each vertex, up to
-  /// rounding (1e-12); of several shortest paths, another one may count. All paths behind a bend share the straight
-  /// piece that begins at the source, and where the surface is flat, these pieces share what they cross. So the time is
-  /// usually less than that of the distances.
+  /// rounding (1e-12; more where the mesh has faces with nearly no height); of several shortest paths, another one may
+  /// count. All paths behind a bend share the straight piece that begins at the source, and where the surface is flat,
+  /// these pieces share what they cross. So the time is usually less than that of the distances.
   ///
   /// \tparam VertexDirectionMap a model of `WritablePropertyMap` with `vertex_descriptor` as key type and a floating
   ///         point type as value type

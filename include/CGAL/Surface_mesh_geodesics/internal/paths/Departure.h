@@ -14,14 +14,17 @@
 // vertices. With the distance it is the logarithmic map. All angles count counterclockwise.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
 #include <CGAL/Surface_mesh_geodesics/internal/paths/Straight_piece.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/barycentric_coordinates.h>
 
 #include <CGAL/assertions.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace CGAL {
 namespace Surface_mesh_geodesics {
@@ -57,33 +60,89 @@ Halfedge_id halfedge_from(const Intrinsic_mesh<FT>& mesh, Face_id f, Vertex_id v
   return halfedge_of(f, k);
 }
 
+// A frame in the plane of another one: its origin and the direction of its axis.
+template <typename FT>
+struct Unfolded_frame
+{
+  FT x = 0, y = 0, cosine = 1, sine = 0;
+
+  Planar_point<FT> point(const FT& px, const FT& py) const
+  {
+    return {FT(x + cosine * px - sine * py), FT(y + sine * px + cosine * py)};
+  }
+
+  // Moves it to a side that begins at a point of the frame and leads in a direction there, which is given by its cosine
+  // and sine. Neither is divided by anything, so a short side turns the frame as exactly as a long one.
+  void move(const FT& px, const FT& py, const FT& c, const FT& s)
+  {
+    const Planar_point<FT> origin = point(px, py);
+    *this = {origin.x, origin.y, FT(cosine * c - sine * s), FT(sine * c + cosine * s)};
+  }
+};
+
+// The first edge that a path crosses may be so near the source that rounding of the point there turns the direction by
+// any angle: a source beside an edge has thin faces around it. So the faces are unfolded as far as the path is
+// straight, and the last point counts. Turning from face to face adds a few epsilon to the direction, whatever their
+// shape.
+//
+// A path that rounding leads through a vertex may bend there by as much, so it is followed no farther.
+//
+// Returns the angle of a path from h, which leaves the source in the first face of the path. Requires: the path crosses
+// the edge of that face that is opposite to the source. Linear in the number of faces of the straight piece.
+template <typename FT>
+FT angle_of_straight_piece(const Intrinsic_mesh<FT>& mesh, const Path_steps<FT>& steps, Halfedge_id h)
+{
+  using std::atan2;
+  const FT corner = corner_angle(mesh, h);
+  Unfolded_frame<FT> frame; // of h
+  Planar_point<FT> last{FT(1), FT(0)};
+  for(std::size_t i = steps.size() - 1; i-- > 0 && h != null_id && steps[i + 1].face == face_of(h);)
+  {
+    const Path_step<FT>& step = steps[i];
+    const Face_frame<FT> c = mesh.face_frame(h);
+    if(step.vertex != null_id)
+    {
+      if(step.vertex == c.apex)
+        last = frame.point(c.apex_x, c.apex_y);
+      break;
+    }
+    const Halfedge_id left = previous_halfedge(h), right = next_halfedge(h);
+    // On a surface that is glued to itself, both sides may have the same neighbor.
+    const bool is_right = step.halfedge == right || (step.halfedge != left && step.halfedge == c.right);
+    const FT& length = is_right ? c.right_length : c.left_length;
+    if((!is_right && step.halfedge != left && step.halfedge != c.left) || !(length > 0))
+      break;
+    if(is_right) // from the apex to the target
+      frame.move(c.apex_x, c.apex_y, FT(c.apex_rest / length), FT(-c.apex_y / length));
+    else // from the origin to the apex
+      frame.move(FT(0), FT(0), FT(c.apex_x / length), FT(c.apex_y / length));
+    // The step may name either halfedge of the edge; the frame is now that of the outer one.
+    const bool is_inner = step.halfedge == (is_right ? right : left);
+    last = frame.point(is_inner ? FT(length - step.x) : step.x, FT(0));
+    h = is_right ? c.right : c.left;
+  }
+  return (std::min)((std::max)(FT(atan2(last.y, last.x)), FT(0)), corner);
+}
+
 // Returns the departure of a path from the vertex at its end. Requires: the last step of the path is a vertex. The
 // point before it is another corner of the last face, or on an edge of that face.
 template <typename FT>
 Departure<FT> departure(const Intrinsic_mesh<FT>& mesh, const Path_steps<FT>& steps)
 {
-  using std::atan2;
   Departure<FT> result;
   if(steps.size() < 2)
     return result;
   const Path_step<FT>&last = steps.back(), &before = steps[steps.size() - 2];
   result.halfedge = halfedge_from(mesh, last.face, last.vertex);
-  const Halfedge_id across = next_halfedge(result.halfedge);
   if(before.vertex != null_id)
   {
     result.angle = before.vertex == mesh.target(result.halfedge) ? FT(0) : corner_angle(mesh, result.halfedge);
     return result;
   }
-  const bool is_in_face = face_of(before.halfedge) == last.face;
-  const Halfedge_id h = is_in_face ? before.halfedge : mesh.opposite(before.halfedge);
-  const FT x = is_in_face ? before.x : FT(mesh.length(h) - before.x);
-  if(h == across)
-  {
-    // In the frame of the edge across, the source is the apex: the angle from the side to the origin is that between
-    // the vectors from the apex to the origin and to the point.
-    const Face_frame<FT> c = mesh.face_frame(h);
-    result.angle = atan2(FT(c.apex_y * x), FT(c.apex_x * (c.apex_x - x) + c.apex_y * c.apex_y));
-  }
+  const Halfedge_id h
+    = face_of(before.halfedge) == last.face ? before.halfedge : mesh.opposite(before.halfedge);
+  if(h == next_halfedge(result.halfedge))
+    result.angle = angle_of_straight_piece(mesh, steps, result.halfedge);
   else if(h != result.halfedge) // along the other side
     result.angle = corner_angle(mesh, result.halfedge);
   return result;

@@ -95,7 +95,10 @@ public:
       return {};
     const Sector& s = m_sectors[found];
     using std::atan2;
-    const FT x = first.x - first.image_x, y = -first.image_y;
+    // From the image to the vertex, not to the edge, which may be next to the source. (The frame of the sector is that
+    // of the opposite halfedge, turned by half a turn.)
+    const Face_frame<FT> c = m_mesh.face_frame(arrival.halfedge);
+    const FT x = image.x - c.apex_x, y = -(image.depth + c.apex_y);
     return {s.halfedge, FT(atan2(FT(s.sine * x + s.cosine * y), FT(s.cosine * x - s.sine * y)))};
   }
 

@@ -88,7 +88,7 @@ public:
 
   // Requires: v is reached, and is a source or has one as its root. A path is traced as for a single query near the
   // source, where it is short, and where rounding hides the way. Both give the same direction, up to the rounding of
-  // images: a ray is measured where it crosses the last edge, and a path where it crosses the first one.
+  // images: both are measured at the end of the straight piece, not at the first edge, which may be next to the source.
   double operator()(Vertex_id v)
   {
     const auto ray = m_sectors.ray_to(v);
