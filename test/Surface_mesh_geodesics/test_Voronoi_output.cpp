@@ -14,8 +14,10 @@
 #include <cstdio>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -125,6 +127,8 @@ void ply_output_has_mesh_and_edges(const Mesh& mesh, const Voronoi& voronoi)
   skip_to(s, "end_header");
   const std::vector<Coordinates> v = points(s, nv);
   std::vector<double> area(voronoi.number_of_sites(), 0.);
+  std::vector<char> has_face(nv, 0);
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> site_on_left; // of the sides of faces
   std::vector<std::array<int, 3>> color(voronoi.number_of_sites(), {-1, -1, -1});
   for(std::size_t i = 0; i < nf; ++i)
   {
@@ -137,7 +141,10 @@ void ply_output_has_mesh_and_edges(const Mesh& mesh, const Voronoi& voronoi)
       color[site] = {red, green, blue};
     CHECK((color[site] == std::array<int, 3>{red, green, blue}));
     area[site] += length(cross(v.at(b) - v.at(a), v.at(c) - v.at(a))) / 2;
+    site_on_left[{a, b}] = site_on_left[{b, c}] = site_on_left[{c, a}] = site;
+    has_face[a] = has_face[b] = has_face[c] = 1;
   }
+  CHECK(std::find(has_face.begin(), has_face.end(), 0) == has_face.end());
   for(std::size_t i = 0; i < area.size(); ++i)
     CHECK_NEAR(area[i], voronoi.area(i), tolerance * length_of_edges(voronoi));
   for(std::size_t i = 1; i < color.size(); ++i)
@@ -147,6 +154,8 @@ void ply_output_has_mesh_and_edges(const Mesh& mesh, const Voronoi& voronoi)
   {
     const std::size_t a = number(s), b = number(s), left = number(s), right = number(s);
     CHECK(left < area.size() && right < area.size() && left != right);
+    CHECK_EQUAL(site_on_left.at({a, b}), left);
+    CHECK_EQUAL(site_on_left.at({b, a}), right);
     sum += distance_of(v.at(a), v.at(b));
   }
   CHECK_CLOSE(sum, length_of_edges(voronoi), 1e-2);

@@ -74,8 +74,8 @@ writes a geodesic Voronoi diagram in the PLY format (ASCII). The file holds
 
 - the mesh, cut along the arcs as by `Surface_mesh_geodesic_Voronoi_diagram::cut()`. Each face has a color and the
   property `site`, which is the number of its site, or -1 if no site reaches it;
-- the edges of the diagram as elements `edge`, one for each segment of the polylines, with the properties `left_site`
-  and `right_site`;
+- the boundaries of the cells as elements `edge`, one for each edge between two faces of different cells, with the
+  properties `left_site` and `right_site`. They share the vertices of the faces;
 - a comment with the color of each site.
 
 The colors are those of `geodesic_Voronoi_cell_colors()`; faces that no site reaches are gray.

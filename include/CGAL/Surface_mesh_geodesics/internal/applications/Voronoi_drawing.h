@@ -10,8 +10,8 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_VORONOI_DRAWING_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_VORONOI_DRAWING_H
 
-// What the writers put into a file: the triangles of the cut mesh with their sites, and the edges of the diagram as
-// polylines. Both refer to one list of points.
+// What the writers put into a file: the triangles of the cut mesh with their sites, the edges of this mesh between two
+// cells, and the edges of the diagram as polylines. All refer to one list of points.
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -20,6 +20,7 @@
 #include <array>
 #include <cstddef>
 #include <iterator>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -27,9 +28,9 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// Triangles and polylines do not share points: polylines follow the arcs by themselves, with another set of samples.
-// Points are in the user's unit. Members of the same index belong together: triangles and site_of_triangle, polylines
-// and sites_of_polyline.
+// Triangles and segments share points. Polylines have points of their own: they follow the arcs by themselves, with
+// another set of samples. Points are in the user's unit. Members of the same index belong together: triangles and
+// site_of_triangle, segments and sites_of_segment, polylines and sites_of_polyline.
 struct Voronoi_drawing
 {
   using Point = Simple_cartesian<double>::Point_3;
@@ -38,13 +39,15 @@ struct Voronoi_drawing
   std::vector<Point> points;
   std::vector<std::array<std::size_t, 3>> triangles;  // indices in `points`
   std::vector<std::size_t> site_of_triangle;          // the largest number if no site reaches the triangle
+  std::vector<std::array<std::size_t, 2>> segments;   // indices in `points`
+  std::vector<Sites> sites_of_segment;
   std::vector<std::vector<std::size_t>> polylines;    // indices in `points`
   std::vector<Sites> sites_of_polyline;
 
-  // Adds the mesh, cut along the arcs. No polyline is farther from its arc than `tolerance`, in the unit of the mesh,
-  // unless Voronoi_face_cut ends the sampling of an arc before. The mesh is cut into a Surface_mesh first, which is
-  // freed at the end. Requires: tolerance > 0. Takes the time of Diagram::cut(), which builds the diagram if that is
-  // not done.
+  // Adds the mesh, cut along the arcs, and its edges between two cells. No such edge is farther from its arc than
+  // `tolerance`, in the unit of the mesh, unless Voronoi_face_cut ends the sampling of an arc before. The mesh is cut
+  // into a Surface_mesh first, which is freed at the end. Requires: tolerance > 0. Takes the time of Diagram::cut(),
+  // which builds the diagram if that is not done.
   template <typename Diagram>
   void add_cells(const Diagram& diagram, double tolerance)
   {
@@ -60,6 +63,20 @@ struct Voronoi_drawing
       const auto h = mesh.halfedge(f);
       triangles.push_back({first + mesh.source(h), first + mesh.target(h), first + mesh.target(mesh.next(h))});
       site_of_triangle.push_back(site[f]);
+    }
+    // The face of h is on its left. There is no boundary between cells along the border, nor where no site reaches, as
+    // behind faces to avoid.
+    constexpr std::size_t no_site = (std::numeric_limits<std::size_t>::max)();
+    for(const Mesh::Edge_index e : mesh.edges())
+    {
+      const auto h = mesh.halfedge(e);
+      if(mesh.is_border(e))
+        continue;
+      const Sites sites(site[mesh.face(h)], site[mesh.face(mesh.opposite(h))]);
+      if(sites.first == sites.second || sites.first == no_site || sites.second == no_site)
+        continue;
+      segments.push_back({first + mesh.source(h), first + mesh.target(h)});
+      sites_of_segment.push_back(sites);
     }
   }
 

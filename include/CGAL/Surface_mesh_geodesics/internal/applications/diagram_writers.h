@@ -40,7 +40,7 @@ inline long site_number(std::size_t i)
   return i == (std::numeric_limits<std::size_t>::max)() ? -1l : static_cast<long>(i);
 }
 
-// Returns the triangles of the cells and the polylines of the edges, which PLY and VTK show together.
+// Returns the triangles of the cells and the polylines of the edges, which VTK shows together.
 template <typename Diagram>
 Voronoi_drawing drawing_with_cells(const Diagram& diagram, double tolerance)
 {
@@ -85,8 +85,9 @@ inline void write_color(std::ostream& os, const IO::Color& c)
 }
 
 // Writes the header, with a comment for each site, since PLY has no element for sites. Segments are elements of type
-// `edge`, as PLY has no polylines. The order of properties is that in which write_diagram_PLY() writes the numbers of
-// each line. Indices are of type int, so readers expect fewer than 2^31 points; this is not checked.
+// `edge`, between vertices of the faces: viewers complain of points without a face. The order of properties is that in
+// which write_diagram_PLY() writes the numbers of each line. Indices are of type int, so readers expect fewer than 2^31
+// points; this is not checked.
 inline void write_header_PLY(std::ostream& os, const Voronoi_drawing& drawing, const std::vector<IO::Color>& colors)
 {
   os << "ply\nformat ascii 1.0\n";
@@ -99,16 +100,18 @@ inline void write_header_PLY(std::ostream& os, const Voronoi_drawing& drawing, c
   os << "element vertex " << drawing.points.size()
      << "\nproperty double x\nproperty double y\nproperty double z\nelement face " << drawing.triangles.size()
      << "\nproperty list uchar int vertex_indices\nproperty uchar red\nproperty uchar green\nproperty uchar blue"
-     << "\nproperty int site\nelement edge " << drawing.number_of_segments()
+     << "\nproperty int site\nelement edge " << drawing.segments.size()
      << "\nproperty int vertex1\nproperty int vertex2\nproperty int left_site\nproperty int right_site\nend_header\n";
 }
 
-// Writes triangles in the colors of their cells, gray where no site reaches, and the segments of the edges. Sites with
-// an empty cell have a comment, too.
+// Writes triangles in the colors of their cells, gray where no site reaches, and the segments between cells. The sites
+// on both sides of a segment are those of its triangles, seen on the way from its first vertex to the second. Sites
+// with an empty cell have a comment, too.
 template <typename Diagram>
 bool write_diagram_PLY(std::ostream& os, const Diagram& diagram, double tolerance)
 {
-  const Voronoi_drawing drawing = drawing_with_cells(diagram, tolerance);
+  Voronoi_drawing drawing;
+  drawing.add_cells(diagram, tolerance);
   const std::vector<IO::Color> colors = cell_colors(diagram);
   write_header_PLY(os, drawing, colors);
   write_points(os, drawing);
@@ -120,10 +123,9 @@ bool write_diagram_PLY(std::ostream& os, const Diagram& diagram, double toleranc
     write_color(os, site < colors.size() ? colors[site] : IO::Color(128, 128, 128));
     os << ' ' << site_number(site) << '\n';
   }
-  for(std::size_t i = 0; i < drawing.polylines.size(); ++i)
-    for(std::size_t j = 1; j < drawing.polylines[i].size(); ++j)
-      os << drawing.polylines[i][j - 1] << ' ' << drawing.polylines[i][j] << ' ' << drawing.sites_of_polyline[i].first
-         << ' ' << drawing.sites_of_polyline[i].second << '\n';
+  for(std::size_t i = 0; i < drawing.segments.size(); ++i)
+    os << drawing.segments[i][0] << ' ' << drawing.segments[i][1] << ' ' << drawing.sites_of_segment[i].first << ' '
+       << drawing.sites_of_segment[i].second << '\n';
   return static_cast<bool>(os.flush());
 }
 
