@@ -26,12 +26,12 @@ namespace {
 
 Location at_vertex(Vertex v)
 {
-  return Location{v, Face_location(Mesh::null_face(), {0, 0, 0})};
+  return Location{v, Face_location(Mesh::null_face(), {0, 0, 0}), 0};
 }
 
 Location at_face_location(const Face_location& location)
 {
-  return Location{Mesh::null_vertex(), location};
+  return Location{Mesh::null_vertex(), location, 0};
 }
 
 bool parse_point(const std::vector<std::string>& coordinates, std::array<double, 3>& x)
@@ -89,7 +89,7 @@ std::string list_of_vertices(const std::vector<Location>& locations, std::size_t
   std::string text = n == 1 ? "vertex " : "vertices ";
   for(std::size_t i = 0; i < (std::min)(n, most); ++i)
     text += (i == 0 ? "" : ", ") + std::to_string(locations[first + i].vertex.idx());
-  return n > most ? text + " and " + std::to_string(n - most) + " more" : text;
+  return n > most ? text + " and " + std::to_string(n - most) + " more, which a table .csv names" : text;
 }
 
 // Reads locations from the command line and from files. Messages begin with `where`, the origin of a text.
@@ -142,8 +142,11 @@ public:
     {
       const std::string where = file_name + ", line " + std::to_string(number);
       const std::vector<std::string> words = table.words_of(line, where);
-      if(!words.empty())
-        add_line(words, where);
+      if(words.empty())
+        continue;
+      add_line(words, where);
+      if(role == "site" && !table.weight().empty() && !parse_number(table.weight(), locations.back().weight))
+        throw Command_error(Exit_code::BAD_INPUT, where + ": '" + table.weight() + "' is not a weight");
     }
     if(is.bad())
       throw Command_error(Exit_code::BAD_INPUT, file_name + ": the file cannot be read");

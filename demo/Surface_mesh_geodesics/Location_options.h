@@ -16,6 +16,7 @@ struct Location
 {
   Vertex vertex;          // the null vertex for a point of a face
   Face_location face_location; // the null face for a vertex
+  double weight = 0;           // of a site, from the column `weight` of a table
 
   bool is_vertex() const { return vertex != Mesh::null_vertex(); }
 };

@@ -51,6 +51,9 @@ std::vector<std::string> Location_table::words_of(const std::string& line, const
     return {std::istream_iterator<std::string>(is), std::istream_iterator<std::string>()};
   }
   const std::vector<std::string> cells = cells_of(text);
+  m_weight.clear();
+  for(const std::size_t c : m_column_of_weight)
+    m_weight = c < cells.size() ? cells[c] : std::string();
   for(const std::vector<std::size_t>& columns : m_choices)
   {
     std::vector<std::string> words;
@@ -79,6 +82,7 @@ bool Location_table::read_names(const std::string& line, const std::string& wher
       m_choices.push_back(columns_with(names, columns));
     }
   m_choices.push_back(columns_with(names, {"x", "y", "z"}));
+  m_column_of_weight = columns_with(names, {"weight"});
   m_choices.erase(std::remove_if(m_choices.begin(), m_choices.end(),
                                  [](const std::vector<std::size_t>& columns) { return columns.empty(); }),
                   m_choices.end());

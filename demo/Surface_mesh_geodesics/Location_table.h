@@ -19,14 +19,18 @@ public:
   // location: a comment, or the names of the columns. `where` begins messages.
   std::vector<std::string> words_of(const std::string& line, const std::string& where);
 
+  // The cell of that line in the column `weight`; empty if there is none.
+  const std::string& weight() const { return m_weight; }
+
 private:
   bool read_names(const std::string& line, const std::string& where);
   std::vector<std::size_t> columns_with(const std::vector<std::string>& cells,
                                         const std::vector<std::string>& names) const;
 
-  std::string m_role;
+  std::string m_role, m_weight;
   bool m_is_first = true, m_is_table = false;
   std::vector<std::vector<std::size_t>> m_choices; // columns of a vertex, of a face location, of a point
+  std::vector<std::size_t> m_column_of_weight;            // none or one
 };
 
 } // namespace geodesics_demo

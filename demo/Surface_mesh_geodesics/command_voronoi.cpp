@@ -47,7 +47,7 @@ void declare(Option_descriptions& options)
   declare_seed(options);
   options.add_options()
     ("weight", numbers_value("weight")->value_name("W[,W...]"),
-     "a weight for each site, subtracted from its distances (default: 0)")
+     "a weight for each site, subtracted from its distances (default: the column weight of a table, or 0)")
     ("vertices", "the table has a line for each vertex of the mesh, with its site")
     ("tolerance", positive_value("tolerance")->value_name("T"),
      "the largest distance between lines in files and the curves (default: 1e-4 times the diagonal of the bounding "
@@ -61,13 +61,14 @@ void declare(Option_descriptions& options)
                           "the other .polylines.txt");
 }
 
-std::vector<double> weights(const Arguments& arguments, std::size_t number_of_sites)
+std::vector<double> weights(const Arguments& arguments, const std::vector<Location>& sites)
 {
   std::vector<double> result = number_arguments(arguments, "weight");
-  if(!result.empty() && result.size() != number_of_sites)
+  if(!result.empty() && result.size() != sites.size())
     throw Command_error(Exit_code::BAD_USAGE, "--weight: " + std::to_string(result.size()) + " weights for "
-                                                + std::to_string(number_of_sites) + " sites");
-  result.resize(number_of_sites, 0);
+                                                + std::to_string(sites.size()) + " sites");
+  if(result.empty())
+    std::transform(sites.begin(), sites.end(), std::back_inserter(result), [](const Location& p) { return p.weight; });
   return result;
 }
 
@@ -323,7 +324,7 @@ void run(const Arguments& arguments, const Console& console)
   const double tolerance = tolerance_of(arguments, mesh);
   const std::vector<Location> sites = site_options.required_locations(arguments, mesh, console);
   const std::optional<std::size_t> cell = cell_of(arguments, sites.size());
-  const std::vector<double> weights_of_sites = weights(arguments, sites.size());
+  const std::vector<double> weights_of_sites = weights(arguments, sites);
   const std::vector<Face> avoided = avoided_faces(arguments, mesh);
   if(has(arguments, "vertices") && !files.have(formats_with_curves))
     return write_labels(mesh, avoided, sites, weights_of_sites, files, console);

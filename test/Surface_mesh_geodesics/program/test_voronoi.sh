@@ -25,6 +25,13 @@ is_silent distances two.ply --source 0 --quiet > of_cut_mesh.csv # the cut mesh 
 is_silent voronoi "$grid" --site-point 0,0.5,0 --site-point 1,0.5,0 --weight 0.2,0 -o weighted.csv -o weighted.obj
 awk -v a="$(column weighted.csv area | line /dev/stdin 1)" -v b="$(column weighted.csv area | line /dev/stdin 2)" \
   'BEGIN { d = a + b - 1; exit !(a > 0.6 && d < 1e-9 && d > -1e-9) }'
+# the table with the weights gives the same diagram; weights on the command line replace its column
+is_silent voronoi "$grid" --site-file weighted.csv -o again.csv
+cmp weighted.csv again.csv
+is_silent voronoi "$grid" --site-file weighted.csv --weight 0,0 -o unweighted.csv
+equals "$(column unweighted.csv weight | paste -sd ,)" 0,0
+sed '2s/,0\.2[0-9]*,/,heavy,/' weighted.csv > heavy.csv
+rejects 3 "heavy.csv, line 2: 'heavy' is not a weight" voronoi "$grid" --site-file heavy.csv
 # on the curve the distances differ by the weight
 awk '$1 == "v" { d = sqrt($2^2 + ($3 - 0.5)^2) - sqrt((1 - $2)^2 + ($3 - 0.5)^2) - 0.2; if(d^2 > 1e-20) exit 1; ++n }
   END { exit !(n > 1) }' weighted.obj
@@ -46,6 +53,8 @@ is_silent voronoi "$grid" --site 0,6,15 --weight 0,0.1,0 --tolerance 1e-7 -o fin
 
 # The same table beside other files comes from the diagram.
 is_silent voronoi "$sphere" --site-random 40 --quiet --vertices > labels.csv
+remarks " and 12 more, which a table .csv names" voronoi "$sphere" --site-random 32 -o random.csv
+equals "$(column random.csv vertex | sort -u | wc -l)" 32
 is_silent voronoi "$sphere" --site-random 40 --quiet --vertices -o from_diagram.csv -o x.obj
 cmp labels.csv from_diagram.csv
 weighted=(--site-point 0,0.5,0 --site-point 1,0.4,0 --weight 0.2,0)
