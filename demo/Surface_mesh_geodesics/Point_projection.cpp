@@ -7,6 +7,22 @@
 
 namespace geodesics_demo {
 
+namespace {
+
+// "1.41 % of the extent of the mesh", as the limit is told; "2.12 times the extent of the mesh" if it is more.
+std::string part_of_extent(double part)
+{
+  std::ostringstream text;
+  text.precision(3);
+  if(part < 1)
+    text << 100 * part << " %";
+  else
+    text << part << " times";
+  return text.str() + (part < 1 ? " of the extent of the mesh" : " the extent of the mesh");
+}
+
+} // namespace
+
 Face_location Point_projection::nearest_location(const std::array<double, 3>& x, const std::string& where,
                                                  Exit_code code)
 {
@@ -24,8 +40,7 @@ void Point_projection::remark_on_snaps() const
   if(!(m_farthest_snap > largest_silent_snap))
     return;
   std::ostringstream text;
-  text << m_where_farthest << ": the point was moved to the surface, by " << m_farthest_snap
-       << " times the extent of the mesh";
+  text << m_where_farthest << ": the point was moved to the surface, by " << part_of_extent(m_farthest_snap);
   if(m_number_of_snaps > 1)
     text << "; the farthest of " << m_number_of_snaps << " points";
   m_console.note(text.str());
@@ -53,8 +68,8 @@ void Point_projection::check_snap(const Point& p, const Face_location& location,
   if(part > largest_snap && !m_may_snap)
   {
     std::ostringstream text;
-    text << where << ": the point is " << distance << " from the surface, " << part
-         << " times the extent of the mesh; --snap moves it to the surface all the same";
+    text << where << ": the point is " << distance << " from the surface, " << part_of_extent(part)
+         << "; --snap moves it to the surface all the same";
     throw Command_error(code, text.str());
   }
   ++m_number_of_snaps;

@@ -96,13 +96,13 @@ rejects 2 "--signed needs curves: --source-border or --source-curve" distances "
 
 # Points away from the surface, as for other points.
 printf '2 0.1 0.2 0.001 0.9 0.2 -0.005\n' > high.polylines.txt
-remarks "high.polylines.txt, line 1: the point was moved to the surface, by 0.00353553 times the extent of the mesh; \
+remarks "high.polylines.txt, line 1: the point was moved to the surface, by 0.354 % of the extent of the mesh; \
 the farthest of 2 points" distances "$grid" --source-curve high.polylines.txt
 cmp remarks.out segment.csv
 printf 'v 0.1 0.2 0\nv 0.9 0.2 1\nl 1 2\n' > far.obj
-rejects 3 "far.obj, line 2: the point is 1 from the surface, 0.707107 times the extent of the mesh; --snap" \
+rejects 3 "far.obj, line 2: the point is 1 from the surface, 70.7 % of the extent of the mesh; --snap" \
   distances "$grid" --source-curve far.obj
-remarks "far.obj, line 2: the point was moved to the surface, by 0.707107 times" \
+remarks "far.obj, line 2: the point was moved to the surface, by 70.7 % of the extent of the mesh; the farthest of 2 points" \
   distances "$grid" --source-curve far.obj --snap
 cmp remarks.out segment.csv
 
