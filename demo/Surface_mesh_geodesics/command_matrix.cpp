@@ -109,6 +109,7 @@ void write(const Arguments& arguments, const Mesh& mesh, const Sources& sources,
            const std::vector<Vertex>& targets, Output_files& files, const Console& console)
 {
   Unreached_pairs unreached;
+  const std::size_t sources_times_targets = sources.size() * targets.size();
   const double radius = positive_argument_or(arguments, "radius", std::numeric_limits<double>::infinity());
   const Solver solver = Solver::avoiding_faces(mesh, avoided_faces(arguments, mesh));
   files.write([&](std::ostream& os, const std::string&)
@@ -119,8 +120,11 @@ void write(const Arguments& arguments, const Mesh& mesh, const Sources& sources,
     else
       write_matrix(os, solver, sources, locations, targets, unreached = Unreached_pairs(), bar);
   });
+  if(unreached.number > 0 && unreached.number == sources_times_targets)
+    throw Command_error(Exit_code::NO_RESULT, "no source reaches any target"
+                                                + reason_for_unreached(mesh, has(arguments, "avoid")));
   if(unreached.number > 0)
-    console.note(std::to_string(unreached.number) + " of " + std::to_string(sources.size() * targets.size())
+    console.note(std::to_string(unreached.number) + " of " + std::to_string(sources_times_targets)
                  + " pairs have no path" + reason_for_unreached(mesh, has(arguments, "avoid")));
 }
 
@@ -161,7 +165,8 @@ const Command matrix_command{
   "distances between all sources and all targets",
   "The first line has the indices of the target vertices. Each further line begins with a source: a vertex, or a face\n"
   "and barycentric coordinates. The distances from it follow ('inf' if there is no path). Sources and targets are in\n"
-  "the order of the options below. Without targets, the sources are the targets.\n\n"
+  "the order of the options below. Without targets, the sources are the targets. If no source reaches any target,\n"
+  "the exit status is 1.\n\n"
   "--store writes rows into a folder instead, as NumPy files in which other calls and other machines compute what is\n"
   "missing: after Ctrl-C, in array jobs, and with mpirun. The manual (Planning Bigger) describes the folder.",
   "  surface_mesh_geodesics matrix bunny.off --source 0,100,200 > matrix.csv\n"

@@ -29,6 +29,12 @@ cmp near.csv <(tail -n +2 pairs.csv)
 
 remarks "18 of 36 pairs have no path; the mesh has 2 components" matrix "$data/two_components.off" --source all
 contains remarks.out inf
+# no pair at all: the table is written, but the question has no answer
+status=0
+"$program" matrix "$data/two_components.off" --source 0 --target 3,4 > none.csv 2> none.err || status=$?
+equals "$status" 1
+equals "$(cat none.csv)" $'source,3,4\n0,inf,inf'
+contains none.err "error: no source reaches any target; the mesh has 2 components"
 
 rejects 2 "no source is given" matrix "$grid"
 rejects 2 "use --target" matrix "$grid" --source-point 0,0,0
