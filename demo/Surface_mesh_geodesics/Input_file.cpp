@@ -1,6 +1,7 @@
 #include "Input_file.h"
 
 #include "Command_error.h"
+#include "Output_files.h"
 #include "System.h"
 #include "number_arguments.h"
 
@@ -57,12 +58,7 @@ std::ifstream opened_text_file(const std::string& file_name)
 
 void check_inputs_are_kept(const Arguments& arguments)
 {
-  std::vector<std::string> outputs = all_values(arguments, "output");
-  for(const char* option : {"html", "lines"})
-  {
-    const std::vector<std::string> names = all_values(arguments, option);
-    outputs.insert(outputs.end(), names.begin(), names.end());
-  }
+  const std::vector<std::string> outputs = named_outputs(arguments);
   for(const std::string& input : names_of_inputs(arguments)) // (an empty name is equivalent to no file)
     for(const std::string& output : outputs)
     {

@@ -10,6 +10,7 @@
 #include <cstring>
 #include <filesystem>
 #include <iostream>
+#include <sstream>
 #include <system_error>
 
 namespace geodesics_demo {
@@ -42,6 +43,9 @@ std::string format_of(const std::string& name, const std::vector<std::string>& f
   for(const std::string& format : formats)
     if(has_format(name, format))
       return format;
+  std::error_code error;
+  if(fs::is_other(name, error)) // a device or a pipe, such as /dev/null: as the standard output
+    return formats.front();
   throw Command_error(Exit_code::BAD_USAGE, name + ": the name must end with one of " + list_of(formats));
 }
 
@@ -174,6 +178,40 @@ void declare_output(Option_descriptions& options, const std::string& formats)
   const std::string text = "an output file: " + formats + "; may be repeated";
   options.add_options()("output,o", po::value<std::vector<std::string>>()->value_name("FILE")->composing(),
                         text.c_str());
+}
+
+std::vector<std::string> named_outputs(const Arguments& arguments)
+{
+  std::vector<std::string> result;
+  for(const char* option : {"output", "html", "lines"})
+  {
+    const std::vector<std::string> names = all_values(arguments, option);
+    result.insert(result.end(), names.begin(), names.end());
+  }
+  return result;
+}
+
+void tell_written_files(const Arguments& arguments, double seconds, const Console& console)
+{
+  if(!console.shows_progress())
+    return;
+  std::ostringstream text;
+  text.precision(3);
+  const char* separator = "wrote ";
+  for(const std::string& name : named_outputs(arguments))
+  {
+    std::error_code error;
+    if(!fs::is_regular_file(name, error))
+      continue;
+    const double bytes = static_cast<double>(fs::file_size(name, error));
+    text << separator << name << " (" << (bytes < 1e6 ? bytes / 1e3 : bytes / 1e6) << (bytes < 1e6 ? " kB)" : " MB)");
+    separator = ", ";
+  }
+  if(!text.str().empty())
+  {
+    text << " in " << seconds << " s";
+    console.note(text.str());
+  }
 }
 
 std::vector<std::string> output_names(const Arguments& arguments, const std::vector<std::string>& others)

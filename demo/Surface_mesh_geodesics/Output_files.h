@@ -23,8 +23,9 @@ bool has_format(const std::string& name, const std::string& format);
 class Output_files
 {
 public:
-  // A format is the ending of a name, without the dot; `-` means the first format on the standard output. Throws a
-  // Command_error if a name has another ending, or if a file cannot be written.
+  // A format is the ending of a name, without the dot; `-` means the first format on the standard output. A device or a
+  // pipe without such an ending gets the first format, too. Throws a Command_error if a name has another ending, or if
+  // a file cannot be written.
   Output_files(const std::vector<std::string>& names, const std::vector<std::string>& formats);
   ~Output_files();
 
@@ -60,6 +61,12 @@ private:
 
 // The option --output of a command. The first format is the default on the standard output.
 void declare_output(Option_descriptions& options, const std::string& formats);
+
+// The files that --output, --html and --lines name.
+std::vector<std::string> named_outputs(const Arguments& arguments);
+
+// On a terminal, a remark that names these files, their sizes, and the time since the program began.
+void tell_written_files(const Arguments& arguments, double seconds, const Console& console);
 
 // The files of the option, and others; the standard output if there are none.
 std::vector<std::string> output_names(const Arguments& arguments, const std::vector<std::string>& others = {});

@@ -128,10 +128,21 @@ private:
     }
   }
 
+  bool have_same_corners(std::size_t f, std::size_t g) const
+  {
+    const auto first = m_soup.corners.begin();
+    const auto at = [&](std::size_t c) { return first + static_cast<std::ptrdiff_t>(c); };
+    return m_soup.size_of(f) == m_soup.size_of(g)
+        && std::is_permutation(at(m_soup.begin_of(f)), at(m_soup.ends[f]), at(m_soup.begin_of(g)));
+  }
+
   [[noreturn]] void reject_edge(Index u, Index v) const
   {
     const std::vector<Index> there = corners_between(u, v), back = corners_between(v, u);
     const std::string edge = "the edge of the vertices " + std::to_string(u) + " and " + std::to_string(v);
+    if(there.size() == 2 && have_same_corners(m_face[there[0]], m_face[there[1]]))
+      reject_file(m_file_name, m_soup.name_of_face(m_face[there[1]]) + " repeats "
+                                 + m_soup.name_of_face(m_face[there[0]]) + advice());
     if(there.size() == 2 && back.empty())
       reject_file(m_file_name, "the orientations of " + m_soup.name_of_face(m_face[there[0]]) + " and "
                                  + m_soup.name_of_face(m_face[there[1]]) + " differ: both lead from vertex "

@@ -5,6 +5,7 @@
 #include "Html_page.h"
 #include "Input_file.h"
 #include "Location_options.h"
+#include "Output_files.h"
 #include "Program_mesh.h"
 #include "System.h"
 #include "similar_words.h"
@@ -17,6 +18,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <chrono>
 #include <cstddef>
 #include <exception>
 #include <iostream>
@@ -136,11 +138,14 @@ void run(const Command& command, const std::vector<std::string>& words)
     throw Command_error(Exit_code::BAD_USAGE, "no mesh is given");
   check_inputs_are_kept(arguments);
   const Console console(has(arguments, "quiet"));
+  const auto start = std::chrono::steady_clock::now();
   if(is_seed_unused(arguments))
     console.note("--seed has no effect: no random locations are requested");
   try
   {
     command.run(arguments, console);
+    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+    tell_written_files(arguments, time.count(), console);
   }
   catch(const CGAL::Surface_mesh_geodesics::Invalid_geodesic_input& error)
   {

@@ -101,6 +101,8 @@ rejects 3 "not_a_number.off, line 3: 'nan' is not a finite number: a coordinate 
 rejects 3 "too_large.off, line 3: '1e999' is not a finite number" info too_large.off
 rejects 3 "no_faces.off: the file contains no faces" info no_faces.off
 rejects 3 "vertex_twice.off: face 0 (line 6) has the vertex 1 twice; --repair may mend it" info vertex_twice.off
+printf 'OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 1 2 0\n' > face_twice.off
+rejects 3 "face_twice.off: face 1 (line 7) repeats face 0 (line 6); --repair may mend it" info face_twice.off
 rejects 3 "two_corners.off: face 0 (line 6) has fewer than three vertices" info two_corners.off
 rejects 3 "no_vertex.obj, line 4: there is no vertex 7; the file has 3" info no_vertex.obj
 rejects 3 "half.ply: the file ends too early" info half.ply
@@ -133,7 +135,21 @@ if [ "$(id -u)" -ne 0 ]; then # root may write every file
 fi
 
 rejects 2 "the name of an output file is empty" "${distances[@]}" -o ""
-rejects 2 "/dev/null: the name must end with one of" "${distances[@]}" -o /dev/null
+rejects 2 "x.jpg: the name must end with one of" "${distances[@]}" -o x.jpg
+is_silent "${distances[@]}" -o /dev/null > null.out # a device is as good as the standard output
+[ ! -s null.out ]
+mkfifo table
+cat table > piped.csv &
+is_silent "${distances[@]}" -o table
+wait $!
+cmp piped.csv <("$program" "${distances[@]}")
+# A terminal hears what has been written; the other tests have none, and hear nothing.
+if command -v script > /dev/null; then
+  script --quiet --command "'$program' distances '$grid' --source 0 -o told.csv --lines told.obj" terminal.log > told.out
+  grep --quiet -E 'wrote told.csv \([0-9.]+ kB\), told.obj \([0-9.]+ kB\) in [0-9.e-]+ s' told.out
+  script --quiet --command "'$program' distances '$grid' --source 0 -o told.csv --quiet" terminal.log > quiet.out
+  [ ! -s quiet.out ]
+fi
 rejects 2 "option '--quiet' cannot be specified more than once" "${distances[@]}" --quiet --quiet
 rejects 2 "option '--seed' cannot be specified more than once" "${distances[@]}" --seed 1 --seed 2
 
@@ -204,3 +220,18 @@ equals "$(line mesh.off 1)" OFF
 # if the reader of a pipe ends, no file is left behind
 "$program" distances "$data/grid9.off" --source 0 -o part.csv -o - | head -n 1 > first.txt || true
 no_remains
+
+# --- completion for bash ----------------------------------------------------------------------------------------------
+
+source "$data/../../../demo/Surface_mesh_geodesics/completion.bash"
+# completed <words of the command line, the last one incomplete>
+completed() {
+  COMP_WORDS=(surface_mesh_geodesics "$@") COMP_CWORD=$#
+  _surface_mesh_geodesics "$program" "${!#}"
+  echo "${COMPREPLY[*]}"
+}
+equals "$(completed dis)" distances
+equals "$(completed "")" "distances path voronoi sample remesh matrix check info --help --version"
+equals "$(completed remesh mesh.off --)" "--number --iterations --avoid --output --repair --quiet --help"
+equals "$(completed path mesh.off --target-f)" --target-file
+equals "$(completed path me)" "" # files, by bash itself
