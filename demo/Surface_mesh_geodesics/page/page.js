@@ -6,6 +6,8 @@
   const data = JSON.parse(document.getElementById("data").textContent);
   const canvas = document.getElementById("surface");
   const answer = document.getElementById("answer");
+  let greeting = "Click on the surface for the distance there, and a second time for the exact path between both "
+    + "points. Drag to turn.";
   const { ROLES, UNREACHED, AVOIDED, NO_CELL, MOST_NUMBERS, limits, points, triangles, distances, cells, isAvoided,
     normals, resolution, decode, rounded, css, bandColor, cellColor, surfaceGeometry, surfaceMaterial, lineMesh,
     lineMeshOf, dots, numberedDots } = PageDrawing(data);
@@ -28,15 +30,20 @@
   scene.add(turned);
   const surface = new THREE.Mesh(surfaceGeometry(), surfaceMaterial());
   turned.add(surface);
-  data.lines.forEach((group) => {
-    const role = ROLES[group.role];
-    if (role.outline) turned.add(lineMesh(group, role.around || "#000000", role.outline));
-    turned.add(lineMesh(group, role.color, role.width));
+  // The lines and dots of a role, and the objects that draw them. A group may have none, such as that of curves.
+  const parts = [];
+  function addPart(role, kind, objects) {
+    objects.forEach((object) => turned.add(object));
+    parts.push({ role: role, kind: kind, objects: objects });
+  }
+  data.lines.filter((group) => group.points).forEach((group) => {
+    const role = ROLES[group.role], widths = [[role.around || "#000000", role.outline], [role.color, role.width]];
+    addPart(role, "line", widths.filter(([, width]) => width).map(([color, width]) => lineMesh(group, color, width)));
   });
-  data.dots.forEach((group) => {
-    const xyz = decode(group.points, Float32Array), color = ROLES[group.role].color;
-    turned.add(group.role === "site" && xyz.length <= 3 * MOST_NUMBERS ? numberedDots(xyz, color, 22)
-      : dots(xyz, color, 11));
+  data.dots.filter((group) => group.points).forEach((group) => {
+    const xyz = decode(group.points, Float32Array), role = ROLES[group.role];
+    addPart(role, "dot", [group.role === "site" && xyz.length <= 3 * MOST_NUMBERS ? numberedDots(xyz, role.color, 22)
+      : dots(xyz, role.color, 11)]);
   });
   const pickedDots = [0, 1].map(() => dots(new Float32Array(3), "#ff2fd6", 13));
   pickedDots.forEach((marker) => {
@@ -232,13 +239,18 @@
   canvas.addEventListener("pointerup", release);
   canvas.addEventListener("pointercancel", release);
   canvas.addEventListener("contextmenu", (event) => event.preventDefault());
-  canvas.addEventListener("dblclick", reset);
+  canvas.addEventListener("dblclick", () => { // its two clicks are no question
+    forget();
+    answer.textContent = greeting;
+    reset();
+  });
   canvas.addEventListener("wheel", (event) => {
     event.preventDefault();
     zoom(Math.exp(Math.sign(event.deltaY) * 0.12));
   }, { passive: false });
   document.addEventListener("keydown", (event) => {
     if (event.target.tagName === "INPUT" || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (help.open && event.key === "Escape") return; // the browser closes the help
     const keys = { ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, -0.1], ArrowDown: [0, 0.1] };
     const actions = { "+": () => zoom(0.9), "-": () => zoom(1.1), Home: reset, r: reset, u: nextUp, s: savePicture,
       d: switchTheme, l: () => legend.toggleAttribute("open"), h: toggleHelp, "?": toggleHelp, Escape: forget };
@@ -360,6 +372,7 @@
     const mine = {};
     search = mine;
     window.setTimeout(() => {
+      if (search !== mine) return; // the clicks are forgotten
       connections = connections || new CutSurface(mesh.points, mesh.triangles, avoidedFaces, walls);
       const work = new ExactPath.Search(connections, clicks[0], clicks[1]);
       const go = () => {
@@ -467,6 +480,29 @@
     line.className = "key";
     element("span", line, "", style).className = kind;
     element("div", line, text);
+    return line;
+  }
+
+  // A click on the key of lines or dots hides them, and another one shows them again.
+  function keyOfPart(parent, part) {
+    const { color, around, text } = part.role;
+    const line = key(parent, part.kind, part.kind === "dot" ? { background: color }
+      : { borderColor: color, boxShadow: around ? "0 0 0 1.5px " + around : "" }, text);
+    Object.assign(line, { tabIndex: 0, title: "hide or show" });
+    line.setAttribute("role", "switch");
+    const show = (isShown) => {
+      line.setAttribute("aria-checked", isShown);
+      part.objects.forEach((object) => { object.visible = isShown; });
+      drawSoon();
+    };
+    const change = () => show(line.getAttribute("aria-checked") !== "true");
+    line.addEventListener("click", change);
+    line.addEventListener("keydown", (event) => {
+      if (event.key !== "Enter" && event.key !== " ") return;
+      event.preventDefault();
+      change();
+    });
+    show(true);
   }
 
   // Values stand at the borders of the bands; the lowest one is 0.
@@ -525,20 +561,16 @@
     document.getElementById("command").textContent = data.command;
     const keys = document.getElementById("keys");
     if (cells) drawCells(keys); else drawRamp(keys);
-    data.lines.forEach(({ role }) => {
-      const { color, around, text } = ROLES[role];
-      key(keys, "line", { borderColor: color, boxShadow: around ? "0 0 0 1.5px " + around : "" }, text);
-    });
-    data.dots.filter((group) => group.points) // none: all sources are curves
-      .forEach(({ role }) => key(keys, "dot", { background: ROLES[role].color }, ROLES[role].text));
+    parts.forEach((part) => keyOfPart(keys, part));
     if (isMissing()) key(keys, "", { background: UNREACHED }, "not reached");
     const stripes = AVOIDED.map((color, i) => color + " " + 3 * i + "px " + 3 * (i + 1) + "px").join(", ");
     if (data.avoided)
       key(keys, "", { background: "repeating-linear-gradient(-45deg, " + stripes + ")" }, "faces that paths avoid");
     if (window.matchMedia("(max-width: 700px)").matches) legend.open = false;
     if (window.matchMedia("(pointer: coarse)").matches)
-      answer.textContent = "Tap the surface for the distance there, and a second time for the exact path between both "
-        + "points. One finger turns, two move and zoom.";
+      greeting = "Tap the surface for the distance there, and a second time for the exact path between both points. "
+        + "One finger turns, two move and zoom.";
+    answer.textContent = greeting;
   }
 
   connectButtons();

@@ -103,6 +103,44 @@ contains distances.dom '>lines of equal distance</div>'
 contains distances.dom '>sources</div>'
 [ "$(number_of_colors distances.dom)" -gt 20 ] # one for each band and more
 
+# The legend has no curves and no walls where there are none. Its lines are switches: without isolines, a picture has
+# fewer colors, since their edges are blurred.
+for absent in curves walls; do
+  if grep --quiet ">$absent" distances.dom; then
+    fail "the legend has a key for $absent"
+  fi
+done
+is_silent distances "$grid" --source-border --html border.html
+opened border.html "" > border.dom
+contains border.dom '>curves</div>'
+opened distances.html 'document.querySelector(".key[role=switch]").click(); click(0.5, 0.5);' > hidden.dom
+contains hidden.dom 'aria-checked="false"'
+contains hidden.dom 'aria-checked="true"'
+[ "$(number_of_colors hidden.dom)" -lt "$(number_of_colors distances.dom)" ]
+
+# The page leaves the key Escape to the help that is open: the browser closes it.
+opened distances.html 'const press_escape = () => {
+    const event = new KeyboardEvent("keydown", { key: "Escape", cancelable: true });
+    document.dispatchEvent(event);
+    return event.defaultPrevented;
+  };
+  document.body.dataset.before = press_escape();
+  document.getElementById("show-help").click();
+  document.body.dataset.inHelp = press_escape();' > escape.dom
+contains escape.dom 'data-before="true"'
+contains escape.dom 'data-in-help="false"'
+
+# A double click shows the first view; its clicks are not the ends of a path.
+opened distances.html 'window.addEventListener("error", (event) => { document.body.dataset.error = event.message; });
+  press(0.5, 0.5); press(0.5, 0.5);
+  document.getElementById("surface").dispatchEvent(new MouseEvent("dblclick"));
+  document.body.dataset.after = document.getElementById("answer").innerText;' > double.dom
+contains double.dom 'data-after="Click on the surface'
+equals "$(grep -c -e 'data-error=' double.dom)" 0
+if grep --quiet 'data-path=' double.dom; then
+  fail "a double click has found a path"
+fi
+
 # A low window shows the whole legend: the label of 0 is in it, and the labels that are shown do not overlap.
 is_silent distances "$grid" --source 0 --isolines 30 --html bands.html
 opened bands.html 'const legend = document.getElementById("legend").getBoundingClientRect();
