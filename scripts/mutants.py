@@ -88,6 +88,7 @@ SURFACE = INTERNAL + "interface/Intrinsic_surface.h"
 DEPARTURE = INTERNAL + "paths/Departure.h"
 WALK = INTERNAL + "interface/tracing/Straightest_walk.h"
 FAN = INTERNAL + "interface/tracing/Vertex_fan.h"
+VERTEX_COPIES = INTERNAL + "surface/walls/Vertex_copies.h"
 WALL_CUT = INTERNAL + "surface/walls/Wall_cut.h"
 SOURCES_AT_WALLS = INTERNAL + "surface/walls/sources_at_walls.h"
 BLOCK_TEAM = INTERNAL + "propagation/Block_team.h"
@@ -506,8 +507,7 @@ MUTANTS = [
      "  Window_keeper(const Window_keeper&) = default;\n",
      "a thread overwrites the windows that another one has kept", (PARALLEL_KEEPERS,)),
     ("farthest_not_up_to_date", FARTHEST,
-     "if(!(m_distance[top.second] < top.first))",
-     "if(m_distance[top.second] > 0 || !(m_distance[top.second] < top.first))",
+     "if(!(distance < top.first))", "if(distance > 0 || !(distance < top.first))",
      "a vertex is taken for the farthest by a distance that it had before", (SAMPLING,)),
 
     # --- paths, points, isolines ---
@@ -777,8 +777,8 @@ MUTANTS = [
     ("source_at_wall_on_one_side", SOURCES_AT_WALLS,
      "if(behind.first == null_id)\n      continue;", "if(behind.first != null_id || true)\n      continue;",
      "a source on the edge of a wall reaches only the side of its face", (WALLS,)),
-    ("first_copy_counts", SURFACE,
-     "if(distance(c) < distance(nearest))", "if(distance(nearest) < distance(nearest))",
+    ("first_copy_counts", VERTEX_COPIES,
+     "if(distance(c) < distance(result))", "if(distance(result) < distance(result))",
      "a vertex of a wall has the distance of one of its sides", (WALLS,)),
     ("walk_through_wall", WALK,
      "if(is_end_of_surface(o, m_tm, m_layouts))", "if(is_border(o, m_tm))",
@@ -791,13 +791,13 @@ MUTANTS = [
      "if(c[k] != 0 && c[next_corner(k)] != 0 && c[previous_corner(k)] != 0 && is_open(opposite(h, m_tm)))",
      "a source on the rim is rejected, and one inside moves to the rim", (OBSTACLES,)),
     ("store_without_faces_to_avoid", STORE_MATRIX,
-     "    if(is_avoided[f] != 0)\n", "    if(is_avoided[f] == 2)\n",
+     "    if(obstacles.is_avoided[f] != 0)\n", "    if(obstacles.is_avoided[f] == 2)\n",
      "a folder that was begun without faces to avoid is continued with them", (OBSTACLES_OF_APPLICATIONS,)),
     ("verified_without_faces_to_avoid", STORE_CHECK,
      "    is_avoided[f] = 1;", "    is_avoided[f] = 0;",
      "a check computes rows through the faces to avoid", (OBSTACLES_OF_APPLICATIONS,)),
     ("certificate_through_faces_to_avoid", DISTANCE_CERTIFICATE,
-     "One_block(), Obstacles{std::move(is_avoided), {}})", "One_block())",
+     "One_block(), std::move(obstacles))", "One_block(), Obstacles{{}, std::move(obstacles.walls)})",
      "distances around obstacles are compared with those through them", (OBSTACLES_OF_APPLICATIONS,)),
     ("area_of_faces_to_avoid", DIAGRAM_CERTIFICATE,
      "if(!m_diagram.avoids_face(f) && m_diagram.nearest_site", "if(m_diagram.nearest_site",

@@ -30,6 +30,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/barycentric_coordinates.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/curves/Source_curves.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/walls/Vertex_copies.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/walls/Wall_cut.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/walls/sources_at_walls.h>
 
@@ -145,23 +146,18 @@ public:
   // Requires: v < number_of_vertices().
   vertex_descriptor descriptor(Vertex_id v) const { return m_table.vertices[v]; }
 
+  // Which vertices are one vertex of the user, as walls divide it.
+  const Vertex_copies& copies() const { return m_table.copies; }
+
   // Calls visit(c) for all copies of the vertex of the user to which v belongs: for v alone, if there are no walls.
   template <typename Visit>
-  void for_each_copy(Vertex_id v, Visit visit) const
-  {
-    for(Vertex_id c = m_table.next_copy.empty() ? v : id(descriptor(v)); c != null_id; c = m_table.copy_behind(c))
-      visit(c);
-  }
+  void for_each_copy(Vertex_id v, Visit visit) const { m_table.copies.for_each(v, visit); }
 
   // Returns the copy of the vertex v of the user with the least distance(copy), the first one of several.
   template <typename Distance>
-  Vertex_id nearest_copy(vertex_descriptor v, Distance distance) const
+  Vertex_id nearest_copy(vertex_descriptor v, const Distance& distance) const
   {
-    Vertex_id nearest = id(v);
-    for(Vertex_id c = m_table.copy_behind(nearest); c != null_id; c = m_table.copy_behind(c))
-      if(distance(c) < distance(nearest))
-        nearest = c;
-    return nearest;
+    return m_table.copies.nearest(id(v), distance);
   }
 
   // Returns the null vertex for an inserted source.

@@ -251,7 +251,7 @@ bool with_surface(const TriangleMesh& tm, const NamedParameters& np, Use use)
 template <typename ConcurrencyTag, typename Surface, typename Sources, typename Targets, typename RowOutput>
 bool put_distance_matrix(const Surface& surface, const Sources& sources, const Targets& targets, RowOutput& output)
 {
-  const Distance_matrix<double> matrix(surface.mesh(), surface.source_set(sources));
+  const Distance_matrix<double> matrix(surface.mesh(), surface.source_set(sources), surface.copies());
   return matrix.put_dense_rows(typename Available_tag<ConcurrencyTag>::type(),
                                surface.checked_ids(targets, "target"), output);
 }
@@ -261,11 +261,13 @@ bool put_distance_matrix(const Surface& surface, const Sources& sources, const T
 template <typename ConcurrencyTag, typename Surface, typename Vertices, typename RowOutput>
 bool put_symmetric_distance_matrix(const Surface& surface, const Vertices& range, RowOutput& output)
 {
-  const Distance_matrix<double> matrix(surface.mesh(), surface.source_set_of_vertices(range, "source"));
+  const Distance_matrix<double> matrix(surface.mesh(), surface.source_set_of_vertices(range, "source"),
+                                       surface.copies());
   return matrix.put_triangular_rows(typename Available_tag<ConcurrencyTag>::type(), output);
 }
 
-// Returns the vertices of `range` in the order of peeling_order.h; none if go_further() returns false.
+// Returns the vertices of `range` in the order of peeling_order.h; none if go_further() returns false. The order is a
+// means to save time only, so of a vertex that walls divide the first copy decides.
 template <typename Surface, typename Vertices, typename GoFurther>
 auto peeled_vertices(const Surface& surface, const Vertices& range, const GoFurther& go_further)
 {
@@ -283,7 +285,7 @@ template <typename ConcurrencyTag, typename Surface, typename Sources, typename 
 bool put_sparse_distance_matrix(const Surface& surface, const Sources& sources, const Targets& targets,
                                 double maximum_distance, RowOutput& output)
 {
-  const Distance_matrix<double> matrix(surface.mesh(), surface.source_set(sources));
+  const Distance_matrix<double> matrix(surface.mesh(), surface.source_set(sources), surface.copies());
   return matrix.put_sparse_rows(typename Available_tag<ConcurrencyTag>::type(),
                                 surface.checked_ids(targets, "target"), maximum_distance, output);
 }
