@@ -7,7 +7,6 @@
 #include "walls_and_places.h"
 
 #include <CGAL/Surface_mesh_geodesics/Geodesic_distance_solver.h>
-#include <CGAL/Surface_mesh_geodesics/Surface_curve.h>
 #include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_paths.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_distances.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_path.h>
@@ -397,13 +396,6 @@ void test_invalid_input()
   free.compute_distances(vertex_descriptor(0));
   for(const vertex_descriptor v : vertices(tm))
     CHECK_EQUAL(solver.distance(v), free.distance(v));
-  // A curve that is a source: rejected, when it is used.
-  const SMG::Surface_curve<Mesh> curve(tm, std::vector<vertex_descriptor>{vertex_descriptor(0)});
-  CHECK(throws<Invalid_geodesic_input>([&] { solver.compute_distances(curve); }));
-  Paths paths(tm);
-  paths.avoid_edges(border);
-  paths.add_source_curve(curve);
-  CHECK(throws<Invalid_geodesic_input>([&] { paths.build_sequence_tree(); }));
 }
 
 } // namespace

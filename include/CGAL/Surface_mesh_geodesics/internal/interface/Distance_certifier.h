@@ -139,6 +139,10 @@ private:
   // nothing rests on the proposal. If all are right, then no copy is nearer than the one with the value of the user,
   // as the proposal says so. A copy beyond the limit has no value, and a run that is canceled proposes none.
   //
+  // Wrong distances of the user cannot hide behind the proposal: one that is too large exceeds the lower bound of its
+  // copy, and one that is too small has no path. If a wrong propagation puts a right distance at a copy that is not the
+  // nearest, a condition of that copy fails: then right distances are refused, as with any fault of the witness.
+  //
   // Does nothing without such vertices.
   template <typename Visitor>
   void propose_values_of_copies(std::vector<FT>& values, const FT& limit, Visitor& visitor) const

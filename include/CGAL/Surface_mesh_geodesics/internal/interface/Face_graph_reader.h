@@ -26,13 +26,14 @@
 // - distances of vertices, the nearest source, targets: Distance_solver takes the copy with the least distance, and
 //   waits for all of them; so do Distance_matrix and Isoline_run, and Farthest_point_sampling compares these distances;
 // - certificates: Distance_certifier checks all copies, of which the least has the distance of the user;
+// - curves as sources: Intrinsic_surface::divide_at_walls() makes pieces of them, on all sides (curves_at_walls.h);
+//   the sides of signed distances are those of the nearest copies;
 // - queries and the beginnings of paths: Path_solver::query() takes the side that is nearest;
 // - the end of a path needs a descriptor only, which each copy has;
 // - directions at a source: Surface_with_sources::direction_at_vertex() counts them from a wall, as from a border.
 //
-// What does not ask takes no walls. The named parameter does not compile for signed distances and relaxation, and
-// diagrams have no function for it. Curves that are sources are rejected: by the compiler in free functions, and by
-// Intrinsic_surface::located_curve() in objects.
+// What does not ask takes no walls. The named parameter does not compile for relaxation and remeshing, and diagrams
+// have no function for it.
 //
 // The steps of read(), and who does them:
 // 1. read_faces() checks the faces, and collects their corners and neighbors. Wall_cut takes them apart along walls.

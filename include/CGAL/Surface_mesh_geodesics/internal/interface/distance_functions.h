@@ -110,8 +110,7 @@ std::vector<Wall_bits> walls(const TriangleMesh& tm, const FaceIndexMap& fim, co
     return {};
 }
 
-// Returns the faces and the edges to avoid, for the reader of the mesh. A function that takes no walls does not compile
-// with the parameter (parameter_checks.h).
+// Returns the faces and the edges to avoid, for the reader of the mesh.
 template <typename TriangleMesh, typename FaceIndexMap, typename NamedParameters>
 Obstacles obstacles(const TriangleMesh& tm, const FaceIndexMap& fim, const NamedParameters& np)
 {
@@ -131,8 +130,6 @@ template <typename ConcurrencyTag, typename Rules = All_pruning_rules, typename 
 bool compute_geodesic_distances(const TriangleMesh& tm, VertexDistanceMap vertex_distance_map, const Sources& sources,
                                 const Options& options, Shape shape, Visitor& visitor, const NamedParameters& np)
 {
-  static_assert(!Are_curves<Sources>::value || !Has_parameter<NamedParameters, internal_np::edges_to_avoid_t>::value,
-                "edges_to_avoid is not offered where curves are sources");
   auto vim = CGAL::get_initialized_vertex_index_map(tm, np);
   auto fim = CGAL::get_initialized_face_index_map(tm, np);
   check_numbers(options);
@@ -195,7 +192,7 @@ bool compute_signed_distances(const TriangleMesh& tm, VertexDistanceMap vertex_d
   for(const auto v : vertices(tm))
   {
     const double d = solver.distance(v);
-    const bool has_minus = d > 0 && is_negative[solver.surface().id(v)] != 0;
+    const bool has_minus = d > 0 && is_negative[solver.nearest_copy(v)] != 0;
     put(vertex_distance_map, v, static_cast<Value>(has_minus ? -d : d));
   }
   return true;

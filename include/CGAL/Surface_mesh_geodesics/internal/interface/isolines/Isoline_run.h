@@ -157,7 +157,8 @@ private:
   using Keeper = Deferred_window_keeper<Isoline_sweep<double>>;
   using Propagation = typename Propagation_for_tag<Tag, double, All_pruning_rules, Keeper>::type;
 
-  // The vertex of the refined mesh at v; where walls divide v, the one that is nearest to the sources.
+  // The vertex of the refined mesh at v; where walls divide v, the one that is nearest to the sources. Beyond the limit
+  // of the run, distances may not be final; distance() does not tell these.
   Vertex_id nearest_copy(vertex_descriptor v) const
   {
     return m_surface.nearest_copy(v, [this](Vertex_id c) { return m_field.distance[c]; });

@@ -116,10 +116,10 @@ using Edge_length_distance_parameters
                  internal_np::faces_to_avoid_t, internal_np::edges_to_avoid_t>::type;
 using Signed_distance_parameters
   = Extended_set<Mesh_and_visitor_parameters, internal_np::maximum_distance_t, internal_np::statistics_t,
-                 internal_np::faces_to_avoid_t>::type;
+                 internal_np::faces_to_avoid_t, internal_np::edges_to_avoid_t>::type;
 using Isoline_parameters
   = Extended_set<Signed_distance_parameters, internal_np::source_offsets_t, internal_np::vertex_distance_map_t,
-                 internal_np::nearest_source_map_t, internal_np::edges_to_avoid_t>::type;
+                 internal_np::nearest_source_map_t>::type;
 using Matrix_parameters = Extended_set<Mesh_parameters, internal_np::faces_to_avoid_t,
                                        internal_np::edges_to_avoid_t>::type;
 using Tracing_parameters = Extended_set<Mesh_parameters, internal_np::edges_to_avoid_t>::type;

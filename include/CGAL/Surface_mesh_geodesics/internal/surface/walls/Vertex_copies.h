@@ -14,7 +14,8 @@
 // (Wall_cut.h).
 //
 // The distance of the user's vertex is the least of its copies. It is no metric any more: a wall separates the copies
-// of its vertex, so the way to the one and the way on from the other make no path.
+// of its vertex, so the way to the one and the way on from the other make no path. What rests on the triangle
+// inequality (landmarks of matrices, checks of stored rows) leaves such vertices out.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 
@@ -36,7 +37,7 @@ public:
   // Have no vertices copies at all?
   bool empty() const { return m_next.empty(); }
 
-  // Makes a table of n vertices, each of which is alone.
+  // Makes a table of n vertices, each of which is alone. Vertices that are connected later stay so.
   void reset(std::size_t n)
   {
     m_next.resize(n);
