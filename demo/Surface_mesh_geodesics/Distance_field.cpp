@@ -139,7 +139,7 @@ Distance_run::Distance_run(const Mesh& mesh, const Obstacles& avoided, const std
 
 Distance_run::Distance_run(const Mesh& mesh, const Obstacles& avoided, const std::vector<Location>& sources,
                            double radius, const std::vector<double>& levels, const Console& console)
-  : m_mesh(mesh), m_console(console), m_avoided{avoided, {}}, m_is_avoided(flags_of_faces(mesh, avoided)),
+  : m_mesh(mesh), m_console(console), m_avoided(avoided), m_is_avoided(flags_of_faces(mesh, avoided.faces)),
     m_radius(radius)
 {
   m_field.distance.resize(mesh.number_of_vertices());

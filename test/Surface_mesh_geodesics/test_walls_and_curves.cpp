@@ -292,6 +292,44 @@ void check_samples(const Case& c, const Curves& curves)
   CHECK_CLOSE(radius, farthest(), 1e-12);
 }
 
+// The curve that joins places: as long as the ways between walls, and each of its segments goes on where the one before
+// ends, on the same side of the walls unless a place is there.
+void check_joined_curve(const Case& c, test_support::Random& random)
+{
+  const auto parameters = np::edges_to_avoid(c.range).faces_to_avoid(c.avoided);
+  const Face_location a = random_place(c.tm, c.removed, random).location;
+  const Face_location b = random_place(c.tm, c.removed, random).location;
+  const double way = SMG::geodesic_distance(c.tm, a, b, parameters);
+  const std::vector<Face_location> places{a, b};
+  if(!(way < not_reached))
+  {
+    CHECK(throws<SMG::Invalid_geodesic_input>([&] { SMG::shortest_path_curve(c.tm, places, false, parameters); }));
+    return;
+  }
+  double length = 0;
+  const Curve curve = SMG::shortest_path_curve(c.tm, places, false, parameters);
+  const auto point = [&](face_descriptor f, const Coordinates& x)
+  {
+    Kernel::Vector_3 sum(0, 0, 0);
+    std::size_t k = 0;
+    for(const halfedge_descriptor h : halfedges_around_face(halfedge(f, c.tm), c.tm))
+      sum = sum + x[k++] * (c.tm.point(source(h, c.tm)) - CGAL::ORIGIN);
+    return sum;
+  };
+  for(std::size_t i = 0; i < curve.segments().size(); ++i)
+  {
+    const auto& s = curve.segments()[i];
+    length += std::sqrt((point(s.face, s.target) - point(s.face, s.source)).squared_length());
+    if(i == 0)
+      continue;
+    // The two ends are one point of the cut mesh.
+    const Face_location end = c.cut.location(curve.segments()[i - 1].face, curve.segments()[i - 1].target);
+    const Face_location begin = c.cut.location(s.face, s.source);
+    CHECK_NEAR(SMG::geodesic_distance(c.cut.mesh, end, begin), 0, 1e-12);
+  }
+  CHECK_NEAR(length, way, 1e-11);
+}
+
 void test_against_cut_mesh()
 {
   test_support::Random random(11);
@@ -310,6 +348,7 @@ void test_against_cut_mesh()
     {
       const Case c{tm, walls, number % 2 == 1 ? star : Faces()};
       std::size_t number_of_curves = 0;
+      check_joined_curve(c, random);
       for(const Curves& curves : all_curves(c, random))
       {
         const test_support::Scope scope(indexed.name + ", walls " + std::to_string(number) + ", curves "
