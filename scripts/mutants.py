@@ -88,6 +88,9 @@ SURFACE = INTERNAL + "interface/Intrinsic_surface.h"
 DEPARTURE = INTERNAL + "paths/Departure.h"
 WALK = INTERNAL + "interface/tracing/Straightest_walk.h"
 FAN = INTERNAL + "interface/tracing/Vertex_fan.h"
+DISTANCE_FUNCTIONS = INTERNAL + "interface/distance_functions.h"
+CURVES_AT_WALLS = INTERNAL + "surface/curves/curves_at_walls.h"
+VERTEX_COPIES = INTERNAL + "surface/walls/Vertex_copies.h"
 WALL_CUT = INTERNAL + "surface/walls/Wall_cut.h"
 SOURCES_AT_WALLS = INTERNAL + "surface/walls/sources_at_walls.h"
 BLOCK_TEAM = INTERNAL + "propagation/Block_team.h"
@@ -109,6 +112,7 @@ STORE_ROWS = INTERNAL + "applications/matrix_store/Store_computation.h"
 STORED_MATRIX = INTERNAL + "applications/matrix_store/Stored_matrix.h"
 STORE_MATRIX = INTERNAL + "applications/matrix_store/store_matrix.h"
 STORE_CHECK = INTERNAL + "applications/matrix_store/check_stored_matrix.h"
+STORE_INPUT = INTERNAL + "applications/matrix_store/Store_input.h"
 
 WINDOWS = "test_window_pruning"
 LAWS = "test_predicate_laws"
@@ -143,6 +147,9 @@ TRACE = "test_trace_geodesic"
 LOGARITHM = "test_logarithmic_map"
 OBSTACLES = "test_obstacles"
 WALLS = "test_walls"
+WALLS_OF_FUNCTIONS = "test_walls_of_functions"
+WALLS_OF_MATRICES = "test_walls_of_matrices"
+WALLS_AND_CURVES = "test_walls_and_curves"
 SAMPLING_BESIDE_CURVES = "test_sampling_beside_curves"
 DIRECTIONS = "test_directions_of_all_vertices"
 PATHS_WITH_OFFSETS = "test_paths_from_curves_with_offsets"
@@ -506,8 +513,7 @@ MUTANTS = [
      "  Window_keeper(const Window_keeper&) = default;\n",
      "a thread overwrites the windows that another one has kept", (PARALLEL_KEEPERS,)),
     ("farthest_not_up_to_date", FARTHEST,
-     "if(!(m_distance[top.second] < top.first))",
-     "if(m_distance[top.second] > 0 || !(m_distance[top.second] < top.first))",
+     "if(!(distance < top.first))", "if(distance > 0 || !(distance < top.first))",
      "a vertex is taken for the farthest by a distance that it had before", (SAMPLING,)),
 
     # --- paths, points, isolines ---
@@ -776,9 +782,44 @@ MUTANTS = [
     ("source_at_wall_on_one_side", SOURCES_AT_WALLS,
      "if(behind.first == null_id)\n      continue;", "if(behind.first != null_id || true)\n      continue;",
      "a source on the edge of a wall reaches only the side of its face", (WALLS,)),
-    ("first_copy_counts", SURFACE,
-     "if(distance(c) < distance(nearest))", "if(distance(nearest) < distance(nearest))",
+    ("first_copy_counts", VERTEX_COPIES,
+     "if(distance(c) < distance(result))", "if(distance(result) < distance(result))",
      "a vertex of a wall has the distance of one of its sides", (WALLS,)),
+    ("row_from_one_side_of_a_wall", MATRIX,
+     "for(; it != m_behind_walls.end() && it->first == i; ++it)",
+     "for(; it != m_behind_walls.end() && it->first == i && false; ++it)",
+     "a row of a matrix knows one side of its source", (WALLS_OF_MATRICES,)),
+    ("landmarks_between_walls", MATRIX,
+     "if(number_of_rows() < least_sources || !m_copies.empty())", "if(number_of_rows() < least_sources)",
+     "rows are pruned by a triangle inequality that does not hold", (WALLS_OF_MATRICES,)),
+    ("stored_walls_from_one_face", STORE_INPUT,
+     "    for(std::size_t k = 0; k < name[1]; ++k)\n      h = next(h, tm);\n    edges.push_back(edge(h, tm));",
+     "    edges.push_back(edge(h, tm));",
+     "a check takes the first edge of each face for the wall", (WALLS_OF_MATRICES,)),
+    ("triangles_over_divided_vertices", STORE_CHECK,
+     "|| there == unknown || is_divided[b] != 0)", "|| there == unknown)",
+     "right rows seem to violate the triangle inequality", (WALLS_OF_MATRICES,)),
+    ("sample_by_one_side_of_a_wall", SAMPLES,
+     "return distance_of(m_surface.copies().nearest(v, distance_of));", "return distance_of(v);",
+     "a vertex on a wall is taken for far, though its other side is near", (WALLS_OF_FUNCTIONS,)),
+    ("certificate_without_proposal", DISTANCE_CERTIFICATE,
+     "        values[v] = distance(v) <= limit ? distance(v) : Field::infinity();\n", "        continue;\n",
+     "right distances at walls are not certified", (WALLS_OF_FUNCTIONS,)),
+    ("certificate_believes_the_proposal", DISTANCE_CERTIFICATE,
+     "m_surface.nearest_copy(m_surface.descriptor(v), distance) != v)", "true)",
+     "wrong distances at walls are certified", (WALLS_OF_FUNCTIONS,)),
+    ("curve_joined_across_a_wall", CURVES_AT_WALLS,
+     "    return m_location_behind_wall(a.face, a.to).first == null_id;", "    return true;",
+     "a curve leads on across a wall, where its end is no vertex of the next face", (WALLS_AND_CURVES,)),
+    ("curve_on_one_side_of_a_wall", CURVES_AT_WALLS,
+     "      if(!is_behind_wall(s, other))\n", "      if(!is_behind_wall(s, other) || true)\n",
+     "a curve along a wall reaches one side of it", (WALLS_AND_CURVES,)),
+    ("points_of_curves_on_one_side", CURVES_AT_WALLS,
+     "        if(c == v || h == null_id)\n", "        if(c == v || h == null_id || true)\n",
+     "a curve that touches a wall in a vertex is on one side only", (WALLS_AND_CURVES,)),
+    ("sign_of_the_first_copy", DISTANCE_FUNCTIONS,
+     "is_negative[solver.nearest_copy(v)] != 0;", "is_negative[solver.surface().id(v)] != 0;",
+     "a vertex on a wall has the sign of another side than its distance", (WALLS_AND_CURVES,)),
     ("walk_through_wall", WALK,
      "if(is_end_of_surface(o, m_tm, m_layouts))", "if(is_border(o, m_tm))",
      "a geodesic goes on behind a wall", (WALLS,)),
@@ -790,13 +831,13 @@ MUTANTS = [
      "if(c[k] != 0 && c[next_corner(k)] != 0 && c[previous_corner(k)] != 0 && is_open(opposite(h, m_tm)))",
      "a source on the rim is rejected, and one inside moves to the rim", (OBSTACLES,)),
     ("store_without_faces_to_avoid", STORE_MATRIX,
-     "    if(is_avoided[f] != 0)\n", "    if(is_avoided[f] == 2)\n",
+     "    if(obstacles.is_avoided[f] != 0)\n", "    if(obstacles.is_avoided[f] == 2)\n",
      "a folder that was begun without faces to avoid is continued with them", (OBSTACLES_OF_APPLICATIONS,)),
     ("verified_without_faces_to_avoid", STORE_CHECK,
      "    is_avoided[f] = 1;", "    is_avoided[f] = 0;",
      "a check computes rows through the faces to avoid", (OBSTACLES_OF_APPLICATIONS,)),
     ("certificate_through_faces_to_avoid", DISTANCE_CERTIFICATE,
-     "One_block(), Obstacles{std::move(is_avoided), {}})", "One_block())",
+     "One_block(), std::move(obstacles))", "One_block(), Obstacles{{}, std::move(obstacles.walls)})",
      "distances around obstacles are compared with those through them", (OBSTACLES_OF_APPLICATIONS,)),
     ("area_of_faces_to_avoid", DIAGRAM_CERTIFICATE,
      "if(!m_diagram.avoids_face(f) && m_diagram.nearest_site", "if(m_diagram.nearest_site",

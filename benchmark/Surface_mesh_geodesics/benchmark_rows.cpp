@@ -124,7 +124,7 @@ void measure_order(const Settings& settings, const std::string& prefix, const So
                    const Vertices& order, std::size_t rows)
 {
   const auto& surface = internal::Private_access::surface(solver);
-  const Matrix matrix(surface.mesh(), surface.source_set_of_vertices(order, "source"));
+  const Matrix matrix(surface.mesh(), surface.source_set_of_vertices(order, "source"), surface.copies());
   const std::vector<internal::Vertex_id>& ids = matrix.sources().vertices;
   const auto always = []() { return true; };
   std::unique_ptr<const Matrix::Landmarks> landmarks;

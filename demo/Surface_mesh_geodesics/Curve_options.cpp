@@ -18,15 +18,16 @@ namespace {
 using CGAL::Surface_mesh_geodesics::Invalid_geodesic_input;
 
 Curve joined(const Mesh& mesh, const std::vector<Face_location>& locations, bool is_closed,
-             const std::vector<Face>& avoided)
+             const Obstacles& avoided)
 {
   using CGAL::Surface_mesh_geodesics::shortest_path_curve;
-  return avoided.empty()
+  return avoided.faces.empty() && avoided.walls.empty()
            ? shortest_path_curve(mesh, locations, is_closed)
-           : shortest_path_curve(mesh, locations, is_closed, CGAL::parameters::faces_to_avoid(avoided));
+           : shortest_path_curve(mesh, locations, is_closed,
+                                 CGAL::parameters::faces_to_avoid(avoided.faces).edges_to_avoid(avoided.walls));
 }
 
-void append_file(const std::string& file_name, const Mesh& mesh, const std::vector<Face>& avoided,
+void append_file(const std::string& file_name, const Mesh& mesh, const Obstacles& avoided,
                  Point_projection& projection, std::vector<Curve>& curves)
 {
   for(const Polyline& polyline : read_polylines(file_name))
@@ -69,7 +70,7 @@ bool are_curves_given(const Arguments& arguments, const std::string& role)
 }
 
 std::vector<Curve> curves_of(const std::string& role, const Arguments& arguments, const Mesh& mesh,
-                             const std::vector<Location>& locations, const std::vector<Face>& avoided,
+                             const std::vector<Location>& locations, const Obstacles& avoided,
                              const Console& console)
 {
   const Work_sign sign(console, "curves");

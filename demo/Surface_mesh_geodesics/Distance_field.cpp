@@ -79,10 +79,10 @@ Distance_field distances_from(const Mesh& mesh, const Obstacles& avoided, const 
   return field_of(mesh, solver);
 }
 
-Distance_field distances_from(const Mesh& mesh, const std::vector<Face>& avoided, const std::vector<Curve>& sources,
+Distance_field distances_from(const Mesh& mesh, const Obstacles& avoided, const std::vector<Curve>& sources,
                               double radius, const Console& console)
 {
-  Solver solver = Solver::avoiding_faces(mesh, avoided);
+  Solver solver = Solver::avoiding_edges(mesh, avoided.walls, avoided.faces);
   Progress_visitor visitor(console, "distances");
   solver.compute_distances(sources, CGAL::parameters::maximum_distance(radius).visitor(std::ref(visitor)));
   Distance_field field = field_of(mesh, solver);
@@ -91,8 +91,8 @@ Distance_field distances_from(const Mesh& mesh, const std::vector<Face>& avoided
   return field;
 }
 
-Distance_field signed_distances_from(const Mesh& mesh, const std::vector<Face>& avoided,
-                                     const std::vector<Curve>& curves, double radius, const Console& console)
+Distance_field signed_distances_from(const Mesh& mesh, const Obstacles& avoided, const std::vector<Curve>& curves,
+                                     double radius, const Console& console)
 {
   Distance_field field;
   field.distance.resize(mesh.number_of_vertices());
@@ -102,7 +102,8 @@ Distance_field signed_distances_from(const Mesh& mesh, const std::vector<Face>& 
   {
     CGAL::Surface_mesh_geodesics::signed_geodesic_distances(
       mesh, map, curves,
-      CGAL::parameters::maximum_distance(radius).visitor(std::ref(visitor)).faces_to_avoid(avoided));
+      CGAL::parameters::maximum_distance(radius).visitor(std::ref(visitor)).faces_to_avoid(avoided.faces)
+        .edges_to_avoid(avoided.walls));
   }
   catch(const Invalid_geodesic_input& error)
   {
@@ -136,16 +137,17 @@ Distance_run::Distance_run(const Mesh& mesh, const Obstacles& avoided, const std
                              : as_location(m_paths->finder.nearest_location_of_sources(v), mesh));
 }
 
-Distance_run::Distance_run(const Mesh& mesh, const std::vector<Face>& avoided, const std::vector<Location>& sources,
+Distance_run::Distance_run(const Mesh& mesh, const Obstacles& avoided, const std::vector<Location>& sources,
                            double radius, const std::vector<double>& levels, const Console& console)
-  : m_mesh(mesh), m_console(console), m_avoided{avoided, {}}, m_is_avoided(flags_of_faces(mesh, avoided)),
+  : m_mesh(mesh), m_console(console), m_avoided(avoided), m_is_avoided(flags_of_faces(mesh, avoided.faces)),
     m_radius(radius)
 {
   m_field.distance.resize(mesh.number_of_vertices());
   m_field.source.resize(mesh.number_of_vertices());
   const auto index = get(boost::vertex_index, mesh);
   Progress_visitor visitor(console, "distances and isolines");
-  const auto np = CGAL::parameters::maximum_distance(radius).visitor(std::ref(visitor)).faces_to_avoid(avoided)
+  const auto np = CGAL::parameters::maximum_distance(radius).visitor(std::ref(visitor)).faces_to_avoid(avoided.faces)
+                    .edges_to_avoid(avoided.walls)
                     .vertex_distance_map(boost::make_iterator_property_map(m_field.distance.begin(), index))
                     .nearest_source_map(boost::make_iterator_property_map(m_field.source.begin(), index));
   const auto output = boost::make_function_output_iterator([&](std::pair<std::size_t, std::vector<Point>> line)

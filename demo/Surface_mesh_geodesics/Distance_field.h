@@ -36,13 +36,13 @@ Distance_field distances_from(const Mesh& mesh, const Obstacles& avoided, const 
                               double radius, const Console& console);
 
 // The same from curves, and the nearest point of the curves for each vertex.
-Distance_field distances_from(const Mesh& mesh, const std::vector<Face>& avoided, const std::vector<Curve>& sources,
+Distance_field distances_from(const Mesh& mesh, const Obstacles& avoided, const std::vector<Curve>& sources,
                               double radius, const Console& console);
 
 // Distances that are negative on one side of the curves. Throws a Command_error if the curves do not separate the
 // surface.
-Distance_field signed_distances_from(const Mesh& mesh, const std::vector<Face>& avoided,
-                                     const std::vector<Curve>& curves, double radius, const Console& console);
+Distance_field signed_distances_from(const Mesh& mesh, const Obstacles& avoided, const std::vector<Curve>& curves,
+                                     double radius, const Console& console);
 
 // All lines at one distance from the sources.
 struct Isoline
@@ -59,13 +59,12 @@ public:
   // distances_from().
   Distance_run(const Mesh& mesh, const Obstacles& avoided, const std::vector<Location>& sources, double radius,
                const Console& console);
-  // There must be no walls: curves that are sources take none.
   Distance_run(const Mesh& mesh, const Obstacles& avoided, const std::vector<Curve>& sources, double radius,
                const Console& console);
 
   // Finds the isolines of the given distances on its way, and keeps no windows: it takes little more memory than
-  // distances_from(). There must be no walls.
-  Distance_run(const Mesh& mesh, const std::vector<Face>& avoided, const std::vector<Location>& sources, double radius,
+  // distances_from().
+  Distance_run(const Mesh& mesh, const Obstacles& avoided, const std::vector<Location>& sources, double radius,
                const std::vector<double>& levels, const Console& console);
   ~Distance_run();
 

@@ -143,10 +143,11 @@ void print_end(const Geodesic_matrix_store_status& status, const Arguments& argu
 // Computes with sources in the form that the package takes: all are vertices, or all are locations in faces.
 template <typename Sources, typename Parameters>
 Geodesic_matrix_store_status store(const Mesh& mesh, const Sources& sources, const std::vector<Vertex>& targets,
-                                   const std::vector<Face>& avoided, const std::string& folder,
+                                   const Obstacles& avoided, const std::string& folder,
                                    const Parameters& parameters, const Mpi_job* job, Row_progress& progress)
 {
-  const auto np = parameters.visitor(std::ref(progress)).faces_to_avoid(avoided);
+  const auto np = parameters.visitor(std::ref(progress)).faces_to_avoid(avoided.faces)
+                    .edges_to_avoid(avoided.walls);
 #ifdef CGAL_SURFACE_MESH_GEODESICS_LINKED_WITH_MPI
   if(job != nullptr)
     return CGAL::Surface_mesh_geodesics::store_geodesic_distance_matrix_mpi<Tag>(job->world(), mesh, sources, targets,
@@ -164,13 +165,13 @@ Geodesic_matrix_store_status store(const std::string& mesh_name, const Mesh& mes
   std::error_code error; // an absolute name: --verify finds it from any folder
   const auto parameters
     = store_parameters(arguments, fs::absolute(mesh_name, error).string(), compare_checksums);
-  const std::vector<Face> avoided = avoided_faces(arguments, mesh);
+  const Obstacles avoided = obstacles(arguments, mesh);
   Row_progress progress(console);
   std::vector<Vertex> vertices = as_vertices(places.sources);
   if(has(arguments, "peel") && vertices == places.targets) // others are rejected, as not symmetric
   {
     vertices = CGAL::Surface_mesh_geodesics::geodesic_peeling_order(
-      mesh, vertices, CGAL::parameters::faces_to_avoid(avoided));
+      mesh, vertices, CGAL::parameters::faces_to_avoid(avoided.faces).edges_to_avoid(avoided.walls));
     places.targets = vertices;
   }
   if(!vertices.empty())
@@ -429,8 +430,12 @@ void check_matrix_store_options(const Arguments& arguments)
       throw Command_error(Exit_code::BAD_USAGE, std::string("--") + option + " needs --store");
   if((has(arguments, "status") || has(arguments, "verify")) && has(arguments, "avoid"))
     throw Command_error(Exit_code::BAD_USAGE, "a stored matrix tells the faces to avoid: no --avoid");
+  if((has(arguments, "status") || has(arguments, "verify")) && has(arguments, "walls"))
+    throw Command_error(Exit_code::BAD_USAGE, "a stored matrix tells the edges to avoid: no --walls");
   if(has(arguments, "meshes") && has(arguments, "avoid"))
     throw Command_error(Exit_code::BAD_USAGE, "--avoid names the faces of one mesh: not with --meshes");
+  if(has(arguments, "meshes") && has(arguments, "walls"))
+    throw Command_error(Exit_code::BAD_USAGE, "--walls names the edges of one mesh: not with --meshes");
   if(has(arguments, "store") && arguments["store"].as<std::string>().empty())
     throw Command_error(Exit_code::BAD_USAGE, "--store needs the name of a folder");
   if(has(arguments, "status") && has(arguments, "mesh"))

@@ -46,6 +46,7 @@ void declare(Option_descriptions& options)
     ("tolerance", positive_value("tolerance")->value_name("T"),
      "the largest violation, relative to distance and longest edge (default: 2^-40)");
   declare_obstacles(options);
+  declare_walls(options);
   declare_output(options, "a table .csv (default: to standard output)");
 }
 
@@ -130,12 +131,13 @@ private:
 };
 
 Certificate certificate_of(Mesh& mesh, const std::vector<double>& distances, const std::vector<Location>& sources,
-                           const std::vector<Face>& avoided, double radius)
+                           const Obstacles& avoided, double radius)
 {
   const auto map = mesh.add_property_map<Vertex, double>("v:checked_distance", 0).first;
   for(const Vertex v : mesh.vertices())
     map[v] = distances[v];
-  const auto np = CGAL::parameters::maximum_distance(radius).faces_to_avoid(avoided);
+  const auto np = CGAL::parameters::maximum_distance(radius).faces_to_avoid(avoided.faces)
+                    .edges_to_avoid(avoided.walls);
   const std::vector<Vertex> vertices = as_vertices(sources);
   using CGAL::Surface_mesh_geodesics::certify_geodesic_distances;
   return vertices.empty() ? certify_geodesic_distances<Tag>(mesh, map, as_face_locations(sources, mesh), np)
@@ -205,11 +207,11 @@ void run(const Arguments& arguments, const Console& console)
   Output_files files(output_names(arguments), {"csv"});
   Mesh mesh = read_mesh(arguments, console);
   const std::vector<Location> sources = source_options.required_locations(arguments, mesh, console);
-  const std::vector<Face> avoided = avoided_faces(arguments, mesh);
+  const Obstacles avoided = obstacles(arguments, mesh);
   const std::vector<double> distances
     = has(arguments, "distances")
         ? Distance_table(arguments["distances"].as<std::string>(), mesh.number_of_vertices()).distances()
-        : distances_from(mesh, Obstacles{avoided, {}}, sources, radius, console).distance;
+        : distances_from(mesh, avoided, sources, radius, console).distance;
   const Certificate certificate = [&]
   {
     const Work_sign sign(console, "certificate");

@@ -180,8 +180,6 @@ void run(const Arguments& arguments, const Console& console)
   Output_files files(has_output ? output_names(arguments, pages) : std::vector<std::string>(),
                      {"csv", "ply", "vtu", "vtk", "obj", "html"});
   check_curves(arguments, files.have({"html"}));
-  if(has(arguments, "walls") && are_curves_given(arguments, "source"))
-    throw Command_error(Exit_code::BAD_USAGE, "--walls cannot be combined with curves as sources");
   Output_files line_files(line_names, {"obj", "ply", "vtk", "vtu"});
   const bool has_lines = !line_names.empty() || files.have({"html"});
   for(const char* option : {"isolines", "spacing"})
@@ -192,10 +190,10 @@ void run(const Arguments& arguments, const Console& console)
   const std::vector<Location> sources = has_curves ? source_options.locations(arguments, mesh, console)
                                                    : source_options.required_locations(arguments, mesh, console);
   const Obstacles avoided = obstacles(arguments, mesh);
-  // One propagation. From points, the lines are chosen before it and found on its way. Lines from curves or around
-  // walls, and pages of surfaces that are refined, need distances inside of faces afterwards.
+  // One propagation. From points, the lines are chosen before it and found on its way. Lines from curves, and pages of
+  // surfaces that are refined, need distances inside of faces afterwards; between walls, the bound does not hold.
   const std::vector<Curve> curves
-    = has_curves ? curves_of("source", arguments, mesh, sources, avoided.faces, console) : std::vector<Curve>();
+    = has_curves ? curves_of("source", arguments, mesh, sources, avoided, console) : std::vector<Curve>();
   const bool are_lines_chosen_before = has_lines && !has_curves && avoided.walls.empty();
   std::vector<double> limits;
   if(are_lines_chosen_before)
@@ -207,10 +205,10 @@ void run(const Arguments& arguments, const Console& console)
   else if(has_lines && (!are_lines_chosen_before || (files.have({"html"}) && is_refined(mesh.number_of_faces()))))
     run.reset(new Distance_run(mesh, avoided, sources, radius, console));
   else if(has_lines)
-    run.reset(new Distance_run(mesh, avoided.faces, sources, radius, limits, console));
+    run.reset(new Distance_run(mesh, avoided, sources, radius, limits, console));
   else
-    without_lines = has(arguments, "signed") ? signed_distances_from(mesh, avoided.faces, curves, radius, console)
-                    : has_curves             ? distances_from(mesh, avoided.faces, curves, radius, console)
+    without_lines = has(arguments, "signed") ? signed_distances_from(mesh, avoided, curves, radius, console)
+                    : has_curves             ? distances_from(mesh, avoided, curves, radius, console)
                                              : distances_from(mesh, avoided, sources, radius, console);
   const Distance_field& field = has_lines ? run->field() : without_lines;
   if(!has(arguments, "radius"))

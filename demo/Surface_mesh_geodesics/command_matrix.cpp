@@ -39,6 +39,7 @@ void declare(Option_descriptions& options)
                         "only distances up to R: the table has a line for each, with the index of the source, "
                         "counted from 0, the target vertex, and the distance");
   declare_obstacles(options);
+  declare_walls(options);
   declare_output(options, "a table .csv (default: to standard output)");
   declare_matrix_store(options);
 }
@@ -111,7 +112,8 @@ void write(const Arguments& arguments, const Mesh& mesh, const Sources& sources,
   Unreached_pairs unreached;
   const std::size_t sources_times_targets = sources.size() * targets.size();
   const double radius = positive_argument_or(arguments, "radius", std::numeric_limits<double>::infinity());
-  const Solver solver = Solver::avoiding_faces(mesh, avoided_faces(arguments, mesh));
+  const Obstacles avoided = obstacles(arguments, mesh);
+  const Solver solver = Solver::avoiding_edges(mesh, avoided.walls, avoided.faces);
   files.write([&](std::ostream& os, const std::string&)
   {
     Progress_bar bar(console, "rows", 1);
@@ -122,10 +124,10 @@ void write(const Arguments& arguments, const Mesh& mesh, const Sources& sources,
   });
   if(unreached.number > 0 && unreached.number == sources_times_targets)
     throw Command_error(Exit_code::NO_RESULT, "no source reaches any target"
-                                                + reason_for_unreached(mesh, has(arguments, "avoid")));
+                                                + reason_for_unreached(mesh, has_obstacles(arguments)));
   if(unreached.number > 0)
     console.note(std::to_string(unreached.number) + " of " + std::to_string(sources_times_targets)
-                 + " pairs have no path" + reason_for_unreached(mesh, has(arguments, "avoid")));
+                 + " pairs have no path" + reason_for_unreached(mesh, has_obstacles(arguments)));
 }
 
 bool needs_mesh(const Arguments& arguments)

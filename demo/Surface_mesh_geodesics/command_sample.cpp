@@ -35,6 +35,7 @@ void declare(Option_descriptions& options)
   declare_curves(options, "first");
   declare_seed(options);
   declare_obstacles(options);
+  declare_walls(options);
   declare_output(options, "a table .csv (default: to standard output); points .ply, .vtu, .vtk, .obj");
 }
 
@@ -63,7 +64,7 @@ Drawing drawing_of(const Mesh& mesh, const std::vector<Vertex>& samples)
 
 // Returns the samples, and prints the covering radius.
 std::vector<Vertex> samples_of(const Mesh& mesh, std::size_t n, double radius, const std::vector<Vertex>& first,
-                               const std::vector<Curve>& curves, const std::vector<Face>& avoided,
+                               const std::vector<Curve>& curves, const Obstacles& avoided,
                                const Console& console)
 {
   std::vector<Vertex> samples = first;
@@ -76,7 +77,8 @@ std::vector<Vertex> samples_of(const Mesh& mesh, std::size_t n, double radius, c
       bar.show(static_cast<double>(samples.size()) / static_cast<double>(n));
     });
     using CGAL::Surface_mesh_geodesics::geodesic_farthest_point_sampling;
-    const auto np = CGAL::parameters::first_samples(first).covering_radius(radius).faces_to_avoid(avoided);
+    const auto np = CGAL::parameters::first_samples(first).covering_radius(radius).faces_to_avoid(avoided.faces)
+                      .edges_to_avoid(avoided.walls);
     covering_radius = curves.empty() ? geodesic_farthest_point_sampling(mesh, n, output, np)
                                      : geodesic_farthest_point_sampling(mesh, n, output, np.first_curves(curves));
   }
@@ -89,7 +91,7 @@ std::vector<Vertex> samples_of(const Mesh& mesh, std::size_t n, double radius, c
          << (curves.empty() ? "" : " or the nearest curve");
   else
     text << (samples.size() == 1 ? " does" : " do") << " not reach all vertices" 
-         << reason_for_unreached(mesh, !avoided.empty());
+         << reason_for_unreached(mesh, !avoided.faces.empty() || !avoided.walls.empty());
   console.note(text.str());
   return samples;
 }
@@ -105,7 +107,7 @@ void run(const Arguments& arguments, const Console& console)
   const std::vector<Vertex> first = first_options.vertices(arguments, mesh, console);
   if(first.size() > n)
     throw Command_error(Exit_code::BAD_USAGE, "there are more first samples than --number");
-  const std::vector<Face> avoided = avoided_faces(arguments, mesh);
+  const Obstacles avoided = obstacles(arguments, mesh);
   const std::vector<Curve> curves
     = are_curves_given(arguments, "first") ? curves_of("first", arguments, mesh, {}, avoided, console)
                                            : std::vector<Curve>();

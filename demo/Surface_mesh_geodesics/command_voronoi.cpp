@@ -55,6 +55,7 @@ void declare(Option_descriptions& options)
     ("cell", count_value("cell", 0)->value_name("I"), "files .off and .polylines.txt hold the cell of this site alone")
     ("along-border", "boundaries in files .polylines.txt go on along the border of the mesh");
   declare_obstacles(options);
+  declare_walls(options);
   declare_html(options);
   declare_output(options, "a table .csv (default: to standard output); cells with colors and their boundaries .ply, "
                           ".vtk; boundaries alone .obj; the mesh cut along them .off; boundaries of one cell after "
@@ -282,7 +283,7 @@ std::optional<std::size_t> cell_of(const Arguments& arguments, std::size_t numbe
 }
 
 // Writes the table of vertices without a diagram, which would take longer.
-void write_labels(const Mesh& mesh, const std::vector<Face>& avoided, const std::vector<Location>& sites,
+void write_labels(const Mesh& mesh, const Obstacles& avoided, const std::vector<Location>& sites,
                   const std::vector<double>& weights, Output_files& files, const Console& console)
 {
   std::vector<std::size_t> labels(mesh.number_of_vertices());
@@ -292,15 +293,15 @@ void write_labels(const Mesh& mesh, const std::vector<Face>& avoided, const std:
   const auto distance_map = boost::make_iterator_property_map(distances.begin(), index);
   const std::vector<Vertex> vertices = as_vertices(sites);
   Progress_visitor visitor(console, "distances");
-  const auto np = CGAL::parameters::vertex_distance_map(distance_map).site_weights(weights).faces_to_avoid(avoided)
-                    .visitor(std::ref(visitor));
+  const auto np = CGAL::parameters::vertex_distance_map(distance_map).site_weights(weights)
+                    .faces_to_avoid(avoided.faces).edges_to_avoid(avoided.walls).visitor(std::ref(visitor));
   if(!vertices.empty())
     CGAL::Surface_mesh_geodesics::geodesic_Voronoi_labels(mesh, label_map, vertices, np);
   else
     CGAL::Surface_mesh_geodesics::geodesic_Voronoi_labels(mesh, label_map, as_face_locations(sites, mesh), np);
   files.write([&](std::ostream& os, const std::string&) { write_labels_table(os, mesh, sites, labels, distances); });
   const std::size_t n = static_cast<std::size_t>(std::count(labels.begin(), labels.end(), Diagram::null_site()));
-  remark_on_unreached(mesh, n, !avoided.empty(), console);
+  remark_on_unreached(mesh, n, !avoided.faces.empty() || !avoided.walls.empty(), console);
 }
 
 std::size_t number_of_unreached(const Mesh& mesh, const Diagram& diagram)
@@ -320,27 +321,29 @@ void run(const Arguments& arguments, const Console& console)
   files.remark_on_unused(arguments, "vertices", {"csv"}, console);
   files.remark_on_unused(arguments, "cell", {"off", "polylines.txt"}, console);
   files.remark_on_unused(arguments, "along-border", {"polylines.txt"}, console);
+  if(has(arguments, "walls") && (!has(arguments, "vertices") || files.have(formats_with_curves)))
+    throw Command_error(Exit_code::BAD_USAGE, "--walls needs --vertices and a table only: a diagram has no walls");
   const Mesh mesh = read_mesh(arguments, console);
   const double tolerance = tolerance_of(arguments, mesh);
   const std::vector<Location> sites = site_options.required_locations(arguments, mesh, console);
   const std::optional<std::size_t> cell = cell_of(arguments, sites.size());
   const std::vector<double> weights_of_sites = weights(arguments, sites);
-  const std::vector<Face> avoided = avoided_faces(arguments, mesh);
+  const Obstacles avoided = obstacles(arguments, mesh);
   if(has(arguments, "vertices") && !files.have(formats_with_curves))
     return write_labels(mesh, avoided, sites, weights_of_sites, files, console);
   Diagram diagram(mesh);
-  diagram.avoid_faces(avoided);
+  diagram.avoid_faces(avoided.faces);
   add_sites(diagram, sites, weights_of_sites);
   {
     Progress_visitor visitor(console, "diagram");
     diagram.build(visitor);
   }
-  remark_on_unreached(mesh, number_of_unreached(mesh, diagram), !avoided.empty(), console);
+  remark_on_unreached(mesh, number_of_unreached(mesh, diagram), !avoided.faces.empty(), console);
   const Work_sign sign(console, "output");
   files.write([&](std::ostream& os, const std::string& format)
   {
     if(format == "html")
-      write_html_page(os, page_of(mesh_argument(arguments), mesh, sites, diagram, avoided, tolerance), console);
+      write_html_page(os, page_of(mesh_argument(arguments), mesh, sites, diagram, avoided.faces, tolerance), console);
     else if(format == "off")
       write_cells_mesh(os, diagram, cell, tolerance);
     else if(format == "polylines.txt")

@@ -127,7 +127,8 @@ void check_dense_matrix(const Mesh& tm, const Solver& solver, const Sources& sou
   for(const std::size_t number_of_threads : {1u, 3u})
   {
     const auto& surface = SMG::internal::Private_access::surface(solver);
-    const SMG::internal::Distance_matrix<double> matrix(surface.mesh(), surface.source_set(sources));
+    const SMG::internal::Distance_matrix<double> matrix(surface.mesh(), surface.source_set(sources),
+                                                       surface.copies());
     Row_collector collector;
     auto output = [&](std::size_t i, const std::vector<double>& row) { collector.take(i, row); };
     CHECK(matrix.put_dense_rows(Thread_team(number_of_threads), surface.checked_ids(targets, "target"),
@@ -245,7 +246,8 @@ void pruned_rows_are_those_of_single_runs(const Mesh& tm, const std::vector<vert
 {
   const Solver solver(tm);
   const auto& surface = SMG::internal::Private_access::surface(solver);
-  const SMG::internal::Distance_matrix<double> matrix(surface.mesh(), surface.source_set_of_vertices(range, "source"));
+  const SMG::internal::Distance_matrix<double> matrix(surface.mesh(), surface.source_set_of_vertices(range, "source"),
+                                                     surface.copies());
   for(const std::size_t number_of_threads : {1u, 3u})
   {
     Row_collector collector;
@@ -284,7 +286,8 @@ void pruning_saves_visits()
   const auto& surface = SMG::internal::Private_access::surface(solver);
   using Matrix = SMG::internal::Distance_matrix<double>;
   const Matrix matrix(surface.mesh(), surface.source_set_of_vertices(
-                                        SMG::geodesic_peeling_order(solver, vertices(tm)), "source"));
+                                        SMG::geodesic_peeling_order(solver, vertices(tm)), "source"),
+                      surface.copies());
   std::unique_ptr<const Matrix::Landmarks> landmarks;
   std::size_t visits = 0;
   const auto count = [&]()

@@ -196,7 +196,6 @@ public:
   /// \param faces_to_avoid the faces
   ///
   /// \throws Invalid_geodesic_input also if an edge or a face of the ranges is not one of the mesh.
-  ///         `compute_distances()` throws it for curves as sources.
   template <typename Edges, typename Faces = std::array<typename boost::graph_traits<TriangleMesh>::face_descriptor, 0>>
   static Geodesic_distance_solver avoiding_edges(const TriangleMesh& tm, const Edges& edges_to_avoid,
                                                  const Faces& faces_to_avoid = Faces())

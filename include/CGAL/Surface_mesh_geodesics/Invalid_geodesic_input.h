@@ -66,8 +66,7 @@ public:
     TOO_SMALL,           ///< one component is smaller than the mesh by a factor of more than 10<sup>60</sup>
     INVALID_DIRECTION,   ///< the direction or the length of a traced geodesic is not finite, or the length is negative
     INVALID_CURVE        ///< a curve has no location, or two in a row without a common face; segments nearly coincide,
-                         ///< so that rounding hides where they run; the curves do not separate the surface; or there
-                         ///< are edges to avoid
+                         ///< so that rounding hides where they run; or the curves do not separate the surface
   };
 
   /// the value of `element()` if the fault is not that of a single element.

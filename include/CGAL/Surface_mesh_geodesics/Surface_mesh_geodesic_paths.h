@@ -449,8 +449,8 @@ public:
 
   /// avoids edges: paths may run along these edges, also around the free end of a chain of them, but do not pass from
   /// one side to the other, not even at a vertex inside of the chain. Source points and queries on such an edge belong
-  /// to both sides; the nearest side counts. All else is as for `avoid_faces()`, and both may be in use. A build throws
-  /// if there are curves among the source points.
+  /// to both sides, and so do points of curves; the nearest side counts. All else is as for `avoid_faces()`, and both
+  /// may be in use.
   ///
   /// \tparam Edges a range of edge descriptors, or a model of `ReadablePropertyMap` with the edge descriptor as
   ///         key type and `bool` as value type

@@ -129,6 +129,14 @@ no thread modifies them; see `geodesic_distances()`.
                    face descriptor as key type and `bool` as value type}
     \cgalParamDefault{an empty range: none}
   \cgalParamNEnd
+  \cgalParamNBegin{edges_to_avoid}
+    \cgalParamDescription{the edges that no path may cross, as for `geodesic_distances()`. The distance of a
+                          vertex on such an edge is the least of its sides. The certificate checks all of them, and
+                          an extra propagation proposes those that are not the least.}
+    \cgalParamType{a range of edge descriptors of `TriangleMesh`, or a class model of `ReadablePropertyMap` with the
+                   edge descriptor as key type and `bool` as value type}
+    \cgalParamDefault{an empty range: none}
+  \cgalParamNEnd
 \cgalNamedParamsEnd
 
 How to write sequences of parameters, and which one comes first: \ref Surface_mesh_geodesics_named_parameters.

@@ -22,6 +22,7 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/tags.h>
 
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <string>
@@ -124,6 +125,14 @@ that are done.
     \cgalParamDefault{an empty range: none}
     \cgalParamExtra{All calls for one folder need the same faces.}
   \cgalParamNEnd
+  \cgalParamNBegin{edges_to_avoid}
+    \cgalParamDescription{the edges that no path may cross, as for `geodesic_distances()`; the manifest names each by
+                          the index of a face and a number}
+    \cgalParamType{a range of edge descriptors of `TriangleMesh`, or a class model of `ReadablePropertyMap` with the
+                   edge descriptor as key type and `bool` as value type}
+    \cgalParamDefault{an empty range: none}
+    \cgalParamExtra{All calls for one folder need the same edges.}
+  \cgalParamNEnd
   \cgalParamNBegin{rows_per_shard}
     \cgalParamDescription{the number of rows of a shard; 0 lets the function choose it. A folder that has a manifest
                           keeps its own number.}
@@ -175,7 +184,7 @@ that are done.
 \return how much of the range is stored. It is not complete if the visitor has canceled, or if other processes are still
         at work on some shards.
 
-\throws Invalid_geodesic_input for a mesh, a source, a target, a radius or faces to avoid that
+\throws Invalid_geodesic_input for a mesh, a source, a target, a radius, faces or edges to avoid that
         `sparse_geodesic_distance_matrix()` rejects
 \throws Geodesic_matrix_store_error if the folder belongs to another mesh, or to other sources, targets or parameters
         (the message has both checksums), if a file cannot be written, and for numbers of 32 bits if a distance is too
@@ -235,6 +244,13 @@ public:
   }
   /// returns the indices of the faces to avoid, in ascending order.
   const std::vector<std::size_t>& faces_to_avoid() const { return m_matrix.description().faces_to_avoid; }
+  /// returns the edges to avoid that are between two faces, each once, in ascending order: the index of a face, and the
+  /// number k of its edge, which leads from corner k of the face to the next one. Corners are counted as for locations,
+  /// from the source of `halfedge(f, tm)`.
+  const std::vector<std::array<std::size_t, 2>>& edges_to_avoid() const
+  {
+    return m_matrix.description().edges_to_avoid;
+  }
   /// returns the number of rows of a shard; the last one may have fewer.
   std::size_t rows_per_shard() const { return m_matrix.layout().rows_per_shard; }
 
@@ -274,7 +290,8 @@ private:
 \ingroup PkgSurfaceMeshGeodesicsFunctions
 
 checks stored distances on samples: computes some rows anew, and compares these rows with each other by symmetry and by
-the triangle inequality, if sources and targets are the same vertices. The folder tells which faces paths avoid.
+the triangle inequality, if sources and targets are the same vertices. The folder tells which faces and edges paths
+avoid. The triangle inequality is left out over a vertex that edges to avoid divide: it does not hold there.
 Checksums are checked by `Geodesic_distance_matrix_store::damaged_shards()`.
 
 <b>Complexity.</b> `samples` rows are computed; the inequalities take time for the square of `samples`, times the number

@@ -164,8 +164,9 @@ those of `Polyhedron_items_with_id_3`) must be set before, as the first call wou
     \cgalParamType{a range of edge descriptors of `TriangleMesh`, or a class model of `ReadablePropertyMap` with the
                    edge descriptor as key type and `bool` as value type}
     \cgalParamDefault{an empty range: none}
-    \cgalParamExtra{Curves as sources do not compile with it. With `targets` on such edges, the computation waits for
-                    all of their sides, also for those that no source reaches.}
+    \cgalParamExtra{A curve may cross such edges, and is a source on all sides of those on which it is. With `targets`
+                    on such edges, the computation waits for all of their sides, also for those that no source
+                    reaches.}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 

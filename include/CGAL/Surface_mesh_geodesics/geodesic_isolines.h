@@ -127,6 +127,13 @@ those of `Sequential_tag` by rounding.
                    face descriptor as key type and `bool` as value type}
     \cgalParamDefault{an empty range: none}
   \cgalParamNEnd
+  \cgalParamNBegin{edges_to_avoid}
+    \cgalParamDescription{the edges that no path may cross, as for `geodesic_distances()`. Lines end at
+                          them; behind such an edge another line may begin.}
+    \cgalParamType{a range of edge descriptors of `TriangleMesh`, or a class model of `ReadablePropertyMap` with the
+                   edge descriptor as key type and `bool` as value type}
+    \cgalParamDefault{an empty range: none}
+  \cgalParamNEnd
 \cgalNamedParamsEnd
 
 How to write sequences of parameters, and which one comes first: \ref Surface_mesh_geodesics_named_parameters.

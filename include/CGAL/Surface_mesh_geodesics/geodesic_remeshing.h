@@ -285,7 +285,8 @@ output of its own; see `geodesic_distances()`.
     \cgalParamDefault{`0`: it ends when no site moves}
   \cgalParamNEnd
   \cgalParamNBegin{faces_to_avoid}
-    \cgalParamDescription{the faces that are left out, as for `geodesic_distances()`}
+    \cgalParamDescription{the faces that are left out, as for `geodesic_distances()`. (There are no edges to avoid: the
+                          new surface has none of the edges. \ref Surface_mesh_geodesics_obstacles tells the way.)}
     \cgalParamType{a range of face descriptors of `TriangleMesh`, or a class model of `ReadablePropertyMap` with the
                    face descriptor as key type and `bool` as value type}
     \cgalParamDefault{an empty range: none}

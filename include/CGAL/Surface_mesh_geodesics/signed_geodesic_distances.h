@@ -39,6 +39,9 @@ The negative side is on the left of the first segment of the first curve, as see
 component without that segment, on the left of the first one there. A vertex on a curve has the distance 0. Vertices of
 components without a curve have the distance infinity, and those beyond the radius infinity with the sign of their side.
 
+Edges to avoid cut the surface like borders: no way crosses them, so a curve from one of them to another may separate
+it, and parts that they cut off are components. A vertex that they divide has the sign of its nearest side.
+
 Takes the time of `geodesic_distances()`, in a single thread, plus time linear in the size of the mesh.
 
 \tparam TriangleMesh a model of `FaceListGraph`
@@ -51,7 +54,8 @@ Takes the time of `geodesic_distances()`, in a single thread, plus time linear i
 \param vertex_distance_map receives the signed distance of each vertex, in the unit of the points
 \param curves the curve or curves
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`, `vertex_index_map`,
-       `face_index_map`, `visitor`, `maximum_distance`, `statistics` and `faces_to_avoid`, as for `geodesic_distances()`
+       `face_index_map`, `visitor`, `maximum_distance`, `statistics`, `faces_to_avoid` and `edges_to_avoid`, as for
+       `geodesic_distances()`
 
 \return `true`, or `false` if the visitor canceled the computation; only the statistics have changed then.
 

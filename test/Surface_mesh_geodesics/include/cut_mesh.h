@@ -66,12 +66,15 @@ public:
   }
 
   // The same point in the cut mesh.
-  Face_location location(face_descriptor f, const std::array<double, 3>& b) const
+  Face_location location(face_descriptor f, const std::array<double, 3>& b) const { return location(f, b, b); }
+
+  // The same in the part of the face that has another point, where both are in one part.
+  Face_location location(face_descriptor f, const std::array<double, 3>& b, const std::array<double, 3>& inside) const
   {
     std::size_t part = 3;
     std::array<double, 3> c{1 - 2 * b[2], 1 - 2 * b[0], 1 - 2 * b[1]};
     for(std::size_t k = 0; k < 3; ++k)
-      if(b[k] >= .5)
+      if(inside[k] >= .5)
       {
         part = k;
         c = {2 * b[k] - 1, 2 * b[(k + 1) % 3], 2 * b[(k + 2) % 3]};

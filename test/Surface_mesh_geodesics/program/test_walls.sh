@@ -26,6 +26,39 @@ rejects 1 "no source reaches vertex 12; the mesh has 1 component, and paths avoi
 seq 0 17 > all.txt
 rejects 3 "inside of the faces to avoid" distances "$grid" --source 5 --avoid all.txt --walls wall.txt
 
+# Certificates, matrices, labels and samples. The matrix is that of the table of distances.
+is_silent check "$grid" --source 0 --walls wall.txt -o certificate.csv
+is_silent check "$grid" --source 0 --walls wall.txt --distances again.csv -o certificate.csv
+is_silent distances "$grid" --source 0 -o straight.csv
+rejects 1 "the distances are not certified" check "$grid" --source 0 --walls wall.txt --distances straight.csv \
+  -o uncertified.csv
+is_silent matrix "$grid" --source 0 --target 12,4 --walls wall.txt -o matrix.csv
+is_near "$(line matrix.csv 2 | cut -d, -f2)" "$around"
+is_near "$(line matrix.csv 2 | cut -d, -f3)" "$(awk 'BEGIN { printf "%.17g", 1 / 3 }')"
+is_silent voronoi "$grid" --site 0,15 --walls across.txt --vertices -o labels.csv
+equals "$(column labels.csv site | line /dev/stdin 13)" 1
+is_silent sample "$grid" --quiet --number 2 --first 0 --walls wall.txt -o samples.csv
+equals "$(column samples.csv vertex | line /dev/stdin 2)" 12
+
+# A stored matrix names the walls, so it can be verified without the file, and continued only with it.
+"$program" matrix "$grid" --quiet --source all --walls wall.txt --store stored > status.csv
+equals "$(column status.csv rows_done)" 16
+contains stored/manifest.json '"edges_to_avoid"'
+"$program" matrix --verify stored --quiet > verified.csv
+equals "$(column verified.csv failures | head -n 2 | paste -sd ' ')" "0 0"
+rejects 3 "and those of this call have the hash" matrix "$grid" --source all --store stored --resume
+rejects 2 "a stored matrix tells the edges to avoid: no --walls" matrix --status stored --walls wall.txt
+echo "$grid" > meshes.txt
+rejects 2 "--walls names the edges of one mesh: not with --meshes" \
+  matrix --meshes meshes.txt --source all --store rows --walls wall.txt
+
+# The wall is a curve: both sides of it are sources. Behind a wall from border to border, the border is near.
+printf 'v 0.3333333333333333 0 0\nv 0.3333333333333333 0.6666666666666666 0\nl 1 2\n' > wall.obj
+is_silent distances "$grid" --source-curve wall.obj --walls wall.txt -o from_wall.csv
+is_silent distances "$grid" --source-curve wall.obj -o from_curve.csv
+equals "$(column from_wall.csv distance)" "$(column from_curve.csv distance)"
+is_silent distances "$grid" --source-border --walls across.txt -o from_border.csv
+
 # Wrong files.
 rejects 3 "none.txt" distances "$grid" --source 0 --walls none.txt
 printf '4 5\n4 5 6\n' > three.txt
@@ -42,4 +75,4 @@ rejects 2 "this command reads the file" distances "$grid" --source 0 --walls kep
 cmp kept.csv wall.txt
 
 # What has no walls.
-rejects 2 "--walls cannot be combined with curves" distances "$grid" --source-border --walls wall.txt
+rejects 2 "--walls needs --vertices and a table only: a diagram has no walls" voronoi "$grid" --site 0 --walls wall.txt

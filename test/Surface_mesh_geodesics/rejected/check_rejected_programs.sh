@@ -18,10 +18,12 @@ cat > "$work/frame.h" << 'END'
 #include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_Voronoi_diagram.h>
 #include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_paths.h>
 #include <CGAL/Surface_mesh_geodesics/certify_geodesic_distances.h>
+#include <CGAL/Surface_mesh_geodesics/geodesic_Lloyd_relaxation.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_Voronoi_labels.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_distance_matrix_store.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_distances.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_farthest_point_sampling.h>
+#include <CGAL/Surface_mesh_geodesics/geodesic_remeshing.h>
 #include <iterator>
 #include <map>
 #include <string>
@@ -82,6 +84,8 @@ distances='geodesic_distances(tm, distance, vertices, '
 certificate='certify_geodesic_distances(tm, distance, vertices, '
 labels='geodesic_Voronoi_labels(tm, tm.add_property_map<Vertex, std::size_t>("s").first, vertices, '
 sampling='geodesic_farthest_point_sampling(tm, 5, std::back_inserter(const_cast<std::vector<Vertex>&>(vertices)), '
+relaxation='geodesic_Lloyd_relaxation(tm, vertices, std::back_inserter(const_cast<std::vector<Vertex>&>(vertices)), '
+remeshing='geodesic_remeshing(tm, 5, tm, '
 store='store_geodesic_distance_matrix(tm, vertices, vertices, "folder", '
 
 expect '' "${distances}np::targets(vertices).source_offsets(numbers).statistics(&counts).vertex_point_map(tm.points()))"
@@ -99,6 +103,10 @@ expect "does not take the named parameter" "${certificate}np::targets(vertices))
 expect "does not take the named parameter" "${sampling}np::maximum_distance(1.))"
 expect "neither a range of faces nor a property map" "${store}np::faces_to_avoid(numbers))"
 for call in "$store" "$labels" "$sampling" "$certificate"; do
+  expect '' "${call}np::edges_to_avoid(std::vector<Mesh::Edge_index>()))"
+done
+# A diagram has no walls, nor has what is made of diagrams.
+for call in "$relaxation" "$remeshing"; do
   expect "does not take the named parameter" "${call}np::edges_to_avoid(std::vector<Mesh::Edge_index>()))"
 done
 

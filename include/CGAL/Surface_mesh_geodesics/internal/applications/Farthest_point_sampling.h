@@ -53,6 +53,9 @@ namespace internal {
 // one, so tables of vertices never grow: the queue may refer to the distances in m_field. Vertices of curves that the
 // user does not know have the last numbers, behind all candidates.
 //
+// Walls divide a vertex into copies. All of them are candidates with the same distance, the least one, and the same
+// rank: whichever comes first, the vertex becomes a sample, on all of its sides.
+//
 // An object is used by one thread. run() may be called again, which reads the mesh anew.
 template <typename TriangleMesh, typename VertexIndexMap, typename FaceIndexMap>
 class Farthest_point_sampling
@@ -65,7 +68,7 @@ public:
     : m_tm(tm), m_surface(tm, vim, fim)
   {}
 
-  // Avoids faces when run() reads the mesh.
+  // Avoids faces and edges when run() reads the mesh.
   void avoid(Obstacles obstacles) { m_surface.avoid(std::move(obstacles)); }
 
   // Writes samples until there are n, with those in the options, or the covering radius of the options is reached.
@@ -124,16 +127,17 @@ private:
     std::size_t number = options.first_samples.size();
     bool is_complete = add_first_samples(propagation, options.first_samples, visitor, has_sources);
     // From here on distances only shrink, as the queue requires.
-    Farthest_vertex_queue<double> queue(m_field.distance, ranks(), number_of_candidates());
+    const auto distance_of = [this](Vertex_id v) { return least_distance(v); };
+    Farthest_vertex_queue<decltype(distance_of)> queue(distance_of, ranks(), number_of_candidates());
     const double unit = m_surface.unit();
     double radius = std::numeric_limits<double>::infinity();
     while(is_complete)
     {
       const Vertex_id v = queue.farthest();
-      radius = v == null_id ? 0. : unit * m_field.distance[v];
+      radius = v == null_id ? 0. : unit * least_distance(v);
       if(number >= n || v == null_id || radius <= options.covering_radius)
         break;
-      propagation.add_source(v, 0);
+      m_surface.for_each_copy(v, [&](Vertex_id c) { propagation.add_source(c, 0); });
       is_complete = propagate(propagation, visitor);
       if(is_complete)
         *output++ = m_surface.descriptor(v);
@@ -145,6 +149,17 @@ private:
       options.statistics->intrinsic_mesh_bytes += m_surface.memory() + m_field.memory();
     }
     return radius;
+  }
+
+  // A sample on a wall is on all of its sides, and each of them is as far as the nearest one. When a sample comes near
+  // to one side, the distance of the others shrinks, too: the queue sees that when it asks for them. Without walls
+  // there is one copy, and nothing to compare.
+  //
+  // The distance of the vertex of the user of which v is a copy, in the unit of the mesh.
+  double least_distance(Vertex_id v) const
+  {
+    const auto distance_of = [this](Vertex_id c) { return m_field.distance[c]; };
+    return distance_of(m_surface.copies().nearest(v, distance_of));
   }
 
   // Makes sources of the samples that the user gives, and propagates from all sources at once. Returns false if the
@@ -177,7 +192,10 @@ private:
     m_rank.resize(m_surface.number_of_vertices());
     Vertex_id position = 0;
     for(const vertex_descriptor v : vertices(m_tm))
-      m_rank[m_surface.id(v)] = position++;
+    {
+      m_surface.for_each_copy(m_surface.id(v), [&](Vertex_id c) { m_rank[c] = position; });
+      ++position;
+    }
     return m_rank;
   }
 

@@ -73,12 +73,10 @@ public:
   using Field = Vertex_distance_field<FT>;
 
   // Shape is described in Face_shapes.h. Reads all components, and throws Invalid_geodesic_input for a fault in any of
-  // them. Faces are left out that have a flag, as if they were not in the mesh. There are no walls: the certificate of
-  // a vertex on a wall would have to tell its sides apart.
+  // them. Faces to avoid are left out, as if they were not in the mesh, and the mesh is cut along walls.
   template <typename Shape>
-  Distance_certifier(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim, Shape shape,
-                     std::vector<char> is_avoided)
-    : m_surface(tm, vim, fim, std::move(shape), One_block(), Obstacles{std::move(is_avoided), {}}),
+  Distance_certifier(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim, Shape shape, Obstacles obstacles)
+    : m_surface(tm, vim, fim, std::move(shape), One_block(), std::move(obstacles)),
       m_insertion(m_surface.mesh())
   {}
 
@@ -118,6 +116,8 @@ public:
     values.reserve(m_surface.number_of_vertices());
     for(Vertex_id v = 0; v < m_surface.number_of_vertices(); ++v)
       values.push_back(FT(value(m_surface.descriptor(v))) / m_surface.unit());
+    Visitor_of_several_runs<Visitor> visitor_of_runs(visitor);
+    propose_values_of_copies(values, limit, visitor_of_runs);
     Distance_checks<FT> checks(m_surface.mesh(), std::move(values));
     for(const std::pair<Vertex_id, FT>& s : m_sources)
       checks.add_source(s.first, s.second);
@@ -127,13 +127,41 @@ public:
     result[CHECKED_SOURCES] = checks.check_sources(limit);
     result[CHECKED_EDGES] = checks.check_edges(limit);
     result[CHECKED_PAIRS_OF_FACES] = checks.check_pairs_of_faces(limit);
-    Visitor_of_several_runs<Visitor> visitor_of_runs(visitor);
     check_with_witness(chunks, checks, limit, visitor_of_runs, result);
     result[CHECKED_REVERSE] = check_reverse(checks, limit, number_of_reverse_runs, visitor_of_runs);
     return result;
   }
 
 private:
+  // Of a vertex that walls divide, the user gives one value, the least distance of its copies. All checks need one for
+  // each copy. A propagation proposes them: the copy that it finds nearest gets the value of the user, and the others
+  // what the propagation says. All of these are checked then as if the user had given them, in the mesh that is cut; so
+  // nothing rests on the proposal. If all are right, then no copy is nearer than the one with the value of the user,
+  // as the proposal says so. A copy beyond the limit has no value, and a run that is canceled proposes none.
+  //
+  // Wrong distances of the user cannot hide behind the proposal: one that is too large exceeds the lower bound of its
+  // copy, and one that is too small has no path. If a wrong propagation puts a right distance at a copy that is not the
+  // nearest, a condition of that copy fails: then right distances are refused, as with any fault of the witness.
+  //
+  // Does nothing without such vertices.
+  template <typename Visitor>
+  void propose_values_of_copies(std::vector<FT>& values, const FT& limit, Visitor& visitor) const
+  {
+    if(m_surface.copies().empty())
+      return;
+    Field field;
+    Distance_propagation<FT> propagation(m_surface.mesh(), field);
+    for(const std::pair<Vertex_id, FT>& s : m_sources)
+      propagation.add_source(s.first, s.second);
+    if(!run_with_visitor(visitor, m_surface.number_of_vertices(),
+                         [&](auto go_on) { return run(propagation, go_on); }))
+      return;
+    const auto distance = [&field](Vertex_id c) { return field.distance[c]; };
+    for(Vertex_id v = 0; v < values.size(); ++v)
+      if(m_surface.copies().is_divided(v) && m_surface.nearest_copy(m_surface.descriptor(v), distance) != v)
+        values[v] = distance(v) <= limit ? distance(v) : Field::infinity();
+  }
+
   // Propagates, and checks the paths and the lower bounds that come from it. The propagation has no limit: whether a
   // vertex may be without a value depends on its distance, which must be known for that. The windows are freed before
   // the reverse runs start.
@@ -271,7 +299,7 @@ Certificate certify_distances(const TriangleMesh& tm, VertexDistanceMap vertex_d
   const auto options = distance_options<TriangleMesh>(np);
   check_numbers(options);
   Distance_certifier<double, TriangleMesh, decltype(vim), decltype(fim)> certifier(tm, vim, fim, make_shape(),
-                                                                                   avoided_faces(tm, fim, np));
+                                                                                   obstacles(tm, fim, np));
   certifier.set_sources(sources, options.source_offsets);
   Visitor_parameter<NamedParameters> visitor_parameter(np);
   const auto conditions = certifier.run(

@@ -70,7 +70,7 @@ public:
 
   static constexpr std::size_t no_source = Source_numbers::none;
 
-  // `obstacles` are faces that are left out, and walls (Intrinsic_surface). Runs from curves take no walls.
+  // `obstacles` are faces that are left out, and walls (Intrinsic_surface).
 
   // Reads the whole mesh, for runs from any sources; throws Invalid_geodesic_input. Takes linear time.
   template <typename Shape>
@@ -183,7 +183,7 @@ public:
   Curve_point<FT> foot(vertex_descriptor v) const
   {
     CGAL_precondition(m_curve_run != nullptr);
-    return m_curve_run->foot(m_surface.id(v));
+    return m_curve_run->foot(nearest_copy(v));
   }
 
   // Was the last run one from curves?
@@ -203,17 +203,17 @@ public:
         visit(m_surface.descriptor(v), FT(distance_of(v) * m_surface.unit()));
   }
 
-private:
-  using Runner = Repeated_propagation<Propagation>;
-  using Curve_runner = Curve_run<FT, Rules>;
-
-  // All answers about v come from one copy, so that its distance, its source and its foot belong together.
+  // All answers about v come from one copy, so that its distance, its source, its foot and its side belong together.
   //
   // The vertex of the intrinsic mesh at v; where walls divide v, the one that is nearest to the sources.
   Vertex_id nearest_copy(vertex_descriptor v) const
   {
     return m_surface.nearest_copy(v, [this](Vertex_id c) { return distance_of(c); });
   }
+
+private:
+  using Runner = Repeated_propagation<Propagation>;
+  using Curve_runner = Curve_run<FT, Rules>;
 
   // The distance of a vertex of the intrinsic mesh, in its unit, after the last run of either kind. Before the first
   // run and after one that failed no vertex is reached.

@@ -24,14 +24,16 @@
 //
 // - sources at a vertex, or on an edge: Intrinsic_surface::add_sources_behind_walls() makes one of each copy;
 // - distances of vertices, the nearest source, targets: Distance_solver takes the copy with the least distance, and
-//   waits for all of them;
+//   waits for all of them; so do Distance_matrix and Isoline_run, and Farthest_point_sampling compares these distances;
+// - certificates: Distance_certifier checks all copies, of which the least has the distance of the user;
+// - curves as sources: Intrinsic_surface::divide_at_walls() makes pieces of them, on all sides (curves_at_walls.h);
+//   the sides of signed distances are those of the nearest copies;
 // - queries and the beginnings of paths: Path_solver::query() takes the side that is nearest;
 // - the end of a path needs a descriptor only, which each copy has;
 // - directions at a source: Surface_with_sources::direction_at_vertex() counts them from a wall, as from a border.
 //
-// What does not ask takes no walls. The named parameter does not compile for matrices, signed distances, labels,
-// samples, relaxation and certificates, and diagrams have no function for it. Curves that are sources are rejected: by
-// the compiler in free functions, and by Intrinsic_surface::located_curve() in objects.
+// What does not ask takes no walls. The named parameter does not compile for relaxation and remeshing, and diagrams
+// have no function for it.
 //
 // The steps of read(), and who does them:
 // 1. read_faces() checks the faces, and collects their corners and neighbors. Wall_cut takes them apart along walls.
@@ -50,6 +52,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh_builder.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/mesh_invariants.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/walls/Vertex_copies.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/walls/Wall_cut.h>
 
 #include <CGAL/assertions.h>
@@ -77,7 +80,7 @@ namespace internal {
 //
 // Faces of components that have been left out are in no table: their entry is null_id, and their vertices are isolated.
 //
-// All copies of a vertex have its descriptor. The first one is that of vertex_of_index; the others follow by next_copy.
+// All copies of a vertex have its descriptor. The first one is that of vertex_of_index.
 template <typename TriangleMesh>
 struct Face_graph_correspondence
 {
@@ -89,15 +92,12 @@ struct Face_graph_correspondence
   std::vector<Vertex_id> vertex_of_index;  // by the index of the user's map, null_id if unused
   // By the index of the user's map: the halfedge of the intrinsic mesh that is halfedge(f, tm).
   std::vector<Halfedge_id> halfedge_of_face_index;
-  std::vector<Vertex_id> next_copy; // of a vertex of the intrinsic mesh, null_id behind the last one; empty: no copies
-
-  // Returns the next copy of the vertex of the user to which v belongs, null_id if v is the last one.
-  Vertex_id copy_behind(Vertex_id v) const { return next_copy.empty() ? null_id : next_copy[v]; }
+  Vertex_copies copies; // of vertices that walls divide
 
   std::size_t memory() const
   {
     return vertices.capacity() * sizeof(vertex_descriptor) + faces.capacity() * sizeof(face_descriptor)
-         + (vertex_of_index.capacity() + next_copy.capacity()) * sizeof(Vertex_id)
+         + vertex_of_index.capacity() * sizeof(Vertex_id) + copies.memory()
          + halfedge_of_face_index.capacity() * sizeof(Halfedge_id);
   }
 };
@@ -315,24 +315,20 @@ private:
     return number_in_faces;
   }
 
-  // The order of copies does not matter, so each one is linked right behind the first. The table is as long as that of
-  // the vertices, so that a query needs no search.
-  //
-  // Gives copies the descriptor of their vertex, and links them behind it. Returns how many there are: a copy in a
+  // Gives copies the descriptor of their vertex, and connects them with it. Returns how many there are: a copy in a
   // component that was left out is none. (A vertex that is not known is not among those of the mesh, and is rejected.)
   static std::size_t connect_copies(const std::vector<std::uint32_t>& copied, std::size_t range_of_indices,
                                     const std::vector<char>& is_known, Correspondence& table)
   {
     std::size_t number = 0;
-    table.next_copy.assign(table.vertices.size(), null_id);
+    table.copies.reset(table.vertices.size());
     for(std::size_t i = 0; i < copied.size(); ++i)
     {
       const Vertex_id copy = table.vertex_of_index[range_of_indices + i], v = table.vertex_of_index[copied[i]];
       if(copy == null_id || v == null_id || is_known[v] == 0)
         continue;
       table.vertices[copy] = table.vertices[v];
-      table.next_copy[copy] = table.next_copy[v];
-      table.next_copy[v] = copy;
+      table.copies.connect(v, copy);
       ++number;
     }
     table.vertex_of_index.resize(range_of_indices);

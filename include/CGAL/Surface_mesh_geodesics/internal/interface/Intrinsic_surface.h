@@ -30,6 +30,8 @@
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/barycentric_coordinates.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/curves/Source_curves.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/curves/curves_at_walls.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/walls/Vertex_copies.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/walls/Wall_cut.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/walls/sources_at_walls.h>
 
@@ -40,6 +42,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -71,7 +74,7 @@ public:
 
   // --- reading ---
 
-  // A surface that has not been read. `obstacles` are the faces that are left out, and the walls along which it is cut.
+  // A surface that has not been read. `obstacles` are what is left out, and the walls along which it is cut.
   Intrinsic_surface(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim, Obstacles obstacles = {})
     : m_tm(tm), m_vim(vim), m_fim(fim), m_obstacles(std::move(obstacles))
   {}
@@ -145,24 +148,16 @@ public:
   // Requires: v < number_of_vertices().
   vertex_descriptor descriptor(Vertex_id v) const { return m_table.vertices[v]; }
 
+  // Which vertices are one vertex of the user, as walls divide it.
+  const Vertex_copies& copies() const { return m_table.copies; }
+
   // Calls visit(c) for all copies of the vertex of the user to which v belongs: for v alone, if there are no walls.
   template <typename Visit>
-  void for_each_copy(Vertex_id v, Visit visit) const
-  {
-    for(Vertex_id c = m_table.next_copy.empty() ? v : id(descriptor(v)); c != null_id; c = m_table.copy_behind(c))
-      visit(c);
-  }
+  void for_each_copy(Vertex_id v, Visit visit) const { m_table.copies.for_each(v, visit); }
 
-  // Returns the copy of the vertex v of the user with the least distance(copy), the first one of several.
+  // Returns the copy of the vertex v of the user with the least d(copy), the first one of several.
   template <typename Distance>
-  Vertex_id nearest_copy(vertex_descriptor v, Distance distance) const
-  {
-    Vertex_id nearest = id(v);
-    for(Vertex_id c = m_table.copy_behind(nearest); c != null_id; c = m_table.copy_behind(c))
-      if(distance(c) < distance(nearest))
-        nearest = c;
-    return nearest;
-  }
+  Vertex_id nearest_copy(vertex_descriptor v, const Distance& d) const { return copies().nearest(id(v), d); }
 
   // Returns the null vertex for an inserted source.
   vertex_descriptor descriptor_or_null(Vertex_id v) const
@@ -377,50 +372,54 @@ public:
     reject_avoided(what, position);
   }
 
-  // Returns a curve or a range of curves. `offsets` are in the user's unit: none, or one for each curve. Throws if a
-  // curve is not one of the mesh that was read, or as source_set() does. Linear in the number of segments.
-  //
-  // Curves stay polylines here; Curve_insertion.h makes edges of the refined mesh of them when they are propagated.
+  // Returns a curve or a range of curves, with all pieces that walls make of them. `offsets` are in the user's unit:
+  // none, or one for each curve. Throws if a curve is not one of the mesh that was read, or as source_set() does.
+  // Linear in the number of segments. Curves stay polylines here; Curve_insertion.h makes edges of them.
   template <typename Curves>
   std::vector<Located_curve<FT>> located_curves(const Curves& curves, const std::vector<double>& offsets) const
   {
     std::vector<Located_curve<FT>> result;
     for_each_source<TriangleMesh>(curves, [&](const auto& curve)
     { result.push_back(located_curve(curve, result.size())); });
-    // Offsets are checked and converted as those of points are, so that both reject the same numbers with the same
-    // words.
+    // Offsets are checked and converted as those of points are.
     Source_set<FT> set; // of as many sources, for their offsets
     set.vertices.resize(result.size(), null_id);
     add_offsets(offsets, set);
     for(std::size_t i = 0; i < offsets.size(); ++i)
       result[i].offset = set.offsets[i];
+    divide_at_walls(result);
     return result;
   }
 
-  // A class that gets its curves one by one calls it, and has no offsets. A curve would have two sides at a wall.
-  //
-  // Returns a single curve, whose number is `position`. Throws as located_curves() does, and if there are walls.
+  // Returns a single curve, whose number is `position`, without an offset and not divided. Throws as located_curves().
   template <typename Curve>
   Located_curve<FT> located_curve(const Curve& curve, std::size_t position) const
   {
-    if(has_walls())
-      throw Invalid_geodesic_input(Invalid_geodesic_input::Reason::INVALID_CURVE,
-                                   "curve " + std::to_string(position) + " is a source, but there are edges to avoid",
-                                   position);
     Located_curve<FT> located;
+    located.number = static_cast<std::uint32_t>(position);
     located.is_closed = curve.is_closed();
     for(const auto& segment : curve.segments())
+    {
       located.segments.push_back(curve_segment(segment, position));
+      located.segments.back().number = static_cast<std::uint32_t>(located.segments.size() - 1);
+    }
     if(located.segments.empty())
       located.vertex = checked_id(curve.vertex(), "curve", position);
     return located;
   }
 
+  // Replaces curves by their pieces between walls, on all sides of these (curves_at_walls.h). Linear in the number of
+  // segments.
+  void divide_at_walls(std::vector<Located_curve<FT>>& curves) const
+  {
+    const auto behind = [this](Face_id f, const Coordinates& c) { return location_behind_wall(f, c); };
+    if(has_walls())
+      divide_curves_at_walls(m_mesh, copies(), behind, curves);
+  }
+
   // Returns a segment of a curve in the order of the intrinsic face. A segment along the rim of what is avoided is
   // given in the neighbor that is not avoided: then both of its ends are on one edge, as zero coordinates tell. A
   // segment through an avoided face is rejected. `position` is the number of the curve. Throws as for locations.
-  //
-  // A segment has its face, so that it needs no search; only where that face is avoided another one has to be found.
   template <typename Segment>
   Curve_segment<FT> curve_segment(const Segment& s, std::size_t position) const
   {

@@ -29,6 +29,7 @@
 #include <CGAL/assertions.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -328,7 +329,8 @@ private:
     return q;
   }
 
-  // Strips and windows need one numbering of all sources, so points beside curves are curves without length.
+  // Strips and windows need one numbering of all sources, so points beside curves are curves without length. Walls
+  // divide both alike: a piece keeps the number of its source, so queries know nothing of pieces.
   std::vector<Located_curve<double>> sources_as_curves() const
   {
     std::vector<Located_curve<double>> result(m_sources.size());
@@ -339,7 +341,11 @@ private:
     for(const auto& c : m_curves)
       result[c.first] = c.second;
     for(std::size_t i = 0; i < result.size(); ++i)
+    {
       result[i].offset = m_sources.offset(i);
+      result[i].number = static_cast<std::uint32_t>(i);
+    }
+    m_surface.divide_at_walls(result);
     return result;
   }
 

@@ -110,8 +110,7 @@ std::vector<Wall_bits> walls(const TriangleMesh& tm, const FaceIndexMap& fim, co
     return {};
 }
 
-// Returns the faces and the edges to avoid, for the reader of the mesh. A function that takes no walls does not compile
-// with the parameter (parameter_checks.h).
+// Returns the faces and the edges to avoid, for the reader of the mesh.
 template <typename TriangleMesh, typename FaceIndexMap, typename NamedParameters>
 Obstacles obstacles(const TriangleMesh& tm, const FaceIndexMap& fim, const NamedParameters& np)
 {
@@ -131,8 +130,6 @@ template <typename ConcurrencyTag, typename Rules = All_pruning_rules, typename 
 bool compute_geodesic_distances(const TriangleMesh& tm, VertexDistanceMap vertex_distance_map, const Sources& sources,
                                 const Options& options, Shape shape, Visitor& visitor, const NamedParameters& np)
 {
-  static_assert(!Are_curves<Sources>::value || !Has_parameter<NamedParameters, internal_np::edges_to_avoid_t>::value,
-                "edges_to_avoid is not offered where curves are sources");
   auto vim = CGAL::get_initialized_vertex_index_map(tm, np);
   auto fim = CGAL::get_initialized_face_index_map(tm, np);
   check_numbers(options);
@@ -195,7 +192,7 @@ bool compute_signed_distances(const TriangleMesh& tm, VertexDistanceMap vertex_d
   for(const auto v : vertices(tm))
   {
     const double d = solver.distance(v);
-    const bool has_minus = d > 0 && is_negative[solver.surface().id(v)] != 0;
+    const bool has_minus = d > 0 && is_negative[solver.nearest_copy(v)] != 0;
     put(vertex_distance_map, v, static_cast<Value>(has_minus ? -d : d));
   }
   return true;
@@ -251,7 +248,7 @@ bool with_surface(const TriangleMesh& tm, const NamedParameters& np, Use use)
 template <typename ConcurrencyTag, typename Surface, typename Sources, typename Targets, typename RowOutput>
 bool put_distance_matrix(const Surface& surface, const Sources& sources, const Targets& targets, RowOutput& output)
 {
-  const Distance_matrix<double> matrix(surface.mesh(), surface.source_set(sources));
+  const Distance_matrix<double> matrix(surface.mesh(), surface.source_set(sources), surface.copies());
   return matrix.put_dense_rows(typename Available_tag<ConcurrencyTag>::type(),
                                surface.checked_ids(targets, "target"), output);
 }
@@ -261,11 +258,13 @@ bool put_distance_matrix(const Surface& surface, const Sources& sources, const T
 template <typename ConcurrencyTag, typename Surface, typename Vertices, typename RowOutput>
 bool put_symmetric_distance_matrix(const Surface& surface, const Vertices& range, RowOutput& output)
 {
-  const Distance_matrix<double> matrix(surface.mesh(), surface.source_set_of_vertices(range, "source"));
+  const Distance_matrix<double> matrix(surface.mesh(), surface.source_set_of_vertices(range, "source"),
+                                       surface.copies());
   return matrix.put_triangular_rows(typename Available_tag<ConcurrencyTag>::type(), output);
 }
 
-// Returns the vertices of `range` in the order of peeling_order.h; none if go_further() returns false.
+// Returns the vertices of `range` in the order of peeling_order.h; none if go_further() returns false. The order is a
+// means to save time only, so of a vertex that walls divide the first copy decides.
 template <typename Surface, typename Vertices, typename GoFurther>
 auto peeled_vertices(const Surface& surface, const Vertices& range, const GoFurther& go_further)
 {
@@ -283,7 +282,7 @@ template <typename ConcurrencyTag, typename Surface, typename Sources, typename 
 bool put_sparse_distance_matrix(const Surface& surface, const Sources& sources, const Targets& targets,
                                 double maximum_distance, RowOutput& output)
 {
-  const Distance_matrix<double> matrix(surface.mesh(), surface.source_set(sources));
+  const Distance_matrix<double> matrix(surface.mesh(), surface.source_set(sources), surface.copies());
   return matrix.put_sparse_rows(typename Available_tag<ConcurrencyTag>::type(),
                                 surface.checked_ids(targets, "target"), maximum_distance, output);
 }

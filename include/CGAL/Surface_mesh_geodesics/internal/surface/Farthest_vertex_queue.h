@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -31,19 +32,24 @@ namespace internal {
 // whose key is its distance is the farthest: no other distance exceeds the key of its own entry.
 //
 // Vertices that no source reaches have the distance infinity; they are the farthest.
-template <typename FT>
+//
+// Distance is a function from vertices to numbers: where walls divide a vertex of the user, all of its copies have the
+// least distance of them.
+template <typename Distance>
 class Farthest_vertex_queue
 {
+  using FT = std::decay_t<decltype(std::declval<const Distance&>()(Vertex_id(0)))>;
+
 public:
-  // Contains the vertices 0 .. n-1. Requires: both vectors have entries for them. Of vertices with the same distance,
-  // the one with the smallest rank[v] is the farthest. Both vectors are referred to, not copied; distances may shrink,
-  // but not grow. Takes linear time.
-  Farthest_vertex_queue(const std::vector<FT>& distance, const std::vector<Vertex_id>& rank, std::size_t n)
+  // Contains the vertices 0 .. n-1. Requires: the vector has entries for them. Of vertices with the same distance(v),
+  // the one with the smallest rank[v] is the farthest. The vector is referred to, not copied; distances may shrink, but
+  // not grow. Takes linear time.
+  Farthest_vertex_queue(const Distance& distance, const std::vector<Vertex_id>& rank, std::size_t n)
     : m_distance(distance), m_rank(rank)
   {
-    CGAL_assertion(n <= distance.size() && n <= rank.size());
+    CGAL_assertion(n <= rank.size());
     for(Vertex_id v = 0; v < n; ++v)
-      m_heap.push_back(Entry(distance[v], v));
+      m_heap.push_back(Entry(distance(v), v));
     std::make_heap(m_heap.begin(), m_heap.end(), less());
   }
 
@@ -53,10 +59,11 @@ public:
     while(!m_heap.empty())
     {
       const Entry top = m_heap.front();
-      if(!(m_distance[top.second] < top.first))
+      const FT distance = m_distance(top.second);
+      if(!(distance < top.first))
         return top.second;
       std::pop_heap(m_heap.begin(), m_heap.end(), less());
-      m_heap.back().first = m_distance[top.second];
+      m_heap.back().first = distance;
       std::push_heap(m_heap.begin(), m_heap.end(), less());
     }
     return null_id;
@@ -71,7 +78,7 @@ private:
     { return a.first != b.first ? a.first < b.first : m_rank[a.second] > m_rank[b.second]; };
   }
 
-  const std::vector<FT>& m_distance;
+  Distance m_distance;
   const std::vector<Vertex_id>& m_rank;
   std::vector<Entry> m_heap;
 };

@@ -106,7 +106,7 @@ public:
       m_compares_checksums(options.compare_checksums), m_report(report)
   {
     if(folder.layout().kind == Store_kind::WITHIN_RADIUS)
-      m_positions = std::make_unique<Matrix::Target_positions>(targets, number_of_vertices);
+      m_positions = std::make_unique<Matrix::Target_positions>(targets, number_of_vertices, matrix.copies());
   }
 
   // Computes the shards that `shards` hands out (Shard_list.h). The calling thread works as well, and returns when all

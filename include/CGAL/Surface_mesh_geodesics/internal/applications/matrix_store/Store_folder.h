@@ -22,8 +22,9 @@
 //
 // A manifest, with one shard of two rows. Names of members are part of the format: a program that changes their meaning
 // has to change the version, too, and to read the old one. Members that a reader does not know are ignored, and lost
-// when the manifest is written again. Only a manifest with faces to avoid has that member; a reader that does not know
-// it finds that the hash does not fit.
+// when the manifest is written again. Only a manifest with faces or edges to avoid has that member; a reader that does
+// not know it finds that the hash does not fit. An edge is a face and a number: edge k leads from corner k of the face
+// to the next one.
 //
 //   {
 //     "format": "CGAL Surface_mesh_geodesics distance matrix",
@@ -44,6 +45,7 @@
 //     "sources": [0, 3],
 //     "targets": "all",
 //     "faces_to_avoid": [2],
+//     "edges_to_avoid": [[0, 1], [1, 2]],
 //     "hash": "4c418aa5cc623c83",
 //     "shards": [
 //       {
@@ -345,6 +347,8 @@ private:
     value.add("targets", description.targets);
     if(!description.faces_to_avoid.empty())
       value.add("faces_to_avoid", description.faces_to_json());
+    if(!description.edges_to_avoid.empty())
+      value.add("edges_to_avoid", description.edges_to_json());
     value.add("hash", hash);
     // The entries are sorted by shard, so equal folders have equal manifests.
     std::vector<Json_value> shards;
@@ -410,6 +414,8 @@ private:
     d.targets = value.at("targets");
     if(const Json_value* const avoided = value.find("faces_to_avoid"))
       d.set_faces_to_avoid(*avoided);
+    if(const Json_value* const avoided = value.find("edges_to_avoid"))
+      d.set_edges_to_avoid(*avoided);
     const std::string hash = d.hash();
     if(!value.at("hash").is_text(hash) || (m_is_open && !is_same(d, hash)))
       Json_value::complain("its hash does not fit its contents");

@@ -19,12 +19,14 @@
 #include <CGAL/Surface_mesh_geodesics/internal/interface/source_range.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/files/Checksum.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/files/Json_value.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/walls/Wall_cut.h>
 
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -113,6 +115,54 @@ Json_value sources_to_json(const TriangleMesh& tm, const Sources& sources, Verte
     }
   });
   return Json_value(std::move(values));
+}
+
+// Edges have no index among the maps of the user, so a wall is named by the index of a face and the number of its edge
+// there. Both faces know it; the smaller pair is its name. An edge at the border cuts nothing and is left out.
+//
+// Returns the walls in ascending order, each once. Takes linear time, and none without walls.
+template <typename TriangleMesh, typename FaceIndexMap>
+std::vector<std::array<std::size_t, 2>> names_of_walls(const TriangleMesh& tm, FaceIndexMap fim,
+                                                       const std::vector<Wall_bits>& walls)
+{
+  std::vector<std::array<std::size_t, 2>> names;
+  if(walls.empty())
+    return names;
+  for(const auto f : faces(tm))
+  {
+    auto h = halfedge(f, tm);
+    for(unsigned int k = 0; k < 3; ++k, h = next(h, tm))
+    {
+      const std::array<std::size_t, 2> name{static_cast<std::size_t>(get(fim, f)), k};
+      const auto o = opposite(h, tm);
+      if(!is_wall(walls[name[0]], k) || is_border(o, tm))
+        continue;
+      const std::array<std::size_t, 2> other{static_cast<std::size_t>(get(fim, face(o, tm))), number_in_face(o, tm)};
+      if(name < other)
+        names.push_back(name);
+    }
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+// Returns the walls that have the names, for the reader of the mesh. The table has the face of each index. Throws if
+// the manifest names an edge that the mesh does not have.
+template <typename TriangleMesh, typename FaceIndexMap, typename Faces>
+std::vector<Wall_bits> named_walls(const TriangleMesh& tm, FaceIndexMap fim, const Faces& face_of_index,
+                                   const std::vector<std::array<std::size_t, 2>>& names)
+{
+  std::vector<typename boost::graph_traits<TriangleMesh>::edge_descriptor> edges;
+  for(const std::array<std::size_t, 2>& name : names)
+  {
+    if(name[0] >= face_of_index.size() || name[1] >= 3)
+      Json_value::complain("an edge to avoid is not in the mesh");
+    auto h = halfedge(face_of_index[name[0]], tm);
+    for(std::size_t k = 0; k < name[1]; ++k)
+      h = next(h, tm);
+    edges.push_back(edge(h, tm));
+  }
+  return walls_of_edges(tm, fim, edges);
 }
 
 // Sources of a manifest as descriptors of a mesh: either all are vertices, or all are locations.

@@ -111,13 +111,14 @@ double longest_edge_of_mesh(const TriangleMesh& tm, VertexPointMap vpm)
 constexpr double unknown_distance = -1;
 
 // The rows `d` of square matrices with the same vertices as sources and targets, compared with each other; `rows` are
-// their numbers. What is unknown is greater than the radius.
+// their numbers. What is unknown is greater than the radius. The triangle inequality does not hold over a vertex that
+// walls divide (Vertex_copies.h): is_divided[b] tells whether the source of row b is one.
 // Symmetry holds up to rounding only: the runs from both ends compute a distance by different windows. Violations are
 // relative to `longest_edge` where that is larger, and to the smallest number that the type of the shards has with all
 // digits.
 inline void compare_rows(const Store_layout& layout, const std::vector<std::size_t>& rows,
-                         const std::vector<std::vector<double>>& d, double longest_edge,
-                         Geodesic_matrix_store_check& check)
+                         const std::vector<std::vector<double>>& d, const std::vector<char>& is_divided,
+                         double longest_edge, Geodesic_matrix_store_check& check)
 {
   const double unknown = unknown_distance;
   // A float below it has lost digits when it was stored.
@@ -138,7 +139,7 @@ inline void compare_rows(const Store_layout& layout, const std::vector<std::size
           {check.worst_asymmetry, relative_excess(x, y, scale), relative_excess(y, x, scale)});
         ++check.pairs_compared;
       }
-      if(a == b || there == unknown)
+      if(a == b || there == unknown || is_divided[b] != 0)
         continue;
       // All columns count, not only the samples: three sources of which two are samples.
       for(std::size_t k = 0; k < layout.columns; ++k) // from a to k is not farther than over b
@@ -218,8 +219,29 @@ inline std::vector<char> stored_faces_to_avoid(const Store_description& descript
   return is_avoided;
 }
 
+// Throws if the checksums of the manifest and of the mesh differ.
+inline void check_same_mesh(const std::string& path, const std::string& stored, const std::string& hash)
+{
+  if(hash != stored)
+    throw Geodesic_matrix_store_error(Geodesic_matrix_store_error::Reason::DIFFERENT_MESH,
+                                      path + ": the folder has the matrix of a mesh with the hash " + stored
+                                        + ", and this mesh has the hash " + hash);
+}
+
+// Returns the element with each index of a map, for n indices. Those that no element has get a default element: where
+// elements have been removed from a mesh, indices have gaps. The reader of the mesh rejects such elements later.
+template <typename Element, typename Range, typename IndexMap>
+std::vector<Element> elements_by_index(const Range& range, const IndexMap& indices, std::size_t n)
+{
+  std::vector<Element> result(n);
+  for(const Element e : range)
+    result[static_cast<std::size_t>(get(indices, e))] = e;
+  return result;
+}
+
 // The mesh must be that of the manifest: checksums are compared first. The new rows are computed by one thread, on one
-// reading of the mesh. The manifest tells the faces to avoid, so the caller need not.
+// reading of the mesh. The manifest tells the faces and edges to avoid, so the caller need not. (Locations are not
+// compared with each other, so the flags of divided vertices are read for vertices only.)
 template <typename TriangleMesh, typename NamedParameters>
 Geodesic_matrix_store_check check_stored_matrix(const TriangleMesh& tm, const std::string& path, std::size_t samples,
                                                 const NamedParameters& np)
@@ -234,18 +256,11 @@ Geodesic_matrix_store_check check_stored_matrix(const TriangleMesh& tm, const st
   const auto fim = CGAL::get_initialized_face_index_map(tm, np);
   const auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
                                     get_const_property_map(CGAL::vertex_point, tm));
-  const std::string hash = hash_of_mesh(tm, vim, fim, vpm);
-  if(hash != d.mesh_hash)
-    throw Geodesic_matrix_store_error(Geodesic_matrix_store_error::Reason::DIFFERENT_MESH,
-                                      path + ": the folder has the matrix of a mesh with the hash " + d.mesh_hash
-                                        + ", and this mesh has the hash " + hash);
+  check_same_mesh(path, d.mesh_hash, hash_of_mesh(tm, vim, fim, vpm));
   // The manifest has indices; descriptors are found by two tables.
-  std::vector<typename Graph_traits::vertex_descriptor> vertex_of_index(num_vertices(tm));
-  std::vector<typename Graph_traits::face_descriptor> face_of_index(num_faces(tm));
-  for(const auto v : vertices(tm))
-    vertex_of_index[static_cast<std::size_t>(get(vim, v))] = v;
-  for(const auto f : faces(tm))
-    face_of_index[static_cast<std::size_t>(get(fim, f))] = f;
+  const auto vertex_of_index = elements_by_index<typename Graph_traits::vertex_descriptor>(vertices(tm), vim,
+                                                                                           num_vertices(tm));
+  const auto face_of_index = elements_by_index<typename Graph_traits::face_descriptor>(faces(tm), fim, num_faces(tm));
 
   Geodesic_matrix_store_check check;
   // Only a square matrix, with the same vertices in the same order, has entries there and back.
@@ -255,23 +270,31 @@ Geodesic_matrix_store_check check_stored_matrix(const TriangleMesh& tm, const st
   Stored_sources<TriangleMesh> sources;
   for(const std::size_t i : rows)
     sources.add(d.sources, i, vertex_of_index, face_of_index);
-  const auto obstacles_of = [&](const auto&) { return Obstacles{stored_faces_to_avoid(d, num_faces(tm)), {}}; };
+  std::vector<char> is_divided;
+  const auto obstacles_of = [&](const auto&)
+  {
+    return Obstacles{stored_faces_to_avoid(d, num_faces(tm)), named_walls(tm, fim, face_of_index, d.edges_to_avoid)};
+  };
   with_surface_without<Sequential_tag>(tm, np, obstacles_of, [&](const auto& surface)
   {
     const Distance_matrix<double> matrix(surface.mesh(), sources.vertices.empty()
                                                            ? surface.source_set(sources.locations)
-                                                           : surface.source_set(sources.vertices));
+                                                           : surface.source_set(sources.vertices), surface.copies());
     const std::vector<Vertex_id> targets
       = surface.checked_ids(stored_targets<TriangleMesh>(stored, vertex_of_index, face_of_index), "target");
-    const Distance_matrix<double>::Target_positions positions(targets, surface.mesh().number_of_vertices());
+    const Distance_matrix<double>::Target_positions positions(targets, surface.mesh().number_of_vertices(),
+                                                              surface.copies());
     const auto worker = matrix.make_worker();
     for(std::size_t k = 0; k < rows.size(); ++k, ++check.rows_compared)
+    {
       check.rows_different
         += is_row_equal(stored, rows[k], matrix, *worker, k, targets, positions, whole_rows[k]) ? 0 : 1;
+      is_divided.push_back(surface.copies().is_divided(matrix.sources().vertices[k]) ? 1 : 0);
+    }
     return true;
   });
   if(is_square && sources.locations.empty())
-    compare_rows(stored.layout(), rows, whole_rows, longest_edge_of_mesh(tm, vpm), check);
+    compare_rows(stored.layout(), rows, whole_rows, is_divided, longest_edge_of_mesh(tm, vpm), check);
   return check;
 }
 

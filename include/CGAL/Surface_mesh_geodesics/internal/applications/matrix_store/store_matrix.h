@@ -59,17 +59,19 @@ struct Follows_rows<Visitor, std::void_t<decltype(std::declval<Visitor&>().on_ro
 
 // The description of a matrix on a surface that has been read: all sources and targets are valid. The targets of an
 // upper triangle must be the sources, which must be vertices. The size of shards is that of a new folder; the manifest
-// of an old one counts instead. `is_avoided` has flags by the index of a face, or none: the manifest names faces by
-// their indices, as it names vertices.
+// of an old one counts instead. The manifest names the faces of the obstacles by their indices, as it names vertices.
 template <typename TriangleMesh, typename Sources, typename Targets, typename NamedParameters>
 Store_description describe(const TriangleMesh& tm, const Sources& sources, const Targets& targets,
                            const Source_set<double>& source_set, const std::vector<Vertex_id>& target_ids,
-                           const std::vector<char>& is_avoided, const Store_options& options,
-                           const NamedParameters& np)
+                           const Obstacles& obstacles, const Store_options& options, const NamedParameters& np)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  if(options.use_symmetry && (!source_set.located.empty() || source_set.vertices != target_ids))
+  // Sources on walls are listed once more behind all sources of the user, on their other sides; these are no rows, and
+  // such a matrix may be symmetric as well.
+  const std::size_t number = source_set.number_of_sources();
+  if(options.use_symmetry && (!source_set.located.empty() || number != target_ids.size()
+                              || !std::equal(target_ids.begin(), target_ids.end(), source_set.vertices.begin())))
     throw Geodesic_matrix_store_error(Geodesic_matrix_store_error::Reason::INVALID_OPTION,
                                       "only a matrix whose sources and targets are the same vertices is symmetric");
   const auto vim = CGAL::get_initialized_vertex_index_map(tm, np);
@@ -85,15 +87,16 @@ Store_description describe(const TriangleMesh& tm, const Sources& sources, const
   // a list that is the same twice is stored once
   if(!d.targets.is_text("all") && d.targets.written() == d.sources.written())
     d.targets = Json_value("sources");
-  for(std::size_t f = 0; f < is_avoided.size(); ++f)
-    if(is_avoided[f] != 0)
+  for(std::size_t f = 0; f < obstacles.is_avoided.size(); ++f)
+    if(obstacles.is_avoided[f] != 0)
       d.faces_to_avoid.push_back(f);
+  d.edges_to_avoid = names_of_walls(tm, fim, obstacles.walls);
   Store_layout& layout = d.layout;
   layout.kind = options.use_symmetry ? Store_kind::UPPER_TRIANGLE
               : options.maximum_distance < std::numeric_limits<double>::infinity() ? Store_kind::WITHIN_RADIUS
                                                                                    : Store_kind::FULL;
   layout.is_float32 = options.use_float32;
-  layout.rows = source_set.size();
+  layout.rows = number;
   layout.columns = target_ids.size();
   layout.radius = options.maximum_distance;
   // too large a number is no error: it means "all rows in one file"
@@ -121,11 +124,10 @@ Geodesic_matrix_store_status store_matrix_with(const TriangleMesh& tm, const Sou
   Geodesic_matrix_store_status status;
   with_surface<ConcurrencyTag>(tm, np, [&](const auto& surface)
   {
-    const Distance_matrix<double> matrix(surface.mesh(), surface.source_set(sources));
+    const Distance_matrix<double> matrix(surface.mesh(), surface.source_set(sources), surface.copies());
     const std::vector<Vertex_id> target_ids = surface.checked_ids(targets, "target");
     Store_folder folder(path);
-    open(folder, describe(tm, sources, targets, matrix.sources(), target_ids, surface.obstacles().is_avoided, options,
-                          np));
+    open(folder, describe(tm, sources, targets, matrix.sources(), target_ids, surface.obstacles(), options, np));
     // Remains of processes that were killed: they would otherwise stay until somebody wonders what they are.
     folder.remove_stale_files();
     // Shards that are done are among them: their files may be damaged.

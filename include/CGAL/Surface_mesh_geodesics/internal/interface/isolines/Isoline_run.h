@@ -72,8 +72,8 @@ public:
   using Coordinates = std::array<double, 3>;
 
   // Reads what the sources can reach, checks the sources and inserts them. `options` are Distance_options without
-  // targets, whose numbers have been checked. Throws Invalid_geodesic_input. There must be no walls: a line that comes
-  // to a wall would have to end there and go on behind it.
+  // targets, whose numbers have been checked. Throws Invalid_geodesic_input. A line that comes to a wall ends there, as
+  // at the border; behind the wall another one may begin.
   template <typename Shape, typename Sources, typename Options>
   Isoline_run(const TriangleMesh& tm, VertexIndexMap vim, FaceIndexMap fim, Shape shape, const Sources& sources,
               const Options& options, Obstacles obstacles)
@@ -138,7 +138,7 @@ public:
   // Returns the distance of a vertex in the user's unit; infinity if it is not reached within the maximum distance.
   double distance(vertex_descriptor v) const
   {
-    const double d = m_field.distance[m_surface.id(v)];
+    const double d = m_field.distance[nearest_copy(v)];
     return d <= m_maximum_distance ? d * m_surface.unit() : Field::infinity();
   }
 
@@ -147,7 +147,7 @@ public:
   // Takes time linear in the number of vertices where the path bends.
   std::size_t nearest_source(vertex_descriptor v) const
   {
-    return distance(v) < Field::infinity() ? m_numbers.number_at(m_field.source_of(m_surface.id(v)))
+    return distance(v) < Field::infinity() ? m_numbers.number_at(m_field.source_of(nearest_copy(v)))
                                            : Source_numbers::none;
   }
 
@@ -156,6 +156,13 @@ private:
   using Tag = typename Available_tag<ConcurrencyTag>::type;
   using Keeper = Deferred_window_keeper<Isoline_sweep<double>>;
   using Propagation = typename Propagation_for_tag<Tag, double, All_pruning_rules, Keeper>::type;
+
+  // The vertex of the refined mesh at v; where walls divide v, the one that is nearest to the sources. Beyond the limit
+  // of the run, distances may not be final; distance() does not tell these.
+  Vertex_id nearest_copy(vertex_descriptor v) const
+  {
+    return m_surface.nearest_copy(v, [this](Vertex_id c) { return m_field.distance[c]; });
+  }
 
   // Propagates up to a distance, in the unit of the mesh. The propagation is gone when this returns: the lines are made
   // in the memory of its windows.

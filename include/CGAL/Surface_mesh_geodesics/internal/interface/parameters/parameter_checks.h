@@ -116,33 +116,37 @@ using Edge_length_distance_parameters
                  internal_np::faces_to_avoid_t, internal_np::edges_to_avoid_t>::type;
 using Signed_distance_parameters
   = Extended_set<Mesh_and_visitor_parameters, internal_np::maximum_distance_t, internal_np::statistics_t,
-                 internal_np::faces_to_avoid_t>::type;
+                 internal_np::faces_to_avoid_t, internal_np::edges_to_avoid_t>::type;
 using Isoline_parameters
   = Extended_set<Signed_distance_parameters, internal_np::source_offsets_t, internal_np::vertex_distance_map_t,
                  internal_np::nearest_source_map_t>::type;
-using Matrix_parameters = Extended_set<Mesh_parameters, internal_np::faces_to_avoid_t>::type;
+using Matrix_parameters = Extended_set<Mesh_parameters, internal_np::faces_to_avoid_t,
+                                       internal_np::edges_to_avoid_t>::type;
 using Tracing_parameters = Extended_set<Mesh_parameters, internal_np::edges_to_avoid_t>::type;
 using Peeling_parameters = Extended_set<Matrix_parameters, internal_np::visitor_t>::type;
-using Pair_parameters = Extended_set<Matrix_parameters, internal_np::edges_to_avoid_t,
-                                     internal_np::statistics_t>::type;
+using Pair_parameters = Extended_set<Matrix_parameters, internal_np::statistics_t>::type;
 using Store_parameters
   = Extended_set<Mesh_and_visitor_parameters, internal_np::maximum_distance_t, internal_np::use_float32_t,
                  internal_np::use_symmetry_t, internal_np::rows_per_shard_t, internal_np::first_row_t,
                  internal_np::end_row_t, internal_np::memory_limit_t, internal_np::mesh_name_t,
-                 internal_np::compare_checksums_t, internal_np::faces_to_avoid_t>::type;
+                 internal_np::compare_checksums_t, internal_np::faces_to_avoid_t,
+                 internal_np::edges_to_avoid_t>::type;
 using Distance_parameters = Extended_set<Edge_length_distance_parameters, internal_np::vertex_point_t>::type;
 
 using Edge_length_certificate_parameters
   = Extended_set<Index_map_parameters, internal_np::visitor_t, internal_np::number_of_iterations_t,
-                 internal_np::maximum_distance_t, internal_np::source_offsets_t, internal_np::faces_to_avoid_t>::type;
+                 internal_np::maximum_distance_t, internal_np::source_offsets_t, internal_np::faces_to_avoid_t,
+                 internal_np::edges_to_avoid_t>::type;
 using Distance_certificate_parameters
   = Extended_set<Edge_length_certificate_parameters, internal_np::vertex_point_t>::type;
 
 using Label_parameters = Extended_set<Mesh_and_visitor_parameters, internal_np::vertex_distance_map_t,
-                                      internal_np::site_weights_t, internal_np::faces_to_avoid_t>::type;
+                                      internal_np::site_weights_t, internal_np::faces_to_avoid_t,
+                                      internal_np::edges_to_avoid_t>::type;
 using Sampling_parameters = Extended_set<Mesh_and_visitor_parameters, internal_np::first_samples_t,
                                          internal_np::covering_radius_t, internal_np::statistics_t,
-                                         internal_np::faces_to_avoid_t, internal_np::first_curves_t>::type;
+                                         internal_np::faces_to_avoid_t, internal_np::edges_to_avoid_t,
+                                         internal_np::first_curves_t>::type;
 using Relaxation_parameters = Extended_set<Mesh_and_visitor_parameters, internal_np::threshold_distance_t,
                                            internal_np::number_of_iterations_t, internal_np::faces_to_avoid_t>::type;
 using Remeshing_parameters = Relaxation_parameters;

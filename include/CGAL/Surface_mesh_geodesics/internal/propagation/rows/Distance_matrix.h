@@ -24,6 +24,8 @@
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/rows/Target_region.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Source_insertion.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Source_set.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/walls/Vertex_copies.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Pruning_rules.h>
 
 #include <algorithm>
@@ -61,21 +63,35 @@ public:
       m_runner = std::make_unique<Runner>(mesh);
   }
 
-  // Runs from one source, and returns the result, which is valid until the next run. The source is `location` unless
-  // that is null, else `vertex`. If go_further() returns false meanwhile, the run ends early and no distances are
-  // known; the row is not output then.
+  // Sets the source of the next run: it is `location` unless that is null, else `vertex`.
   // Requires: `location` is null unless the worker has a copy of the mesh.
-  template <typename GoFurther>
-  const Runner& run(Vertex_id vertex, const Located_source<FT>* location, const Run_limits<FT>& limits,
-                    const GoFurther& go_further)
+  void set_source(Vertex_id vertex, const Located_source<FT>* location)
   {
-    m_source.vertices.assign(1, vertex);
+    m_source.vertices.clear();
     m_source.located.clear();
+    add_source(vertex, location);
+  }
+
+  // Adds another place of the source, behind a wall. Requires what set_source() does, which comes first.
+  void add_source(Vertex_id vertex, const Located_source<FT>* location)
+  {
     if(location != nullptr)
-      m_source.located.push_back(Located_source<FT>{location->face, location->coordinates, 0});
+      m_source.located.push_back(
+        Located_source<FT>{location->face, location->coordinates, m_source.vertices.size()});
+    m_source.vertices.push_back(vertex);
+  }
+
+  // Runs from the source that is set, and returns the result, which is valid until the next run. If go_further()
+  // returns false meanwhile, the run ends early and no distances are known; the row is not output then.
+  template <typename GoFurther>
+  const Runner& run(const Run_limits<FT>& limits, const GoFurther& go_further)
+  {
     m_runner->run(m_source, limits, [&](std::size_t, const FT&) { return go_further(); });
     return *m_runner;
   }
+
+  // A buffer for the targets of a run, with all of their copies.
+  std::vector<Vertex_id>& targets() { return m_targets; }
 
   // Runs from source i to the sources behind it, and prunes what leads away from them. `sources` are those of the
   // landmarks, which outlive the worker. The distances of these targets are final, of those in the same component.
@@ -87,8 +103,7 @@ public:
     if(m_region == nullptr)
       m_region = std::make_unique<Target_region<FT>>(landmarks);
     m_region->begin(sources, i);
-    m_source.vertices.assign(1, sources[i]);
-    m_source.located.clear();
+    set_source(sources[i], nullptr);
     m_runner->run(m_source, limits, [&](std::size_t, const FT&) { return go_further(); },
                   [this](Vertex_id v, const FT& key, const std::vector<FT>& distance)
                   { return m_region->is_needed(v, key, distance); });
@@ -100,7 +115,8 @@ private:
   std::unique_ptr<Source_insertion<FT>> m_insertion;
   std::unique_ptr<Runner> m_runner;
   std::unique_ptr<Target_region<FT>> m_region; // null before it is needed
-  Source_set<FT> m_source; // one source without an offset; a buffer between runs
+  Source_set<FT> m_source; // one source without an offset, on all sides of walls; a buffer between runs
+  std::vector<Vertex_id> m_targets;
 };
 
 // True for a function object of the user that can end rows that have begun.
@@ -147,6 +163,10 @@ bool put_row(Output& output, std::size_t i, const Row& row)
 // Sources and targets are numbered by their positions in the ranges of the user. Distances are those of the user's
 // unit, infinity for targets in components without the source.
 //
+// Walls divide vertices into copies: a source has a place on each side, its row has the distances from the nearest one,
+// and the distance of a target is the least of its copies. That is no metric (Vertex_copies.h), so no landmarks are
+// used then.
+//
 // The functions are const and share no state, except what `output` does. A row exists for a short time only: `output`
 // has to copy what it wants to keep.
 template <typename FT>
@@ -160,34 +180,44 @@ public:
   using Dense_row = std::vector<double>;
   using Sparse_row = std::vector<std::pair<std::size_t, double>>; // positions of targets, and their distances
 
-  // The mesh is referred to, not copied. Offsets of the sources are ignored. Requires: a source that is not a vertex is
+  // Mesh and copies are referred to. Offsets of the sources are ignored. Requires: a source that is not a vertex is
   // located.
-  Distance_matrix(const Mesh& mesh, Source_set<FT> sources)
-    : m_mesh(mesh), m_sources(std::move(sources)), m_location(m_sources.vertices.size(), nullptr)
+  Distance_matrix(const Mesh& mesh, Source_set<FT> sources, const Vertex_copies& copies)
+    : m_mesh(mesh), m_copies(copies), m_sources(std::move(sources)), m_location(m_sources.vertices.size(), nullptr)
   {
     for(const Located_source<FT>& s : m_sources.located)
       m_location[s.position] = &s;
+    for(std::size_t j = number_of_rows(); j < m_sources.size(); ++j)
+      m_behind_walls.emplace_back(m_sources.number(j), j);
+    std::sort(m_behind_walls.begin(), m_behind_walls.end());
   }
+
+  // A row for each source of the user.
+  std::size_t number_of_rows() const { return m_sources.number_of_sources(); }
 
   Distance_matrix(const Distance_matrix&) = delete;
   Distance_matrix& operator=(const Distance_matrix&) = delete;
 
   // The positions of each vertex in a range of targets, which may contain it several times: a list for each vertex,
   // linked by position. All threads read one object, which is made once for a matrix, in time linear in the numbers of
-  // targets and of vertices. Refers to the targets.
+  // targets and of vertices.
   class Target_positions
   {
   public:
-    Target_positions(const std::vector<Vertex_id>& targets, std::size_t number_of_vertices)
-      : m_targets(targets), m_first(number_of_vertices, none), m_next(targets.size())
+    Target_positions(const std::vector<Vertex_id>& targets, std::size_t number_of_vertices,
+                     const Vertex_copies& copies)
+      : m_first(number_of_vertices, none), m_next(targets.size())
     {
+      m_targets.reserve(targets.size());
       for(std::size_t j = 0; j < targets.size(); ++j)
       {
         m_next[j] = m_first[targets[j]];
         m_first[targets[j]] = j;
+        copies.for_each(targets[j], [this](Vertex_id c) { m_targets.push_back(c); });
       }
     }
 
+    // All copies of the targets.
     const std::vector<Vertex_id>& targets() const { return m_targets; }
 
     // Calls visit(position) for all positions of v. An inserted source has none.
@@ -201,7 +231,7 @@ public:
 
   private:
     static constexpr std::size_t none = static_cast<std::size_t>(-1);
-    const std::vector<Vertex_id>& m_targets;
+    std::vector<Vertex_id> m_targets;
     std::vector<std::size_t> m_first, m_next;
   };
 
@@ -243,7 +273,7 @@ public:
   bool put_sparse_rows(Tag tag, const std::vector<Vertex_id>& targets, double maximum_distance,
                        Output& output) const
   {
-    const Target_positions positions(targets, m_mesh.number_of_vertices());
+    const Target_positions positions(targets, m_mesh.number_of_vertices(), m_copies);
     return put_rows<Sparse_row>(tag, output, [&](Worker& worker, std::size_t i, Sparse_row& row, const auto& go_further)
     {
       fill_sparse_row(worker, i, positions, maximum_distance, row, go_further);
@@ -254,6 +284,7 @@ public:
   // go_further() is asked meanwhile; if it returns false, the row is not complete. ---
 
   const Source_set<FT>& sources() const { return m_sources; }
+  const Vertex_copies& copies() const { return m_copies; }
 
   // Only located sources change the mesh, so without them no worker needs a copy.
   std::unique_ptr<Worker> make_worker() const
@@ -270,21 +301,18 @@ public:
     row.clear();
     if(first == last)
       return;
-    Run_limits<FT> limits;
-    limits.first_target = first;
-    limits.last_target = last;
-    const Runner& runner = worker.run(m_sources.vertices[i], m_location[i], limits, go_further);
+    const Runner& runner = run(worker, i, limits_at_copies(worker, first, last), go_further);
     for(; first != last; ++first)
       row.push_back(distance(runner, *first));
   }
 
-  // Makes landmarks for triangular rows, if there are enough sources to repay them: they cost some rows. Returns false
-  // if go_further() does.
+  // Makes landmarks for triangular rows, if there are enough sources to repay them: they cost some rows. Between walls
+  // there are none. Returns false if go_further() does.
   template <typename GoFurther>
   bool find_landmarks(std::unique_ptr<const Landmarks>& landmarks, const GoFurther& go_further,
                       std::size_t least_sources = default_least_sources_for_landmarks) const
   {
-    if(m_sources.vertices.size() < least_sources)
+    if(number_of_rows() < least_sources || !m_copies.empty())
       return true;
     auto found = std::make_unique<Landmarks>();
     if(!found->compute(m_mesh, m_sources.vertices, go_further))
@@ -300,7 +328,7 @@ public:
                            const GoFurther& go_further) const
   {
     const std::vector<Vertex_id>& v = m_sources.vertices;
-    const Vertex_id *const begin = v.data() + first, *const end = v.data() + v.size();
+    const Vertex_id *const begin = v.data() + first, *const end = v.data() + number_of_rows();
     if(landmarks == nullptr || begin == end || !fill_pruned_row(worker, i, begin, end, *landmarks, row, go_further))
       fill_dense_row(worker, i, begin, end, row, go_further);
   }
@@ -318,14 +346,46 @@ public:
     limits.maximum_distance = FT(maximum_distance) / m_mesh.unit();
     limits.first_target = targets.data();
     limits.last_target = targets.data() + targets.size();
-    const Runner& runner = worker.run(m_sources.vertices[i], m_location[i], limits, go_further);
+    const Runner& runner = run(worker, i, limits, go_further);
     for(const Vertex_id v : runner.vertices_reached())
       if(runner.distance(v) <= limits.maximum_distance)
-        positions.for_each(v, [&](std::size_t j) { row.emplace_back(j, distance(runner, v)); });
+        m_copies.for_each(v, [&](Vertex_id c)
+        { positions.for_each(c, [&](std::size_t j) { row.emplace_back(j, distance(runner, v)); }); });
     std::sort(row.begin(), row.end());
+    if(!m_copies.empty()) // a target comes once for each copy that has been reached
+      row.erase(std::unique(row.begin(), row.end(), [](const auto& a, const auto& b) { return a.first == b.first; }),
+                row.end());
   }
 
 private:
+  // Runs from source i, on all sides of walls.
+  template <typename GoFurther>
+  const Runner& run(Worker& worker, std::size_t i, const Run_limits<FT>& limits, const GoFurther& go_further) const
+  {
+    worker.set_source(m_sources.vertices[i], m_location[i]);
+    auto it = std::lower_bound(m_behind_walls.begin(), m_behind_walls.end(), std::make_pair(i, std::size_t(0)));
+    for(; it != m_behind_walls.end() && it->first == i; ++it)
+      worker.add_source(m_sources.vertices[it->second], m_location[it->second]);
+    return worker.run(limits, go_further);
+  }
+
+  // A run to the targets first .. last - 1. Any copy of a target may be the nearest one, so all have to be final; the
+  // worker keeps their list during the run.
+  Run_limits<FT> limits_at_copies(Worker& worker, const Vertex_id* first, const Vertex_id* last) const
+  {
+    Run_limits<FT> limits;
+    limits.first_target = first;
+    limits.last_target = last;
+    if(m_copies.empty())
+      return limits;
+    worker.targets().clear();
+    for(; first != last; ++first)
+      m_copies.for_each(*first, [&](Vertex_id c) { worker.targets().push_back(c); });
+    limits.first_target = worker.targets().data();
+    limits.last_target = limits.first_target + worker.targets().size();
+    return limits;
+  }
+
   // 32 times the runs of the landmarks.
   static constexpr std::size_t default_least_sources_for_landmarks = 512;
 
@@ -353,10 +413,11 @@ private:
     return left == 0;
   }
 
-  // Returns the distance of a vertex in the user's unit.
+  // Returns the distance of a vertex in the user's unit, the least one of its copies.
   double distance(const Runner& runner, Vertex_id v) const
   {
-    return static_cast<double>(FT(runner.distance(v) * m_mesh.unit()));
+    const auto distance_of = [&runner](Vertex_id c) { return runner.distance(c); };
+    return static_cast<double>(FT(distance_of(m_copies.nearest(v, distance_of)) * m_mesh.unit()));
   }
 
   // Calls compute(worker, i, row, go_further) for each row, in the threads of `tag`, and passes the rows on in order.
@@ -365,15 +426,18 @@ private:
   bool put_rows(Tag tag, Output& output, Compute compute) const
   {
     return for_each_ordered_row<Row>(
-      tag, m_sources.vertices.size(), [this]() { return make_worker(); },
+      tag, number_of_rows(), [this]() { return make_worker(); },
       [&](Worker& worker, std::size_t i, Row& row, const Stop_flag& stop)
       { compute(worker, i, row, [&]() { return !stop.load(std::memory_order_relaxed) && wants_more(output); }); },
       [&](std::size_t i, const Row& row) { return put_row(output, i, row); });
   }
 
   const Mesh& m_mesh;
+  const Vertex_copies& m_copies;
   Source_set<FT> m_sources;
   std::vector<const Located_source<FT>*> m_location; // by position, in m_sources; null for a vertex
+  // Sources at walls: the number of each, with a position behind all sources where it is listed once more. Sorted.
+  std::vector<std::pair<std::size_t, std::size_t>> m_behind_walls;
 };
 
 } // namespace internal

@@ -70,7 +70,7 @@ public:
       m_result = Source_curves<FT>();
       m_has_inserted = false;
       for(std::size_t i = 0; i < curves.size(); ++i)
-        add_curve(curves[i], static_cast<std::uint32_t>(i));
+        add_curve(curves[i], m_vertices[i]);
     } while(m_has_inserted && ++walks < most_walks);
     if(m_has_inserted)
       reject();
@@ -165,20 +165,23 @@ private:
 
   // Walks along all segments of a curve. Its points are added here, and what the walks cross on the way by them; a
   // curve without a segment of any length is only that point.
-  void add_curve(const Located_curve<FT>& curve, std::uint32_t number)
+  void add_curve(const Located_curve<FT>& curve, const std::vector<Vertex_id>& vertex)
   {
-    const std::vector<Vertex_id>& vertex = m_vertices[number];
-    m_result.vertices.push_back(Source_vertex<FT>{vertex[0], curve.offset, Curve_point<FT>{number, 0, FT(0)}});
-    for(std::uint32_t i = 0; i < curve.segments.size(); ++i)
+    Curve_point<FT> first{curve.number, 0, FT(0)};
+    if(!curve.segments.empty())
+      first = {curve.number, curve.segments[0].number, curve.segments[0].parameter};
+    m_result.vertices.push_back(Source_vertex<FT>{vertex[0], curve.offset, first});
+    for(std::size_t i = 0; i < curve.segments.size(); ++i)
     {
-      Coordinates from = curve.segments[i].from, to = curve.segments[i].to;
+      const Curve_segment<FT>& s = curve.segments[i];
+      Coordinates from = s.from, to = s.to;
       snap_coordinates(from);
       snap_coordinates(to);
-      const Face_id whole = curve.segments[i].face;
-      walk(place(vertex[i], from, whole), place(vertex[i + 1], to, whole), whole, Curve_point<FT>{number, i, FT(0)},
-           curve.offset);
+      walk(place(vertex[i], from, s.face), place(vertex[i + 1], to, s.face), s.face,
+           Curve_point<FT>{curve.number, s.number, s.parameter}, curve.offset);
       // Also where a segment is too short to be walked along: the next one begins there.
-      m_result.vertices.push_back(Source_vertex<FT>{vertex[i + 1], curve.offset, Curve_point<FT>{number, i, FT(1)}});
+      m_result.vertices.push_back(
+        Source_vertex<FT>{vertex[i + 1], curve.offset, Curve_point<FT>{curve.number, s.number, FT(1)}});
     }
   }
 

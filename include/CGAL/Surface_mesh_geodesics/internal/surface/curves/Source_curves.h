@@ -24,16 +24,20 @@ namespace Surface_mesh_geodesics {
 namespace internal {
 
 // A straight segment in a face, from one of its points to another. The coordinates are valid (are_valid_coordinates())
-// and in the order of the corners of the face.
+// and in the order of the corners of the face. Results name points of it by the number of the segment in the curve of
+// the user, and by a parameter, which is that of `from`: 0, but for a point at the end of a segment.
 template <typename FT>
 struct Curve_segment
 {
   Face_id face;
   Barycentric<FT> from, to;
+  std::uint32_t number = 0;
+  FT parameter = 0;
 };
 
 // A curve: each segment begins at the point where the one before ends, and that of a closed curve at last returns to
-// the first point. A curve without segments is the point at `vertex`. The offset is in the unit of the mesh.
+// the first point. A curve without segments is the point at `vertex`. The offset is in the unit of the mesh. Walls
+// divide a curve into several, which have one number (curves_at_walls.h).
 template <typename FT>
 struct Located_curve
 {
@@ -41,6 +45,7 @@ struct Located_curve
   Vertex_id vertex = null_id;
   bool is_closed = false;
   FT offset = 0;
+  std::uint32_t number = 0; // of the curve of the user
 };
 
 // A point of a curve, as results name it: curves are numbered from 0, and so are the segments of each. The parameter is

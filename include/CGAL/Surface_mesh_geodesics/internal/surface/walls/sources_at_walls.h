@@ -26,6 +26,8 @@ namespace internal {
 // The set grows behind its end, as the numbers of the sources of the user are their positions. A location at a corner
 // is a vertex, and has copies as one; a location on an edge has one other side.
 //
+// The other sides of a vertex come from the table of copies, those of a point of an edge from the user's mesh.
+//
 // Lists each source at a wall once more for each other side (Source_set::behind_walls). for_each_copy(v, visit) calls
 // visit(c) for all copies of a vertex, and location_behind_wall(f, c) returns the same point on the other side of a
 // wall: a halfedge of the face there and the coordinates; null_id if it is on no wall. Takes linear time.
