@@ -92,4 +92,22 @@ std::vector<Curve> curves_of(const std::string& role, const Arguments& arguments
   return curves;
 }
 
+Html_lines lines_along(const std::vector<Curve>& curves, const Mesh& mesh)
+{
+  Html_lines result{"curve", {}};
+  for(const Curve& c : curves)
+  {
+    std::vector<Point> points;
+    for(const Curve::Segment& s : c.segments())
+    {
+      if(points.empty())
+        points.push_back(point_of(as_location({s.face, s.source}, mesh), mesh));
+      points.push_back(point_of(as_location({s.face, s.target}, mesh), mesh));
+    }
+    if(!points.empty())
+      result.lines.push_back(points);
+  }
+  return result;
+}
+
 } // namespace geodesics_demo

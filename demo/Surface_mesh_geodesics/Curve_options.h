@@ -3,6 +3,7 @@
 
 #include "Command.h"
 #include "Console.h"
+#include "Html_page.h"
 #include "Location_options.h"
 #include "Obstacle_option.h"
 #include "Program_mesh.h"
@@ -30,6 +31,9 @@ bool are_curves_given(const Arguments& arguments, const std::string& role);
 std::vector<Curve> curves_of(const std::string& role, const Arguments& arguments, const Mesh& mesh,
                              const std::vector<Location>& locations, const Obstacles& avoided,
                              const Console& console);
+
+// The curves as lines of a page; none for a point.
+Html_lines lines_along(const std::vector<Curve>& curves, const Mesh& mesh);
 
 } // namespace geodesics_demo
 

@@ -122,24 +122,6 @@ Drawing drawing_of_lines(const std::vector<Isoline>& isolines)
   return drawing;
 }
 
-Html_lines lines_along(const std::vector<Curve>& curves, const Mesh& mesh)
-{
-  Html_lines result{"curve", {}};
-  for(const Curve& c : curves)
-  {
-    std::vector<Point> points;
-    for(const Curve::Segment& s : c.segments())
-    {
-      if(points.empty())
-        points.push_back(point_of(as_location({s.face, s.source}, mesh), mesh));
-      points.push_back(point_of(as_location({s.face, s.target}, mesh), mesh));
-    }
-    if(!points.empty())
-      result.lines.push_back(points);
-  }
-  return result;
-}
-
 Html_page page_of(const std::string& file_name, const Mesh& mesh, const std::vector<Location>& sources,
                   const std::vector<Curve>& curves, const Obstacles& avoided, const Distance_run& run,
                   const std::vector<double>& limits)

@@ -2,6 +2,7 @@
 
 #include "Command.h"
 #include "Command_error.h"
+#include "Curve_options.h"
 #include "Distance_field.h"
 #include "Distance_levels.h"
 #include "Face_tree.h"
@@ -44,6 +45,7 @@ const Location_options site_options("site");
 void declare(Option_descriptions& options)
 {
   site_options.declare(options);
+  declare_curves(options, "site");
   declare_seed(options);
   options.add_options()
     ("weight", numbers_value("weight")->value_name("W[,W...]"),
@@ -73,11 +75,40 @@ std::vector<double> weights(const Arguments& arguments, const std::vector<Locati
   return result;
 }
 
-void add_sites(Diagram& diagram, const std::vector<Location>& sites, const std::vector<double>& weights)
+// The sites: points, then curves. Tables show the first point of a curve.
+struct Sites
 {
+  std::vector<Location> locations;
+  std::vector<Curve> curves; // all sites as curves, if there are curves
+};
+
+Sites sites_of(const Arguments& arguments, const Mesh& mesh, const Obstacles& avoided, const Console& console)
+{
+  Sites sites;
+  if(!are_curves_given(arguments, "site"))
+  {
+    sites.locations = site_options.required_locations(arguments, mesh, console);
+    return sites;
+  }
+  sites.locations = site_options.locations(arguments, mesh, console);
+  sites.curves = curves_of("site", arguments, mesh, sites.locations, avoided, console);
+  for(std::size_t i = sites.locations.size(); i < sites.curves.size(); ++i)
+  {
+    const Curve& c = sites.curves[i];
+    sites.locations.push_back(c.segments().empty() ? Location{c.vertex(), {}}
+                                                   : Location{Mesh::null_vertex(), c.location(0, 0)});
+  }
+  return sites;
+}
+
+void add_sites(Diagram& diagram, const Sites& all, const std::vector<double>& weights)
+{
+  const std::vector<Location>& sites = all.locations;
   for(std::size_t i = 0; i < sites.size(); ++i)
   {
-    if(sites[i].is_vertex())
+    if(!all.curves.empty())
+      diagram.add_site(all.curves[i], weights[i]);
+    else if(sites[i].is_vertex())
       diagram.add_site(sites[i].vertex, weights[i]);
     else
       diagram.add_site(sites[i].face_location, weights[i]);
@@ -231,8 +262,8 @@ Html_surface cut_surface(const Mesh& mesh, const Diagram& diagram, const std::ve
   });
 }
 
-Html_page page_of(const std::string& file_name, const Mesh& mesh, const std::vector<Location>& sites,
-                  const Diagram& diagram, const std::vector<Face>& avoided, double tolerance)
+Html_page page_of(const std::string& file_name, const Mesh& mesh, const Sites& sites, const Diagram& diagram,
+                  const std::vector<Face>& avoided, double tolerance)
 {
   Html_page page;
   page.title = "Geodesic Voronoi diagram";
@@ -251,7 +282,9 @@ Html_page page_of(const std::string& file_name, const Mesh& mesh, const std::vec
     edge.polyline(tolerance, std::back_inserter(arcs.lines.back()));
   }
   page.lines = {arcs};
-  page.dots = {dots_at("site", sites, mesh)};
+  if(!sites.curves.empty())
+    page.lines.push_back(lines_along(sites.curves, mesh));
+  page.dots = {dots_at("site", sites.locations, mesh)};
   return page;
 }
 
@@ -283,9 +316,10 @@ std::optional<std::size_t> cell_of(const Arguments& arguments, std::size_t numbe
 }
 
 // Writes the table of vertices without a diagram, which would take longer.
-void write_labels(const Mesh& mesh, const Obstacles& avoided, const std::vector<Location>& sites,
+void write_labels(const Mesh& mesh, const Obstacles& avoided, const Sites& all,
                   const std::vector<double>& weights, Output_files& files, const Console& console)
 {
+  const std::vector<Location>& sites = all.locations;
   std::vector<std::size_t> labels(mesh.number_of_vertices());
   std::vector<double> distances(mesh.number_of_vertices());
   const auto index = get(boost::vertex_index, mesh);
@@ -295,7 +329,9 @@ void write_labels(const Mesh& mesh, const Obstacles& avoided, const std::vector<
   Progress_visitor visitor(console, "distances");
   const auto np = CGAL::parameters::vertex_distance_map(distance_map).site_weights(weights)
                     .faces_to_avoid(avoided.faces).edges_to_avoid(avoided.walls).visitor(std::ref(visitor));
-  if(!vertices.empty())
+  if(!all.curves.empty())
+    CGAL::Surface_mesh_geodesics::geodesic_Voronoi_labels(mesh, label_map, all.curves, np);
+  else if(!vertices.empty())
     CGAL::Surface_mesh_geodesics::geodesic_Voronoi_labels(mesh, label_map, vertices, np);
   else
     CGAL::Surface_mesh_geodesics::geodesic_Voronoi_labels(mesh, label_map, as_face_locations(sites, mesh), np);
@@ -325,15 +361,16 @@ void run(const Arguments& arguments, const Console& console)
     throw Command_error(Exit_code::BAD_USAGE, "--walls needs --vertices and a table only: a diagram has no walls");
   const Mesh mesh = read_mesh(arguments, console);
   const double tolerance = tolerance_of(arguments, mesh);
-  const std::vector<Location> sites = site_options.required_locations(arguments, mesh, console);
+  const Obstacles avoided = obstacles(arguments, mesh);
+  const Sites all_sites = sites_of(arguments, mesh, avoided, console);
+  const std::vector<Location>& sites = all_sites.locations;
   const std::optional<std::size_t> cell = cell_of(arguments, sites.size());
   const std::vector<double> weights_of_sites = weights(arguments, sites);
-  const Obstacles avoided = obstacles(arguments, mesh);
   if(has(arguments, "vertices") && !files.have(formats_with_curves))
-    return write_labels(mesh, avoided, sites, weights_of_sites, files, console);
+    return write_labels(mesh, avoided, all_sites, weights_of_sites, files, console);
   Diagram diagram(mesh);
   diagram.avoid_faces(avoided.faces);
-  add_sites(diagram, sites, weights_of_sites);
+  add_sites(diagram, all_sites, weights_of_sites);
   {
     Progress_visitor visitor(console, "diagram");
     diagram.build(visitor);
@@ -343,7 +380,8 @@ void run(const Arguments& arguments, const Console& console)
   files.write([&](std::ostream& os, const std::string& format)
   {
     if(format == "html")
-      write_html_page(os, page_of(mesh_argument(arguments), mesh, sites, diagram, avoided.faces, tolerance), console);
+      write_html_page(os, page_of(mesh_argument(arguments), mesh, all_sites, diagram, avoided.faces, tolerance),
+                      console);
     else if(format == "off")
       write_cells_mesh(os, diagram, cell, tolerance);
     else if(format == "polylines.txt")
@@ -365,10 +403,12 @@ const Command voronoi_command{
   "The table has a line for each site, counted from 0 in the order of the options below: its vertex (or its face\n"
   "and barycentric coordinates), its point, its weight, the area of its cell, whether the cell is a disk (1) or not\n"
   "(0), and the sites of the neighboring cells. With --vertices, it lists the nearest site of each vertex and the\n"
-  "distance from that site minus the weight.",
+  "distance from that site minus the weight. With --site-border or --site-curve, curves are sites, after the others;\n"
+  "the table has the first point of each.",
   "  surface_mesh_geodesics voronoi bunny.off --site-random 30 -o cells.ply -o cells.csv\n"
   "  surface_mesh_geodesics voronoi bunny.off --site 0,100,200 --weight 0,0.01,0.02 --vertices\n"
   "  surface_mesh_geodesics voronoi bunny.off --site-file locations.txt -o boundaries.obj\n"
+  "  surface_mesh_geodesics voronoi scan.off --site-border --site-curve cuts.obj -o cells.ply -o boundaries.obj\n"
   "  surface_mesh_geodesics voronoi bunny.off --site-random 30 --cell 7 -o cell.off -o boundary.polylines.txt\n"
   "  surface_mesh_geodesics voronoi bunny.off --site-random 30 --html cells.html\n",
   declare, run};

@@ -25,6 +25,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Voronoi_handles.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/map_checks.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_checks.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/source_range.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/distance_in_space.h>
 
 #include <CGAL/Default.h>
@@ -50,12 +51,13 @@ namespace CGAL {
 /*!
 \ingroup PkgSurfaceMeshGeodesicsClasses
 
-The class `Surface_mesh_geodesic_Voronoi_diagram` represents the geodesic Voronoi diagram of points on a triangle mesh,
-the sites. Each point of the surface belongs to the cell of the site that is nearest to it, where the distance of two
-points is the length of a shortest path on the surface.
+The class `Surface_mesh_geodesic_Voronoi_diagram` represents the geodesic Voronoi diagram of points and curves on a
+triangle mesh, the sites. Each point of the surface belongs to the cell of the site that is nearest to it, where the
+distance of two points is the length of a shortest path on the surface.
 
 The diagram is exact: the curves between cells are computed inside the faces of the mesh; they are not approximated
-along its edges. An <em>arc</em> is the piece of such a curve in one face; it is a segment or a piece of a hyperbola.
+along its edges. An <em>arc</em> is the piece of such a curve in one face; it is a segment, a piece of a hyperbola, or,
+with curves among the sites, a piece of a parabola.
 Consecutive arcs between the same two cells form an <em>edge</em> of the diagram. An edge ends at a <em>vertex</em> of
 the diagram, where three or more cells meet, or at the border of the mesh, or it is closed.
 
@@ -72,6 +74,11 @@ for(const auto& edge : diagram.edges())
   std::cout << edge.length() << std::endl;
 \endcode
 
+<b>Curves.</b> A site may be a `Surface_mesh_geodesics::Surface_curve`; its distance is that of its nearest point. The
+run from curves keeps all windows, and one thread divides the faces, whatever the tag. So the memory is that of
+`Surface_mesh_geodesic_paths` with its windows, and `distance_to_nearest_site()` needs no second propagation. Edges to
+avoid cannot be combined with curves.
+
 <b>Weights.</b> A site may have a weight \f$ w \f$, which is subtracted from geodesic distances: the distance of a point
 from the site is the geodesic distance minus \f$ w \f$, as in `Apollonius_graph_2`. A site in the cell of another site
 has an empty cell. Distances are propagated with the differences from the largest weight, and are exact relative to
@@ -87,6 +94,10 @@ at which shortest paths bend, whole regions may be equally far from both. Such a
 is decided at that vertex; its boundary consists of the points beyond which the paths from the other site are longer.
 Where the diagram is symmetric, arcs may run along edges and through vertices of the mesh, and more than three cells may
 meet.
+
+A point or a segment on several curves with the same weight belongs to the first of them, and so do all points that are
+nearest to it: where two curves meet in a corner, the whole region that is nearest to the corner. A curve that lies on
+earlier ones has an empty cell.
 
 <b>When things are computed.</b> The diagram is computed by `build()` or by the first query that needs it. Every
 function that computes it throws what `build()` throws. If computing ends early, the next query or `build()` begins
@@ -300,7 +311,7 @@ public:
       return m_diagram->m_lazy.user_distance(arc().left.distance_to(Curve(arc()).point(t)));
     }
 
-    /// returns whether the arc is a segment. Otherwise it is a piece of a hyperbola.
+    /// returns whether the arc is a segment. Otherwise it is a piece of a hyperbola, or of a parabola.
     bool is_segment() const { return Curve(arc()).is_segment(); }
 
     /// returns the length in the unit of the mesh, with a relative error of about \f$ 10^{-13} \f$.
@@ -311,8 +322,8 @@ public:
     ///
     /// \tparam OutputIterator a model of `OutputIterator` that takes `Face_location`
     /// \param tolerance the largest distance, in the unit of the mesh
-    /// \param output receives the locations: two for a segment. A piece of a hyperbola is halved at most 24 times in a
-    ///        row.
+    /// \param output receives the locations: two for a segment. A piece of another curve is halved at most 24 times in
+    ///        a row.
     /// \return the output iterator past the last location
     /// \pre `tolerance > 0`
     template <typename OutputIterator>
@@ -476,7 +487,7 @@ public:
   /// constructs a diagram with sites, with the index maps and the point map of the mesh. Takes time linear in the
   /// number of sites.
   ///
-  /// \tparam Sites a range of `vertex_descriptor` or `Face_location`
+  /// \tparam Sites a range of `vertex_descriptor`, `Face_location`, or `Surface_mesh_geodesics::Surface_curve`
   /// \param tm the mesh, as above
   /// \param sites the sites, as for `add_sites()`
   /// \param traits an instance of the traits class, which is copied
@@ -484,7 +495,9 @@ public:
 #ifndef DOXYGEN_RUNNING
   template <typename Sites,
             typename = std::enable_if_t<Surface_mesh_geodesics::internal::Is_range_of<Sites, vertex_descriptor>::value
-                                        || Surface_mesh_geodesics::internal::Is_range_of<Sites, Face_location>::value>>
+                                        || Surface_mesh_geodesics::internal::Is_range_of<Sites, Face_location>::value
+                                        || (Surface_mesh_geodesics::internal::Are_curves<Sites>::value
+                                            && !Surface_mesh_geodesics::internal::Is_curve<Sites>::value)>>
 #else
   template <typename Sites>
 #endif
@@ -542,10 +555,29 @@ public:
     return m_lazy.add_site(location, weight);
   }
 
+  /// adds a curve as a site: the distance of a point from the site is the smallest one from a point of the curve, and
+  /// exact. `build()` checks whether it is a curve of the mesh. A curve of one location is a point. Takes time linear
+  /// in the number of segments, plus time linear in the size of the diagram if one is built.
+  ///
+  /// \tparam Curve `Surface_mesh_geodesics::Surface_curve<Triangle_mesh>`
+  /// \param curve a curve on the mesh; it is copied
+  /// \param weight its weight, in the unit of the mesh; it may be negative
+  /// \return the number of the site
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if the weight is not finite
+#ifndef DOXYGEN_RUNNING
+  template <typename Curve, typename = std::enable_if_t<Surface_mesh_geodesics::internal::Is_curve<Curve>::value>>
+#else
+  template <typename Curve>
+#endif
+  Site_index add_site(const Curve& curve, const FT& weight = FT(0))
+  {
+    return m_lazy.add_site(curve, weight);
+  }
+
   /// adds all elements of a range as sites with the weight 0. Takes time linear in their number, plus time linear in
   /// the size of the diagram if one is built.
   ///
-  /// \tparam Sites a range of `vertex_descriptor` or `Face_location`
+  /// \tparam Sites a range of `vertex_descriptor`, `Face_location`, or `Surface_mesh_geodesics::Surface_curve`
   /// \param sites the sites
   /// \return the number of the first site that was added; the others follow. `number_of_sites()` if the range is empty.
   template <typename Sites>
@@ -610,12 +642,22 @@ public:
   /// returns the number of sites.
   std::size_t number_of_sites() const { return m_lazy.sites().size(); }
 
-  /// returns the location of a site. For a vertex this is a corner of one of its faces. The face is the null face for a
+  /// returns the location of a site. For a vertex this is a corner of one of its faces, for a curve the location of its
+  /// first point. The face is the null face for a
   /// vertex without faces, and for a descriptor that is not a vertex of the mesh.
   ///
   /// \param i the number of the site
   /// \pre `i < number_of_sites()`
   Face_location site(Site_index i) const { return m_lazy.location_of_site(i); }
+
+  /// returns the curve of a site, or null if the site is a point. The pointer is valid as long as the site.
+  ///
+  /// \param i the number of the site
+  /// \pre `i < number_of_sites()`
+  const Surface_mesh_geodesics::Surface_curve<Triangle_mesh>* site_curve(Site_index i) const
+  {
+    return m_lazy.sites()[i].curve.get();
+  }
 
   /// returns the weight of a site, in the unit of the mesh.
   ///
@@ -797,7 +839,7 @@ public:
   /// \pre `i < number_of_sites()`
   std::vector<Boundary> boundary(Site_index i) const
   {
-    return has_built_cell(i) ? elements().boundary(m_lazy.complex().boundary(m_lazy.vertex_of_site(i)))
+    return has_built_cell(i) ? elements().boundary(m_lazy.complex().boundary(m_lazy.cell_of_site(i)))
                              : std::vector<Boundary>();
   }
 
@@ -822,7 +864,7 @@ public:
   {
     CGAL_precondition_msg(tolerance > 0, "the tolerance is not positive");
     using Polylines = Surface_mesh_geodesics::internal::Boundary_polylines<decltype(m_lazy), Boundary_polyline>;
-    return has_built_cell(i) ? Polylines(m_lazy, tolerance).around(m_lazy.vertex_of_site(i), closes_at_border)
+    return has_built_cell(i) ? Polylines(m_lazy, tolerance).around(m_lazy.cell_of_site(i), closes_at_border)
                              : std::vector<Boundary_polyline>();
   }
 
@@ -864,8 +906,12 @@ public:
   /// cells, a site has the smallest energy at the centroid of its cell, and among the vertices in the cell at
   /// `central_vertex()`. Weights count for the cells only. The sum may be infinite if the points have very large
   /// coordinates. Takes time linear in the size of the mesh and of the diagram.
+  ///
+  /// \pre No site is a curve.
   double energy() const
   {
+    for(Site_index i = 0; i < number_of_sites(); ++i)
+      CGAL_precondition_msg(site_curve(i) == nullptr, "the energy of a curve is not defined");
     build();
     using Energy = Surface_mesh_geodesics::internal::Cell_energy<decltype(m_lazy)>;
     return number_of_sites() == 0 ? 0. : Energy(m_lazy).sum();
@@ -890,7 +936,7 @@ public:
   /// \pre `i < number_of_sites()`
   int Euler_characteristic(Site_index i) const
   {
-    return has_built_cell(i) ? m_lazy.complex().Euler_characteristic(m_lazy.vertex_of_site(i)) : 0;
+    return has_built_cell(i) ? m_lazy.complex().Euler_characteristic(m_lazy.cell_of_site(i)) : 0;
   }
 
   /// returns whether the cell, with its boundary, is a topological disk; `false` if the cell is empty, or a vertex
@@ -903,7 +949,7 @@ public:
   bool is_disk(Site_index i) const
   {
     using Topology = Surface_mesh_geodesics::internal::Cell_topology;
-    return has_built_cell(i) && Topology(m_lazy.refined_mesh(), m_lazy.complex()).is_disk(m_lazy.vertex_of_site(i));
+    return has_built_cell(i) && Topology(m_lazy.refined_mesh(), m_lazy.complex()).is_disk(m_lazy.cell_of_site(i));
   }
 
   /// writes the triangles of the dual: one for each vertex of the diagram where three cells meet, and `n - 2` where `n`
@@ -930,9 +976,9 @@ public:
   Faces are cut into triangles. Vertices and edges of the mesh are kept, and edges are divided where arcs cross them.
   The two faces at an edge share the new vertices, so the output has a border only where the mesh has one, and it has
   the Euler characteristic of the mesh. An arc that ends at a vertex of the mesh, up to rounding, ends at that vertex of
-  the output, and an arc along an edge of the mesh becomes that edge. Sites inside faces and on edges become vertices.
-  Pieces of hyperbolas become polylines. Where several curves in a face are closer to each other than the tolerance,
-  they are approximated more closely, so that they do not cross.
+  the output, and an arc along an edge of the mesh becomes that edge. Sites inside faces and on edges become vertices,
+  sites that are curves become edges. Pieces of hyperbolas and of parabolas become polylines. Where several arcs in a
+  face are closer to each other than the tolerance, they are approximated more closely, so that they do not cross.
 
   The vertices of the mesh come first in the output, in an unspecified order.
 
@@ -1027,7 +1073,7 @@ public:
     auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
                                 get_property_map(CGAL::vertex_point, output));
     if(has_built_cell(i))
-      Surface_mesh_geodesics::internal::add_cell_mesh(m_lazy, m_lazy.vertex_of_site(i), tolerance, output, vpm,
+      Surface_mesh_geodesics::internal::add_cell_mesh(m_lazy, m_lazy.cell_of_site(i), tolerance, output, vpm,
                                                       face_face_map);
   }
 

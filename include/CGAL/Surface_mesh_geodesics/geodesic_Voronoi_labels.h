@@ -35,14 +35,16 @@ vertices, at the price of `geodesic_distances()`: there is one propagation from 
 are computed. Use the diagram if you need these curves, or the sites of points that are not vertices.
 
 A vertex that no site reaches gets the largest number of type `std::size_t`; so do all vertices if the range of sites is
-empty. If several sites are equally near, a vertex gets one of them; of several sites at one point, the first.
+empty. If several sites are equally near, a vertex gets one of them; of several sites at one point, the first. A vertex
+on several curves with the same weight gets the first of them.
 
 \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`, as for `geodesic_distances()`
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam VertexSiteMap a model of `WritablePropertyMap` with the vertex descriptor of `TriangleMesh` as key type and
         `std::size_t` as value type
-\tparam Sites a site or a range of sites: vertex descriptors, or locations in faces. These are the types that
-        `geodesic_distances()` takes for sources.
+\tparam Sites a site or a range of sites: vertex descriptors, locations in faces, or curves
+        (`CGAL::Surface_mesh_geodesics::Surface_curve`). These are the types that `geodesic_distances()` takes for
+        sources.
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tm the triangle mesh

@@ -46,6 +46,22 @@ is_near "$(column vertices.csv distance | line /dev/stdin 5)" 0.3333333333333333
 contains note "3 of 6 vertices are not reached; the mesh has 2 components"
 contains parts.csv ",-1,inf"
 
+# Curves as sites: the sides of the square divide it along its diagonals, a parabola lies between a side and a corner.
+printf '2 0 0 0 1 0 0\n2 1 0 0 1 1 0\n2 1 1 0 0 1 0\n2 0 1 0 0 0 0\n' > sides.polylines.txt
+is_silent voronoi "$grid" --site-curve sides.polylines.txt -o sides.csv -o sides.obj
+for i in 1 2 3 4; do
+  is_near "$(column sides.csv area | line /dev/stdin $i)" 0.25
+done
+awk '$1 == "v" { d = ($2 - $3) * ($2 + $3 - 1); if(d > 1e-12 || d < -1e-12) exit 1; ++n } END { exit !(n > 4) }' sides.obj
+printf 'v 0 0 0\nv 1 0 0\nl 1 2\n' > side.obj
+is_silent voronoi "$grid" --site-point 1,1,0 --site-curve side.obj -o parabola.csv -o parabola.obj
+is_near "$(column parabola.csv area | line /dev/stdin 1)" 0.33333333333333331
+is_near "$(column parabola.csv area | line /dev/stdin 2)" 0.66666666666666663
+awk '$1 == "v" { d = ($2 - 1)^2 + 1 - 2 * $3; if(d > 1e-9 || d < -1e-9) exit 1; ++n } END { exit !(n > 2) }' parabola.obj
+is_silent voronoi "$grid" --site-border --site 5 --vertices > border.csv
+equals "$(column border.csv site | sort | uniq -c | awk '{ print $2 ":" $1 }' | paste -sd ' ')" "0:1 1:15"
+rejects 2 "--site-border: the surface has no border" voronoi "$data/tetra.off" --site-border
+
 # A smaller tolerance gives more points.
 is_silent voronoi "$grid" --site 0,6,15 --weight 0,0.1,0 --tolerance 1e-2 -o coarse.obj
 is_silent voronoi "$grid" --site 0,6,15 --weight 0,0.1,0 --tolerance 1e-7 -o fine.obj

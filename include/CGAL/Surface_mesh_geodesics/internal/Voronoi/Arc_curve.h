@@ -87,15 +87,16 @@ public:
   using Arc = Voronoi_arc<double>;
 
   // The curve is the segment between the ends of the arc if the arc is straight up to rounding: it is not a bisector,
-  // both weights are equal, or the bisector does not lead from one end to the other. The arc is not referred to
-  // afterwards.
+  // both weights are equal (of points), both points are at infinity, or the bisector does not lead from one end to the
+  // other. The arc is not referred to afterwards.
   explicit Arc_curve(const Arc& a)
     : m_first(a.first), m_last(a.last), m_curve(a.left, a.right, a.first)
   {
     using std::abs;
     const double d = a.left.distance_to(a.first);
+    const bool are_points = !a.left.is_at_infinity() && !a.right.is_at_infinity();
     m_is_segment = !a.is_bisector || !m_curve.is_curved()
-                || abs(a.left.weight - a.right.weight) <= Tolerance<double>::curvature() * d;
+                || (are_points && abs(a.left.weight - a.right.weight) <= Tolerance<double>::curvature() * d);
     m_end = m_is_segment ? 0 : m_curve.angle_near(a.last);
     m_is_segment = m_is_segment || !(m_end > 0) || !is_better_than_segment(a);
   }

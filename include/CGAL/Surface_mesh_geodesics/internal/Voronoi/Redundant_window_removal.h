@@ -32,16 +32,20 @@
 
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Divided_face.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/edges/Edge_partition.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/edges/Site_strips.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/edges/Vertex_owners.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/site_images_of_face.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_table.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/Edge_window_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Face_windows.h>
-#include <CGAL/Surface_mesh_geodesics/internal/window/passing/Passed_faces.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Window_lists.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/passing/Passed_faces.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/passing/entering_windows.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/strips/Curve_arrivals.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/strips/Strip.h>
 
 #include <CGAL/assertions.h>
 
@@ -90,6 +94,7 @@ public:
     m_is_early = is_early;
     m_faces.reset(mesh, field, Face_record());
     m_owner.reset(mesh.number_of_vertices(), field);
+    m_strips.clear();
     m_windows.reset(mesh.number_of_faces());
     m_breakpoints.clear();
     m_range_of_edge.clear();
@@ -138,6 +143,28 @@ public:
     record.state = ACTIVE;
     if(m_is_early)
       m_faces.wait(f, smallest());
+  }
+
+  // Takes all windows and strips of a complete run with curves among its sources, in place of keep() and advance().
+  // Sites are numbers from now on (Site_strips.h). Both fields are those of the mesh; the second one is referred to.
+  // (Such a run keeps everything: strips and windows do not prune each other, and the bounds by which faces become
+  // inactive know windows only.)
+  void take(const Edge_window_field<FT>& windows, const Curve_arrivals<FT>& arrivals)
+  {
+    m_strips.reset(arrivals);
+    m_owner.set_sites(m_strips.sites_of_roots(*m_field));
+    for(Face_id f = 0; f < m_faces.size(); ++f)
+      for(unsigned int k = 0; k < 3; ++k)
+      {
+        const Halfedge_id h = halfedge_of(f, k);
+        windows.for_each_window(h, [&](const Kept_window<FT>& w)
+        {
+          add_source_of(w.root, m_faces[f]);
+          m_windows.add(h, w);
+          ++m_number_of_kept;
+        });
+        m_strips.for_each(h, [&](std::size_t, const Strip<FT>&, Vertex_id site) { add_site(site, m_faces[f]); });
+      }
   }
 
   // Tells which distances are final: those up to `reached`. keep() may then come before the distances of the roots are
@@ -217,7 +244,11 @@ private:
   {
     if(record.source == several_sources)
       return;
-    const Vertex_id source = m_owner.first_of_equal(m_owner.source_of(root));
+    add_site(m_owner.first_of_equal(m_owner.source_of(root)), record);
+  }
+
+  static void add_site(Vertex_id source, Face_record& record)
+  {
     record.source = record.source == null_id || record.source == source ? source : several_sources;
   }
 
@@ -345,7 +376,7 @@ private:
       m_divided_face.breakpoints[k].assign(first, first + range.size);
     }
     m_divided_face.images.clear();
-    for_each_site_image(*m_mesh, *m_field, m_windows, [this](Vertex_id v) { return owner(v); }, f,
+    for_each_site_image(*m_mesh, *m_field, m_windows, m_strips, [this](Vertex_id v) { return owner(v); }, f,
                         [this](const Site_image<FT>& image) { m_divided_face.images.push_back(image); });
     m_consumer->add(m_divided_face);
   }
@@ -391,14 +422,42 @@ private:
       m_edge.add(Edge_image<FT>{w.begin, w.end, w.image_x, w.image_depth,
                                 m_field->distance[w.root], owner(w.root)});
     });
-    if(o == null_id)
-      return;
-    m_windows.for_each(o, [&](const Kept_window<FT>& w)
+    if(o != null_id)
+      m_windows.for_each(o, [&](const Kept_window<FT>& w)
+      {
+        m_candidates.emplace_back(o, w);
+        m_edge.add(Edge_image<FT>{FT(length - w.end), FT(length - w.begin), FT(length - w.image_x), w.image_depth,
+                                  m_field->distance[w.root], owner(w.root)});
+      });
+    m_strip_candidates.clear();
+    if(m_strips.exist())
+      add_strips(h, o, length);
+  }
+
+  // Does the same with the strips.
+  void add_strips(Halfedge_id h, Halfedge_id o, const FT& length)
+  {
+    m_strips.for_each(h, [&](std::size_t i, const Strip<FT>& s, Vertex_id site)
     {
-      m_candidates.emplace_back(o, w);
-      m_edge.add(Edge_image<FT>{FT(length - w.end), FT(length - w.begin), FT(length - w.image_x), w.image_depth,
-                                m_field->distance[w.root], owner(w.root)});
+      m_strip_candidates.emplace_back(h, i);
+      m_edge.add(Edge_image<FT>{s.begin, s.end, s.direction_x, FT(0), s.distance, site, true});
     });
+    if(o != null_id)
+      m_strips.for_each(o, [&](std::size_t i, const Strip<FT>& s, Vertex_id site)
+      {
+        m_strip_candidates.emplace_back(o, i);
+        m_edge.add(Edge_image<FT>{FT(length - s.end), FT(length - s.begin), FT(-s.direction_x), FT(0),
+                                  s.distance_at(length), site, true});
+      });
+  }
+
+  // The images of the edge behind those of its ends: windows, then strips.
+  std::size_t number_of_candidates() const { return m_candidates.size() + m_strip_candidates.size(); }
+
+  // The halfedge across which candidate i has come.
+  Halfedge_id side_of_candidate(std::size_t i) const
+  {
+    return i < m_candidates.size() ? m_candidates[i].first : m_strip_candidates[i - m_candidates.size()].first;
   }
 
   // Stores the breakpoints of the edge of h.
@@ -416,7 +475,7 @@ private:
   void add_paths_to_border(Halfedge_id h)
   {
     const auto owner_of = [&](Vertex_id v) { return owner(v); };
-    for_each_site_image(*m_mesh, *m_field, m_windows, owner_of, face_of(h), [&](const Site_image<FT>& g)
+    for_each_site_image(*m_mesh, *m_field, m_windows, m_strips, owner_of, face_of(h), [&](const Site_image<FT>& g)
     {
       Edge_image<FT> e;
       if(image_on_edge(*m_mesh, h, g, e))
@@ -431,13 +490,19 @@ private:
     m_windows.release(h);
     if(o != null_id)
       m_windows.release(o);
-    m_has_interval.assign(m_candidates.size() + 2, false);
+    m_has_interval.assign(number_of_candidates() + 2, false);
     for(const Edge_interval<FT>& i : m_edge.intervals())
       if(i.image < m_has_interval.size() && i.begin < i.end)
         m_has_interval[i.image] = true;
     for(std::size_t i = 0; i < m_candidates.size(); ++i)
       if(m_has_interval[i + 2] || is_nearest_somewhere(i + 2, length))
         m_windows.add(m_candidates[i].first, m_candidates[i].second);
+    for(std::size_t i = 0; i < m_strip_candidates.size(); ++i)
+    {
+      const std::size_t image = m_candidates.size() + i + 2;
+      if(!m_has_interval[image] && !is_nearest_somewhere(image, length))
+        m_strips.remove(m_strip_candidates[i].second);
+    }
   }
 
   // Returns whether a window that has no interval of its own ties with the nearest one on a part of its edge. If its
@@ -447,7 +512,7 @@ private:
   {
     const Edge_image<FT>& g = m_edge.image(window);
     const FT foot = (std::min)((std::max)(g.image_x, g.begin), g.end);
-    const bool is_on_edge = g.depth <= Tolerance<FT>::closeness() * length;
+    const bool is_on_edge = !g.is_at_infinity && g.depth <= Tolerance<FT>::closeness() * length;
     const std::vector<Edge_interval<FT>>& intervals = m_edge.intervals();
     const auto ends_before = [](const Edge_interval<FT>& i, const FT& x) { return i.end < x; };
     for(auto it = std::lower_bound(intervals.begin(), intervals.end(), g.begin, ends_before);
@@ -472,7 +537,7 @@ private:
   {
     if(nearest < 2) // a corner of both faces
       return false;
-    if(nearest - 2 < m_candidates.size() && m_candidates[nearest - 2].first == m_candidates[window - 2].first)
+    if(nearest - 2 < number_of_candidates() && side_of_candidate(nearest - 2) == side_of_candidate(window - 2))
       return false;
     return ties(window, nearest, x);
   }
@@ -481,7 +546,7 @@ private:
   bool ties(std::size_t window, std::size_t nearest, const FT& x) const
   {
     const FT d = m_edge.image(nearest).distance_at(x);
-    return m_edge.image(window).distance_at(x) <= d + Tolerance<FT>::tie() * d;
+    return m_edge.image(window).distance_at(x) <= d + m_edge.margin_of_tie(d);
   }
 
   const Mesh* m_mesh = nullptr;
@@ -491,6 +556,7 @@ private:
   Passed_faces<FT, Face_record> m_faces;
   Vertex_owners<FT> m_owner;
   Face_windows<FT> m_windows; // by the halfedge across which they have entered
+  Site_strips<FT> m_strips;
   std::vector<Edge_breakpoint<FT>> m_breakpoints; // of all divided edges, one after the other, until reset()
   Index_table<Index_range> m_range_of_edge; // in m_breakpoints, by the halfedge with the smaller index
   std::size_t m_number_of_kept = 0; // in all, also of those that have been released
@@ -502,6 +568,7 @@ private:
   Edge_partition<FT> m_edge; // the edge that is divided
   // The windows of that edge, and across which halfedge each has come. Image i + 2 of m_edge is candidate i.
   std::vector<std::pair<Halfedge_id, Kept_window<FT>>> m_candidates;
+  std::vector<std::pair<Halfedge_id, std::size_t>> m_strip_candidates; // strips by their numbers
   std::vector<char> m_has_interval; // whether the partition has given an interval to an image of m_edge
   Divided_face<FT> m_divided_face;
 };

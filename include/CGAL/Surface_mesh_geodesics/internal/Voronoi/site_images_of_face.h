@@ -17,15 +17,19 @@
 // (Edge_image), for edges of the border, which no window crosses outward.
 
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/edges/Edge_partition.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/edges/Site_strips.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/fronts/Site_image.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Intrinsic_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Face_windows.h>
+#include <CGAL/Surface_mesh_geodesics/internal/window/strips/Strip.h>
 
 #include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
 
 namespace CGAL {
 namespace Surface_mesh_geodesics {
@@ -80,13 +84,36 @@ Site_image<FT> image_of_window(const Kept_window<FT>& w, const Side_frame<FT>& f
   return image;
 }
 
-// Calls visit(image) for the site images of face f: the corners, then the windows of each side in the order in which
-// they came. owner_of(v) is the site nearest to vertex v, null_id if none reaches it. Linear in the number of images.
+// Returns the image of a strip of parallel rays (Strip.h) across the side of `frame`, which is a point at infinity. The
+// sides of the cone are the first and the last ray: the left one runs down, the right one up. `size` is that of the
+// face.
+template <typename FT>
+Site_image<FT> image_of_strip(const Strip<FT>& s, const Side_frame<FT>& frame, const FT& size, Vertex_id site)
+{
+  using std::abs;
+  Site_image<FT> image;
+  const FT x = s.direction_x * frame.tx - s.direction_y * frame.ty;
+  const FT y = s.direction_x * frame.ty + s.direction_y * frame.tx;
+  image.point = Additively_weighted_point<FT>{x, y, FT(s.distance - (x * frame.origin.x + y * frame.origin.y)),
+                                              FT(abs(s.distance) + size)};
+  image.site = site;
+  image.has_cone = true;
+  image.left_end = frame.point(s.begin, 0);
+  image.right_end = frame.point(s.end, 0);
+  image.left = frame.half_plane(-s.direction_x, -s.direction_y, image.left_end);
+  image.right = frame.half_plane(s.direction_x, s.direction_y, image.right_end);
+  return image;
+}
+
+// Calls visit(image) for the site images of face f: the corners, then the windows and strips of each side in the order
+// in which they came. owner_of(v) is the site nearest to vertex v, null_id if none reaches it. Linear in the number of
+// images.
 // The weights are the distances of the field at the time of the call: those that matter in the face have to be final.
 // (A side without length has no windows, since their intervals have a length.)
 template <typename FT, typename OwnerOf, typename Visit>
 void for_each_site_image(const Intrinsic_mesh<FT>& mesh, const Vertex_distance_field<FT>& field,
-                         const Face_windows<FT>& windows, OwnerOf owner_of, Face_id f, Visit visit)
+                         const Face_windows<FT>& windows, const Site_strips<FT>& strips, OwnerOf owner_of, Face_id f,
+                         Visit visit)
 {
   const Intrinsic_face<FT>& face = mesh.face(f);
   const std::array<Planar_point<FT>, 3> corner = layout_of_face(face);
@@ -105,6 +132,8 @@ void for_each_site_image(const Intrinsic_mesh<FT>& mesh, const Vertex_distance_f
     const Side_frame<FT> frame(corner[k], corner[next_corner(k)], face.length[k]);
     windows.for_each(halfedge_of(f, k), [&](const Kept_window<FT>& w)
     { visit(image_of_window(w, frame, field.distance[w.root], owner_of(w.root))); });
+    strips.for_each(halfedge_of(f, k), [&](std::size_t, const Strip<FT>& s, Vertex_id site)
+    { visit(image_of_strip(s, frame, longest_side(face), site)); });
   }
 }
 
@@ -154,6 +183,13 @@ bool image_on_edge(const Intrinsic_mesh<FT>& mesh, Halfedge_id h, const Site_ima
   }
   else if(image.has_cone && !clip_to_cone(image, a, b, length, first, last))
     return false;
+  if(image.point.is_at_infinity())
+  {
+    const FT slope = image.point.x * frame.tx + image.point.y * frame.ty;
+    const FT at_a = image.point.weight + image.point.way_to(a);
+    result = Edge_image<FT>{first, last, slope, FT(0), at_a, image.site, true};
+    return first < last;
+  }
   const FT dx = image.point.x - a.x, dy = image.point.y - a.y;
   result = Edge_image<FT>{first, last, FT(dx * frame.tx + dy * frame.ty), FT(dy * frame.tx - dx * frame.ty),
                           image.point.weight, image.site};

@@ -180,7 +180,10 @@ private:
       return;
     // A new object for each site, whose windows are freed at the end of this function.
     auto paths = make_paths();
-    paths->add_source_point(site);
+    if(m_diagram.site_curve(i) != nullptr)
+      paths->add_source_curve(*m_diagram.site_curve(i));
+    else
+      paths->add_source_point(site);
     paths->build_sequence_tree_for_faces();
     const double weight = CGAL::to_double(m_diagram.weight(i));
     for(const Sample& s : samples.samples())

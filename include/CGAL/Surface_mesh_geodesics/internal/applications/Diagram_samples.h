@@ -85,7 +85,7 @@ public:
   const std::vector<std::size_t>& sites() const { return m_sites; }
 
 private:
-  // Both ends, the middle and points in between; an arc is a hyperbola, which these determine.
+  // Both ends, the middle and points in between; an arc is a piece of a conic, which these determine.
   void add_arcs()
   {
     for(const auto& arc : m_diagram.arcs())

@@ -232,6 +232,9 @@ public:
 
   const Intrinsic_mesh<double>& mesh() const { return m_surface.mesh(); }
   const Vertex_distance_field<double>& field() const { return m_field; }
+  // What a run has kept that was told to keep windows.
+  const Edge_window_field<double>& windows() const { return m_windows; }
+  const Curve_arrivals<double>& curve_arrivals() const { return m_curves; }
 
   // The factor from lengths inside to those of the user: a power of two.
   double unit() const { return mesh().unit(); }

@@ -73,10 +73,12 @@ Planar_point<FT> polished_point(Planar_point<FT> p, const FT& size_of_distances,
   return p;
 }
 
-// Returns the unit vector from a weighted point to a point, zero if they are equal.
+// Returns the unit vector from a weighted point to a point, zero if they are equal: the gradient of the distance.
 template <typename FT>
 Planar_point<FT> direction_from(const Additively_weighted_point<FT>& from, const Planar_point<FT>& to)
 {
+  if(from.is_at_infinity())
+    return Planar_point<FT>{from.x, from.y};
   const FT dx = to.x - from.x, dy = to.y - from.y, n = norm(dx, dy);
   return n > 0 ? Planar_point<FT>{FT(dx / n), FT(dy / n)} : Planar_point<FT>();
 }

@@ -24,6 +24,11 @@
 // a quadratic polynomial. Everything is written as a difference from p0, so that no digits are lost where the foci are
 // far away in comparison with the relevant piece of the curve.
 //
+// A point at infinity stands for a bundle of parallel rays, whose distances are a linear function with the gradient n.
+// Let K be its value at F less the weight of F. Then K = r (1 - u n) on the bisector, so 1/r = (1 - u n) / K: the
+// formula above with s = 1 and d = -n. That bisector is a parabola, and all else stays as it is. Two bundles have a
+// line as bisector.
+//
 // Error: no bound is known for points of a bisector in general. Newton_refinement.h refines those that matter; tests
 // sample arcs and compare both distances.
 
@@ -72,13 +77,35 @@ FT distance_from_segment(const Planar_point<FT>& p, const Planar_point<FT>& a, c
 }
 
 // A point with a distance of its own: the distance of p from it is `weight` plus the distance in the plane.
+//
+// The point may be at infinity: then its rays are parallel, (x, y) is the unit vector along them, and `weight` is the
+// distance of the origin. So distances are weight + x p.x + y p.y, where that is not negative by rounding. They err by
+// the rounding of the numbers that they are differences of, even where they are small: `scale` is the size of these.
 template <typename FT>
 struct Additively_weighted_point
 {
   FT x = 0, y = 0, weight = 0;
+  FT scale = 0; // positive for a point at infinity only
 
-  FT planar_distance_to(const Planar_point<FT>& p) const { return norm<FT>(p.x - x, p.y - y); }
-  FT distance_to(const Planar_point<FT>& p) const { return weight + planar_distance_to(p); }
+  bool is_at_infinity() const { return scale > 0; }
+
+  // The distance without the weight. (The one of a point at infinity may be negative.)
+  FT way_to(const Planar_point<FT>& p) const
+  {
+    return is_at_infinity() ? FT(x * p.x + y * p.y) : norm<FT>(p.x - x, p.y - y);
+  }
+
+  FT distance_to(const Planar_point<FT>& p) const
+  {
+    const FT d = weight + way_to(p);
+    return is_at_infinity() && d < 0 ? FT(0) : d;
+  }
+
+  // The distance in the plane, which is infinite for a point at infinity.
+  FT planar_distance_to(const Planar_point<FT>& p) const
+  {
+    return is_at_infinity() ? std::numeric_limits<FT>::infinity() : norm<FT>(p.x - x, p.y - y);
+  }
 };
 
 // Returns whether the distance a is smaller than b beyond the rounding of images: stricter than is_clearly_less().
@@ -93,7 +120,8 @@ bool is_nearer(const FT& a, const FT& b)
   return a < b * (1 - Tolerance<FT>::nearer());
 }
 
-// The same for the distances of p from a and from b. Frame: any in which the three points are given.
+// The same for the distances of p from a and from b. Frame: any in which the three points are given. A point at
+// infinity has to be nearer, or to be farther, by the rounding of its scale as well.
 //
 // Error bound, to first order in u = epsilon() / 2, for exact points: each distance errs by 4 u of itself, as in
 // Window_numbers::distance_at(), and the right side rounds once. So a is nearer only if its exact distance is less than
@@ -104,7 +132,7 @@ template <typename FT>
 bool is_nearer(const Additively_weighted_point<FT>& a, const Additively_weighted_point<FT>& b,
                const Planar_point<FT>& p)
 {
-  return is_nearer<FT>(a.distance_to(p), b.distance_to(p));
+  return is_nearer<FT>(a.distance_to(p) + Tolerance<FT>::nearer() * (a.scale + b.scale), b.distance_to(p));
 }
 
 // One side of a line: a x + b y + c >= 0.
@@ -197,6 +225,14 @@ public:
   Weighted_bisector(const Focus& left, const Focus& right, const Point& p)
     : m_p(p)
   {
+    if(left.is_at_infinity() || right.is_at_infinity())
+    {
+      if(left.is_at_infinity() && right.is_at_infinity())
+        find_line_between_rays(left, right);
+      else
+        find_parabola(left, right);
+      return;
+    }
     const FT to_left = norm<FT>(p.x - left.x, p.y - left.y);
     const FT to_right = norm<FT>(p.x - right.x, p.y - right.y);
     // the nearer focus, unless the curve starts there
@@ -223,15 +259,11 @@ public:
       find_line(left, right);
       return;
     }
-    m_vx = -m_uy;
-    m_vy = m_ux;
-    m_a = (dx * m_ux + dy * m_uy) / k;
-    m_b = (dx * m_vx + dy * m_vy) / k;
-    set_tangent();
-    orient(left, right, to_left, to_right);
-    const FT rho = 1 / r;
-    m_denominator = Quadratic<FT>{rho, m_b, FT(rho - 2 * m_a)};
-    m_bend = 1 - m_a * r;
+    const FT nx = (to_right > 0 ? FT((p.x - right.x) / to_right) : FT(0))
+                - (to_left > 0 ? FT((p.x - left.x) / to_left) : FT(0));
+    const FT ny = (to_right > 0 ? FT((p.y - right.y) / to_right) : FT(0))
+                - (to_left > 0 ? FT((p.y - left.y) / to_left) : FT(0));
+    describe(dx, dy, k, nx, ny);
   }
 
   const Point& start() const { return m_p; }
@@ -241,9 +273,11 @@ public:
 
   // Returns whether the bisector is a ray: paths from one point run through the other one, and all points behind that
   // one are equally far from both. The other functions are then those of the ray, and the parameter is the length.
+  // (The first point may be at infinity.)
   bool is_ray() const { return m_is_straight && !m_is_valid; }
 
-  // Returns whether the focus F is `left`. For a ray, F is the point where paths bend.
+  // Returns whether the focus F is `left`. For a ray, F is the point where paths bend. (False for a ray between two
+  // points at infinity: none bends.)
   bool is_left_focus() const { return m_is_left_focus; }
 
   // Returns the point at parameter t >= 0: the start at 0. Behind end(), it is on the other branch.
@@ -366,7 +400,7 @@ public:
   }
 
   // Returns a polynomial in the parameter that is positive where a third point g is nearer than the two; it is negative
-  // everywhere if g never is. `to_g` is the distance of g from the start in the plane.
+  // everywhere if g never is. `to_g` is the distance of g from the start in the plane, way_to().
   //
   // Formula: (1 + t^2) (s + u d) - K w(t), with s, d and K those of F and g. It is the inequality K / r < s + u d,
   // multiplied by 1 + t^2. The value at p0 is ((r + s)^2 - to_g^2) / (2 r), computed as a product (`gain`), so that it
@@ -375,6 +409,8 @@ public:
   {
     if(m_is_straight)
       return nearer_on_line(g, to_g);
+    if(g.is_at_infinity())
+      return nearer_along_rays(g, to_g);
     const FT dx = g.x - m_focus.x, dy = g.y - m_focus.y, d = norm(dx, dy);
     const FT s = m_focus.weight - g.weight;
     if(s <= -d)
@@ -394,14 +430,18 @@ public:
   }
 
 private:
-  // Turns the parameter so that `left` is nearer on the left: the gradient of the difference of the two distances has
-  // to point to the left of the tangent.
-  void orient(const Focus& left, const Focus& right, const FT& to_left, const FT& to_right)
+  // Describes the curve 1/r = c + (dx, dy) u / k for any c that lets it pass p0. Requires: m_ux, m_uy and m_radius are
+  // set.
+  //
+  // Turns the parameter so that `left` is nearer on the left: the gradient (nx, ny) of the difference of the two
+  // distances, right minus left, has to point to the left of the tangent.
+  void describe(const FT& dx, const FT& dy, const FT& k, const FT& nx, const FT& ny)
   {
-    const FT nx = (to_right > 0 ? FT((m_p.x - right.x) / to_right) : FT(0))
-                - (to_left > 0 ? FT((m_p.x - left.x) / to_left) : FT(0));
-    const FT ny = (to_right > 0 ? FT((m_p.y - right.y) / to_right) : FT(0))
-                - (to_left > 0 ? FT((m_p.y - left.y) / to_left) : FT(0));
+    m_vx = -m_uy;
+    m_vy = m_ux;
+    m_a = (dx * m_ux + dy * m_uy) / k;
+    m_b = (dx * m_vx + dy * m_vy) / k;
+    set_tangent();
     if(m_tx * ny - m_ty * nx < 0)
     {
       m_vx = -m_vx;
@@ -409,6 +449,68 @@ private:
       m_b = -m_b;
       set_tangent();
     }
+    const FT rho = 1 / m_radius;
+    m_denominator = Quadratic<FT>{rho, m_b, FT(rho - 2 * m_a)};
+    m_bend = 1 - m_a * m_radius;
+  }
+
+  // Makes the bisector of a point, which is the focus, and a point at infinity. It is a ray from the focus, along the
+  // other rays, if one of these leads through the focus with its distance: the inside of a segment then takes over from
+  // its end. If the focus is nowhere nearer, there is no curve.
+  void find_parabola(const Focus& left, const Focus& right)
+  {
+    m_is_left_focus = right.is_at_infinity();
+    m_focus = m_is_left_focus ? left : right;
+    const Focus& rays = m_is_left_focus ? right : left;
+    const FT x = m_p.x - m_focus.x, y = m_p.y - m_focus.y, r = norm(x, y);
+    const FT k = advantage_over_rays(rays);
+    const FT rounding = Tolerance<FT>::bisector() * (m_focus.weight + r + rays.scale);
+    m_radius = r;
+    m_is_valid = r > 0 && k > rounding;
+    if(m_is_valid)
+    {
+      m_ux = x / r;
+      m_uy = y / r;
+      const FT sign = m_is_left_focus ? 1 : -1;
+      return describe(-rays.x, -rays.y, k, sign * (rays.x - m_ux), sign * (rays.y - m_uy));
+    }
+    if(k < -rounding)
+      return;
+    m_tx = rays.x;
+    m_ty = rays.y;
+    m_is_straight = r <= rounding || x * m_tx + y * m_ty >= r / 2;
+    m_at_start = m_focus.weight + r;
+  }
+
+  // Makes the line on which two bundles of parallel rays are equally long. If their directions are the same up to
+  // rounding, both are equally long everywhere, as both are at p0. Then the bisector is a ray along them: the last ray
+  // of one bundle, which is the first one of the other. (Where curves lie on one line.)
+  void find_line_between_rays(const Focus& left, const Focus& right)
+  {
+    const FT nx = right.x - left.x, ny = right.y - left.y, n = norm(nx, ny);
+    m_focus = left;
+    m_is_left_focus = false;
+    m_is_straight = true;
+    m_is_valid = n > Tolerance<FT>::bisector();
+    m_tx = m_is_valid ? FT(ny / n) : left.x;
+    m_ty = m_is_valid ? FT(-nx / n) : left.y;
+    m_at_start = left.distance_to(m_p);
+    m_slope = left.x * m_tx + left.y * m_ty;
+  }
+
+  // The value K of the focus and parallel rays: how much nearer than these the focus is at its own place.
+  FT advantage_over_rays(const Focus& rays) const
+  {
+    return rays.weight + rays.way_to(Point{m_focus.x, m_focus.y}) - m_focus.weight;
+  }
+
+  // Returns nearer() for a point at infinity: (1 + t^2) (1 - u n) - K w(t), whose value at p0 is the difference of the
+  // two distances over r.
+  Quadratic<FT> nearer_along_rays(const Focus& g, const FT& to_g) const
+  {
+    const FT k = advantage_over_rays(g), g0 = ((m_radius - to_g) + (m_focus.weight - g.weight)) / m_radius;
+    const FT du = -(g.x * m_ux + g.y * m_uy), dv = -(g.x * m_vx + g.y * m_vy);
+    return Quadratic<FT>{g0, FT(dv - k * m_b), FT(g0 - 2 * du + 2 * k * m_a)};
   }
 
   // Finds the ray behind the point with the larger weight, if that point is on the way from the other one.
@@ -427,24 +529,32 @@ private:
     m_ty = dy / d;
     const FT along = (m_p.x - m_focus.x) * m_tx + (m_p.y - m_focus.y) * m_ty;
     m_is_straight = m_radius <= rounding || along >= m_radius / 2;
+    m_at_start = m_focus.weight + m_radius;
   }
 
   // Makes the curve the line through p and the focus. Seen from p, the two points count as one.
   void find_line(const Focus& left, const Focus& right)
   {
     m_is_straight = true;
-    m_is_outward = m_ux * (right.y - left.y) - m_uy * (right.x - left.x) < 0;
-    m_tx = m_is_outward ? m_ux : FT(-m_ux);
-    m_ty = m_is_outward ? m_uy : FT(-m_uy);
+    const bool is_outward = m_ux * (right.y - left.y) - m_uy * (right.x - left.x) < 0;
+    m_tx = is_outward ? m_ux : FT(-m_ux);
+    m_ty = is_outward ? m_uy : FT(-m_uy);
+    m_at_start = m_focus.weight + m_radius;
+    m_slope = is_outward ? 1 : -1;
   }
 
-  // Returns nearer() for a line: |p + t (tx, ty) - g| < s + t, or s - t on the way to the focus, squared.
+  // Returns nearer() for a line, along which the common distance of the two is linear, with the slope m: the
+  // inequality |p + t (tx, ty) - g| < s + m t, squared. For a point at infinity both sides are linear.
   Quadratic<FT> nearer_on_line(const Focus& g, const FT& d) const
   {
-    const FT dx = m_p.x - g.x, dy = m_p.y - g.y, s = m_focus.weight + m_radius - g.weight;
+    const FT s = m_at_start - g.weight;
+    if(g.is_at_infinity())
+      return Quadratic<FT>{FT(s - d), FT((m_slope - (g.x * m_tx + g.y * m_ty)) / 2), 0};
+    const FT dx = m_p.x - g.x, dy = m_p.y - g.y;
     if(s <= -d)
       return Quadratic<FT>{-1, 0, 0};
-    return Quadratic<FT>{FT((s - d) * (s + d)), FT((m_is_outward ? s : FT(-s)) - (dx * m_tx + dy * m_ty)), 0};
+    return Quadratic<FT>{FT((s - d) * (s + d)), FT(m_slope * s - (dx * m_tx + dy * m_ty)),
+                         FT((m_slope - 1) * (m_slope + 1))};
   }
 
   // Sets the tangent at p0: dp/dt over twice the radius.
@@ -457,7 +567,7 @@ private:
   Point m_p;
   Focus m_focus;
   bool m_is_left_focus = true, m_is_valid = false, m_is_straight = false;
-  bool m_is_outward = true;       // a straight curve goes away from the focus
+  FT m_at_start = 0, m_slope = 1; // of a straight curve: the distance at p0, and how it grows
   FT m_radius = 0;                // from the focus to p0
   FT m_ux = 0, m_uy = 0;          // the direction from the focus to p0
   FT m_vx = 0, m_vy = 0;          // across, to the side of growing parameters

@@ -45,19 +45,28 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// An image as an edge sees it: the distances weight + |(x - image_x, depth)| at the points x from `begin` to `end`.
+// An image as an edge sees it: the distances weight + |(x - image_x, depth)| at the points x from `begin` to `end`. Of
+// an image at infinity (Additively_weighted_point), these are weight + image_x * x: image_x is the slope.
 template <typename FT>
 struct Edge_image
 {
   FT begin, end;
   FT image_x, depth, weight;
   Vertex_id site;
+  bool is_at_infinity = false;
 
-  FT distance_at(const FT& x) const { return weight + norm<FT>(x - image_x, depth); }
+  FT distance_at(const FT& x) const
+  {
+    if(is_at_infinity)
+      return (std::max)(FT(0), FT(weight + image_x * x)); // rounding may make it negative beside the curve
+    return weight + norm<FT>(x - image_x, depth);
+  }
 
   // Returns the derivative of the distance, 0 at the image itself.
   FT slope_at(const FT& x) const
   {
+    if(is_at_infinity)
+      return image_x;
     const FT n = norm<FT>(x - image_x, depth);
     return n > 0 ? FT((x - image_x) / n) : FT(0);
   }
@@ -102,6 +111,7 @@ public:
     CGAL_assertion(length > 0);
     m_length = length;
     m_last_site = last_site;
+    m_has_rays = false;
     m_images.clear();
     m_images.push_back(Image{FT(0), length, FT(0), FT(0), first_distance, first_site});
     m_images.push_back(Image{FT(0), length, length, FT(0), last_distance, last_site});
@@ -109,8 +119,15 @@ public:
 
   void add(const Image& g)
   {
-    CGAL_assertion(g.weight >= 0 && g.site != null_id);
+    CGAL_assertion((g.weight >= 0 || g.is_at_infinity) && g.site != null_id);
     m_images.push_back(g);
+    m_has_rays = m_has_rays || g.is_at_infinity;
+  }
+
+  // Images tie if their distances differ by no more (Face_images::margin_of_tie()).
+  FT margin_of_tie(const FT& distance) const
+  {
+    return distance * Tolerance<FT>::tie() + (m_has_rays ? width() : FT(0));
   }
 
   // Finds the intervals and breakpoints. Takes time proportional to the number of images times that of intervals, for
@@ -258,10 +275,12 @@ private:
   static bool is_above(const Image& g, const Chord& chord, const FT& x)
   {
     const FT first = (std::max)(x, g.begin), last = (std::max)(first, (std::min)(chord.last, g.end));
+    const FT margin = 1 - Tolerance<FT>::nearer();
+    if(g.is_at_infinity)
+      return g.distance_at(first) * margin > chord(first) && g.distance_at(last) * margin > chord(last);
     const FT half = (last - first) / 2, middle = first + half;
     const FT along = middle - g.image_x, n = norm<FT>(along, g.depth);
     const FT rise = n > 0 ? FT(half * (along / n)) : FT(0);
-    const FT margin = 1 - Tolerance<FT>::nearer();
     return (g.weight + n - rise) * margin > chord(first) && (g.weight + n + rise) * margin > chord(last);
   }
 
@@ -272,6 +291,9 @@ private:
   {
     return std::find(m_left_here.begin(), m_left_here.end(), image) != m_left_here.end();
   }
+
+  // The error of distances beside a curve, where they are smaller than the rounding of lengths; 0 without curves.
+  FT rounding_of_rays() const { return m_has_rays ? FT(Tolerance<FT>::nearer() * m_length) : FT(0); }
 
   // Parts of the edge that are not longer come from rounding.
   FT width() const { return Tolerance<FT>::interval() * m_length; }
@@ -303,7 +325,7 @@ private:
       if(from < to)
       {
         const FT middle = from + (to - from) / 2;
-        if(is_nearer<FT>(g.distance_at(middle), c.distance_at(middle)))
+        if(is_nearer<FT>(g.distance_at(middle) + rounding_of_rays(), c.distance_at(middle)))
         {
           start = refined_start(g, c, first, from, last);
           return true;
@@ -313,8 +335,8 @@ private:
     }
     // Roots that are close to each other are known up to the square root of rounding: g may be nearer only between
     // them.
-    const FT foot = (std::min)((std::max)(g.image_x, first), last);
-    if(!is_nearer<FT>(g.distance_at(foot), c.distance_at(foot)))
+    const FT foot = foot_of(g, first, last);
+    if(!is_nearer<FT>(g.distance_at(foot) + rounding_of_rays(), c.distance_at(foot)))
       return false;
     start = equidistant_abscissa(g, c, first, foot);
     return true;
@@ -329,7 +351,7 @@ private:
   {
     const std::array<FT, 2> root = equal_points(g, c);
     std::array<FT, 5> result{root[0], root[1], last, last, last};
-    if(g.depth + c.depth <= Tolerance<FT>::closeness() * m_length)
+    if(g.depth + c.depth <= Tolerance<FT>::closeness() * m_length && !g.is_at_infinity && !c.is_at_infinity)
     {
       result[2] = g.image_x;
       result[3] = c.image_x;
@@ -374,6 +396,8 @@ private:
   static std::array<FT, 2> equal_points(const Image& g, const Image& c)
   {
     using std::sqrt;
+    if(g.is_at_infinity || c.is_at_infinity)
+      return g.is_at_infinity ? equal_points_with_rays(g, c) : equal_points_with_rays(c, g);
     const FT infinity = std::numeric_limits<FT>::infinity();
     std::array<FT, 2> r{infinity, infinity};
     const FT s = c.weight - g.weight, d = g.image_x - c.image_x;
@@ -390,6 +414,43 @@ private:
     if(r[1] < r[0])
       std::swap(r[0], r[1]);
     return r;
+  }
+
+  // The same for an image l at infinity and any image c. With y measured from the image of c, a the slope, and s the
+  // distance by l there less the weight of c, the equation is |(y, depth of c)| = s + a y, squared
+  // (1 - a^2) y^2 - 2 a s y + (depth of c)^2 - s^2 = 0. Both distances are linear if c is at infinity, too.
+  static std::array<FT, 2> equal_points_with_rays(const Image& l, const Image& c)
+  {
+    using std::sqrt;
+    const FT infinity = std::numeric_limits<FT>::infinity();
+    std::array<FT, 2> r{infinity, infinity};
+    const FT a = l.image_x;
+    if(c.is_at_infinity)
+    {
+      if(a != c.image_x)
+        r[0] = (c.weight - l.weight) / (a - c.image_x);
+      return r;
+    }
+    const FT s = l.weight + a * c.image_x - c.weight;
+    const FT qa = (1 - a) * (1 + a), qb = -a * s, qc = (c.depth - s) * (c.depth + s);
+    const FT square = s * s - qa * c.depth * c.depth;
+    const FT root = square > 0 ? FT(sqrt(square)) : FT(0);
+    const FT q = -(qb + (qb < 0 ? FT(-root) : root));
+    if(qa != 0)
+      r[0] = c.image_x + q / qa;
+    if(q != 0)
+      r[1] = c.image_x + qc / q;
+    if(r[1] < r[0])
+      std::swap(r[0], r[1]);
+    return r;
+  }
+
+  // Returns the abscissa within an interval at which the distance by an image is smallest.
+  static FT foot_of(const Image& g, const FT& first, const FT& last)
+  {
+    if(g.is_at_infinity)
+      return g.image_x > 0 ? first : last;
+    return (std::min)((std::max)(g.image_x, first), last);
   }
 
   // Improves an abscissa x where two distances are equal by at most two steps of Newton's method. Returns the last one
@@ -416,7 +477,7 @@ private:
     const Image c = m_images[m_current];
     std::size_t best = m_images.size();
     FT best_distance = c.distance_at(x);
-    best_distance = best_distance + Tolerance<FT>::succession() * best_distance;
+    best_distance = best_distance + Tolerance<FT>::succession() * best_distance + rounding_of_rays();
     for(std::size_t j = 0; j < m_images.size(); ++j)
       if(j != m_current && m_images[j].begin <= x && x < m_images[j].end
          && m_images[j].distance_at(x) < best_distance)
@@ -440,7 +501,7 @@ private:
       return false;
     const FT at_x = g.distance_at(x);
     const auto is_known = [&](const Image& bend) { return bend.end == x && !(at_x < bend.weight); };
-    m_has_met_gap = at_x < m_images[m_current].distance_at(x) * (1 - Tolerance<FT>::tie())
+    m_has_met_gap = at_x + rounding_of_rays() < m_images[m_current].distance_at(x) * (1 - Tolerance<FT>::tie())
                  && std::none_of(m_bends.begin(), m_bends.end(), is_known);
     if(m_has_met_gap)
       m_bends.push_back(Image{FT(0), x, x, FT(0), at_x, g.site});
@@ -466,6 +527,7 @@ private:
 
   FT m_length = 0;
   Vertex_id m_last_site = null_id;
+  bool m_has_rays = false; // is an image at infinity?
   std::vector<Image> m_images;
   std::vector<Breakpoint> m_breakpoints;
   std::vector<Edge_interval<FT>> m_intervals;

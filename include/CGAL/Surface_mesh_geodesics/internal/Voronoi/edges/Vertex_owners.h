@@ -21,6 +21,7 @@
 
 #include <cstddef>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -42,8 +43,13 @@ public:
     m_field = &field;
     m_source.assign(number_of_vertices, Known_source{FT(-1), null_id});
     m_first_of_equal.clear();
+    m_site_of_root.clear();
     m_final_distance = Field::infinity();
   }
+
+  // Tells the site of each vertex that is its own root (Site_strips::sites_of_roots()). All answers are these sites
+  // then, and not vertices. Call it before the first query, when distances are final.
+  void set_sites(std::vector<Vertex_id> site_of_root) { m_site_of_root = std::move(site_of_root); }
 
   // Gives the cell of `source` to `first`, as the two tie everywhere up to rounding. (Otherwise rounding would decide
   // for each edge anew which of them is nearer.) If another source is nearer to `first`, so that it has no cell itself,
@@ -59,7 +65,10 @@ public:
   // have been united it is the first one, unless that has no cell.
   Vertex_id operator()(Vertex_id v)
   {
-    const Vertex_id source = source_of(v), first = first_of_equal(source);
+    const Vertex_id source = source_of(v);
+    if(m_first_of_equal.empty())
+      return source;
+    const Vertex_id first = first_of_equal(source);
     return first != source && m_field->is_source(first) ? first : source;
   }
 
@@ -69,7 +78,7 @@ public:
     std::vector<Vertex_id> result(m_source.size());
     for(Vertex_id v = 0; v < result.size(); ++v)
     {
-      CGAL_expensive_assertion(source_of(v) == m_field->source_of(v));
+      CGAL_expensive_assertion(!m_site_of_root.empty() || source_of(v) == m_field->source_of(v));
       result[v] = (*this)(v);
     }
     return result;
@@ -97,7 +106,7 @@ public:
       if(root == null_id)
         return null_id;
       if(root == last)
-        m_source[last] = Known_source{m_field->distance[last], last};
+        m_source[last] = Known_source{m_field->distance[last], m_site_of_root.empty() ? last : m_site_of_root[last]};
       last = root;
     }
     const Vertex_id source = m_source[last].vertex;
@@ -126,6 +135,7 @@ private:
   const Field* m_field = nullptr;
   std::vector<Known_source> m_source; // by vertex
   std::unordered_map<Vertex_id, Vertex_id> m_first_of_equal;
+  std::vector<Vertex_id> m_site_of_root; // by vertex; empty where sources are sites
   FT m_final_distance = Field::infinity(); // see set_final_distance()
 };
 

@@ -57,6 +57,7 @@ public:
     m_size = (std::max)({distance(corner[0], corner[1]), distance(corner[1], corner[2]),
                          distance(corner[2], corner[0])});
     // (A side is a unit vector, so that this is the height above side 0 times its length: twice the area.)
+    m_has_rays = false;
     m_has_no_height = is_without_height<FT>(m_side[0](corner[2]) * distance(corner[0], corner[1]), m_size);
   }
 
@@ -64,6 +65,7 @@ public:
   {
     m_images.push_back(image);
     m_cones.add(image);
+    m_has_rays = m_has_rays || image.point.is_at_infinity();
   }
 
   std::size_t number() const { return m_images.size(); }
@@ -86,6 +88,13 @@ public:
 
   // The precision of a point where a curve touches a line.
   FT touching() const { return Tolerance<FT>::touching() * m_size; }
+
+  // Images tie if their distances differ by no more. Beside a site that is a curve, distances are as small as the
+  // rounding of coordinates. (A site that is a point has one image only where it is so near.)
+  FT margin_of_tie(const FT& distance) const
+  {
+    return distance * Tolerance<FT>::tie() + (m_has_rays ? width() : FT(0));
+  }
 
   // Ends of curves that are closer to each other may be meant to be one point.
   FT joining_distance() const { return Tolerance<FT>::near_end() * m_size; }
@@ -121,7 +130,7 @@ public:
         best_seen = d;
       }
     }
-    const bool is_tie = best_seen <= best_distance + best_distance * Tolerance<FT>::tie();
+    const bool is_tie = best_seen <= best_distance + margin_of_tie(best_distance);
     return best_seeing != none && is_tie ? best_seeing : best;
   }
 
@@ -135,7 +144,7 @@ public:
       if(image.site == site)
         smallest = (std::min)(smallest, image.distance_to(p));
     for(std::size_t i = 0; i < m_images.size(); ++i)
-      if(m_images[i].site == site && m_images[i].distance_to(p) <= smallest + Tolerance<FT>::tie() * smallest)
+      if(m_images[i].site == site && m_images[i].distance_to(p) <= smallest + margin_of_tie(smallest))
         result.push_back(i);
     return result;
   }
@@ -170,7 +179,7 @@ public:
 private:
   std::array<Half_plane<FT>, 3> m_side;
   FT m_size = 0;
-  bool m_has_no_height = false;
+  bool m_has_no_height = false, m_has_rays = false; // (rays: an image at infinity)
   std::vector<Image> m_images;
   Cone_columns<FT> m_cones; // of m_images
 };

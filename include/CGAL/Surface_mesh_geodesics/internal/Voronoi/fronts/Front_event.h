@@ -204,7 +204,7 @@ private:
   bool may_take_over(const FT& at_start, const Image& g, Challenge& c) const
   {
     const Point& p = m_curve->start();
-    const FT to_g = norm<FT>(p.x - g.point.x, p.y - g.point.y);
+    const FT to_g = g.point.way_to(p);
     if(g.point.weight + to_g > at_start + 2 * m_event.reach)
       return false;
     const bool is_bounded = m_event.is_bounded();

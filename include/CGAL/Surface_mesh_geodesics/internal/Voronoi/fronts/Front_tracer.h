@@ -389,7 +389,7 @@ private:
     const FT at_p = current.point.distance_to(p);
     const FT tolerance = m_images.width();
     std::size_t best = none;
-    FT best_distance = at_p + at_p * Tolerance<FT>::tie();
+    FT best_distance = at_p + m_images.margin_of_tie(at_p);
     for(std::size_t j = 0; j < m_images.number(); ++j)
     {
       const Image& next = m_images[j];

@@ -31,7 +31,8 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
-// A point from which straight paths come into a face, in the layout of the face.
+// A point from which straight paths come into a face, in the layout of the face. The image of the inside of a segment
+// of a curve is a point at infinity, as its paths are parallel. Its cone is the strip of these paths.
 //
 // The point of a window sees the part of the face in its cone: the points whose straight path to it passes the interval
 // of the window, from `left_end` to `right_end` as seen from the point. Paths to other points of the face bend at the

@@ -21,8 +21,9 @@
 // Results appear in three steps, each with its own flag: the diagram first, then the measures and the windows, in any
 // order. Neither of these writes anything that other queries read.
 //
-// Who does what: compute_once() guards each step. build_with() makes the diagram: give_sites_to_solver(), propagate(),
-// and Voronoi_handles::collect(). measure() and Path_solver::add_windows() are the other two steps.
+// Who does what: compute_once() guards each step. build_with() makes the diagram: give_sites_to_solver(),
+// propagate_diagram(), and Voronoi_handles::collect(). measure_cells() and Path_solver::add_windows() are the other two
+// steps.
 //
 // With Parallel_tag, several threads propagate, and one of them removes windows and divides faces at the same time
 // (Window_relay.h). The thread that computes holds the mutex, so while it waits for the others it must not start a
@@ -37,11 +38,12 @@
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Path_solver.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Surface_locations.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Weighted_site_list.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/measure_cells.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/propagate_diagram.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/run_with_visitor.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/distance_in_space.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Available_tag.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/face_shape.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>
@@ -55,6 +57,7 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <mutex>
 #include <type_traits>
 #include <utility>
@@ -62,6 +65,10 @@
 
 namespace CGAL {
 namespace Surface_mesh_geodesics {
+
+template <typename TriangleMesh>
+class Surface_curve; // programs whose sites are points need no more
+
 namespace internal {
 
 // `Elements` is Voronoi_handles<Diagram>, where Diagram is the public class. The other parameters are those of the
@@ -86,7 +93,7 @@ public:
   using Barycentric_coordinates = typename Locations::Barycentric_coordinates;
   using Face_location = typename Locations::Face_location;
   using Coordinates = typename Locations::Coordinates;
-  using Sites = Weighted_site_list<vertex_descriptor, Face_location, FT>;
+  using Sites = Weighted_site_list<vertex_descriptor, Face_location, FT, Surface_curve<Triangle_mesh>>;
   using Solver = Path_solver<Triangle_mesh, VertexIndexMap, FaceIndexMap, ConcurrencyTag>;
   using Complex = Voronoi_complex<double>;
 
@@ -119,6 +126,24 @@ public:
     return add({false, Graph_traits::null_vertex(), location, weight});
   }
 
+  // Adds a curve, which is copied. build() rejects one of another mesh. A curve of one location is a point. The list
+  // keeps a function: programs without curves do not compile what runs from curves need.
+  std::size_t add_site(const Surface_curve<Triangle_mesh>& curve, const FT& weight)
+  {
+    const auto& s = curve.segments();
+    const bool is_vertex = s.empty();
+    typename Sites::Site site{is_vertex, curve.vertex(), Face_location(), weight};
+    if(!is_vertex)
+      site.location = Face_location(s[0].face, Locations::coordinates(s[0].source, m_traits));
+    if(s.size() > 1 || (!is_vertex && s[0].source != s[0].target))
+    {
+      const auto copy = std::make_shared<const Surface_curve<Triangle_mesh>>(curve);
+      site.curve = copy;
+      site.give_curve = [this, copy](double offset) { m_solver.add_source_curve(*copy, offset); };
+    }
+    return add(site);
+  }
+
   // Removes the sites; the mesh that has been read stays.
   void remove_all_sites()
   {
@@ -133,7 +158,10 @@ public:
     forget_mesh();
   }
 
-  // Returns the location of site i as the user gave it, for a vertex a corner of a face around it. Returns the null
+  // Public functions return it: a site that is a curve is no single location, so users may ask for the curve, too.
+  //
+  // Returns the location of site i as the user gave it, for a vertex a corner of a face around it, for a curve that of
+  // its first point. Returns the null
   // location for a vertex that is in no face, or not in the mesh.
   Face_location location_of_site(std::size_t i) const
   {
@@ -216,16 +244,25 @@ public:
     return m_elements;
   }
 
-  // Returns the number of the site at a vertex of the refined mesh, no_site for null_id and without a site.
-  std::size_t site_at(Vertex_id v) const { return v == null_id ? no_site : m_solver.source_at(v); }
+  // Returns the number of the site of a cell of the complex, no_site for null_id. The complex names a cell by the
+  // vertex of its site in the refined mesh; with curves among the sites, by the number of the site (Site_strips.h).
+  std::size_t site_at(Vertex_id cell) const
+  {
+    return cell == null_id ? no_site : m_solver.has_curves() ? std::size_t(cell) : m_solver.source_at(cell);
+  }
 
-  // Returns the vertex of the refined mesh at a site. Several sites may be at one vertex.
-  Vertex_id vertex_of_site(std::size_t i) const { return m_solver.source_vertex(i); }
+  // Returns the cell of a site. Several sites may be at one vertex.
+  Vertex_id cell_of_site(std::size_t i) const
+  {
+    return m_solver.has_curves() ? static_cast<Vertex_id>(i) : m_solver.source_vertex(i);
+  }
 
   // Returns whether the site has a cell: no other site is nearer to its own point, ties there and comes first, or has
-  // been united with it (Redundant_window_removal::unite()).
+  // been united with it (Redundant_window_removal::unite()). The cell of a curve has a part of an edge or a vertex.
   bool has_cell(std::size_t i) const
   {
+    if(m_solver.has_curves())
+      return complex().cell(cell_of_site(i)).edge_intervals + complex().cell(cell_of_site(i)).vertices > 0;
     const Vertex_id v = m_solver.source_vertex(i);
     return complex().owner(v) == v && m_solver.source_at(v) == i;
   }
@@ -247,12 +284,26 @@ public:
     return Face_location(l.first, Locations::coordinates(l.second, m_traits));
   }
 
+  // Returns the location of a corner of a face of the refined mesh.
+  Face_location location_of_corner(Face_id f, unsigned int k) const
+  {
+    Coordinates b{};
+    b[k] = 1;
+    const auto l = m_solver.user_location(f, b);
+    return Face_location(l.first, Locations::coordinates(l.second, m_traits));
+  }
+
   const Intrinsic_mesh<double>& refined_mesh() const { return m_solver.mesh(); }
 
-  // Returns the point of a vertex of the refined mesh: of the user's mesh, or of a site.
+  // Returns the point of a vertex of the refined mesh: of the user's mesh, of a site, or of a curve.
   Point_3 point_of_vertex(Vertex_id v) const
   {
     const vertex_descriptor user = m_solver.user_vertex(v);
+    if(m_solver.has_curves() && user == Graph_traits::null_vertex())
+    {
+      const Halfedge_id h = m_solver.mesh().halfedge(v);
+      return point(location_of_corner(face_of(h), index_in_face(h)));
+    }
     return user != Graph_traits::null_vertex() ? Point_3(get(m_vertex_point_map, user))
                                                : point(location_of_site(m_solver.source_at(v)));
   }
@@ -319,14 +370,14 @@ public:
   {
     build();
     const double u = unit();
-    return FT(measures().area(cell_vertex(i)) * u * u);
+    return FT(measures().area(cell_or_null(i)) * u * u);
   }
 
   // Returns the centroid of the cell of site i, the point of the site if the cell has no area.
   Point_3 centroid(std::size_t i) const
   {
     build();
-    const std::array<double, 3> c = measures().centroid(cell_vertex(i));
+    const std::array<double, 3> c = measures().centroid(cell_or_null(i));
     return std::isfinite(c[0]) ? Point_3(c[0], c[1], c[2]) : point_of_site(i);
   }
 
@@ -439,11 +490,13 @@ private:
     {
       give_sites_to_solver();
       Unfinished_diagram unfinished{this};
-      if(!propagate(run))
+      if(!propagate_diagram<Building>(m_solver, m_complex, m_largest_weight, run, m_kept_windows))
         return false;
+      m_statistics = m_solver.statistics();
       m_elements.collect(m_complex, [this](Vertex_id v) { return site_at(v); },
                          [this](Face_id f) { return face_index(m_solver.user_face(f)); });
       unfinished.diagram = nullptr;
+      m_has_windows = m_solver.has_curves(); // a run from curves keeps them
       return true;
     });
   }
@@ -458,36 +511,13 @@ private:
     m_solver.begin_sources();
     m_sites.for_each_offset(m_solver.unit(), [this](const typename Sites::Site& s, double offset)
     {
-      if(s.is_vertex)
+      if(s.give_curve != nullptr)
+        s.give_curve(offset);
+      else if(s.is_vertex)
         m_solver.add_source(s.vertex, offset, "site");
       else
         m_solver.add_source_location(std::make_pair(s.location.first, weights(s.location.second)), offset, "site");
     });
-  }
-
-  // Propagates from all sites at once; faces that arcs cross are divided behind the wavefront. The removal has to start
-  // when the solver has made vertices of the sites, but before the first window: run_with_keeper() calls start() then.
-  template <typename Run>
-  bool propagate(Run run) const
-  {
-    Building building(m_complex);
-    const auto start = [&]
-    {
-      building.start(m_solver.mesh(), m_solver.field());
-      m_solver.for_each_equal_source([&](Vertex_id v, Vertex_id first) { building.removal().unite(v, first); });
-      return building.keeper();
-    };
-    const bool is_complete = run([&](auto go_on)
-    {
-      return m_solver.run_with_keeper(start, [&](std::size_t number_of_visits, double reached)
-      { return go_on(number_of_visits, reached - m_largest_weight); });
-    });
-    if(!is_complete)
-      return false;
-    building.finish();
-    m_statistics = m_solver.statistics();
-    m_kept_windows = {building.removal().windows().maximum_size(), building.removal().number_of_kept_windows()};
-    return true;
   }
 
   // Propagates once more on the same mesh and keeps all windows: the diagram has removed those that it does not need.
@@ -501,60 +531,20 @@ private:
   {
     compute_once(m_has_measures, [&]
     {
-      measure();
+      measure_cells(*this, m_measures);
       return true;
     });
     return m_measures;
   }
 
-  // Adds up areas and centroids face by face. Corners are taken from the user's mesh by location, since a face of the
-  // refined mesh may be a part of one of the user's.
-  void measure() const
-  {
-    clear_measures();
-    const std::size_t n = m_sites.empty() ? 0 : m_solver.mesh().number_of_faces();
-    for(Face_id f = 0; f < n; ++f)
-    {
-      std::array<std::array<double, 3>, 3> corner;
-      for(unsigned int k = 0; k < 3; ++k)
-      {
-        Coordinates b{};
-        b[k] = 1;
-        const auto l = m_solver.user_location(f, b);
-        corner[k] = coordinates_in_space(point(Face_location(l.first, Locations::coordinates(l.second, m_traits))));
-      }
-      m_measures.add_face(m_complex, f, corner);
-    }
-  }
-
-  // Gives the measures the first point of the mesh as origin and, as unit, the power of two above the largest
-  // difference of a coordinate from it. The unit of lengths need not fit: lengths may be given apart from the points.
-  void clear_measures() const
-  {
-    std::array<double, 3> origin{};
-    double largest = 0;
-    bool is_first = true;
-    for(const vertex_descriptor v : vertices(m_tm))
-    {
-      const std::array<double, 3> p = coordinates_in_space(get(m_vertex_point_map, v));
-      if(is_first)
-        origin = p;
-      is_first = false;
-      for(std::size_t k = 0; k < 3; ++k)
-        largest = (std::max)(largest, std::abs(p[k] - origin[k]));
-    }
-    const int exponent = std::isfinite(largest) ? scaling_exponent(largest) : 0;
-    m_measures.clear(origin, std::ldexp(1., (std::min)(exponent, std::numeric_limits<double>::max_exponent - 1)));
-  }
-
   // --- helpers ---
 
-  // Returns the vertex by which measures know the cell of site i, null_id if it has none.
-  Vertex_id cell_vertex(std::size_t i) const { return has_cell(i) ? m_solver.source_vertex(i) : null_id; }
+  // Returns the cell of site i, null_id if it has none.
+  Vertex_id cell_or_null(std::size_t i) const { return has_cell(i) ? cell_of_site(i) : null_id; }
 
   FT user_distance(const typename Solver::Arrival& a) const
   {
-    return a.root == null_id ? FT(-1) : user_distance(a.distance);
+    return a.is_reached() ? user_distance(a.distance) : FT(-1);
   }
 
   // Returns the point of site i, also for a vertex in no face, which has no location.

@@ -28,6 +28,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -39,7 +41,10 @@ namespace internal {
 // rejects others. Whether vertices and locations are on the mesh is checked by the solver, which gets them later. The
 // three types are those of the public diagram; CGAL::to_double() takes FT. Not safe for threads by itself:
 // Lazy_Voronoi_diagram changes the list only while it is not shared.
-template <typename vertex_descriptor, typename Face_location, typename FT>
+//
+// A curve may be a site, too; its location is that of its first point. The list keeps the curve for the user, and a
+// function that hands it to the solver with its offset.
+template <typename vertex_descriptor, typename Face_location, typename FT, typename Curve = void>
 class Weighted_site_list
 {
 public:
@@ -49,6 +54,10 @@ public:
     vertex_descriptor vertex; // if is_vertex
     Face_location location;   // otherwise
     FT weight;
+    std::shared_ptr<const Curve> curve = nullptr; // null for a point
+    // Hands the curve to the solver with an offset in the user's unit; null for a point. (The list does not know the
+    // class of curves: programs without curves do not compile it.)
+    std::function<void(double)> give_curve = nullptr;
   };
 
   std::size_t size() const { return m_sites.size(); }

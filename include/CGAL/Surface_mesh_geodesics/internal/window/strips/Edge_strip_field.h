@@ -62,10 +62,19 @@ public:
   template <typename Visit>
   void for_each_strip(Halfedge_id h, Visit visit) const
   {
+    for_each_numbered_strip(h, [&](std::size_t, const Strip<FT>& s) { visit(s); });
+  }
+
+  // The same with visit(number, strip): strips are numbered in the order in which they were kept.
+  template <typename Visit>
+  void for_each_numbered_strip(Halfedge_id h, Visit visit) const
+  {
     if(!m_strips.empty())
       for(std::uint32_t i = m_last[dense_index(h)]; i != null_id; i = m_strips[i].previous)
-        visit(m_strips[i].strip);
+        visit(std::size_t(i), m_strips[i].strip);
   }
+
+  std::size_t size() const { return m_strips.size(); }
 
   std::size_t memory() const
   {

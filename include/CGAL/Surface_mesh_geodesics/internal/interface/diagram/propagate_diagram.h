@@ -1,0 +1,88 @@
+// Copyright (c) 2026  The Surface_mesh_geodesics authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_geodesics authors
+
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_DIAGRAM_PROPAGATE_DIAGRAM_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_DIAGRAM_PROPAGATE_DIAGRAM_H
+
+// How a diagram is made of the sources of a Path_solver: by a keeper that divides faces behind the wavefront, or, with
+// curves among the sites, of all windows and strips at the end of a run.
+//
+// Why runs from curves keep everything: faces become inactive by bounds that come from windows, and the text of the
+// propagation with strips is compiled for one keeper only, that of paths. Distances inside of faces are known without
+// another run then.
+
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Diagram_window_keeper.h>
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Voronoi_complex.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
+
+#include <cstddef>
+#include <utility>
+
+namespace CGAL {
+namespace Surface_mesh_geodesics {
+namespace internal {
+
+// The largest number of windows that the diagram has kept at one time, and the number without the removal.
+using Numbers_of_kept_windows = std::pair<std::size_t, std::size_t>;
+
+// Makes the complex of a solver with curves among its sources. The run keeps all windows and strips, which stay in the
+// solver; then one thread divides the faces.
+template <typename Solver, typename Run>
+bool propagate_diagram_of_curves(Solver& solver, Voronoi_complex<double>& complex, double largest_weight, Run run,
+                                 Numbers_of_kept_windows& kept_windows)
+{
+  const bool is_complete = run([&](auto go_on)
+  {
+    return solver.run(true, [&](std::size_t number_of_visits, double reached)
+    { return go_on(number_of_visits, reached - largest_weight); });
+  });
+  if(!is_complete)
+    return false;
+  Diagram_propagation<double, false> building(complex);
+  building.start(solver.mesh(), solver.field());
+  building.removal().take(solver.windows(), solver.curve_arrivals());
+  building.finish();
+  kept_windows = {building.removal().windows().maximum_size(), building.removal().number_of_kept_windows()};
+  return true;
+}
+
+// Propagates from all sites at once; faces that arcs cross are divided behind the wavefront. The removal has to start
+// when the solver has made vertices of the sites, but before the first window: run_with_keeper() calls start() then.
+// `run(propagate)` calls propagate(go_on) and returns its result. Returns false if the run is not complete.
+// `Building` is a Diagram_propagation.
+template <typename Building, typename Solver, typename Run>
+bool propagate_diagram(Solver& solver, Voronoi_complex<double>& complex, double largest_weight, Run run,
+                       Numbers_of_kept_windows& kept_windows)
+{
+  if(solver.has_curves())
+    return propagate_diagram_of_curves(solver, complex, largest_weight, run, kept_windows);
+  Building building(complex);
+  const auto start = [&]
+  {
+    building.start(solver.mesh(), solver.field());
+    solver.for_each_equal_source([&](Vertex_id v, Vertex_id first) { building.removal().unite(v, first); });
+    return building.keeper();
+  };
+  const bool is_complete = run([&](auto go_on)
+  {
+    return solver.run_with_keeper(start, [&](std::size_t number_of_visits, double reached)
+    { return go_on(number_of_visits, reached - largest_weight); });
+  });
+  if(!is_complete)
+    return false;
+  building.finish();
+  kept_windows = {building.removal().windows().maximum_size(), building.removal().number_of_kept_windows()};
+  return true;
+}
+
+} // namespace internal
+} // namespace Surface_mesh_geodesics
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_INTERFACE_DIAGRAM_PROPAGATE_DIAGRAM_H
