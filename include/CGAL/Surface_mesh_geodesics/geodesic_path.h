@@ -41,12 +41,15 @@ namespace Surface_mesh_geodesics {
 #ifndef DOXYGEN_RUNNING
 namespace internal {
 
-template <typename TriangleMesh, typename Place>
-constexpr void check_place()
+// Returns whether all types are those of points of the surface; if not, the compiler says what they have to be. (Where
+// the result is false, callers are compiled without their work, which would give a hundred more messages.)
+template <typename TriangleMesh, typename... Places>
+constexpr bool are_places()
 {
-  static_assert(Is_source<TriangleMesh, Place>::value,
-                "a point of the surface is a vertex descriptor, or a pair of a face descriptor and three barycentric "
-                "coordinates");
+  constexpr bool result = (Is_source<TriangleMesh, Places>::value && ...);
+  static_assert(result, "a point of the surface is a vertex descriptor, or a pair of a face descriptor and three "
+                        "barycentric coordinates");
+  return result;
 }
 
 // The distance of a vertex: a run that ends there.
@@ -192,10 +195,10 @@ template <typename TriangleMesh, typename Point1, typename Point2, typename CGAL
 double geodesic_distance(const TriangleMesh& tm, const Point1& a, const Point2& b,
                          const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  internal::check_place<TriangleMesh, Point1>();
-  internal::check_place<TriangleMesh, Point2>();
   internal::check_parameters<internal::Pair_parameters>(tm, np);
-  if constexpr(internal::Is_vertex<TriangleMesh, Point2>::value)
+  if constexpr(!internal::are_places<TriangleMesh, Point1, Point2>())
+    return 0;
+  else if constexpr(internal::Is_vertex<TriangleMesh, Point2>::value)
     return internal::distance_of_vertex(tm, a, b, np);
   else if constexpr(internal::Is_vertex<TriangleMesh, Point1>::value)
     return internal::distance_of_vertex(tm, b, a, np);
@@ -241,18 +244,18 @@ template <typename TriangleMesh, typename Point1, typename Point2, typename Outp
 double geodesic_path(const TriangleMesh& tm, const Point1& a, const Point2& b, OutputIterator output,
                      const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  internal::check_place<TriangleMesh, Point1>();
-  internal::check_place<TriangleMesh, Point2>();
   internal::check_parameters<internal::Pair_parameters>(tm, np);
-  // The structure writes paths to their source.
-  return internal::query_paths(tm, b, np, [&](auto& paths)
-  {
-    using Paths = std::decay_t<decltype(paths)>;
-    using Points = internal::Points_of_elements<Paths>;
-    const Points points(paths);
-    internal::Path_point_writer<Points, OutputIterator> writer(points, output);
-    return paths.single_sequence(internal::place_of<Paths, TriangleMesh>(a), writer);
-  });
+  if constexpr(!internal::are_places<TriangleMesh, Point1, Point2>())
+    return 0;
+  else // the structure writes paths to their source
+    return internal::query_paths(tm, b, np, [&](auto& paths)
+    {
+      using Paths = std::decay_t<decltype(paths)>;
+      using Points = internal::Points_of_elements<Paths>;
+      const Points points(paths);
+      internal::Path_point_writer<Points, OutputIterator> writer(points, output);
+      return paths.single_sequence(internal::place_of<Paths, TriangleMesh>(a), writer);
+    });
 }
 
 } // namespace Surface_mesh_geodesics

@@ -88,7 +88,7 @@ Surface_curve<TriangleMesh> shortest_path_curve(const TriangleMesh& tm, const Po
 {
   using Curve = Surface_curve<TriangleMesh>;
   using Place = std::decay_t<decltype(*std::begin(points))>;
-  internal::check_place<TriangleMesh, Place>();
+  static_assert(internal::are_places<TriangleMesh, Place>(), "see the message before");
   internal::check_parameters<internal::Pair_parameters>(tm, np);
   const std::vector<Place> places(std::begin(points), std::end(points));
   if(places.size() < 2)

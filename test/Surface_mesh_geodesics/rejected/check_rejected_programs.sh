@@ -23,6 +23,7 @@ cat > "$work/frame.h" << 'END'
 #include <CGAL/Surface_mesh_geodesics/geodesic_distance_matrix_store.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_distances.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_farthest_point_sampling.h>
+#include <CGAL/Surface_mesh_geodesics/geodesic_path.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_remeshing.h>
 #include <iterator>
 #include <map>
@@ -109,6 +110,10 @@ done
 for call in "$relaxation" "$remeshing"; do
   expect "does not take the named parameter" "${call}np::edges_to_avoid(std::vector<Mesh::Edge_index>()))"
 done
+
+# Numbers are no points of the surface.
+expect "a point of the surface is a vertex descriptor" "geodesic_distance(tm, 0, 5)"
+expect "a point of the surface is a vertex descriptor" "geodesic_path(tm, vertices[0], 5, std::back_inserter(text))"
 
 # The maps of classes.
 standard=CGAL::Default
