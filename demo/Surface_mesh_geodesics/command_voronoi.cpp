@@ -96,7 +96,7 @@ Sites sites_of(const Arguments& arguments, const Mesh& mesh, const Obstacles& av
   {
     const Curve& c = sites.curves[i];
     sites.locations.push_back(c.segments().empty() ? Location{c.vertex(), {}}
-                                                   : Location{Mesh::null_vertex(), c.location(0, 0)});
+                                                   : as_location(c.location(0, 0), mesh));
   }
   return sites;
 }

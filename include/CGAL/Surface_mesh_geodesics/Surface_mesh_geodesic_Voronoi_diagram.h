@@ -76,8 +76,7 @@ for(const auto& edge : diagram.edges())
 
 <b>Curves.</b> A site may be a `Surface_mesh_geodesics::Surface_curve`; its distance is that of its nearest point. The
 run from curves keeps all windows, and one thread divides the faces, whatever the tag. So the memory is that of
-`Surface_mesh_geodesic_paths` with its windows, and `distance_to_nearest_site()` needs no second propagation. Edges to
-avoid cannot be combined with curves.
+`Surface_mesh_geodesic_paths` with its windows, and `distance_to_nearest_site()` needs no second propagation.
 
 <b>Weights.</b> A site may have a weight \f$ w \f$, which is subtracted from geodesic distances: the distance of a point
 from the site is the geodesic distance minus \f$ w \f$, as in `Apollonius_graph_2`. A site in the cell of another site
