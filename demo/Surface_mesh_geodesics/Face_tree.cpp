@@ -10,6 +10,8 @@
 #include <CGAL/AABB_traits.h>
 #endif
 
+#include <algorithm>
+
 namespace geodesics_demo {
 
 namespace {
@@ -45,7 +47,11 @@ Face_tree::~Face_tree() = default;
 
 Face_location Face_tree::nearest_location(const Point& p) const
 {
-  return Paths::locate(p, m_tree->faces, m_mesh, get(CGAL::vertex_point, m_mesh));
+  Face_location location = Paths::locate(p, m_tree->faces, m_mesh, get(CGAL::vertex_point, m_mesh));
+  // Beside an edge, a coordinate may be below zero by rounding. Tables are read back, and no reader takes such numbers.
+  for(double& coordinate : location.second)
+    coordinate = (std::max)(coordinate, 0.);
+  return location;
 }
 
 } // namespace geodesics_demo
