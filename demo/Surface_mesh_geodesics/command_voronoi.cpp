@@ -195,6 +195,8 @@ void write_polylines(std::ostream& os, const Diagram& diagram, const std::option
 void write_geometry(std::ostream& os, const std::string& format, const Diagram& diagram, double tolerance)
 {
   namespace Geodesics = CGAL::Surface_mesh_geodesics;
+  if(format != "obj")
+    CGAL::IO::set_binary_mode(os); // the files are opened for bytes
   if(format == "ply")
     Geodesics::write_geodesic_Voronoi_diagram_PLY(os, diagram, tolerance);
   else if(format == "vtk")

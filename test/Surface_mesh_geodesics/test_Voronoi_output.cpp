@@ -9,10 +9,14 @@
 #include <CGAL/Surface_mesh_geodesics/write_geodesic_Voronoi_diagram.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <cstdio>
+#include <cstring>
 #include <fstream>
+#include <istream>
 #include <iterator>
 #include <map>
 #include <sstream>
@@ -118,6 +122,16 @@ void ply_output_has_mesh_and_edges(const Mesh& mesh, const Voronoi& voronoi)
     CHECK_CLOSE(CGAL::to_double(CGAL::Polygon_mesh_processing::area(read)),
                 CGAL::to_double(CGAL::Polygon_mesh_processing::area(mesh)), 1e-9);
   }
+  std::vector<std::array<int, 3>> color(voronoi.number_of_sites());
+  for(std::size_t i = 0; i < color.size(); ++i)
+  {
+    skip_to(s, "site");
+    CHECK_EQUAL(number(s), i);
+    CHECK_EQUAL(word(s), std::string("color"));
+    color[i][0] = number<int>(s);
+    color[i][1] = number<int>(s);
+    color[i][2] = number<int>(s);
+  }
   skip_to(s, "vertex");
   const std::size_t nv = number(s);
   skip_to(s, "face");
@@ -129,7 +143,6 @@ void ply_output_has_mesh_and_edges(const Mesh& mesh, const Voronoi& voronoi)
   std::vector<double> area(voronoi.number_of_sites(), 0.);
   std::vector<char> has_face(nv, 0);
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> site_on_left; // of the sides of faces
-  std::vector<std::array<int, 3>> color(voronoi.number_of_sites(), {-1, -1, -1});
   for(std::size_t i = 0; i < nf; ++i)
   {
     CHECK_EQUAL(number(s), std::size_t(3));
@@ -137,9 +150,7 @@ void ply_output_has_mesh_and_edges(const Mesh& mesh, const Voronoi& voronoi)
     const int red = number<int>(s), green = number<int>(s), blue = number<int>(s);
     const std::size_t site = number(s);
     CHECK(red >= 0 && red < 256 && green >= 0 && green < 256 && blue >= 0 && blue < 256);
-    if(color.at(site)[0] == -1)
-      color[site] = {red, green, blue};
-    CHECK((color[site] == std::array<int, 3>{red, green, blue}));
+    CHECK((color.at(site) == std::array<int, 3>{red, green, blue}));
     area[site] += length(cross(v.at(b) - v.at(a), v.at(c) - v.at(a))) / 2;
     site_on_left[{a, b}] = site_on_left[{b, c}] = site_on_left[{c, a}] = site;
     has_face[a] = has_face[b] = has_face[c] = 1;
@@ -220,15 +231,161 @@ void vtk_output_has_all_edges(const Mesh& mesh, const Voronoi& voronoi)
   CHECK(word(s).empty());
 }
 
+// Reads a number from bytes of either order.
+template <typename Number>
+Number number_of_bytes(std::istream& is, bool highest_first)
+{
+  std::array<unsigned char, sizeof(Number)> bytes{};
+  is.read(reinterpret_cast<char*>(bytes.data()), sizeof(Number));
+  CHECK(static_cast<bool>(is));
+  const std::uint16_t one = 1;
+  const bool machine_has_highest_first = *reinterpret_cast<const unsigned char*>(&one) == 0;
+  if(highest_first != machine_has_highest_first)
+    std::reverse(bytes.begin(), bytes.end());
+  Number x{};
+  std::memcpy(&x, bytes.data(), sizeof(Number));
+  return x;
+}
+
+// The words of a text, and those of a binary file as a text would have them.
+class Words
+{
+public:
+  explicit Words(bool highest_first) : m_highest_first(highest_first) { m_os.precision(17); }
+
+  template <typename Number>
+  void add_numbers(std::istream& is, std::size_t n)
+  {
+    for(std::size_t i = 0; i < n; ++i)
+      m_os << +number_of_bytes<Number>(is, m_highest_first) << ' ';
+  }
+
+  void add_line(const std::string& line) { m_os << line << ' '; }
+
+  std::vector<std::string> all() const { return of_text(m_os.str()); }
+
+  static std::vector<std::string> of_text(const std::string& text)
+  {
+    std::istringstream is(text);
+    return {std::istream_iterator<std::string>(is), std::istream_iterator<std::string>()};
+  }
+
+private:
+  bool m_highest_first;
+  std::ostringstream m_os;
+};
+
+std::vector<std::string> words_of_binary_PLY(std::istream& is)
+{
+  Words words(false);
+  std::map<std::string, std::size_t> count;
+  std::string line;
+  while(std::getline(is, line) && line != "end_header")
+  {
+    std::istringstream of_line(line);
+    if(word(of_line) == "element")
+    {
+      const std::string element = word(of_line);
+      count[element] = number(of_line);
+    }
+    words.add_line(line == "format binary_little_endian 1.0" ? "format ascii 1.0" : line);
+  }
+  words.add_line(line);
+  words.add_numbers<double>(is, 3 * count["vertex"]);
+  for(std::size_t i = 0; i < count["face"]; ++i)
+  {
+    words.add_numbers<std::uint8_t>(is, 1);
+    words.add_numbers<std::int32_t>(is, 3);
+    words.add_numbers<std::uint8_t>(is, 3);
+    words.add_numbers<std::int32_t>(is, 1);
+  }
+  words.add_numbers<std::int32_t>(is, 4 * count["edge"]);
+  CHECK(is.peek() == std::char_traits<char>::eof());
+  return words.all();
+}
+
+// A block of bytes follows the line that has its size, and ends with a line break.
+std::vector<std::string> words_of_binary_VTK(std::istream& is)
+{
+  Words words(true);
+  std::size_t number_of_cells = 0;
+  for(std::string line; std::getline(is, line);)
+  {
+    words.add_line(line == "BINARY" ? "ASCII" : line);
+    std::istringstream of_line(line);
+    const std::string kind = word(of_line);
+    if(kind == "POINTS")
+      words.add_numbers<double>(is, 3 * number(of_line));
+    else if(kind == "LINES" || kind == "POLYGONS")
+    {
+      number(of_line);
+      words.add_numbers<std::int32_t>(is, number(of_line));
+    }
+    else if(kind == "LOOKUP_TABLE")
+      words.add_numbers<std::int32_t>(is, number_of_cells);
+    else
+    {
+      if(kind == "CELL_DATA")
+        number_of_cells = number(of_line);
+      continue; // no block follows
+    }
+    CHECK_EQUAL(is.get(), int('\n'));
+  }
+  return words.all();
+}
+
+// Binary files hold the numbers of the text, bit by bit; CGAL reads the mesh.
+void binary_files_hold_the_same(const Voronoi& voronoi)
+{
+  std::stringstream ply, vtk, binary_ply, binary_vtk;
+  ply.precision(17);
+  vtk.precision(17);
+  CGAL::IO::set_binary_mode(binary_ply);
+  CGAL::IO::set_binary_mode(binary_vtk);
+  CHECK(Geodesics::write_geodesic_Voronoi_diagram_PLY(ply, voronoi, tolerance));
+  CHECK(Geodesics::write_geodesic_Voronoi_diagram_PLY(binary_ply, voronoi, tolerance));
+  CHECK(Geodesics::write_geodesic_Voronoi_diagram_VTK(vtk, voronoi, tolerance));
+  CHECK(Geodesics::write_geodesic_Voronoi_diagram_VTK(binary_vtk, voronoi, tolerance));
+  std::stringstream copy(binary_ply.str());
+  CHECK(words_of_binary_PLY(binary_ply) == Words::of_text(ply.str()));
+  CHECK(words_of_binary_VTK(binary_vtk) == Words::of_text(vtk.str()));
+  Mesh from_text, from_bytes;
+  CHECK(CGAL::IO::read_PLY(ply, from_text));
+  CHECK(CGAL::IO::read_PLY(copy, from_bytes));
+  CHECK_EQUAL(num_faces(from_bytes), num_faces(from_text));
+  for(const vertex_descriptor v : vertices(from_text))
+    CHECK(from_bytes.point(v) == from_text.point(v));
+}
+
+// The mode of a stream changes nothing in a format that is always text.
+void obj_output_is_text(const Voronoi& voronoi)
+{
+  std::ostringstream text, binary;
+  CGAL::IO::set_binary_mode(binary);
+  CHECK(Geodesics::write_geodesic_Voronoi_diagram_OBJ(text, voronoi, tolerance));
+  CHECK(Geodesics::write_geodesic_Voronoi_diagram_OBJ(binary, voronoi, tolerance));
+  CHECK(text.str() == binary.str());
+}
+
 void file_names_choose_the_format(const Voronoi& voronoi)
 {
   for(const std::string name : {"Voronoi_output.obj", "Voronoi_output.ply", "Voronoi_output.vtk"})
   {
     CHECK(Geodesics::write_geodesic_Voronoi_diagram(name, voronoi, tolerance));
-    std::ifstream is(name);
-    CHECK(static_cast<bool>(is) && !word(is).empty());
+    std::ifstream is(name, std::ios::binary);
+    std::stringstream bytes, expected;
+    bytes << is.rdbuf();
     is.close();
     CHECK_EQUAL(std::remove(name.c_str()), 0);
+    CGAL::IO::set_binary_mode(expected);
+    expected.precision(17);
+    if(name == "Voronoi_output.obj")
+      CHECK(Geodesics::write_geodesic_Voronoi_diagram_OBJ(expected, voronoi, tolerance));
+    else if(name == "Voronoi_output.ply")
+      CHECK(Geodesics::write_geodesic_Voronoi_diagram_PLY(expected, voronoi, tolerance));
+    else
+      CHECK(Geodesics::write_geodesic_Voronoi_diagram_VTK(expected, voronoi, tolerance));
+    CHECK(bytes.str() == expected.str());
   }
   CHECK(!Geodesics::write_geodesic_Voronoi_diagram("Voronoi_output.stl", voronoi, tolerance));
   CHECK(!Geodesics::write_geodesic_Voronoi_diagram("no_such_folder/Voronoi_output.ply", voronoi, tolerance));
@@ -321,6 +478,8 @@ int main()
   obj_output_has_all_edges(voronoi);
   ply_output_has_mesh_and_edges(mesh, voronoi);
   vtk_output_has_all_edges(mesh, voronoi);
+  binary_files_hold_the_same(voronoi);
+  obj_output_is_text(voronoi);
   file_names_choose_the_format(voronoi);
   functions_have_a_default_tolerance(mesh, voronoi);
   surfaces_without_points_have_a_default_tolerance();

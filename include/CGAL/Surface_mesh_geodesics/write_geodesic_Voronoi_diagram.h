@@ -70,7 +70,8 @@ bool write_geodesic_Voronoi_diagram_OBJ(std::ostream& os, const Diagram& diagram
 /*!
 \ingroup PkgSurfaceMeshGeodesicsIO
 
-writes a geodesic Voronoi diagram in the PLY format (ASCII). The file holds
+writes a geodesic Voronoi diagram in the PLY format, in binary if the mode of the stream is `CGAL::IO::BINARY`, and else
+as text. The file holds
 
 - the mesh, cut along the arcs as by `Surface_mesh_geodesic_Voronoi_diagram::cut()`. Each face has a color and the
   property `site`, which is the number of its site, or -1 if no site reaches it;
@@ -85,7 +86,8 @@ The complexity is that of `Surface_mesh_geodesic_Voronoi_diagram::cut()`. Thread
 
 \tparam Diagram a specialization of `Surface_mesh_geodesic_Voronoi_diagram`
 
-\param os the stream. Coordinates are written with its precision; 17 digits reproduce them exactly.
+\param os the stream. A stream of a file needs `std::ios::binary` for the binary mode. In text, coordinates are written
+       with its precision; 17 digits reproduce them exactly.
 \param diagram the diagram
 \param tolerance the largest distance of the polylines from the arcs, in the unit of the mesh
 
@@ -119,8 +121,9 @@ bool write_geodesic_Voronoi_diagram_PLY(std::ostream& os, const Diagram& diagram
 /*!
 \ingroup PkgSurfaceMeshGeodesicsIO
 
-writes a geodesic Voronoi diagram as polygonal data in the legacy VTK format (ASCII): first the edges as polylines, then
-the faces of the mesh, cut along the arcs as by `Surface_mesh_geodesic_Voronoi_diagram::cut()`.
+writes a geodesic Voronoi diagram as polygonal data in the legacy VTK format, in binary if the mode of the stream is
+`CGAL::IO::BINARY`, and else as text: first the edges as polylines, then the faces of the mesh, cut along the arcs as by
+`Surface_mesh_geodesic_Voronoi_diagram::cut()`.
 
 The cell data consist of three numbers. `site` is the site of a face, and -1 for an edge. `left_site` and `right_site`
 are the sites on both sides of an edge; for a face, both are its site. Faces that no site reaches have -1.
@@ -130,7 +133,8 @@ The complexity is that of `Surface_mesh_geodesic_Voronoi_diagram::cut()`. Thread
 
 \tparam Diagram a specialization of `Surface_mesh_geodesic_Voronoi_diagram`
 
-\param os the stream. Coordinates are written with its precision; 17 digits reproduce them exactly.
+\param os the stream. A stream of a file needs `std::ios::binary` for the binary mode. In text, coordinates are written
+       with its precision; 17 digits reproduce them exactly.
 \param diagram the diagram
 \param tolerance the largest distance of the polylines from the arcs, in the unit of the mesh
 
@@ -164,8 +168,8 @@ bool write_geodesic_Voronoi_diagram_VTK(std::ostream& os, const Diagram& diagram
 /*!
 \ingroup PkgSurfaceMeshGeodesicsIO
 
-writes a geodesic Voronoi diagram to a file, with 17 digits. The extension of the name, in lower case, selects the
-format: `.obj`, `.ply` or `.vtk`.
+writes a geodesic Voronoi diagram to a file. The extension of the name, in lower case, selects the format: `.obj` (text,
+with 17 digits), `.ply` or `.vtk` (binary). The functions for streams also write PLY and VTK as text.
 
 Complexity and thread safety are those of the function for the format.
 

@@ -10,20 +10,24 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_DIAGRAM_WRITERS_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_DIAGRAM_WRITERS_H
 
-// Writes the drawing of a diagram as text in the formats OBJ, PLY and legacy VTK. What each file holds is documented at
-// the public functions of write_geodesic_Voronoi_diagram.h. Functions that write a whole file flush the stream and
-// return whether it is still good. Numbers are written with the precision of the stream.
+// Writes the drawing of a diagram in the formats OBJ, PLY and legacy VTK. What each file holds is documented at the
+// public functions of write_geodesic_Voronoi_diagram.h. Functions that write a whole file flush the stream and return
+// whether it is still good. Numbers are text, with the precision of the stream; in PLY and VTK they are bytes if the
+// mode of the stream is BINARY (Number_writer.h).
 //
 // `Diagram` is the public class; `tolerance` is positive, in the unit of the mesh. All writers compute the whole
 // drawing before they write its first line: what building throws leaves the stream as it was.
 
 #include <CGAL/Surface_mesh_geodesics/internal/applications/Cell_coloring.h>
+#include <CGAL/Surface_mesh_geodesics/internal/applications/Number_writer.h>
 #include <CGAL/Surface_mesh_geodesics/internal/applications/Voronoi_drawing.h>
 
 #include <CGAL/IO/Color.h>
+#include <CGAL/IO/io.h>
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <fstream>
 #include <limits>
 #include <ostream>
@@ -34,10 +38,13 @@ namespace CGAL {
 namespace Surface_mesh_geodesics {
 namespace internal {
 
+// Indices in files have 32 bits, so readers expect fewer than 2^31 points; this is not checked.
+inline std::int32_t index_in_file(std::size_t i) { return static_cast<std::int32_t>(i); }
+
 // The number of a site in a file, -1 for no site, which diagrams name by the largest std::size_t.
-inline long site_number(std::size_t i)
+inline std::int32_t site_number(std::size_t i)
 {
-  return i == (std::numeric_limits<std::size_t>::max)() ? -1l : static_cast<long>(i);
+  return i == (std::numeric_limits<std::size_t>::max)() ? -1 : index_in_file(i);
 }
 
 // Returns the triangles of the cells and the polylines of the edges, which VTK shows together.
@@ -50,11 +57,15 @@ Voronoi_drawing drawing_with_cells(const Diagram& diagram, double tolerance)
   return drawing;
 }
 
-// Writes each point on its own line, after a prefix.
-inline void write_points(std::ostream& os, const Voronoi_drawing& drawing, const char* prefix = "")
+// Writes each point as a record.
+inline void write_points(Number_writer& out, const Voronoi_drawing& drawing)
 {
   for(const Voronoi_drawing::Point& p : drawing.points)
-    os << prefix << p << '\n';
+  {
+    for(const double x : {p.x(), p.y(), p.z()})
+      out.write(x);
+    out.end_record();
+  }
 }
 
 // --- OBJ ---
@@ -66,7 +77,8 @@ bool write_diagram_OBJ(std::ostream& os, const Diagram& diagram, double toleranc
 {
   Voronoi_drawing drawing;
   drawing.add_edges(diagram, tolerance);
-  write_points(os, drawing, "v ");
+  for(const Voronoi_drawing::Point& p : drawing.points)
+    os << "v " << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
   for(std::size_t i = 0; i < drawing.polylines.size(); ++i)
   {
     os << "g edge_" << drawing.sites_of_polyline[i].first << '_' << drawing.sites_of_polyline[i].second << "\nl";
@@ -79,23 +91,16 @@ bool write_diagram_OBJ(std::ostream& os, const Diagram& diagram, double toleranc
 
 // --- PLY ---
 
-inline void write_color(std::ostream& os, const IO::Color& c)
-{
-  os << int(c.red()) << ' ' << int(c.green()) << ' ' << int(c.blue());
-}
-
 // Writes the header, with a comment for each site, since PLY has no element for sites. Segments are elements of type
 // `edge`, between vertices of the faces: viewers complain of points without a face. The order of properties is that in
-// which write_diagram_PLY() writes the numbers of each line. Indices are of type int, so readers expect fewer than 2^31
-// points; this is not checked.
+// which write_diagram_PLY() writes the numbers of each line.
 inline void write_header_PLY(std::ostream& os, const Voronoi_drawing& drawing, const std::vector<IO::Color>& colors)
 {
-  os << "ply\nformat ascii 1.0\n";
+  os << "ply\nformat " << (IO::is_binary(os) ? "binary_little_endian" : "ascii") << " 1.0\n";
   for(std::size_t i = 0; i < colors.size(); ++i)
   {
-    os << "comment site " << i << " color ";
-    write_color(os, colors[i]);
-    os << '\n';
+    const IO::Color& c = colors[i];
+    os << "comment site " << i << " color " << int(c.red()) << ' ' << int(c.green()) << ' ' << int(c.blue()) << '\n';
   }
   os << "element vertex " << drawing.points.size()
      << "\nproperty double x\nproperty double y\nproperty double z\nelement face " << drawing.triangles.size()
@@ -114,18 +119,29 @@ bool write_diagram_PLY(std::ostream& os, const Diagram& diagram, double toleranc
   drawing.add_cells(diagram, tolerance);
   const std::vector<IO::Color> colors = cell_colors(diagram);
   write_header_PLY(os, drawing, colors);
-  write_points(os, drawing);
+  Number_writer out(os, Number_writer::Byte_order::LOWEST_FIRST);
+  write_points(out, drawing);
   for(std::size_t i = 0; i < drawing.triangles.size(); ++i)
   {
-    const std::array<std::size_t, 3>& t = drawing.triangles[i];
     const std::size_t site = drawing.site_of_triangle[i];
-    os << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << ' ';
-    write_color(os, site < colors.size() ? colors[site] : IO::Color(128, 128, 128));
-    os << ' ' << site_number(site) << '\n';
+    const IO::Color color = site < colors.size() ? colors[site] : IO::Color(128, 128, 128);
+    out.write(std::uint8_t(3));
+    for(const std::size_t v : drawing.triangles[i])
+      out.write(index_in_file(v));
+    for(const std::uint8_t c : {color.red(), color.green(), color.blue()})
+      out.write(c);
+    out.write(site_number(site));
+    out.end_record();
   }
   for(std::size_t i = 0; i < drawing.segments.size(); ++i)
-    os << drawing.segments[i][0] << ' ' << drawing.segments[i][1] << ' ' << drawing.sites_of_segment[i].first << ' '
-       << drawing.sites_of_segment[i].second << '\n';
+  {
+    for(const std::size_t v : drawing.segments[i])
+      out.write(index_in_file(v));
+    out.write(site_number(drawing.sites_of_segment[i].first));
+    out.write(site_number(drawing.sites_of_segment[i].second));
+    out.end_record();
+  }
+  out.flush();
   return static_cast<bool>(os.flush());
 }
 
@@ -137,45 +153,56 @@ template <typename SiteOfLine>
 void write_sites_VTK(std::ostream& os, const Voronoi_drawing& drawing, const char* name, SiteOfLine site_of_line)
 {
   os << "SCALARS " << name << " int 1\nLOOKUP_TABLE default\n";
+  Number_writer out(os, Number_writer::Byte_order::HIGHEST_FIRST);
+  const auto write = [&out](std::int32_t i)
+  {
+    out.write(i);
+    out.end_record();
+  };
   for(const Voronoi_drawing::Sites& sites : drawing.sites_of_polyline)
-    os << site_of_line(sites) << '\n';
+    write(site_of_line(sites));
   for(const std::size_t site : drawing.site_of_triangle)
-    os << site_number(site) << '\n';
+    write(site_number(site));
+  out.end_block();
 }
 
-// Writes the polylines. The second number of the header counts all numbers that follow: a size and the points of each.
-// A polyline of s segments has s + 1 points, so these are s + 2 numbers. Without polylines there is no such section.
-inline void write_lines_VTK(std::ostream& os, const Voronoi_drawing& drawing)
+// Writes the cells of one kind, as a size and the points of each. Without cells there is no such section.
+// `number_of_numbers` counts all numbers of the section.
+template <typename Cells>
+void write_cells_VTK(std::ostream& os, const char* kind, const Cells& cells, std::size_t number_of_numbers)
 {
-  const std::size_t number_of_lines = drawing.polylines.size();
-  if(number_of_lines > 0)
-    os << "LINES " << number_of_lines << ' ' << 2 * number_of_lines + drawing.number_of_segments() << '\n';
-  for(const std::vector<std::size_t>& line : drawing.polylines)
+  if(cells.empty())
+    return;
+  os << kind << ' ' << cells.size() << ' ' << number_of_numbers << '\n';
+  Number_writer out(os, Number_writer::Byte_order::HIGHEST_FIRST);
+  for(const auto& cell : cells)
   {
-    os << line.size();
-    for(const std::size_t v : line)
-      os << ' ' << v;
-    os << '\n';
+    out.write(index_in_file(cell.size()));
+    for(const std::size_t v : cell)
+      out.write(index_in_file(v));
+    out.end_record();
   }
+  out.end_block();
 }
 
 // Writes polylines, then triangles: legacy VTK numbers the cells of a file in this order, and the cell data follow it.
-// A triangle takes four numbers: its size, 3, and three points.
+// A polyline of s segments has s + 1 points and takes s + 2 numbers, and a triangle takes 4.
 template <typename Diagram>
 bool write_diagram_VTK(std::ostream& os, const Diagram& diagram, double tolerance)
 {
   using Sites = Voronoi_drawing::Sites;
   const Voronoi_drawing drawing = drawing_with_cells(diagram, tolerance);
-  const std::size_t number_of_faces = drawing.triangles.size();
-  os << "# vtk DataFile Version 3.0\ngeodesic Voronoi diagram\nASCII\nDATASET POLYDATA\nPOINTS "
-     << drawing.points.size() << " double\n";
-  write_points(os, drawing);
-  write_lines_VTK(os, drawing);
-  os << "POLYGONS " << number_of_faces << ' ' << 4 * number_of_faces << '\n';
-  for(const std::array<std::size_t, 3>& t : drawing.triangles)
-    os << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << '\n';
-  os << "CELL_DATA " << drawing.polylines.size() + number_of_faces << '\n';
-  write_sites_VTK(os, drawing, "site", [](const Sites&) { return -1l; });
+  os << "# vtk DataFile Version 3.0\ngeodesic Voronoi diagram\n" << (IO::is_binary(os) ? "BINARY" : "ASCII")
+     << "\nDATASET POLYDATA\nPOINTS " << drawing.points.size() << " double\n";
+  {
+    Number_writer out(os, Number_writer::Byte_order::HIGHEST_FIRST);
+    write_points(out, drawing);
+    out.end_block();
+  }
+  write_cells_VTK(os, "LINES", drawing.polylines, 2 * drawing.polylines.size() + drawing.number_of_segments());
+  write_cells_VTK(os, "POLYGONS", drawing.triangles, 4 * drawing.triangles.size());
+  os << "CELL_DATA " << drawing.polylines.size() + drawing.triangles.size() << '\n';
+  write_sites_VTK(os, drawing, "site", [](const Sites&) { return std::int32_t(-1); });
   write_sites_VTK(os, drawing, "left_site", [](const Sites& s) { return site_number(s.first); });
   write_sites_VTK(os, drawing, "right_site", [](const Sites& s) { return site_number(s.second); });
   return static_cast<bool>(os.flush());
@@ -183,9 +210,9 @@ bool write_diagram_VTK(std::ostream& os, const Diagram& diagram, double toleranc
 
 // --- files ---
 
-// Writes with 17 digits, in the format that the extension of the name stands for. Returns false for another extension,
-// and does not touch the file then. Returns false also if the file cannot be opened or written; it may hold a part of
-// the text then. Extensions are in lower case.
+// Writes in the format that the extension of the name stands for: PLY and VTK in binary, OBJ with 17 digits. Returns
+// false for another extension, and does not touch the file then. Returns false also if the file cannot be opened or
+// written; it may hold a part then. Extensions are in lower case.
 template <typename Diagram>
 bool write_diagram_file(const std::string& filename, const Diagram& diagram, double tolerance)
 {
@@ -194,10 +221,13 @@ bool write_diagram_file(const std::string& filename, const Diagram& diagram, dou
   if(extension != ".obj" && extension != ".ply" && extension != ".vtk")
     return false;
   diagram.build(); // may throw, which must happen before the file is overwritten
-  std::ofstream os(filename);
-  os.precision(17);
+  std::ofstream os(filename, extension == ".obj" ? std::ios::out : std::ios::out | std::ios::binary);
   if(extension == ".obj")
+  {
+    os.precision(17);
     return write_diagram_OBJ(os, diagram, tolerance);
+  }
+  IO::set_binary_mode(os);
   return extension == ".ply" ? write_diagram_PLY(os, diagram, tolerance) : write_diagram_VTK(os, diagram, tolerance);
 }
 
