@@ -73,6 +73,10 @@ DIAGRAM_KEEPER = INTERNAL + "Voronoi/Diagram_window_keeper.h"
 SEPARATION = INTERNAL + "applications/Location_separation.h"
 DISTANCE_CERTIFICATE = INTERNAL + "interface/Distance_certifier.h"
 DIAGRAM_CERTIFICATE = INTERNAL + "applications/Diagram_certifier.h"
+DIAGRAM_CHECK = INTERNAL + "applications/Diagram_distance_check.h"
+DIAGRAM_SAMPLES = INTERNAL + "applications/Diagram_samples.h"
+SITE_WITNESS = INTERNAL + "applications/Site_witness.h"
+FACE_PATHS = INTERNAL + "certificate/Face_paths.h"
 INTRINSIC_MESH = INTERNAL + "surface/Intrinsic_mesh.h"
 EQUAL_SOURCES = INTERNAL + "surface/equal_sources.h"
 LOCATOR = INTERNAL + "Voronoi/Cell_locator.h"
@@ -431,6 +435,26 @@ MUTANTS = [
     ("small_components_accepted", BUILDER,
      "if(longest < smallest_component())", "if(longest < 0)",
      "lengths of a component that is too small underflow", (INVALID,)),
+    ("no_third_site_on_arcs", FACE_PATHS,
+     "      arc.for_each_extremum(family.image(), compare);\n", "",
+     "a site that is nearer between the ends of an arc is not seen", (DIAGRAM_CERTIFICATION,)),
+    ("arcs_that_are_no_bisectors", DIAGRAM_CHECK,
+     "excess = (std::max)(excess, arc.difference(x));", "excess = (std::max)(excess, 0 * arc.difference(x));",
+     "a chord is taken for a bisector", (DIAGRAM_CERTIFICATION,)),
+    ("stated_distances_are_not_read", SITE_WITNESS,
+     "values[v] = own_distance(CGAL::to_double(m_diagram.distance_to_nearest_site(u)));",
+     "values[v] = m_field.distance[v];",
+     "the certificate of distances looks at its own distances", (DIAGRAM_CERTIFICATION,)),
+    ("sites_that_tie_may_own", DIAGRAM_CHECK,
+     "if(i != no_site() && is_superfluous[i] != 0)", "if(i != no_site() && is_superfluous[i] == 2)",
+     "the second of two equal sites may have the cell", (DIAGRAM_CERTIFICATION,)),
+    ("sites_are_no_samples", DIAGRAM_SAMPLES,
+     "      if(m_diagram.site(i).first != Graph_traits::null_face())\n        add_location(m_diagram.site(i));\n",
+     "      if(m_diagram.site(i).first == Graph_traits::null_face())\n        add_location(m_diagram.site(i));\n",
+     "a site whose cell has been overlooked is not looked at", (DIAGRAM_CERTIFICATION,)),
+    ("missing_arcs", DIAGRAM_CERTIFICATE,
+     "record(DIAGRAM_BOUNDARIES, n == 1 ? 0 : infinity(), no_site());", "record(DIAGRAM_BOUNDARIES, n < 0 ? 1 : 0, no_site());",
+     "an arc may be missing", (DIAGRAM_CERTIFICATION,)),
     ("diagram_violations_relative_to_the_mesh", DIAGRAM_CERTIFICATE,
      "{ return m_components.component(get(m_vertex_index_map, v)); }",
      "{ return 0 * m_components.component(get(m_vertex_index_map, v)); }",
