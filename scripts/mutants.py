@@ -76,7 +76,7 @@ DIAGRAM_CERTIFICATE = INTERNAL + "applications/Diagram_certifier.h"
 DIAGRAM_CHECK = INTERNAL + "applications/Diagram_distance_check.h"
 DIAGRAM_SAMPLES = INTERNAL + "applications/Diagram_samples.h"
 SITE_WITNESS = INTERNAL + "applications/Site_witness.h"
-FACE_PATHS = INTERNAL + "certificate/Face_paths.h"
+ARC_PIECE = INTERNAL + "certificate/Arc_piece.h"
 INTRINSIC_MESH = INTERNAL + "surface/Intrinsic_mesh.h"
 EQUAL_SOURCES = INTERNAL + "surface/equal_sources.h"
 LOCATOR = INTERNAL + "Voronoi/Cell_locator.h"
@@ -175,6 +175,7 @@ CERTIFICATE_CHECKS = "test_certificate_checks"
 CERTIFICATION = "test_certification_of_distances"
 MATRICES = "test_distance_matrix"
 DIAGRAM_CERTIFICATION = "test_certification_of_Voronoi_diagrams"
+ARC_PIECES = "test_arc_pieces"
 SMALL = "test_small_components"
 PARALLEL_APPLICATIONS = "test_parallel_applications"
 BLOCKS = "test_reading_in_blocks"
@@ -435,9 +436,16 @@ MUTANTS = [
     ("small_components_accepted", BUILDER,
      "if(longest < smallest_component())", "if(longest < 0)",
      "lengths of a component that is too small underflow", (INVALID,)),
-    ("no_third_site_on_arcs", FACE_PATHS,
-     "      arc.for_each_extremum(family.image(), compare);\n", "",
-     "a site that is nearer between the ends of an arc is not seen", (DIAGRAM_CERTIFICATION,)),
+    ("farthest_instead_of_nearest_on_arcs", ARC_PIECE,
+     "visit_direction({FT(m_size * to_q.x - size * m_to_right.x), FT(m_size * to_q.y - size * m_to_right.y)}, visit);",
+     "visit_direction({FT(size * m_to_right.x - m_size * to_q.x), FT(size * m_to_right.y - m_size * to_q.y)}, visit);",
+     "a site that is nearer between the ends of an arc is not seen", (ARC_PIECES,)),
+    ("points_of_the_chord", ARC_PIECE,
+     "const FT stretch = 1 - m_difference * excess * size_c / m_size;", "const FT stretch = 1 + 0 * excess;",
+     "points beside the arc are compared", (ARC_PIECES,)),
+    ("one_crossing_with_a_line", ARC_PIECE,
+     "    visit_direction({FT(k * w.x + root * w.y), FT(k * w.y - root * w.x)}, visit);\n", "",
+     "an arc that crosses a line of sight is compared on one side of it only", (ARC_PIECES,)),
     ("arcs_that_are_no_bisectors", DIAGRAM_CHECK,
      "excess = (std::max)(excess, arc.difference(x));", "excess = (std::max)(excess, 0 * arc.difference(x));",
      "a chord is taken for a bisector", (DIAGRAM_CERTIFICATION,)),
