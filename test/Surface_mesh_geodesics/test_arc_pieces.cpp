@@ -147,8 +147,8 @@ void random_pieces(std::uint64_t seed, bool is_segment)
     check_line(piece, points, d, c, counts);
     ++counts.pieces;
   }
-  std::cout << counts.pieces << " pieces, " << counts.nearer_between
-            << " with a third image that is nearer only between the ends, " << counts.crossings << " crossings, " << counts.leaving << " on both sides of a line\n";
+  std::cout << counts.pieces << " pieces, " << counts.nearer_between << " with a third image between the ends, "
+            << counts.crossings << " crossings, " << counts.leaving << " on both sides of a line\n";
   CHECK(counts.pieces > 1000);
   CHECK(counts.nearer_between > 20);
   CHECK(counts.crossings > 500);

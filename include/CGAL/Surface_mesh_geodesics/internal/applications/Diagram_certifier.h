@@ -130,6 +130,8 @@ private:
   static constexpr std::size_t no_site() { return Diagram_violation::no_site(); }
   static double infinity() { return std::numeric_limits<double>::infinity(); }
 
+  // A curve has strips of rays, not images: neither the lower bound nor the bisectors of the witness know them. So
+  // diagrams with curves go without a proof.
   bool has_curves() const
   {
     for(std::size_t i = 0; i < m_diagram.number_of_sites(); ++i)
@@ -414,8 +416,8 @@ private:
 // Paths is a parameter because this room does not include the public class. Traits and maps have to be those of the
 // diagram. An object of paths can neither be copied nor moved, hence the pointers. Throws Invalid_geodesic_input if the
 // mesh or a site is invalid.
-template <template <typename...> class Paths, typename Traits, typename ConcurrencyTag, typename Diagram, typename Length,
-          typename Separation, typename Shape, typename Prepare, typename NamedParameters>
+template <template <typename...> class Paths, typename Traits, typename ConcurrencyTag, typename Diagram,
+          typename Length, typename Separation, typename Shape, typename Prepare, typename NamedParameters>
 Diagram_violations certify_diagram(const Diagram& diagram, Length length, Separation separation, Shape shape,
                                    Prepare prepare, const NamedParameters& np)
 {
@@ -440,13 +442,15 @@ Diagram_violations certify_diagram(const Diagram& diagram, Length length, Separa
     prepare(*paths);
     return paths;
   };
+  using Witness = Site_witness<Diagram, decltype(vim), decltype(fim)>;
+  const auto make_witness = [&] { return std::make_unique<Witness>(diagram, vim, fim, shape); };
   return Diagram_certifier<Diagram, decltype(vim), Length, Separation>(diagram, vim, length, separation)
-    .run([&] { return std::make_unique<Site_witness<Diagram, decltype(vim), decltype(fim)>>(diagram, vim, fim, shape); },
-         make_paths, typename Chunks_for_tag<typename Available_tag<ConcurrencyTag>::type>::type());
+    .run(make_witness, make_paths, typename Chunks_for_tag<typename Available_tag<ConcurrencyTag>::type>::type());
 }
 
 // Certifies a diagram of a mesh with points.
-template <template <typename...> class Paths, typename Traits, typename ConcurrencyTag, typename Diagram, typename NamedParameters>
+template <template <typename...> class Paths, typename Traits, typename ConcurrencyTag, typename Diagram,
+          typename NamedParameters>
 Diagram_violations certify_diagram_with_points(const Diagram& diagram, const NamedParameters& np)
 {
   using parameters::choose_parameter;
@@ -465,8 +469,8 @@ Diagram_violations certify_diagram_with_points(const Diagram& diagram, const Nam
 }
 
 // Certifies a diagram of a surface that is given by the lengths of its edges.
-template <template <typename...> class Paths, typename Traits, typename ConcurrencyTag, typename Diagram, typename EdgeLengthMap,
-          typename NamedParameters>
+template <template <typename...> class Paths, typename Traits, typename ConcurrencyTag, typename Diagram,
+          typename EdgeLengthMap, typename NamedParameters>
 Diagram_violations certify_diagram_with_edge_lengths(const Diagram& diagram, EdgeLengthMap edge_length_map,
                                                      const NamedParameters& np)
 {
@@ -476,7 +480,8 @@ Diagram_violations certify_diagram_with_edge_lengths(const Diagram& diagram, Edg
   const Separation_by_coordinates<Diagram, decltype(length)> separation(diagram, length);
   return certify_diagram<Paths, Traits, ConcurrencyTag>(
     diagram, length, separation,
-    Shape_from_edge_lengths<double, typename Diagram::Triangle_mesh, EdgeLengthMap>(tm, edge_length_map), [&](auto& paths) { paths.use_edge_lengths(edge_length_map); }, np);
+    Shape_from_edge_lengths<double, typename Diagram::Triangle_mesh, EdgeLengthMap>(tm, edge_length_map),
+      [&](auto& paths) { paths.use_edge_lengths(edge_length_map); }, np);
 }
 
 } // namespace internal
