@@ -234,6 +234,7 @@ private:
     for(const auto& arc : m_diagram.arcs())
     {
       m_most_pieces = m_pieces.size() + most_pieces;
+      m_divisions = 0;
       find_pieces(arc, end(arc, 0.), end(arc, 1.), 0);
     }
     for(const Piece& p : m_pieces)
@@ -246,6 +247,7 @@ private:
   // has lost the paths of a site; own runs find them, without more pieces.
   static constexpr int most_halvings = 48;
   static constexpr std::size_t most_pieces = 256;
+  static constexpr std::size_t most_divisions = 4096;
 
   // Divides an arc until each piece is in one face of the refined mesh, and has an image of each site. One that changes
   // its image within rounding of its end is divided near there.
@@ -267,6 +269,8 @@ private:
     }
     if(is_found || (is_in_face && (depth == most_halvings || m_pieces.size() >= m_most_pieces)))
       m_pieces.push_back(p);
+    else if(++m_divisions > most_divisions)
+      return; // the arc runs along an edge between two parts of a face: only its samples are compared
     else if(depth == most_halvings)
       record(DIAGRAM_CURVES, m_extents.gap(a.location, b.location), arc.sites().first);
     else
@@ -395,6 +399,7 @@ private:
   std::vector<char> m_needs_run;    // by site
   std::vector<Piece> m_pieces;      // of all arcs
   std::size_t m_most_pieces = 0;    // for the arc that is divided
+  std::size_t m_divisions = 0;      // the same
   Face_id m_face = null_id;         // of the paths below
   Paths m_paths, m_bound;
 };
