@@ -243,8 +243,9 @@ private:
           m_needs_run[p.sites[side]] = 1;
   }
 
-  // Halvings after which a piece is shorter than rounding, and the number of pieces of an arc. An arc with more pieces
-  // has lost the paths of a site; own runs find them, without more pieces.
+  // Halvings after which a piece is shorter than rounding, and the largest numbers of pieces of an arc and of
+  // divisions. Without the last one, an arc on the edge of two parts would be divided down to rounding everywhere. An
+  // arc with more pieces has lost the paths of a site; own runs find them, without more pieces.
   static constexpr int most_halvings = 48;
   static constexpr std::size_t most_pieces = 256;
   static constexpr std::size_t most_divisions = 4096;
