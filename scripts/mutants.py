@@ -454,7 +454,7 @@ MUTANTS = [
      "values[v] = m_field.distance[v];",
      "the certificate of distances looks at its own distances", (DIAGRAM_CERTIFICATION,)),
     ("sites_that_tie_may_own", DIAGRAM_CHECK,
-     "if(i != no_site() && is_superfluous[i] != 0)", "if(i != no_site() && is_superfluous[i] == 2)",
+     "owns_something[i] = 1;", "owns_something[i] = 0;",
      "the second of two equal sites may have the cell", (DIAGRAM_CERTIFICATION,)),
     ("sites_are_no_samples", DIAGRAM_SAMPLES,
      "      if(m_diagram.site_curve(i) == nullptr && m_diagram.site(i).first != Graph_traits::null_face())\n        add_location(m_diagram.site(i));\n",

@@ -28,7 +28,7 @@
 // 2. find_pieces() divides arcs, and finds the images of both sites for each piece.
 // 3. check_by_own_run() looks for what is missing, one site after the other.
 // 4. check_pieces() compares each piece with the bound.
-// 5. check_superfluous_sites() checks the rule for sites that tie everywhere.
+// 5. check_ties() checks the rule for sites that tie everywhere.
 //
 // Who is to blame: for a path that is too long, its site; for a bound that is too small, the site that is nearest; for
 // a piece, the site with the longer path.
@@ -92,7 +92,7 @@ public:
       if(m_needs_run[i] != 0)
         check_by_own_run(i);
     check_pieces();
-    check_superfluous_sites();
+    check_ties();
   }
 
 private:
@@ -285,7 +285,7 @@ private:
   // do not, the excess at one of its ends tells, and the piece is divided.
   //
   // Finds the image of a site from which paths lead to the piece; of several that tie in its middle, the best one.
-  // Returns whether the paths are not longer than stated, up to rounding. (The image is the end of an interval where
+  // Returns whether the paths are as long as stated, or so nearly so that no division helps. (The image is the end of an interval where
   // paths bend there; such an image is a point of the face, and needs no interval.)
   bool find_image(Piece& p, std::size_t side, const Paths& paths) const
   {
@@ -309,7 +309,7 @@ private:
         p.images[side] = image;
       }
     }
-    return !is_doubtful(violation(p, p.excess[side]));
+    return violation(p, p.excess[side]) <= Tolerance<double>::excess_of_pieces();
   }
 
   // Makes a violation of an excess in the unit of the intrinsic mesh.
@@ -375,19 +375,20 @@ private:
   // --- the rule for ties ---
 
   // A site that ties with an earlier one owns nothing: its cell has no boundary and no area, and nothing names it. The
-  // distances alone cannot show that, as both sites are equally near.
-  void check_superfluous_sites()
+  // distances alone cannot show that, as both sites are equally near. If rounding takes the cell of the earlier one,
+  // at least one of both owns nothing.
+  void check_ties()
   {
-    std::vector<char> is_superfluous(m_diagram.number_of_sites(), 0);
-    m_witness.for_each_superfluous_site([&](std::size_t i)
-    {
-      is_superfluous[i] = 1;
-      record(DIAGRAM_OWNERS, m_diagram.boundary(i).empty() && CGAL::to_double(m_diagram.area(i)) == 0 ? 0 : infinity(),
-             i);
-    });
+    std::vector<char> owns_something(m_diagram.number_of_sites(), 0);
     for(const std::size_t i : m_samples.sites())
-      if(i != no_site() && is_superfluous[i] != 0)
-        record(DIAGRAM_OWNERS, infinity(), i);
+      if(i != no_site())
+        owns_something[i] = 1;
+    const auto owns_nothing = [&](std::size_t i)
+    {
+      return owns_something[i] == 0 && m_diagram.boundary(i).empty() && CGAL::to_double(m_diagram.area(i)) == 0;
+    };
+    m_witness.for_each_tie([&](std::size_t i, std::size_t first, bool is_decided)
+    { record(DIAGRAM_OWNERS, owns_nothing(i) || (!is_decided && owns_nothing(first)) ? 0 : infinity(), i); });
   }
 
   const Diagram& m_diagram;

@@ -36,8 +36,10 @@
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Surface_with_sources.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/One_block.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Distance_propagation.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/Component_extents.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Face_parts.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Location_in_part.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/barycentric_coordinates.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/equal_sources.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Edge_window_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Pruning_rules.h>
@@ -51,6 +53,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -64,6 +67,7 @@ struct Witness_place
 {
   Face_id face = null_id;
   Planar_point<double> point;
+  Barycentric<double> coordinates{}; // of the point in the face
   Vertex_id vertex = null_id;
 };
 
@@ -121,7 +125,9 @@ public:
   Witness_place place(vertex_descriptor v) const { return place_of(m_surface.query(v)); }
   Witness_place place(const Face_location& l) const { return place_of(m_surface.query(l.first, l.second)); }
 
-  // Finds a place in the layout of a face; returns false if it is not known there.
+  // Finds a place in the layout of a face; returns false if it is not in that face. A place on the border between two
+  // parts of a divided face is in both, up to the rounding of its coordinates (Location_in_part.h): an arc along that
+  // border is in either of them.
   bool find_in_face(const Witness_place& place, Face_id f, Planar_point<double>& p) const
   {
     p = place.point;
@@ -133,7 +139,7 @@ public:
         p = layout_of_face(mesh().face(f))[k];
         return true;
       }
-    return false;
+    return find_in_part(place, f, p);
   }
 
   // --- the proof ---
@@ -195,23 +201,29 @@ public:
     paths.start_windows(mesh(), m_field_of_one, m_windows_of_one, [this](Vertex_id) { return m_runs_from; }, f);
   }
 
-  // Calls visit(i) for each site that ties with another one, which has its cell by the rule for ties (equal_sources.h):
-  // of several sites at one vertex the first one with the largest weight, and of several within rounding the first one.
+  // Calls visit(i, j) for each site i that ties with a site j, which has its cell by the rule for ties
+  // (equal_sources.h): of several sites at one vertex the first one with the largest weight, and of several within
+  // rounding the first one. If another site is nearer to j by the least difference, j has no cell to give to i: then
+  // visit(i, j) is called with is_decided = false, and one of the two has no cell (Vertex_owners.h).
   template <typename Visit>
-  void for_each_superfluous_site(Visit visit) const
+  void for_each_tie(Visit visit) const
   {
     const auto& sources = m_surface.sources();
     std::vector<double> offsets;
+    std::unordered_map<Vertex_id, Vertex_id> receiver;
     for(std::size_t k = 0; k < sources.size(); ++k)
       offsets.push_back(sources.offset(k));
-    std::vector<Vertex_id> superfluous;
     for_each_equal_source(mesh(), sources.vertices, offsets,
-                          [&](Vertex_id v, Vertex_id) { superfluous.push_back(v); });
-    std::sort(superfluous.begin(), superfluous.end());
+                          [&](Vertex_id v, Vertex_id u) { receiver.emplace(v, u); });
     for(std::size_t k = 0; k < sources.size(); ++k)
-      if(m_surface.source_at(sources.vertices[k]) != k
-         || std::binary_search(superfluous.begin(), superfluous.end(), sources.vertices[k]))
-        visit(m_site_of_source[k]);
+    {
+      const Vertex_id v = sources.vertices[k];
+      const auto it = receiver.find(v);
+      if(m_surface.source_at(v) != k)
+        visit(m_site_of_source[k], m_site_of_source[m_surface.source_at(v)], true);
+      else if(it != receiver.end())
+        visit(m_site_of_source[k], m_site_of_source[m_surface.source_at(it->second)], m_field.is_source(it->second));
+    }
   }
 
 private:
@@ -230,6 +242,31 @@ private:
     return std::count(flags.begin(), flags.end(), 1) > 0 ? flags : std::vector<char>();
   }
 
+  // Does the same for another part of the user's face in which the place is.
+  bool find_in_part(const Witness_place& place, Face_id f, Planar_point<double>& p) const
+  {
+    const Face_part<double>* const part = m_surface.parts().find_part_of(f);
+    if(place.face == null_id || part == nullptr)
+      return false;
+    Barycentric<double> in_whole = place.coordinates;
+    if(m_surface.parts().coordinates_in_whole(place.face, in_whole) != part->whole)
+      return false;
+    Location_in_part<double> location(part->corner, in_whole);
+    if(!location.is_known())
+      return false;
+    location.snap();
+    if(location.least_coordinate() < 0)
+      return false;
+    p = point_of_face(f, location.coordinates());
+    return true;
+  }
+
+  Planar_point<double> point_of_face(Face_id f, const Barycentric<double>& b) const
+  {
+    const std::array<Planar_point<double>, 3> corner = layout_of_face(mesh().face(f));
+    return {b[1] * corner[1].x + b[2] * corner[2].x, b[2] * corner[2].y};
+  }
+
   // A vertex is found in the face of one of its halfedges.
   Witness_place place_of(const Surface_query& q) const
   {
@@ -239,15 +276,14 @@ private:
     const Halfedge_id h = q.face == null_id ? mesh().halfedge(q.vertex) : null_id;
     if(q.face == null_id && h == null_id)
       return result;
-    std::array<double, 3> b = q.coordinates;
+    result.coordinates = q.coordinates;
     if(h != null_id)
     {
       result.face = face_of(h);
-      b = {0, 0, 0};
-      b[index_in_face(h)] = 1;
+      result.coordinates = {0, 0, 0};
+      result.coordinates[index_in_face(h)] = 1;
     }
-    const std::array<Planar_point<double>, 3> corner = layout_of_face(mesh().face(result.face));
-    result.point = {b[1] * corner[1].x + b[2] * corner[2].x, b[2] * corner[2].y};
+    result.point = point_of_face(result.face, result.coordinates);
     return result;
   }
 
