@@ -152,6 +152,7 @@ public:
   void prove(const Chunks& chunks, Diagram_violation& result)
   {
     propagate(m_field, m_windows, [](std::size_t) { return true; });
+    find_ties();
     find_sites_of_vertices();
     const double infinity = std::numeric_limits<double>::infinity();
     const auto go_on = [] { return true; };
@@ -201,27 +202,21 @@ public:
     paths.start_windows(mesh(), m_field_of_one, m_windows_of_one, [this](Vertex_id) { return m_runs_from; }, f);
   }
 
-  // Calls visit(i, j) for each site i that ties with a site j, which has its cell by the rule for ties
+  // Calls visit(i, j, is_decided) for each site i that ties with a site j, which has its cell by the rule for ties
   // (equal_sources.h): of several sites at one vertex the first one with the largest weight, and of several within
-  // rounding the first one. If another site is nearer to j by the least difference, j has no cell to give to i: then
-  // visit(i, j) is called with is_decided = false, and one of the two has no cell (Vertex_owners.h).
+  // rounding the first one. If another site is nearer to j by the least difference, j itself has no cell; so the tie is
+  // not decided, and one of the two has no cell (Vertex_owners.h).
   template <typename Visit>
   void for_each_tie(Visit visit) const
   {
     const auto& sources = m_surface.sources();
-    std::vector<double> offsets;
-    std::unordered_map<Vertex_id, Vertex_id> receiver;
-    for(std::size_t k = 0; k < sources.size(); ++k)
-      offsets.push_back(sources.offset(k));
-    for_each_equal_source(mesh(), sources.vertices, offsets,
-                          [&](Vertex_id v, Vertex_id u) { receiver.emplace(v, u); });
     for(std::size_t k = 0; k < sources.size(); ++k)
     {
       const Vertex_id v = sources.vertices[k];
-      const auto it = receiver.find(v);
+      const auto it = m_receiver.find(v);
       if(m_surface.source_at(v) != k)
         visit(m_site_of_source[k], m_site_of_source[m_surface.source_at(v)], true);
-      else if(it != receiver.end())
+      else if(it != m_receiver.end())
         visit(m_site_of_source[k], m_site_of_source[m_surface.source_at(it->second)], m_field.is_source(it->second));
     }
   }
@@ -303,6 +298,26 @@ private:
     propagation.run([](std::size_t, double) { return true; });
   }
 
+  void find_ties()
+  {
+    const auto& sources = m_surface.sources();
+    std::vector<double> offsets;
+    for(std::size_t k = 0; k < sources.size(); ++k)
+      offsets.push_back(sources.offset(k));
+    m_receiver.clear();
+    for_each_equal_source(mesh(), sources.vertices, offsets,
+                          [&](Vertex_id v, Vertex_id u) { m_receiver.emplace(v, u); });
+  }
+
+  // Returns the site whose cell the paths from a vertex lead through: that of the source there, or one that it ties
+  // with. The paths of both are equally long up to rounding, and the diagram names one of them only.
+  std::size_t owner(Vertex_id source) const
+  {
+    const auto it = m_receiver.find(source);
+    const bool is_given = it != m_receiver.end() && m_field.is_source(it->second);
+    return m_site_of_source[m_surface.source_at(is_given ? it->second : source)];
+  }
+
   // Finds the site of each vertex of the refined mesh that is reached, from that of its root. Takes linear time: each
   // chain of roots ends where a chain before it has been.
   void find_sites_of_vertices()
@@ -315,7 +330,7 @@ private:
       for(; m_site_of_vertex[v] == no_site() && !m_field.is_source(v); v = m_field.arrival[v].root)
         chain.push_back(v);
       if(m_site_of_vertex[v] == no_site())
-        m_site_of_vertex[v] = m_site_of_source[m_surface.source_at(v)];
+        m_site_of_vertex[v] = owner(v);
       for(const Vertex_id w : chain)
         m_site_of_vertex[w] = m_site_of_vertex[v];
       chain.clear();
@@ -348,6 +363,7 @@ private:
   Surface m_surface;
   double m_largest_weight = 0;
   std::vector<std::size_t> m_site_of_source; // by number of the source; a site without a location is no source
+  std::unordered_map<Vertex_id, Vertex_id> m_receiver; // of the cell of a source that ties with another one
   Field m_field, m_field_of_one;             // of the runs from all sites, and from one
   Windows m_windows, m_windows_of_one;
   std::size_t m_runs_from = 0;               // the site of the run from one
