@@ -155,6 +155,31 @@ void random_pieces(std::uint64_t seed, bool is_segment)
   CHECK(is_segment || counts.leaving > 20);
 }
 
+// An end so near to the image that rounding hides its direction, on a bisector that is nearly a ray: the points that
+// are looked at are on the piece, though the direction of that end says otherwise.
+void end_at_the_image()
+{
+  test_support::Scope scope("end at the image");
+  const Image left{0, 0, 0.0012082998812528618}, right{-0.00058562496233311215, -0.0010568973492350836, 0};
+  const Point first{0.030731126520395908, 0.055463380678179158}, last{-1.166825509660739e-13, 3.7018273814886433e-13};
+  const Piece piece(first, last, left, right, false);
+  std::size_t number = 0;
+  for(int i = 0; i < 48; ++i)
+  {
+    // An image in a direction between those of the ends, at no distance from the left one if weights count: the
+    // extremum is in this direction.
+    const double angle = std::atan2(first.y, first.x) + std::ldexp(.8, -i);
+    const double x = 1e-3 * std::cos(angle), y = 1e-3 * std::sin(angle);
+    piece.for_each_extremum(Image{x, y, left.weight - norm<double>(x, y)}, [&](const Point& p)
+    {
+      ++number;
+      CHECK(distance(p, Point{0, 0}) <= distance(first, Point{0, 0}) * (1 + 1e-12));
+      CHECK(piece.difference(p) < 1e-12);
+    });
+  }
+  CHECK(number > 0);
+}
+
 } // namespace
 
 int main()
@@ -162,5 +187,6 @@ int main()
   const std::uint64_t seed = test_support::announce_seed(20261126);
   random_pieces(seed, false);
   random_pieces(seed + 1, true);
+  end_at_the_image();
   return test_result();
 }

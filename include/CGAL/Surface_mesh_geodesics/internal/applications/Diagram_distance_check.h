@@ -268,6 +268,8 @@ private:
       for(std::size_t side = 0; side < 2; ++side)
         is_found = find_image(p, side, m_paths) && is_found;
     }
+    // Near the images of sites that almost coincide, all paths are longer than stated by more than ties allow. If such
+    // pieces were divided, too, they would use up the pieces of the arc, and its other parts would not be divided.
     if(is_found || (is_in_face && (depth == most_halvings || m_pieces.size() >= m_most_pieces)))
       m_pieces.push_back(p);
     else if(++m_divisions > most_divisions)
@@ -285,8 +287,10 @@ private:
   // do not, the excess at one of its ends tells, and the piece is divided.
   //
   // Finds the image of a site from which paths lead to the piece; of several that tie in its middle, the best one.
-  // Returns whether the paths are as long as stated, or so nearly so that no division helps. (The image is the end of an interval where
-  // paths bend there; such an image is a point of the face, and needs no interval.)
+  // Returns whether the paths are as long as stated, or so nearly so that no division helps.
+  //
+  // The image is the end of an interval where paths bend there. Such an image is a point of the face, and needs no
+  // interval.
   bool find_image(Piece& p, std::size_t side, const Paths& paths) const
   {
     const std::size_t site = p.sites[side], nearest = paths.nearest(p.middle, site);

@@ -31,6 +31,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace CGAL {
 namespace Surface_mesh_geodesics {
@@ -154,6 +155,10 @@ private:
   // with x |c| = p |a| + q |b| - |c|, which is computed from the square of the cross product, without a difference. So
   // the point is near the segment also where rounding hides the direction, and where the images are known less well
   // than the ends.
+  //
+  // An end may be so near to the image that rounding hides its direction. It may turn the curve beside it by an angle
+  // that makes up 1 / r of the farther end; then the ends tell nothing, and the point is at r = A / D. If that is
+  // farther than both ends, rounding has put the direction between theirs.
   template <typename Visit>
   void visit_direction(const Point& direction, Visit visit) const
   {
@@ -168,10 +173,28 @@ private:
     const FT sum = p * size_a + q * size_b, width = size_a * size_b + a.x * b.x + a.y * b.y;
     if(!(size_c > 0) || !(width > 0))
       return;
+    if(is_end_lost(size_a, size_b))
+    {
+      const FT d = m_difference + (c.x * m_to_right.x + c.y * m_to_right.y) / size_c, r = m_size / d;
+      if(d > 0 && r < (std::max)(size_a, size_b))
+        visit(Point{FT(m_left.x + r * c.x / size_c), FT(m_left.y + r * c.y / size_c)});
+      return;
+    }
     const FT excess = 2 * p * q * (turn / width) * (turn / (sum + size_c)) / size_c;
     const FT stretch = 1 - m_difference * excess * size_c / m_size; // |c| / r
     if(stretch > 0)
       visit(Point{FT(m_left.x + c.x / stretch), FT(m_left.y + c.y / stretch)});
+  }
+
+  // Is the nearer one of two ends, at these distances from the left image, known so badly that 1 / r of the farther one
+  // is lost? Its direction is known up to the rounding of points over its distance, and d times that, over A, is the
+  // error of 1 / r.
+  bool is_end_lost(const FT& a, const FT& b) const
+  {
+    using std::abs;
+    const FT least = (std::min)(a, b), most = (std::max)(a, b);
+    const FT rounding = std::numeric_limits<FT>::epsilon() * (most + abs(m_left.x) + abs(m_left.y));
+    return 64 * least < most && rounding * norm<FT>(m_to_right.x, m_to_right.y) * most > m_size * least;
   }
 
   // Visits the points of the segment where the difference of the distances from two images turns.
