@@ -438,7 +438,7 @@ void lost_ties_are_found(const Indexed_mesh& indexed)
   test_support::Scope scope("ties");
   const Mesh tm = to_face_graph(indexed);
   Wrong_diagram diagram(tm);
-  for(const std::size_t v : {0, 0, 5})
+  for(const std::size_t v : {0u, 0u, 5u})
   {
     diagram.add_site(vertex(v));
   }
