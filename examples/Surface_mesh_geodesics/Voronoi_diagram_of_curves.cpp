@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -56,4 +57,5 @@ int main()
   for(std::size_t i = 0; i < sites.size(); ++i)
     std::cout << " " << names[i] << " " << std::count(label.begin(), label.end(), i);
   std::cout << std::endl;
+  return EXIT_SUCCESS;
 }

@@ -263,17 +263,11 @@ void bumpy_spheres()
 
 void hostile_surfaces()
 {
-  for(std::uint64_t seed = 1; seed <= 60; ++seed)
+  for_each_hostile_case([](const Mesh& tm, const std::vector<Curve>& curves, test_support::Random&)
   {
-    const test_support::Scope scope("hostile " + std::to_string(seed));
-    test_support::Random random(seed);
-    Mesh tm;
-    if(!hostile_meshes::is_surface(hostile_meshes::hostile_mesh(random), tm))
-      continue;
-    const std::vector<Curve> curves = random_curves(tm, random);
     const Voronoi diagram(tm, curves);
     CHECK(is_right(diagram));
-  }
+  });
 }
 
 // --- the interface ---

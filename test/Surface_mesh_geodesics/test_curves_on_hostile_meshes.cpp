@@ -16,18 +16,12 @@ namespace {
 
 void distances_are_right()
 {
-  for(std::uint64_t seed = 1; seed <= 60; ++seed)
+  for_each_hostile_case([](const Mesh& tm, const std::vector<Curve>& curves, test_support::Random& random)
   {
-    const test_support::Scope scope("hostile " + std::to_string(seed));
-    test_support::Random random(seed);
-    Mesh tm;
-    if(!hostile_meshes::is_surface(hostile_meshes::hostile_mesh(random), tm))
-      continue;
-    const std::vector<Curve> curves = random_curves(tm, random);
     const Distances d = distances(tm, curves);
     const vertex_descriptor v = random_vertex(tm, random);
     CHECK(error_at(tm, curves, v, d.at(v)) <= 1e-12);
-  }
+  });
 }
 
 // Random surfaces on which earlier versions failed. 116: segments nearly coincide, and the walk along one of them did

@@ -417,11 +417,7 @@ void stores_with_other_faces()
   CHECK(throws<Invalid_geodesic_input>([&] { store_in(none, with(Faces{face_descriptor(50000)})); }));
   CHECK(!fs::exists(none.path()));
   // A manifest that has lost the faces, and faces that the mesh does not have.
-  const fs::path manifest = folder.path() / "manifest.json";
-  std::string text = bytes_of(manifest);
-  const std::size_t begin = text.find("\"faces_to_avoid\"");
-  text.erase(begin, text.find("\"hash\"", begin) - begin);
-  write_bytes(manifest, text);
+  remove_from_manifest(folder.path(), "faces_to_avoid");
   message_of(Store_error::Reason::NOT_A_STORE, [&] { Store damaged(folder.name()); });
   SMG::internal::Store_description description;
   description.faces_to_avoid = {1, 320};

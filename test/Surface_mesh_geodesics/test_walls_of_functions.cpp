@@ -298,26 +298,13 @@ void check_certificate(const Case& c, test_support::Random& random)
 void test_against_cut_mesh()
 {
   test_support::Random random(7);
-  for(const Indexed_mesh& indexed : {noisy_sphere(1, .2, 3), torus(2, .7, 8, 6), flat_patch(5, 5, .15, true, 2),
-                                     two_components_and_an_isolated_vertex()})
+  for_each_case(random, [&](const Case& c, std::size_t)
   {
-    const Mesh tm = to_face_graph(indexed);
-    Faces star;
-    if(num_faces(tm) > 40)
-      for(const face_descriptor f : faces_around_target(halfedge(*std::next(vertices(tm).begin(), 3), tm), tm))
-        if(f != Mesh::null_face())
-          star.insert(f);
-    std::size_t number = 0;
-    for(const Walls& walls : all_walls(tm, random))
-    {
-      const test_support::Scope scope(indexed.name + ", walls " + std::to_string(number++));
-      const Case c{tm, walls, number % 2 == 0 ? star : Faces()};
-      check_labels(c, random);
-      check_samples(c, random);
-      check_isolines(c, random);
-      check_certificate(c, random);
-    }
-  }
+    check_labels(c, random);
+    check_samples(c, random);
+    check_isolines(c, random);
+    check_certificate(c, random);
+  });
 }
 
 } // namespace

@@ -233,6 +233,23 @@ inline double error_at(const Mesh& tm, const std::vector<Curve>& curves, vertex_
   return error == error ? error : 0;
 }
 
+// Calls check(tm, curves, random) for 60 hostile meshes, each within a scope with random curves on it.
+template <typename Check>
+void for_each_hostile_case(const Check& check)
+{
+  for(std::uint64_t seed = 1; seed <= 60; ++seed)
+  {
+    const test_support::Scope scope("hostile " + std::to_string(seed));
+    test_support::Random random(seed);
+    Mesh tm;
+    if(hostile_meshes::is_surface(hostile_meshes::hostile_mesh(random), tm))
+    {
+      const std::vector<Curve> curves = random_curves(tm, random);
+      check(tm, curves, random);
+    }
+  }
+}
+
 } // namespace curve_cases
 
 #endif // SURFACE_MESH_GEODESICS_CURVE_CASES_H

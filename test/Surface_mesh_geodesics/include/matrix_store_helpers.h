@@ -90,6 +90,16 @@ inline void write_bytes(const fs::path& path, const std::string& bytes)
   std::ofstream(path, std::ios::binary) << bytes;
 }
 
+// Removes an entry from the manifest of a store, with what follows up to the hash.
+inline void remove_from_manifest(const fs::path& folder, const std::string& name)
+{
+  const fs::path manifest = folder / "manifest.json";
+  std::string text = bytes_of(manifest);
+  const std::size_t begin = text.find('"' + name + '"');
+  text.erase(begin, text.find("\"hash\"", begin) - begin);
+  write_bytes(manifest, text);
+}
+
 // The files of a folder with one ending, sorted by name.
 inline std::vector<fs::path> files_with(const fs::path& folder, const std::string& ending)
 {

@@ -5,6 +5,7 @@
 // been cut along them.
 
 #include "cut_mesh.h"
+#include "test_meshes.h"
 #include "test_support.h"
 
 #include <CGAL/Surface_mesh_geodesics/geodesic_distances.h>
@@ -18,6 +19,7 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -195,6 +197,37 @@ struct Case
     return expected_distances(tm, cut, removed, places);
   }
 };
+
+// The faces around a vertex, to be avoided as well. None of a small mesh, of which too little would be left.
+inline Faces star_to_avoid(const Mesh& tm)
+{
+  Faces star;
+  if(num_faces(tm) > 40)
+    for(const face_descriptor f : faces_around_target(halfedge(*std::next(vertices(tm).begin(), 3), tm), tm))
+      if(f != Mesh::null_face())
+        star.insert(f);
+  return star;
+}
+
+// Calls check(c, i) for a few meshes, each with all walls, where i counts the walls of a mesh. Every second time faces
+// are avoided as well.
+template <typename Check>
+void for_each_case(test_support::Random& random, const Check& check)
+{
+  for(const Indexed_mesh& indexed : {noisy_sphere(1, .2, 3), torus(2, .7, 8, 6), flat_patch(5, 5, .15, true, 2),
+                                     two_components_and_an_isolated_vertex()})
+  {
+    const Mesh tm = to_face_graph(indexed);
+    const Faces star = star_to_avoid(tm);
+    std::size_t i = 0;
+    for(const Walls& walls : all_walls(tm, random))
+    {
+      const test_support::Scope scope(indexed.name + ", walls " + std::to_string(i));
+      check(Case{tm, walls, i % 2 == 1 ? star : Faces()}, i);
+      ++i;
+    }
+  }
+}
 
 // Calls use() with the vertex of a place, or with its location.
 template <typename Use>

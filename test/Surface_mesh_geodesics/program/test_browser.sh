@@ -212,14 +212,21 @@ opened squares.html "click(0.5, 0.5);" > squares.dom
 distance=$(sed -n 's/.*data-answers="|distance \([^,]*\),.*/\1/p' squares.dom)
 awk -v d="$distance" 'BEGIN { exit !(d != "" && d < 1e-3) }'
 
-# Two clicks show the exact path between both points: the one that the program finds.
-is_silent distances "$sphere" --source 0 --html clicks.html
-for clicks in "click(0.4, 0.4); click(0.6, 0.62);" "click(0.3, 0.5); click(0.7, 0.45);"; do
-  opened clicks.html "$clicks" > clicks.dom
+# click_path PAGE CLICKS: `length` is what the page tells, clicks.dom the page, first.txt and second.txt the places of the
+# last two clicks
+click_path()
+{
+  opened "$1" "$2" > clicks.dom
   length=$(sed -n 's/.*data-path="\([^"]*\)".*/\1/p' clicks.dom)
   sed -n 's/.*data-ends="\([^"]*\)".*/\1/p' clicks.dom | tr '|' '\n' > ends.txt
   head -n 1 ends.txt > first.txt
   tail -n 1 ends.txt > second.txt
+}
+
+# Two clicks show the exact path between both points: the one that the program finds.
+is_silent distances "$sphere" --source 0 --html clicks.html
+for clicks in "click(0.4, 0.4); click(0.6, 0.62);" "click(0.3, 0.5); click(0.7, 0.45);"; do
+  click_path clicks.html "$clicks"
   "$program" path "$sphere" --source-file first.txt --target-file second.txt > clicks.csv
   awk -v a="$length" -v b="$(column clicks.csv length)" 'BEGIN { exit !(a > 0 && b > 0 && (a - b)^2 < 1e-12 * b^2) }' \
     || fail "the path in the page has the length $length, not $(column clicks.csv length)"
@@ -232,20 +239,16 @@ printf '4 5\n5 6\n' > wall.txt
 seq 8 9 > middle.txt # of the square
 is_silent distances "$grid" --source 0 --walls wall.txt --avoid middle.txt --html avoid.html
 for clicks in "click(0.25, 0.8); click(0.5, 0.5); click(0.45, 0.8);" "click(0.25, 0.4); click(0.8, 0.8);"; do
-  opened avoid.html "$clicks" > avoid.dom
-  length=$(sed -n 's/.*data-path="\([^"]*\)".*/\1/p' avoid.dom)
-  sed -n 's/.*data-ends="\([^"]*\)".*/\1/p' avoid.dom | tr '|' '\n' > ends.txt
-  head -n 1 ends.txt > first.txt
-  tail -n 1 ends.txt > second.txt
+  click_path avoid.html "$clicks"
   "$program" path "$grid" --source-file first.txt --target-file second.txt --walls wall.txt --avoid middle.txt > avoid.csv
   "$program" path "$grid" --source-file first.txt --target-file second.txt > free.csv
   awk -v a="$length" -v b="$(column avoid.csv length)" -v c="$(column free.csv length)" \
     'BEGIN { exit !(b > 1.05 * c && (a - b)^2 < 1e-12 * b^2) }' \
     || fail "the path in the page has the length $length, not $(column avoid.csv length)"
 done
-contains avoid.dom '>walls, which no path crosses</div>'
-contains avoid.dom '>faces that paths avoid</div>'
-equals "$(grep -c '>not reached</div>' avoid.dom)" 0
+contains clicks.dom '>walls, which no path crosses</div>'
+contains clicks.dom '>faces that paths avoid</div>'
+equals "$(grep -c '>not reached</div>' clicks.dom)" 0
 opened avoid.html "click(0.5, 0.45); shade(0.5, 0.45); shade(0.53, 0.5); shade(0.25, 0.8); shade(0.8, 0.2);" > gray.dom
 contains gray.dom '"|Paths avoid face 8: it has no distance, and no path begins or ends here."'
 shades=$(sed -n 's/.*data-shades="\([^"]*\)".*/\1/p' gray.dom)

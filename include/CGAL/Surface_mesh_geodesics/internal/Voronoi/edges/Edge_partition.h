@@ -398,22 +398,13 @@ private:
     using std::sqrt;
     if(g.is_at_infinity || c.is_at_infinity)
       return g.is_at_infinity ? equal_points_with_rays(g, c) : equal_points_with_rays(c, g);
-    const FT infinity = std::numeric_limits<FT>::infinity();
-    std::array<FT, 2> r{infinity, infinity};
     const FT s = c.weight - g.weight, d = g.image_x - c.image_x;
     const FT a = -d;
     const FT b = ((d - s) * (d + s) + (g.depth - c.depth) * (g.depth + c.depth)) / 2;
     const FT qa = (a - s) * (a + s), qb = a * b, qc = (b - s * c.depth) * (b + s * c.depth);
     const FT square = b * b + qa * c.depth * c.depth;
     const FT root = square > 0 ? FT(sqrt(square) * (s < 0 ? FT(-s) : s)) : FT(0);
-    const FT q = -(qb + (qb < 0 ? FT(-root) : root));
-    if(qa != 0)
-      r[0] = c.image_x + q / qa;
-    if(q != 0)
-      r[1] = c.image_x + qc / q;
-    if(r[1] < r[0])
-      std::swap(r[0], r[1]);
-    return r;
+    return roots(qa, qb, qc, root, c.image_x);
   }
 
   // The same for an image l at infinity and any image c. With y measured from the image of c, a the slope, and s the
@@ -422,24 +413,26 @@ private:
   static std::array<FT, 2> equal_points_with_rays(const Image& l, const Image& c)
   {
     using std::sqrt;
-    const FT infinity = std::numeric_limits<FT>::infinity();
-    std::array<FT, 2> r{infinity, infinity};
-    const FT a = l.image_x;
+    const FT infinity = std::numeric_limits<FT>::infinity(), a = l.image_x;
     if(c.is_at_infinity)
-    {
-      if(a != c.image_x)
-        r[0] = (c.weight - l.weight) / (a - c.image_x);
-      return r;
-    }
+      return {a != c.image_x ? FT((c.weight - l.weight) / (a - c.image_x)) : infinity, infinity};
     const FT s = l.weight + a * c.image_x - c.weight;
     const FT qa = (1 - a) * (1 + a), qb = -a * s, qc = (c.depth - s) * (c.depth + s);
     const FT square = s * s - qa * c.depth * c.depth;
     const FT root = square > 0 ? FT(sqrt(square)) : FT(0);
+    return roots(qa, qb, qc, root, c.image_x);
+  }
+
+  // Returns the roots of qa y^2 + 2 qb y + qc, as abscissas: y counts from x. `root` is that of the discriminant.
+  static std::array<FT, 2> roots(const FT& qa, const FT& qb, const FT& qc, const FT& root, const FT& x)
+  {
+    const FT infinity = std::numeric_limits<FT>::infinity();
+    std::array<FT, 2> r{infinity, infinity};
     const FT q = -(qb + (qb < 0 ? FT(-root) : root));
     if(qa != 0)
-      r[0] = c.image_x + q / qa;
+      r[0] = x + q / qa;
     if(q != 0)
-      r[1] = c.image_x + qc / q;
+      r[1] = x + qc / q;
     if(r[1] < r[0])
       std::swap(r[0], r[1]);
     return r;
