@@ -73,6 +73,10 @@ DIAGRAM_KEEPER = INTERNAL + "Voronoi/Diagram_window_keeper.h"
 SEPARATION = INTERNAL + "applications/Location_separation.h"
 DISTANCE_CERTIFICATE = INTERNAL + "interface/Distance_certifier.h"
 DIAGRAM_CERTIFICATE = INTERNAL + "applications/Diagram_certifier.h"
+DIAGRAM_CHECK = INTERNAL + "applications/Diagram_distance_check.h"
+DIAGRAM_SAMPLES = INTERNAL + "applications/Diagram_samples.h"
+SITE_WITNESS = INTERNAL + "applications/Site_witness.h"
+ARC_PIECE = INTERNAL + "certificate/Arc_piece.h"
 INTRINSIC_MESH = INTERNAL + "surface/Intrinsic_mesh.h"
 EQUAL_SOURCES = INTERNAL + "surface/equal_sources.h"
 LOCATOR = INTERNAL + "Voronoi/Cell_locator.h"
@@ -171,6 +175,7 @@ CERTIFICATE_CHECKS = "test_certificate_checks"
 CERTIFICATION = "test_certification_of_distances"
 MATRICES = "test_distance_matrix"
 DIAGRAM_CERTIFICATION = "test_certification_of_Voronoi_diagrams"
+ARC_PIECES = "test_arc_pieces"
 SMALL = "test_small_components"
 PARALLEL_APPLICATIONS = "test_parallel_applications"
 BLOCKS = "test_reading_in_blocks"
@@ -431,6 +436,33 @@ MUTANTS = [
     ("small_components_accepted", BUILDER,
      "if(longest < smallest_component())", "if(longest < 0)",
      "lengths of a component that is too small underflow", (INVALID,)),
+    ("farthest_instead_of_nearest_on_arcs", ARC_PIECE,
+     "visit_direction({FT(m_size * to_q.x - size * m_to_right.x), FT(m_size * to_q.y - size * m_to_right.y)}, visit);",
+     "visit_direction({FT(size * m_to_right.x - m_size * to_q.x), FT(size * m_to_right.y - m_size * to_q.y)}, visit);",
+     "a site that is nearer between the ends of an arc is not seen", (ARC_PIECES,)),
+    ("points_of_the_chord", ARC_PIECE,
+     "const FT stretch = 1 - m_difference * excess * size_c / m_size;", "const FT stretch = 1 + 0 * excess;",
+     "points beside the arc are compared", (ARC_PIECES,)),
+    ("one_crossing_with_a_line", ARC_PIECE,
+     "    visit_direction({FT(k * w.x + root * w.y), FT(k * w.y - root * w.x)}, visit);\n", "",
+     "an arc that crosses a line of sight is compared on one side of it only", (ARC_PIECES,)),
+    ("arcs_that_are_no_bisectors", DIAGRAM_CHECK,
+     "excess = (std::max)(excess, arc.difference(x));", "excess = (std::max)(excess, 0 * arc.difference(x));",
+     "a chord is taken for a bisector", (DIAGRAM_CERTIFICATION,)),
+    ("stated_distances_are_not_read", SITE_WITNESS,
+     "values[v] = own_distance(CGAL::to_double(m_diagram.distance_to_nearest_site(u)));",
+     "values[v] = m_field.distance[v];",
+     "the certificate of distances looks at its own distances", (DIAGRAM_CERTIFICATION,)),
+    ("sites_that_tie_may_own", DIAGRAM_CHECK,
+     "owns_something[i] = 1;", "owns_something[i] = 0;",
+     "the second of two equal sites may have the cell", (DIAGRAM_CERTIFICATION,)),
+    ("sites_are_no_samples", DIAGRAM_SAMPLES,
+     "      if(m_diagram.site_curve(i) == nullptr && m_diagram.site(i).first != Graph_traits::null_face())\n        add_location(m_diagram.site(i));\n",
+     "      if(m_diagram.site_curve(i) != nullptr)\n        add_location(m_diagram.site(i));\n",
+     "a site whose cell has been overlooked is not looked at", (DIAGRAM_CERTIFICATION,)),
+    ("missing_arcs", DIAGRAM_CERTIFICATE,
+     "record(DIAGRAM_BOUNDARIES, n == 1 ? 0 : infinity(), no_site());", "record(DIAGRAM_BOUNDARIES, n < 0 ? 1 : 0, no_site());",
+     "an arc may be missing", (DIAGRAM_CERTIFICATION,)),
     ("diagram_violations_relative_to_the_mesh", DIAGRAM_CERTIFICATE,
      "{ return m_components.component(get(m_vertex_index_map, v)); }",
      "{ return 0 * m_components.component(get(m_vertex_index_map, v)); }",

@@ -26,7 +26,7 @@ using Tagged_diagram = CGAL::Surface_mesh_geodesic_Voronoi_diagram<Traits, Defau
 using Diagram = Tagged_diagram<CGAL::Sequential_tag>;
 
 constexpr std::size_t iterations = 10;
-constexpr std::size_t most_certified_sites = 100; // the certificate propagates from each site
+constexpr std::size_t most_certified_sites = 100; // the certificate takes seconds
 
 enum Call { DISTANCES, LABELS, DIAGRAM, TWO_THREADS, RELAXATION, CERTIFICATE, number_of_calls };
 

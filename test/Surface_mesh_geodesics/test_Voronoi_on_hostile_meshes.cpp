@@ -1,6 +1,8 @@
 // Diagrams of weighted and of equal sites on meshes with needles, caps, nearly equal points and vertices of all scales.
 // If sites tie or a face has no height up to rounding, the certificate may find a fault. The test prints the diagrams
-// with a fault, and fails if more than one in a thousand has one. Arguments: the number of meshes and the seed.
+// with a fault, and fails if more than one in a thousand has one. The proof of distances may fail in tiny intervals
+// where vertices almost coincide (test_certification_of_distances.cpp); the test fails if it does for more than one
+// diagram in a hundred, or by more than 2^-24. Arguments: the number of meshes and the seed.
 
 #include "Voronoi_test_helpers.h"
 #include "hostile_meshes.h"
@@ -26,14 +28,16 @@ using Condition = Certificate::Condition;
 // only up to the square root of rounding, and so is the sum of the areas.
 double tolerance_of(Condition condition)
 {
-  return condition == Condition::AREAS ? 0x1p-26 : Certificate::default_tolerance;
+  return condition == Condition::AREAS ? 0x1p-26
+       : condition == Condition::DISTANCES ? 0x1p-24 : Certificate::default_tolerance;
 }
 
-bool is_right(const Mesh& tm, const Weighted_sites& sites, const std::string& name)
+bool is_right(const Mesh& tm, const Weighted_sites& sites, const std::string& name, std::size_t& number_unproved)
 {
   Voronoi diagram(tm);
   add_sites(diagram, sites);
   const Certificate certificate = CGAL::Surface_mesh_geodesics::certify_geodesic_Voronoi_diagram(diagram);
+  number_unproved += certificate.worst_violation(Condition::DISTANCES) > Certificate::default_tolerance ? 1 : 0;
   bool is_right = true;
   for(std::size_t k = 0; k < Certificate::number_of_conditions; ++k)
   {
@@ -52,7 +56,7 @@ bool is_right(const Mesh& tm, const Weighted_sites& sites, const std::string& na
 // random numbers.
 struct Faults
 {
-  std::size_t number_of_diagrams = 0, number_with_faults = 0;
+  std::size_t number_of_diagrams = 0, number_with_faults = 0, number_unproved = 0;
 };
 
 template <typename IsAsked>
@@ -75,10 +79,12 @@ Faults check_diagrams(std::size_t number, std::uint64_t seed, IsAsked is_asked)
     {
       continue;
     }
-    faults.number_with_faults += is_right(tm, sites, mesh.name + ", number " + std::to_string(i)) ? 0 : 1;
+    const std::string name = mesh.name + ", number " + std::to_string(i);
+    faults.number_with_faults += is_right(tm, sites, name, faults.number_unproved) ? 0 : 1;
     ++faults.number_of_diagrams;
   }
-  std::cout << faults.number_of_diagrams << " diagrams, " << faults.number_with_faults << " with faults\n";
+  std::cout << faults.number_of_diagrams << " diagrams, " << faults.number_with_faults << " with faults, "
+            << faults.number_unproved << " without a proof\n";
   return faults;
 }
 
@@ -123,5 +129,6 @@ int main(int argc, char* argv[])
   const Faults faults = check_diagrams(number, seed, [](std::size_t) { return true; });
   CHECK(faults.number_of_diagrams > number / 2);
   CHECK(1000 * faults.number_with_faults <= faults.number_of_diagrams);
+  CHECK(100 * faults.number_unproved <= faults.number_of_diagrams);
   return test_result();
 }

@@ -112,14 +112,20 @@ void special_cases_are_certified(std::uint64_t seed)
   }
 }
 
-// An arc with changed points and distances.
+// An arc with changed answers.
 struct Moved_arc
 {
   Voronoi::Arc arc;
-  double shift_of_points, shift_of_distance;
+  double shift_of_points, shift_of_distance, factor_of_distance;
+  bool is_straight;
+  std::size_t other_site; // in place of the second one
 
-  std::pair<std::size_t, std::size_t> sites() const { return arc.sites(); }
-  double distance(double t) const { return arc.distance(t) + shift_of_distance; }
+  std::pair<std::size_t, std::size_t> sites() const
+  {
+    return {arc.sites().first, other_site != Voronoi::null_site() ? other_site : arc.sites().second};
+  }
+  bool is_segment() const { return is_straight || arc.is_segment(); }
+  double distance(double t) const { return arc.distance(t) * factor_of_distance + shift_of_distance; }
 
   Face_location point(double t) const
   {
@@ -132,6 +138,23 @@ struct Moved_arc
   }
 };
 
+// A vertex of the diagram with changed answers.
+struct Moved_vertex
+{
+  Voronoi::Vertex vertex;
+  double shift_of_distance, factor_of_distance;
+  std::size_t number_of_sites; // of those that it names
+
+  std::vector<std::size_t> sites() const
+  {
+    std::vector<std::size_t> result = vertex.sites();
+    result.resize((std::min)(result.size(), number_of_sites));
+    return result;
+  }
+  double distance() const { return vertex.distance() * factor_of_distance + shift_of_distance; }
+  Face_location location() const { return vertex.location(); }
+};
+
 // A diagram with wrong answers. An answer that concerns a single site is wrong for the site `culprit`.
 struct Wrong_diagram : Voronoi
 {
@@ -139,17 +162,45 @@ struct Wrong_diagram : Voronoi
 
   std::size_t culprit = 0;
   double shift_of_weight = 0., shift_of_points = 0., shift_of_distance = 0., factor_of_area = 1.;
+  double factor_of_distance = 1., shift_of_vertices = 0.; // of all distances, and of vertices of the diagram
+  std::size_t site_of_arcs = null_site(), missing_arc = null_site();
+  bool are_arcs_straight = false;
+  bool is_tie_lost = false; // site 1 gets the cell of site 0
   vertex_descriptor vertex_of_culprit = boost::graph_traits<Mesh>::null_vertex();
   std::function<void(std::vector<Boundary>&)> spoil_boundary;
+  // A site that the diagram has overlooked. It is the last one.
+  bool has_hidden_site = false;
+  Face_location hidden_site;
+  double hidden_weight = 0.;
 
-  double weight(std::size_t i) const { return Voronoi::weight(i) + (i == culprit ? shift_of_weight : 0.); }
-  double area(std::size_t i) const { return Voronoi::area(i) * (i == culprit ? factor_of_area : 1.); }
+  bool is_hidden(std::size_t i) const { return i == Voronoi::number_of_sites(); }
+  std::size_t number_of_sites() const { return Voronoi::number_of_sites() + (has_hidden_site ? 1 : 0); }
+  Face_location site(std::size_t i) const { return is_hidden(i) ? hidden_site : Voronoi::site(i); }
+  auto site_curve(std::size_t i) const { return is_hidden(i) ? nullptr : Voronoi::site_curve(i); }
+  double weight(std::size_t i) const
+  {
+    return is_hidden(i) ? hidden_weight : Voronoi::weight(i) + (i == culprit ? shift_of_weight : 0.);
+  }
+  double area(std::size_t i) const
+  {
+    return is_hidden(i) ? 0. : Voronoi::area(i) * (i == culprit ? factor_of_area : 1.);
+  }
 
   std::size_t nearest_site(vertex_descriptor v) const
   {
-    return v == vertex_of_culprit ? culprit : Voronoi::nearest_site(v);
+    return v == vertex_of_culprit ? culprit : after_tie(Voronoi::nearest_site(v));
   }
-  std::size_t nearest_site(const Face_location& l) const { return Voronoi::nearest_site(l); }
+  std::size_t nearest_site(const Face_location& l) const { return after_tie(Voronoi::nearest_site(l)); }
+  std::size_t after_tie(std::size_t i) const { return is_tie_lost && i == 0 ? 1 : i; }
+
+  double distance_to_nearest_site(vertex_descriptor v) const
+  {
+    return Voronoi::distance_to_nearest_site(v) * factor_of_distance;
+  }
+  double distance_to_nearest_site(const Face_location& l) const
+  {
+    return Voronoi::distance_to_nearest_site(l) * factor_of_distance;
+  }
 
   std::vector<Arc> arcs(face_descriptor f) const { return Voronoi::arcs(f); }
   std::vector<Moved_arc> arcs() const
@@ -158,13 +209,31 @@ struct Wrong_diagram : Voronoi
     for(const Arc& a : Voronoi::arcs())
     {
       const bool is_moved = a.sites().first == culprit || a.sites().second == culprit;
-      result.push_back({a, is_moved ? shift_of_points : 0., is_moved ? shift_of_distance : 0.});
+      if(a.index() != missing_arc)
+      {
+        result.push_back({a, is_moved ? shift_of_points : 0., is_moved ? shift_of_distance : 0., factor_of_distance,
+                          are_arcs_straight, is_moved ? site_of_arcs : null_site()});
+      }
+    }
+    return result;
+  }
+
+  std::vector<Moved_vertex> vertices() const
+  {
+    std::vector<Moved_vertex> result;
+    for(const Vertex& v : Voronoi::vertices())
+    {
+      result.push_back({v, shift_of_vertices, factor_of_distance, v.sites().size()});
     }
     return result;
   }
 
   std::vector<Boundary> boundary(std::size_t i) const
   {
+    if(is_hidden(i))
+    {
+      return {};
+    }
     std::vector<Boundary> result = Voronoi::boundary(i);
     if(i == culprit && spoil_boundary)
     {
@@ -174,17 +243,11 @@ struct Wrong_diagram : Voronoi
   }
 };
 
-Certificate certificate_of(const Wrong_diagram& diagram, const Mesh& tm)
+Certificate certificate_of(const Wrong_diagram& diagram)
 {
-  const auto length = [&](halfedge_descriptor h)
-  { return std::sqrt((tm.point(target(h, tm)) - tm.point(source(h, tm))).squared_length()); };
-  using Point_map = Mesh::Property_map<vertex_descriptor, Kernel::Point_3>;
-  using Separation = SMG::internal::Separation_in_space<Wrong_diagram, Point_map>;
-  const auto vertex_index_map = get(boost::vertex_index, tm);
-  SMG::internal::Diagram_certifier<Wrong_diagram, decltype(vertex_index_map), decltype(length), Separation>
-    certifier(diagram, vertex_index_map, length, Separation(diagram, tm.points()));
   return SMG::internal::Private_access::make<Certificate>(
-    certifier.run([&] { return std::make_unique<Geodesic_paths>(tm); }));
+    SMG::internal::certify_diagram_with_points<CGAL::Surface_mesh_geodesic_paths, Paths_traits, CGAL::Sequential_tag>(
+      diagram, CGAL::parameters::all_default()));
 }
 
 void check_violated(const Certificate& c, Condition condition, std::size_t culprit)
@@ -195,29 +258,80 @@ void check_violated(const Certificate& c, Condition condition, std::size_t culpr
   CHECK_EQUAL(c.worst_site(condition), culprit);
 }
 
-void wrong_distances_are_found(Wrong_diagram& diagram, const Mesh& tm)
+void wrong_distances_are_found(Wrong_diagram& diagram)
 {
   const std::size_t i = diagram.culprit;
   diagram.shift_of_weight = 1e-8;
-  check_violated(certificate_of(diagram, tm), Condition::ARCS, i);
-  check_violated(certificate_of(diagram, tm), Condition::OWNERS, i);
-  check_violated(certificate_of(diagram, tm), Condition::NEAREST, i);
+  check_violated(certificate_of(diagram), Condition::ARCS, i);
+  check_violated(certificate_of(diagram), Condition::OWNERS, i);
+  check_violated(certificate_of(diagram), Condition::NEAREST, i);
   diagram.shift_of_weight = 0.;
 
   diagram.shift_of_points = 1e-6;
-  CHECK(certificate_of(diagram, tm).worst_violation(Condition::ARCS) > Certificate::default_tolerance);
+  CHECK(certificate_of(diagram).worst_violation(Condition::ARCS) > Certificate::default_tolerance);
   diagram.shift_of_points = 0.;
   diagram.shift_of_distance = 1e-8;
-  CHECK(certificate_of(diagram, tm).worst_violation(Condition::ARCS) > Certificate::default_tolerance);
+  CHECK(certificate_of(diagram).worst_violation(Condition::ARCS) > Certificate::default_tolerance);
   diagram.shift_of_distance = 0.;
 }
 
-void wrong_areas_are_found(Wrong_diagram& diagram, const Mesh& tm)
+// All distances are shrunk or grown.
+void wrong_fields_are_found(Wrong_diagram& diagram)
+{
+  for(const double sign : {-1., 1.})
+  {
+    test_support::Scope scope(sign > 0 ? "grown" : "shrunk");
+    diagram.factor_of_distance = 1. + sign * 1e-9;
+    const Certificate c = certificate_of(diagram);
+    CHECK(c.worst_violation(Condition::DISTANCES) > Certificate::default_tolerance);
+    CHECK(c.worst_violation(Condition::ARCS) > Certificate::default_tolerance);
+  }
+  diagram.factor_of_distance = 1.;
+}
+
+void wrong_vertices_are_found(Wrong_diagram& diagram)
+{
+  for(const double shift : {-1e-9, 1e-9})
+  {
+    diagram.shift_of_vertices = shift;
+    CHECK(diagram.vertices().empty()
+          || certificate_of(diagram).worst_violation(Condition::VERTICES) > Certificate::default_tolerance);
+  }
+  diagram.shift_of_vertices = 0.;
+}
+
+void wrong_arcs_are_found(Wrong_diagram& diagram)
+{
+  diagram.missing_arc = diagram.boundary(diagram.culprit).front().edges.front().first.arcs().front().first.index();
+  CHECK(certificate_of(diagram).worst_violation(Condition::BOUNDARIES) == infinity);
+  diagram.missing_arc = Voronoi::null_site();
+
+  // An arc of the culprit names a site that has no arc with it.
+  std::vector<bool> is_neighbor(diagram.number_of_sites(), false);
+  for(const auto& arc : diagram.Voronoi::arcs())
+  {
+    const auto sites = arc.sites();
+    if(sites.first == diagram.culprit || sites.second == diagram.culprit)
+    {
+      is_neighbor[sites.first] = is_neighbor[sites.second] = true;
+    }
+  }
+  const auto other = std::find(is_neighbor.begin(), is_neighbor.end(), false);
+  if(other == is_neighbor.end())
+  {
+    return;
+  }
+  diagram.site_of_arcs = static_cast<std::size_t>(other - is_neighbor.begin());
+  CHECK(certificate_of(diagram).worst_violation(Condition::ARCS) > 1e-6);
+  diagram.site_of_arcs = Voronoi::null_site();
+}
+
+void wrong_areas_are_found(Wrong_diagram& diagram)
 {
   diagram.factor_of_area = 1. + 1e-6;
-  CHECK(certificate_of(diagram, tm).worst_violation(Condition::AREAS) > Certificate::default_tolerance);
+  CHECK(certificate_of(diagram).worst_violation(Condition::AREAS) > Certificate::default_tolerance);
   diagram.factor_of_area = -1.;
-  CHECK(certificate_of(diagram, tm).worst_violation(Condition::AREAS) > Certificate::default_tolerance);
+  CHECK(certificate_of(diagram).worst_violation(Condition::AREAS) > Certificate::default_tolerance);
   diagram.factor_of_area = 1.;
 }
 
@@ -227,11 +341,11 @@ void wrong_owners_are_found(Wrong_diagram& diagram, const Mesh& tm)
   const auto range = vertices(tm);
   diagram.vertex_of_culprit = *std::find_if(range.begin(), range.end(), [&](vertex_descriptor v)
   { return static_cast<const Voronoi&>(diagram).nearest_site(v) != i; });
-  check_violated(certificate_of(diagram, tm), Condition::OWNERS, i);
+  check_violated(certificate_of(diagram), Condition::OWNERS, i);
   diagram.vertex_of_culprit = boost::graph_traits<Mesh>::null_vertex();
 }
 
-void wrong_boundaries_are_found(Wrong_diagram& diagram, const Mesh& tm)
+void wrong_boundaries_are_found(Wrong_diagram& diagram)
 {
   using Boundaries = std::vector<Voronoi::Boundary>;
   const std::vector<std::function<void(Boundaries&)>> spoils
@@ -244,7 +358,7 @@ void wrong_boundaries_are_found(Wrong_diagram& diagram, const Mesh& tm)
   {
     test_support::Scope spoil_scope("boundary " + std::to_string(k));
     diagram.spoil_boundary = spoils[k];
-    CHECK(certificate_of(diagram, tm).worst_violation(Condition::BOUNDARIES) > 1e-3);
+    CHECK(certificate_of(diagram).worst_violation(Condition::BOUNDARIES) > 1e-3);
   }
   diagram.spoil_boundary = nullptr;
 }
@@ -256,7 +370,8 @@ void each_fault_is_found(const Indexed_mesh& indexed, std::uint64_t seed)
   const Mesh tm = to_face_graph(indexed);
   Wrong_diagram diagram(tm);
   add_sites(diagram, random_sites(tm, 6, .1, random));
-  check_certified(certificate_of(diagram, tm));
+  check_certified(certificate_of(diagram));
+  wrong_fields_are_found(diagram);
   for(std::size_t i = 0; i < 6; ++i)
   {
     test_support::Scope site_scope("site " + std::to_string(i));
@@ -265,12 +380,74 @@ void each_fault_is_found(const Indexed_mesh& indexed, std::uint64_t seed)
     {
       continue;
     }
-    wrong_distances_are_found(diagram, tm);
-    wrong_areas_are_found(diagram, tm);
+    wrong_distances_are_found(diagram);
+    wrong_vertices_are_found(diagram);
+    wrong_arcs_are_found(diagram);
+    wrong_areas_are_found(diagram);
     wrong_owners_are_found(diagram, tm);
-    wrong_boundaries_are_found(diagram, tm);
+    wrong_boundaries_are_found(diagram);
   }
-  check_certified(certificate_of(diagram, tm));
+  check_certified(certificate_of(diagram));
+}
+
+// A site with a tiny cell between two samples of an arc, which the diagram has overlooked. No sample of an arc shows
+// it.
+void hidden_sites_are_found(const Indexed_mesh& indexed, std::uint64_t seed)
+{
+  test_support::Scope scope("hidden sites");
+  test_support::Random random(seed);
+  const Mesh tm = to_face_graph(indexed);
+  Wrong_diagram diagram(tm);
+  add_sites(diagram, random_sites(tm, 4, 0., random));
+  std::size_t number = 0;
+  const auto arcs = diagram.Voronoi::arcs();
+  for(std::size_t a = 0; a < arcs.size(); a += 1 + arcs.size() / 12)
+  {
+    if(arcs[a].length() < 0.01)
+    {
+      continue;
+    }
+    diagram.has_hidden_site = true;
+    diagram.hidden_site = arcs[a].point(0.25);
+    diagram.hidden_weight = -arcs[a].distance(0.25) + 1e-3 * arcs[a].length();
+    const Certificate c = certificate_of(diagram);
+    CHECK(c.worst_violation(Condition::CURVES) > 1e-6);
+    CHECK(c.worst_violation(Condition::NEAREST) > 1e-6); // the site itself is a sample
+    number += c.worst_violation(Condition::ARCS) <= Certificate::default_tolerance ? 1 : 0;
+    diagram.has_hidden_site = false;
+  }
+  CHECK(number >= 5);
+}
+
+// Arcs that are called straight, and are not.
+void straight_arcs_are_found(const Indexed_mesh& indexed, std::uint64_t seed)
+{
+  test_support::Scope scope("straight arcs");
+  test_support::Random random(seed);
+  const Mesh tm = to_face_graph(indexed);
+  Wrong_diagram diagram(tm);
+  add_sites(diagram, random_sites(tm, 5, .3, random));
+  check_certified(certificate_of(diagram));
+  diagram.are_arcs_straight = true;
+  CHECK(certificate_of(diagram).worst_violation(Condition::CURVES) > 1e-6);
+}
+
+// Of two sites at one point, the first one has the cell.
+void lost_ties_are_found(const Indexed_mesh& indexed)
+{
+  test_support::Scope scope("ties");
+  const Mesh tm = to_face_graph(indexed);
+  Wrong_diagram diagram(tm);
+  for(const std::size_t v : {0u, 0u, 5u})
+  {
+    diagram.add_site(vertex(v));
+  }
+  check_certified(certificate_of(diagram));
+  diagram.is_tie_lost = true;
+  const Certificate c = certificate_of(diagram);
+  CHECK(c.worst_violation(Condition::OWNERS) == infinity);
+  CHECK_EQUAL(c.worst_site(Condition::OWNERS), 1u);
+  CHECK(c.worst_violation(Condition::DISTANCES) <= Certificate::default_tolerance);
 }
 
 } // namespace
@@ -285,5 +462,9 @@ int main()
   each_fault_is_found(torus(2., 1., 12, 8), seed + 2);
   // A fault in a component that is much smaller than the other one.
   each_fault_is_found(side_by_side(icosphere(2), scaled(regular_tetrahedron(), 1e9), "small and large"), seed + 3);
+  hidden_sites_are_found(icosphere(2), seed + 4);
+  hidden_sites_are_found(saddle_patch(10), seed + 5);
+  straight_arcs_are_found(torus(2., 1., 12, 8), seed + 6);
+  lost_ties_are_found(icosphere(2));
   return test_result();
 }

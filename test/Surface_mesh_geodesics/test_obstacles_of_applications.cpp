@@ -182,8 +182,9 @@ void certificates_of_diagrams()
       continue;
     diagram.one_more = *plain;
     ++number;
-    const auto violations = SMG::internal::certify_diagram_with_points<CGAL::Surface_mesh_geodesic_paths, Traits>(
-      diagram, np::default_values());
+    const auto violations
+      = SMG::internal::certify_diagram_with_points<CGAL::Surface_mesh_geodesic_paths, Traits, CGAL::Sequential_tag>(
+        diagram, np::default_values());
     CHECK(violations[SMG::internal::DIAGRAM_AREAS].size > 1e-9);
   }
   CHECK(number > 3);

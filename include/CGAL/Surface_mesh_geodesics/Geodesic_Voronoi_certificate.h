@@ -51,9 +51,11 @@ public:
     ARCS,       ///< Points of an arc have the stated distance from both of its sites.
     VERTICES,   ///< Vertices of the diagram have the stated distance from all of their sites.
     OWNERS,     ///< Vertices of the mesh and points of faces have the stated distance from their nearest site.
-    NEAREST,    ///< No other site is nearer to any of these points.
+    NEAREST,    ///< No other site is nearer to any of these points, or to the location of a site.
     BOUNDARIES, ///< Boundaries of cells are closed or end at the border of the mesh, and each edge has two sides.
-    AREAS       ///< Areas of cells are not negative, and add up to that of the faces that a site reaches.
+    AREAS,      ///< Areas of cells are not negative, and add up to that of the faces that a site reaches.
+    DISTANCES,  ///< `certify_geodesic_distances()` accepts the distances of the vertices of the mesh.
+    CURVES      ///< Between the points of an arc, both sites are equally far as well, and no other site is nearer.
   };
 
   /// the number of conditions; their values are `0` to `number_of_conditions - 1`.
@@ -103,7 +105,7 @@ public:
   static const char* name(Condition c)
   {
     constexpr const char* names[number_of_conditions]
-      = {"ARCS", "VERTICES", "OWNERS", "NEAREST", "BOUNDARIES", "AREAS"};
+      = {"ARCS", "VERTICES", "OWNERS", "NEAREST", "BOUNDARIES", "AREAS", "DISTANCES", "CURVES"};
     return names[static_cast<std::size_t>(c)];
   }
 

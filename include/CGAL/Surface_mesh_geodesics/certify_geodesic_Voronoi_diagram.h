@@ -30,27 +30,39 @@ namespace Surface_mesh_geodesics {
 
 checks a geodesic Voronoi diagram.
 
-The function computes the distances from each site with `Surface_mesh_geodesic_paths`, one site at a time, and compares
-them with what the diagram states:
+The function reads the mesh once more, propagates from all sites at once, and proves the result as
+`certify_geodesic_distances()` does. It uses nothing of the diagram but its answers, and compares them with paths, and
+with the lower bound that is proved:
 
-- Points of an arc and vertices of the diagram have the stated distance from their sites.
-- No other site is nearer to any of them.
-- Each vertex of the mesh has the stated nearest site and distance, and so have points of all faces: one point in each
-  face, and eight in a face that arcs cross.
+- The vertices of the mesh have the distances that the proof allows, no smaller and no greater ones.
+- Points of an arc and vertices of the diagram have the stated distance from their sites: a path from each site is as
+  long.
+- No other site is nearer to any of them: the lower bound is not less.
+- The same holds between the points of an arc: both sites have an image that all points of the piece of a hyperbola or
+  line between two points see, and the lower bound is not less anywhere on it.
+- Each vertex of the mesh has the stated nearest site and distance, and so have the sites, and points of all faces: one
+  point in each face, and eight in a face that arcs cross.
+- Of several sites at one point, the one with the largest weight has the cell, and of equal ones the one with the lowest
+  index. The same holds for sites that are equal up to rounding (see `Surface_mesh_geodesic_Voronoi_diagram`).
 - The edges around a cell meet end to end, have the cell on their left, and are closed or end at the border of the mesh;
-  each edge has one cell on each side.
+  each edge has one cell on each side, and each arc is in one edge.
 - Areas are not negative, and add up to the area of the components that have a site. Where the area of a component is
   no normal number of type `double` (edges shorter than about 1e-154 or longer than 1e154), its last digits or all of
   them are unknown, and count for nothing.
 
 Faces that the diagram avoids (`avoid_faces()`) count as if the mesh did not have them.
 
-Distances are checked at these points, not between them; see \ref Surface_mesh_geodesics_certification for what this
-proves.
+\ref Surface_mesh_geodesics_certification says what this proves.
 
-<b>Complexity.</b> The time is that of a propagation that keeps its windows for each site, and of a query for each pair
-of a site and a point; the memory is that of one propagation, in addition to the diagram. The diagram is computed first
-if that is not done yet.
+If there are curves among the sites, nothing is proved: samples are compared with distances that are computed from one
+site at a time, and `DISTANCES` and `CURVES` are not checked (their numbers of checks are 0). The time is then that of a
+propagation for each site.
+
+<b>Complexity.</b> Time and memory are those of `certify_geodesic_distances()` with all sites as sources and without
+computations in reverse, and time linear in the number of points and arcs, times that of the windows of a face. They do
+not grow with the number of sites otherwise. For a site that ties with others, paths may be missing in the propagation
+from all sites; then one propagation from this site alone is added. With `Parallel_tag` as `ConcurrencyTag` of the
+diagram, threads share the proof. The diagram is computed first if that is not done yet.
 
 <b>Thread safety.</b> Several threads may call the function at once, on the same diagram as well; see
 `geodesic_distances()`.
@@ -102,7 +114,7 @@ Geodesic_Voronoi_certificate certify_geodesic_Voronoi_diagram(
 {
   internal::check_parameters<internal::Mesh_parameters>(diagram.triangle_mesh(), np);
   return internal::Private_access::make<Geodesic_Voronoi_certificate>(
-    internal::certify_diagram_with_points<Surface_mesh_geodesic_paths, Traits>(diagram, np));
+    internal::certify_diagram_with_points<Surface_mesh_geodesic_paths, Traits, ConcurrencyTag>(diagram, np));
 }
 
 /*!
@@ -131,7 +143,8 @@ Geodesic_Voronoi_certificate certify_geodesic_Voronoi_diagram_from_edge_lengths(
 {
   internal::check_parameters<internal::Mesh_parameters>(diagram.triangle_mesh(), np);
   return internal::Private_access::make<Geodesic_Voronoi_certificate>(
-    internal::certify_diagram_with_edge_lengths<Surface_mesh_geodesic_paths, Traits>(diagram, edge_length_map, np));
+    internal::certify_diagram_with_edge_lengths<Surface_mesh_geodesic_paths, Traits, ConcurrencyTag>(
+      diagram, edge_length_map, np));
 }
 
 } // namespace Surface_mesh_geodesics

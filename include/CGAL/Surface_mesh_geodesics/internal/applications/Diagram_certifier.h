@@ -10,17 +10,18 @@
 #ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_DIAGRAM_CERTIFIER_H
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_DIAGRAM_CERTIFIER_H
 
-// Checks a geodesic Voronoi diagram by the answers of its public members, against distances from one site at a time
-// that are computed apart. What is checked is documented at certify_geodesic_Voronoi_diagram(). `Diagram` is a type
-// with the members of Surface_mesh_geodesic_Voronoi_diagram; tests pass one with wrong answers.
+// Checks a geodesic Voronoi diagram by the answers of its public members, against paths and bounds that are computed
+// apart. What is checked is documented at certify_geodesic_Voronoi_diagram(). `Diagram` is a type with the members of
+// Surface_mesh_geodesic_Voronoi_diagram; tests pass one with wrong answers.
 //
 // Faces that the diagram avoids do not exist here: they have no samples and no area, and their rim is a border.
 //
 // The steps of run():
 // 1. find_components() measures the extents that violations are relative to.
-// 2. check_distances() compares samples (Diagram_samples.h) with the distances from each site.
-// 3. check_boundaries() follows the boundary of each cell.
-// 4. check_areas() adds up the areas of the cells of each component.
+// 2. The witness proves the distances of the vertices, and a lower bound everywhere (Site_witness.h).
+// 3. Diagram_distance_check compares samples and arcs with the witness.
+// 4. check_boundaries() follows the boundary of each cell.
+// 5. check_areas() adds up the areas of the cells of each component.
 // The public functions call certify_diagram_with_points() or certify_diagram_with_edge_lengths(), at the end.
 //
 // Violations are relative. Distances are compared with the distance plus the longest edge of the component, positions
@@ -29,10 +30,14 @@
 // lengths underflow or overflow in the unit of the mesh.
 
 #include <CGAL/Surface_mesh_geodesics/internal/applications/Diagram_conditions.h>
-#include <CGAL/Surface_mesh_geodesics/internal/applications/Diagram_samples.h>
+#include <CGAL/Surface_mesh_geodesics/internal/applications/Diagram_distance_check.h>
 #include <CGAL/Surface_mesh_geodesics/internal/applications/Location_separation.h>
+#include <CGAL/Surface_mesh_geodesics/internal/applications/Site_witness.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/Face_shapes.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/distance_in_space.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/planar_geometry.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/Available_tag.h>
+#include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Propagation_for_tag.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Component_extents.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -49,6 +54,7 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -82,26 +88,57 @@ public:
       m_separation(separation)
   {}
 
-  // Checks all conditions. `make_paths()` returns a pointer to a new object of shortest paths without source points.
-  // Takes the time of a propagation that keeps its windows for each site, and of a query for each site and sample. The
-  // paths have to use the lengths of the diagram. A diagram without sites has nothing to check. The call may be
-  // repeated, with the same result.
-  template <typename MakePaths>
-  Diagram_violations run(MakePaths make_paths)
+  // Checks all conditions. `make_witness()` returns a pointer to a new witness, `make_paths()` one to a new object of
+  // shortest paths without source points; both use the lengths of the diagram. The loops of the proof are those of
+  // `chunks` (Chunk_team.h). The comparisons run in the calling thread. A witness knows points as sites only: with a
+  // curve among the sites, samples are compared with distances from each site, and nothing is proved. A diagram without
+  // sites has nothing to check. The call may be repeated, with the same result.
+  template <typename MakeWitness, typename MakePaths, typename Chunks>
+  Diagram_violations run(MakeWitness make_witness, MakePaths make_paths, const Chunks& chunks)
   {
     m_violations = Diagram_violations();
     find_components();
     if(m_diagram.number_of_sites() == 0)
       return m_violations;
-    check_distances(make_paths);
+    if(has_curves())
+      check_distances(make_paths);
+    else
+    {
+      const auto witness = make_witness();
+      using Witness = typename std::decay_t<decltype(witness)>::element_type;
+      witness->prove(chunks, m_violations[DIAGRAM_DISTANCES]);
+      Diagram_distance_check<Diagram, Witness, Diagram_certifier>(m_diagram, *witness, *this, m_violations).run();
+    }
     check_boundaries();
     check_areas();
     return m_violations;
   }
 
+  // --- extents, for Diagram_distance_check ---
+
+  double extent_around(vertex_descriptor v) const { return m_components.extent(component_of(v)); }
+  double extent_around(face_descriptor f) const { return extent_around(corner(f)); }
+
+  // Returns the distance of two locations, relative to the longest edge of the component of the first one. Both are
+  // points of one component.
+  double gap(const Face_location& a, const Face_location& b) const
+  {
+    return relative(m_separation(a, b), extent_around(a.first));
+  }
+
 private:
   static constexpr std::size_t no_site() { return Diagram_violation::no_site(); }
   static double infinity() { return std::numeric_limits<double>::infinity(); }
+
+  // A curve has strips of rays, not images: neither the lower bound nor the bisectors of the witness know them. So
+  // diagrams with curves go without a proof.
+  bool has_curves() const
+  {
+    for(std::size_t i = 0; i < m_diagram.number_of_sites(); ++i)
+      if(m_diagram.site_curve(i) != nullptr)
+        return true;
+    return false;
+  }
 
   // Counts a check of a condition for a site; a violation that is not positive does not count.
   void record(Diagram_condition condition, double violation, std::size_t site)
@@ -149,14 +186,11 @@ private:
   std::size_t component_of(vertex_descriptor v) const { return m_components.component(get(m_vertex_index_map, v)); }
   std::size_t component_of(face_descriptor f) const { return component_of(corner(f)); }
 
-  double extent_around(vertex_descriptor v) const { return m_components.extent(component_of(v)); }
-  double extent_around(face_descriptor f) const { return extent_around(corner(f)); }
-
   // Returns `excess / scale`, but 0 for no excess on a component all of whose edges have length 0. Any positive excess
   // is infinite there.
   static double relative(double excess, double scale) { return excess == 0 ? 0. : excess / scale; }
 
-  // --- distances ---
+  // --- distances from one site at a time, where there are curves among the sites ---
 
   // Compares all samples with the distances from each site. One site after the other, as the windows of a propagation
   // take far more memory than the samples. Takes the time of a propagation for each site.
@@ -228,10 +262,19 @@ private:
   // How often boundaries run through an edge forward and backward.
   using Uses = std::array<int, 2>;
 
-  // Arcs of an edge meet, edges of a boundary meet, and each edge is run through once in each direction. The counts of
-  // uses find an edge that is missing in a boundary, or is in one twice, whatever its place is.
+  // Arcs of an edge meet, edges of a boundary meet, each edge is run through once in each direction, and each arc is in
+  // one edge. The counts of uses find an edge that is missing in a boundary, or is in one twice, whatever its place is.
   void check_boundaries()
   {
+    std::vector<int> uses_of_arc(m_diagram.arcs().size(), 0);
+    for(const auto& e : m_diagram.edges())
+      for(const auto& a : e.arcs())
+        if(a.first.index() < uses_of_arc.size())
+          ++uses_of_arc[a.first.index()];
+        else
+          record(DIAGRAM_BOUNDARIES, infinity(), e.sites().first);
+    for(const int n : uses_of_arc)
+      record(DIAGRAM_BOUNDARIES, n == 1 ? 0 : infinity(), no_site());
     for(const auto& e : m_diagram.edges())
       for(std::size_t k = 1; k < e.arcs().size(); ++k)
         record(DIAGRAM_BOUNDARIES, gap(end_of(e.arcs()[k - 1]), start_of(e.arcs()[k])), e.sites().first);
@@ -281,12 +324,6 @@ private:
   static Face_location end_of(const Directed_edge& e)
   {
     return e.second ? end_of(reversed(e.first.arcs().front())) : end_of(e.first.arcs().back());
-  }
-
-  // Returns the distance of two locations, relative to the longest edge.
-  double gap(const Face_location& a, const Face_location& b) const
-  {
-    return relative(m_separation(a, b), extent_around(a.first));
   }
 
   // Returns the distance of a location from the border of the mesh, relative to the longest edge.
@@ -371,16 +408,18 @@ private:
   Diagram_violations m_violations;
 };
 
+// `shape` tells where the lengths of edges come from (Face_shapes.h), and threads of `ConcurrencyTag` share the proof.
+//
 // Certifies a diagram with paths of the type Paths<Traits, ...>, which is Surface_mesh_geodesic_paths with the maps
 // among the named parameters. `prepare(paths)` is called for each new object of paths, before sources are added.
 //
 // Paths is a parameter because this room does not include the public class. Traits and maps have to be those of the
 // diagram. An object of paths can neither be copied nor moved, hence the pointers. Throws Invalid_geodesic_input if the
 // mesh or a site is invalid.
-template <template <typename...> class Paths, typename Traits, typename Diagram, typename Length, typename Separation,
-          typename Prepare, typename NamedParameters>
-Diagram_violations certify_diagram(const Diagram& diagram, Length length, Separation separation, Prepare prepare,
-                                   const NamedParameters& np)
+template <template <typename...> class Paths, typename Traits, typename ConcurrencyTag, typename Diagram,
+          typename Length, typename Separation, typename Shape, typename Prepare, typename NamedParameters>
+Diagram_violations certify_diagram(const Diagram& diagram, Length length, Separation separation, Shape shape,
+                                   Prepare prepare, const NamedParameters& np)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -403,12 +442,15 @@ Diagram_violations certify_diagram(const Diagram& diagram, Length length, Separa
     prepare(*paths);
     return paths;
   };
+  using Witness = Site_witness<Diagram, decltype(vim), decltype(fim)>;
+  const auto make_witness = [&] { return std::make_unique<Witness>(diagram, vim, fim, shape); };
   return Diagram_certifier<Diagram, decltype(vim), Length, Separation>(diagram, vim, length, separation)
-    .run(make_paths);
+    .run(make_witness, make_paths, typename Chunks_for_tag<typename Available_tag<ConcurrencyTag>::type>::type());
 }
 
 // Certifies a diagram of a mesh with points.
-template <template <typename...> class Paths, typename Traits, typename Diagram, typename NamedParameters>
+template <template <typename...> class Paths, typename Traits, typename ConcurrencyTag, typename Diagram,
+          typename NamedParameters>
 Diagram_violations certify_diagram_with_points(const Diagram& diagram, const NamedParameters& np)
 {
   using parameters::choose_parameter;
@@ -421,12 +463,14 @@ Diagram_violations certify_diagram_with_points(const Diagram& diagram, const Nam
   const auto length = [&](halfedge_descriptor h)
   { return distance_in_space<Point>(get(vpm, source(h, tm)), get(vpm, target(h, tm))); };
   const Separation_in_space<Diagram, decltype(vpm)> separation(diagram, vpm);
-  return certify_diagram<Paths, Traits>(diagram, length, separation, [](auto&) {}, np);
+  return certify_diagram<Paths, Traits, ConcurrencyTag>(
+    diagram, length, separation,
+    Shape_from_points<double, typename Diagram::Triangle_mesh, decltype(vpm)>(tm, vpm), [](auto&) {}, np);
 }
 
 // Certifies a diagram of a surface that is given by the lengths of its edges.
-template <template <typename...> class Paths, typename Traits, typename Diagram, typename EdgeLengthMap,
-          typename NamedParameters>
+template <template <typename...> class Paths, typename Traits, typename ConcurrencyTag, typename Diagram,
+          typename EdgeLengthMap, typename NamedParameters>
 Diagram_violations certify_diagram_with_edge_lengths(const Diagram& diagram, EdgeLengthMap edge_length_map,
                                                      const NamedParameters& np)
 {
@@ -434,8 +478,10 @@ Diagram_violations certify_diagram_with_edge_lengths(const Diagram& diagram, Edg
   const auto& tm = diagram.triangle_mesh();
   const auto length = [&](halfedge_descriptor h) { return CGAL::to_double(get(edge_length_map, edge(h, tm))); };
   const Separation_by_coordinates<Diagram, decltype(length)> separation(diagram, length);
-  return certify_diagram<Paths, Traits>(
-    diagram, length, separation, [&](auto& paths) { paths.use_edge_lengths(edge_length_map); }, np);
+  return certify_diagram<Paths, Traits, ConcurrencyTag>(
+    diagram, length, separation,
+    Shape_from_edge_lengths<double, typename Diagram::Triangle_mesh, EdgeLengthMap>(tm, edge_length_map),
+      [&](auto& paths) { paths.use_edge_lengths(edge_length_map); }, np);
 }
 
 } // namespace internal

@@ -11,9 +11,9 @@
 #define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_DIAGRAM_SAMPLES_H
 
 // The points of the surface at which the certifier compares a geodesic Voronoi diagram with distances from each site,
-// and what the diagram says of them: points of arcs, vertices of the diagram, vertices of the mesh, and points of all
-// faces. `Diagram` is a type with the members of Surface_mesh_geodesic_Voronoi_diagram; tests pass one with wrong
-// answers.
+// and what the diagram says of them: points of arcs, vertices of the diagram, vertices of the mesh, points of all
+// faces, and the sites. `Diagram` is a type with the members of Surface_mesh_geodesic_Voronoi_diagram; tests pass one
+// with wrong answers.
 
 #include <CGAL/Surface_mesh_geodesics/internal/applications/Diagram_conditions.h>
 
@@ -36,9 +36,9 @@ namespace internal {
 // The constructor asks the diagram all questions; then the samples are plain values. They are the same in each run, so
 // a certificate can be repeated.
 //
-// There are seven samples for each arc, one for each vertex of the diagram and of the mesh, and one or eight for each
-// face, in this order. Points of faces that are not vertices make the diagram propagate a second time, to keep its
-// windows.
+// There are seven samples for each arc, one for each vertex of the diagram and of the mesh, one or eight for each face,
+// and one for each site, in this order. Points of faces that are not vertices make the diagram propagate a second time,
+// to keep its windows.
 //
 // The diagram is referred to, in the constructor only.
 template <typename Diagram>
@@ -77,6 +77,9 @@ public:
     for(const face_descriptor f : faces(m_tm))
       if(!m_diagram.avoids_face(f))
         add_points_of_face(f);
+    for(std::size_t i = 0; i < m_diagram.number_of_sites(); ++i)
+      if(m_diagram.site_curve(i) == nullptr && m_diagram.site(i).first != Graph_traits::null_face())
+        add_location(m_diagram.site(i));
   }
 
   const std::vector<Sample>& samples() const { return m_samples; }
@@ -111,9 +114,14 @@ private:
     {
       const std::array<double, 2> p = next_point_of_triangle();
       const Face_location l(f, typename Diagram::Barycentric_coordinates{1 - p[0] - p[1], p[0], p[1]});
-      const double d = CGAL::to_double(m_diagram.distance_to_nearest_site(l));
-      add(l, {m_diagram.nearest_site(l)}, d, DIAGRAM_OWNERS);
+      add_location(l);
     }
+  }
+
+  // Adds a location, with the one site that the diagram names for it.
+  void add_location(const Face_location& l)
+  {
+    add(l, {m_diagram.nearest_site(l)}, CGAL::to_double(m_diagram.distance_to_nearest_site(l)), DIAGRAM_OWNERS);
   }
 
   // The next one of a sequence of points that fill the unit square evenly, folded to the triangle x + y <= 1. The steps

@@ -227,6 +227,13 @@ private:
       return;
     using std::abs;
     const Piece limit = {first, last, side.along(image), FT(abs(side.across(image))), offset};
+    // Each of both changes by at most the length of the way: one look at the middle decides most cases.
+    const FT middle = first + (last - first) / 2, at_middle = p.at(middle);
+    if(limit.at(middle) - at_middle > (last - first) + Tolerance<FT>::gap() * at_middle)
+    {
+      m_worst.number_of_checks += 1;
+      return;
+    }
     const std::array<FT, 2> turns = turning_points(p.x, p.depth, limit.x, limit.depth);
     for(const FT& t : {first, last, turns[0], turns[1]})
       if(t >= first && t <= last)
@@ -243,16 +250,15 @@ private:
   Worst_violation<FT> m_worst;
 };
 
-// Returns the worst violation on all faces, for the function that the windows propose (the constructors above say what
-// is given). The loops over the faces are those of `chunks` (Chunk_team.h). Before each face, and each step towards it,
-// go_on() is called; the check is interrupted if it returns false. The result does not depend on the number of threads.
+// Makes a function, and returns the worst violation on all faces. The loops over the faces are those of `chunks`
+// (Chunk_team.h). Before each face, and each step towards it, go_on() is called; the check is interrupted if it returns
+// false. The result does not depend on the number of threads. If nothing is violated, the function is a lower bound of
+// the distance on all edges.
 template <typename FT, typename Chunks, typename GoOn>
-Worst_violation<FT> prove_lower_bounds(const Chunks& chunks, const Intrinsic_mesh<FT>& mesh,
-                                       const std::vector<FT>& distance, const std::vector<FT>& extents,
-                                       const Edge_window_field<FT>& windows, GoOn go_on)
+Worst_violation<FT> prove_lower_bounds(const Chunks& chunks, Lower_bound_function<FT>& function,
+                                       const std::vector<FT>& extents, GoOn go_on)
 {
-  Lower_bound_function<FT> function(mesh, distance, windows);
-  const std::size_t n = mesh.number_of_faces();
+  const std::size_t n = function.mesh().number_of_faces();
   std::vector<Worst_violation<FT>> of_chunks(chunks.number_of_chunks(n));
   bool is_complete = function.make(chunks, go_on);
   if(is_complete)
@@ -264,6 +270,16 @@ Worst_violation<FT> prove_lower_bounds(const Chunks& chunks, const Intrinsic_mes
       of_chunks[c] = check.worst();
     });
   return merged(of_chunks, is_complete);
+}
+
+// The same for the function that the windows propose (the constructors above say what is given).
+template <typename FT, typename Chunks, typename GoOn>
+Worst_violation<FT> prove_lower_bounds(const Chunks& chunks, const Intrinsic_mesh<FT>& mesh,
+                                       const std::vector<FT>& distance, const std::vector<FT>& extents,
+                                       const Edge_window_field<FT>& windows, GoOn go_on)
+{
+  Lower_bound_function<FT> function(mesh, distance, windows);
+  return prove_lower_bounds(chunks, function, extents, go_on);
 }
 
 } // namespace internal

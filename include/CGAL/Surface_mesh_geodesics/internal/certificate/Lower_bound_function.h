@@ -91,9 +91,7 @@ public:
   // granted.
   Lower_bound_function(const Mesh& mesh, const std::vector<FT>& distance, const Edge_window_field<FT>& windows)
     : m_mesh(mesh), m_distance(distance), m_windows(windows)
-  {
-    CGAL_assertion(distance.size() == mesh.number_of_vertices());
-  }
+  {}
 
   const Mesh& mesh() const { return m_mesh; }
   const std::vector<FT>& values() const { return m_distance; }
@@ -104,6 +102,7 @@ public:
   template <typename Chunks, typename GoOn>
   bool make(const Chunks& chunks, GoOn go_on)
   {
+    CGAL_assertion(m_distance.size() == m_mesh.number_of_vertices());
     const std::size_t n = m_mesh.number_of_faces();
     m_begin.assign(3 * n, 0);
     m_size.assign(3 * n, 0);

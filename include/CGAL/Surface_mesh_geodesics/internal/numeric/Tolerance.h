@@ -216,6 +216,10 @@ struct Tolerance
   // Relative to a distance: two images of one site tie, each of which has the error of images.
   static FT tie() { return 64 * distance(); }
 
+  // Relative to a distance: paths to a piece of an arc that are longer by less do not become shorter if it is divided.
+  // A multiple of tie(), as the images behind faces between sites that almost coincide are off by more than others.
+  static FT excess_of_pieces() { return 16 * tie(); }
+
   // Relative to the extent of a component: two sources that are so near to each other tie everywhere in it.
   static FT equal_sources() { return tie(); }
 
