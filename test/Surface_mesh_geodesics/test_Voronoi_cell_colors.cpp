@@ -5,7 +5,7 @@
 
 #include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_Voronoi_diagram.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_Voronoi_cell_colors.h>
-#include <CGAL/Surface_mesh_geodesics/internal/applications/Cell_coloring.h>
+#include <CGAL/Surface_mesh_geodesics/internal/applications/drawing/Cell_coloring.h>
 
 #include <algorithm>
 #include <cstddef>

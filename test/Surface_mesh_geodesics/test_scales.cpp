@@ -264,12 +264,12 @@ double longest_edge(const Mesh& tm)
 using Certificate = SMG::Geodesic_Voronoi_certificate;
 
 // Two conditions know rounding of this size, relative to the longest edge; `shift` is m, in the unit.
-// - Boundaries of cells are compared as points in space, whose coordinates are rounded: each is a sum of three products,
-//   and errs by less than 4 u M. Two points differ by 8 m.
+// - Boundaries of cells are compared as points in space, whose coordinates are rounded: each is a sum of three
+//   products, and errs by less than 4 u M. Two points differ by 8 m.
 // - Where the surface was flat, vertices bend by angles of about m over an edge. Of two paths that differ by the square
-//   of such an angle, the propagation keeps one, whose window may begin at this distance beside a vertex. From there to a
-//   point that is as near to the vertex, the bound is a path around the end of the window. It is longer by at most twice
-//   the way, a few m. Vertices are right.
+//   of such an angle, the propagation keeps one, whose window may begin at this distance beside a vertex. From there
+//   to a point that is as near to the vertex, the bound is a path around the end of the window. It is longer by at most
+//   twice the way, a few m. Vertices are right.
 void check_certificates(Mesh& tm, const Questions& q, double unit, double shift, Worst& worst)
 {
   const auto map = tm.add_property_map<vertex_descriptor, double>("v:distance", 0.).first;

@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesics.h>
 
-#include <CGAL/Surface_mesh_geodesics/internal/applications/Cell_coloring.h>
+#include <CGAL/Surface_mesh_geodesics/internal/applications/drawing/Cell_coloring.h>
 
 #include <CGAL/IO/Color.h>
 

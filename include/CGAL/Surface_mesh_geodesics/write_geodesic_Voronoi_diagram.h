@@ -13,7 +13,7 @@
 #include <CGAL/license/Surface_mesh_geodesics.h>
 
 #include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_Voronoi_diagram.h>
-#include <CGAL/Surface_mesh_geodesics/internal/applications/diagram_writers.h>
+#include <CGAL/Surface_mesh_geodesics/internal/applications/drawing/diagram_writers.h>
 
 #include <ostream>
 #include <string>

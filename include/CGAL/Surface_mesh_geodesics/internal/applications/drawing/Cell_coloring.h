@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Surface_mesh_geodesics authors
 
-#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_CELL_COLORING_H
-#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_CELL_COLORING_H
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_DRAWING_CELL_COLORING_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_DRAWING_CELL_COLORING_H
 
 // Colors for the cells of a diagram: neighbors get different ones, and all are used about equally often. The coloring
 // itself knows cells by their numbers and neighbors only.
@@ -125,4 +125,4 @@ std::vector<IO::Color> cell_colors(const Diagram& diagram)
 } // namespace Surface_mesh_geodesics
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_CELL_COLORING_H
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_DRAWING_CELL_COLORING_H

@@ -6,10 +6,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Surface_mesh_geodesics authors
-#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_NUMBER_WRITER_H
-#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_NUMBER_WRITER_H
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_DRAWING_NUMBER_WRITER_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_DRAWING_NUMBER_WRITER_H
 
 // Writes the numbers of a file as text or as bytes. Headers of files are text in both cases.
+//
+// Why both: bytes are half as many, are written faster, and are the same numbers. Text can be read by people and
+// compared by programs that know nothing of the format.
+//
+// How a caller uses it: it writes a header to the stream, makes a Number_writer for the block that follows, writes the
+// numbers of each record, and ends the record. The code is the same for both kinds of files.
 
 #include <CGAL/IO/io.h>
 
@@ -117,4 +123,4 @@ private:
 } // namespace Surface_mesh_geodesics
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_NUMBER_WRITER_H
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_DRAWING_NUMBER_WRITER_H

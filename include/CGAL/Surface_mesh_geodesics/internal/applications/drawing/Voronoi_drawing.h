@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Surface_mesh_geodesics authors
 
-#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_VORONOI_DRAWING_H
-#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_VORONOI_DRAWING_H
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_DRAWING_VORONOI_DRAWING_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_DRAWING_VORONOI_DRAWING_H
 
 // What the writers put into a file: the triangles of the cut mesh with their sites, the edges of this mesh between two
 // cells, and the edges of the diagram as polylines. All refer to one list of points.
@@ -114,4 +114,4 @@ struct Voronoi_drawing
 } // namespace Surface_mesh_geodesics
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_VORONOI_DRAWING_H
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_DRAWING_VORONOI_DRAWING_H

@@ -7,20 +7,24 @@
 //
 // Author(s)     : The Surface_mesh_geodesics authors
 
-#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_DIAGRAM_WRITERS_H
-#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_DIAGRAM_WRITERS_H
+#ifndef CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_DRAWING_DIAGRAM_WRITERS_H
+#define CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_DRAWING_DIAGRAM_WRITERS_H
 
 // Writes the drawing of a diagram in the formats OBJ, PLY and legacy VTK. What each file holds is documented at the
 // public functions of write_geodesic_Voronoi_diagram.h. Functions that write a whole file flush the stream and return
 // whether it is still good. Numbers are text, with the precision of the stream; in PLY and VTK they are bytes if the
 // mode of the stream is BINARY (Number_writer.h).
 //
+// Three formats, as no one of them is enough: OBJ has the edges as smooth polylines, for other programs that draw them
+// over the mesh; PLY has the cut mesh in colors, for viewers of meshes; VTK has both, with the numbers of the sites,
+// for programs that select and compute.
+//
 // `Diagram` is the public class; `tolerance` is positive, in the unit of the mesh. All writers compute the whole
 // drawing before they write its first line: what building throws leaves the stream as it was.
 
-#include <CGAL/Surface_mesh_geodesics/internal/applications/Cell_coloring.h>
-#include <CGAL/Surface_mesh_geodesics/internal/applications/Number_writer.h>
-#include <CGAL/Surface_mesh_geodesics/internal/applications/Voronoi_drawing.h>
+#include <CGAL/Surface_mesh_geodesics/internal/applications/drawing/Cell_coloring.h>
+#include <CGAL/Surface_mesh_geodesics/internal/applications/drawing/Number_writer.h>
+#include <CGAL/Surface_mesh_geodesics/internal/applications/drawing/Voronoi_drawing.h>
 
 #include <CGAL/IO/Color.h>
 #include <CGAL/IO/io.h>
@@ -47,7 +51,8 @@ inline std::int32_t site_number(std::size_t i)
   return i == (std::numeric_limits<std::size_t>::max)() ? -1 : index_in_file(i);
 }
 
-// Returns the triangles of the cells and the polylines of the edges, which VTK shows together.
+// Returns the triangles of the cells and the polylines of the edges, which VTK shows together. Their points are apart:
+// the sides of triangles are chords of the arcs that the polylines follow.
 template <typename Diagram>
 Voronoi_drawing drawing_with_cells(const Diagram& diagram, double tolerance)
 {
@@ -210,6 +215,9 @@ bool write_diagram_VTK(std::ostream& os, const Diagram& diagram, double toleranc
 
 // --- files ---
 
+// The file is opened last, so that a diagram that cannot be built leaves an older file in place. CGAL's functions for
+// files write in binary as well if they are not told otherwise.
+//
 // Writes in the format that the extension of the name stands for: PLY and VTK in binary, OBJ with 17 digits. Returns
 // false for another extension, and does not touch the file then. Returns false also if the file cannot be opened or
 // written; it may hold a part then. Extensions are in lower case.
@@ -235,4 +243,4 @@ bool write_diagram_file(const std::string& filename, const Diagram& diagram, dou
 } // namespace Surface_mesh_geodesics
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_DIAGRAM_WRITERS_H
+#endif // CGAL_SURFACE_MESH_GEODESICS_INTERNAL_APPLICATIONS_DRAWING_DIAGRAM_WRITERS_H
