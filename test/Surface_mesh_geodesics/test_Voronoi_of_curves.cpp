@@ -8,6 +8,8 @@
 #include <CGAL/Surface_mesh_geodesics/certify_geodesic_Voronoi_diagram.h>
 #include <CGAL/Surface_mesh_geodesics/geodesic_Voronoi_labels.h>
 
+#include <CGAL/Polygon_mesh_processing/measure.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -122,6 +124,95 @@ void touching_curves()
   Voronoi diagram(s.tm, equal);
   CHECK(diagram.arcs().empty() && !diagram.is_empty(0) && diagram.is_empty(1));
   CHECK_NEAR(diagram.area(0), 25., 1e-12);
+}
+
+// A later curve that ends on an earlier one: all points that are nearest to that end are in the cell of the first one,
+// also those that a ray of the later curve meets at its end.
+void curve_that_ends_on_another()
+{
+  const test_support::Scope scope("an end on another curve");
+  const Mesh tm = to_face_graph(icosphere(1));
+  const Location end(face_descriptor(15), {.5, .5, 0});
+  const std::vector<Location> there(2, end);
+  const std::vector<Location> path{
+    Location(face_descriptor(14), {1, 0, 0}), Location(face_descriptor(14), {.267611, 0, .732389}), end};
+  const Voronoi diagram(tm, std::vector<Curve>{Curve(tm, there), Curve(tm, path)});
+  for(std::size_t i = 0; i < 2; ++i)
+  {
+    CHECK_EQUAL(diagram.Euler_characteristic(i), 1);
+    CHECK(diagram.is_disk(i));
+    CHECK_EQUAL(diagram.boundary(i).size(), 1u);
+  }
+}
+
+// A curve that is there twice has one cell, also if it begins so near to an edge that the parts of the face beside its
+// first point are as narrow as rounding; and if it is given in the faces on either side of an edge.
+void equal_curves()
+{
+  const test_support::Scope scope("equal curves");
+  const Mesh tm = to_face_graph(noisy_sphere(1, .3, 70));
+  const auto has_one_cell = [&](const Curve& a, const Curve& b)
+  {
+    const Voronoi diagram(tm, std::vector<Curve>{a, b});
+    return diagram.arcs().empty() && !diagram.is_empty(0) && diagram.is_empty(1);
+  };
+  const face_descriptor f(27);
+  const std::vector<Location> near_edge{Location(f, {1 - .000416719 - 1.89249e-14, .000416719, 1.89249e-14}),
+                                        Location(f, {1 - .0905243 - .568544, .0905243, .568544})};
+  CHECK(has_one_cell(Curve(tm, near_edge), Curve(tm, near_edge)));
+  test_support::Random random(1);
+  for(int i = 0; i < 40; ++i)
+  {
+    const std::vector<Location> locations = random_locations(tm, 4, random);
+    std::vector<Location> others = locations;
+    for(Location& l : others)
+      for(std::size_t k = 0; k < 3; ++k)
+        if(l.second[k] == 0 && l.second[(k + 1) % 3] != 0 && l.second[(k + 2) % 3] != 0)
+        {
+          to_neighbor(tm, l, k);
+          break;
+        }
+    try
+    {
+      CHECK(has_one_cell(Curve(tm, locations), Curve(tm, others)));
+    }
+    catch(const CGAL::Surface_mesh_geodesics::Invalid_geodesic_input&)
+    {} // two locations in no common face
+  }
+}
+
+// The cell of a curve may be a whole component, without any arc; its mesh is that component.
+void cells_without_arcs()
+{
+  const test_support::Scope scope("cells without arcs");
+  Mesh tm = to_face_graph(flat_patch(2, 2, 0., true, 1));
+  const Mesh other = to_face_graph(icosphere(1));
+  std::vector<Curve> curves = CGAL::Surface_mesh_geodesics::border_curves(tm);
+  tm += other;
+  const vertex_descriptor v(num_vertices(tm) - 1);
+  curves.emplace_back(tm, std::vector<vertex_descriptor>{v, target(halfedge(v, tm), tm),
+                                                         source(halfedge(v, tm), tm)});
+  const Voronoi diagram(tm, curves);
+  CHECK(diagram.arcs().empty());
+  for(std::size_t i = 0; i < 2; ++i)
+  {
+    Mesh cell;
+    auto faces_of_cell = cell.add_property_map<face_descriptor, face_descriptor>("f:f").first;
+    diagram.cell_mesh(i, cell, faces_of_cell, 1e-3);
+    CHECK(is_valid_polygon_mesh(cell));
+    CHECK_NEAR(CGAL::Polygon_mesh_processing::area(cell), diagram.area(i), 1e-12);
+    CHECK(diagram.area(i) > 1);
+  }
+  // More sites than vertices: numbers of sites are no vertices.
+  const Mesh small = to_face_graph(flat_patch(1, 1, 0., true, 1));
+  Voronoi many(small);
+  for(std::size_t i = 0; i < 100; ++i)
+    many.add_site(CGAL::Surface_mesh_geodesics::border_curves(small)[0], i == 99 ? 1. : 0.);
+  Mesh cell;
+  auto faces_of_cell = cell.add_property_map<face_descriptor, face_descriptor>("f:f").first;
+  many.cell_mesh(99, cell, faces_of_cell, 1e-3);
+  CHECK_NEAR(CGAL::Polygon_mesh_processing::area(cell), many.area(99), 1e-12);
+  CHECK_NEAR(many.area(99), 1., 1e-12);
 }
 
 // --- against distances from one site at a time ---
@@ -339,6 +430,9 @@ int main()
   for(const std::size_t n : {1u, 2u, 5u})
     closed_forms_in_the_plane(n);
   touching_curves();
+  curve_that_ends_on_another();
+  equal_curves();
+  cells_without_arcs();
   bumpy_spheres();
   hostile_surfaces();
   sites_that_are_curves();

@@ -119,6 +119,7 @@ public:
       if(m_owner[v] == null_id)
         continue;
       ++elements(m_owner[v]).vertices;
+      elements(m_owner[v]).vertex = v;
       elements(m_owner[v]).pinched_vertices += m_mesh->has(v, Mesh::PINCHED) ? 1 : 0;
     }
     count_edges_and_faces();

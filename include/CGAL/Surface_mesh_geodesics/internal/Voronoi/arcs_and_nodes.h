@@ -95,10 +95,12 @@ struct Voronoi_boundary_part
 };
 
 // The numbers of mesh vertices, of parts of mesh edges, and of parts of faces in a cell, without those on its boundary.
-// They give its Euler characteristic. Pinched vertices are among the vertices.
+// They give its Euler characteristic. Pinched vertices are among the vertices. `vertex` is one of the vertices, null_id
+// if there is none.
 struct Voronoi_cell_elements
 {
   std::size_t vertices = 0, edge_intervals = 0, face_regions = 0, pinched_vertices = 0;
+  Vertex_id vertex = null_id;
 };
 
 } // namespace internal

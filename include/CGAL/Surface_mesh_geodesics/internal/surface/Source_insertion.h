@@ -70,8 +70,9 @@ public:
 
   // Returns the vertex at the point b of face f of the first mesh, and makes it if there is none. A point that is up to
   // rounding on an edge or at a vertex is there; see snap_coordinates(). On an edge without length, the vertex is an
-  // end of the edge. A second source at the same point gets the same vertex. Takes time linear in the number of parts
-  // of f, unless a vertex around is pinched.
+  // end of the edge. A second source at the same point gets the same vertex, unless rounding hides that one between
+  // narrow parts: callers compare locations. Takes time linear in the number of parts of f, unless a vertex around is
+  // pinched.
   // Requires: are_valid_coordinates(b).
   Vertex_id insert(Face_id f, Coordinates b)
   {

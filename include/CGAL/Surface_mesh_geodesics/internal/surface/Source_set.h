@@ -92,8 +92,13 @@ void insert_located_sources(std::vector<Located_source<FT>>& sources, Source_ins
   std::sort(sources.begin(), sources.end(),
             [](const Located_source<FT>& a, const Located_source<FT>& b)
             { return std::tie(a.face, a.coordinates) < std::tie(b.face, b.coordinates); });
+  const Located_source<FT>* last = nullptr;
   for(const Located_source<FT>& s : sources)
-    vertices[s.position] = insertion.insert(s.face, s.coordinates);
+  {
+    const bool is_new = last == nullptr || last->face != s.face || last->coordinates != s.coordinates;
+    vertices[s.position] = is_new ? insertion.insert(s.face, s.coordinates) : vertices[last->position];
+    last = &s;
+  }
 }
 
 // Which source counts at a vertex: of several, the one with the smallest offset; in a tie, the one with the smallest

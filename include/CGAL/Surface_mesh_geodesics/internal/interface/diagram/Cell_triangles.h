@@ -114,7 +114,8 @@ private:
     };
     const auto look_around = [&](Vertex_id v)
     { m_mesh.for_each_halfedge_around(v, [&](Halfedge_id h) { look_at(face_of(h)); }); };
-    look_around(site);
+    if(m_complex.cell(site).vertex != null_id)
+      look_around(m_complex.cell(site).vertex);
     for(const Voronoi_boundary_part& part : m_complex.boundary(site))
       for(const Oriented_index& c : part.chains)
         for(const Oriented_index& a : m_complex.chains()[c.first].arcs)

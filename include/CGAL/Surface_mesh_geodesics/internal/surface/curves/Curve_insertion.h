@@ -141,19 +141,55 @@ private:
     for(std::size_t i = 0; i < curves.size(); ++i)
     {
       const auto& segments = curves[i].segments;
+      const auto add = [&](Face_id f, Coordinates at, std::size_t position)
+      {
+        f = to_first_face(f, at);
+        locations.push_back(Location{f, at, i, position});
+      };
       for(const Curve_segment<FT>& s : segments)
-        locations.push_back(Location{s.face, s.from, i, static_cast<std::size_t>(&s - segments.data())});
+        add(s.face, s.from, static_cast<std::size_t>(&s - segments.data()));
       if(!segments.empty() && !curves[i].is_closed)
-        locations.push_back(Location{segments.back().face, segments.back().to, i, segments.size()});
+        add(segments.back().face, segments.back().to, segments.size());
       m_vertices[i].resize(segments.size() + 1, curves[i].vertex);
     }
     std::sort(locations.begin(), locations.end(), [](const Location& a, const Location& b)
               { return std::tie(a.face, a.at) < std::tie(b.face, b.at); });
+    // Equal locations are next to each other, and are one vertex, whatever rounding lets the insertion find.
+    const Location* last = nullptr;
     for(const Location& l : locations)
-      m_vertices[l.curve][l.position] = m_insertion.insert(l.face, l.at);
+    {
+      const bool is_new = last == nullptr || last->face != l.face || last->at != l.at;
+      m_vertices[l.curve][l.position]
+        = is_new ? m_insertion.insert(l.face, l.at) : m_vertices[last->curve][last->position];
+      last = &l;
+    }
     for(std::size_t i = 0; i < curves.size(); ++i)
       if(curves[i].is_closed && !curves[i].segments.empty())
         m_vertices[i].back() = m_vertices[i].front();
+  }
+
+  // Why: near a vertex, parts of a face may be as narrow as rounding. A point that is inserted from both sides of an
+  // edge would become two vertices there, and curves that are one would be two.
+  //
+  // Returns the first face that has a point of the face f, and changes the coordinates to those there: a point
+  // of an edge gets the same ones from both faces. Requires: nothing is inserted yet.
+  Face_id to_first_face(Face_id f, Coordinates& at) const
+  {
+    Coordinates snapped = at;
+    snap_coordinates(snapped);
+    for(unsigned int k = 0; k < 3; ++k)
+    {
+      if(snapped[k] == 0 || snapped[next_corner(k)] == 0 || snapped[previous_corner(k)] != 0)
+        continue;
+      const Halfedge_id h = halfedge_of(f, k);
+      const Halfedge_id first = m_mesh.is_first_of_edge(h) ? h : m_mesh.opposite(h);
+      const std::array<FT, 2> weight{at[k], at[next_corner(k)]}; // of the source and the target of h
+      at = Coordinates{};
+      at[index_in_face(first)] = weight[first == h ? 0 : 1];
+      at[next_corner(index_in_face(first))] = weight[first == h ? 1 : 0];
+      return face_of(first);
+    }
+    return f;
   }
 
   // Ends the insertion: if a part of a curve got lost in silence, distances would be wrong.
@@ -237,8 +273,9 @@ private:
                           ? FT(1)
                           : (std::min)(FT(1), (std::max)(first, FT(segment.position(step.to.at) / segment.length)));
       m_result.edges.push_back(
-        Source_edge<FT>{step.there, step.back, m_mesh.length((std::min)(step.there, step.back)), offset, point.curve,
-                        point.segment, first, point.parameter, 1});
+        Source_edge<FT>{step.there, step.back, place.vertex, step.to.vertex,
+                        m_mesh.length((std::min)(step.there, step.back)), offset, point.curve, point.segment, first,
+                        point.parameter, 1});
       m_result.vertices.push_back(Source_vertex<FT>{step.to.vertex, offset, point});
       place = step.to;
       m_visited.push_back(place.vertex);

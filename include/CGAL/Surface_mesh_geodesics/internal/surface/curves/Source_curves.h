@@ -59,11 +59,12 @@ struct Curve_point
 
 // An edge of the refined mesh that is a part of a segment. Along the curve, the face of `left` is on the left, and that
 // of `right` on the right; null_id stands for the border. `left` runs along the curve, `right` against it. The
-// parameters are those of the ends.
+// vertices and parameters are those of the ends.
 template <typename FT>
 struct Source_edge
 {
   Halfedge_id left, right;
+  Vertex_id first, last;
   FT length, offset;
   std::uint32_t curve, segment;
   FT first_parameter, last_parameter;

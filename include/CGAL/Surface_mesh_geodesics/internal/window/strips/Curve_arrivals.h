@@ -15,6 +15,7 @@
 // point inside of a source edge.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/Vertex_distance_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/curves/Source_curves.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/strips/Edge_strip_field.h>
@@ -56,13 +57,30 @@ Halfedge_id halfedge_of_side(const Source_curves<FT>& curves, std::uint32_t side
   return side % 2 == 0 ? e.left : e.right;
 }
 
-// The point of a curve at a foot. Rounding may have moved the foot past an end of its edge.
+// The point of a curve at a vertex on curves: of the first of those with the smallest offset. Requires: v is a source.
+template <typename FT>
+const Curve_point<FT>& curve_point_at(const Source_curves<FT>& curves, Vertex_id v)
+{
+  const auto it = std::lower_bound(curves.vertices.begin(), curves.vertices.end(), v,
+                                   [](const Source_vertex<FT>& a, Vertex_id b) { return a.vertex < b; });
+  CGAL_assertion(it != curves.vertices.end() && it->vertex == v);
+  return it->point;
+}
+
+// The point of a curve at a foot. Rounding may have moved the foot past an end of its edge. If the foot is such an end,
+// up to rounding, and this is on an earlier curve, too, the foot is a point of that one.
 template <typename FT>
 Curve_point<FT> curve_point_of_foot(const Source_curves<FT>& curves, const Strip_foot<FT>& foot)
 {
   const Source_edge<FT>& e = edge_of_side(curves, foot.side);
   const FT along = (std::min)(FT(1), (std::max)(FT(0), FT(foot.abscissa / e.length)));
   const FT t = foot.side % 2 == 0 ? along : FT(1 - along);
+  if((std::min)(t, FT(1 - t)) <= Tolerance<FT>::interval())
+  {
+    const Curve_point<FT>& end = curve_point_at(curves, t < FT(1) / 2 ? e.first : e.last);
+    if(end.curve != e.curve)
+      return end;
+  }
   return {e.curve, e.segment, FT(e.first_parameter + t * (e.last_parameter - e.first_parameter))};
 }
 
@@ -77,10 +95,7 @@ Curve_point<FT> curve_point_of_vertex(const Source_curves<FT>& curves, const Ver
   CGAL_assertion(root != null_id);
   if(!field.is_source(root))
     return curve_point_of_foot(curves, foot_of(root));
-  const auto it = std::lower_bound(curves.vertices.begin(), curves.vertices.end(), root,
-                                   [](const Source_vertex<FT>& a, Vertex_id b) { return a.vertex < b; });
-  CGAL_assertion(it != curves.vertices.end() && it->vertex == root);
-  return it->point;
+  return curve_point_at(curves, root);
 }
 
 // What queries of paths read. The curves are inserted into the mesh as long as they are known here.
