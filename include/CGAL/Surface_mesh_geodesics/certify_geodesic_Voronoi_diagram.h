@@ -50,11 +50,13 @@ with the lower bound that is proved:
   no normal number of type `double` (edges shorter than about 1e-154 or longer than 1e154), its last digits or all of
   them are unknown, and count for nothing.
 
-Faces that the diagram avoids (`avoid_faces()`) count as if the mesh did not have them.
+Faces that the diagram avoids (`avoid_faces()`) count as if the mesh did not have them. Walls (`avoid_edges()`) are
+borders of the mesh. Points of arcs and vertices of the diagram on a wall are not compared, as their distances there are
+those on one side, and paths know the least one.
 
 \ref Surface_mesh_geodesics_certification says what this proves.
 
-If there are curves among the sites, nothing is proved: samples are compared with distances that are computed from one
+If there are curves among the sites, or walls, nothing is proved: samples are compared with distances that are computed from one
 site at a time, and `DISTANCES` and `CURVES` are not checked (their numbers of checks are 0). The time is then that of a
 propagation for each site.
 
