@@ -39,7 +39,7 @@ using Traits = CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>;
 using Diagram = CGAL::Surface_mesh_geodesic_Voronoi_diagram<Traits>;
 using Parallel_diagram
   = CGAL::Surface_mesh_geodesic_Voronoi_diagram<Traits, CGAL::Default, CGAL::Default, CGAL::Default, CGAL::Default,
-                                                CGAL::Parallel_tag>;
+                                                CGAL::Parallel_if_available_tag>;
 using Point = Kernel::Point_3;
 
 Diagram::Face_location location(const Face_location& l)
