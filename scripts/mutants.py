@@ -97,6 +97,12 @@ CURVES_AT_WALLS = INTERNAL + "surface/curves/curves_at_walls.h"
 VERTEX_COPIES = INTERNAL + "surface/walls/Vertex_copies.h"
 WALL_CUT = INTERNAL + "surface/walls/Wall_cut.h"
 SOURCES_AT_WALLS = INTERNAL + "surface/walls/sources_at_walls.h"
+LAZY_DIAGRAM = INTERNAL + "interface/diagram/Lazy_Voronoi_diagram.h"
+DIAGRAM_RUN = INTERNAL + "interface/diagram/propagate_diagram.h"
+CELL_TRIANGLES = INTERNAL + "interface/diagram/Cell_triangles.h"
+CELL_TOPOLOGY = INTERNAL + "interface/diagram/Cell_topology.h"
+EDGE_CONTRACTION = INTERNAL + "Voronoi/Edge_contraction.h"
+DIAGRAM_SAMPLES = INTERNAL + "applications/Diagram_samples.h"
 BLOCK_TEAM = INTERNAL + "propagation/Block_team.h"
 BUILDER = INTERNAL + "surface/Intrinsic_mesh_builder.h"
 CHUNKS = INTERNAL + "propagation/Chunk_team.h"
@@ -154,6 +160,8 @@ WALLS = "test_walls"
 WALLS_OF_FUNCTIONS = "test_walls_of_functions"
 WALLS_OF_MATRICES = "test_walls_of_matrices"
 WALLS_AND_CURVES = "test_walls_and_curves"
+WALLS_OF_DIAGRAMS = "test_walls_of_diagrams"
+WALLS_OF_CERTIFIED_DIAGRAMS = "test_walls_of_certified_diagrams"
 SAMPLING_BESIDE_CURVES = "test_sampling_beside_curves"
 DIRECTIONS = "test_directions_of_all_vertices"
 PATHS_WITH_OFFSETS = "test_paths_from_curves_with_offsets"
@@ -852,6 +860,40 @@ MUTANTS = [
     ("sign_of_the_first_copy", DISTANCE_FUNCTIONS,
      "is_negative[solver.nearest_copy(v)] != 0;", "is_negative[solver.surface().id(v)] != 0;",
      "a vertex on a wall has the sign of another side than its distance", (WALLS_AND_CURVES,)),
+    ("cell_for_each_side_of_a_wall", DIAGRAM_RUN,
+     "const bool is_any_at_wall = !solver.sources().behind_walls.empty();", "const bool is_any_at_wall = false;",
+     "the parts of a cell on both sides of a wall are two cells", (WALLS_OF_DIAGRAMS,)),
+    ("ties_at_walls", DIAGRAM_RUN,
+     "{ result[v] = static_cast<Vertex_id>(solver.source_at(u)); });", "{ static_cast<void>(v + u); });",
+     "beside a wall, rounding decides anew for each edge between sites that tie", (WALLS_OF_DIAGRAMS,)),
+    ("cell_of_one_side_of_a_wall", LAZY_DIAGRAM,
+     "{ is_same = is_same && cell_at(other) == cell; });", "{ static_cast<void>(other); });",
+     "a point of a wall is in the cell of the side of its face", (WALLS_OF_DIAGRAMS,)),
+    ("distance_on_one_side_of_a_wall", LAZY_DIAGRAM,
+     "return user_distance(m_solver.arrival(m_solver.nearest_side(q)));", "return user_distance(m_solver.arrival(q));",
+     "a point of a wall has the distance on the side of its face", (WALLS_OF_DIAGRAMS,)),
+    ("cell_mesh_of_one_part", CELL_TRIANGLES,
+     "= !may_have_parts && !(m_complex", "= !(m_complex",
+     "the mesh of a cell misses its part behind a wall", (WALLS_OF_DIAGRAMS,)),
+    ("cell_without_boundary_missed", CELL_TRIANGLES,
+     "&& !(m_complex.has_numbers_of_sites() && m_complex.boundary(site).empty());", ";",
+     "the mesh of a cell that is a component is empty", (WALLS_OF_CERTIFIED_DIAGRAMS,)),
+    ("parts_of_characteristic_one", CELL_TOPOLOGY,
+     "if(elements.pinched_vertices == 0 && !may_have_parts && ", "if(elements.pinched_vertices == 0 && ",
+     "a disk and an annulus on two sides of a wall pass for a disk", (WALLS_OF_DIAGRAMS,)),
+    ("hole_of_two_edges", EDGE_CONTRACTION,
+     "if(m_last == 0 && encloses_hole_of_two(mesh, h))", "if(m_last > 0 && encloses_hole_of_two(mesh, h))",
+     "the cut mesh has a hole of two edges, which is no face of a mesh", (WALLS_OF_DIAGRAMS,)),
+    ("samples_of_arcs_on_walls", DIAGRAM_SAMPLES,
+     "        if(!is_on_wall(arc.point(t)))\n", "",
+     "right diagrams between walls are not certified", (WALLS_OF_CERTIFIED_DIAGRAMS,)),
+    ("edges_that_end_at_walls", SEPARATION,
+     "return !is_inside(opposite(h, tm), diagram) || diagram.avoids_edge(edge(h, tm));",
+     "return !is_inside(opposite(h, tm), diagram);",
+     "right diagrams between walls are not certified", (WALLS_OF_CERTIFIED_DIAGRAMS,)),
+    ("area_behind_walls", DIAGRAM_CERTIFICATE,
+     "        if(m_diagram.avoids_edge(edge(g, m_tm)))\n", "        if(false && m_diagram.avoids_edge(edge(g, m_tm)))\n",
+     "faces behind a wall are expected in cells that end at it", (WALLS_OF_CERTIFIED_DIAGRAMS,)),
     ("walk_through_wall", WALK,
      "if(is_end_of_surface(o, m_tm, m_layouts))", "if(is_border(o, m_tm))",
      "a geodesic goes on behind a wall", (WALLS,)),
@@ -872,7 +914,7 @@ MUTANTS = [
      "One_block(), std::move(obstacles))", "One_block(), Obstacles{{}, std::move(obstacles.walls)})",
      "distances around obstacles are compared with those through them", (OBSTACLES_OF_APPLICATIONS,)),
     ("area_of_faces_to_avoid", DIAGRAM_CERTIFICATE,
-     "if(!m_diagram.avoids_face(f) && m_diagram.nearest_site", "if(m_diagram.nearest_site",
+     "if(!m_diagram.avoids_face(f) && extent_around", "if(extent_around",
      "cells have to cover the faces to avoid", (OBSTACLES_OF_APPLICATIONS,)),
     ("rim_is_no_border", SEPARATION,
      "  return !is_border(h, tm) && !diagram.avoids_face(face(h, tm));", "  return !is_border(h, tm);",

@@ -55,7 +55,7 @@ void declare(Option_descriptions& options)
      "the largest distance between lines in files and the curves (default: 1e-4 times the diagonal of the bounding "
      "box; at least 1e-9 times)")
     ("cell", count_value("cell", 0)->value_name("I"), "files .off and .polylines.txt hold the cell of this site alone")
-    ("along-border", "boundaries in files .polylines.txt go on along the border of the mesh");
+    ("along-border", "boundaries in files .polylines.txt go on along the border of the mesh, and along walls");
   declare_obstacles(options);
   declare_walls(options);
   declare_html(options);
@@ -223,20 +223,68 @@ void add_avoided_faces(const Mesh& mesh, const std::vector<Face>& avoided, Html_
   }
 }
 
+// The distances from the nearest site at points of the cut mesh.
+class Distances_on_cut
+{
+public:
+  Distances_on_cut(const Mesh& mesh, const Diagram& diagram, const Obstacles& avoided, const Html_surface& surface)
+    : m_diagram(diagram), m_surface(surface),
+      m_tree(mesh, avoided.faces), // at the rim of what paths avoid, the face that has a distance
+      m_moved(avoided.walls.empty() ? 0. : 1e-8)
+  {}
+
+  double at(const Point& p) const
+  {
+    const Face_location location = m_tree.nearest_location(p);
+    return m_diagram.nearest_site(location) == Diagram::null_site() ? std::numeric_limits<double>::infinity()
+                                                                    : m_diagram.distance_to_nearest_site(location);
+  }
+
+  // A query on a wall answers for its nearest side. A point that has been moved into its triangle by a part of 10^-8 is
+  // on the side of the triangle, and its distance has changed by less than the numbers of a page can tell.
+  //
+  // Returns the distance at barycentric coordinates of a triangle, on its side of walls.
+  double within(std::size_t t, std::array<double, 3> b) const
+  {
+    for(double& x : b)
+      x = (1 - m_moved) * x + m_moved / 3;
+    const std::array<std::size_t, 3>& corner = m_surface.triangles[t];
+    return at(CGAL::barycenter(m_surface.points[corner[0]], b[0], m_surface.points[corner[1]], b[1],
+                               m_surface.points[corner[2]], b[2]));
+  }
+
+  // Returns the distances of the first points, which have the first triangles. Without walls a point tells its
+  // distance, with walls its last triangle.
+  std::vector<double> of_points(std::size_t number_of_points, std::size_t number_of_triangles) const
+  {
+    std::vector<double> result;
+    for(std::size_t v = 0; m_moved == 0 && v < number_of_points; ++v)
+      result.push_back(at(m_surface.points[v]));
+    result.resize(number_of_points, std::numeric_limits<double>::infinity());
+    for(std::size_t t = 0; m_moved > 0 && t < number_of_triangles; ++t)
+      for(std::size_t k = 0; k < 3; ++k)
+      {
+        std::array<double, 3> b{};
+        b[k] = 1;
+        result[m_surface.triangles[t][k]] = within(t, b);
+      }
+    return result;
+  }
+
+private:
+  const Diagram& m_diagram;
+  const Html_surface& m_surface;
+  Face_tree m_tree;
+  double m_moved;
+};
+
 // The mesh cut along the arcs, with the distance from the nearest site at each point. The diagram has no faces that
 // paths avoid; they come last, so that they are drawn all the same.
-Html_surface cut_surface(const Mesh& mesh, const Diagram& diagram, const std::vector<Face>& avoided, double tolerance)
+Html_surface cut_surface(const Mesh& mesh, const Diagram& diagram, const Obstacles& avoided, double tolerance)
 {
   Mesh cut;
   auto site = cut.add_property_map<Face, std::size_t>("f:site").first;
   diagram.cut(cut, site, tolerance);
-  const Face_tree tree(mesh, avoided); // at the rim of what paths avoid, the face that has a distance
-  const auto distance_at = [&](const Point& p)
-  {
-    const Face_location location = tree.nearest_location(p);
-    return diagram.nearest_site(location) == Diagram::null_site() ? std::numeric_limits<double>::infinity()
-                                                                  : diagram.distance_to_nearest_site(location);
-  };
   Html_surface surface;
   for(const Vertex v : cut.vertices())
     surface.points.push_back(cut.point(v));
@@ -246,32 +294,29 @@ Html_surface cut_surface(const Mesh& mesh, const Diagram& diagram, const std::ve
     surface.triangles.push_back({cut.source(h).idx(), cut.target(h).idx(), cut.target(cut.next(h)).idx()});
     surface.cells.push_back(site[f]);
   }
+  const Distances_on_cut distances(mesh, diagram, avoided, surface);
   const std::size_t first_avoided = surface.triangles.size(), first_point = surface.points.size();
-  add_avoided_faces(mesh, avoided, surface);
+  add_avoided_faces(mesh, avoided.faces, surface);
   if(!is_refined(surface.triangles.size()))
   {
-    for(std::size_t v = 0; v < first_point; ++v)
-      surface.distances.push_back(distance_at(surface.points[v]));
+    surface.distances = distances.of_points(first_point, first_avoided);
     surface.distances.resize(surface.points.size(), std::numeric_limits<double>::infinity());
     return surface;
   }
   return refined(surface, [&](std::size_t t, const std::array<double, 3>& b)
   {
-    if(t >= first_avoided)
-      return std::numeric_limits<double>::infinity();
-    const auto [p, q, r] = surface.triangles[t];
-    return distance_at(CGAL::barycenter(surface.points[p], b[0], surface.points[q], b[1], surface.points[r], b[2]));
+    return t >= first_avoided ? std::numeric_limits<double>::infinity() : distances.within(t, b);
   });
 }
 
 Html_page page_of(const std::string& file_name, const Mesh& mesh, const Sites& sites, const Diagram& diagram,
-                  const std::vector<Face>& avoided, double tolerance)
+                  const Obstacles& avoided, double tolerance)
 {
   Html_page page;
   page.title = "Geodesic Voronoi diagram";
   page.subtitle = description_of(file_name, mesh);
   page.mesh = &mesh;
-  page.avoided.faces = avoided;
+  page.avoided = avoided;
   page.surface = cut_surface(mesh, diagram, avoided, tolerance);
   page.cell_colors = CGAL::Surface_mesh_geodesics::geodesic_Voronoi_cell_colors(diagram);
   Distance_field field;
@@ -283,7 +328,7 @@ Html_page page_of(const std::string& file_name, const Mesh& mesh, const Sites& s
     arcs.lines.emplace_back();
     edge.polyline(tolerance, std::back_inserter(arcs.lines.back()));
   }
-  page.lines = {arcs};
+  page.lines = {arcs, lines_of_walls(avoided.walls, mesh)};
   if(!sites.curves.empty())
     page.lines.push_back(lines_along(sites.curves, mesh));
   page.dots = {dots_at("site", sites.locations, mesh)};
@@ -359,8 +404,6 @@ void run(const Arguments& arguments, const Console& console)
   files.remark_on_unused(arguments, "vertices", {"csv"}, console);
   files.remark_on_unused(arguments, "cell", {"off", "polylines.txt"}, console);
   files.remark_on_unused(arguments, "along-border", {"polylines.txt"}, console);
-  if(has(arguments, "walls") && (!has(arguments, "vertices") || files.have(formats_with_curves)))
-    throw Command_error(Exit_code::BAD_USAGE, "--walls needs --vertices and a table only: a diagram has no walls");
   const Mesh mesh = read_mesh(arguments, console);
   const double tolerance = tolerance_of(arguments, mesh);
   const Obstacles avoided = obstacles(arguments, mesh);
@@ -372,17 +415,18 @@ void run(const Arguments& arguments, const Console& console)
     return write_labels(mesh, avoided, all_sites, weights_of_sites, files, console);
   Diagram diagram(mesh);
   diagram.avoid_faces(avoided.faces);
+  diagram.avoid_edges(avoided.walls);
   add_sites(diagram, all_sites, weights_of_sites);
   {
     Progress_visitor visitor(console, "diagram");
     diagram.build(visitor);
   }
-  remark_on_unreached(mesh, number_of_unreached(mesh, diagram), !avoided.faces.empty(), console);
+  remark_on_unreached(mesh, number_of_unreached(mesh, diagram), has_obstacles(arguments), console);
   const Work_sign sign(console, "output");
   files.write([&](std::ostream& os, const std::string& format)
   {
     if(format == "html")
-      write_html_page(os, page_of(mesh_argument(arguments), mesh, all_sites, diagram, avoided.faces, tolerance),
+      write_html_page(os, page_of(mesh_argument(arguments), mesh, all_sites, diagram, avoided, tolerance),
                       console);
     else if(format == "off")
       write_cells_mesh(os, diagram, cell, tolerance);

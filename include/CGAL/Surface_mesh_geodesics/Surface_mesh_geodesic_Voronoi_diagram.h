@@ -23,6 +23,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Voronoi_cell_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Voronoi_cut_mesh.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Voronoi_handles.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/measure_cells.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/map_checks.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/parameters/parameter_checks.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/source_range.h>
@@ -98,6 +99,13 @@ A point or a segment on several curves with the same weight belongs to the first
 nearest to it: where two curves meet in a corner, the whole region that is nearest to the corner. A curve that lies on
 earlier ones has an empty cell.
 
+<b>Walls.</b> `avoid_edges()` makes walls of edges. The surface is cut along them: for all that this class tells, a wall
+is a border of the mesh on each of its sides, and a vertex of a wall is one vertex for each sector of faces between
+walls. So edges of the diagram end at walls, boundaries of cells go on along them, and what is called a border of the
+mesh below includes them. A site on a wall is a site on all of its sides. The parts of its cell on these sides are one
+cell; they need not be connected, and then the cell is not a disk. A point of a wall is in a cell on each side; queries
+answer for the side whose site is nearest, and for any of them where several are equally near.
+
 <b>When things are computed.</b> The diagram is computed by `build()` or by the first query that needs it. Every
 function that computes it throws what `build()` throws. If computing ends early, the next query or `build()` begins
 anew.
@@ -162,6 +170,9 @@ public:
 
   /// the halfedge descriptor type.
   using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
+
+  /// the edge descriptor type.
+  using edge_descriptor = typename Graph_traits::edge_descriptor;
 
   /// the face descriptor type.
   using face_descriptor = typename Graph_traits::face_descriptor;
@@ -618,7 +629,7 @@ public:
 
   /// leaves faces out: no path leads through them, as if they were not in the mesh. They are in no cell. Sites may be
   /// at their rim, also if their location is given in a face to avoid; a site inside is rejected by the next build.
-  /// Sites are kept, and the faces stay left out until the next call.
+  /// Sites and walls are kept, and the faces stay left out until the next call.
   ///
   /// Queries inside of these faces are rejected.
   ///
@@ -636,7 +647,28 @@ public:
   /// returns whether a face is one of those that the last call of `avoid_faces()` has left out. Takes constant time.
   ///
   /// \param f a face of the mesh
-  bool avoids_face(face_descriptor f) const { return m_lazy.avoids(f); }
+  bool avoids_face(face_descriptor f) const { return m_lazy.avoids_face(f); }
+
+  /// makes walls of edges: no path crosses them, and paths may run along them, as for
+  /// `Surface_mesh_geodesic_paths::avoid_edges()`. For cells, a wall is a border of the mesh on each of its sides, see
+  /// above. Sites and faces to avoid are kept, and the walls stay until the next call.
+  ///
+  /// \tparam Edges a range of edge descriptors, or a model of `ReadablePropertyMap` with the edge descriptor as
+  ///         key type and `bool` as value type
+  /// \param edges_to_avoid the edges, in place of those of the last call; none if the range is empty. An edge at the
+  ///        border of the mesh changes nothing.
+  /// \throws Surface_mesh_geodesics::Invalid_geodesic_input if an edge of the range is not one of the mesh; nothing
+  ///         changes then
+  template <typename Edges>
+  void avoid_edges(const Edges& edges_to_avoid)
+  {
+    m_lazy.avoid_edges(edges_to_avoid);
+  }
+
+  /// returns whether an edge is one of the walls that the last call of `avoid_edges()` has made. Takes constant time.
+  ///
+  /// \param e an edge of the mesh
+  bool avoids_edge(edge_descriptor e) const { return m_lazy.avoids_edge(e); }
 
   /// returns the number of sites.
   std::size_t number_of_sites() const { return m_lazy.sites().size(); }
@@ -724,7 +756,8 @@ public:
   Site_index nearest_site(vertex_descriptor v) const { return m_lazy.nearest_site(v); }
 
   /// returns the site whose cell holds a point of a face. Usually few arcs cross a face, and the time is linear in
-  /// their number; at worst it is quadratic.
+  /// their number; at worst it is quadratic. The first call for a point on the edge of a wall between two cells
+  /// propagates a second time, as `distance_to_nearest_site()` does.
   ///
   /// \param f a face of the mesh
   /// \param location the coordinates of the point in `f`
@@ -925,11 +958,12 @@ public:
   vertex_descriptor central_vertex(Site_index i) const
   {
     check(i);
-    return m_lazy.central_vertex(i);
+    return Surface_mesh_geodesics::internal::central_vertex(m_lazy, i);
   }
 
   /// returns the Euler characteristic of the cell with its boundary; 0 if the cell is empty. The boundary is regarded
-  /// as a curve that does not touch itself. A vertex at which the mesh is pinched counts once.
+  /// as a curve that does not touch itself. A vertex at which the mesh is pinched counts once. Of a cell with several
+  /// parts between walls it is the sum of theirs.
   ///
   /// \param i the number of the site
   /// \pre `i < number_of_sites()`
@@ -941,14 +975,17 @@ public:
   /// returns whether the cell, with its boundary, is a topological disk; `false` if the cell is empty, or a vertex
   /// without faces. A cell is not a disk either if the mesh is pinched at a vertex in it, or if its boundary touches
   /// itself at a point, up to rounding. Where that is possible, as curves run through vertices of the mesh or four
-  /// cells meet, the function takes the time of `cell_mesh()`.
+  /// cells meet, and if the site is on a wall, the function takes the time of `cell_mesh()`. Beside walls, the cells of
+  /// all curves take that time.
   ///
   /// \param i the number of the site
   /// \pre `i < number_of_sites()`
   bool is_disk(Site_index i) const
   {
     using Topology = Surface_mesh_geodesics::internal::Cell_topology;
-    return has_built_cell(i) && Topology(m_lazy.refined_mesh(), m_lazy.complex()).is_disk(m_lazy.cell_of_site(i));
+    return has_built_cell(i)
+        && Topology(m_lazy.refined_mesh(), m_lazy.complex())
+             .is_disk(m_lazy.cell_of_site(i), m_lazy.may_have_parts(i));
   }
 
   /// writes the triangles of the dual: one for each vertex of the diagram where three cells meet, and `n - 2` where `n`
@@ -974,10 +1011,12 @@ public:
 
   Faces are cut into triangles. Vertices and edges of the mesh are kept, and edges are divided where arcs cross them.
   The two faces at an edge share the new vertices, so the output has a border only where the mesh has one, and it has
-  the Euler characteristic of the mesh. An arc that ends at a vertex of the mesh, up to rounding, ends at that vertex of
-  the output, and an arc along an edge of the mesh becomes that edge. Sites inside faces and on edges become vertices,
-  sites that are curves become edges. Pieces of hyperbolas and of parabolas become polylines. Where several arcs in a
-  face are closer to each other than the tolerance, they are approximated more closely, so that they do not cross.
+  the Euler characteristic of the mesh. At walls the output is cut, too: each side has edges and vertices of its own.
+  The two sides of a wall of one edge that no arc divides get a vertex in their middle, as a hole of a mesh has three
+  edges. An arc that ends at a vertex of the mesh, up to rounding, ends at that vertex of the output, and an arc along
+  an edge of the mesh becomes that edge. Sites inside faces and on edges become vertices, sites that are curves become
+  edges. Pieces of hyperbolas and of parabolas become polylines. Where several arcs in a face are closer to each other
+  than the tolerance, they are approximated more closely, so that they do not cross.
 
   The vertices of the mesh come first in the output, in an unspecified order.
 
@@ -1040,9 +1079,9 @@ public:
   /*!
   adds a cell to a mesh: the faces that `cut()` makes in the cell.
 
-  The output has a border where the cell has a boundary. If the mesh is pinched at a vertex in the cell, or if the
-  boundary of the cell touches itself at a point, the output is pinched at one vertex there. Nothing is added if the
-  cell is empty or has no area.
+  The output has a border where the cell has a boundary, and at walls, as for `cut()`. If the mesh is pinched at a
+  vertex in the cell, or if the boundary of the cell touches itself at a point, the output is pinched at one vertex
+  there. Nothing is added if the cell is empty or has no area.
 
   \tparam OutputMesh as for `cut()`
   \tparam FaceFaceMap a model of `WritablePropertyMap` with the face descriptor of `OutputMesh` as key type and
@@ -1072,8 +1111,7 @@ public:
     auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
                                 get_property_map(CGAL::vertex_point, output));
     if(has_built_cell(i))
-      Surface_mesh_geodesics::internal::add_cell_mesh(m_lazy, m_lazy.cell_of_site(i), tolerance, output, vpm,
-                                                      face_face_map);
+      Surface_mesh_geodesics::internal::add_cell_mesh(m_lazy, i, tolerance, output, vpm, face_face_map);
   }
 
   /// adds a cell to a mesh, with `default_tolerance()`.

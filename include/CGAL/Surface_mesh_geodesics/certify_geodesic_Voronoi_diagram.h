@@ -50,13 +50,15 @@ with the lower bound that is proved:
   no normal number of type `double` (edges shorter than about 1e-154 or longer than 1e154), its last digits or all of
   them are unknown, and count for nothing.
 
-Faces that the diagram avoids (`avoid_faces()`) count as if the mesh did not have them.
+Faces that the diagram avoids (`avoid_faces()`) count as if the mesh did not have them. Walls (`avoid_edges()`) are
+borders of the mesh. Points of arcs and vertices of the diagram on a wall are not compared, as their distances there are
+those on one side, and paths know the least one.
 
 \ref Surface_mesh_geodesics_certification says what this proves.
 
-If there are curves among the sites, nothing is proved: samples are compared with distances that are computed from one
-site at a time, and `DISTANCES` and `CURVES` are not checked (their numbers of checks are 0). The time is then that of a
-propagation for each site.
+If there are curves among the sites, or walls, nothing is proved: samples are compared with distances that are computed
+from one site at a time, and `DISTANCES` and `CURVES` are not checked (their numbers of checks are 0). The time is then
+that of a propagation for each site.
 
 <b>Complexity.</b> Time and memory are those of `certify_geodesic_distances()` with all sites as sources and without
 computations in reverse, and time linear in the number of points and arcs, times that of the windows of a face. They do

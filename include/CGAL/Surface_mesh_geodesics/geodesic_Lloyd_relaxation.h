@@ -124,6 +124,14 @@ The method serves remeshing (thesis, section 5.4.4), see `geodesic_remeshing()`.
                    face descriptor as key type and `bool` as value type}
     \cgalParamDefault{an empty range: none}
   \cgalParamNEnd
+  \cgalParamNBegin{edges_to_avoid}
+    \cgalParamDescription{walls: edges that no path may cross, as for `geodesic_distances()`. Cells end there
+                          (`Surface_mesh_geodesic_Voronoi_diagram::avoid_edges()`). A site that moves to a vertex of a
+                          wall is a site on all of its sides from then on.}
+    \cgalParamType{a range of edge descriptors of `TriangleMesh`, or a class model of `ReadablePropertyMap` with the
+                   edge descriptor as key type and `bool` as value type}
+    \cgalParamDefault{an empty range: none}
+  \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \return the number of iterations that moved a site. It is less than `number_of_iterations` if no site moves any more, or

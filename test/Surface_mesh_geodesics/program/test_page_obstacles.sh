@@ -35,10 +35,15 @@ for n in 4 80; do
   node "$here/page_obstacles.js" rooms.html 0.5 1 "$corner"
 done
 
-# A diagram, whose cells end at the faces. Without faces or walls, the page names none.
+# A diagram, whose cells end at the faces, and at the wall. Without faces or walls, the page names none.
 square 80
 is_silent voronoi square.off --site 0 --avoid avoid.txt --quiet --html cells.html
 node "$here/page_obstacles.js" cells.html 0.5 0 0.9875
+for n in 4 80; do
+  square $n
+  is_silent voronoi square.off --site 0 --walls walls.txt --avoid avoid.txt --quiet --html cells.html
+  node "$here/page_obstacles.js" cells.html 0.5 0.5 "$(awk -v n=$n 'BEGIN { print 1 - 1 / n }')"
+done
 square 4
 is_silent voronoi square.off --site 0 --avoid avoid.txt --quiet --html cells.html
 node "$here/page_obstacles.js" cells.html 0.5 0 0.75

@@ -74,5 +74,18 @@ cp wall.txt kept.csv
 rejects 2 "this command reads the file" distances "$grid" --source 0 --walls kept.csv -o kept.csv
 cmp kept.csv wall.txt
 
-# What has no walls.
-rejects 2 "--walls needs --vertices and a table only: a diagram has no walls" voronoi "$grid" --site 0 --walls wall.txt
+# A diagram. A wall from border to border divides the square: the site on it has what is left of it, and a half of the
+# part on the right. Cells go on along the wall, and meshes are cut along it.
+is_silent voronoi "$grid" --site 5,13 --walls across.txt -o cells.csv -o cells.off -o cells.ply -o cells.polylines.txt \
+  --along-border
+is_near "$(column cells.csv area | line /dev/stdin 1)" "$(awk 'BEGIN { printf "%.17g", 2 / 3 }')"
+is_near "$(column cells.csv area | line /dev/stdin 2)" "$(awk 'BEGIN { printf "%.17g", 1 / 3 }')"
+equals "$(column cells.csv is_disk)" "$(printf '%s\n' 0 1)"
+equals "$(wc -l < cells.polylines.txt)" 3
+is_silent voronoi "$grid" --site 5,13 --walls across.txt --vertices -o of_diagram.csv -o cells.off
+is_silent voronoi "$grid" --site 5,13 --walls across.txt --vertices -o of_labels.csv
+equals "$(column of_diagram.csv distance)" "$(column of_labels.csv distance)"
+is_silent voronoi "$grid" --site-curve wall.obj --site 12 --walls wall.txt -o of_curves.csv
+remarks "8 of 16 vertices are not reached; the mesh has 1 component, and paths avoid faces or edges" \
+  voronoi "$grid" --site 0 --walls across.txt -o one.csv
+is_near "$(column one.csv area)" "$(awk 'BEGIN { printf "%.17g", 1 / 3 }')"

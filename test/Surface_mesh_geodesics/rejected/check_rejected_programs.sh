@@ -103,13 +103,11 @@ expect "does not take the named parameter" "${solver}np::nearest_source_map(text
 expect "does not take the named parameter" "${certificate}np::targets(vertices))"
 expect "does not take the named parameter" "${sampling}np::maximum_distance(1.))"
 expect "neither a range of faces nor a property map" "${store}np::faces_to_avoid(numbers))"
-for call in "$store" "$labels" "$sampling" "$certificate"; do
+for call in "$store" "$labels" "$sampling" "$certificate" "$relaxation"; do
   expect '' "${call}np::edges_to_avoid(std::vector<Mesh::Edge_index>()))"
 done
-# A diagram has no walls, nor has what is made of diagrams.
-for call in "$relaxation" "$remeshing"; do
-  expect "does not take the named parameter" "${call}np::edges_to_avoid(std::vector<Mesh::Edge_index>()))"
-done
+# The faces of a new mesh know nothing of edges of the old one.
+expect "does not take the named parameter" "${remeshing}np::edges_to_avoid(std::vector<Mesh::Edge_index>()))"
 
 # Numbers are no points of the surface.
 expect "a point of the surface is a vertex descriptor" "geodesic_distance(tm, 0, 5)"

@@ -198,10 +198,11 @@ public:
 
   explicit Diagram_propagation(Complex& complex) : m_complex(complex), m_division(complex) {}
 
-  // Requires: the mesh is refined by the sites, and the propagation has not begun.
-  void start(const Intrinsic_mesh<FT>& mesh, const Vertex_distance_field<FT>& field)
+  // Requires: the mesh is refined by the sites, and the propagation has not begun. If sites have numbers, the removal
+  // is told these next.
+  void start(const Intrinsic_mesh<FT>& mesh, const Vertex_distance_field<FT>& field, bool has_numbers_of_sites = false)
   {
-    m_complex.start(mesh);
+    m_complex.start(mesh, has_numbers_of_sites);
     m_removal.reset(mesh, field, m_division);
   }
 

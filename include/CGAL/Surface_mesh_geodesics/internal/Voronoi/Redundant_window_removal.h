@@ -108,6 +108,10 @@ public:
   // keep().
   void unite(Vertex_id source, Vertex_id first) { m_owner.unite(source, first); }
 
+  // Knows sites by numbers from now on, those of the vertices of sources: see Vertex_owners::set_sites(). Call it after
+  // reset() and before the first keep().
+  void set_sites(std::vector<Vertex_id> site_of_source) { m_owner.set_sites(std::move(site_of_source)); }
+
   // Keeps the windows of a list that the propagation carries across h into the face of h, unless that face is inactive.
   // The list is copied. Requires: it is not empty.
   void keep(Halfedge_id h, const Window_list<FT>& list)

@@ -70,12 +70,17 @@ public:
   using Chain = Voronoi_chain;
 
   // Removes all elements, and starts a complex. Then the divided faces are added in any order, each once, and finish()
-  // is called. The mesh is referred to, not copied.
-  void start(const Mesh& mesh)
+  // is called. The mesh is referred to, not copied. A site is the vertex where it is, or, if one may be at several
+  // vertices, a number.
+  void start(const Mesh& mesh, bool has_numbers_of_sites = false)
   {
     clear();
     m_mesh = &mesh;
+    m_has_numbers_of_sites = has_numbers_of_sites;
   }
+
+  // Are sites numbers, and not vertices? (The complex itself does not care.)
+  bool has_numbers_of_sites() const { return m_has_numbers_of_sites; }
 
   // Adds the curves in a face that lies in several cells. Requires: the breakpoints of a side are those that the other
   // face at the edge gets; a cell that begins at one breakpoint ends at the next one.
@@ -562,6 +567,7 @@ public:
 
 private:
   const Mesh* m_mesh = nullptr;
+  bool m_has_numbers_of_sites = false;
   std::vector<Vertex_id> m_owner; // the nearest site, by vertex
   Index_table<Index_range> m_edge_nodes; // the nodes on divided edges, by the halfedge with the smaller index
   // By site: each chain of its boundary, oriented so that the cell is on the left.

@@ -14,7 +14,8 @@
 // apart. What is checked is documented at certify_geodesic_Voronoi_diagram(). `Diagram` is a type with the members of
 // Surface_mesh_geodesic_Voronoi_diagram; tests pass one with wrong answers.
 //
-// Faces that the diagram avoids do not exist here: they have no samples and no area, and their rim is a border.
+// Faces that the diagram avoids do not exist here: they have no samples and no area, and their rim is a border. So are
+// walls.
 //
 // The steps of run():
 // 1. find_components() measures the extents that violations are relative to.
@@ -90,9 +91,9 @@ public:
 
   // Checks all conditions. `make_witness()` returns a pointer to a new witness, `make_paths()` one to a new object of
   // shortest paths without source points; both use the lengths of the diagram. The loops of the proof are those of
-  // `chunks` (Chunk_team.h). The comparisons run in the calling thread. A witness knows points as sites only: with a
-  // curve among the sites, samples are compared with distances from each site, and nothing is proved. A diagram without
-  // sites has nothing to check. The call may be repeated, with the same result.
+  // `chunks` (Chunk_team.h). The comparisons run in the calling thread. A witness knows points as sites only, and no
+  // walls: with a curve among the sites, or between walls, samples are compared with distances from each site, and
+  // nothing is proved. A diagram without sites has nothing to check. The call may be repeated, with the same result.
   template <typename MakeWitness, typename MakePaths, typename Chunks>
   Diagram_violations run(MakeWitness make_witness, MakePaths make_paths, const Chunks& chunks)
   {
@@ -100,7 +101,7 @@ public:
     find_components();
     if(m_diagram.number_of_sites() == 0)
       return m_violations;
-    if(has_curves())
+    if(has_curves() || has_walls())
       check_distances(make_paths);
     else
     {
@@ -137,6 +138,15 @@ private:
     for(std::size_t i = 0; i < m_diagram.number_of_sites(); ++i)
       if(m_diagram.site_curve(i) != nullptr)
         return true;
+    return false;
+  }
+
+  bool has_walls() const
+  {
+    for(const face_descriptor f : faces(m_tm))
+      for(const halfedge_descriptor h : CGAL::halfedges_around_face(halfedge(f, m_tm), m_tm))
+        if(m_diagram.avoids_edge(edge(h, m_tm)))
+          return true;
     return false;
   }
 
@@ -190,7 +200,7 @@ private:
   // is infinite there.
   static double relative(double excess, double scale) { return excess == 0 ? 0. : excess / scale; }
 
-  // --- distances from one site at a time, where there are curves among the sites ---
+  // --- distances from one site at a time, where there are curves among the sites, or walls ---
 
   // Compares all samples with the distances from each site. One site after the other, as the windows of a propagation
   // take far more memory than the samples. Takes the time of a propagation for each site.
@@ -344,10 +354,8 @@ private:
   void check_areas()
   {
     std::vector<double> expected(num_vertices(m_tm), 0.), sum(expected), rounding(expected);
-    // A face is reached if one of its corners is: all of a component is, or nothing.
     for(const face_descriptor f : faces(m_tm))
-      if(!m_diagram.avoids_face(f) && m_diagram.nearest_site(source(halfedge(f, m_tm), m_tm)) != no_site()
-         && extent_around(f) > 0)
+      if(!m_diagram.avoids_face(f) && extent_around(f) > 0 && is_reached(f))
         expected[component_of(f)] += area(f, power_of_two(extent_around(f)));
     for(std::size_t i = 0; i < m_diagram.number_of_sites(); ++i)
     {
@@ -365,6 +373,19 @@ private:
       if(m_components.component(c) == c && m_components.extent(c) > 0 && rounding[c] < infinity()
          && is_number(expected[c], power_of_two(m_components.extent(c))))
         record(DIAGRAM_AREAS, relative_area(std::abs(sum[c] - expected[c]) - rounding[c], expected[c], c), no_site());
+  }
+
+  // Does a site reach a face? All of the surface that is connected with it is reached then. Without walls, a corner of
+  // the face tells; a corner at a wall may be reached on its other side only.
+  bool is_reached(face_descriptor f) const
+  {
+    const Face_location middle(f, typename Diagram::Barycentric_coordinates{1. / 3, 1. / 3, 1. / 3});
+    halfedge_descriptor h = halfedge(f, m_tm);
+    for(std::size_t k = 0; k < 3; ++k, h = next(h, m_tm))
+      for(const halfedge_descriptor g : CGAL::halfedges_around_source(h, m_tm))
+        if(m_diagram.avoids_edge(edge(g, m_tm)))
+          return m_diagram.nearest_site(middle) != no_site();
+    return m_diagram.nearest_site(source(h, m_tm)) != no_site();
   }
 
   // Returns the largest power of two that is not greater than a positive number.
@@ -430,15 +451,23 @@ Diagram_violations certify_diagram(const Diagram& diagram, Length length, Separa
   auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
                               get_const_property_map(CGAL::vertex_point, tm));
   using Paths_with_maps = Paths<Traits, decltype(vim), decltype(him), decltype(fim), decltype(vpm)>;
-  // The diagram tells which faces it avoids, and nothing else about them: distances around them are computed apart.
+  // The diagram tells which faces and edges it avoids, and nothing else about them: distances around them are computed
+  // apart.
   std::vector<typename boost::graph_traits<typename Diagram::Triangle_mesh>::face_descriptor> avoided;
+  std::vector<typename boost::graph_traits<typename Diagram::Triangle_mesh>::edge_descriptor> walls;
   for(const auto f : faces(tm))
+  {
     if(diagram.avoids_face(f))
       avoided.push_back(f);
+    for(const auto h : CGAL::halfedges_around_face(halfedge(f, tm), tm))
+      if(diagram.avoids_edge(edge(h, tm)))
+        walls.push_back(edge(h, tm));
+  }
   const auto make_paths = [&]
   {
     auto paths = std::make_unique<Paths_with_maps>(tm, vim, him, fim, vpm);
     paths->avoid_faces(avoided); // before lengths are given
+    paths->avoid_edges(walls);
     prepare(*paths);
     return paths;
   };

@@ -12,10 +12,16 @@
 
 // The points of the surface at which the certifier compares a geodesic Voronoi diagram with distances from each site,
 // and what the diagram says of them: points of arcs, vertices of the diagram, vertices of the mesh, points of all
-// faces, and the sites. `Diagram` is a type with the members of Surface_mesh_geodesic_Voronoi_diagram; tests pass one
-// with wrong answers.
+// faces, and the sites.
+//
+// A point of a wall has a distance on each of its sides, and queries tell the least one. The diagram says the same of
+// vertices of the mesh. An arc is on one side, so its points on walls are left out. Both of its ends may be such
+// points; those in between still tell the curve.
+//
+// `Diagram` is a type with the members of Surface_mesh_geodesic_Voronoi_diagram; tests pass one with wrong answers.
 
 #include <CGAL/Surface_mesh_geodesics/internal/applications/Diagram_conditions.h>
+#include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -36,9 +42,9 @@ namespace internal {
 // The constructor asks the diagram all questions; then the samples are plain values. They are the same in each run, so
 // a certificate can be repeated.
 //
-// There are seven samples for each arc, one for each vertex of the diagram and of the mesh, one or eight for each face,
-// and one for each site, in this order. Points of faces that are not vertices make the diagram propagate a second time,
-// to keep its windows.
+// There are seven samples for each arc, fewer if it ends at a wall, one for each vertex of the diagram and of the mesh,
+// one or eight for each face, and one for each site, in this order. Points of faces that are not vertices make the
+// diagram propagate a second time, to keep its windows.
 //
 // The diagram is referred to, in the constructor only.
 template <typename Diagram>
@@ -70,7 +76,8 @@ public:
     CGAL_assertion(diagram.number_of_sites() > 0);
     add_arcs();
     for(const auto& v : m_diagram.vertices())
-      add(v.location(), v.sites(), CGAL::to_double(v.distance()), DIAGRAM_VERTICES);
+      if(!is_on_wall(v.location()))
+        add(v.location(), v.sites(), CGAL::to_double(v.distance()), DIAGRAM_VERTICES);
     for(const vertex_descriptor v : vertices(m_tm))
       if(!is_isolated(v))
         add_vertex_of_mesh(v);
@@ -93,7 +100,8 @@ private:
   {
     for(const auto& arc : m_diagram.arcs())
       for(const double t : {0., 0.125, 0.375, 0.5, 0.625, 0.875, 1.})
-        add(arc.point(t), {arc.sites().first, arc.sites().second}, CGAL::to_double(arc.distance(t)), DIAGRAM_ARCS);
+        if(!is_on_wall(arc.point(t)))
+          add(arc.point(t), {arc.sites().first, arc.sites().second}, CGAL::to_double(arc.distance(t)), DIAGRAM_ARCS);
   }
 
   // Adds a vertex of the mesh, with the one site that the diagram names for it. Paths are asked for the vertex itself
@@ -146,6 +154,24 @@ private:
   {
     m_samples.push_back({Graph_traits::null_vertex(), l, m_sites.size(), sites.size(), distance, condition});
     m_sites.insert(m_sites.end(), sites.begin(), sites.end());
+  }
+
+  // Is a location on a wall, or nearly, so that a query may take it for a point of the wall? Linear in the degrees of
+  // the corners of its face.
+  bool is_on_wall(const Face_location& l) const
+  {
+    const double tolerance = Tolerance<double>::location();
+    halfedge_descriptor h = halfedge(l.first, m_tm);
+    for(std::size_t k = 0; k < 3; ++k, h = next(h, m_tm))
+    {
+      if(std::abs(CGAL::to_double(l.second[(k + 2) % 3])) <= tolerance && m_diagram.avoids_edge(edge(h, m_tm)))
+        return true;
+      if(std::abs(1 - CGAL::to_double(l.second[k])) <= tolerance)
+        for(const halfedge_descriptor g : CGAL::halfedges_around_source(h, m_tm))
+          if(m_diagram.avoids_edge(edge(g, m_tm)))
+            return true;
+    }
+    return false;
   }
 
   // Is the vertex in no face that the diagram has? (It may have edges.) Such a vertex has no location, and no path of

@@ -83,13 +83,21 @@ public:
     m_diagram.avoid_faces(avoided);
   }
 
+  // Makes walls of edges; they are those of Surface_mesh_geodesic_Voronoi_diagram::avoid_edges().
+  template <typename Edges>
+  void avoid_edges(const Edges& avoided)
+  {
+    m_diagram.avoid_edges(avoided);
+  }
+
   const Diagram& diagram() const { return m_diagram; }
 
   // Moves each site to the vertex in its cell that is nearest in space to the centroid of the cell; of equally near
   // ones to the first vertex of the mesh. A site whose cell has no vertex stays. Returns whether a site has moved.
   //
   // The result is that of central_vertex() for each site, in one pass over the mesh instead of one for each site.
-  // Sites with is_fixed(v) stay. Requires: `sites` are the sites of the diagram.
+  // Sites with is_fixed(v) stay. A vertex on a wall is in the cell of its nearest side. Requires: `sites` are the sites
+  // of the diagram.
   //
   // All sites move at once: the cells are those of the sites before, whatever is written to `sites` meanwhile. Builds
   // the diagram if that is not done. Takes time linear in the size of the mesh and of the diagram.
@@ -172,6 +180,8 @@ std::size_t relax_sites(const TriangleMesh& tm, std::vector<vertex_descriptor>& 
   auto diagram = make_vertex_site_diagram<Diagram, ConcurrencyTag>(tm, np);
   if constexpr(Has_parameter<NamedParameters, internal_np::faces_to_avoid_t>::value)
     diagram.avoid_faces(parameters::get_parameter_reference(np, internal_np::faces_to_avoid));
+  if constexpr(Has_parameter<NamedParameters, internal_np::edges_to_avoid_t>::value)
+    diagram.avoid_edges(parameters::get_parameter_reference(np, internal_np::edges_to_avoid));
   std::size_t i = 0;
   for(; i < number_of_iterations; ++i)
   {

@@ -17,7 +17,7 @@
 // Both are models of the same concept:
 //   separation(a, b)           the distance of two locations, 0 up to rounding if they are equal
 //   separation.from_border(a)  the distance of a location from the border; infinity if there is no border nearby
-// Distances are in the unit of the mesh. The rim of faces that the diagram avoids is a border.
+// Distances are in the unit of the mesh. The rim of faces that the diagram avoids is a border, and so are walls.
 
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Tolerance.h>
 
@@ -56,6 +56,16 @@ bool is_inside(typename boost::graph_traits<typename Diagram::Triangle_mesh>::ha
   return !is_border(h, tm) && !diagram.avoids_face(face(h, tm));
 }
 
+// Does the surface of the diagram end at a halfedge that has a face inside: is there no face on the other side, or a
+// wall between?
+template <typename Diagram>
+bool is_at_border(typename boost::graph_traits<typename Diagram::Triangle_mesh>::halfedge_descriptor h,
+                  const Diagram& diagram)
+{
+  const auto& tm = diagram.triangle_mesh();
+  return !is_inside(opposite(h, tm), diagram) || diagram.avoids_edge(edge(h, tm));
+}
+
 // Measures straight through space, between the points of the locations. A distance in space is not greater than that on
 // the surface: two locations may be near each other in space only, so a fault may go unnoticed, but no two locations of
 // one point are taken for different ones.
@@ -72,7 +82,7 @@ public:
   {
     const auto& tm = diagram.triangle_mesh();
     for(const auto h : halfedges(tm))
-      if(!is_inside(h, diagram) && is_inside(opposite(h, tm), diagram))
+      if(is_inside(h, diagram) && is_at_border(h, diagram))
         m_border.push_back({vector(get(vpm, source(h, tm))), vector(get(vpm, target(h, tm)))});
   }
 
@@ -173,10 +183,10 @@ public:
     auto h = halfedge(l.first, m_tm);
     for(std::size_t k = 0; k < 3; ++k, h = next(h, m_tm))
     {
-      if(!is_inside(opposite(h, m_tm), m_diagram))
+      if(is_at_border(h, m_diagram))
         smallest = (std::min)(smallest, std::abs(CGAL::to_double(l.second[(k + 2) % 3])));
       for(const auto g : CGAL::halfedges_around_source(h, m_tm))
-        if(!is_inside(g, m_diagram))
+        if(!is_inside(g, m_diagram) || m_diagram.avoids_edge(edge(g, m_tm)))
           smallest = (std::min)(smallest, std::abs(1 - CGAL::to_double(l.second[k])));
     }
     return smallest * longest_edge(l.first, m_tm, m_length);

@@ -32,8 +32,10 @@
 // - the end of a path needs a descriptor only, which each copy has;
 // - directions at a source: Surface_with_sources::direction_at_vertex() counts them from a wall, as from a border.
 //
-// What does not ask takes no walls. The named parameter does not compile for relaxation and remeshing, and diagrams
-// have no function for it.
+// - diagrams: the copies of a site have its number (propagate_diagram.h); queries ask all sides, and a cell may have
+//   parts that are connected nowhere (Cell_triangles.h, Cell_topology.h).
+//
+// What does not ask takes no walls: the named parameter does not compile for remeshing.
 //
 // The steps of read(), and who does them:
 // 1. read_faces() checks the faces, and collects their corners and neighbors. Wall_cut takes them apart along walls.

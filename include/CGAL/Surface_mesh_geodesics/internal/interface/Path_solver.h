@@ -30,7 +30,7 @@
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Available_tag.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/curves/Path_run_from_curves.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/parallel/Propagation_for_tag.h>
-#include <CGAL/Surface_mesh_geodesics/internal/surface/equal_sources.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/Source_set.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Edge_window_field.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/Pruning_rules.h>
 #include <CGAL/Surface_mesh_geodesics/internal/window/strips/Curve_arrivals.h>
@@ -239,15 +239,8 @@ public:
   // The factor from lengths inside to those of the user: a power of two.
   double unit() const { return mesh().unit(); }
 
-  // Calls visit(v, u) for each vertex v of a source that ties everywhere with an earlier one, at u.
-  template <typename Visit>
-  void for_each_equal_source(Visit visit) const
-  {
-    internal::for_each_equal_source(mesh(), m_surface.sources().vertices, m_surface.sources().offsets, visit);
-  }
-
-  // Returns the vertex at which source i is.
-  Vertex_id source_vertex(std::size_t i) const { return m_surface.sources().vertices[i]; }
+  // The sources with their vertices; those at walls are listed once more for each other side.
+  const Source_set<double>& sources() const { return m_surface.sources(); }
 
   // Returns the number of the source at v: the first one of those with the smallest offset.
   // Requires: there is a source at v.
@@ -288,6 +281,10 @@ public:
       { nearest = arrival(other).distance < arrival(nearest).distance ? other : nearest; });
     return nearest;
   }
+
+  // Calls visit(q) for the same point on each other side of a wall.
+  template <typename Visit>
+  void for_each_other_side(const Query& q, Visit visit) const { m_surface.for_each_other_side(q, visit); }
 
   // Make the same checks before the mesh has been read, by indices alone.
   void check_query(vertex_descriptor v) const

@@ -358,6 +358,20 @@ std::vector<Wall_bits> walls_of_edges(const TriangleMesh& tm, const FaceIndexMap
   return walls;
 }
 
+// Is an edge one of the walls? A wall at the border is known to its one face, an edge without faces is none. Constant.
+template <typename TriangleMesh, typename FaceIndexMap>
+bool is_wall_of(typename boost::graph_traits<TriangleMesh>::edge_descriptor e, const TriangleMesh& tm,
+                const FaceIndexMap& fim, const Obstacles& obstacles)
+{
+  if(obstacles.walls.empty() || !is_edge_of(e, tm))
+    return false;
+  auto h = halfedge(e, tm);
+  if(is_border(h, tm))
+    h = opposite(h, tm);
+  return !is_border(h, tm)
+      && is_wall(obstacles.walls[static_cast<std::size_t>(get(fim, face(h, tm)))], number_in_face(h, tm));
+}
+
 // Returns the barycentric coordinates of a location in the order of the corners of the intrinsic face. The user's order
 // begins at the source of halfedge(f, tm), which is h in the intrinsic mesh. Throws if they are not valid
 // (are_valid_coordinates()). Does not round them to the edges; see snap_coordinates(). Their number type is any that

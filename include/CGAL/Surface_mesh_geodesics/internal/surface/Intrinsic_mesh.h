@@ -97,6 +97,16 @@ public:
     return o == null_id ? null_id : next_halfedge(o);
   }
 
+  // Returns the border halfedge that follows h, with the mesh on the left: the first one of the umbrella around the
+  // target of h. Takes time linear in the number of faces there. Requires: h is at the border.
+  Halfedge_id next_on_border(Halfedge_id h) const
+  {
+    h = next_halfedge(h);
+    while(opposite(h) != null_id)
+      h = previous_around_source(h);
+    return h;
+  }
+
   // Returns the face of h in the frame of h. The halfedges of the neighbors run from A to C and from C to B, so that an
   // observer who looks across AB sees both edges from left to right.
   Face_frame<FT> face_frame(Halfedge_id h) const

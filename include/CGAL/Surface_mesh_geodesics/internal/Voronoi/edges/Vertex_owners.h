@@ -47,8 +47,9 @@ public:
     m_final_distance = Field::infinity();
   }
 
-  // Tells the site of each vertex that is its own root (Site_strips::sites_of_roots()). All answers are these sites
-  // then, and not vertices. Call it before the first query, when distances are final.
+  // Tells the site of each vertex that may be its own root: of a source, or with curves, when distances are final, of
+  // what Site_strips::sites_of_roots() finds. All answers are these sites then, and not vertices. Call it before the
+  // first query, and unite no sources.
   void set_sites(std::vector<Vertex_id> site_of_root) { m_site_of_root = std::move(site_of_root); }
 
   // Gives the cell of `source` to `first`, as the two tie everywhere up to rounding. (Otherwise rounding would decide

@@ -88,7 +88,7 @@ private:
     double result = 0;
     for(const Part& p : m_parts)
     {
-      Space_vector o = coordinates_in_space(m_diagram.point_of_vertex(p.site));
+      Space_vector o = coordinates_in_space(m_diagram.point_of_cell(p.site));
       for(unsigned int i = 0; i < 3; ++i)
         o[i] = corner[0][i] - o[i];
       result += dot(o, o) * p.first.area + 2 * dot(o, u) * p.first.x + 2 * dot(o, v) * p.first.y

@@ -119,7 +119,7 @@ public:
         while(is_whole_border_edge(h, site) && seen.insert(h).second)
         {
           loop.pieces.push_back(Cell_loop_piece{false, {}, h, null_id, null_id});
-          h = next_on_border(h);
+          h = m_mesh.next_on_border(h);
         }
         // Otherwise an arc ends on this curve of the border, now or where the loop has been given up before.
         if(h == first)
@@ -165,7 +165,7 @@ private:
       loop.pieces.push_back(Cell_loop_piece{false, {}, h, from, to});
       if(to != null_id)
         return to;
-      h = next_on_border(h);
+      h = m_mesh.next_on_border(h);
       from = null_id;
       next = 0;
     }
@@ -185,16 +185,6 @@ private:
     }
     CGAL_assertion_msg(false, "a curve ends inside the mesh");
     return null_id;
-  }
-
-  // Returns the border halfedge that follows h, with the mesh on the left: the first one of the umbrella around the
-  // target of h.
-  Halfedge_id next_on_border(Halfedge_id h) const
-  {
-    h = next_halfedge(h);
-    while(m_mesh.opposite(h) != null_id)
-      h = m_mesh.previous_around_source(h);
-    return h;
   }
 
   const Mesh& m_mesh;

@@ -23,6 +23,7 @@
 // equally near at the point, two of each of two sites, as two images have one bisector only, and the bisectors of three
 // make one curve with a kink. So each of the two parts has a kink there, which is a node between two arcs.
 
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Edge_contraction.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Voronoi_complex.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Voronoi_face_cut.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Cell_triangles.h>
@@ -55,19 +56,20 @@ public:
   Cell_topology(const Mesh& mesh, const Complex& complex) : m_mesh(mesh), m_complex(complex) {}
 
   // Returns whether the cell of a site is a disk. A cell without a part of a face is not. Takes time linear in the
-  // number of arcs around the cell; in a special case the time of Cell_triangles.
-  bool is_disk(Vertex_id site) const
+  // number of arcs around the cell; in a special case the time of Cell_triangles. The characteristics of a disk and of
+  // an annulus have the sum of a disk, so if the cell may have parts that meet nowhere, its triangles decide.
+  bool is_disk(Vertex_id site, bool may_have_parts) const
   {
     const Voronoi_cell_elements elements = m_complex.cell(site);
     if(elements.face_regions == 0)
       return false;
     if(m_complex.Euler_characteristic(site) != 1 || has_equal_kinks(site))
       return false;
-    if(elements.pinched_vertices == 0 && !has_contraction(site))
+    if(elements.pinched_vertices == 0 && !may_have_parts && !has_contraction(site))
       return true;
     Cell_triangles cell(m_mesh, m_complex);
     const double unit_of_mesh = 1; // any tolerance gives the same combinatorics
-    cell.build(site, unit_of_mesh);
+    cell.build(site, unit_of_mesh, may_have_parts);
     return are_disk(cell);
   }
 
@@ -167,8 +169,7 @@ private:
         return true;
     for(unsigned int k = 0; k < 3; ++k)
     {
-      const Edge_contraction edge(m_mesh, m_complex, halfedge_of(f, k));
-      if(edge.last() != edge.number_of_nodes() + 1)
+      if(Edge_contraction(m_mesh, m_complex, halfedge_of(f, k)).contracts_nodes())
         return true;
     }
     return false;

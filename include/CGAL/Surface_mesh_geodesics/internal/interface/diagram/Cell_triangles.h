@@ -17,6 +17,7 @@
 // Vertices and edges get numbers when the first triangle needs them. Those on edges of the refined mesh are known by
 // their positions on these edges, as Edge_contraction counts them, so that both faces at an edge share them.
 
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Edge_contraction.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Voronoi_complex.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Voronoi_face_cut.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/coordinates_in_layout.h>
@@ -73,11 +74,12 @@ public:
   Cell_triangles(const Mesh& mesh, const Complex& complex) : m_mesh(mesh), m_complex(complex) {}
 
   // Cuts all faces that the cell of a site is in, in ascending order. The tolerance is in the unit of the intrinsic
-  // mesh. Takes time for the faces of the cell and those around it, plus the time of the cuts.
-  void build(Vertex_id site, double tolerance)
+  // mesh. Takes time for the faces of the cell and those around it, plus the time of the cuts; linear time if the cell
+  // may have parts that meet nowhere.
+  void build(Vertex_id site, double tolerance, bool may_have_parts)
   {
     Voronoi_face_cut cut(m_mesh, m_complex);
-    for(const Face_id f : faces_of_cell(site))
+    for(const Face_id f : may_have_parts ? all_faces_of_cell(site) : faces_of_connected_cell(site))
     {
       cut.cut(f, tolerance);
       name_border(f);
@@ -102,7 +104,8 @@ private:
   // Returns the faces that the cell of a site is in, ascending. A cell is connected, as the shortest paths to its site
   // stay in it; they may lead through vertices. So one face after the other is found around the corners of those
   // before. The faces of the boundary come first, in case that rounding parts a cell.
-  std::vector<Face_id> faces_of_cell(Vertex_id site) const
+  // Requires: the cell is connected.
+  std::vector<Face_id> faces_of_connected_cell(Vertex_id site) const
   {
     // A set, not a flag for each face: of many cells, each costs what its own faces cost.
     std::vector<Face_id> found;
@@ -125,17 +128,18 @@ private:
         look_around(v);
     // The numbers of vertices and triangles depend on the order of the faces.
     std::sort(found.begin(), found.end());
-    CGAL_expensive_assertion(found.size() == number_of_faces_of_cell(site));
+    CGAL_expensive_assertion(found == all_faces_of_cell(site));
     return found;
   }
 
-  // The same number, found in all faces of the mesh.
-  std::size_t number_of_faces_of_cell(Vertex_id site) const
+  // The same for any cell. Takes time linear in the number of faces of the mesh.
+  std::vector<Face_id> all_faces_of_cell(Vertex_id site) const
   {
-    std::size_t number = 0;
+    std::vector<Face_id> found;
     for(Face_id f = 0; f < m_mesh.number_of_faces(); ++f)
-      number += is_in_cell(f, site) ? 1 : 0;
-    return number;
+      if(is_in_cell(f, site))
+        found.push_back(f);
+    return found;
   }
 
   // Returns whether a part of a face is in a cell.

@@ -21,7 +21,7 @@
 // Results appear in three steps, each with its own flag: the diagram first, then the measures and the windows, in any
 // order. Neither of these writes anything that other queries read.
 //
-// Who does what: compute_once() guards each step. build_with() makes the diagram: give_sites_to_solver(),
+// Who does what: Shared_computation guards each step. build_with() makes the diagram: give_sites_to_solver(),
 // propagate_diagram(), and Voronoi_handles::collect(). measure_cells() and Path_solver::add_windows() are the other two
 // steps.
 //
@@ -37,12 +37,12 @@
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Face_shapes.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Path_solver.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/Surface_locations.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Shared_computation.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/Weighted_site_list.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/measure_cells.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/diagram/propagate_diagram.h>
 #include <CGAL/Surface_mesh_geodesics/internal/interface/run_with_visitor.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
-#include <CGAL/Surface_mesh_geodesics/internal/numeric/distance_in_space.h>
 #include <CGAL/Surface_mesh_geodesics/internal/propagation/Available_tag.h>
 
 #include <CGAL/assertions.h>
@@ -58,7 +58,6 @@
 #include <functional>
 #include <limits>
 #include <memory>
-#include <mutex>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -76,7 +75,7 @@ namespace internal {
 //
 // Invariants: m_has_measures and m_has_windows imply m_is_built. While m_is_built is set, the sites, the mesh and the
 // maps are those that the complex was made from; functions that change one of them call forget_diagram(). What a flag
-// guards is written under the mutex before the flag is set (compute_once()), and read after it was seen. The mesh is
+// guards is written under a mutex before the flag is set (Shared_computation), and read after it was seen. The mesh is
 // referred to, maps and traits are copied; all of them stay valid and unchanged until clear().
 template <typename Traits, typename VertexIndexMap, typename FaceIndexMap, typename VertexPointMap, typename Elements,
           typename ConcurrencyTag = Sequential_tag>
@@ -88,6 +87,7 @@ public:
   using Graph_traits = typename Locations::Graph_traits;
   using vertex_descriptor = typename Locations::vertex_descriptor;
   using face_descriptor = typename Locations::face_descriptor;
+  using edge_descriptor = typename Graph_traits::edge_descriptor;
   using FT = typename Locations::FT;
   using Point_3 = typename Locations::Point_3;
   using Barycentric_coordinates = typename Locations::Barycentric_coordinates;
@@ -189,15 +189,21 @@ public:
     forget_mesh();
   }
 
-  // Leaves faces out from the next build on, in place of those of the last call.
+  // Leave faces out, or cut the surface along edges, from the next build on, in place of those of the last call. If
+  // they throw Invalid_geodesic_input, nothing changes.
   template <typename Faces>
   void avoid_faces(const Faces& avoided)
   {
-    Obstacles obstacles{flags_of_avoided_faces(m_tm, m_face_index_map, avoided), {}};
-    forget_mesh();
-    m_solver.avoid(std::move(obstacles));
+    avoid({flags_of_avoided_faces(m_tm, m_face_index_map, avoided), m_solver.obstacles().walls});
   }
-  bool avoids(face_descriptor f) const { return m_solver.is_avoided(f); }
+  template <typename Edges>
+  void avoid_edges(const Edges& avoided)
+  {
+    avoid({m_solver.obstacles().is_avoided, walls_of_edges(m_tm, m_face_index_map, avoided)});
+  }
+  bool avoids_face(face_descriptor f) const { return m_solver.is_avoided(f); }
+  bool avoids_edge(edge_descriptor e) const { return is_wall_of(e, m_tm, m_face_index_map, m_solver.obstacles()); }
+  bool has_walls() const { return !m_solver.obstacles().walls.empty(); }
 
   // --- building: all functions throw Invalid_geodesic_input if the mesh or a site is invalid ---
 
@@ -245,26 +251,35 @@ public:
   }
 
   // Returns the number of the site of a cell of the complex, no_site for null_id. The complex names a cell by the
-  // vertex of its site in the refined mesh; with curves among the sites, by the number of the site (Site_strips.h).
+  // vertex of its site in the refined mesh; with curves among the sites, or sites on walls, by the number of the site
+  // (propagate_diagram.h).
   std::size_t site_at(Vertex_id cell) const
   {
-    return cell == null_id ? no_site : m_solver.has_curves() ? std::size_t(cell) : m_solver.source_at(cell);
+    return cell == null_id ? no_site : has_numbers() ? std::size_t(cell) : m_solver.source_at(cell);
   }
 
   // Returns the cell of a site. Several sites may be at one vertex.
   Vertex_id cell_of_site(std::size_t i) const
   {
-    return m_solver.has_curves() ? static_cast<Vertex_id>(i) : m_solver.source_vertex(i);
+    return has_numbers() ? static_cast<Vertex_id>(i) : m_solver.sources().vertices[i];
   }
 
   // Returns whether the site has a cell: no other site is nearer to its own point, ties there and comes first, or has
-  // been united with it (Redundant_window_removal::unite()). The cell of a curve has a part of an edge or a vertex.
+  // been united with it (Redundant_window_removal::unite()). A cell with a number has a part of an edge or a vertex.
   bool has_cell(std::size_t i) const
   {
-    if(m_solver.has_curves())
-      return complex().cell(cell_of_site(i)).edge_intervals + complex().cell(cell_of_site(i)).vertices > 0;
-    const Vertex_id v = m_solver.source_vertex(i);
+    const Vertex_id v = cell_of_site(i);
+    if(has_numbers())
+      return complex().cell(v).edge_intervals + complex().cell(v).vertices > 0;
     return complex().owner(v) == v && m_solver.source_at(v) == i;
+  }
+
+  // Returns whether the cell of a site may have parts that meet nowhere: the site is on a wall. Of a curve nobody
+  // knows. Linear in the number of sites on walls.
+  bool may_have_parts(std::size_t i) const
+  {
+    const std::vector<std::size_t>& on_walls = m_solver.sources().behind_walls;
+    return has_walls() && (m_solver.has_curves() || std::find(on_walls.begin(), on_walls.end(), i) != on_walls.end());
   }
 
   // Returns the factor from lengths of the intrinsic mesh to those of the user: a power of two. 1 if there are no
@@ -308,11 +323,20 @@ public:
                                                : point(location_of_site(m_solver.source_at(v)));
   }
 
+  // Returns the point of the site of a cell. Requires: the site is a point.
+  Point_3 point_of_cell(Vertex_id cell) const
+  {
+    return has_numbers() ? point_of_site(cell) : point_of_vertex(cell);
+  }
+
   // --- queries: they build what they need ---
 
+  // A point of a wall is in a cell on each of its sides. The side that is nearest to its site counts.
+  //
   // Both return the site whose cell a point is in, no_site if none reaches it. They throw Invalid_geodesic_input for a
   // vertex or location that is not on the mesh, also if there are no sites. A vertex takes constant time; a location
-  // takes the time of Cell_locator if arcs run through its face, constant time otherwise.
+  // takes the time of Cell_locator if arcs run through its face, constant time otherwise. On the edge of a wall between
+  // two cells, windows are needed.
   std::size_t nearest_site(vertex_descriptor v) const
   {
     build();
@@ -326,16 +350,14 @@ public:
     const typename Solver::Query q = m_solver.query(f, weights(location));
     if(m_sites.empty())
       return no_site;
-    if(q.vertex != null_id)
-      return site_at(m_complex.owner(q.vertex));
-    const auto corner = m_complex.layout(q.face);
-    Planar_point<double> p;
-    for(unsigned int k = 0; k < 3; ++k)
-    {
-      p.x += q.coordinates[k] * corner[k].x;
-      p.y += q.coordinates[k] * corner[k].y;
-    }
-    return site_at(Cell_locator<double>(m_complex, q.face, p).cell());
+    const Vertex_id cell = cell_at(q);
+    bool is_same = true;
+    m_solver.for_each_other_side(q, [&](const typename Solver::Query& other)
+    { is_same = is_same && cell_at(other) == cell; });
+    if(is_same)
+      return site_at(cell);
+    add_windows_for(q);
+    return site_at(cell_at(m_solver.nearest_side(q)));
   }
 
   // Both return the distance to the nearest site, less its weight; -1 if no site reaches the point. A location that is
@@ -354,9 +376,8 @@ public:
     const typename Solver::Query q = m_solver.query(f, weights(location));
     if(m_sites.empty())
       return FT(-1);
-    if(m_solver.needs_windows(q))
-      add_windows();
-    return user_distance(m_solver.arrival(q));
+    add_windows_for(q);
+    return user_distance(m_solver.arrival(m_solver.nearest_side(q)));
   }
 
   std::vector<typename Elements::Arc> arcs(face_descriptor f) const
@@ -379,27 +400,6 @@ public:
     build();
     const std::array<double, 3> c = measures().centroid(cell_or_null(i));
     return std::isfinite(c[0]) ? Point_3(c[0], c[1], c[2]) : point_of_site(i);
-  }
-
-  // Returns the vertex in the cell that is nearest to the centroid in space, the first of several; the null vertex if
-  // the cell has no vertex. Takes time linear in the number of vertices of the mesh.
-  vertex_descriptor central_vertex(std::size_t i) const
-  {
-    const Point_3 c = centroid(i);
-    vertex_descriptor best = Graph_traits::null_vertex();
-    double best_distance = std::numeric_limits<double>::infinity();
-    for(const vertex_descriptor v : vertices(m_tm))
-    {
-      if(nearest_site(v) != i)
-        continue;
-      const double d = distance_in_space<Point_3>(c, get(m_vertex_point_map, v));
-      if(d < best_distance)
-      {
-        best = v;
-        best_distance = d;
-      }
-    }
-    return best;
   }
 
   Point_3 point(const Face_location& location) const
@@ -429,6 +429,12 @@ private:
     m_solver.forget();
     m_statistics = Propagation_statistics();
     forget_diagram();
+  }
+
+  void avoid(Obstacles obstacles)
+  {
+    forget_mesh();
+    m_solver.avoid(std::move(obstacles));
   }
 
   // Does nothing unless the diagram is built: sites are added one after the other, and clearing tables takes time that
@@ -463,30 +469,11 @@ private:
 
   // --- computing ---
 
-  // Calls compute() unless the flag is set, and sets it unless compute() returns false or throws. Of several threads
-  // one computes; the others wait. The thread is asked for before it locks: a visitor runs under the mutex, and would
-  // wait for itself.
-  template <typename Compute>
-  bool compute_once(std::atomic<bool>& is_done, Compute compute) const
-  {
-    if(is_done.load(std::memory_order_acquire))
-      return true;
-    CGAL_precondition_msg(!m_computing_thread.is_this(), "a visitor has called the object that is being built");
-    const std::lock_guard<std::mutex> lock(m_mutex);
-    const Computing_thread::Scope scope(m_computing_thread);
-    if(is_done.load(std::memory_order_relaxed)) // another thread has computed meanwhile
-      return true;
-    if(!compute())
-      return false;
-    is_done.store(true, std::memory_order_release);
-    return true;
-  }
-
   // `run(propagate)` calls propagate(go_on) and returns its result, which is false if go_on() ends the propagation.
   template <typename Run>
   bool build_with(Run run) const
   {
-    return compute_once(m_is_built, [&]
+    return m_computation.run_once(m_is_built, [&]
     {
       give_sites_to_solver();
       Unfinished_diagram unfinished{this};
@@ -508,28 +495,30 @@ private:
     m_largest_weight = m_sites.largest_weight();
     if(!m_solver.has_mesh())
       m_read_mesh();
-    m_solver.begin_sources();
-    m_sites.for_each_offset(m_solver.unit(), [this](const typename Sites::Site& s, double offset)
-    {
-      if(s.give_curve != nullptr)
-        s.give_curve(offset);
-      else if(s.is_vertex)
-        m_solver.add_source(s.vertex, offset, "site");
-      else
-        m_solver.add_source_location(std::make_pair(s.location.first, weights(s.location.second)), offset, "site");
-    });
+    give_sites(m_sites, m_solver, [this](const Barycentric_coordinates& b) { return weights(b); });
   }
 
   // Propagates once more on the same mesh and keeps all windows: the diagram has removed those that it does not need.
   void add_windows() const
   {
-    compute_once(m_has_windows, [&] { return m_solver.add_windows([](std::size_t, double) { return true; }); });
+    m_computation.run_once(m_has_windows,
+                           [&] { return m_solver.add_windows([](std::size_t, double) { return true; }); });
+  }
+
+  // Adds the windows if the distance of a point needs them on one of its sides.
+  void add_windows_for(const typename Solver::Query& q) const
+  {
+    bool needs_windows = m_solver.needs_windows(q);
+    m_solver.for_each_other_side(q, [&](const typename Solver::Query& other)
+    { needs_windows = needs_windows || m_solver.needs_windows(other); });
+    if(needs_windows)
+      add_windows();
   }
 
   // Requires: the diagram is built.
   const Measures& measures() const
   {
-    compute_once(m_has_measures, [&]
+    m_computation.run_once(m_has_measures, [&]
     {
       measure_cells(*this, m_measures);
       return true;
@@ -538,6 +527,24 @@ private:
   }
 
   // --- helpers ---
+
+  // Does the complex name cells by numbers? Requires: it has been started.
+  bool has_numbers() const { return m_complex.has_numbers_of_sites(); }
+
+  // Returns the cell of a point, on the side of a wall where the query is.
+  Vertex_id cell_at(const typename Solver::Query& q) const
+  {
+    if(q.vertex != null_id)
+      return m_complex.owner(q.vertex);
+    const auto corner = m_complex.layout(q.face);
+    Planar_point<double> p;
+    for(unsigned int k = 0; k < 3; ++k)
+    {
+      p.x += q.coordinates[k] * corner[k].x;
+      p.y += q.coordinates[k] * corner[k].y;
+    }
+    return Cell_locator<double>(m_complex, q.face, p).cell();
+  }
 
   // Returns the cell of site i, null_id if it has none.
   Vertex_id cell_or_null(std::size_t i) const { return has_cell(i) ? cell_of_site(i) : null_id; }
@@ -568,8 +575,7 @@ private:
   // map of lengths. It refers to this object, which can therefore be neither copied nor moved.
   std::function<void()> m_read_mesh;
 
-  mutable std::mutex m_mutex; // held by the thread that computes
-  mutable Computing_thread m_computing_thread;
+  mutable Shared_computation m_computation;
   mutable std::atomic<bool> m_is_built{false}, m_has_measures{false}, m_has_windows{false};
   mutable Solver m_solver;
 

@@ -76,15 +76,15 @@ private:
   OutputMesh& m_output;
 };
 
-// Adds the cell of the site at a vertex of the refined mesh to a mesh; the tolerance is in the user's unit. `face_map`
-// receives the user's face that each new face is in. Requires: the diagram is built. Takes the time of Cell_triangles.
+// Adds the cell of a site, which is not empty, to a mesh; the tolerance is in the user's unit. `face_map` receives the
+// user's face that each new face is in. Requires: the diagram is built. Takes the time of Cell_triangles.
 template <typename Diagram, typename OutputMesh, typename VertexPointMap, typename FaceMap>
-void add_cell_mesh(const Diagram& diagram, Vertex_id site, double tolerance, OutputMesh& output, VertexPointMap vpm,
+void add_cell_mesh(const Diagram& diagram, std::size_t site, double tolerance, OutputMesh& output, VertexPointMap vpm,
                    FaceMap face_map)
 {
   using Triangles = Output_triangles<OutputMesh, VertexPointMap>;
   Cell_triangles cell(diagram.refined_mesh(), diagram.complex());
-  cell.build(site, tolerance / diagram.unit());
+  cell.build(diagram.cell_of_site(site), tolerance / diagram.unit(), diagram.may_have_parts(site));
   const Output_points<Diagram, typename Triangles::Point> points(diagram);
   Triangles triangles(output, vpm);
   std::vector<typename Triangles::vertex_descriptor> vertices;

@@ -14,6 +14,7 @@
 // refined intrinsic mesh: each of its edges becomes a chain of edges that both faces share, and each face is filled
 // with the triangles that Voronoi_face_cut makes of it.
 
+#include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Edge_contraction.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Voronoi_complex.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Voronoi_face_cut.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/coordinates_in_layout.h>

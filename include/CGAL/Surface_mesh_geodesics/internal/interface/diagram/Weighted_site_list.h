@@ -31,6 +31,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -117,6 +118,23 @@ private:
 
   std::vector<Site> m_sites;
 };
+
+// Hands the sites over to a solver as its sources, in their order. `weights(b)` converts barycentric coordinates.
+// Throws Invalid_geodesic_input for an invalid site. Requires: the solver has a mesh. Takes linear time.
+template <typename Sites, typename Solver, typename Weights>
+void give_sites(const Sites& sites, Solver& solver, Weights weights)
+{
+  solver.begin_sources();
+  sites.for_each_offset(solver.unit(), [&](const typename Sites::Site& s, double offset)
+  {
+    if(s.give_curve != nullptr)
+      s.give_curve(offset);
+    else if(s.is_vertex)
+      solver.add_source(s.vertex, offset, "site");
+    else
+      solver.add_source_location(std::make_pair(s.location.first, weights(s.location.second)), offset, "site");
+  });
+}
 
 } // namespace internal
 } // namespace Surface_mesh_geodesics

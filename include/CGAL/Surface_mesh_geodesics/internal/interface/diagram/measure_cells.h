@@ -66,6 +66,30 @@ void measure_cells(const Diagram& diagram, Voronoi_cell_measures& measures)
   }
 }
 
+// Returns the vertex in the cell of site i that is nearest to the centroid in space, the first of several; the null
+// vertex if the cell has no vertex. Takes time linear in the number of vertices of the mesh. A vertex on a wall is in
+// the cell that nearest_site() tells.
+template <typename Diagram>
+typename Diagram::vertex_descriptor central_vertex(const Diagram& diagram, std::size_t i)
+{
+  using Point = typename Diagram::Point_3;
+  const Point c = diagram.centroid(i);
+  typename Diagram::vertex_descriptor best = boost::graph_traits<typename Diagram::Triangle_mesh>::null_vertex();
+  double best_distance = std::numeric_limits<double>::infinity();
+  for(const auto v : vertices(diagram.mesh()))
+  {
+    if(diagram.nearest_site(v) != i)
+      continue;
+    const double d = distance_in_space<Point>(c, get(diagram.vertex_point_map(), v));
+    if(d < best_distance)
+    {
+      best = v;
+      best_distance = d;
+    }
+  }
+  return best;
+}
+
 } // namespace internal
 } // namespace Surface_mesh_geodesics
 } // namespace CGAL

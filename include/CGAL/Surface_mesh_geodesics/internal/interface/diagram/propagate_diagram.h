@@ -13,6 +13,9 @@
 // How a diagram is made of the sources of a Path_solver: by a keeper that divides faces behind the wavefront, or, with
 // curves among the sites, of all windows and strips at the end of a run.
 //
+// How sites are known: usually by their vertices. A curve has many vertices, and a site on a wall has one on each side;
+// the parts of its cell on the sides are one cell. Then all sites are known by their numbers.
+//
 // Why runs from curves keep everything: faces become inactive by bounds that come from windows, and the text of the
 // propagation with strips is compiled for one keeper only, that of paths. Distances inside of faces are known without
 // another run then.
@@ -20,9 +23,11 @@
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Diagram_window_keeper.h>
 #include <CGAL/Surface_mesh_geodesics/internal/Voronoi/Voronoi_complex.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/Index_types.h>
+#include <CGAL/Surface_mesh_geodesics/internal/surface/equal_sources.h>
 
 #include <cstddef>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_geodesics {
@@ -45,11 +50,31 @@ bool propagate_diagram_of_curves(Solver& solver, Voronoi_complex<double>& comple
   if(!is_complete)
     return false;
   Diagram_propagation<double, false> building(complex);
-  building.start(solver.mesh(), solver.field());
+  building.start(solver.mesh(), solver.field(), true);
   building.removal().take(solver.windows(), solver.curve_arrivals());
   building.finish();
   kept_windows = {building.removal().windows().maximum_size(), building.removal().number_of_kept_windows()};
   return true;
+}
+
+// Calls visit(v, u) for each vertex v of a source that ties everywhere with an earlier one, at u.
+template <typename Solver, typename Visit>
+void for_each_equal_site(const Solver& solver, Visit visit)
+{
+  for_each_equal_source(solver.mesh(), solver.sources().vertices, solver.sources().offsets, visit);
+}
+
+// Returns the number of the site to which the cell of a source at a vertex belongs, null_id for other vertices. On each
+// side of a wall for itself, a source may give its cell to one with which it ties.
+template <typename Solver>
+std::vector<Vertex_id> numbers_of_sites(const Solver& solver)
+{
+  std::vector<Vertex_id> result(solver.mesh().number_of_vertices(), null_id);
+  for(const Vertex_id v : solver.sources().vertices)
+    result[v] = static_cast<Vertex_id>(solver.source_at(v));
+  for_each_equal_site(solver, [&](Vertex_id v, Vertex_id u)
+  { result[v] = static_cast<Vertex_id>(solver.source_at(u)); });
+  return result;
 }
 
 // Propagates from all sites at once; faces that arcs cross are divided behind the wavefront. The removal has to start
@@ -65,8 +90,12 @@ bool propagate_diagram(Solver& solver, Voronoi_complex<double>& complex, double 
   Building building(complex);
   const auto start = [&]
   {
-    building.start(solver.mesh(), solver.field());
-    solver.for_each_equal_source([&](Vertex_id v, Vertex_id first) { building.removal().unite(v, first); });
+    const bool is_any_at_wall = !solver.sources().behind_walls.empty();
+    building.start(solver.mesh(), solver.field(), is_any_at_wall);
+    if(is_any_at_wall)
+      building.removal().set_sites(numbers_of_sites(solver));
+    else
+      for_each_equal_site(solver, [&](Vertex_id v, Vertex_id first) { building.removal().unite(v, first); });
     return building.keeper();
   };
   const bool is_complete = run([&](auto go_on)

@@ -148,8 +148,10 @@ using Sampling_parameters = Extended_set<Mesh_and_visitor_parameters, internal_n
                                          internal_np::faces_to_avoid_t, internal_np::edges_to_avoid_t,
                                          internal_np::first_curves_t>::type;
 using Relaxation_parameters = Extended_set<Mesh_and_visitor_parameters, internal_np::threshold_distance_t,
-                                           internal_np::number_of_iterations_t, internal_np::faces_to_avoid_t>::type;
-using Remeshing_parameters = Relaxation_parameters;
+                                           internal_np::number_of_iterations_t, internal_np::faces_to_avoid_t,
+                                           internal_np::edges_to_avoid_t>::type;
+using Remeshing_parameters = Extended_set<Mesh_and_visitor_parameters, internal_np::threshold_distance_t,
+                                          internal_np::number_of_iterations_t, internal_np::faces_to_avoid_t>::type;
 
 // --- types of values: false for a type that is something else altogether (for maps see map_checks.h) ---
 
