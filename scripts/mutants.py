@@ -161,6 +161,7 @@ WALLS_OF_FUNCTIONS = "test_walls_of_functions"
 WALLS_OF_MATRICES = "test_walls_of_matrices"
 WALLS_AND_CURVES = "test_walls_and_curves"
 WALLS_OF_DIAGRAMS = "test_walls_of_diagrams"
+VORONOI_OF_CURVES = "test_Voronoi_of_curves"
 WALLS_OF_CERTIFIED_DIAGRAMS = "test_walls_of_certified_diagrams"
 SAMPLING_BESIDE_CURVES = "test_sampling_beside_curves"
 DIRECTIONS = "test_directions_of_all_vertices"
@@ -873,11 +874,11 @@ MUTANTS = [
      "return user_distance(m_solver.arrival(m_solver.nearest_side(q)));", "return user_distance(m_solver.arrival(q));",
      "a point of a wall has the distance on the side of its face", (WALLS_OF_DIAGRAMS,)),
     ("cell_mesh_of_one_part", CELL_TRIANGLES,
-     "= !may_have_parts && !(m_complex", "= !(m_complex",
+     "may_have_parts ? all_faces_of_cell(site) : faces_of_connected_cell(site)", "faces_of_connected_cell(site)",
      "the mesh of a cell misses its part behind a wall", (WALLS_OF_DIAGRAMS,)),
     ("cell_without_boundary_missed", CELL_TRIANGLES,
-     "&& !(m_complex.has_numbers_of_sites() && m_complex.boundary(site).empty());", ";",
-     "the mesh of a cell that is a component is empty", (WALLS_OF_CERTIFIED_DIAGRAMS,)),
+     "if(m_complex.cell(site).vertex != null_id)", "if(m_complex.cell(site).vertex == site)",
+     "the mesh of a cell that is a component is empty", (VORONOI_OF_CURVES,)),
     ("parts_of_characteristic_one", CELL_TOPOLOGY,
      "if(elements.pinched_vertices == 0 && !may_have_parts && ", "if(elements.pinched_vertices == 0 && ",
      "a disk and an annulus on two sides of a wall pass for a disk", (WALLS_OF_DIAGRAMS,)),
