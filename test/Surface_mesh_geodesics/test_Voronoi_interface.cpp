@@ -4,9 +4,13 @@
 #include "Voronoi_test_helpers.h"
 #include "expected_exceptions.h"
 
+#include <CGAL/Surface_mesh_geodesics/Surface_curve.h>
+
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Polyhedron_items_with_id_3.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/helpers.h>
 
 #include <algorithm>
@@ -521,6 +525,53 @@ void maps_of_the_user_are_used()
   }
 }
 
+// Coordinates of type float do not add up to 1 up to the rounding of double. What a diagram returns may be asked for.
+void kernels_of_float()
+{
+  test_support::Scope scope("kernel of float");
+  using Float_kernel = CGAL::Simple_cartesian<float>;
+  using Float_mesh = CGAL::Surface_mesh<Float_kernel::Point_3>;
+  using Diagram = CGAL::Surface_mesh_geodesic_Voronoi_diagram<
+    CGAL::Surface_mesh_shortest_path_traits<Float_kernel, Float_mesh>>;
+  using Location = Diagram::Face_location;
+  Float_mesh tm;
+  add_to_face_graph(noisy_sphere(1, .1, 7), tm);
+  Mesh exact; // the same points
+  CGAL::copy_face_graph(tm, exact);
+  Diagram diagram(tm);
+  Voronoi expected(exact);
+  test_support::Random random(3);
+  const auto random_coordinates = [&]
+  {
+    const float a = static_cast<float>(random.uniform()) / 2, b = static_cast<float>(random.uniform()) / 2;
+    return Diagram::Barycentric_coordinates{a, b, 1.f - a - b};
+  };
+  const auto in_double = [](const Location& l)
+  { // exact up to the rounding of float
+    const double a = l.second[0], b = l.second[1];
+    return Face_location(l.first, {a, b, (std::max)(0., 1 - a - b)});
+  };
+  for(unsigned int i = 0; i < 12; ++i)
+  {
+    const Location l(face_descriptor(5 * i), random_coordinates());
+    CHECK_EQUAL(diagram.add_site(l), expected.add_site(in_double(l)));
+  }
+  for(const face_descriptor f : tm.faces())
+  {
+    const Location l(f, random_coordinates());
+    CHECK_NEAR(diagram.distance_to_nearest_site(l), expected.distance_to_nearest_site(in_double(l)), 1e-5);
+  }
+  for(const Diagram::Arc& a : diagram.arcs())
+    CHECK_NEAR(diagram.distance_to_nearest_site(a.point(.3)), a.distance(.3), 1e-5);
+  for(const Diagram::Boundary_polyline& b : diagram.boundary_polylines(0))
+  {
+    const CGAL::Surface_mesh_geodesics::Surface_curve<Float_mesh> curve(tm, b.locations);
+    CHECK_EQUAL(curve.segments().size() + 1, b.locations.size());
+  }
+  CHECK(throws<CGAL::Surface_mesh_geodesics::Invalid_geodesic_input>(
+    [&] { diagram.nearest_site(Location(face_descriptor(0), {.3f, .3f, .4001f})); }));
+}
+
 } // namespace
 
 int main()
@@ -538,5 +589,6 @@ int main()
   other_meshes_agree<Kernel, CGAL::Polyhedron_3<Kernel, CGAL::Polyhedron_items_with_id_3>>("Polyhedron_3");
   using Exact_kernel = CGAL::Exact_predicates_exact_constructions_kernel;
   other_meshes_agree<Exact_kernel, CGAL::Polyhedron_3<Exact_kernel, CGAL::Polyhedron_items_with_id_3>>("exact kernel");
+  kernels_of_float();
   return test_result();
 }

@@ -6,6 +6,7 @@
 #include "test_meshes.h"
 #include "test_support.h"
 
+#include <CGAL/Surface_mesh_geodesics/Surface_curve.h>
 #include <CGAL/Surface_mesh_geodesics/Surface_mesh_geodesic_Voronoi_diagram.h>
 #include <CGAL/Surface_mesh_geodesics/certify_geodesic_Voronoi_diagram.h>
 #include <CGAL/Surface_mesh_geodesics/certify_geodesic_distances.h>
@@ -427,6 +428,35 @@ void stores_with_other_faces()
   CHECK(flags.size() == 320 && std::count(flags.begin(), flags.end(), 1) == 2 && flags[1] == 1 && flags[319] == 1);
 }
 
+// --- curves ---
+
+// A curve of one vertex is a source like that vertex: rejected inside of the faces to avoid, valid at their rim, also
+// where a segment without length is given in a face to avoid that has no neighbor at its edges there.
+void curves_of_one_point()
+{
+  const test_support::Scope scope("curves of one point");
+  using Curve = SMG::Surface_curve<Mesh>;
+  const Mesh tm = to_face_graph(icosphere(1));
+  const vertex_descriptor v(0);
+  std::map<vertex_descriptor, double> found, expected;
+  Faces star;
+  for(const face_descriptor f : faces_around_target(halfedge(v, tm), tm))
+    star.push_back(f);
+  const auto distances = [&](const auto& source, const Faces& avoided, std::map<vertex_descriptor, double>& result)
+  { SMG::geodesic_distances(tm, boost::make_assoc_property_map(result), source, np::faces_to_avoid(avoided)); };
+  CHECK(throws<Invalid_geodesic_input>([&] { distances(v, star, found); }));
+  CHECK(throws<Invalid_geodesic_input>([&] { distances(Curve(tm, v), star, found); }));
+  const std::vector<vertex_descriptor> twice(2, v);
+  for(const face_descriptor left : star) // all faces but one
+  {
+    Faces avoided = star;
+    avoided.erase(std::find(avoided.begin(), avoided.end(), left));
+    distances(v, avoided, expected);
+    distances(Curve(tm, twice), avoided, found);
+    CHECK(found == expected);
+  }
+}
+
 } // namespace
 
 int main()
@@ -438,5 +468,6 @@ int main()
   remeshing_of_bad_input();
   stored_rows();
   stores_with_other_faces();
+  curves_of_one_point();
   return test_result();
 }

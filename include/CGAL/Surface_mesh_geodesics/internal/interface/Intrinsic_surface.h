@@ -301,12 +301,7 @@ public:
     const std::size_t position = set.size();
     if constexpr(Is_vertex<TriangleMesh, Source>::value)
     {
-      const Vertex_id v = checked_id(source, what, position);
-      // A vertex that had faces and has none left is inside of what is avoided.
-      if(!m_obstacles.is_avoided.empty() && m_mesh.halfedge(v) == null_id
-         && halfedge(vertex_descriptor(source), m_tm) != Graph_traits::null_halfedge())
-        reject_avoided(what, position);
-      set.vertices.push_back(v);
+      set.vertices.push_back(checked_source(source, what, position));
     }
     else
     {
@@ -314,6 +309,16 @@ public:
       set.located.push_back(Located_source<FT>{face_of(at.first), at.second, position});
       set.vertices.push_back(null_id);
     }
+  }
+
+  // Throws also if all faces around the vertex are avoided.
+  Vertex_id checked_source(vertex_descriptor source, const char* what, std::size_t position) const
+  {
+    const Vertex_id v = checked_id(source, what, position);
+    if(!m_obstacles.is_avoided.empty() && m_mesh.halfedge(v) == null_id
+       && halfedge(source, m_tm) != Graph_traits::null_halfedge())
+      reject_avoided(what, position);
+    return v;
   }
 
   // Lists the sources at walls once more for each other side (sources_at_walls.h). Call it when all sources have been
@@ -393,18 +398,18 @@ public:
 
   // Returns a single curve, whose number is `position`, without an offset and not divided. Throws as located_curves().
   template <typename Curve>
-  Located_curve<FT> located_curve(const Curve& curve, std::size_t position) const
+  Located_curve<FT> located_curve(const Curve& curve, std::size_t position, const char* what = "curve") const
   {
     Located_curve<FT> located;
     located.number = static_cast<std::uint32_t>(position);
     located.is_closed = curve.is_closed();
     for(const auto& segment : curve.segments())
     {
-      located.segments.push_back(curve_segment(segment, position));
+      located.segments.push_back(curve_segment(segment, what, position));
       located.segments.back().number = static_cast<std::uint32_t>(located.segments.size() - 1);
     }
     if(located.segments.empty())
-      located.vertex = checked_id(curve.vertex(), "curve", position);
+      located.vertex = checked_source(curve.vertex(), what, position);
     return located;
   }
 
@@ -418,12 +423,11 @@ public:
   }
 
   // Returns a segment of a curve in the order of the intrinsic face. A segment along the rim of what is avoided is
-  // given in the neighbor that is not avoided: then both of its ends are on one edge, as zero coordinates tell. A
-  // segment through an avoided face is rejected. `position` is the number of the curve. Throws as for locations.
+  // given in the neighbor that is not avoided: then both of its ends are on one edge, as zero coordinates tell; one
+  // without length as a point is. A segment through an avoided face is rejected. `position` is that of the curve.
   template <typename Segment>
-  Curve_segment<FT> curve_segment(const Segment& s, std::size_t position) const
+  Curve_segment<FT> curve_segment(const Segment& s, const char* what, std::size_t position) const
   {
-    const char* const what = "curve";
     if(!is_avoided(s.face))
     {
       const Halfedge_id h = checked_halfedge(s.face, what, position);
@@ -432,6 +436,9 @@ public:
     }
     const Coordinates from = snapped_coordinates(s.source, what, position);
     const Coordinates to = snapped_coordinates(s.target, what, position);
+    const auto point = [&] { return location_beside_avoided_faces(s.face, s.source, what, position); };
+    if(from == to)
+      return {face_of(point().first), point().second, point().second};
     halfedge_descriptor h = halfedge(s.face, m_tm);
     for(unsigned int k = 0; k < 3; ++k, h = next(h, m_tm))
       if(from[previous_corner(k)] == 0 && to[previous_corner(k)] == 0 && is_open(opposite(h, m_tm)))
@@ -574,12 +581,6 @@ private:
                                      + " sources");
     for(const double offset : offsets)
       add_offset(offset, set);
-  }
-
-  [[noreturn]] static void reject_avoided(const char* what, std::size_t position)
-  {
-    reject_descriptor(Invalid_geodesic_input::Reason::INVALID_LOCATION, what, position,
-                      " is inside of the faces to avoid");
   }
 
   const TriangleMesh& m_tm;

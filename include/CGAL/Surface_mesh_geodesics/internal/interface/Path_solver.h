@@ -141,9 +141,9 @@ public:
 
   // Adds a curve. The results are then those of a single thread, as strips and windows share one wavefront.
   template <typename Curve>
-  void add_source_curve(const Curve& curve, double offset)
+  void add_source_curve(const Curve& curve, double offset, const char* what = "curve")
   {
-    m_surface.add_source_curve(curve, offset);
+    m_surface.add_source_curve(curve, offset, what);
     if(m_curve_run == nullptr)
       m_curve_run.reset(new Strip_path_run<double>());
   }

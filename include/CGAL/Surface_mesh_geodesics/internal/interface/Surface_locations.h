@@ -18,6 +18,7 @@
 // this order. A position t on a halfedge is 0 at its source and 1 at its target. The null location has the null face.
 
 #include <CGAL/Surface_mesh_geodesics/Invalid_geodesic_input.h>
+#include <CGAL/Surface_mesh_geodesics/internal/interface/source_range.h>
 #include <CGAL/Surface_mesh_geodesics/internal/numeric/cgal_compatibility.h>
 #include <CGAL/Surface_mesh_geodesics/internal/surface/barycentric_coordinates.h>
 
@@ -61,13 +62,12 @@ struct Surface_locations
 
   // --- coordinates ---
 
-  // Returns the coordinates as numbers, rounded to double.
+  // Returns the coordinates as numbers, rounded to double (coordinates_in_double()).
   // Law: weights(coordinates(b)) == b if FT holds doubles exactly.
   static Coordinates weights(const Barycentric_coordinates& location, const Traits& traits)
   {
     auto weight = traits.construct_barycentric_coordinates_weight_object();
-    return {CGAL::to_double(weight(location, 0)), CGAL::to_double(weight(location, 1)),
-            CGAL::to_double(weight(location, 2))};
+    return coordinates_in_double(weight(location, 0), weight(location, 1), weight(location, 2));
   }
 
   // Returns numbers as coordinates of the traits.

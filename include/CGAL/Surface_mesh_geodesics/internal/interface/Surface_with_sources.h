@@ -127,10 +127,10 @@ public:
 
   // Appends a curve. Throws and requires what add_source() does.
   template <typename Curve>
-  void add_source_curve(const Curve& curve, double offset)
+  void add_source_curve(const Curve& curve, double offset, const char* what)
   {
     CGAL_assertion(!m_are_inserted);
-    m_curves.emplace_back(m_sources.size(), m_surface.located_curve(curve, m_sources.size()));
+    m_curves.emplace_back(m_sources.size(), m_surface.located_curve(curve, m_sources.size(), what));
     m_sources.vertices.push_back(null_id);
     m_surface.add_offset(offset, m_sources);
   }

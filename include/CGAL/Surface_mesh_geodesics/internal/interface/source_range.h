@@ -25,8 +25,11 @@
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <limits>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -229,6 +232,12 @@ bool is_edge_of(typename boost::graph_traits<TriangleMesh>::edge_descriptor e, c
   reject_descriptor(Invalid_geodesic_input::Reason::INVALID_LOCATION, what, position, " has a null face");
 }
 
+[[noreturn]] inline void reject_avoided(const char* what, std::size_t position)
+{
+  reject_descriptor(Invalid_geodesic_input::Reason::INVALID_LOCATION, what, position,
+                    " is inside of the faces to avoid");
+}
+
 // --- obstacles: faces to avoid, and walls, which are edges to avoid ---
 
 // They are given to the reader by the index of a face: the reader meets each face once, and asks with its index at
@@ -372,6 +381,31 @@ bool is_wall_of(typename boost::graph_traits<TriangleMesh>::edge_descriptor e, c
       && is_wall(obstacles.walls[static_cast<std::size_t>(get(fim, face(h, tm)))], number_in_face(h, tm));
 }
 
+// Coordinates of a type with fewer digits than double err by the rounding of that type, which is far more than the
+// tolerance of locations: no point inside a face would be valid.
+//
+// Returns three coordinates as numbers of type double. Those of such a type become valid if they are so up to
+// Tolerance::location() with the epsilon of that type: none is negative, and the sum is 1 up to rounding.
+template <typename Number>
+Barycentric<double> coordinates_in_double(const Number& a, const Number& b, const Number& c)
+{
+  Barycentric<double> r{CGAL::to_double(a), CGAL::to_double(b), CGAL::to_double(c)};
+  if constexpr(std::is_floating_point<Number>::value
+               && std::numeric_limits<Number>::digits < std::numeric_limits<double>::digits)
+  {
+    const double tolerance = std::sqrt(static_cast<double>(std::numeric_limits<Number>::epsilon())) / 16;
+    double sum = r[0] + r[1] + r[2];
+    if(!(std::abs(sum - 1) <= tolerance) || !(*std::min_element(r.begin(), r.end()) >= -tolerance))
+      return r;
+    for(double& x : r)
+      x = (std::max)(0., x);
+    sum = r[0] + r[1] + r[2];
+    for(double& x : r)
+      x /= sum;
+  }
+  return r;
+}
+
 // Returns the barycentric coordinates of a location in the order of the corners of the intrinsic face. The user's order
 // begins at the source of halfedge(f, tm), which is h in the intrinsic mesh. Throws if they are not valid
 // (are_valid_coordinates()). Does not round them to the edges; see snap_coordinates(). Their number type is any that
@@ -379,9 +413,10 @@ bool is_wall_of(typename boost::graph_traits<TriangleMesh>::edge_descriptor e, c
 template <typename FT, typename Coordinates>
 Barycentric<FT> intrinsic_coordinates(Halfedge_id h, const Coordinates& b, const char* what, std::size_t position)
 {
+  const Barycentric<double> user = coordinates_in_double(b[0], b[1], b[2]);
   Barycentric<FT> r;
   for(unsigned int j = 0; j < 3; ++j)
-    r[(index_in_face(h) + j) % 3] = FT(CGAL::to_double(b[j]));
+    r[(index_in_face(h) + j) % 3] = FT(user[j]);
   if(!are_valid_coordinates(r))
     reject_descriptor(Invalid_geodesic_input::Reason::INVALID_LOCATION, what, position, " is not in its face");
   return r;

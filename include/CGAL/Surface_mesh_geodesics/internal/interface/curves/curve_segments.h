@@ -23,7 +23,6 @@
 #include <CGAL/Surface_mesh_geodesics/internal/surface/barycentric_coordinates.h>
 
 #include <CGAL/boost/graph/iterator.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -136,8 +135,7 @@ private:
     m_face = f;
     if(f == Graph_traits::null_face())
       reject_curve(position, "has a null face");
-    for(unsigned int k = 0; k < 3; ++k)
-      m_coordinates[k] = CGAL::to_double(b[k]);
+    m_coordinates = coordinates_in_double(b[0], b[1], b[2]);
     if(!are_valid_coordinates(m_coordinates))
       reject_curve(position, "is not in its face");
     snap_coordinates(m_coordinates);

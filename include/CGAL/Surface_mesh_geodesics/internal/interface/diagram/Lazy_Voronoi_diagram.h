@@ -139,7 +139,7 @@ public:
     {
       const auto copy = std::make_shared<const Surface_curve<Triangle_mesh>>(curve);
       site.curve = copy;
-      site.give_curve = [this, copy](double offset) { m_solver.add_source_curve(*copy, offset); };
+      site.give_curve = [this, copy](double offset) { m_solver.add_source_curve(*copy, offset, "site"); };
     }
     return add(site);
   }
