@@ -10,7 +10,6 @@
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Polyhedron_items_with_id_3.h>
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/helpers.h>
 
 #include <algorithm>
@@ -536,8 +535,7 @@ void kernels_of_float()
   using Location = Diagram::Face_location;
   Float_mesh tm;
   add_to_face_graph(noisy_sphere(1, .1, 7), tm);
-  Mesh exact; // the same points
-  CGAL::copy_face_graph(tm, exact);
+  const Mesh exact = to_face_graph(noisy_sphere(1, .1, 7)); // the same faces; the same points, up to rounding
   Diagram diagram(tm);
   Voronoi expected(exact);
   test_support::Random random(3);
