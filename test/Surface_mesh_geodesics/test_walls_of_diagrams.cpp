@@ -518,7 +518,7 @@ void test_slits()
 {
   const test_support::Scope scope("slits");
   const Rectangle r;
-  for(const std::size_t last : {2, 3, 4})
+  for(std::size_t last = 2; last <= 4; ++last)
   {
     Diagram diagram(r.mesh);
     diagram.avoid_edges(r.wall(1, last));
